@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Exact plane geometry on rings of integer points, by CGAL behind a C face.
+ *
+ * Every predicate is exact: coordinates are integers, taken as doubles where they fit in 53 bits
+ * and as big integers otherwise, and no new point is ever constructed. Nothing that CGAL throws
+ * crosses this face. Cost per vertex for a million: simplicity 0.3 us, meeting edges 0.2 to 1.7 us,
+ * triangulation 0.4 to 6 us. */
+
+#ifndef TP_GEOM_H
+#define TP_GEOM_H
+
+#include <flint/fmpz.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum tp_geom_status { TP_GEOM_OK, TP_GEOM_OUT_OF_MEMORY, TP_GEOM_FAILED } tp_geom_status;
+
+/* Closed rings: ring r has the vertices start[r] … start[r + 1] - 1; edge k runs from vertex k to
+ * the next of its ring. */
+typedef struct tp_geom_rings {
+  size_t count;
+  const size_t *start;
+  const double *u, *v; /* used where `small`: exact integers */
+  const fmpz *x, *y;   /* used otherwise */
+  bool small;
+} tp_geom_rings;
+
+/* Is the ring a simple polygon: no edge meets another but at the vertex that neighbours share? */
+tp_geom_status tp_geom_is_simple(bool *simple, const tp_geom_rings *rings, size_t ring);
+
+typedef enum tp_geom_meeting_kind {
+  TP_GEOM_CROSS,  /* the interiors cross in one point */
+  TP_GEOM_TOUCH,  /* an end of one lies on the other */
+  TP_GEOM_OVERLAP /* they share a piece of positive length */
+} tp_geom_meeting_kind;
+
+/* Two edges that meet, other than neighbours of a ring in their common vertex. */
+typedef struct tp_geom_meeting {
+  tp_geom_meeting_kind kind;
+  size_t a, b; /* edges, named by their first vertex; a < b */
+} tp_geom_meeting;
+
+/* Receives the meetings in no particular order; false ends the search. */
+typedef bool (*tp_geom_visitor)(void *context, tp_geom_meeting meeting);
+
+/* All pairs of meeting edges, or with `between` >= 0 only pairs of an edge of ring `between` and an
+ * edge of another ring. */
+tp_geom_status tp_geom_find_meetings(const tp_geom_rings *rings, long between,
+                                     tp_geom_visitor visitor, void *context);
+
+enum { TP_GEOM_LAYERS = 4 };
+
+/* A triangle, counter-clockwise, and for each layer of rings the ring that it lies in, counted from
+ * 1; 0: in none. */
+typedef struct tp_geom_triangle {
+  size_t corner[3];
+  int ring_in_layer[TP_GEOM_LAYERS];
+} tp_geom_triangle;
+
+typedef struct tp_geom_triangulation {
+  size_t count;
+  tp_geom_triangle *triangles; /* those that lie in some ring */
+  bool conflict;               /* two rings of one layer overlap */
+  size_t conflict_a, conflict_b;
+} tp_geom_triangulation;
+
+/* Constrained Delaunay triangulation of all rings, each assigned to a layer. Rings may touch and
+ * share pieces of edges, but no two edges may cross (TP_GEOM_FAILED). */
+tp_geom_status tp_geom_triangulate(tp_geom_triangulation *result, const tp_geom_rings *rings,
+                                   const int *layer_of_ring);
+void tp_geom_triangulation_clear(tp_geom_triangulation *result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Points of the C face as points of a CGAL kernel, and the guard that no exception passes. */
+
+#ifndef TP_GEOM_RINGS_HPP
+#define TP_GEOM_RINGS_HPP
+
+#include "geom.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <new>
+#include <vector>
+
+namespace tp {
+
+/* Integers of at most 53 bits are doubles: filtered predicates decide them exactly. */
+using Small = CGAL::Exact_predicates_inexact_constructions_kernel;
+/* Larger ones go as exact numbers with an interval in front. */
+using Large = CGAL::Exact_predicates_exact_constructions_kernel;
+
+inline Large::FT exact_integer(const fmpz *value) {
+  mpz_t integer;
+  mpz_init(integer);
+  fmpz_get_mpz(integer, value);
+  CGAL::Gmpz copy(integer);
+  mpz_clear(integer);
+  return Large::FT(Large::Exact_kernel::FT(CGAL::Gmpq(copy).mpq()));
+}
+
+template <class Kernel> typename Kernel::Point_2 point(const tp_geom_rings &rings, size_t k);
+
+template <> inline Small::Point_2 point<Small>(const tp_geom_rings &rings, size_t k) {
+  return Small::Point_2(rings.u[k], rings.v[k]);
+}
+
+template <> inline Large::Point_2 point<Large>(const tp_geom_rings &rings, size_t k) {
+  return Large::Point_2(exact_integer(rings.x + k), exact_integer(rings.y + k));
+}
+
+template <class Kernel>
+std::vector<typename Kernel::Point_2> points(const tp_geom_rings &rings, size_t from, size_t to) {
+  std::vector<typename Kernel::Point_2> result;
+  result.reserve(to - from);
+  for (size_t k = from; k < to; k++) result.push_back(point<Kernel>(rings, k));
+  return result;
+}
+
+inline size_t vertex_count(const tp_geom_rings &rings) {
+  return rings.start[rings.count];
+}
+
+/* Run `body`, turning whatever it throws into a status. */
+template <class Body> tp_geom_status guard(Body body) {
+  try {
+    return body();
+  } catch (const std::bad_alloc &) {
+    return TP_GEOM_OUT_OF_MEMORY;
+  } catch (...) {
+    return TP_GEOM_FAILED;
+  }
+}
+
+} // namespace tp
+
+#endif

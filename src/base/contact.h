@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Where a block touches its base: facets and single points, found exactly on the lattice.
+ *
+ * A facet is a piece that an edge of the block shares with an edge of the base; its ends are
+ * vertices of one of them, so nothing is rounded. Where a vertex touches only in a point, the edge
+ * that it would press into is a facet without length: the other's edge, or both edges of a notch
+ * (in the base, or in the block). A corner on a corner presses into neither and restrains
+ * nothing to first order. */
+
+#ifndef TP_CONTACT_H
+#define TP_CONTACT_H
+
+#include "base/profile.h"
+
+/* Ends and direction by points of the lattice; the block lies on the left of the direction. */
+typedef struct tp_facet {
+  long q0, q1; /* from left to right; equal for a contact in a point */
+  long t0, t1; /* direction from t0 to t1; equal: restrains nothing */
+  long base_edge;
+} tp_facet;
+
+/* A vertex of the contact: candidate pivot. */
+typedef struct tp_contact_point {
+  long point;        /* of the lattice */
+  long left, right;  /* facets of positive length that end, and begin, here; -1 for none */
+  tp_pivot_kind kind;
+} tp_contact_point;
+
+typedef struct tp_contact {
+  long facet_count;
+  tp_facet *facets; /* along the base from left to right */
+  long point_count;
+  tp_contact_point *points;
+} tp_contact;
+
+/* The contact of a checked section with its base, whose ring is the chain after the section's rings
+ * in the lattice. A base that cuts into the block, and a block that touches it nowhere, are bad
+ * input. On failure `contact` is cleared. */
+TP_MUST_USE tp_status tp_contact_init(tp_contact *contact, const tp_section *section,
+                                      const tp_base *base, const tp_lattice *lattice,
+                                      tp_message *message);
+void tp_contact_clear(tp_contact *contact);
+
+/* (q - p) . t for points of the lattice and the direction of a facet: below zero where turning
+ * about p towards the left presses q into the facet's other side (mechanics section 3). */
+int tp_contact_side(const tp_lattice *lattice, long p, long q, const tp_facet *facet);
+
+#endif

@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "base/profile.h"
+
+#include "block/outline.h"
+#include "number/ratio.h"
+
+#include <string.h>
+
+enum { MOST_TEETH_BEYOND = 1000000 };
+
+void tp_base_clear(tp_base *base) {
+  tp_polyline_clear(&base->ring);
+  memset(base, 0, sizeof *base);
+}
+
+/* The rightmost vertex, the lowest of them. */
+static long rightmost(const tp_polyline *line) {
+  long best = 0;
+  for (long k = 1; k < line->count; k++) {
+    const int side = fmpq_cmp(line->x + k, line->x + best);
+    if (side > 0 || (side == 0 && fmpq_cmp(line->y + k, line->y + best) < 0)) best = k;
+  }
+  return best;
+}
+
+/* Level ground from `from` by `beyond` to the left (-1) or the right (1). */
+static bool add_level(tp_base *base, const tp_polyline *outline, long from, const fmpq_t beyond,
+                      int side) {
+  if (fmpq_is_zero(beyond)) return true;
+  fmpq_t x;
+  fmpq_init(x);
+  if (side < 0) {
+    fmpq_sub(x, outline->x + from, beyond);
+  } else {
+    fmpq_add(x, outline->x + from, beyond);
+  }
+  const bool done = tp_polyline_append(&base->ring, x, outline->y + from, base->ring.mark);
+  fmpq_clear(x);
+  return done;
+}
+
+/* Whole teeth that fit into `beyond`, and whether a piece of one is left over. */
+static long whole_teeth(const fmpq_t beyond, const tp_teeth *teeth, bool *piece) {
+  fmpq_t ratio;
+  fmpz_t whole;
+  fmpq_init(ratio);
+  fmpz_init(whole);
+  fmpq_div(ratio, beyond, teeth->width);
+  fmpz_fdiv_q(whole, fmpq_numref(ratio), fmpq_denref(ratio));
+  *piece = !fmpz_is_one(fmpq_denref(ratio));
+  const long count = fmpz_cmp_si(whole, MOST_TEETH_BEYOND) > 0 ? -1 : fmpz_get_si(whole);
+  fmpz_clear(whole);
+  fmpq_clear(ratio);
+  return count;
+}
+
+/* A joint of the endless row of teeth. */
+static bool add_joint(tp_base *base, const tp_teeth *teeth, long joint, const fmpq_t abscissa) {
+  fmpq_t y;
+  fmpq_init(y);
+  tp_outline_joint_height(y, teeth, joint);
+  const bool done = tp_polyline_append(&base->ring, abscissa, y, base->ring.mark);
+  fmpq_clear(y);
+  return done;
+}
+
+/* Where the base ends on a flank: between the joints `inner` and `outer`. */
+static bool add_piece(tp_base *base, const tp_teeth *teeth, long inner, long outer,
+                      const fmpq_t left_over, const fmpq_t abscissa) {
+  fmpq_t y, far;
+  fmpq_init(y);
+  fmpq_init(far);
+  tp_outline_joint_height(y, teeth, inner);
+  tp_outline_joint_height(far, teeth, outer);
+  fmpq_sub(far, far, y);
+  fmpq_mul(far, far, left_over);
+  fmpq_div(far, far, teeth->width);
+  fmpq_add(y, y, far);
+  const bool done = tp_polyline_append(&base->ring, abscissa, y, base->ring.mark);
+  fmpq_clear(y);
+  fmpq_clear(far);
+  return done;
+}
+
+/* The teeth go on by `beyond`: whole ones, then perhaps a piece of one. Points from left to right. */
+static bool add_teeth(tp_base *base, const tp_teeth *teeth, long count, bool piece,
+                      const fmpq_t beyond, int side) {
+  fmpq_t x, left_over;
+  fmpz_t joint;
+  fmpq_init(x);
+  fmpq_init(left_over);
+  fmpz_init_set_si(joint, count);
+  fmpq_mul_fmpz(left_over, teeth->width, joint);
+  fmpq_sub(left_over, beyond, left_over);
+  bool done = true;
+  for (long step = side < 0 ? count + 1 : 1; step >= 1 && step <= count + 1 && done; step += side) {
+    const long inner = side < 0 ? -(step - 1) : teeth->count + step - 1;
+    const long outer = inner + side;
+    if (step <= count) {
+      fmpz_set_si(joint, outer);
+      fmpq_mul_fmpz(x, teeth->width, joint);
+      done = add_joint(base, teeth, outer, x);
+    } else if (piece) {
+      fmpz_set_si(joint, side < 0 ? 0 : teeth->count);
+      fmpq_mul_fmpz(x, teeth->width, joint);
+      if (side < 0) {
+        fmpq_sub(x, x, beyond);
+      } else {
+        fmpq_add(x, x, beyond);
+      }
+      done = add_piece(base, teeth, inner, outer, left_over, x);
+    }
+  }
+  fmpz_clear(joint);
+  fmpq_clear(x);
+  fmpq_clear(left_over);
+  return done;
+}
+
+static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyline *outline,
+                            long from, int side, tp_message *message) {
+  const tp_quantity *beyond = side < 0 ? &scene->base.beyond_left : &scene->base.beyond_right;
+  bool done = true;
+  if (scene->block.form == TP_OUTLINE_TEETH && scene->base.between.count == 0) {
+    bool piece = false;
+    const long count = whole_teeth(beyond->value, &scene->block.teeth, &piece);
+    if (count < 0) {
+      return tp_fail(message, TP_BAD_INPUT, beyond->place,
+                     "the base goes on for more than a million teeth");
+    }
+    done = add_teeth(base, &scene->block.teeth, count, piece, beyond->value, side);
+  } else {
+    done = add_level(base, outline, from, beyond->value, side);
+  }
+  return done ? TP_OK : tp_fail_memory(message, "the base");
+}
+
+static tp_status find_vertex(long *vertex, const tp_polyline *outline, const tp_polyline *between,
+                             long k, tp_message *message) {
+  for (*vertex = 0; *vertex < outline->count; ++*vertex) {
+    if (fmpq_equal(outline->x + *vertex, between->x + k) &&
+        fmpq_equal(outline->y + *vertex, between->y + k)) {
+      return TP_OK;
+    }
+  }
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, k),
+                 "this is no vertex of the outline; 'between' names two of its vertices exactly");
+}
+
+static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_section *section,
+                           tp_message *message) {
+  const tp_polyline *outline = section->rings, *between = &scene->base.between;
+  long first = 0, last = 0;
+  tp_status status = TP_OK;
+  if (between->count == 2) {
+    status = find_vertex(&first, outline, between, 0, message);
+    if (status == TP_OK) status = find_vertex(&last, outline, between, 1, message);
+    if (status == TP_OK && first == last) {
+      status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 1),
+                       "the contact begins and ends in the same vertex");
+    }
+  } else {
+    first = tp_polyline_leftmost(outline);
+    last = rightmost(outline);
+  }
+  if (status != TP_OK) return status;
+  base->mated = between->count == 0;
+  base->outline_first = first;
+  base->mated_count = (last - first + outline->count) % outline->count;
+  status = add_beyond(base, scene, outline, first, -1, message);
+  if (status != TP_OK) return status;
+  base->mated_first = base->ring.count;
+  for (long k = 0; k <= base->mated_count; k++) {
+    const long vertex = (first + k) % outline->count;
+    if (!tp_polyline_append(&base->ring, outline->x + vertex, outline->y + vertex,
+                            outline->marks[vertex])) {
+      return tp_fail_memory(message, "the base");
+    }
+  }
+  return add_beyond(base, scene, outline, last, 1, message);
+}
+
+static tp_status set_profile(tp_base *base, const tp_polyline *profile, tp_message *message) {
+  if (profile->count < 2) {
+    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
+                   "a base profile needs at least two points");
+  }
+  for (long k = 1; k < profile->count; k++) {
+    if (fmpq_cmp(profile->x + k, profile->x + k - 1) < 0) {
+      return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, k),
+                     "a base profile runs from left to right: point %ld lies left of point %ld",
+                     k + 1, k);
+    }
+  }
+  if (fmpq_equal(profile->x, profile->x + profile->count - 1)) {
+    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
+                   "the base profile has no width: all its points lie on one upright line");
+  }
+  tp_polyline_clear(&base->ring);
+  return tp_polyline_copy(&base->ring, profile) ? TP_OK : tp_fail_memory(message, "the base");
+}
+
+/* Two corners so far below that no block reaches them: the rock under the profile as a ring. */
+static bool close_below(tp_base *base, const tp_polyline *outline) {
+  const fmpq *low = outline->y, *high = outline->y;
+  for (long k = 1; k < outline->count; k++) {
+    if (fmpq_cmp(outline->y + k, low) < 0) low = outline->y + k;
+    if (fmpq_cmp(outline->y + k, high) > 0) high = outline->y + k;
+  }
+  fmpq_t y, x_left, x_right;
+  fmpq_init(y);
+  fmpq_init(x_left);
+  fmpq_init(x_right);
+  fmpq_set(y, low);
+  for (long k = 0; k < base->ring.count; k++) {
+    if (fmpq_cmp(base->ring.y + k, y) < 0) fmpq_set(y, base->ring.y + k);
+  }
+  fmpq_sub(y, y, high);
+  fmpq_add(y, y, low);
+  fmpq_set(x_left, base->ring.x); /* copies: appending may move the arrays */
+  fmpq_set(x_right, base->ring.x + base->ring.count - 1);
+  const bool done = tp_polyline_append(&base->ring, x_right, y, base->ring.mark) &&
+                    tp_polyline_append(&base->ring, x_left, y, base->ring.mark);
+  fmpq_clear(y);
+  fmpq_clear(x_left);
+  fmpq_clear(x_right);
+  return done;
+}
+
+tp_status tp_base_init(tp_base *base, const tp_scene *scene, const tp_section *section,
+                       tp_message *message) {
+  memset(base, 0, sizeof *base);
+  const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
+  base->ring.file = place.file;
+  base->ring.mark = (tp_mark){place.line, place.column};
+  tp_status status = scene->base.mated ? set_mated(base, scene, section, message)
+                                       : set_profile(base, &scene->base.profile, message);
+  if (status == TP_OK) {
+    base->edge_count = base->ring.count - 1;
+    if (!close_below(base, section->rings)) status = tp_fail_memory(message, "the base");
+  }
+  if (status != TP_OK) tp_base_clear(base);
+  return status;
+}

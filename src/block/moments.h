@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Moments of a section: what the lattice sums mean in lengths. */
+
+#ifndef TP_MOMENTS_H
+#define TP_MOMENTS_H
+
+#include "block/ring_sums.h"
+#include "block/section.h"
+#include "number/ladder.h"
+
+/* In lattice units about the lattice's origin. `weighted` sums every ring by its weight; `area2` is
+ * twice the area of outline less holes. */
+typedef struct tp_moments {
+  arb_t area2;
+  arb_struct weighted[TP_SUM_COUNT];
+} tp_moments;
+
+void tp_moments_init(tp_moments *moments);
+void tp_moments_clear(tp_moments *moments);
+
+/* Sums at one rung of the ladder; exact integers at TP_LEVEL_EXACT. The first chains of the lattice
+ * are the rings of the section. */
+void tp_moments_evaluate(tp_moments *moments, const tp_section *section, const tp_lattice *lattice,
+                         tp_rung rung);
+
+#endif

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Outlines that a scene describes by a few numbers: toothed blocks and slabs. */
+
+#ifndef TP_OUTLINE_H
+#define TP_OUTLINE_H
+
+#include "scene/scene.h"
+
+/* The outline of a toothed block (Fig. 5), from its lower left end counter-clockwise, valleys at
+ * y = 0, peaks at y = c, the top at y = b + c. False when memory is exhausted. */
+TP_MUST_USE bool tp_outline_teeth(tp_polyline *outline, const tp_teeth *teeth, tp_mark mark);
+
+/* Height of the underside at the k-th joint between sub-blocks (k < 0 and k > N go on beyond the
+ * block): 0 or c. */
+void tp_outline_joint_height(fmpq_t y, const tp_teeth *teeth, long joint);
+
+/* Corners of the elements of Appendix A: at the k-th joint the points (k a, c) and (k a, b + c),
+ * each pair in that order. */
+TP_MUST_USE bool tp_outline_teeth_elements(tp_polyline *corners, const tp_teeth *teeth);
+
+#endif

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The boundary sums exactly and in balls, from the one definition in ring_sums_in.h. */
+
+#include "block/ring_sums.h"
+
+const int tp_sum_degree[TP_SUM_COUNT] = {2, 3, 3, 4, 4, 4};
+
+#define NUMBER fmpz
+#define FUNCTION exact_sums
+#define INIT fmpz_init
+#define CLEAR fmpz_clear
+#define ZERO fmpz_zero
+#define SET_INTEGER fmpz_set
+#define ADD fmpz_add
+#define SUBTRACT fmpz_sub
+#define MULTIPLY fmpz_mul
+#define ADD_PRODUCT fmpz_addmul
+#include "block/ring_sums_in.h"
+#undef NUMBER
+#undef FUNCTION
+#undef INIT
+#undef CLEAR
+#undef ZERO
+#undef SET_INTEGER
+#undef ADD
+#undef SUBTRACT
+#undef MULTIPLY
+#undef ADD_PRODUCT
+
+#define NUMBER arb_struct
+#define FUNCTION ball_sums
+#define INIT arb_init
+#define CLEAR arb_clear
+#define ZERO arb_zero
+#define SET_INTEGER(r, n) arb_set_round_fmpz(r, n, bits)
+#define ADD(r, a, b) arb_add(r, a, b, bits)
+#define SUBTRACT(r, a, b) arb_sub(r, a, b, bits)
+#define MULTIPLY(r, a, b) arb_mul(r, a, b, bits)
+#define ADD_PRODUCT(r, a, b) arb_addmul(r, a, b, bits)
+#include "block/ring_sums_in.h"
+
+void tp_ring_sums_exact(fmpz sums[TP_SUM_COUNT], const fmpz *x, const fmpz *y, long count) {
+  exact_sums(sums, x, y, count, 0);
+}
+
+void tp_ring_sums_ball(arb_struct sums[TP_SUM_COUNT], const fmpz *x, const fmpz *y, long count,
+                       long bits) {
+  ball_sums(sums, x, y, count, bits);
+}

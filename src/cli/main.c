@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* topple COMMAND …: the table of commands. */
+
+#define _GNU_SOURCE
+#include "cli/cli.h"
+#include "topple.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct command {
+  const char *name, *what;
+  int (*run)(int argc, char **argv);
+} commands[] = {
+    {"solve", "Does the block of a scene stand, slide or topple, and at which tilt?", tp_cli_solve},
+};
+enum { COMMANDS = sizeof commands / sizeof commands[0] };
+
+int tp_cli_print(const char *text) {
+  if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
+  fprintf(stderr, "topple: cannot write the report: %s\n", strerror(errno));
+  return TP_EXIT_SYSTEM;
+}
+
+static void print_help(FILE *out) {
+  fprintf(out, "Usage: topple COMMAND [OPTION...] ...\n"
+               "Stability of a rock block of any outline on a base of any profile.\n\n");
+  for (int k = 0; k < COMMANDS; k++) fprintf(out, "  %-10s %s\n", commands[k].name, commands[k].what);
+  fprintf(out, "\nA scene file alone is short for 'topple solve SCENE'.\n"
+               "'topple COMMAND --help' tells the options of a command.\n\n"
+               "  --help     print this help\n"
+               "  --version  print the version\n\n"
+               "Exit status: 0 done, 1 a claim was refuted, 2 wrong usage, 3 bad input,\n"
+               "4 undecided at the precision allowed, 5 the system failed.\n");
+}
+
+static int run_command(const struct command *command, int argc, char **argv) {
+  char name[64];
+  snprintf(name, sizeof name, "topple %s", command->name);
+  argv[0] = name;
+  return command->run(argc, argv);
+}
+
+static int has_suffix(const char *text, const char *suffix) {
+  const size_t n = strlen(text), m = strlen(suffix);
+  return n >= m && strcmp(text + n - m, suffix) == 0;
+}
+
+int main(int argc, char **argv) {
+  if (argc < 2) {
+    print_help(stderr);
+    return TP_EXIT_USAGE;
+  }
+  const char *first = argv[1];
+  if (strcmp(first, "--help") == 0 || strcmp(first, "-?") == 0 || strcmp(first, "help") == 0) {
+    print_help(stdout);
+    return 0;
+  }
+  if (strcmp(first, "--version") == 0 || strcmp(first, "-V") == 0) {
+    printf("topple %s\n", TP_VERSION);
+    return 0;
+  }
+  for (int k = 0; k < COMMANDS; k++) {
+    if (strcmp(first, commands[k].name) == 0) return run_command(commands + k, argc - 1, argv + 1);
+  }
+  if (has_suffix(first, ".yaml") || has_suffix(first, ".yml")) return run_command(commands, argc, argv);
+  fprintf(stderr, "topple: '%s' is no command and no scene file; 'topple --help' lists the commands\n",
+          first);
+  return TP_EXIT_USAGE;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Messages: what went wrong, where (file:line:column), and what to do. */
+
+#ifndef TP_MESSAGE_H
+#define TP_MESSAGE_H
+
+#include "topple.h"
+
+/* A position in a file; line and column count from 1, 0 says that they are not known. */
+typedef struct tp_place {
+  const char *file; /* borrowed; NULL: no place */
+  int line, column;
+} tp_place;
+
+/* Write "file:line:column: text" into the message and return `status`, so that a caller can
+ * `return tp_fail(…)`. `message` may be NULL. */
+tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* As tp_fail for TP_OUT_OF_MEMORY, naming what was being built. */
+tp_status tp_fail_memory(tp_message *message, const char *what);
+
+/* "file:line:column" into `text`, shorter where parts are not known. */
+void tp_place_text(char *text, size_t size, tp_place place);
+
+#endif

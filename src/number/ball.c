@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "number/ball.h"
+
+#include <float.h>
+#include <math.h>
+
+tp_bounded tp_ball_bounded(const arb_t ball) {
+  if (!arb_is_finite(ball)) return (tp_bounded){0.0, INFINITY};
+  tp_bounded result = {arf_get_d(arb_midref(ball), ARF_RND_NEAR), 0.0};
+  if (!isfinite(result.value)) {
+    return (tp_bounded){copysign(DBL_MAX, result.value), INFINITY};
+  }
+  arf_t rest;
+  mag_t error;
+  arf_init(rest);
+  mag_init(error);
+  arf_set_d(rest, result.value);
+  arf_sub(rest, rest, arb_midref(ball), ARF_PREC_EXACT, ARF_RND_UP);
+  arf_get_mag(error, rest);
+  mag_add(error, error, arb_radref(ball));
+  arf_set_mag(rest, error);
+  result.error = arf_get_d(rest, ARF_RND_UP);
+  arf_clear(rest);
+  mag_clear(error);
+  return result;
+}
+
+bool tp_ball_certain(const arb_t ball, int digits) {
+  if (arb_is_exact(ball)) return arb_is_finite(ball);
+  /* 10^digits < 2^(3.33 digits); arb_rel_accuracy_bits is -log2 of twice the relative radius. */
+  return arb_rel_accuracy_bits(ball) > (slong)(3.33 * digits) + 2;
+}
+
+void tp_ball_set_bounded(arb_t ball, double value, double error) {
+  arf_set_d(arb_midref(ball), value);
+  mag_set_d(arb_radref(ball), error); /* an upper bound */
+}
+
+/* k with angle = 45 k degrees where y and x are exact and it is one; 8 otherwise. */
+static int octant(const arb_t y, const arb_t x) {
+  const int none = 8;
+  if (!arb_is_exact(y) || !arb_is_exact(x)) return none;
+  const int side_y = arf_sgn(arb_midref(y)), side_x = arf_sgn(arb_midref(x));
+  if (side_y == 0) return side_x > 0 ? 0 : side_x < 0 ? 4 : none;
+  if (side_x == 0) return 2 * side_y;
+  if (arf_cmpabs(arb_midref(y), arb_midref(x)) != 0) return none;
+  return side_y * (side_x > 0 ? 1 : 3);
+}
+
+void tp_ball_atan2_degrees(arb_t angle, const arb_t y, const arb_t x, long bits) {
+  const int eighths = octant(y, x);
+  if (eighths < 8) {
+    arb_set_si(angle, 45L * eighths);
+    return;
+  }
+  arb_t pi;
+  arb_init(pi);
+  arb_atan2(angle, y, x, bits);
+  arb_const_pi(pi, bits);
+  arb_mul_ui(angle, angle, 180, bits);
+  arb_div(angle, angle, pi, bits);
+  arb_clear(pi);
+}
+
+void tp_ball_sin_cos_degrees(arb_t sine, arb_t cosine, const fmpq_t degrees, long bits) {
+  fmpq_t turn;
+  fmpz_t quarters;
+  fmpq_init(turn);
+  fmpz_init_set_ui(quarters, 180);
+  fmpq_div_fmpz(turn, degrees, quarters);
+  arb_sin_cos_pi_fmpq(sine, cosine, turn, bits);
+  fmpz_set_ui(quarters, 90);
+  fmpq_div_fmpz(turn, degrees, quarters);
+  if (fmpz_is_one(fmpq_denref(turn))) {
+    static const int sines[4] = {0, 1, 0, -1};
+    const unsigned long quarter = fmpz_fdiv_ui(fmpq_numref(turn), 4);
+    arb_set_si(sine, sines[quarter]);
+    arb_set_si(cosine, sines[(quarter + 1) % 4]);
+  }
+  fmpq_clear(turn);
+  fmpz_clear(quarters);
+}
+
+void tp_ball_tan_degrees(arb_t tangent, const fmpq_t degrees, long bits) {
+  fmpq_t eighths;
+  fmpz_t unit;
+  fmpq_init(eighths);
+  fmpz_init_set_ui(unit, 45);
+  fmpq_div_fmpz(eighths, degrees, unit);
+  if (fmpz_is_one(fmpq_denref(eighths))) {
+    static const int tangents[4] = {0, 1, 0, -1};
+    const unsigned long eighth = fmpz_fdiv_ui(fmpq_numref(eighths), 4);
+    if (eighth == 2) {
+      arb_indeterminate(tangent);
+    } else {
+      arb_set_si(tangent, tangents[eighth]);
+    }
+  } else {
+    arb_t cosine;
+    arb_init(cosine);
+    tp_ball_sin_cos_degrees(tangent, cosine, degrees, bits);
+    arb_div(tangent, tangent, cosine, bits);
+    arb_clear(cosine);
+  }
+  fmpq_clear(eighths);
+  fmpz_clear(unit);
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Balls (Arb) where a double is not enough, and their certified way back to doubles and decimals.
+ *
+ * Angles are in degrees. Multiples of 45 degrees are the only rational angles with a rational
+ * tangent (Niven), so they are the only ones at which a comparison of a rational angle with
+ * atan2 of rationals can tie; the functions here return them exactly. Every other comparison is
+ * decided by enough precision. */
+
+#ifndef TP_BALL_H
+#define TP_BALL_H
+
+#include "topple.h"
+
+#include <arb.h>
+#include <flint/fmpq.h>
+
+/* Enclosure of the ball by a double and a double bound, both rounded the safe way. */
+tp_bounded tp_ball_bounded(const arb_t ball);
+
+/* Is the truth known to 10^-digits of its size? An exact zero is. */
+bool tp_ball_certain(const arb_t ball, int digits);
+
+/* value with |truth - value| <= error. */
+void tp_ball_set_bounded(arb_t ball, double value, double error);
+
+/* atan2(y, x) in degrees, in (-180, 180]; exact where y and x are exact and the angle is a multiple
+ * of 45 degrees. (0, 0) gives an indeterminate ball. */
+void tp_ball_atan2_degrees(arb_t angle, const arb_t y, const arb_t x, long bits);
+
+/* Sine and cosine of a rational angle in degrees; exact where they are 0 or 1. */
+void tp_ball_sin_cos_degrees(arb_t sine, arb_t cosine, const fmpq_t degrees, long bits);
+
+/* tan(degrees), exact at multiples of 45; indeterminate at 90. */
+void tp_ball_tan_degrees(arb_t tangent, const fmpq_t degrees, long bits);
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The ladder: one computation at rising prices, climbed only as far as the answer needs.
+ *
+ * A rung names the arithmetic of the moment sums (double with a bound, balls, exact integers) and
+ * the working precision of what follows. The computation says after each rung whether all its
+ * numbers and decisions are certain. */
+
+#ifndef TP_LADDER_H
+#define TP_LADDER_H
+
+#include "topple.h"
+
+typedef struct tp_rung {
+  tp_level level;
+  long bits;
+} tp_rung;
+
+/* Run at one rung; `*certain` says that no higher rung is needed. A status other than TP_OK ends
+ * the climb. */
+typedef tp_status (*tp_ladder_step)(void *context, tp_rung rung, bool *certain);
+
+/* Climb until a step is certain. TP_UNDECIDED when the last rung was not enough: the results of the
+ * last step stand, enclosures all of them. `*reached` is the last rung tried. */
+TP_MUST_USE tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_rung *reached);
+
+const char *tp_level_name(tp_level level);
+
+#endif

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "number/lattice.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Integers of a lattice may take at most this many bits in all (2 GiB). */
+static const double most_bits = 1.7e10;
+
+void tp_lattice_clear(tp_lattice *lattice) {
+  for (long k = 0; k < lattice->count; k++) {
+    if (lattice->x != NULL) fmpz_clear(lattice->x + k);
+    if (lattice->y != NULL) fmpz_clear(lattice->y + k);
+  }
+  free(lattice->start);
+  free(lattice->x);
+  free(lattice->y);
+  free(lattice->u);
+  free(lattice->v);
+  fmpz_clear(lattice->origin_x);
+  fmpz_clear(lattice->origin_y);
+  fmpq_clear(lattice->step_m);
+  memset(lattice, 0, sizeof *lattice);
+}
+
+static tp_status common_denominator(fmpz_t denominator, const tp_polyline *const *chains,
+                                    long chain_count, long point_count, tp_message *message) {
+  fmpz_one(denominator);
+  for (long c = 0; c < chain_count; c++) {
+    for (long k = 0; k < 2 * chains[c]->count; k++) {
+      const fmpq *value = k % 2 == 0 ? chains[c]->x + k / 2 : chains[c]->y + k / 2;
+      if (fmpz_divisible(denominator, fmpq_denref(value))) continue;
+      fmpz_lcm(denominator, denominator, fmpq_denref(value));
+      if ((double)fmpz_bits(denominator) * (double)point_count * 2 > most_bits) {
+        return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chains[c], k / 2),
+                       "the coordinates have too many different denominators to be held exactly; "
+                       "write them as decimals, or round the fractions");
+      }
+    }
+  }
+  return TP_OK;
+}
+
+static void to_integer(fmpz_t integer, const fmpq *value, const fmpz_t denominator, fmpz_t factor) {
+  fmpz_divexact(factor, denominator, fmpq_denref(value));
+  fmpz_mul(integer, fmpq_numref(value), factor);
+}
+
+/* Subtract the middle of the range of the first `leading` values from all of them. */
+static void centre(fmpz *values, long leading, long count, fmpz_t origin) {
+  if (leading == 0) return;
+  const fmpz *least = values, *most = values;
+  for (long k = 1; k < leading; k++) {
+    if (fmpz_cmp(values + k, least) < 0) least = values + k;
+    if (fmpz_cmp(values + k, most) > 0) most = values + k;
+  }
+  fmpz_add(origin, least, most);
+  fmpz_fdiv_q_2exp(origin, origin, 1);
+  for (long k = 0; k < count; k++) fmpz_sub(values + k, values + k, origin);
+}
+
+static long largest_bits(const fmpz *values, long count) {
+  long bits = 0;
+  for (long k = 0; k < count; k++) {
+    const long own = (long)fmpz_bits(values + k);
+    if (own > bits) bits = own;
+  }
+  return bits;
+}
+
+/* values * 2^-exponent rounded to nearest. FLINT's own conversion truncates; here the 60 leading
+ * bits and one sticky bit for the rest are rounded by the machine, which decides every tie. */
+static void to_doubles(double *rounded, const fmpz *values, long count, long exponent) {
+  if (exponent == 0) {
+    for (long k = 0; k < count; k++) rounded[k] = (double)fmpz_get_si(values + k);
+    return;
+  }
+  fmpz_t head;
+  fmpz_init(head);
+  for (long k = 0; k < count; k++) {
+    const long shift = (long)fmpz_bits(values + k) - 60;
+    if (shift <= 0) {
+      rounded[k] = ldexp((double)fmpz_get_si(values + k), (int)-exponent);
+      continue;
+    }
+    fmpz_tdiv_q_2exp(head, values + k, (unsigned long)shift);
+    long word = fmpz_get_si(head);
+    if (fmpz_val2(values + k) < (unsigned long)shift) word |= 1; /* sticky: decides a tie rightly */
+    rounded[k] = ldexp((double)word, (int)(shift - exponent));
+  }
+  fmpz_clear(head);
+}
+
+static bool allocate(tp_lattice *lattice, long chain_count, long count) {
+  const size_t points = count > 0 ? (size_t)count : 1;
+  lattice->chain_count = chain_count;
+  lattice->start = calloc((size_t)chain_count + 1, sizeof *lattice->start);
+  lattice->x = calloc(points, sizeof *lattice->x);
+  lattice->y = calloc(points, sizeof *lattice->y);
+  lattice->u = calloc(points, sizeof *lattice->u);
+  lattice->v = calloc(points, sizeof *lattice->v);
+  lattice->count = count;
+  return lattice->start != NULL && lattice->x != NULL && lattice->y != NULL &&
+         lattice->u != NULL && lattice->v != NULL;
+}
+
+static void fill(tp_lattice *lattice, const tp_polyline *const *chains, const fmpz_t denominator) {
+  fmpz_t factor;
+  fmpz_init(factor);
+  long at = 0;
+  for (long c = 0; c < lattice->chain_count; c++) {
+    lattice->start[c] = at;
+    for (long k = 0; k < chains[c]->count; k++, at++) {
+      to_integer(lattice->x + at, chains[c]->x + k, denominator, factor);
+      to_integer(lattice->y + at, chains[c]->y + k, denominator, factor);
+    }
+  }
+  lattice->start[lattice->chain_count] = at;
+  fmpz_clear(factor);
+  const long leading = lattice->chain_count > 0 ? chains[0]->count : 0;
+  centre(lattice->x, leading, lattice->count, lattice->origin_x);
+  centre(lattice->y, leading, lattice->count, lattice->origin_y);
+  const long bits_x = largest_bits(lattice->x, lattice->count);
+  const long bits_y = largest_bits(lattice->y, lattice->count);
+  const long bits = bits_x > bits_y ? bits_x : bits_y;
+  lattice->exponent = bits > 53 ? bits - 53 : 0;
+  to_doubles(lattice->u, lattice->x, lattice->count, lattice->exponent);
+  to_doubles(lattice->v, lattice->y, lattice->count, lattice->exponent);
+}
+
+tp_status tp_lattice_init(tp_lattice *lattice, const tp_polyline *const *chains, long count,
+                          const fmpq_t metres_per_unit, tp_message *message) {
+  memset(lattice, 0, sizeof *lattice);
+  fmpz_init(lattice->origin_x);
+  fmpz_init(lattice->origin_y);
+  fmpq_init(lattice->step_m);
+  fmpz_t denominator;
+  fmpz_init(denominator);
+  long points = 0;
+  for (long c = 0; c < count; c++) points += chains[c]->count;
+  tp_status status = common_denominator(denominator, chains, count, points, message);
+  if (status == TP_OK && !allocate(lattice, count, points)) {
+    status = tp_fail_memory(message, "the lattice of points");
+  }
+  if (status == TP_OK) {
+    fill(lattice, chains, denominator);
+    fmpq_div_fmpz(lattice->step_m, metres_per_unit, denominator);
+  } else {
+    tp_lattice_clear(lattice);
+  }
+  fmpz_clear(denominator);
+  return status;
+}
+
+static void metres(fmpq_t result, const fmpz_t value, const fmpz_t origin, const fmpq_t step) {
+  fmpz_add(fmpq_numref(result), value, origin);
+  fmpz_one(fmpq_denref(result));
+  fmpq_mul(result, result, step);
+}
+
+void tp_lattice_metres_x(fmpq_t result, const tp_lattice *lattice, const fmpz_t x) {
+  metres(result, x, lattice->origin_x, lattice->step_m);
+}
+
+void tp_lattice_metres_y(fmpq_t result, const tp_lattice *lattice, const fmpz_t y) {
+  metres(result, y, lattice->origin_y, lattice->step_m);
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Exact points on one integer lattice.
+ *
+ * Every coordinate of a scene is a rational. Over their common denominator D they are integers, and
+ * relative to a local origin (the middle of the first chain, subtracted exactly) they are small
+ * ones:
+ *     x_m = (x + origin_x) * step_m,   step_m = metres per scene length / D.
+ * Predicates and moment sums on the integers are exact with ring operations only. For double
+ * arithmetic u = x * 2^-exponent rounded to nearest; exponent 0 says that u is exact. */
+
+#ifndef TP_LATTICE_H
+#define TP_LATTICE_H
+
+#include "number/polyline.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz.h>
+
+typedef struct tp_lattice {
+  long chain_count;
+  long *start; /* chain k holds the points start[k] … start[k + 1] - 1 */
+  long count;  /* points in all */
+  fmpz *x, *y;
+  double *u, *v;
+  long exponent;
+  fmpz_t origin_x, origin_y;
+  fmpq_t step_m;
+} tp_lattice;
+
+/* Put `count` chains on one lattice. Fails for points so unlike in denominators that the integers
+ * would not fit in memory. On failure `lattice` is cleared. */
+TP_MUST_USE tp_status tp_lattice_init(tp_lattice *lattice, const tp_polyline *const *chains,
+                                      long count, const fmpq_t metres_per_unit,
+                                      tp_message *message);
+void tp_lattice_clear(tp_lattice *lattice);
+
+/* The coordinate in metres, exactly. */
+void tp_lattice_metres_x(fmpq_t metres, const tp_lattice *lattice, const fmpz_t x);
+void tp_lattice_metres_y(fmpq_t metres, const tp_lattice *lattice, const fmpz_t y);
+
+#endif

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "number/polyline.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void tp_polyline_clear(tp_polyline *line) {
+  for (long k = 0; k < line->count; k++) {
+    fmpq_clear(line->x + k);
+    fmpq_clear(line->y + k);
+  }
+  free(line->x);
+  free(line->y);
+  free(line->marks);
+  memset(line, 0, sizeof *line);
+}
+
+static bool grow(void **array, long capacity, size_t size) {
+  void *grown = realloc(*array, (size_t)capacity * size);
+  if (grown == NULL) return false;
+  *array = grown;
+  return true;
+}
+
+bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y, tp_mark mark) {
+  if (line->count == line->capacity) {
+    const long capacity = line->capacity == 0 ? 16 : 2 * line->capacity;
+    void *xs = line->x, *ys = line->y, *marks = line->marks;
+    const bool grown = grow(&xs, capacity, sizeof *line->x) &&
+                       grow(&ys, capacity, sizeof *line->y) &&
+                       grow(&marks, capacity, sizeof *line->marks);
+    line->x = xs;
+    line->y = ys;
+    line->marks = marks;
+    if (!grown) return false;
+    line->capacity = capacity;
+  }
+  const long k = line->count++;
+  fmpq_init(line->x + k);
+  fmpq_init(line->y + k);
+  fmpq_set(line->x + k, x);
+  fmpq_set(line->y + k, y);
+  line->marks[k] = mark;
+  return true;
+}
+
+bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line) {
+  *copy = (tp_polyline){.file = line->file, .mark = line->mark, .reversed = line->reversed};
+  for (long k = 0; k < line->count; k++) {
+    if (!tp_polyline_append(copy, line->x + k, line->y + k, line->marks[k])) {
+      tp_polyline_clear(copy);
+      return false;
+    }
+  }
+  return true;
+}
+
+void tp_polyline_reverse(tp_polyline *line) {
+  for (long i = 0, k = line->count - 1; i < k; i++, k--) {
+    fmpq_swap(line->x + i, line->x + k);
+    fmpq_swap(line->y + i, line->y + k);
+    const tp_mark mark = line->marks[i];
+    line->marks[i] = line->marks[k];
+    line->marks[k] = mark;
+  }
+  line->reversed = !line->reversed;
+}
+
+long tp_polyline_number(const tp_polyline *line, long index) {
+  return line->reversed ? line->count - index : index + 1;
+}
+
+tp_place tp_polyline_place(const tp_polyline *line, long index) {
+  tp_mark mark = line->mark;
+  if (index >= 0 && index < line->count && line->marks[index].line > 0) mark = line->marks[index];
+  return (tp_place){line->file, mark.line, mark.column};
+}
+
+long tp_polyline_leftmost(const tp_polyline *line) {
+  long best = 0;
+  for (long k = 1; k < line->count; k++) {
+    const int side = fmpq_cmp(line->x + k, line->x + best);
+    if (side < 0 || (side == 0 && fmpq_cmp(line->y + k, line->y + best) < 0)) best = k;
+  }
+  return best;
+}
+
+int tp_polyline_orientation(const tp_polyline *line) {
+  if (line->count < 3) return 0;
+  const long at = tp_polyline_leftmost(line);
+  const long before = at == 0 ? line->count - 1 : at - 1;
+  const long after = at + 1 == line->count ? 0 : at + 1;
+  fmpq_t ax, ay, bx, by;
+  fmpq_init(ax);
+  fmpq_init(ay);
+  fmpq_init(bx);
+  fmpq_init(by);
+  fmpq_sub(ax, line->x + at, line->x + before);
+  fmpq_sub(ay, line->y + at, line->y + before);
+  fmpq_sub(bx, line->x + after, line->x + at);
+  fmpq_sub(by, line->y + after, line->y + at);
+  fmpq_mul(ax, ax, by);
+  fmpq_mul(ay, ay, bx);
+  const int turn = fmpq_cmp(ax, ay);
+  fmpq_clear(ax);
+  fmpq_clear(ay);
+  fmpq_clear(bx);
+  fmpq_clear(by);
+  return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+}
+
+void tp_polyline_orient(tp_polyline *line) {
+  if (tp_polyline_orientation(line) < 0) tp_polyline_reverse(line);
+}

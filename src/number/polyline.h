@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A chain of exact points in scene lengths, each with the place in a file that it came from. */
+
+#ifndef TP_POLYLINE_H
+#define TP_POLYLINE_H
+
+#include "message.h"
+
+#include <flint/fmpq.h>
+
+typedef struct tp_mark {
+  int line, column;
+} tp_mark;
+
+typedef struct tp_polyline {
+  const char *file; /* borrowed from the scene; NULL: made by the program */
+  tp_mark mark;     /* where the chain as a whole stands */
+  long count, capacity;
+  fmpq *x, *y;
+  tp_mark *marks;
+  bool reversed; /* stored against the order in which it was written */
+} tp_polyline;
+
+void tp_polyline_clear(tp_polyline *line);
+
+/* Append a point; false when memory is exhausted. */
+TP_MUST_USE bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y,
+                                    tp_mark mark);
+TP_MUST_USE bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line);
+
+void tp_polyline_reverse(tp_polyline *line);
+
+/* Number of a vertex as its author counts it, from 1 in the order of writing. */
+long tp_polyline_number(const tp_polyline *line, long index);
+tp_place tp_polyline_place(const tp_polyline *line, long index);
+
+/* Index of the leftmost vertex, the lowest of them. A simple closed chain turns there, which gives
+ * its orientation from three points: tp_polyline_orientation is 1 for counter-clockwise, -1 for
+ * clockwise, 0 where the chain folds back on itself. */
+long tp_polyline_leftmost(const tp_polyline *line);
+int tp_polyline_orientation(const tp_polyline *line);
+
+/* Turn the closed chain counter-clockwise. */
+void tp_polyline_orient(tp_polyline *line);
+
+#endif

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "number/ratio.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/* value = mantissa * 10^exponent for a mantissa of one word, without a general gcd: only factors
+ * of 2 and 5 can cancel. */
+static void set_small_decimal(fmpq_t value, unsigned long mantissa, int exponent) {
+  static const unsigned long power[19] = {1UL,
+                                          10UL,
+                                          100UL,
+                                          1000UL,
+                                          10000UL,
+                                          100000UL,
+                                          1000000UL,
+                                          10000000UL,
+                                          100000000UL,
+                                          1000000000UL,
+                                          10000000000UL,
+                                          100000000000UL,
+                                          1000000000000UL,
+                                          10000000000000UL,
+                                          100000000000000UL,
+                                          1000000000000000UL,
+                                          10000000000000000UL,
+                                          100000000000000000UL,
+                                          1000000000000000000UL};
+  while (exponent < 0 && mantissa % 10 == 0) mantissa /= 10, exponent++;
+  if (mantissa == 0) exponent = 0;
+  if (exponent >= 0) {
+    fmpz_set_ui(fmpq_numref(value), mantissa);
+    if (exponent > 0) {
+      fmpz_t ten;
+      fmpz_init_set_ui(ten, 10);
+      fmpz_pow_ui(ten, ten, (unsigned long)exponent);
+      fmpz_mul(fmpq_numref(value), fmpq_numref(value), ten);
+      fmpz_clear(ten);
+    }
+    fmpz_one(fmpq_denref(value));
+    return;
+  }
+  unsigned long denominator = power[-exponent];
+  while (mantissa % 2 == 0 && denominator % 2 == 0) mantissa /= 2, denominator /= 2;
+  while (mantissa % 5 == 0 && denominator % 5 == 0) mantissa /= 5, denominator /= 5;
+  fmpz_set_ui(fmpq_numref(value), mantissa);
+  fmpz_set_ui(fmpq_denref(value), denominator);
+}
+
+static void set_large_decimal(fmpq_t value, const char *digits, long exponent) {
+  fmpz_t ten;
+  fmpz_set_str(fmpq_numref(value), digits, 10);
+  fmpz_one(fmpq_denref(value));
+  fmpz_init_set_ui(ten, 10);
+  fmpz_pow_ui(ten, ten, (unsigned long)(exponent < 0 ? -exponent : exponent));
+  fmpz *side = exponent < 0 ? fmpq_denref(value) : fmpq_numref(value);
+  fmpz_mul(side, side, ten);
+  fmpq_canonicalise(value);
+  fmpz_clear(ten);
+}
+
+/* The exponent part "e-12" at `text`, if there is one; its length into `*used`. */
+static long read_exponent(const char *text, size_t length, size_t *used) {
+  size_t at = 1;
+  bool negative = false;
+  *used = 0;
+  if (length < 2 || (text[0] != 'e' && text[0] != 'E')) return 0;
+  if (text[at] == '+' || text[at] == '-') negative = text[at++] == '-';
+  if (at >= length || !is_digit(text[at])) return 0;
+  long exponent = 0;
+  for (; at < length && is_digit(text[at]); at++) {
+    if (exponent < 100000) exponent = 10 * exponent + (text[at] - '0');
+  }
+  *used = at;
+  return negative ? -exponent : exponent;
+}
+
+size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, const char **problem) {
+  char digits[TP_RATIO_DIGITS + 1];
+  size_t at = 0, count = 0, seen = 0;
+  long exponent = 0;
+  unsigned long mantissa = 0;
+  bool point = false;
+  for (; at < length; at++) {
+    if (text[at] == '.' && !point) {
+      point = true;
+      continue;
+    }
+    if (!is_digit(text[at])) break;
+    seen++;
+    if (point) exponent--;
+    if (count == 0 && text[at] == '0') continue; /* leading zeros carry nothing */
+    if (count == TP_RATIO_DIGITS) {
+      *problem = "has more than 1000 digits";
+      return 0;
+    }
+    digits[count++] = text[at];
+    if (count <= 18) mantissa = 10 * mantissa + (unsigned long)(text[at] - '0');
+  }
+  if (seen == 0) {
+    *problem = "is no number";
+    return 0;
+  }
+  size_t used = 0;
+  exponent += read_exponent(text + at, length - at, &used);
+  if (count > 0 && exponent + (long)count - 1 > TP_RATIO_EXPONENT) {
+    *problem = "is larger than 1e308, the largest number that Topple takes";
+    return 0;
+  }
+  if (count > 0 && exponent + (long)count - 1 < -TP_RATIO_EXPONENT) {
+    *problem = "is smaller than 1e-308, the smallest number that Topple takes";
+    return 0;
+  }
+  digits[count] = '\0';
+  if (count == 0) {
+    fmpq_zero(value);
+  } else if (count <= 18 && exponent >= -18) {
+    set_small_decimal(value, mantissa, (int)exponent);
+  } else {
+    set_large_decimal(value, digits, exponent);
+  }
+  return at + used;
+}
+
+bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const char **problem) {
+  size_t at = 0;
+  const bool negative = length > 0 && text[0] == '-';
+  if (length > 0 && (text[0] == '-' || text[0] == '+')) at++;
+  size_t used = tp_ratio_read_decimal(value, text + at, length - at, problem);
+  if (used == 0) return false;
+  at += used;
+  if (at < length && text[at] == '/') {
+    fmpq_t divisor;
+    fmpq_init(divisor);
+    used = tp_ratio_read_decimal(divisor, text + at + 1, length - at - 1, problem);
+    if (used > 0 && fmpq_is_zero(divisor)) {
+      *problem = "divides by zero";
+      used = 0;
+    }
+    if (used > 0) fmpq_div(value, value, divisor);
+    fmpq_clear(divisor);
+    if (used == 0) return false;
+    at += 1 + used;
+  }
+  if (at != length) {
+    *problem = "is no number";
+    return false;
+  }
+  if (negative) fmpq_neg(value, value);
+  return true;
+}
+
+/* The decimal text of value if it is exact with at most 15 decimals. */
+static bool decimal_text(char *text, size_t size, const fmpq_t value) {
+  fmpz_t scaled, ten;
+  fmpz_init(scaled);
+  fmpz_init_set_ui(ten, 1);
+  bool found = false;
+  for (int decimals = 0; decimals <= 15 && !found; decimals++, fmpz_mul_ui(ten, ten, 10)) {
+    if (!fmpz_divisible(ten, fmpq_denref(value))) continue;
+    fmpz_mul(scaled, ten, fmpq_numref(value));
+    fmpz_divexact(scaled, scaled, fmpq_denref(value));
+    if (!fmpz_fits_si(scaled)) break;
+    const long n = fmpz_get_si(scaled);
+    const unsigned long magnitude = n < 0 ? 0UL - (unsigned long)n : (unsigned long)n;
+    const unsigned long one = fmpz_get_ui(ten);
+    if (decimals == 0) {
+      snprintf(text, size, "%ld", n);
+    } else {
+      snprintf(text, size, "%s%lu.%0*lu", n < 0 ? "-" : "", magnitude / one, decimals,
+               magnitude % one);
+    }
+    found = true;
+  }
+  fmpz_clear(scaled);
+  fmpz_clear(ten);
+  return found;
+}
+
+void tp_ratio_text(char *text, size_t size, const fmpq_t value) {
+  if (decimal_text(text, size, value)) return;
+  if (fmpz_bits(fmpq_numref(value)) > 60 || fmpz_bits(fmpq_denref(value)) > 60) {
+    snprintf(text, size, "%.17g", fmpq_get_d(value));
+    return;
+  }
+  snprintf(text, size, "%ld/%ld", fmpz_get_si(fmpq_numref(value)),
+           fmpz_get_si(fmpq_denref(value)));
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Exact rationals from text, and back.
+ *
+ * Decimal text is the truth: "0.1" is one tenth. Numbers are bounded in size before they reach
+ * FLINT, which aborts when memory is exhausted: at most TP_RATIO_DIGITS digits, magnitude between
+ * 1e-308 and 1e308 (the range of a double, so that every input can be reported back). */
+
+#ifndef TP_RATIO_H
+#define TP_RATIO_H
+
+#include <flint/fmpq.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { TP_RATIO_DIGITS = 1000, TP_RATIO_EXPONENT = 308 };
+
+/* Read an unsigned decimal, `digits[.digits][e[+-]digits]`, from the front of `text`. Returns the
+ * number of characters read, 0 with `*problem` set (a static string) where there is no number. */
+size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, const char **problem);
+
+/* Read a whole field `[+-]decimal[/decimal]`; false with `*problem` set where it is none. */
+bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const char **problem);
+
+/* Shortest readable text of a value for messages: an integer, a decimal that is exact, or p/q. */
+void tp_ratio_text(char *text, size_t size, const fmpq_t value);
+
+#endif

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solution as JSON: the contract of the program with other programs. */
+
+#include "number/ladder.h"
+#include "report/text.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A computed number, `{"value": v, "error": e}`; null where it lies outside the range of a
+ * double. */
+static void add_number(tp_text *t, const char *key, tp_bounded number) {
+  if (!isfinite(number.error)) {
+    tp_text_add(t, "\"%s\": null", key);
+  } else {
+    tp_text_add(t, "\"%s\": {\"value\": %.17g, \"error\": %.17g}", key, number.value, number.error);
+  }
+}
+
+static void add_string(tp_text *t, const char *string) {
+  tp_text_add(t, "\"");
+  for (const char *c = string; *c != '\0'; c++) {
+    if (*c == '"' || *c == '\\') {
+      tp_text_add(t, "\\%c", *c);
+    } else if ((unsigned char)*c < 0x20) {
+      tp_text_add(t, "\\u%04x", (unsigned)*c);
+    } else {
+      tp_text_add(t, "%c", *c);
+    }
+  }
+  tp_text_add(t, "\"");
+}
+
+static const char *truth(bool value) {
+  return value ? "true" : "false";
+}
+
+static void add_fos(tp_text *t, const char *key, tp_fos fos) {
+  if (fos.state == TP_FOS_NUMBER) {
+    add_number(t, key, fos.value);
+  } else {
+    tp_text_add(t, "\"%s\": null", key);
+  }
+}
+
+static void add_block(tp_text *t, const tp_block_result *b) {
+  tp_text_add(t, "      \"block\": {\n        ");
+  add_number(t, "area_m2", b->area_m2);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "centroid_x_m", b->centroid_x_m);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "centroid_y_m", b->centroid_y_m);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "second_moment_xx_m4", b->second_moment_xx_m4);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "second_moment_yy_m4", b->second_moment_yy_m4);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "second_moment_xy_m4", b->second_moment_xy_m4);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "thickness_m", b->thickness_m);
+  tp_text_add(t, ",\n        ");
+  if (b->has_weight) {
+    add_number(t, "weight_n", b->weight_n);
+  } else {
+    tp_text_add(t, "\"weight_n\": null");
+  }
+  tp_text_add(t,
+              ",\n        \"vertices\": %zu, \"holes\": %zu, \"parts\": %zu, \"triangles\": %zu\n"
+              "      },\n",
+              b->vertices, b->holes, b->parts, b->triangles);
+}
+
+static void add_teeth(tp_text *t, const tp_teeth_result *teeth) {
+  if (!teeth->known) return;
+  tp_text_add(t, "      \"teeth\": {\n        \"count\": %zu,\n        ", teeth->count);
+  const struct {
+    const char *key;
+    tp_bounded number;
+  } lengths[] = {{"width_m", teeth->width_m},
+                 {"height_m", teeth->height_m},
+                 {"depth_m", teeth->depth_m},
+                 {"block_width_m", teeth->block_width_m},
+                 {"mean_height_m", teeth->mean_height_m},
+                 {"amplitude_m", teeth->amplitude_m},
+                 {"wavelength_m", teeth->wavelength_m}};
+  for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
+    add_number(t, lengths[k].key, lengths[k].number);
+    tp_text_add(t, ",\n        ");
+  }
+  tp_text_add(t, "\"left_end\": \"%s\", \"right_end\": \"%s\"\n      },\n",
+              tp_text_pivot_kind(teeth->left_end), tp_text_pivot_kind(teeth->right_end));
+}
+
+static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight) {
+  tp_text_add(t,
+              "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
+              "\"points\": %zu,\n        ",
+              truth(c->mated), truth(c->beyond_stated), c->facets, c->points);
+  if (c->mated) {
+    add_number(t, "beyond_left_m", c->beyond_left_m);
+    tp_text_add(t, ",\n        ");
+    add_number(t, "beyond_right_m", c->beyond_right_m);
+    tp_text_add(t, ",\n        ");
+  }
+  add_number(t, "length_m", c->length_m);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "nominal_length_m", c->nominal_length_m);
+  if (has_weight) {
+    tp_text_add(t, ",\n        ");
+    add_number(t, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
+    tp_text_add(t, ",\n        ");
+    add_number(t, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
+  }
+  tp_text_add(t, "\n      },\n");
+}
+
+static void add_pivot(tp_text *t, const tp_pivot *p) {
+  tp_text_add(t, "        {\"kind\": \"%s\", ", tp_text_pivot_kind(p->kind));
+  add_number(t, "x_m", p->x_m);
+  tp_text_add(t, ", ");
+  add_number(t, "y_m", p->y_m);
+  tp_text_add(t, ", ");
+  add_number(t, "critical_angle_deg", p->critical_angle_deg);
+  tp_text_add(t, ", ");
+  add_fos(t, "fos", p->fos_resultant);
+  tp_text_add(t, ", ");
+  add_fos(t, "fos_elements", p->fos_elements);
+  tp_text_add(t, ", \"admissible\": %s}", truth(p->admissible));
+}
+
+static void add_toppling(tp_text *t, const tp_case *c) {
+  if (!c->has_governing) {
+    tp_text_add(t, "      \"toppling\": null,\n");
+    return;
+  }
+  const tp_pivot *p = c->pivots + c->governing;
+  tp_text_add(t, "      \"toppling\": {\"pivot\": %zu, \"tie\": %s, ", c->governing,
+              truth(c->governing_tie));
+  add_number(t, "critical_angle_deg", p->critical_angle_deg);
+  tp_text_add(t, ", ");
+  add_fos(t, "fos", p->fos_resultant);
+  tp_text_add(t, ", ");
+  add_fos(t, "fos_elements", p->fos_elements);
+  tp_text_add(t, "},\n");
+}
+
+static void add_sliding(tp_text *t, const tp_sliding *s) {
+  if (!s->known) return;
+  tp_text_add(t, "      \"sliding\": {\"method\": \"Patton, phi_b + i\", ");
+  if (s->never) {
+    tp_text_add(t, "\"critical_angle_deg\": null, \"fos\": null},\n");
+    return;
+  }
+  add_number(t, "critical_angle_deg", s->critical_angle_deg);
+  tp_text_add(t, ", ");
+  add_fos(t, "fos", s->fos);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "facet_angle_deg", s->facet_angle_deg);
+  tp_text_add(t, ", \"facet\": [{");
+  add_number(t, "x_m", s->facet_x0_m);
+  tp_text_add(t, ", ");
+  add_number(t, "y_m", s->facet_y0_m);
+  tp_text_add(t, "}, {");
+  add_number(t, "x_m", s->facet_x1_m);
+  tp_text_add(t, ", ");
+  add_number(t, "y_m", s->facet_y1_m);
+  tp_text_add(t, "}]},\n");
+}
+
+static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
+  if (a->count == 0) return;
+  tp_text_add(t, "      \"elements\": {\"weight_unit\": \"%s\", ",
+              has_weight ? "N" : "weight of the block");
+  add_number(t, "angle_deg", a->angle_deg);
+  tp_text_add(t, ",\n        ");
+  add_number(t, "stabilising", a->stabilising);
+  tp_text_add(t, ", ");
+  add_number(t, "overturning", a->overturning);
+  tp_text_add(t, ",\n        \"account\": [\n");
+  for (size_t k = 0; k < a->count; k++) {
+    const tp_element *e = a->elements + k;
+    tp_text_add(t, "          {\"kind\": \"%s\", \"part\": %zu, ",
+                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle", e->part);
+    add_number(t, "weight", e->weight);
+    tp_text_add(t, ", ");
+    add_number(t, "normal_arm_m", e->normal_arm_m);
+    tp_text_add(t, ", ");
+    add_number(t, "parallel_arm_m", e->parallel_arm_m);
+    tp_text_add(t, ", ");
+    add_number(t, "stabilising", e->stabilising);
+    tp_text_add(t, ", ");
+    add_number(t, "overturning", e->overturning);
+    tp_text_add(t, "}%s\n", k + 1 < a->count ? "," : "");
+  }
+  tp_text_add(t, "        ]},\n");
+}
+
+static void add_mechanism(tp_text *t, const tp_case *c) {
+  tp_text_add(t, "      \"mechanism\": \"%s\",\n      \"first\": {\"mechanism\": \"%s\", ",
+              tp_text_mechanism(c->mechanism), tp_text_mechanism(c->first));
+  if (c->first == TP_INTERLOCKED || c->first == TP_STANDS) {
+    tp_text_add(t, "\"critical_angle_deg\": null, ");
+  } else {
+    add_number(t, "critical_angle_deg", c->first_angle_deg);
+    tp_text_add(t, ", ");
+  }
+  if (c->has_margin) {
+    add_number(t, "margin_deg", c->margin_deg);
+  } else {
+    tp_text_add(t, "\"margin_deg\": null");
+  }
+  tp_text_add(t, "},\n      \"falls_backwards\": %s,\n", truth(c->falls_backwards));
+}
+
+static void add_effects(tp_text *t, const tp_solution *s) {
+  tp_text_add(t, "      \"effects\": [");
+  for (size_t k = 0; k < s->effect_count; k++) {
+    const tp_effect *e = s->effects + k;
+    tp_text_add(t, "%s\n        {\"name\": \"%s\", \"called_for_by\": ", k > 0 ? "," : "", e->name);
+    add_string(t, e->called_for_by);
+    tp_text_add(t, ", \"seconds\": %.9f, \"level\": \"%s\"}", e->seconds, tp_level_name(e->level));
+  }
+  tp_text_add(t, "\n      ]\n");
+}
+
+static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
+  tp_text_add(t, "    {\n      \"towards\": \"%s\",\n", tp_text_direction(c->towards));
+  if (s->has_tilt_angle) {
+    tp_text_add(t, "      ");
+    add_number(t, "tilt_angle_deg", s->tilt_angle_deg);
+    tp_text_add(t, ",\n");
+  }
+  if (s->has_friction) {
+    tp_text_add(t, "      ");
+    add_number(t, "friction_angle_deg", s->friction_angle_deg);
+    tp_text_add(t, ",\n");
+  }
+  add_block(t, &s->block);
+  add_teeth(t, &s->teeth);
+  add_contact(t, &s->contact, s->block.has_weight);
+  tp_text_add(t, "      \"pivots\": [\n");
+  for (size_t k = 0; k < c->pivot_count; k++) {
+    add_pivot(t, c->pivots + k);
+    tp_text_add(t, "%s\n", k + 1 < c->pivot_count ? "," : "");
+  }
+  tp_text_add(t, "      ],\n");
+  add_toppling(t, c);
+  add_sliding(t, &c->sliding);
+  add_account(t, &c->account, s->block.has_weight);
+  add_mechanism(t, c);
+  add_effects(t, s);
+  tp_text_add(t, "    }");
+}
+
+tp_status tp_report_json(char **text, const tp_solution *solution) {
+  tp_text t = {0};
+  tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
+  if (solution->title != NULL) {
+    tp_text_add(&t, "  \"title\": ");
+    add_string(&t, solution->title);
+    tp_text_add(&t, ",\n");
+  }
+  tp_text_add(&t, "  \"level\": \"%s\", \"bits\": %ld,\n  \"cases\": [\n",
+              tp_level_name(solution->level), solution->bits);
+  for (size_t k = 0; k < solution->case_count; k++) {
+    add_case(&t, solution, solution->cases + k);
+    tp_text_add(&t, "%s\n", k + 1 < solution->case_count ? "," : "");
+  }
+  tp_text_add(&t, "  ]\n}\n");
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
+
+#include "number/ladder.h"
+#include "report/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ROWS_SHOWN = 16 };
+
+typedef struct page {
+  tp_text text;
+  const tp_solution *solution;
+} page;
+
+/* A length in the scene's unit. */
+static const char *length(const page *p, char out[TP_NUMBER_SIZE], tp_bounded metres, int digits) {
+  return tp_text_significant(out, tp_text_over(metres, p->solution->metres_per_unit), digits);
+}
+
+static const char *fos_text(char out[TP_NUMBER_SIZE], tp_fos fos) {
+  switch (fos.state) {
+  case TP_FOS_NUMBER:
+    return tp_text_fixed(out, fos.value, 3);
+  case TP_FOS_NO_OVERTURNING:
+    return "unbounded";
+  case TP_FOS_NO_TILT:
+  case TP_FOS_NOT_ASKED:
+    break;
+  }
+  return "-";
+}
+
+static void add_teeth(page *p) {
+  const tp_teeth_result *teeth = &p->solution->teeth;
+  const char *unit = p->solution->length_unit;
+  char n[7][TP_NUMBER_SIZE];
+  if (!teeth->known) return;
+  tp_text_add(&p->text, "Teeth    N = %zu, a = %s, b = %s, c = %s %s; left end %s, right end %s\n",
+              teeth->count, length(p, n[0], teeth->width_m, 6), length(p, n[1], teeth->height_m, 6),
+              length(p, n[2], teeth->depth_m, 6), unit, tp_text_pivot_kind(teeth->left_end),
+              tp_text_pivot_kind(teeth->right_end));
+  tp_text_add(&p->text, "         width Δx = %s, mean height y = %s, amplitude A = %s, wavelength λ = %s %s\n",
+              length(p, n[3], teeth->block_width_m, 6), length(p, n[4], teeth->mean_height_m, 6),
+              length(p, n[5], teeth->amplitude_m, 6), length(p, n[6], teeth->wavelength_m, 6), unit);
+}
+
+static void add_block(page *p) {
+  const tp_solution *s = p->solution;
+  const tp_block_result *b = &s->block;
+  const char *unit = s->length_unit;
+  char n[5][TP_NUMBER_SIZE];
+  tp_bounded area = tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
+  tp_text_add(&p->text, "Block    area %s %s², centroid (%s, %s) %s", tp_text_significant(n[0], area, 6),
+              unit, length(p, n[1], b->centroid_x_m, 6), length(p, n[2], b->centroid_y_m, 6), unit);
+  if (b->has_weight) {
+    tp_text_add(&p->text, ", weight %s N\n         over a thickness of %s %s",
+                tp_text_significant(n[3], b->weight_n, 5), length(p, n[4], b->thickness_m, 6), unit);
+  } else {
+    tp_text_add(&p->text, "\n         (no weight: the scene gives no unit_weight_kn_m3)");
+  }
+  tp_text_add(&p->text, "; %zu vertices", b->vertices);
+  if (b->holes > 0) tp_text_add(&p->text, ", %zu hole%s", b->holes, b->holes == 1 ? "" : "s");
+  if (b->parts > 0) {
+    tp_text_add(&p->text, ", %zu part%s of other density", b->parts, b->parts == 1 ? "" : "s");
+  }
+  tp_text_add(&p->text, "\n");
+}
+
+static void add_end(page *p, const char *side, tp_bounded beyond) {
+  char n[TP_NUMBER_SIZE];
+  if (beyond.value == 0) {
+    tp_text_add(&p->text, "ends with the block on the %s", side);
+  } else {
+    tp_text_add(&p->text, "goes on for %s %s on the %s", length(p, n, beyond, 6),
+                p->solution->length_unit, side);
+  }
+}
+
+static void add_base(page *p) {
+  const tp_solution *s = p->solution;
+  const tp_contact_result *c = &s->contact;
+  char n[4][TP_NUMBER_SIZE];
+  tp_text_add(&p->text, "Base     ");
+  if (c->mated) {
+    tp_text_add(&p->text, "mated; it ");
+    add_end(p, "left", c->beyond_left_m);
+    tp_text_add(&p->text, " and ");
+    add_end(p, "right", c->beyond_right_m);
+    if (!c->beyond_stated) {
+      tp_text_add(&p->text, "\n         (taken so: the scene does not say 'beyond')");
+    }
+  } else {
+    tp_text_add(&p->text, "a profile of its own, which ends where the scene ends it");
+  }
+  tp_text_add(&p->text, "\nContact  %zu facet%s", c->facets, c->facets == 1 ? "" : "s");
+  if (c->points > 0) {
+    tp_text_add(&p->text, " and %zu contact%s in a point", c->points, c->points == 1 ? "" : "s");
+  }
+  tp_text_add(&p->text, ", %s %s long, %s %s along the mean plane",
+              length(p, n[0], c->length_m, 6), s->length_unit,
+              length(p, n[1], c->nominal_length_m, 6), s->length_unit);
+  if (s->block.has_weight && c->facets > 0) {
+    tp_text_add(&p->text, ";\n         weight per area %s Pa, per area of the mean plane %s Pa",
+                tp_text_significant(n[2], c->weight_per_contact_area_pa, 5),
+                tp_text_significant(n[3], c->weight_per_nominal_area_pa, 5));
+  }
+  tp_text_add(&p->text, "\n");
+}
+
+static void add_pivot_row(page *p, const tp_case *c, size_t k) {
+  const tp_pivot *pivot = c->pivots + k;
+  char n[5][TP_NUMBER_SIZE];
+  const bool governs = c->has_governing && k == c->governing;
+  tp_text_add(&p->text, "%s %-9s %11s %11s %13s°", governs ? ">" : " ",
+              tp_text_pivot_kind(pivot->kind), length(p, n[0], pivot->x_m, 6),
+              length(p, n[1], pivot->y_m, 6), tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
+  if (p->solution->has_tilt_angle) {
+    tp_text_add(&p->text, " %10s %9s", fos_text(n[3], pivot->fos_resultant),
+                fos_text(n[4], pivot->fos_elements));
+  }
+  tp_text_add(&p->text, "  %s\n", governs ? "governs" : pivot->admissible ? "yes" : "no");
+}
+
+/* The admissible pivots, and of the others as many as fit. */
+static void add_pivots(page *p, const tp_case *c) {
+  char x[16], y[16];
+  snprintf(x, sizeof x, "x (%s)", p->solution->length_unit);
+  snprintf(y, sizeof y, "y (%s)", p->solution->length_unit);
+  tp_text_add(&p->text, "  %-9s %11s %11s %14s", "Pivot", x, y, "critical angle");
+  if (p->solution->has_tilt_angle) tp_text_add(&p->text, " %10s %9s", "FoS", "elements");
+  tp_text_add(&p->text, "  admissible\n");
+  size_t shown = 0, left_out = 0;
+  for (size_t k = 0; k < c->pivot_count; k++) {
+    if (!c->pivots[k].admissible && shown >= ROWS_SHOWN) {
+      left_out++;
+      continue;
+    }
+    add_pivot_row(p, c, k);
+    shown++;
+  }
+  if (left_out > 0) {
+    tp_text_add(&p->text, "  … and %zu more, none of them admissible (--json lists all)\n", left_out);
+  }
+}
+
+static void add_pivot_name(page *p, const tp_case *c) {
+  const tp_pivot *pivot = c->pivots + c->governing;
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_add(&p->text, "the %s at (%s, %s)", tp_text_pivot_kind(pivot->kind),
+              length(p, n[0], pivot->x_m, 6), length(p, n[1], pivot->y_m, 6));
+}
+
+/* "topples about the valley at (0, 0)" */
+static void add_first(page *p, const tp_case *c) {
+  tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
+  if (c->first != TP_TOPPLES) return;
+  tp_text_add(&p->text, " about ");
+  add_pivot_name(p, c);
+}
+
+static void add_verdict(page *p, const tp_case *c) {
+  const tp_solution *s = p->solution;
+  char n[3][TP_NUMBER_SIZE];
+  tp_text_fixed(n[0], s->tilt_angle_deg, 3);
+  tp_text_add(&p->text, "\n  ");
+  if (c->falls_backwards) {
+    tp_text_add(&p->text, "Topples up-dip already %s%s%s: its centroid lies past the up-dip end of "
+                          "the contact.\n",
+                s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
+                s->has_tilt_angle ? "°" : "");
+    return;
+  }
+  if (c->first == TP_INTERLOCKED) {
+    tp_text_add(&p->text, "Interlocked: it neither slides nor topples at any tilt up to 90°.\n");
+    return;
+  }
+  if (c->first == TP_STANDS) {
+    tp_text_add(&p->text, "Does not topple at any tilt up to 90°; without friction_angle_deg sliding "
+                          "is not judged.\n");
+    return;
+  }
+  tp_text_fixed(n[1], c->first_angle_deg, 3);
+  if (!c->has_margin) {
+    tp_text_add(&p->text, "As the table is tilted, it ");
+    add_first(p, c);
+    tp_text_add(&p->text, " at %s°.\n", n[1]);
+    return;
+  }
+  tp_text_fixed(n[2], c->margin_deg, 3);
+  if (c->mechanism == TP_STANDS) {
+    tp_text_add(&p->text, "Stands at %s°. Tilted further, it ", n[0]);
+    add_first(p, c);
+    tp_text_add(&p->text, "\n  at %s°: a margin of %s°.\n", n[1], n[2]);
+  } else {
+    tp_text_add(&p->text, "Does not stand at %s°: it ", n[0]);
+    add_first(p, c);
+    tp_text_add(&p->text, " at %s° (margin %s°).\n", n[1], n[2]);
+  }
+}
+
+static void add_sliding(page *p, const tp_case *c) {
+  const tp_sliding *s = &c->sliding;
+  char n[8][TP_NUMBER_SIZE];
+  if (!p->solution->has_friction) {
+    tp_text_add(&p->text, "  Sliding is not judged: the scene gives no friction_angle_deg.\n");
+    return;
+  }
+  if (!s->known) return;
+  if (s->never) {
+    tp_text_add(&p->text, "  Sliding by Patton's φ_b + i: never, a facet stands too steep in the way.\n");
+    return;
+  }
+  const bool climbs = s->facet_angle_deg.value >= 0;
+  tp_bounded i = s->facet_angle_deg;
+  if (!climbs) i.value = -i.value;
+  tp_text_add(&p->text, "  Sliding by Patton's φ_b %s i = %s° %s %s° = %s°", climbs ? "+" : "-",
+              tp_text_fixed(n[0], p->solution->friction_angle_deg, 3), climbs ? "+" : "-",
+              tp_text_fixed(n[1], i, 3), tp_text_fixed(n[2], s->critical_angle_deg, 3));
+  if (s->fos.state == TP_FOS_NUMBER) {
+    tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
+  }
+  tp_text_add(&p->text,
+              ",\n  on the facet from (%s, %s) to (%s, %s); no statics of contact forces.\n",
+              length(p, n[4], s->facet_x0_m, 6), length(p, n[5], s->facet_y0_m, 6),
+              length(p, n[6], s->facet_x1_m, 6), length(p, n[7], s->facet_y1_m, 6));
+}
+
+static void add_case(page *p, const tp_case *c) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(&p->text, "\nTilted towards the %s", tp_text_direction(c->towards));
+  if (p->solution->has_tilt_angle) {
+    tp_text_add(&p->text, " by %s°", tp_text_fixed(n, p->solution->tilt_angle_deg, 3));
+  }
+  tp_text_add(&p->text, "\n\n");
+  add_pivots(p, c);
+  if (!c->has_governing) tp_text_add(&p->text, "  No pivot is admissible: turning is blocked.\n");
+  if (c->governing_tie) {
+    tp_text_add(&p->text, "  Tie: another admissible pivot has exactly the same critical angle.\n");
+  }
+  add_verdict(p, c);
+  add_sliding(p, c);
+}
+
+static double seconds(const tp_solution *s) {
+  double sum = 0;
+  for (size_t k = 0; k < s->effect_count; k++) sum += s->effects[k].seconds;
+  return sum;
+}
+
+static void add_effects(page *p) {
+  const tp_solution *s = p->solution;
+  tp_text_add(&p->text, "\nCertain to every digit printed, by %s arithmetic, in %.2g ms. What ran:\n",
+              s->level == TP_LEVEL_DOUBLE ? "double" : tp_level_name(s->level), 1e3 * seconds(s));
+  for (size_t k = 0; k < s->effect_count; k++) {
+    tp_text_add(&p->text, "  %-9s %8.3f ms   for %s\n", s->effects[k].name,
+                1e3 * s->effects[k].seconds, s->effects[k].called_for_by);
+  }
+}
+
+tp_status tp_report_text(char **text, const tp_solution *solution) {
+  page p = {.solution = solution};
+  if (solution->title != NULL) tp_text_add(&p.text, "%s\n\n", solution->title);
+  add_teeth(&p);
+  add_block(&p);
+  add_base(&p);
+  for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
+  add_effects(&p);
+  return tp_text_finish(&p.text, text);
+}
+
+static void add_account(page *p, const tp_case *c) {
+  const tp_solution *s = p->solution;
+  const tp_account *a = &c->account;
+  const char *weight = s->block.has_weight ? "N" : "W";
+  char n[5][TP_NUMBER_SIZE], head[4][32];
+  if (a->count == 0) return;
+  tp_text_add(&p->text, "\nMoments by elements about ");
+  add_pivot_name(p, c);
+  tp_text_add(&p->text, ", towards the %s at %s°%s\n", tp_text_direction(c->towards),
+              tp_text_fixed(n[0], a->angle_deg, 3),
+              a->at_critical_angle ? " (critical)" : "");
+  snprintf(head[0], sizeof head[0], "weight (%s)", weight);
+  snprintf(head[1], sizeof head[1], "x arm (%s)", s->length_unit);
+  snprintf(head[2], sizeof head[2], "y arm (%s)", s->length_unit);
+  snprintf(head[3], sizeof head[3], "(%s %s)", weight, s->length_unit);
+  tp_text_add(&p->text, "%5s  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "", "", "stabilising",
+              "overturning");
+  tp_text_add(&p->text, "%5s  %-8s %11s %11s %11s %13s %13s\n", "#", "element", head[0], head[1],
+              head[2], head[3], head[3]);
+  for (size_t k = 0; k < a->count; k++) {
+    const tp_element *e = a->elements + k;
+    tp_text_add(&p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
+                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
+                tp_text_significant(n[0], e->weight, 6), length(p, n[1], e->normal_arm_m, 6),
+                length(p, n[2], e->parallel_arm_m, 6), length(p, n[3], e->stabilising, 6),
+                length(p, n[4], e->overturning, 6));
+  }
+  tp_text_add(&p->text, "  sum  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "",
+              length(p, n[0], a->stabilising, 6), length(p, n[1], a->overturning, 6));
+  const tp_pivot *pivot = c->pivots + c->governing;
+  if (pivot->fos_elements.state == TP_FOS_NUMBER) {
+    tp_text_add(&p->text, "  FoS by elements %s, by the resultant %s\n",
+                fos_text(n[0], pivot->fos_elements), fos_text(n[1], pivot->fos_resultant));
+  }
+}
+
+tp_status tp_report_elements(char **text, const tp_solution *solution) {
+  page p = {.solution = solution};
+  tp_text_add(&p.text, "%s", "");
+  for (size_t k = 0; k < solution->case_count; k++) add_account(&p, solution->cases + k);
+  return tp_text_finish(&p.text, text);
+}

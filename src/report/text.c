@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/text.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void tp_text_add(tp_text *text, const char *format, ...) {
+  va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  const int added = vsnprintf(NULL, 0, format, arguments);
+  va_end(arguments);
+  const size_t needed = text->length + (size_t)(added > 0 ? added : 0) + 1;
+  if (!text->failed && needed > text->capacity) {
+    const size_t capacity = needed < 4096 ? 4096 : 2 * needed;
+    char *data = realloc(text->data, capacity);
+    text->failed = data == NULL;
+    if (data != NULL) {
+      text->data = data;
+      text->capacity = capacity;
+    }
+  }
+  if (!text->failed && added > 0) {
+    vsnprintf(text->data + text->length, text->capacity - text->length, format, again);
+    text->length += (size_t)added;
+  }
+  va_end(again);
+}
+
+tp_status tp_text_finish(tp_text *text, char **result) {
+  if (text->failed || text->data == NULL) {
+    free(text->data);
+    *text = (tp_text){0};
+    return TP_OUT_OF_MEMORY;
+  }
+  *result = text->data;
+  *text = (tp_text){0};
+  return TP_OK;
+}
+
+static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digits, int least,
+                           const char *format) {
+  char low[TP_NUMBER_SIZE], high[TP_NUMBER_SIZE];
+  if (!isfinite(number.error)) {
+    snprintf(out, TP_NUMBER_SIZE, "out of range");
+    return out;
+  }
+  const double below = number.error > 0 ? nextafter(number.value - number.error, -INFINITY)
+                                        : number.value;
+  const double above = number.error > 0 ? nextafter(number.value + number.error, INFINITY)
+                                        : number.value;
+  for (; digits >= least; digits--) {
+    snprintf(low, sizeof low, format, digits, below);
+    snprintf(high, sizeof high, format, digits, above);
+    if (strcmp(low, high) == 0) break;
+  }
+  snprintf(out, TP_NUMBER_SIZE, digits >= least ? "%s" : "uncertain", low);
+  if (strtod(out, NULL) == 0 && out[0] == '-') memmove(out, out + 1, strlen(out)); /* no -0 */
+  return out;
+}
+
+const char *tp_text_fixed(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals) {
+  if (fabs(number.value) >= 1e15) return tp_text_significant(out, number, 15);
+  return certain(out, number, decimals, 0, "%.*f");
+}
+
+const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int digits) {
+  return certain(out, number, digits, 1, "%.*g");
+}
+
+tp_bounded tp_text_over(tp_bounded number, double divisor) {
+  /* The divisor and the quotient are rounded once each. */
+  const double value = number.value / divisor;
+  return (tp_bounded){value, 1.01 * number.error / divisor + 2 * DBL_EPSILON * fabs(value)};
+}
+
+const char *tp_text_pivot_kind(tp_pivot_kind kind) {
+  switch (kind) {
+  case TP_PIVOT_VALLEY:
+    return "valley";
+  case TP_PIVOT_PEAK:
+    return "peak";
+  case TP_PIVOT_FLAT_END:
+    return "flat end";
+  case TP_PIVOT_FLANK:
+    return "flank";
+  }
+  return "unknown";
+}
+
+const char *tp_text_mechanism(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_STANDS:
+    return "stands";
+  case TP_SLIDES:
+    return "slides";
+  case TP_TOPPLES:
+    return "topples";
+  case TP_SLIDES_AND_TOPPLES:
+    return "slides and topples";
+  case TP_INTERLOCKED:
+    return "interlocked";
+  case TP_MECHANISM_UNDECIDED:
+    return "undecided";
+  }
+  return "unknown";
+}
+
+const char *tp_text_direction(tp_direction direction) {
+  return direction == TP_TOWARDS_LEFT ? "left" : "right";
+}

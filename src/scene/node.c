@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "scene/node.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yaml.h>
+
+enum { MOST_DEPTH = 32, MOST_KEYS = 1000 };
+static const size_t most_bytes = (size_t)256 << 20;
+
+typedef struct source {
+  FILE *file;
+  const char *path;
+  size_t bytes;
+  bool too_large, failed;
+} source;
+
+static int read_bytes(void *data, unsigned char *buffer, size_t size, size_t *size_read) {
+  source *from = data;
+  *size_read = fread(buffer, 1, size, from->file);
+  from->bytes += *size_read;
+  from->failed = ferror(from->file) != 0;
+  from->too_large = from->bytes > most_bytes;
+  return !from->failed && !from->too_large;
+}
+
+static tp_mark mark_of(yaml_mark_t mark) {
+  return (tp_mark){(int)mark.line + 1, (int)mark.column + 1};
+}
+
+tp_place tp_node_place(const tp_node *node, const char *file) {
+  return (tp_place){file, node->mark.line, node->mark.column};
+}
+
+void tp_node_free(tp_node *root) {
+  if (root == NULL) return;
+  for (tp_node *child = root->first; child != NULL;) { /* depth is bounded by MOST_DEPTH */
+    tp_node *next = child->next;
+    tp_node_free(child);
+    child = next;
+  }
+  free(root->text);
+  free(root->key);
+  free(root);
+}
+
+const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
+  for (const tp_node *child = mapping->first; child != NULL; child = child->next) {
+    if (strcmp(child->key, key) == 0) return child;
+  }
+  return NULL;
+}
+
+/* The tree under construction: the open collections, and a key that waits for its value. */
+typedef struct builder {
+  const char *path;
+  tp_message *message;
+  tp_node *root;
+  tp_node *open[MOST_DEPTH];
+  int depth;
+  char *key;
+  tp_mark key_mark;
+} builder;
+
+static tp_place at(const builder *b, tp_mark mark) {
+  return (tp_place){b->path, mark.line, mark.column};
+}
+
+static tp_status take_key(builder *b, const char *text, tp_mark mark) {
+  const tp_node *mapping = b->open[b->depth - 1];
+  const tp_node *twin = tp_node_get(mapping, text);
+  if (twin != NULL) {
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
+                   "the key '%.60s' is given twice, first in line %d; keep one of them", text,
+                   twin->key_mark.line);
+  }
+  if (mapping->count >= MOST_KEYS) {
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "more than 1000 keys in one place");
+  }
+  b->key = strdup(text);
+  b->key_mark = mark;
+  return b->key != NULL ? TP_OK : tp_fail_memory(b->message, "the scene");
+}
+
+static bool wants_key(const builder *b) {
+  return b->depth > 0 && b->open[b->depth - 1]->kind == TP_NODE_MAPPING && b->key == NULL;
+}
+
+static tp_status attach(builder *b, tp_node_kind kind, tp_mark mark, tp_node **attached) {
+  if (wants_key(b)) {
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
+                   "a key must be a plain word, not a list or a map");
+  }
+  tp_node *node = calloc(1, sizeof *node);
+  if (node == NULL) return tp_fail_memory(b->message, "the scene");
+  node->kind = kind;
+  node->mark = mark;
+  node->key = b->key;
+  node->key_mark = b->key_mark;
+  b->key = NULL;
+  if (b->depth == 0) {
+    b->root = node;
+  } else {
+    tp_node *parent = b->open[b->depth - 1];
+    if (parent->last == NULL) {
+      parent->first = node;
+    } else {
+      parent->last->next = node;
+    }
+    parent->last = node;
+    parent->count++;
+  }
+  *attached = node;
+  return TP_OK;
+}
+
+static tp_status take_scalar(builder *b, const yaml_event_t *event) {
+  const tp_mark mark = mark_of(event->start_mark);
+  const char *text = (const char *)event->data.scalar.value;
+  if (strlen(text) != event->data.scalar.length) {
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "a zero byte stands in the text");
+  }
+  if (wants_key(b)) return take_key(b, text, mark);
+  tp_node *node = NULL;
+  const tp_status status = attach(b, TP_NODE_SCALAR, mark, &node);
+  if (status != TP_OK) return status;
+  node->text_offset = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
+  node->text = strdup(text);
+  return node->text != NULL ? TP_OK : tp_fail_memory(b->message, "the scene");
+}
+
+static tp_status open_collection(builder *b, tp_node_kind kind, tp_mark mark) {
+  tp_node *node = NULL;
+  if (b->depth == MOST_DEPTH) {
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "nested deeper than %d levels",
+                   MOST_DEPTH);
+  }
+  const tp_status status = attach(b, kind, mark, &node);
+  if (status == TP_OK) b->open[b->depth++] = node;
+  return status;
+}
+
+static tp_status take_event(builder *b, const yaml_event_t *event) {
+  const tp_mark mark = mark_of(event->start_mark);
+  switch (event->type) {
+  case YAML_ALIAS_EVENT:
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
+                   "aliases are not taken; use a named parameter instead");
+  case YAML_SCALAR_EVENT:
+    return take_scalar(b, event);
+  case YAML_SEQUENCE_START_EVENT:
+    return open_collection(b, TP_NODE_SEQUENCE, mark);
+  case YAML_MAPPING_START_EVENT:
+    return open_collection(b, TP_NODE_MAPPING, mark);
+  case YAML_SEQUENCE_END_EVENT:
+  case YAML_MAPPING_END_EVENT:
+    b->depth--;
+    return TP_OK;
+  case YAML_DOCUMENT_START_EVENT:
+    if (b->root == NULL) return TP_OK;
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
+                   "a second document begins here; a file holds one scene");
+  default:
+    return TP_OK;
+  }
+}
+
+static tp_status parser_failed(builder *b, const yaml_parser_t *parser, const source *from) {
+  tp_mark mark = mark_of(parser->problem_mark);
+  if (from->failed) {
+    return tp_fail(b->message, TP_BAD_INPUT, (tp_place){b->path, 0, 0}, "cannot be read: %s",
+                   strerror(errno));
+  }
+  if (from->too_large) {
+    return tp_fail(b->message, TP_BAD_INPUT, (tp_place){b->path, 0, 0},
+                   "larger than 256 MiB; give long outlines as CSV files");
+  }
+  if (parser->error == YAML_MEMORY_ERROR) return tp_fail_memory(b->message, "the scene");
+  if (parser->error == YAML_READER_ERROR) mark = mark_of(parser->mark);
+  return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "not YAML: %s%s%s",
+                 parser->context != NULL ? parser->context : "",
+                 parser->context != NULL ? ", " : "",
+                 parser->problem != NULL ? parser->problem : "malformed");
+}
+
+static tp_status build(builder *b, yaml_parser_t *parser, const source *from) {
+  tp_status status = TP_OK;
+  bool more = true;
+  while (more && status == TP_OK) {
+    yaml_event_t event;
+    if (!yaml_parser_parse(parser, &event)) return parser_failed(b, parser, from);
+    more = event.type != YAML_STREAM_END_EVENT;
+    status = take_event(b, &event);
+    yaml_event_delete(&event);
+  }
+  return status;
+}
+
+tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
+  builder b = {.path = path, .message = message};
+  source from = {.file = fopen(path, "rb"), .path = path};
+  yaml_parser_t parser;
+  if (from.file == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
+                   strerror(errno));
+  }
+  if (!yaml_parser_initialize(&parser)) {
+    fclose(from.file);
+    return tp_fail_memory(message, "the YAML parser");
+  }
+  yaml_parser_set_input(&parser, read_bytes, &from);
+  tp_status status = build(&b, &parser, &from);
+  yaml_parser_delete(&parser);
+  fclose(from.file);
+  free(b.key);
+  if (status == TP_OK && b.root == NULL) {
+    status = tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1},
+                     "the file is empty; a scene begins with 'topple: 1'");
+  }
+  if (status == TP_OK) {
+    *root = b.root;
+  } else {
+    tp_node_free(b.root);
+  }
+  return status;
+}

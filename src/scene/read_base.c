@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The section `base` of a scene. */
+
+#include "scene/read.h"
+
+#include <string.h>
+
+static tp_status read_beyond(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"left", "right", NULL};
+  tp_base_description *base = &reader->scene->base;
+  if (node == NULL) return TP_OK;
+  tp_status status =
+      tp_node_expect_keys(node, keys, "beyond", reader->scene->path, reader->message);
+  for (int side = 0; side < 2 && status == TP_OK; side++) {
+    const tp_node *value = NULL;
+    tp_quantity *quantity = side == 0 ? &base->beyond_left : &base->beyond_right;
+    status = tp_read_required(reader, &value, node, keys[side], "beyond: {left: 0, right: 0}");
+    if (status == TP_OK) status = tp_read_quantity(reader, quantity, value, keys[side]);
+    if (status == TP_OK && fmpq_sgn(quantity->value) < 0) {
+      status = tp_read_fail(reader, value,
+                            "the base cannot end inside the block here; to let only a part of the "
+                            "underside rest on it, say 'between' or give a 'profile'");
+    }
+  }
+  return status;
+}
+
+static tp_status read_between(const tp_reader *reader, const tp_node *node) {
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
+    return tp_read_fail(reader, node,
+                        "between names the two vertices of the outline where the contact begins and "
+                        "ends: [[x, y], [x, y]], the left one first");
+  }
+  return tp_read_points(reader, &reader->scene->base.between, node, false, "between");
+}
+
+tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"mated", "beyond", "between", "profile", NULL};
+  tp_base_description *base = &reader->scene->base;
+  base->mated = true;
+  if (node == NULL) return TP_OK;
+  base->place = tp_node_place(node, reader->scene->path);
+  tp_status status =
+      tp_node_expect_keys(node, keys, "the base", reader->scene->path, reader->message);
+  if (status != TP_OK) return status;
+  const tp_node *mated = tp_node_get(node, "mated"), *profile = tp_node_get(node, "profile");
+  base->mated = profile == NULL;
+  if (mated != NULL) status = tp_read_bool(reader, &base->mated, mated, "mated");
+  if (status != TP_OK) return status;
+  if (base->mated && profile != NULL) {
+    return tp_read_fail(reader, profile,
+                        "a base is either mated or has a profile of its own; drop one of them");
+  }
+  if (!base->mated && profile == NULL) {
+    return tp_read_fail(reader, node,
+                        "a base that is not mated needs a profile: 'profile: [[x, y], …]'");
+  }
+  if (profile != NULL) {
+    const tp_node *odd = tp_node_get(node, "beyond");
+    if (odd == NULL) odd = tp_node_get(node, "between");
+    if (odd != NULL) {
+      return tp_read_fail(reader, odd,
+                          "'%s' belongs to a mated base; a profile says itself where the base ends",
+                          odd->key);
+    }
+    return tp_read_points(reader, &base->profile, profile, false, "the profile");
+  }
+  status = read_between(reader, tp_node_get(node, "between"));
+  if (status == TP_OK) status = read_beyond(reader, tp_node_get(node, "beyond"));
+  return status;
+}

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The section `block` of a scene. */
+
+#include "scene/read.h"
+
+#include "number/ratio.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static tp_status read_left_end(const tp_reader *reader, tp_teeth *teeth, const tp_node *node) {
+  const tp_node *end = NULL;
+  const tp_status status = tp_read_required(reader, &end, node, "left_end", "left_end: valley");
+  if (status != TP_OK) return status;
+  if (end->kind == TP_NODE_SCALAR && strcmp(end->text, "valley") == 0) {
+    teeth->left_end_valley = true;
+  } else if (end->kind == TP_NODE_SCALAR && strcmp(end->text, "peak") == 0) {
+    teeth->left_end_valley = false;
+  } else {
+    return tp_read_fail(reader, end, "left_end must be valley or peak");
+  }
+  return TP_OK;
+}
+
+enum { MOST_TEETH = 10000000 };
+
+static tp_status set_count(const tp_reader *reader, tp_teeth *teeth, const fmpq_t count,
+                           const tp_node *node, const char *what) {
+  char text[80];
+  tp_ratio_text(text, sizeof text, count);
+  if (!fmpz_is_one(fmpq_denref(count)) || fmpq_sgn(count) <= 0) {
+    return tp_read_fail(reader, node, "%s must be a whole number of teeth, at least 1; it is %s",
+                        what, text);
+  }
+  if (fmpz_cmp_si(fmpq_numref(count), MOST_TEETH) > 0) {
+    return tp_read_fail(reader, node, "%s is %s; at most 10 million teeth are taken", what, text);
+  }
+  teeth->count = fmpz_get_si(fmpq_numref(count));
+  return TP_OK;
+}
+
+static tp_status read_depth(const tp_reader *reader, fmpq_t depth, const tp_node *node,
+                            const char *name) {
+  const tp_status status = tp_read_number(reader, depth, node, name);
+  if (status != TP_OK || fmpq_sgn(depth) >= 0) return status;
+  return tp_read_fail(reader, node, "%s must not be negative", name);
+}
+
+/* (N, a, b, c) as the paper prepares its blocks (Fig. 5). */
+static tp_status read_counted_teeth(const tp_reader *reader, tp_teeth *teeth, const tp_node *node) {
+  static const char *const keys[] = {"count", "width", "height", "depth", "left_end", NULL};
+  const tp_node *count = NULL, *width = NULL, *height = NULL, *depth = NULL;
+  fmpq_t n;
+  fmpq_init(n);
+  tp_status status = tp_node_expect_keys(node, keys, "teeth", reader->scene->path, reader->message);
+  if (status == TP_OK) status = tp_read_required(reader, &count, node, "count", "count: 3");
+  if (status == TP_OK) status = tp_read_required(reader, &width, node, "width", "width: 30");
+  if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 120");
+  if (status == TP_OK) status = tp_read_required(reader, &depth, node, "depth", "depth: 5");
+  if (status == TP_OK) status = tp_read_number(reader, n, count, "count");
+  if (status == TP_OK) status = set_count(reader, teeth, n, count, "count");
+  if (status == TP_OK) status = tp_read_positive(reader, teeth->width, width, "width");
+  if (status == TP_OK) status = tp_read_positive(reader, teeth->height, height, "height");
+  if (status == TP_OK) status = read_depth(reader, teeth->depth, depth, "depth");
+  fmpq_clear(n);
+  return status;
+}
+
+/* (dx, y, A, lambda), section 5.1: N = 2 dx / lambda, a = lambda / 2, b = y - A / 2, c = A. */
+static tp_status read_general_teeth(const tp_reader *reader, tp_teeth *teeth, const tp_node *node) {
+  static const char *const keys[] = {"block_width", "mean_height", "amplitude",
+                                     "wavelength",  "left_end",    NULL};
+  const tp_node *width = NULL, *height = NULL, *amplitude = NULL, *wavelength = NULL;
+  fmpq_t n, half;
+  fmpq_init(n);
+  fmpq_init(half);
+  tp_status status = tp_node_expect_keys(node, keys, "teeth", reader->scene->path, reader->message);
+  if (status == TP_OK)
+    status = tp_read_required(reader, &width, node, "block_width", "block_width: 90");
+  if (status == TP_OK)
+    status = tp_read_required(reader, &height, node, "mean_height", "mean_height: 122.5");
+  if (status == TP_OK)
+    status = tp_read_required(reader, &amplitude, node, "amplitude", "amplitude: 5");
+  if (status == TP_OK)
+    status = tp_read_required(reader, &wavelength, node, "wavelength", "wavelength: 60");
+  if (status == TP_OK) status = tp_read_positive(reader, n, width, "block_width");
+  if (status == TP_OK) status = tp_read_positive(reader, teeth->height, height, "mean_height");
+  if (status == TP_OK) status = read_depth(reader, teeth->depth, amplitude, "amplitude");
+  if (status == TP_OK) status = tp_read_positive(reader, teeth->width, wavelength, "wavelength");
+  if (status == TP_OK) {
+    fmpq_div_2exp(teeth->width, teeth->width, 1);
+    fmpq_div(n, n, teeth->width);
+    fmpq_div_2exp(half, teeth->depth, 1);
+    fmpq_sub(teeth->height, teeth->height, half);
+    status = set_count(reader, teeth, n, wavelength, "2 block_width / wavelength");
+  }
+  if (status == TP_OK && fmpq_sgn(teeth->height) <= 0) {
+    status = tp_read_fail(reader, amplitude, "the amplitude must be less than twice mean_height");
+  }
+  fmpq_clear(n);
+  fmpq_clear(half);
+  return status;
+}
+
+static tp_status read_teeth(const tp_reader *reader, const tp_node *node) {
+  tp_teeth *teeth = &reader->scene->block.teeth;
+  reader->scene->block.form = TP_OUTLINE_TEETH;
+  if (node->kind != TP_NODE_MAPPING) {
+    return tp_read_fail(reader, node,
+                        "teeth must be a map: {count, width, height, depth, left_end} or "
+                        "{block_width, mean_height, amplitude, wavelength, left_end}");
+  }
+  const bool general =
+      tp_node_get(node, "wavelength") != NULL || tp_node_get(node, "block_width") != NULL ||
+      tp_node_get(node, "mean_height") != NULL || tp_node_get(node, "amplitude") != NULL;
+  const tp_status status = general ? read_general_teeth(reader, teeth, node)
+                                   : read_counted_teeth(reader, teeth, node);
+  return status == TP_OK ? read_left_end(reader, teeth, node) : status;
+}
+
+static tp_status read_slab(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"width", "height", NULL};
+  tp_block_description *block = &reader->scene->block;
+  const tp_node *width = NULL, *height = NULL;
+  block->form = TP_OUTLINE_SLAB;
+  block->teeth.count = 1;
+  tp_status status = tp_node_expect_keys(node, keys, "slab", reader->scene->path, reader->message);
+  if (status == TP_OK) status = tp_read_required(reader, &width, node, "width", "width: 50");
+  if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 100");
+  if (status == TP_OK) status = tp_read_positive(reader, block->teeth.width, width, "width");
+  if (status == TP_OK) status = tp_read_positive(reader, block->teeth.height, height, "height");
+  return status;
+}
+
+static tp_status read_form(const tp_reader *reader, const tp_node *node) {
+  const tp_node *teeth = tp_node_get(node, "teeth"), *slab = tp_node_get(node, "slab");
+  const tp_node *outline = tp_node_get(node, "outline");
+  const int forms = (teeth != NULL) + (slab != NULL) + (outline != NULL);
+  if (forms != 1) {
+    return tp_read_fail(reader, node, "the block needs exactly one of 'outline', 'teeth' and 'slab'");
+  }
+  if (teeth != NULL) return read_teeth(reader, teeth);
+  if (slab != NULL) return read_slab(reader, slab);
+  reader->scene->block.form = TP_OUTLINE_VERTICES;
+  return tp_read_points(reader, &reader->scene->block.outline, outline, true, "the outline");
+}
+
+static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
+  tp_block_description *block = &reader->scene->block;
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE) {
+    return tp_read_fail(reader, node, "holes must be a list of outlines");
+  }
+  block->holes = calloc((size_t)node->count + 1, sizeof *block->holes);
+  if (block->holes == NULL) return tp_fail_memory(reader->message, "the holes");
+  tp_status status = TP_OK;
+  for (const tp_node *hole = node->first; hole != NULL && status == TP_OK; hole = hole->next) {
+    status = tp_read_points(reader, block->holes + block->hole_count, hole, true, "a hole");
+    if (status == TP_OK) block->hole_count++;
+  }
+  return status;
+}
+
+static tp_status read_unit_weight(const tp_reader *reader, tp_quantity *quantity,
+                                  const tp_node *node) {
+  const tp_status status = tp_read_quantity(reader, quantity, node, "unit_weight_kn_m3");
+  if (status != TP_OK || !quantity->given || fmpq_sgn(quantity->value) > 0) return status;
+  return tp_read_fail(reader, node, "unit_weight_kn_m3 must be above zero; a void is a hole");
+}
+
+static tp_status read_part(const tp_reader *reader, tp_part *part, const tp_node *node) {
+  static const char *const keys[] = {"outline", "unit_weight_kn_m3", NULL};
+  const tp_node *outline = NULL, *weight = NULL;
+  tp_status status = tp_node_expect_keys(node, keys, "a part", reader->scene->path, reader->message);
+  if (status == TP_OK)
+    status = tp_read_required(reader, &outline, node, "outline", "outline: [[0, 0], [1, 0], [1, 1]]");
+  if (status == TP_OK)
+    status = tp_read_required(reader, &weight, node, "unit_weight_kn_m3", "unit_weight_kn_m3: 20");
+  if (status == TP_OK) status = read_unit_weight(reader, &part->unit_weight_kn_m3, weight);
+  if (status == TP_OK) status = tp_read_points(reader, &part->outline, outline, true, "a part");
+  return status;
+}
+
+static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
+  tp_block_description *block = &reader->scene->block;
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE) {
+    return tp_read_fail(reader, node, "parts must be a list of {outline, unit_weight_kn_m3}");
+  }
+  if (!block->unit_weight_kn_m3.given) {
+    return tp_read_fail(reader, node,
+                        "parts of another density need the block's own 'unit_weight_kn_m3' too");
+  }
+  block->parts = calloc((size_t)node->count + 1, sizeof *block->parts);
+  if (block->parts == NULL) return tp_fail_memory(reader->message, "the parts");
+  tp_status status = TP_OK;
+  for (const tp_node *part = node->first; part != NULL && status == TP_OK; part = part->next) {
+    tp_part *own = block->parts + block->part_count++;
+    fmpq_init(own->unit_weight_kn_m3.value);
+    status = read_part(reader, own, part);
+  }
+  return status;
+}
+
+tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"teeth", "slab",      "outline",           "holes",
+                                     "parts", "thickness", "unit_weight_kn_m3", NULL};
+  tp_block_description *block = &reader->scene->block;
+  block->place = tp_node_place(node, reader->scene->path);
+  tp_status status =
+      tp_node_expect_keys(node, keys, "the block", reader->scene->path, reader->message);
+  if (status == TP_OK) status = read_form(reader, node);
+  if (status == TP_OK)
+    status = tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"), "thickness");
+  if (status == TP_OK && block->thickness.given && fmpq_sgn(block->thickness.value) <= 0) {
+    status = tp_read_fail(reader, tp_node_get(node, "thickness"), "thickness must be above zero");
+  }
+  if (status == TP_OK)
+    status = read_unit_weight(reader, &block->unit_weight_kn_m3,
+                              tp_node_get(node, "unit_weight_kn_m3"));
+  if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
+  if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));
+  return status;
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a scene file describes: exact numbers in scene lengths and degrees, each group with the
+ * place in the file that called for it. Only what can be said without geometry is checked here. */
+
+#ifndef TP_SCENE_H
+#define TP_SCENE_H
+
+#include "message.h"
+#include "number/polyline.h"
+#include "scene/expression.h"
+
+#include <flint/fmpq.h>
+
+/* A quantity that a scene may give. */
+typedef struct tp_quantity {
+  bool given;
+  fmpq_t value;
+  tp_place place;
+} tp_quantity;
+
+typedef enum tp_outline_form {
+  TP_OUTLINE_VERTICES,
+  TP_OUTLINE_TEETH,
+  TP_OUTLINE_SLAB
+} tp_outline_form;
+
+/* N sub-blocks of width a; b the smaller and b + c the larger of their heights (Fig. 5). */
+typedef struct tp_teeth {
+  long count;
+  fmpq_t width, height, depth;
+  bool left_end_valley;
+} tp_teeth;
+
+typedef struct tp_part {
+  tp_polyline outline;
+  tp_quantity unit_weight_kn_m3;
+} tp_part;
+
+typedef struct tp_block_description {
+  tp_place place;
+  tp_outline_form form;
+  tp_polyline outline; /* TP_OUTLINE_VERTICES */
+  tp_teeth teeth;      /* TP_OUTLINE_TEETH; a slab is one tooth of depth 0 */
+  long hole_count;
+  tp_polyline *holes;
+  long part_count;
+  tp_part *parts;
+  tp_quantity thickness; /* scene lengths; 1 m where not given */
+  tp_quantity unit_weight_kn_m3;
+} tp_block_description;
+
+typedef struct tp_base_description {
+  tp_place place;
+  bool mated; /* the base is the counterpart of the underside; else `profile` */
+  tp_polyline between; /* of a mated base: empty, or the two vertices where the contact ends */
+  tp_quantity beyond_left, beyond_right;
+  tp_polyline profile;
+} tp_base_description;
+
+struct tp_scene {
+  char *path;
+  char *title;
+  const char *length_unit;
+  fmpq_t metres_per_unit;
+  tp_parameters parameters;
+  tp_block_description block;
+  tp_base_description base;
+  tp_quantity friction_angle_deg; /* 0 <= value < 90 */
+  bool towards_left, towards_right;
+  tp_place tilt_place;
+  tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
+  long file_count; /* names of files that places refer to */
+  char **files;
+};
+
+#endif

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/admissible.h"
+
+static bool opens(const tp_lattice *lattice, const tp_facet *facet, long p,
+                  tp_direction direction) {
+  return direction == TP_TOWARDS_LEFT ? tp_contact_side(lattice, p, facet->q0, facet) >= 0
+                                      : tp_contact_side(lattice, facet->q1, p, facet) >= 0;
+}
+
+void tp_admissible_find(bool *admissible, const tp_contact *contact, const tp_lattice *lattice,
+                        tp_direction direction) {
+  const bool left = direction == TP_TOWARDS_LEFT;
+  const long count = contact->facet_count;
+  long obstacle = 0; /* the facet that obstructed last most often obstructs again */
+  for (long k = 0; k < contact->point_count; k++) {
+    const tp_contact_point *p = contact->points + k;
+    admissible[k] = false;
+    if ((left ? p->left : p->right) >= 0) continue; /* presses its own facet down */
+    bool clear = opens(lattice, contact->facets + obstacle, p->point, direction);
+    for (long step = 0; step < count && clear; step++) {
+      const long f = left ? step : count - 1 - step;
+      clear = opens(lattice, contact->facets + f, p->point, direction);
+      if (!clear) obstacle = f;
+    }
+    admissible[k] = clear;
+  }
+}

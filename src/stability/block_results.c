@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Area, centroid, second moments, weight; the teeth; the length of the contact. */
+
+#include "stability/evaluation.h"
+
+#include "number/ball.h"
+
+#include <float.h>
+#include <math.h>
+
+/* value = coefficient * lattice quantity * step^degree, as a result. */
+static tp_bounded in_metres(tp_evaluation *e, arb_t value, int degree) {
+  const long bits = e->rung.bits;
+  arb_t step;
+  arb_init(step);
+  arb_set_fmpq(step, e->problem->lattice.step_m, bits);
+  arb_pow_ui(step, step, (ulong)degree, bits);
+  arb_mul(value, value, step, bits);
+  arb_clear(step);
+  return tp_evaluation_result(e, value);
+}
+
+/* Coordinate of the centroid: S6 / (3 A2), moved back by the local origin. */
+static tp_bounded centroid(tp_evaluation *e, const arb_t first_moment, const fmpz_t origin) {
+  const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
+  arb_t value;
+  arb_init(value);
+  /* (S6 + 3 A2 origin) / (3 A2): exact zeros stay exact */
+  arb_mul_fmpz(value, e->moments.weighted + TP_A2, origin, exact);
+  arb_mul_ui(value, value, 3, exact);
+  arb_add(value, value, first_moment, exact);
+  arb_div(value, value, e->moments.weighted + TP_A2, bits);
+  arb_div_ui(value, value, 3, bits);
+  const tp_bounded result = in_metres(e, value, 1);
+  arb_clear(value);
+  return result;
+}
+
+/* (M / m - f g / (18 A2)) area2 / A2, the moment about the centroid weighted by the relative
+ * density; M / m the second moment about the origin, f and g first moments times six. As a single
+ * fraction over 36 A2^2 it cancels exactly on exact rungs. */
+static tp_bounded second_moment(tp_evaluation *e, const arb_t second, unsigned long m,
+                                const arb_t first, const arb_t other) {
+  const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
+  const arb_struct *area2 = e->moments.weighted + TP_A2;
+  arb_t value, product;
+  arb_init(value);
+  arb_init(product);
+  arb_mul(value, second, area2, exact);
+  arb_mul_ui(value, value, 36 / m, exact);
+  arb_mul(product, first, other, exact);
+  arb_mul_2exp_si(product, product, 1);
+  arb_sub(value, value, product, exact);
+  arb_mul(value, value, e->moments.area2, exact);
+  arb_mul(product, area2, area2, exact);
+  arb_mul_ui(product, product, 36, exact);
+  arb_div(value, value, product, bits);
+  const tp_bounded result = in_metres(e, value, 4);
+  arb_clear(value);
+  arb_clear(product);
+  return result;
+}
+
+static void thickness_in_metres(fmpq_t thickness, const tp_scene *scene) {
+  if (scene->block.thickness.given) {
+    fmpq_mul(thickness, scene->block.thickness.value, scene->metres_per_unit);
+  } else {
+    fmpq_one(thickness);
+  }
+}
+
+/* Weight in newton: unit weight in kN/m3 times volume. */
+static void weight(tp_evaluation *e, arb_t newton) {
+  const long bits = e->rung.bits;
+  fmpq_t factor, thickness;
+  fmpq_init(factor);
+  fmpq_init(thickness);
+  thickness_in_metres(thickness, e->problem->scene);
+  fmpq_mul(factor, thickness, e->problem->section.weight_unit);
+  fmpq_mul(factor, factor, e->problem->lattice.step_m);
+  fmpq_mul(factor, factor, e->problem->lattice.step_m);
+  fmpq_mul_ui(factor, factor, 500); /* kN to N, and half of twice the area */
+  arb_mul_fmpz(newton, e->moments.weighted + TP_A2, fmpq_numref(factor), bits);
+  arb_div_fmpz(newton, newton, fmpq_denref(factor), bits);
+  fmpq_clear(factor);
+  fmpq_clear(thickness);
+}
+
+void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
+  const tp_problem *problem = e->problem;
+  const arb_struct *sums = e->moments.weighted;
+  tp_block_result *block = &solution->block;
+  arb_t value;
+  fmpq_t thickness;
+  arb_init(value);
+  fmpq_init(thickness);
+  arb_mul_2exp_si(value, e->moments.area2, -1);
+  block->area_m2 = in_metres(e, value, 2);
+  block->centroid_x_m = centroid(e, sums + TP_X6, problem->lattice.origin_x);
+  block->centroid_y_m = centroid(e, sums + TP_Y6, problem->lattice.origin_y);
+  block->second_moment_xx_m4 = second_moment(e, sums + TP_XX12, 12, sums + TP_X6, sums + TP_X6);
+  block->second_moment_yy_m4 = second_moment(e, sums + TP_YY12, 12, sums + TP_Y6, sums + TP_Y6);
+  block->second_moment_xy_m4 = second_moment(e, sums + TP_XY24, 24, sums + TP_X6, sums + TP_Y6);
+  thickness_in_metres(thickness, problem->scene);
+  block->thickness_m = tp_evaluation_rational(thickness);
+  block->has_weight = problem->scene->block.unit_weight_kn_m3.given;
+  if (block->has_weight) {
+    weight(e, value);
+    block->weight_n = tp_evaluation_result(e, value);
+  }
+  block->vertices = (size_t)problem->lattice.start[problem->section.ring_count];
+  block->holes = (size_t)problem->section.hole_count;
+  block->parts = (size_t)problem->section.part_count;
+  block->triangles = problem->triangle_count;
+  arb_clear(value);
+  fmpq_clear(thickness);
+}
+
+/* Sum of the lengths of the facets in balls, in lattice units. */
+static void contact_length_ball(tp_evaluation *e, arb_t length) {
+  const tp_lattice *l = &e->problem->lattice;
+  arb_t dx, dy;
+  arb_init(dx);
+  arb_init(dy);
+  arb_zero(length);
+  for (long k = 0; k < e->problem->contact.facet_count; k++) {
+    const tp_facet *f = e->problem->contact.facets + k;
+    arb_set_fmpz(dx, l->x + f->q1);
+    arb_sub_fmpz(dx, dx, l->x + f->q0, ARF_PREC_EXACT);
+    arb_set_fmpz(dy, l->y + f->q1);
+    arb_sub_fmpz(dy, dy, l->y + f->q0, ARF_PREC_EXACT);
+    arb_hypot(dx, dx, dy, e->rung.bits);
+    arb_add(length, length, dx, e->rung.bits);
+  }
+  arb_clear(dx);
+  arb_clear(dy);
+}
+
+/* The same in double, for exact coordinates: differences (1 rounding each), squares, sum, root make
+ * at most 3.1 unit roundoffs for each length; two levels of summation add at most 1024 + n / 1024
+ * more to a sum of positive terms. */
+static void contact_length_double(tp_evaluation *e, arb_t length) {
+  const tp_lattice *l = &e->problem->lattice;
+  const long count = e->problem->contact.facet_count;
+  double total = 0;
+  for (long from = 0; from < count; from += 1024) {
+    double part = 0;
+    for (long k = from; k < count && k < from + 1024; k++) {
+      const tp_facet *f = e->problem->contact.facets + k;
+      const double dx = l->u[f->q1] - l->u[f->q0], dy = l->v[f->q1] - l->v[f->q0];
+      part += sqrt(dx * dx + dy * dy);
+    }
+    total += part;
+  }
+  const double roundings = 1030 + (double)(count / 1024);
+  tp_ball_set_bounded(length, total, 1.01 * roundings * DBL_EPSILON / 2 * total);
+}
+
+/* Length of the contact along the mean plane. */
+static void nominal_length(const tp_problem *problem, arb_t length) {
+  fmpz_t sum, dx;
+  fmpz_init(sum);
+  fmpz_init(dx);
+  for (long k = 0; k < problem->contact.facet_count; k++) {
+    const tp_facet *f = problem->contact.facets + k;
+    fmpz_sub(dx, problem->lattice.x + f->q1, problem->lattice.x + f->q0);
+    fmpz_abs(dx, dx);
+    fmpz_add(sum, sum, dx);
+  }
+  arb_set_fmpz(length, sum);
+  fmpz_clear(sum);
+  fmpz_clear(dx);
+}
+
+/* Weight over length times thickness; a contact in points alone has no area. */
+static tp_bounded pressure(tp_evaluation *e, const tp_bounded length_m, const arb_t length,
+                           const arb_t newton) {
+  if (length_m.value <= 0) return (tp_bounded){0, INFINITY};
+  const long bits = e->rung.bits;
+  fmpq_t width;
+  arb_t value;
+  fmpq_init(width);
+  arb_init(value);
+  thickness_in_metres(width, e->problem->scene);
+  arb_div(value, newton, length, bits);
+  arb_div_fmpz(value, value, fmpq_numref(width), bits);
+  arb_mul_fmpz(value, value, fmpq_denref(width), bits);
+  const tp_bounded result = tp_evaluation_result(e, value);
+  arb_clear(value);
+  fmpq_clear(width);
+  return result;
+}
+
+static tp_bounded length_in_metres(tp_evaluation *e, const tp_quantity *quantity) {
+  fmpq_t metres;
+  fmpq_init(metres);
+  fmpq_mul(metres, quantity->value, e->problem->scene->metres_per_unit);
+  const tp_bounded result = tp_evaluation_rational(metres);
+  fmpq_clear(metres);
+  return result;
+}
+
+void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
+  const tp_problem *problem = e->problem;
+  const tp_base_description *base = &problem->scene->base;
+  tp_contact_result *contact = &solution->contact;
+  contact->mated = base->mated;
+  contact->beyond_stated = !base->mated || base->beyond_left.given;
+  contact->beyond_left_m = length_in_metres(e, &base->beyond_left);
+  contact->beyond_right_m = length_in_metres(e, &base->beyond_right);
+  contact->facets = contact->points = 0;
+  for (long k = 0; k < problem->contact.facet_count; k++) {
+    const tp_facet *f = problem->contact.facets + k;
+    if (f->q0 != f->q1) {
+      contact->facets++;
+    } else {
+      contact->points++;
+    }
+  }
+  arb_t length, newton;
+  arb_init(length);
+  arb_init(newton);
+  weight(e, newton);
+  if (e->rung.level == TP_LEVEL_DOUBLE && problem->lattice.exponent == 0) {
+    contact_length_double(e, length);
+  } else {
+    contact_length_ball(e, length);
+  }
+  contact->length_m = in_metres(e, length, 1);
+  if (solution->block.has_weight) {
+    contact->weight_per_contact_area_pa = pressure(e, contact->length_m, length, newton);
+  }
+  nominal_length(problem, length);
+  contact->nominal_length_m = in_metres(e, length, 1);
+  if (solution->block.has_weight) {
+    contact->weight_per_nominal_area_pa = pressure(e, contact->nominal_length_m, length, newton);
+  }
+  arb_clear(length);
+  arb_clear(newton);
+}

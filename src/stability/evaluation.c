@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/evaluation.h"
+
+#include "number/ball.h"
+
+long tp_evaluation_bits(const tp_evaluation *evaluation) {
+  return evaluation->rung.level == TP_LEVEL_EXACT ? ARF_PREC_EXACT : evaluation->rung.bits;
+}
+
+tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball) {
+  if (!tp_ball_certain(ball, evaluation->digits)) evaluation->certain = false;
+  return tp_ball_bounded(ball);
+}
+
+tp_bounded tp_evaluation_rational(const fmpq_t value) {
+  arb_t ball;
+  arb_init(ball);
+  arb_set_fmpq(ball, value, 128);
+  const tp_bounded result = tp_ball_bounded(ball);
+  arb_clear(ball);
+  return result;
+}
+
+tp_bounded tp_evaluation_x(const tp_evaluation *evaluation, long point) {
+  const tp_lattice *lattice = &evaluation->problem->lattice;
+  fmpq_t metres;
+  fmpq_init(metres);
+  tp_lattice_metres_x(metres, lattice, lattice->x + point);
+  const tp_bounded result = tp_evaluation_rational(metres);
+  fmpq_clear(metres);
+  return result;
+}
+
+tp_bounded tp_evaluation_y(const tp_evaluation *evaluation, long point) {
+  const tp_lattice *lattice = &evaluation->problem->lattice;
+  fmpq_t metres;
+  fmpq_init(metres);
+  tp_lattice_metres_y(metres, lattice, lattice->y + point);
+  const tp_bounded result = tp_evaluation_rational(metres);
+  fmpq_clear(metres);
+  return result;
+}
+
+void tp_direction_ball_init(tp_direction_ball *angle) {
+  arb_init(angle->sine);
+  arb_init(angle->cosine);
+  arb_init(angle->degrees);
+  angle->exact_direction = false;
+}
+
+void tp_direction_ball_clear(tp_direction_ball *angle) {
+  arb_clear(angle->sine);
+  arb_clear(angle->cosine);
+  arb_clear(angle->degrees);
+}
+
+/* Sign of sin(a - b), which is that of a - b for angles less than half a turn apart. */
+static bool cross_sign(const tp_direction_ball *a, const tp_direction_ball *b, int *sign) {
+  arb_t cross;
+  arb_init(cross);
+  arb_mul(cross, a->sine, b->cosine, ARF_PREC_EXACT);
+  arb_submul(cross, b->sine, a->cosine, ARF_PREC_EXACT);
+  const bool decided = arb_is_exact(cross) || !arb_contains_zero(cross);
+  *sign = arf_sgn(arb_midref(cross));
+  arb_clear(cross);
+  return decided;
+}
+
+int tp_evaluation_compare(tp_evaluation *evaluation, const tp_direction_ball *a,
+                          const tp_direction_ball *b) {
+  if (arb_lt(a->degrees, b->degrees)) return -1;
+  if (arb_gt(a->degrees, b->degrees)) return 1;
+  int sign = 0;
+  if (arb_is_exact(a->degrees) && arb_is_exact(b->degrees)) return 0;
+  if (evaluation->rung.level == TP_LEVEL_EXACT && a->exact_direction && b->exact_direction &&
+      cross_sign(a, b, &sign)) {
+    return sign;
+  }
+  evaluation->certain = false;
+  return 0;
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* One evaluation of a problem at one rung of the ladder: what its parts share. */
+
+#ifndef TP_EVALUATION_H
+#define TP_EVALUATION_H
+
+#include "block/moments.h"
+#include "stability/problem.h"
+
+typedef struct tp_evaluation {
+  const tp_problem *problem;
+  tp_rung rung;
+  int digits;
+  tp_moments moments;
+  bool certain; /* all numbers and decisions so far */
+} tp_evaluation;
+
+/* Precision of the arithmetic before functions are taken: sums and products of exact integers stay
+ * exact on the last rungs. */
+long tp_evaluation_bits(const tp_evaluation *evaluation);
+
+/* The ball as a result; notes where it is not certain enough. */
+tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball);
+
+/* An exact rational as a result. */
+tp_bounded tp_evaluation_rational(const fmpq_t value);
+
+/* Coordinates of a lattice point in metres. */
+tp_bounded tp_evaluation_x(const tp_evaluation *evaluation, long point);
+tp_bounded tp_evaluation_y(const tp_evaluation *evaluation, long point);
+
+/* An angle by its direction: tan(angle) = sine / cosine, unnormalised. On exact rungs exact. */
+typedef struct tp_direction_ball {
+  arb_t sine, cosine;
+  arb_t degrees;
+  bool exact_direction; /* sine and cosine enclose the direction of `degrees` itself */
+} tp_direction_ball;
+
+void tp_direction_ball_init(tp_direction_ball *angle);
+void tp_direction_ball_clear(tp_direction_ball *angle);
+
+/* Sign of a - b in degrees. Where the balls overlap and both directions are exact, the sign of the
+ * cross product decides, ties included; otherwise the evaluation is marked as not certain. */
+int tp_evaluation_compare(tp_evaluation *evaluation, const tp_direction_ball *a,
+                          const tp_direction_ball *b);
+
+/* The block, its teeth and its contact. */
+void tp_evaluate_block(tp_evaluation *evaluation, tp_solution *solution);
+void tp_evaluate_contact(tp_evaluation *evaluation, tp_solution *solution);
+
+/* Pivots of one direction of tilt; the critical angle of the governing one is left in `toppling`,
+ * where there is one. */
+void tp_evaluate_pivots(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *toppling);
+
+/* Critical angle of the governing pivot alone; false where no pivot is admissible. */
+bool tp_evaluate_toppling(tp_evaluation *evaluation, tp_direction towards,
+                          tp_direction_ball *toppling, size_t *governing, bool *tie);
+
+/* Sliding of one direction; its critical angle is left in `sliding` unless it is never reached. */
+void tp_evaluate_sliding(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *sliding);
+
+/* The mechanism of one direction, from the critical angles of the others. */
+void tp_evaluate_mechanism(tp_evaluation *evaluation, tp_case *result,
+                           const tp_direction_ball *toppling, const tp_direction_ball *sliding);
+
+/* The account of moments by elements about the governing pivot. `result->account.elements` has room
+ * for all of them. */
+void tp_evaluate_account(tp_evaluation *evaluation, tp_case *result,
+                         const tp_direction_ball *toppling);
+
+#endif

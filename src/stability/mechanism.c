@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What happens first as the table is tilted, and what holds at the scene's tilt. */
+
+#include "stability/evaluation.h"
+
+#include "number/ball.h"
+
+/* Sign of the angle minus 90 degrees. */
+static int against_upright(tp_evaluation *e, const tp_direction_ball *angle) {
+  tp_direction_ball upright;
+  tp_direction_ball_init(&upright);
+  arb_one(upright.sine);
+  arb_set_ui(upright.degrees, 90);
+  upright.exact_direction = true;
+  const int side = tp_evaluation_compare(e, angle, &upright);
+  tp_direction_ball_clear(&upright);
+  return side;
+}
+
+static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
+                                           const tp_direction_ball *toppling,
+                                           const tp_direction_ball *sliding) {
+  const bool topples = result->has_governing && against_upright(e, toppling) < 0;
+  const bool slides = result->sliding.known && !result->sliding.never;
+  if (topples && slides) {
+    const int side = tp_evaluation_compare(e, toppling, sliding);
+    result->first = side < 0 ? TP_TOPPLES : side > 0 ? TP_SLIDES : TP_SLIDES_AND_TOPPLES;
+    return side > 0 ? sliding : toppling;
+  }
+  if (topples || slides) {
+    result->first = topples ? TP_TOPPLES : TP_SLIDES;
+    return topples ? toppling : sliding;
+  }
+  result->first = result->sliding.known ? TP_INTERLOCKED : TP_STANDS;
+  return NULL;
+}
+
+/* Does the block topple up-dip at this tilt: is the centroid past the up-dip end of the contact? */
+static bool falls_backwards(tp_evaluation *e, tp_direction towards, const arb_t tilt) {
+  const tp_direction other = towards == TP_TOWARDS_LEFT ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT;
+  tp_direction_ball angle;
+  tp_direction_ball_init(&angle);
+  size_t pivot = 0;
+  bool tie = false, falls = false;
+  if (tp_evaluate_toppling(e, other, &angle, &pivot, &tie)) {
+    arb_add(angle.degrees, angle.degrees, tilt, e->rung.bits);
+    falls = arb_is_negative(angle.degrees);
+    if (!falls && !arb_is_nonnegative(angle.degrees)) e->certain = false;
+  }
+  tp_direction_ball_clear(&angle);
+  return falls;
+}
+
+void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
+                           const tp_direction_ball *sliding) {
+  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
+  const tp_direction_ball *first = find_first(e, result, toppling, sliding);
+  arb_t angle, margin;
+  arb_init(angle);
+  arb_init(margin);
+  arb_set_fmpq(angle, tilt->value, e->rung.bits); /* 0 where not given */
+  result->mechanism = result->first;
+  result->has_margin = first != NULL && tilt->given;
+  if (first != NULL) result->first_angle_deg = tp_evaluation_result(e, first->degrees);
+  if (result->has_margin) {
+    arb_sub(margin, first->degrees, angle, e->rung.bits);
+    if (arb_is_positive(margin)) {
+      result->mechanism = TP_STANDS;
+    } else if (!arb_is_nonpositive(margin)) {
+      e->certain = false;
+      result->mechanism = TP_MECHANISM_UNDECIDED;
+    }
+    result->margin_deg = tp_evaluation_result(e, margin);
+  }
+  result->falls_backwards = falls_backwards(e, result->towards, angle);
+  if (result->falls_backwards) result->mechanism = TP_TOPPLES;
+  arb_clear(angle);
+  arb_clear(margin);
+}

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Moment equilibrium about every candidate pivot (mechanics section 3; Eqs. (2), (A1.3), (A1.7)). */
+
+#include "stability/evaluation.h"
+
+#include "number/ball.h"
+
+/* Lever arms of the weight about a lattice point, times 3 A2 > 0: the direction of the critical
+ * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
+static void arms(const tp_evaluation *e, tp_direction towards, long point, tp_direction_ball *angle) {
+  const long exact = tp_evaluation_bits(e);
+  const tp_lattice *l = &e->problem->lattice;
+  const arb_struct *sums = e->moments.weighted;
+  arb_mul_fmpz(angle->sine, sums + TP_A2, l->x + point, exact);
+  arb_mul_ui(angle->sine, angle->sine, 3, exact);
+  arb_sub(angle->sine, sums + TP_X6, angle->sine, exact);
+  if (towards == TP_TOWARDS_RIGHT) arb_neg(angle->sine, angle->sine);
+  arb_mul_fmpz(angle->cosine, sums + TP_A2, l->y + point, exact);
+  arb_mul_ui(angle->cosine, angle->cosine, 3, exact);
+  arb_sub(angle->cosine, sums + TP_Y6, angle->cosine, exact);
+  tp_ball_atan2_degrees(angle->degrees, angle->sine, angle->cosine, e->rung.bits);
+  angle->exact_direction = true;
+}
+
+/* tan of the scene's tilt; false where it gives none. */
+static bool tilt_functions(const tp_evaluation *e, arb_t sine, arb_t cosine) {
+  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
+  if (tilt->given) tp_ball_sin_cos_degrees(sine, cosine, tilt->value, e->rung.bits);
+  return tilt->given;
+}
+
+/* x arm cot(alpha) / y arm, Eq. (2). Nothing overturns where the centroid is not above the pivot,
+ * or on level ground. */
+static tp_fos resultant_form(tp_evaluation *e, const tp_direction_ball *angle, const arb_t sine,
+                             const arb_t cosine, bool tilted) {
+  if (!tilted) return (tp_fos){.state = TP_FOS_NO_TILT};
+  if (arb_is_zero(sine) || arb_is_nonpositive(angle->cosine)) {
+    return (tp_fos){.state = TP_FOS_NO_OVERTURNING};
+  }
+  tp_fos fos = {.state = TP_FOS_NUMBER};
+  arb_t value, divisor;
+  arb_init(value);
+  arb_init(divisor);
+  arb_mul(value, angle->sine, cosine, e->rung.bits);
+  arb_mul(divisor, angle->cosine, sine, e->rung.bits);
+  arb_div(value, value, divisor, e->rung.bits);
+  fos.value = tp_evaluation_result(e, value);
+  arb_clear(value);
+  arb_clear(divisor);
+  return fos;
+}
+
+/* normal * cosine + parallel * sine with exact moments. */
+static void combine(arb_t sum, const fmpz_t normal, const fmpz_t parallel, const arb_t sine,
+                    const arb_t cosine, long bits) {
+  arb_mul_fmpz(sum, cosine, normal, bits);
+  arb_addmul_fmpz(sum, sine, parallel, bits);
+}
+
+/* Each element's components with the stabilising or the overturning moments by their own sign,
+ * (A1.3): the normal component W cos(alpha) stabilises beyond the pivot, the parallel one
+ * W sin(alpha) overturns above it. */
+static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, const arb_t sine,
+                            const arb_t cosine, bool tilted) {
+  const tp_problem *problem = e->problem;
+  if (!tilted) return (tp_fos){.state = TP_FOS_NO_TILT};
+  if (!problem->has_elements) return (tp_fos){.state = TP_FOS_NOT_ASKED};
+  fmpz m[4]; /* beyond and before along x, above and below along y */
+  for (int k = 0; k < 4; k++) fmpz_init(m + k);
+  const tp_elements *elements = &problem->elements;
+  tp_elements_moments(m, m + 1, elements, &elements->along_x, problem->lattice.x + point);
+  tp_elements_moments(m + 2, m + 3, elements, &elements->along_y, problem->lattice.y + point);
+  if (towards == TP_TOWARDS_RIGHT) fmpz_swap(m, m + 1);
+  arb_t stabilising, overturning;
+  arb_init(stabilising);
+  arb_init(overturning);
+  combine(stabilising, m, m + 3, sine, cosine, e->rung.bits);
+  combine(overturning, m + 1, m + 2, sine, cosine, e->rung.bits);
+  tp_fos fos = {.state = TP_FOS_NO_OVERTURNING};
+  if (!arb_is_zero(overturning)) {
+    fos.state = TP_FOS_NUMBER;
+    arb_div(stabilising, stabilising, overturning, e->rung.bits);
+    fos.value = tp_evaluation_result(e, stabilising);
+  }
+  for (int k = 0; k < 4; k++) fmpz_clear(m + k);
+  arb_clear(stabilising);
+  arb_clear(overturning);
+  return fos;
+}
+
+bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_ball *toppling,
+                          size_t *governing, bool *tie) {
+  const tp_contact *contact = &e->problem->contact;
+  tp_direction_ball angle;
+  tp_direction_ball_init(&angle);
+  bool found = false;
+  *tie = false;
+  for (long k = 0; k < contact->point_count; k++) {
+    if (!e->problem->admissible[towards][k]) continue;
+    arms(e, towards, contact->points[k].point, &angle);
+    const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
+    if (side == 0) *tie = true;
+    if (side >= 0) continue;
+    const tp_direction_ball held = *toppling;
+    *toppling = angle;
+    angle = held;
+    *governing = (size_t)k;
+    *tie = false;
+    found = true;
+  }
+  tp_direction_ball_clear(&angle);
+  return found;
+}
+
+void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *toppling) {
+  const tp_contact *contact = &e->problem->contact;
+  tp_direction_ball angle;
+  arb_t sine, cosine;
+  tp_direction_ball_init(&angle);
+  arb_init(sine);
+  arb_init(cosine);
+  const bool tilted = tilt_functions(e, sine, cosine);
+  for (size_t k = 0; k < result->pivot_count; k++) {
+    const tp_contact_point *p = contact->points + k;
+    tp_pivot *pivot = result->pivots + k;
+    pivot->kind = p->kind;
+    pivot->admissible = e->problem->admissible[result->towards][k];
+    pivot->x_m = tp_evaluation_x(e, p->point);
+    pivot->y_m = tp_evaluation_y(e, p->point);
+    arms(e, result->towards, p->point, &angle);
+    pivot->critical_angle_deg = tp_evaluation_result(e, angle.degrees);
+    pivot->fos_resultant = resultant_form(e, &angle, sine, cosine, tilted);
+    pivot->fos_elements = elements_form(e, result->towards, p->point, sine, cosine, tilted);
+  }
+  result->has_governing = tp_evaluate_toppling(e, result->towards, toppling, &result->governing,
+                                               &result->governing_tie);
+  tp_direction_ball_clear(&angle);
+  arb_clear(sine);
+  arb_clear(cosine);
+}

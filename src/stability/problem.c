@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/problem.h"
+
+#include "block/check.h"
+#include "stability/admissible.h"
+#include "stability/effects.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void tp_problem_clear(tp_problem *problem) {
+  tp_section_clear(&problem->section);
+  tp_base_clear(&problem->base);
+  tp_lattice_clear(&problem->lattice);
+  tp_contact_clear(&problem->contact);
+  tp_elements_clear(&problem->elements);
+  free(problem->admissible[0]);
+  free(problem->admissible[1]);
+  memset(problem, 0, sizeof *problem);
+}
+
+static tp_status put_on_lattice(tp_problem *problem, tp_message *message) {
+  const long rings = problem->section.ring_count;
+  const tp_polyline **chains = calloc((size_t)rings + 2, sizeof *chains);
+  if (chains == NULL) return tp_fail_memory(message, "the lattice of points");
+  for (long r = 0; r < rings; r++) chains[r] = problem->section.rings + r;
+  chains[rings] = &problem->base.ring;
+  chains[rings + 1] = &problem->section.element_corners;
+  const tp_status status = tp_lattice_init(&problem->lattice, chains, rings + 2,
+                                           problem->scene->metres_per_unit, message);
+  free(chains);
+  return status;
+}
+
+static tp_status find_pivots(tp_problem *problem, tp_message *message) {
+  for (int d = 0; d < 2; d++) {
+    problem->admissible[d] =
+        calloc((size_t)problem->contact.point_count, sizeof *problem->admissible[d]);
+    if (problem->admissible[d] == NULL) return tp_fail_memory(message, "the pivots");
+    tp_admissible_find(problem->admissible[d], &problem->contact, &problem->lattice,
+                       d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT);
+  }
+  return TP_OK;
+}
+
+/* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? */
+static bool wants_elements(const tp_problem *problem, const tp_solve_options *options) {
+  if (options->elements) return true;
+  return problem->scene->tilt_angle_deg.given &&
+         problem->lattice.start[problem->section.ring_count] <= TP_ELEMENTS_UNASKED;
+}
+
+static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *triangulation,
+                               const tp_solve_options *options, tp_solution *solution,
+                               tp_message *message) {
+  const tp_section *section = &problem->section;
+  const double began = tp_effects_now();
+  tp_status status = TP_OK;
+  if (triangulation->count == 0 && !tp_elements_are_given(section)) {
+    status = tp_check_triangulate(triangulation, section, &problem->lattice, message);
+  }
+  if (status == TP_OK) {
+    status = tp_elements_init(&problem->elements, section, &problem->lattice,
+                              section->ring_count + 1, triangulation, message);
+  }
+  problem->has_elements = status == TP_OK;
+  tp_effects_note(solution, "elements",
+                  options->elements ? (tp_place){0} : problem->scene->tilt_angle_deg.place,
+                  "--elements", began);
+  return status;
+}
+
+static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
+                         tp_geom_triangulation *triangulation, tp_solution *solution,
+                         tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  double began = tp_effects_now();
+  tp_status status = tp_section_init(&problem->section, &scene->block, message);
+  if (status == TP_OK) status = tp_base_init(&problem->base, scene, &problem->section, message);
+  if (status == TP_OK) status = put_on_lattice(problem, message);
+  if (status == TP_OK) {
+    status = tp_check_section(triangulation, &problem->section, &problem->lattice, message);
+  }
+  if (status != TP_OK) return status;
+  tp_effects_note(solution, "outline", scene->block.place, "", began);
+
+  began = tp_effects_now();
+  status = tp_contact_init(&problem->contact, &problem->section, &problem->base, &problem->lattice,
+                           message);
+  if (status == TP_OK) status = find_pivots(problem, message);
+  tp_effects_note(solution, "contact", scene->base.place, "a mated base, as none is given", began);
+  if (status == TP_OK && wants_elements(problem, options)) {
+    status = find_elements(problem, triangulation, options, solution, message);
+  }
+  return status;
+}
+
+tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
+                          const tp_solve_options *options, tp_solution *solution,
+                          tp_message *message) {
+  tp_geom_triangulation triangulation = {0};
+  memset(problem, 0, sizeof *problem);
+  problem->scene = scene;
+  const tp_status status = prepare(problem, options, &triangulation, solution, message);
+  /* Euler: any triangulation of n vertices and h holes has n + 2 h - 2 triangles. */
+  problem->triangle_count = triangulation.count;
+  if (triangulation.count == 0 && status == TP_OK) {
+    problem->triangle_count = (size_t)problem->lattice.start[1] - 2;
+  }
+  tp_geom_triangulation_clear(&triangulation);
+  if (status != TP_OK) tp_problem_clear(problem);
+  return status;
+}

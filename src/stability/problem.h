@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene made ready for statics: the exact block on its exact base. Nothing here is rounded. */
+
+#ifndef TP_PROBLEM_H
+#define TP_PROBLEM_H
+
+#include "base/contact.h"
+#include "block/elements.h"
+
+/* Above this many vertices the elements form of the factor of safety, which needs a triangulation
+ * at some hundred times the cost of everything else, is drawn up only when asked for. */
+enum { TP_ELEMENTS_UNASKED = 10000 };
+
+typedef struct tp_problem {
+  const tp_scene *scene;
+  tp_section section;
+  tp_base base;
+  tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */
+  tp_contact contact;
+  bool *admissible[2]; /* by direction of tilt, for each contact point */
+  bool has_elements;
+  tp_elements elements;
+  size_t triangle_count;
+} tp_problem;
+
+/* Prepare the scene, noting in `solution` what ran. On failure `problem` is cleared. */
+TP_MUST_USE tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
+                                      const tp_solve_options *options, tp_solution *solution,
+                                      tp_message *message);
+void tp_problem_clear(tp_problem *problem);
+
+#endif

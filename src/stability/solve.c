@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene in, the stability of its block out. */
+
+#include "number/ladder.h"
+#include "stability/effects.h"
+#include "stability/evaluation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+tp_solve_options tp_solve_options_default(void) {
+  return (tp_solve_options){.elements = false, .digits = 9};
+}
+
+void tp_solution_free(tp_solution *solution) {
+  if (solution == NULL) return;
+  for (size_t k = 0; k < solution->case_count; k++) {
+    free(solution->cases[k].pivots);
+    free(solution->cases[k].account.elements);
+  }
+  free(solution->title);
+  free(solution);
+}
+
+static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp_message *message) {
+  solution->length_unit = scene->length_unit;
+  solution->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
+  solution->has_tilt_angle = scene->tilt_angle_deg.given;
+  solution->tilt_angle_deg = tp_evaluation_rational(scene->tilt_angle_deg.value);
+  solution->has_friction = scene->friction_angle_deg.given;
+  solution->friction_angle_deg = tp_evaluation_rational(scene->friction_angle_deg.value);
+  if (scene->title == NULL) return TP_OK;
+  solution->title = strdup(scene->title);
+  return solution->title != NULL ? TP_OK : tp_fail_memory(message, "the solution");
+}
+
+static tp_bounded teeth_length(const tp_scene *scene, const fmpq_t value, long numerator,
+                               const fmpq_t added, unsigned long denominator) {
+  fmpq_t length;
+  fmpz_t factor;
+  fmpq_init(length);
+  fmpz_init_set_si(factor, numerator);
+  fmpq_mul_fmpz(length, value, factor);
+  if (added != NULL) {
+    fmpz_set_ui(factor, denominator);
+    fmpq_t part;
+    fmpq_init(part);
+    fmpq_div_fmpz(part, added, factor);
+    fmpq_add(length, length, part);
+    fmpq_clear(part);
+  }
+  fmpq_mul(length, length, scene->metres_per_unit);
+  const tp_bounded result = tp_evaluation_rational(length);
+  fmpq_clear(length);
+  fmpz_clear(factor);
+  return result;
+}
+
+/* Both descriptions of a toothed block (section 5.1 of the paper): dx = N a, y = b + c / 2, A = c,
+ * lambda = 2 a. */
+static void describe_teeth(tp_solution *solution, const tp_scene *scene) {
+  tp_teeth_result *result = &solution->teeth;
+  const tp_teeth *teeth = &scene->block.teeth;
+  result->known = scene->block.form == TP_OUTLINE_TEETH;
+  if (!result->known) return;
+  result->count = (size_t)teeth->count;
+  result->width_m = teeth_length(scene, teeth->width, 1, NULL, 1);
+  result->height_m = teeth_length(scene, teeth->height, 1, NULL, 1);
+  result->depth_m = result->amplitude_m = teeth_length(scene, teeth->depth, 1, NULL, 1);
+  result->block_width_m = teeth_length(scene, teeth->width, teeth->count, NULL, 1);
+  result->mean_height_m = teeth_length(scene, teeth->height, 1, teeth->depth, 2);
+  result->wavelength_m = teeth_length(scene, teeth->width, 2, NULL, 1);
+  const bool right_valley = (teeth->count % 2 == 0) == teeth->left_end_valley;
+  result->left_end = teeth->left_end_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
+  result->right_end = right_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
+}
+
+static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bool account,
+                            tp_message *message) {
+  const bool asked[2] = {problem->scene->towards_left, problem->scene->towards_right};
+  for (int d = 0; d < 2; d++) {
+    if (!asked[d]) continue;
+    tp_case *own = solution->cases + solution->case_count++;
+    own->towards = d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+    own->pivot_count = (size_t)problem->contact.point_count;
+    own->pivots = calloc(own->pivot_count, sizeof *own->pivots);
+    if (own->pivots == NULL) return tp_fail_memory(message, "the pivots");
+    if (!account) continue;
+    own->account.elements =
+        calloc((size_t)problem->elements.count + 1, sizeof *own->account.elements);
+    if (own->account.elements == NULL) return tp_fail_memory(message, "the elements");
+  }
+  return TP_OK;
+}
+
+typedef struct climb {
+  const tp_problem *problem;
+  const tp_solve_options *options;
+  tp_solution *solution;
+} climb;
+
+static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *c) {
+  const tp_scene *scene = c->problem->scene;
+  tp_direction_ball toppling, sliding;
+  tp_direction_ball_init(&toppling);
+  tp_direction_ball_init(&sliding);
+  double began = tp_effects_now();
+  tp_evaluate_pivots(evaluation, own, &toppling);
+  tp_effects_note(c->solution, "toppling", scene->tilt_place, "both directions, as none is given",
+                  began);
+  if (scene->friction_angle_deg.given) {
+    began = tp_effects_now();
+    tp_evaluate_sliding(evaluation, own, &sliding);
+    tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
+  }
+  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding);
+  if (c->options->elements) tp_evaluate_account(evaluation, own, &toppling);
+  tp_direction_ball_clear(&toppling);
+  tp_direction_ball_clear(&sliding);
+}
+
+static tp_status step(void *context, tp_rung rung, bool *certain) {
+  const climb *c = context;
+  tp_evaluation evaluation = {.problem = c->problem,
+                              .rung = rung,
+                              .digits = c->options->digits,
+                              .certain = true};
+  const double began = tp_effects_now();
+  tp_moments_init(&evaluation.moments);
+  tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice, rung);
+  tp_evaluate_block(&evaluation, c->solution);
+  tp_evaluate_contact(&evaluation, c->solution);
+  tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
+  for (size_t k = 0; k < c->solution->case_count; k++) {
+    evaluate_case(&evaluation, c->solution->cases + k, c);
+  }
+  tp_moments_clear(&evaluation.moments);
+  *certain = evaluation.certain;
+  return TP_OK;
+}
+
+/* What was computed on the ladder was computed at the level that it reached. */
+static void note_level(tp_solution *solution, tp_rung reached) {
+  solution->level = reached.level;
+  solution->bits = reached.bits;
+  static const char *const climbing[] = {"moments", "toppling", "sliding"};
+  for (size_t k = 0; k < solution->effect_count; k++) {
+    for (size_t c = 0; c < sizeof climbing / sizeof climbing[0]; c++) {
+      if (strcmp(solution->effects[k].name, climbing[c]) == 0) {
+        solution->effects[k].level = reached.level;
+      }
+    }
+  }
+}
+
+static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
+                      tp_message *message) {
+  tp_problem problem;
+  tp_rung reached;
+  tp_status status = describe_scene(solution, scene, message);
+  if (status != TP_OK) return status;
+  describe_teeth(solution, scene);
+  status = tp_problem_init(&problem, scene, options, solution, message);
+  if (status != TP_OK) return status;
+  status = make_cases(solution, &problem, options->elements, message);
+  if (status == TP_OK) {
+    climb c = {&problem, options, solution};
+    status = tp_ladder_climb(step, &c, &reached);
+    note_level(solution, reached);
+    if (status == TP_UNDECIDED) {
+      (void)tp_fail(message, TP_UNDECIDED, (tp_place){scene->path, 0, 0},
+                    "undecided at %ld bits: a number is not certain to %d digits", reached.bits,
+                    options->digits);
+    }
+  }
+  tp_problem_clear(&problem);
+  return status;
+}
+
+tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve_options *options,
+                   tp_message *message) {
+  if (options->digits < 1 || options->digits > 15) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and 15");
+  }
+  tp_solution *filled = calloc(1, sizeof *filled);
+  if (filled == NULL) return tp_fail_memory(message, "the solution");
+  const tp_status status = fill(filled, scene, options, message);
+  if (status == TP_OK) {
+    *solution = filled;
+  } else {
+    tp_solution_free(filled);
+  }
+  return status;
+}

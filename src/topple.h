@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Topple: does a rock block stand, slide or topple on its base, and at which tilt?
+ *
+ * The whole public library. A scene is read from a file, solved, and reported:
+ *
+ *     tp_scene *scene = NULL;
+ *     tp_solution *solution = NULL;
+ *     tp_message message;
+ *     tp_status status = tp_scene_read(&scene, "block.yaml", &message);
+ *     if (status == TP_OK) {
+ *       const tp_solve_options options = tp_solve_options_default();
+ *       status = tp_solve(&solution, scene, &options, &message);
+ *     }
+ *     if (status != TP_OK) fprintf(stderr, "%s\n", message.text);
+ *     tp_solution_free(solution);
+ *     tp_scene_free(scene);
+ *
+ * Frame: x along the mean plane of the base, up-dip to the right; y normal to it, up. Tilting
+ * towards the left lowers the side x -> -infinity. SI units; angles in degrees where the name
+ * says so. Every computed number is a tp_bounded: the truth lies within `error` of `value`.
+ * The library never prints, exits or aborts by itself and keeps no mutable globals; FLINT and GMP
+ * abort the process when memory is exhausted, so sizes are bounded before they are called. */
+
+#ifndef TOPPLE_H
+#define TOPPLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TP_VERSION "0.1.0"
+
+#if defined(__GNUC__)
+#define TP_MUST_USE __attribute__((warn_unused_result))
+#else
+#define TP_MUST_USE
+#endif
+
+/* Status of a call: name, exit status of the program, meaning. Outputs stay untouched unless
+ * the status is TP_OK. */
+#define TP_STATUS_LIST(X)                                                                          \
+  X(TP_OK, 0, "done")                                                                              \
+  X(TP_BAD_INPUT, 3, "the input is wrong")                                                         \
+  X(TP_NO_ANSWER, 3, "no answer exists")                                                           \
+  X(TP_UNDECIDED, 4, "undecided at the precision allowed")                                         \
+  X(TP_OUT_OF_MEMORY, 5, "out of memory")                                                          \
+  X(TP_SYSTEM_FAILED, 5, "the system failed")                                                      \
+  X(TP_DEPENDENCY_FAILED, 5, "a library that Topple builds on failed")
+
+typedef enum tp_status {
+#define TP_STATUS_ENUM(name, exit_status, meaning) name,
+  TP_STATUS_LIST(TP_STATUS_ENUM)
+#undef TP_STATUS_ENUM
+} tp_status;
+
+const char *tp_status_meaning(tp_status status);
+int tp_status_exit(tp_status status);
+
+/* What went wrong, where (file:line:column) and what to do; always terminated. */
+typedef struct tp_message {
+  char text[1024];
+} tp_message;
+
+/* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
+ * truth is outside the range of a double. */
+typedef struct tp_bounded {
+  double value;
+  double error;
+} tp_bounded;
+
+typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
+
+/* The arithmetic that a result took: double with a bound, balls, exact rationals. */
+typedef enum tp_level { TP_LEVEL_DOUBLE, TP_LEVEL_BALL, TP_LEVEL_EXACT } tp_level;
+
+/* Where a pivot lies on the underside of the block (Fig. 8 of Alejano et al.). */
+typedef enum tp_pivot_kind {
+  TP_PIVOT_VALLEY,   /* a low end: both neighbours on the underside are higher */
+  TP_PIVOT_PEAK,     /* a high end: both neighbours are lower */
+  TP_PIVOT_FLAT_END, /* the end of a facet that is parallel to the mean plane */
+  TP_PIVOT_FLANK     /* between a low and a high end */
+} tp_pivot_kind;
+
+typedef enum tp_mechanism {
+  TP_STANDS,
+  TP_SLIDES,
+  TP_TOPPLES,
+  TP_SLIDES_AND_TOPPLES,
+  TP_INTERLOCKED, /* neither slides nor topples at any tilt below 90 degrees */
+  TP_MECHANISM_UNDECIDED
+} tp_mechanism;
+
+/* Why a factor of safety is a number, or is none. */
+typedef enum tp_fos_state {
+  TP_FOS_NUMBER,
+  TP_FOS_NO_TILT,       /* the scene gives no tilt angle */
+  TP_FOS_NO_OVERTURNING, /* nothing overturns or drives: the factor is unbounded */
+  TP_FOS_NOT_ASKED      /* elements form of a large block without the elements option */
+} tp_fos_state;
+
+typedef struct tp_fos {
+  tp_fos_state state;
+  tp_bounded value; /* only when state is TP_FOS_NUMBER */
+} tp_fos;
+
+typedef struct tp_pivot {
+  tp_pivot_kind kind;
+  bool admissible; /* to first order: turning about it opens every contact facet */
+  tp_bounded x_m, y_m;
+  tp_bounded critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
+  tp_fos fos_resultant;          /* Eq. (2): tan(critical angle) / tan(tilt) */
+  tp_fos fos_elements;           /* (A1.3): each element's components by their own sign */
+} tp_pivot;
+
+typedef enum tp_element_kind { TP_ELEMENT_TRIANGLE, TP_ELEMENT_SLAB } tp_element_kind;
+
+/* One element of the account of moments about the governing pivot. */
+typedef struct tp_element {
+  tp_element_kind kind;
+  size_t part;            /* 0: the block; k: its k-th part */
+  tp_bounded weight;      /* N, or a fraction of the block's when the scene gives no unit weight */
+  tp_bounded normal_arm_m;   /* x arm of the component W cos(alpha); > 0 stabilises */
+  tp_bounded parallel_arm_m; /* y arm of the component W sin(alpha); > 0 overturns */
+  tp_bounded stabilising;    /* weight times metre */
+  tp_bounded overturning;
+} tp_element;
+
+typedef struct tp_account {
+  size_t count; /* 0 when the account was not asked for */
+  tp_element *elements;
+  bool at_critical_angle; /* the scene gives no tilt angle: the account is drawn up at the limit */
+  tp_bounded angle_deg;
+  tp_bounded stabilising, overturning; /* sums */
+} tp_account;
+
+/* Patton's sliding angle phi_b + i (Eq. 6) on the facet that governs. No statics of contact forces
+ * stands behind it: a facet wholly up-dip of the centroid sheds its load as the table tilts, and of
+ * the others the one that rises most steeply down-dip governs. */
+typedef struct tp_sliding {
+  bool known; /* the scene gives a friction angle */
+  bool never; /* phi_b + i reaches 90 degrees */
+  tp_bounded facet_angle_deg; /* i, positive where the block must climb */
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
+  tp_bounded critical_angle_deg;
+  tp_fos fos;
+} tp_sliding;
+
+typedef struct tp_case {
+  tp_direction towards;
+  size_t pivot_count;
+  tp_pivot *pivots; /* from left to right along the contact */
+  bool has_governing;
+  size_t governing; /* index of the admissible pivot with the least critical angle */
+  bool governing_tie; /* another admissible pivot has exactly the same critical angle */
+  tp_sliding sliding;
+  tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */
+  tp_mechanism first;     /* what happens first as the table is tilted from level */
+  tp_bounded first_angle_deg; /* where `first` happens; unset for TP_INTERLOCKED */
+  bool has_margin;
+  tp_bounded margin_deg;      /* first_angle_deg minus the scene's tilt */
+  bool falls_backwards;       /* at this tilt it topples the other way, up-dip */
+  tp_account account;
+} tp_case;
+
+typedef struct tp_block_result {
+  tp_bounded area_m2;
+  tp_bounded centroid_x_m, centroid_y_m; /* of the weight */
+  /* About the centroid, weighted by unit weight over mean unit weight. */
+  tp_bounded second_moment_xx_m4, second_moment_yy_m4, second_moment_xy_m4;
+  tp_bounded thickness_m;
+  bool has_weight;
+  tp_bounded weight_n;
+  size_t vertices, holes, parts, triangles;
+} tp_block_result;
+
+/* A toothed block in both of the paper's descriptions (its section 5.1). */
+typedef struct tp_teeth_result {
+  bool known;
+  size_t count;                          /* N */
+  tp_bounded width_m, height_m, depth_m; /* a, b, c */
+  tp_bounded block_width_m, mean_height_m, amplitude_m, wavelength_m; /* dx, y, A, lambda */
+  tp_pivot_kind left_end, right_end;
+} tp_teeth_result;
+
+typedef struct tp_contact_result {
+  bool mated;
+  bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
+  tp_bounded beyond_left_m, beyond_right_m; /* how far the base goes on past the block */
+  size_t facets, points; /* facets of positive length; contacts in a single point */
+  tp_bounded length_m;           /* along the facets */
+  tp_bounded nominal_length_m;   /* projected on the mean plane: the paper's S is this x thickness */
+  tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
+} tp_contact_result;
+
+/* What ran, and what in the scene called for it. */
+typedef struct tp_effect {
+  const char *name;
+  char called_for_by[256]; /* file:line:column, or an option */
+  double seconds;
+  tp_level level;
+} tp_effect;
+
+enum { TP_EFFECTS_MAX = 12 };
+
+typedef struct tp_solution {
+  char *title;
+  const char *length_unit; /* of the scene; a static string */
+  double metres_per_unit;
+  bool has_tilt_angle;
+  tp_bounded tilt_angle_deg;
+  bool has_friction;
+  tp_bounded friction_angle_deg;
+  tp_block_result block;
+  tp_teeth_result teeth;
+  tp_contact_result contact;
+  size_t case_count;
+  tp_case cases[2];
+  size_t effect_count;
+  tp_effect effects[TP_EFFECTS_MAX];
+  tp_level level; /* the arithmetic that certified the numbers */
+  long bits;      /* working precision of the last evaluation */
+} tp_solution;
+
+typedef struct tp_scene tp_scene;
+
+/* Read the scene in `path`. Files that the scene names are looked for beside it. */
+TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
+void tp_scene_free(tp_scene *scene);
+
+typedef struct tp_solve_options {
+  bool elements; /* draw up the account of moments by elements */
+  int digits;    /* relative accuracy asked of every number: 10^-digits, 1 to 15 */
+} tp_solve_options;
+
+tp_solve_options tp_solve_options_default(void);
+
+/* Stability of the scene's block in each direction of tilt that the scene asks for. */
+TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
+                               const tp_solve_options *options, tp_message *message);
+void tp_solution_free(tp_solution *solution);
+
+/* Reports: `*text` is allocated with malloc and is the caller's to free. */
+TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
+TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
+TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
