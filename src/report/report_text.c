@@ -22,6 +22,24 @@ static const char *length(const page *p, char out[TP_NUMBER_SIZE], tp_bounded me
   return tp_text_significant(out, tp_text_over(metres, p->solution->metres_per_unit), digits);
 }
 
+/* A force or a pressure, in thousands where it is large. */
+static void add_quantity(page *p, tp_bounded number, const char *unit) {
+  char n[TP_NUMBER_SIZE];
+  const bool large = number.value >= 1e4;
+  if (large) number = tp_text_over(number, 1e3);
+  tp_text_add(&p->text, "%s %s%s", tp_text_significant(n, number, 5), large ? "k" : "", unit);
+}
+
+/* An angle with up to three decimals that are not zero. */
+static const char *degrees(char out[TP_NUMBER_SIZE], tp_bounded angle) {
+  tp_text_fixed(out, angle, 3);
+  if (strchr(out, '.') == NULL) return out;
+  size_t length_left = strlen(out);
+  while (out[length_left - 1] == '0') out[--length_left] = '\0';
+  if (out[length_left - 1] == '.') out[length_left - 1] = '\0';
+  return out;
+}
+
 static const char *fos_text(char out[TP_NUMBER_SIZE], tp_fos fos) {
   switch (fos.state) {
   case TP_FOS_NUMBER:
@@ -53,13 +71,15 @@ static void add_block(page *p) {
   const tp_solution *s = p->solution;
   const tp_block_result *b = &s->block;
   const char *unit = s->length_unit;
-  char n[5][TP_NUMBER_SIZE];
-  tp_bounded area = tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
+  char n[4][TP_NUMBER_SIZE];
+  const tp_bounded area = tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
   tp_text_add(&p->text, "Block    area %s %s², centroid (%s, %s) %s", tp_text_significant(n[0], area, 6),
               unit, length(p, n[1], b->centroid_x_m, 6), length(p, n[2], b->centroid_y_m, 6), unit);
   if (b->has_weight) {
-    tp_text_add(&p->text, ", weight %s N\n         over a thickness of %s %s",
-                tp_text_significant(n[3], b->weight_n, 5), length(p, n[4], b->thickness_m, 6), unit);
+    tp_text_add(&p->text, ", weight ");
+    add_quantity(p, b->weight_n, "N");
+    tp_text_add(&p->text, "\n         over a thickness of %s %s", length(p, n[3], b->thickness_m, 6),
+                unit);
   } else {
     tp_text_add(&p->text, "\n         (no weight: the scene gives no unit_weight_kn_m3)");
   }
@@ -71,26 +91,31 @@ static void add_block(page *p) {
   tp_text_add(&p->text, "\n");
 }
 
-static void add_end(page *p, const char *side, tp_bounded beyond) {
-  char n[TP_NUMBER_SIZE];
-  if (beyond.value == 0) {
-    tp_text_add(&p->text, "ends with the block on the %s", side);
+static void add_ends(page *p, const tp_contact_result *c) {
+  const char *unit = p->solution->length_unit;
+  char n[2][TP_NUMBER_SIZE];
+  const bool left = c->beyond_left_m.value > 0, right = c->beyond_right_m.value > 0;
+  length(p, n[0], c->beyond_left_m, 6);
+  length(p, n[1], c->beyond_right_m, 6);
+  if (!left && !right) {
+    tp_text_add(&p->text, "ends with the block on both sides");
+  } else if (left && right) {
+    tp_text_add(&p->text, "goes on past the block, %s %s on the left, %s %s on the right", n[0], unit,
+                n[1], unit);
   } else {
-    tp_text_add(&p->text, "goes on for %s %s on the %s", length(p, n, beyond, 6),
-                p->solution->length_unit, side);
+    tp_text_add(&p->text, "ends with the block on the %s, goes on for %s %s on the %s",
+                left ? "right" : "left", left ? n[0] : n[1], unit, left ? "left" : "right");
   }
 }
 
 static void add_base(page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
-  char n[4][TP_NUMBER_SIZE];
+  char n[2][TP_NUMBER_SIZE];
   tp_text_add(&p->text, "Base     ");
   if (c->mated) {
     tp_text_add(&p->text, "mated; it ");
-    add_end(p, "left", c->beyond_left_m);
-    tp_text_add(&p->text, " and ");
-    add_end(p, "right", c->beyond_right_m);
+    add_ends(p, c);
     if (!c->beyond_stated) {
       tp_text_add(&p->text, "\n         (taken so: the scene does not say 'beyond')");
     }
@@ -105,9 +130,10 @@ static void add_base(page *p) {
               length(p, n[0], c->length_m, 6), s->length_unit,
               length(p, n[1], c->nominal_length_m, 6), s->length_unit);
   if (s->block.has_weight && c->facets > 0) {
-    tp_text_add(&p->text, ";\n         weight per area %s Pa, per area of the mean plane %s Pa",
-                tp_text_significant(n[2], c->weight_per_contact_area_pa, 5),
-                tp_text_significant(n[3], c->weight_per_nominal_area_pa, 5));
+    tp_text_add(&p->text, ";\n         weight per area ");
+    add_quantity(p, c->weight_per_contact_area_pa, "Pa");
+    tp_text_add(&p->text, ", per area of the mean plane ");
+    add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
   }
   tp_text_add(&p->text, "\n");
 }
@@ -126,7 +152,7 @@ static void add_pivot_row(page *p, const tp_case *c, size_t k) {
   tp_text_add(&p->text, "  %s\n", governs ? "governs" : pivot->admissible ? "yes" : "no");
 }
 
-/* The admissible pivots, and of the others as many as fit. */
+/* The admissible pivots, and of the others as many as fit, those nearest to the toe. */
 static void add_pivots(page *p, const tp_case *c) {
   char x[16], y[16];
   snprintf(x, sizeof x, "x (%s)", p->solution->length_unit);
@@ -134,14 +160,14 @@ static void add_pivots(page *p, const tp_case *c) {
   tp_text_add(&p->text, "  %-9s %11s %11s %14s", "Pivot", x, y, "critical angle");
   if (p->solution->has_tilt_angle) tp_text_add(&p->text, " %10s %9s", "FoS", "elements");
   tp_text_add(&p->text, "  admissible\n");
-  size_t shown = 0, left_out = 0;
+  size_t left_out = 0;
   for (size_t k = 0; k < c->pivot_count; k++) {
-    if (!c->pivots[k].admissible && shown >= ROWS_SHOWN) {
+    const size_t from_toe = c->towards == TP_TOWARDS_LEFT ? k : c->pivot_count - 1 - k;
+    if (c->pivots[k].admissible || from_toe < ROWS_SHOWN) {
+      add_pivot_row(p, c, k);
+    } else {
       left_out++;
-      continue;
     }
-    add_pivot_row(p, c, k);
-    shown++;
   }
   if (left_out > 0) {
     tp_text_add(&p->text, "  … and %zu more, none of them admissible (--json lists all)\n", left_out);
@@ -166,7 +192,7 @@ static void add_first(page *p, const tp_case *c) {
 static void add_verdict(page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
   char n[3][TP_NUMBER_SIZE];
-  tp_text_fixed(n[0], s->tilt_angle_deg, 3);
+  degrees(n[0], s->tilt_angle_deg);
   tp_text_add(&p->text, "\n  ");
   if (c->falls_backwards) {
     tp_text_add(&p->text, "Topples up-dip already %s%s%s: its centroid lies past the up-dip end of "
@@ -195,11 +221,11 @@ static void add_verdict(page *p, const tp_case *c) {
   if (c->mechanism == TP_STANDS) {
     tp_text_add(&p->text, "Stands at %s°. Tilted further, it ", n[0]);
     add_first(p, c);
-    tp_text_add(&p->text, "\n  at %s°: a margin of %s°.\n", n[1], n[2]);
+    tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[1], n[2]);
   } else {
     tp_text_add(&p->text, "Does not stand at %s°: it ", n[0]);
     add_first(p, c);
-    tp_text_add(&p->text, " at %s° (margin %s°).\n", n[1], n[2]);
+    tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[1], n[2]);
   }
 }
 
@@ -219,22 +245,28 @@ static void add_sliding(page *p, const tp_case *c) {
   tp_bounded i = s->facet_angle_deg;
   if (!climbs) i.value = -i.value;
   tp_text_add(&p->text, "  Sliding by Patton's φ_b %s i = %s° %s %s° = %s°", climbs ? "+" : "-",
-              tp_text_fixed(n[0], p->solution->friction_angle_deg, 3), climbs ? "+" : "-",
-              tp_text_fixed(n[1], i, 3), tp_text_fixed(n[2], s->critical_angle_deg, 3));
+              degrees(n[0], p->solution->friction_angle_deg), climbs ? "+" : "-", degrees(n[1], i),
+               tp_text_fixed(n[2], s->critical_angle_deg, 3));
   if (s->fos.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
   }
-  tp_text_add(&p->text,
-              ",\n  on the facet from (%s, %s) to (%s, %s); no statics of contact forces.\n",
-              length(p, n[4], s->facet_x0_m, 6), length(p, n[5], s->facet_y0_m, 6),
-              length(p, n[6], s->facet_x1_m, 6), length(p, n[7], s->facet_y1_m, 6));
+  length(p, n[4], s->facet_x0_m, 6);
+  length(p, n[5], s->facet_y0_m, 6);
+  length(p, n[6], s->facet_x1_m, 6);
+  length(p, n[7], s->facet_y1_m, 6);
+  if (strcmp(n[4], n[6]) == 0 && strcmp(n[5], n[7]) == 0) {
+    tp_text_add(&p->text, ",\n  against the contact in (%s, %s)", n[4], n[5]);
+  } else {
+    tp_text_add(&p->text, ",\n  on the facet from (%s, %s) to (%s, %s)", n[4], n[5], n[6], n[7]);
+  }
+  tp_text_add(&p->text, "; no statics of contact forces.\n");
 }
 
 static void add_case(page *p, const tp_case *c) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(&p->text, "\nTilted towards the %s", tp_text_direction(c->towards));
   if (p->solution->has_tilt_angle) {
-    tp_text_add(&p->text, " by %s°", tp_text_fixed(n, p->solution->tilt_angle_deg, 3));
+    tp_text_add(&p->text, " by %s°", degrees(n, p->solution->tilt_angle_deg));
   }
   tp_text_add(&p->text, "\n\n");
   add_pivots(p, c);
@@ -282,7 +314,7 @@ static void add_account(page *p, const tp_case *c) {
   tp_text_add(&p->text, "\nMoments by elements about ");
   add_pivot_name(p, c);
   tp_text_add(&p->text, ", towards the %s at %s°%s\n", tp_text_direction(c->towards),
-              tp_text_fixed(n[0], a->angle_deg, 3),
+              degrees(n[0], a->angle_deg),
               a->at_critical_angle ? " (critical)" : "");
   snprintf(head[0], sizeof head[0], "weight (%s)", weight);
   snprintf(head[1], sizeof head[1], "x arm (%s)", s->length_unit);

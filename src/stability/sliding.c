@@ -98,7 +98,10 @@ static void find_governing(tp_evaluation *e, tp_direction towards, const foot *f
     }
     fmpz_mul(cross, rise, best->run);
     fmpz_submul(cross, best->rise, run);
-    if (best->facet >= 0 && fmpz_sgn(cross) <= 0) continue;
+    const int steeper = fmpz_sgn(cross);
+    const bool longer = best->facet >= 0 && facet->q0 != facet->q1 &&
+                        contact->facets[best->facet].q0 == contact->facets[best->facet].q1;
+    if (best->facet >= 0 && (steeper < 0 || (steeper == 0 && !longer))) continue;
     best->facet = k;
     fmpz_set(best->run, run);
     fmpz_set(best->rise, rise);
