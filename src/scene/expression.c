@@ -101,6 +101,18 @@ static bool name_value(parser *p, fmpq_t value) {
                  length, start);
 }
 
+/* What stands at `text` as one word for a message: a number with its exponent, or what looks like
+ * one. */
+static size_t word_length(const char *text) {
+  size_t length = 0;
+  while (text[length] != '\0' && strchr(" \t*/^()", text[length]) == NULL) {
+    const bool sign = text[length] == '+' || text[length] == '-';
+    if (sign && (length == 0 || strchr("eE", text[length - 1]) == NULL)) break;
+    length++;
+  }
+  return length > 0 ? length : 1;
+}
+
 static bool primary(parser *p, fmpq_t value) {
   skip_space(p);
   if (*p->at == '(') {
@@ -116,8 +128,7 @@ static bool primary(parser *p, fmpq_t value) {
   const char *problem = NULL;
   const size_t used = tp_ratio_read_decimal(value, p->at, strlen(p->at), &problem);
   if (used == 0) {
-    size_t length = strcspn(p->at, " \t+-*/^()");
-    if (length == 0) length = 1;
+    const size_t length = word_length(p->at);
     if (tp_expression_is_not_finite(p->at)) problem = "is not a finite number";
     return fail_at(p, p->at, "'%.*s' %s", (int)(length < 40 ? length : 40), p->at, problem);
   }

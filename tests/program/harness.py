@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Running the program as a user does, and the closing line of a test run."""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("TOPPLE", str(ROOT / "build" / "topple"))
+
+
+def run(*arguments, folder=ROOT, timeout=300):
+    """Run topple; exit status, stdout and stderr as text."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=folder, timeout=timeout,
+                          capture_output=True, encoding="utf-8")
+    return done.returncode, done.stdout, done.stderr
+
+
+def solve(scene, *options, folder=ROOT):
+    """The JSON of `topple solve --json`; a status other than 0 is an error of the test."""
+    status, out, err = run("solve", "--json", *options, scene, folder=folder)
+    if status != 0 or err:
+        raise AssertionError(f"topple solve {scene}: exit {status}: {err}")
+    return json.loads(out)
+
+
+def table(name):
+    """Rows of a reviewed table in tests/data, without its comment lines."""
+    lines = (ROOT / "tests" / "data" / name).read_text(encoding="utf-8").splitlines()
+    return list(csv.DictReader(line for line in lines if line and not line.startswith("#")))
+
+
+def main():
+    """Run the tests of the calling file and close with one line that counts them."""
+    suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])
+    result = unittest.TextTestRunner(verbosity=1).run(suite)
+    failed = len(result.failures) + len(result.errors)
+    print(f"{result.testsRun - failed} passed, {failed} failed", flush=True)
+    sys.exit(failed > 0 or result.testsRun == 0)
