@@ -40,7 +40,7 @@ static tp_bounded centroid(tp_evaluation *e, const arb_t first_moment, const fmp
 
 /* (M / m - f g / (18 A2)) area2 / A2, the moment about the centroid weighted by the relative
  * density; M / m the second moment about the origin, f and g first moments times six. As a single
- * fraction over 36 A2^2 it cancels exactly on exact rungs. */
+ * fraction over 72 A2^2 it cancels exactly on exact rungs. */
 static tp_bounded second_moment(tp_evaluation *e, const arb_t second, unsigned long m,
                                 const arb_t first, const arb_t other) {
   const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
@@ -49,13 +49,13 @@ static tp_bounded second_moment(tp_evaluation *e, const arb_t second, unsigned l
   arb_init(value);
   arb_init(product);
   arb_mul(value, second, area2, exact);
-  arb_mul_ui(value, value, 36 / m, exact);
+  arb_mul_ui(value, value, 72 / m, exact);
   arb_mul(product, first, other, exact);
-  arb_mul_2exp_si(product, product, 1);
+  arb_mul_2exp_si(product, product, 2);
   arb_sub(value, value, product, exact);
   arb_mul(value, value, e->moments.area2, exact);
   arb_mul(product, area2, area2, exact);
-  arb_mul_ui(product, product, 36, exact);
+  arb_mul_ui(product, product, 72, exact);
   arb_div(value, value, product, bits);
   const tp_bounded result = in_metres(e, value, 4);
   arb_clear(value);

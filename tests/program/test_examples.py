@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Every example against the reviewed table tests/data/examples.csv, and the report of each."""
+
+import unittest
+from decimal import Decimal
+
+from harness import ROOT, main, run, solve, table
+
+
+def find(case, key):
+    """The value of a dotted key; `toppling.kind` is the kind of the governing pivot."""
+    if key == "toppling.kind":
+        return case["pivots"][case["toppling"]["pivot"]]["kind"]
+    for part in key.split("."):
+        case = case[part]
+    return case
+
+
+class Examples(unittest.TestCase):
+    def test_table(self):
+        """Each row: a word or a count exactly, a number within its bound and half a last digit."""
+        solutions = {}
+        for row in table("examples.csv"):
+            scene = row["scene"]
+            if scene not in solutions:
+                solutions[scene] = solve("examples/" + scene)["cases"]
+            case = next(c for c in solutions[scene] if c["towards"] == row["towards"])
+            found, expected = find(case, row["key"]), row["expected"]
+            with self.subTest(scene=scene, key=row["key"]):
+                if isinstance(found, dict):
+                    digits = Decimal(expected)
+                    half = Decimal(10) ** (digits.adjusted() - 14) / 2 if digits else Decimal(0)
+                    away = abs(Decimal(found["value"]) - digits)
+                    self.assertLessEqual(away, Decimal(found["error"]) + half)
+                else:
+                    self.assertEqual(str(found), expected)
+
+    def test_every_example_is_in_the_table(self):
+        scenes = {path.name for path in (ROOT / "examples").glob("*.yaml")}
+        self.assertEqual(scenes, {row["scene"] for row in table("examples.csv")})
+
+    def test_bounds(self):
+        """Every computed number of every example is certain to 1e-9 of its size."""
+        def walk(node):
+            if isinstance(node, dict) and set(node) == {"value", "error"}:
+                self.assertLessEqual(node["error"], abs(node["value"]) * 1e-9)
+            elif isinstance(node, (dict, list)):
+                for child in node.values() if isinstance(node, dict) else node:
+                    walk(child)
+
+        for path in sorted((ROOT / "examples").glob("*.yaml")):
+            walk(solve(path, "--elements"))
+
+    def test_reports_fit_a_terminal(self):
+        """The report is at most 100 columns wide, marks one governing pivot a case, and names the
+        mechanism."""
+        for path in sorted((ROOT / "examples").glob("*.yaml")):
+            status, out, err = run("solve", "--elements", f"examples/{path.name}")
+            self.assertEqual((status, err), (0, ""))
+            self.assertLessEqual(max(map(len, out.splitlines())), 100, path.name)
+            cases = out.count("\nTilted towards the ")
+            self.assertEqual(out.count("  governs\n"), cases, path.name)
+            self.assertNotIn("uncertain", out)
+
+    def test_account_of_elements(self):
+        """Appendix A on block E about its valley: three slabs of weight a b and three triangles of
+        a c / 2, arms as in (A1.5) and (A1.6); the sums give the factor of safety."""
+        case = solve("examples/block_e_valley.yaml", "--elements")["cases"][0]
+        account = case["elements"]["account"]
+        self.assertEqual([e["kind"] for e in account], ["slab"] * 3 + ["triangle"] * 3)
+        arms = [(15, 65), (45, 65), (75, 65), (10, 10 / 3), (50, 10 / 3), (70, 10 / 3)]
+        for element, (x, y), area in zip(account, arms, [3600] * 3 + [75] * 3):
+            self.assertAlmostEqual(element["normal_arm_m"]["value"], x / 1000, delta=1e-16)
+            self.assertAlmostEqual(element["parallel_arm_m"]["value"], y / 1000, delta=1e-16)
+            self.assertAlmostEqual(element["weight"]["value"], area * 1e-6 * 0.02 * 25800, delta=1e-14)
+        fos = (case["elements"]["stabilising"]["value"] / case["elements"]["overturning"]["value"])
+        self.assertAlmostEqual(fos, case["toppling"]["fos_elements"]["value"], delta=1e-14)
+
+
+if __name__ == "__main__":
+    main()
