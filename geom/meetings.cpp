@@ -23,10 +23,18 @@ struct EdgeBoxTraits {
   using NT = double;
   using Box_parameter = const EdgeBox &;
   using ID = size_t;
-  static int dimension() { return 2; }
-  static double min_coord(const EdgeBox &box, int axis) { return box.low[axis]; }
-  static double max_coord(const EdgeBox &box, int axis) { return box.high[axis]; }
-  static size_t id(const EdgeBox &box) { return box.edge; }
+  static int dimension() {
+    return 2;
+  }
+  static double min_coord(const EdgeBox &box, int axis) {
+    return box.low[axis];
+  }
+  static double max_coord(const EdgeBox &box, int axis) {
+    return box.high[axis];
+  }
+  static size_t id(const EdgeBox &box) {
+    return box.edge;
+  }
 };
 
 struct Stop {};
@@ -35,8 +43,8 @@ template <class Kernel> class Search {
 public:
   Search(const tp_geom_rings &rings, tp_geom_visitor visitor, void *context)
       : rings_(rings), visitor_(visitor), context_(context),
-        points_(tp::points<Kernel>(rings, 0, tp::vertex_count(rings))),
-        next_(points_.size()), ring_(points_.size()) {
+        points_(tp::points<Kernel>(rings, 0, tp::vertex_count(rings))), next_(points_.size()),
+        ring_(points_.size()) {
     for (size_t r = 0; r < rings.count; r++) {
       for (size_t k = rings.start[r]; k < rings.start[r + 1]; k++) {
         next_[k] = k + 1 == rings.start[r + 1] ? rings.start[r] : k + 1;

@@ -14,7 +14,8 @@ template <class Kernel> static bool is_simple(const tp_geom_rings &rings, size_t
 
 tp_geom_status tp_geom_is_simple(bool *simple, const tp_geom_rings *rings, size_t ring) {
   return tp::guard([&] {
-    *simple = rings->small ? is_simple<tp::Small>(*rings, ring) : is_simple<tp::Large>(*rings, ring);
+    *simple =
+        rings->small ? is_simple<tp::Small>(*rings, ring) : is_simple<tp::Large>(*rings, ring);
     return TP_GEOM_OK;
   });
 }

@@ -17,12 +17,12 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <deque>
 #include <map>
 #include <numeric>
-#include <algorithm>
 
 namespace {
 
@@ -35,13 +35,11 @@ struct FaceInfo {
 
 template <class Kernel> struct Types {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<size_t, Kernel>;
-  using Face =
-      CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<
-                                                              FaceInfo, Kernel>>;
+  using Face = CGAL::Constrained_triangulation_face_base_2<
+      Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
   using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
-  using Plain =
-      CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
-                                                 CGAL::No_constraint_intersection_requiring_constructions_tag>;
+  using Plain = CGAL::Constrained_Delaunay_triangulation_2<
+      Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
   using Hierarchy =
       CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
           Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>>;
@@ -86,9 +84,11 @@ template <class Triangulation> class Walk {
 public:
   using Face_handle = typename Triangulation::Face_handle;
 
-  Walk(Triangulation &t, const int *layer_of_ring) : t_(t), layer_(layer_of_ring) {}
+  Walk(Triangulation &t, const int *layer_of_ring) : t_(t), layer_(layer_of_ring) {
+  }
 
-  /* `cross(face, side, rings, conflict)` updates the rings when the walk leaves `face` by `side`. */
+  /* `cross(face, side, rings, conflict)` updates the rings when the walk leaves `face` by `side`.
+   */
   template <class Cross> bool run(Cross cross, size_t conflict[2]) {
     std::deque<Face_handle> queue;
     t_.infinite_face()->info().seen = true;

@@ -98,9 +98,9 @@ typedef enum tp_mechanism {
 /* Why a factor of safety is a number, or is none. */
 typedef enum tp_fos_state {
   TP_FOS_NUMBER,
-  TP_FOS_NO_TILT,       /* the scene gives no tilt angle */
+  TP_FOS_NO_TILT,        /* the scene gives no tilt angle */
   TP_FOS_NO_OVERTURNING, /* nothing overturns or drives: the factor is unbounded */
-  TP_FOS_NOT_ASKED      /* elements form of a large block without the elements option */
+  TP_FOS_NOT_ASKED       /* elements form of a large block without the elements option */
 } tp_fos_state;
 
 typedef struct tp_fos {
@@ -112,9 +112,10 @@ typedef struct tp_pivot {
   tp_pivot_kind kind;
   bool admissible; /* to first order: turning about it opens every contact facet */
   tp_bounded x_m, y_m;
-  tp_bounded critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
-  tp_fos fos_resultant;          /* Eq. (2): tan(critical angle) / tan(tilt) */
-  tp_fos fos_elements;           /* (A1.3): each element's components by their own sign */
+  tp_bounded
+      critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
+  tp_fos fos_resultant;   /* Eq. (2): tan(critical angle) / tan(tilt) */
+  tp_fos fos_elements;    /* (A1.3): each element's components by their own sign */
 } tp_pivot;
 
 typedef enum tp_element_kind { TP_ELEMENT_TRIANGLE, TP_ELEMENT_SLAB } tp_element_kind;
@@ -122,9 +123,9 @@ typedef enum tp_element_kind { TP_ELEMENT_TRIANGLE, TP_ELEMENT_SLAB } tp_element
 /* One element of the account of moments about the governing pivot. */
 typedef struct tp_element {
   tp_element_kind kind;
-  size_t part;            /* 0: the block; k: its k-th part */
-  tp_bounded weight;      /* N, or a fraction of the block's when the scene gives no unit weight */
-  tp_bounded normal_arm_m;   /* x arm of the component W cos(alpha); > 0 stabilises */
+  size_t part;             /* 0: the block; k: its k-th part */
+  tp_bounded weight;       /* N, or a fraction of the block's when the scene gives no unit weight */
+  tp_bounded normal_arm_m; /* x arm of the component W cos(alpha); > 0 stabilises */
   tp_bounded parallel_arm_m; /* y arm of the component W sin(alpha); > 0 overturns */
   tp_bounded stabilising;    /* weight times metre */
   tp_bounded overturning;
@@ -142,28 +143,40 @@ typedef struct tp_account {
  * stands behind it: a facet wholly up-dip of the centroid sheds its load as the table tilts, and of
  * the others the one that rises most steeply down-dip governs. */
 typedef struct tp_sliding {
-  bool known; /* the scene gives a friction angle */
-  bool never; /* phi_b + i reaches 90 degrees */
+  bool known;                 /* the scene gives a friction angle */
+  bool never;                 /* phi_b + i reaches 90 degrees */
   tp_bounded facet_angle_deg; /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
   tp_bounded critical_angle_deg;
   tp_fos fos;
 } tp_sliding;
 
+/* Can the toe alone hold the block at its critical angle, where moment equilibrium puts all the
+ * weight on it? Only if the reaction lies in the friction cone of the facets at the toe, that is up
+ * to phi_b + i of the steepest of them. If not, the block may let go before its critical angle:
+ * contact forces decide, which moments do not see. */
+typedef struct tp_toe {
+  bool known; /* the scene gives a friction angle, and a pivot governs */
+  bool holds;
+  bool upright; /* a facet at the toe stands upright in the way: it holds at any angle */
+  tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
+} tp_toe;
+
 typedef struct tp_case {
   tp_direction towards;
   size_t pivot_count;
   tp_pivot *pivots; /* from left to right along the contact */
   bool has_governing;
-  size_t governing; /* index of the admissible pivot with the least critical angle */
+  size_t governing;   /* index of the admissible pivot with the least critical angle */
   bool governing_tie; /* another admissible pivot has exactly the same critical angle */
   tp_sliding sliding;
+  tp_toe toe;
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */
   tp_mechanism first;     /* what happens first as the table is tilted from level */
   tp_bounded first_angle_deg; /* where `first` happens; unset for TP_INTERLOCKED */
   bool has_margin;
-  tp_bounded margin_deg;      /* first_angle_deg minus the scene's tilt */
-  bool falls_backwards;       /* at this tilt it topples the other way, up-dip */
+  tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
+  bool falls_backwards;  /* at this tilt it topples the other way, up-dip */
   tp_account account;
 } tp_case;
 
@@ -181,8 +194,8 @@ typedef struct tp_block_result {
 /* A toothed block in both of the paper's descriptions (its section 5.1). */
 typedef struct tp_teeth_result {
   bool known;
-  size_t count;                          /* N */
-  tp_bounded width_m, height_m, depth_m; /* a, b, c */
+  size_t count;                                                       /* N */
+  tp_bounded width_m, height_m, depth_m;                              /* a, b, c */
   tp_bounded block_width_m, mean_height_m, amplitude_m, wavelength_m; /* dx, y, A, lambda */
   tp_pivot_kind left_end, right_end;
 } tp_teeth_result;
@@ -191,9 +204,9 @@ typedef struct tp_contact_result {
   bool mated;
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
   tp_bounded beyond_left_m, beyond_right_m; /* how far the base goes on past the block */
-  size_t facets, points; /* facets of positive length; contacts in a single point */
-  tp_bounded length_m;           /* along the facets */
-  tp_bounded nominal_length_m;   /* projected on the mean plane: the paper's S is this x thickness */
+  size_t facets, points;       /* facets of positive length; contacts in a single point */
+  tp_bounded length_m;         /* along the facets */
+  tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
   tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
 } tp_contact_result;
 

@@ -14,6 +14,11 @@ void tp_contact_clear(tp_contact *contact) {
   memset(contact, 0, sizeof *contact);
 }
 
+bool tp_contact_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point) {
+  return tp_facets_same_point(lattice, facet->q0, point) ||
+         tp_facets_same_point(lattice, facet->q1, point);
+}
+
 int tp_contact_side(const tp_lattice *lattice, long p, long q, const tp_facet *facet) {
   return tp_facets_dot(lattice, p, q, facet->t0, facet->t1);
 }
@@ -72,8 +77,8 @@ static void collect_points(tp_contact *contact, const tp_base *base, const tp_la
     } else {
       const long left = p->left >= 0 ? contact->facets[p->left].q0 : p->point;
       const long right = p->right >= 0 ? contact->facets[p->right].q1 : p->point;
-      p->kind = kind_between(compare_heights(l, left, p->point), compare_heights(l, right, p->point),
-                             p->left >= 0, p->right >= 0);
+      p->kind = kind_between(compare_heights(l, left, p->point),
+                             compare_heights(l, right, p->point), p->left >= 0, p->right >= 0);
     }
   }
 }
@@ -83,9 +88,8 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
   memset(contact, 0, sizeof *contact);
   tp_facets facets = {0};
   const long ring = lattice->start[section->ring_count];
-  tp_status status = base->mated
-                         ? tp_facets_of_mated(&facets, section, base, lattice, message)
-                         : tp_facets_of_profile(&facets, section, base, lattice, message);
+  tp_status status = base->mated ? tp_facets_of_mated(&facets, section, base, lattice, message)
+                                 : tp_facets_of_profile(&facets, section, base, lattice, message);
   if (status == TP_OK && facets.count == 0) {
     status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
                      "the block does not touch its base anywhere; both are given in the same "

@@ -23,8 +23,8 @@ typedef struct tp_facet {
 
 /* A vertex of the contact: candidate pivot. */
 typedef struct tp_contact_point {
-  long point;        /* of the lattice */
-  long left, right;  /* facets of positive length that end, and begin, here; -1 for none */
+  long point;       /* of the lattice */
+  long left, right; /* facets of positive length that end, and begin, here; -1 for none */
   tp_pivot_kind kind;
 } tp_contact_point;
 
@@ -42,6 +42,9 @@ TP_MUST_USE tp_status tp_contact_init(tp_contact *contact, const tp_section *sec
                                       const tp_base *base, const tp_lattice *lattice,
                                       tp_message *message);
 void tp_contact_clear(tp_contact *contact);
+
+/* Does the facet begin or end in the point? */
+bool tp_contact_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point);
 
 /* (q - p) . t for points of the lattice and the direction of a facet: below zero where turning
  * about p towards the left presses q into the facet's other side (mechanics section 3). */

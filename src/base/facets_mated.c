@@ -53,8 +53,8 @@ int tp_facets_dot(const tp_lattice *lattice, long a, long b, long c, long d) {
 }
 
 bool tp_facets_same_point(const tp_lattice *lattice, long a, long b) {
-  return a == b || (fmpz_equal(lattice->x + a, lattice->x + b) &&
-                    fmpz_equal(lattice->y + a, lattice->y + b));
+  return a == b ||
+         (fmpz_equal(lattice->x + a, lattice->x + b) && fmpz_equal(lattice->y + a, lattice->y + b));
 }
 
 tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const tp_base *base,
@@ -65,9 +65,9 @@ tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const
   bool done = true;
   if (first > 0 && tp_facets_cross(lattice, ring + first - 1, ring + first, ring + first,
                                    ring + first + 1) > 0) {
-    done = tp_facets_append(facets, (tp_facet){outline + base->outline_first,
-                                               outline + base->outline_first, ring + first - 1,
-                                               ring + first, first - 1});
+    done = tp_facets_append(facets,
+                            (tp_facet){outline + base->outline_first, outline + base->outline_first,
+                                       ring + first - 1, ring + first, first - 1});
   }
   for (long k = 0; k < base->mated_count && done; k++) {
     const long from = outline + (base->outline_first + k) % vertices;

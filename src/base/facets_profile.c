@@ -93,8 +93,8 @@ static tp_status fail_cut(const search *s, tp_message *message) {
                    one);
   }
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, edge_b),
-                 "the base cuts into the block: of the profile, %s crosses %s of the outline", other,
-                 one);
+                 "the base cuts into the block: of the profile, %s crosses %s of the outline",
+                 other, one);
 }
 
 /* Order along the base: the edge, then the distance from the edge's beginning. */
@@ -120,7 +120,7 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
   }
   for (long k = low > 2 ? low - 2 : 0; k < s->facets->count && k < low + 2; k++) {
     const tp_facet *f = s->facets->items + k;
-    if (!tp_facets_same_point(l, q, f->q0) && !tp_facets_same_point(l, q, f->q1)) continue;
+    if (!tp_contact_ends_in(l, f, q)) continue;
     if (t0 == t1 || (tp_facets_cross(l, f->t0, f->t1, t0, t1) == 0 &&
                      tp_facets_dot(l, f->t0, f->t1, t0, t1) > 0)) {
       return true;
@@ -153,8 +153,7 @@ static bool add_corner(search *s, long vertex, long corner, long base_edge) {
 
 static int compare_facets(const void *a, const void *b, void *context) {
   const tp_facet *one = a, *other = b;
-  const int begins =
-      compare_places(context, one->base_edge, one->q0, other->base_edge, other->q0);
+  const int begins = compare_places(context, one->base_edge, one->q0, other->base_edge, other->q0);
   if (begins != 0) return begins;
   return compare_places(context, one->base_edge, one->q1, other->base_edge, other->q1);
 }
@@ -217,8 +216,8 @@ static tp_status check_overlap(const search *s, const tp_geom_rings *rings, tp_m
     layer[r] = r + 1 == rings->count ? 3 : (long)r <= s->section->hole_count ? 1 : 2;
   }
   tp_geom_triangulation all = {0};
-  tp_status status = tp_check_geometry(tp_geom_triangulate(&all, rings, layer),
-                                       "the block on its base", message);
+  tp_status status =
+      tp_check_geometry(tp_geom_triangulate(&all, rings, layer), "the block on its base", message);
   for (size_t k = 0; k < all.count && status == TP_OK; k++) {
     const int *in = all.triangles[k].ring_in_layer;
     if (in[0] == 0 || in[3] == 0) continue;

@@ -84,7 +84,8 @@ static bool add_piece(tp_base *base, const tp_teeth *teeth, long inner, long out
   return done;
 }
 
-/* The teeth go on by `beyond`: whole ones, then perhaps a piece of one. Points from left to right. */
+/* The teeth go on by `beyond`: whole ones, then perhaps a piece of one. Points from left to right.
+ */
 static bool add_teeth(tp_base *base, const tp_teeth *teeth, long count, bool piece,
                       const fmpq_t beyond, int side) {
   fmpq_t x, left_over;

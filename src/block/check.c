@@ -123,8 +123,8 @@ static const char *verb(tp_geom_meeting_kind kind) {
 static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *rings,
                                  const char *name, tp_message *message) {
   first_meeting first = {0};
-  const tp_status status = tp_check_geometry(
-      tp_geom_find_meetings(rings, -1, keep_first, &first), "a crossing outline", message);
+  const tp_status status = tp_check_geometry(tp_geom_find_meetings(rings, -1, keep_first, &first),
+                                             "a crossing outline", message);
   if (status != TP_OK) return status;
   if (!first.found) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1), "%s crosses itself", name);
@@ -157,8 +157,7 @@ tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long
   size_t start[2];
   const tp_geom_rings rings = tp_check_rings(lattice, chain, 1, start);
   bool simple = false;
-  const tp_status status =
-      tp_check_geometry(tp_geom_is_simple(&simple, &rings, 0), name, message);
+  const tp_status status = tp_check_geometry(tp_geom_is_simple(&simple, &rings, 0), name, message);
   if (status != TP_OK || simple) return status;
   return fail_not_simple(ring, &rings, name, message);
 }
@@ -192,9 +191,9 @@ static bool counts_between_rings(const void *context, tp_geom_meeting meeting) {
 
 static tp_status check_crossings(const section_view *view, tp_message *message) {
   first_meeting first = {.counts = counts_between_rings, .context = view};
-  const tp_status status = tp_check_geometry(
-      tp_geom_find_meetings(&view->rings, -1, keep_first, &first), "the rings of the block",
-      message);
+  const tp_status status =
+      tp_check_geometry(tp_geom_find_meetings(&view->rings, -1, keep_first, &first),
+                        "the rings of the block", message);
   if (status != TP_OK || !first.found) return status;
   const long ring_a = ring_of_edge(view, first.meeting.a);
   const long ring_b = ring_of_edge(view, first.meeting.b);
@@ -206,13 +205,11 @@ static tp_status check_crossings(const section_view *view, tp_message *message) 
   tp_section_ring_name(name_b, sizeof name_b, view->section, ring_b);
   tp_check_edge_text(one, sizeof one, b, edge_b);
   tp_check_edge_text(other, sizeof other, a, edge_a);
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(b, edge_b),
-                 "%s %s %s: %s %s %s; %s", name_b,
-                 first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "shares an edge with", name_a,
-                 one, verb(first.meeting.kind), other,
-                 first.meeting.kind == TP_GEOM_CROSS
-                     ? "move its vertices"
-                     : "a notch belongs to the outline itself");
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(b, edge_b), "%s %s %s: %s %s %s; %s",
+                 name_b, first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "shares an edge with",
+                 name_a, one, verb(first.meeting.kind), other,
+                 first.meeting.kind == TP_GEOM_CROSS ? "move its vertices"
+                                                     : "a notch belongs to the outline itself");
 }
 
 static tp_status fail_pair(const tp_section *section, long ring, const char *relation, long other,
@@ -220,8 +217,8 @@ static tp_status fail_pair(const tp_section *section, long ring, const char *rel
   char name[40], other_name[40];
   tp_section_ring_name(name, sizeof name, section, ring);
   tp_section_ring_name(other_name, sizeof other_name, section, other);
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(section->rings + ring, -1), "%s %s %s; %s",
-                 name, relation, other_name, advice);
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(section->rings + ring, -1),
+                 "%s %s %s; %s", name, relation, other_name, advice);
 }
 
 /* Which of the rings of every triangle exclude each other? */
@@ -242,7 +239,8 @@ static tp_status check_layers(const tp_geom_triangulation *t, const tp_section *
                        "cut it off at the outline", message);
     }
     if (in[2] != 0 && in[1] != 0) {
-      return fail_pair(section, in[2] - 1, "overlaps", in[1] - 1, "cut it off at the hole", message);
+      return fail_pair(section, in[2] - 1, "overlaps", in[1] - 1, "cut it off at the hole",
+                       message);
     }
   }
   return TP_OK;

@@ -108,8 +108,8 @@ static void set_triangles(tp_elements *elements, const tp_section *section,
     const tp_geom_triangle *t = triangulation->triangles + k;
     const long corner[3] = {(long)t->corner[0], (long)t->corner[1], (long)t->corner[2]};
     tp_exact_element *e = elements->items + k;
-    e->part = t->ring_in_layer[2] == 0 ? 0
-                                       : (size_t)(t->ring_in_layer[2] - 1 - section->hole_count);
+    e->part =
+        t->ring_in_layer[2] == 0 ? 0 : (size_t)(t->ring_in_layer[2] - 1 - section->hole_count);
     set_triangle(e, lattice, corner, section->density_weights + e->part);
   }
   elements->count = (long)triangulation->count;
@@ -152,8 +152,7 @@ tp_status tp_elements_init(tp_elements *elements, const tp_section *section,
                            const tp_geom_triangulation *triangulation, tp_message *message) {
   memset(elements, 0, sizeof *elements);
   const bool given = tp_elements_are_given(section);
-  const size_t most =
-      given ? (size_t)section->element_corners.count + 1 : triangulation->count + 1;
+  const size_t most = given ? (size_t)section->element_corners.count + 1 : triangulation->count + 1;
   elements->items = calloc(most, sizeof *elements->items);
   if (elements->items == NULL) return tp_fail_memory(message, "the elements");
   if (given) {

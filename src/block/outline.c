@@ -31,8 +31,8 @@ bool tp_outline_teeth(tp_polyline *outline, const tp_teeth *teeth, tp_mark mark)
     done = tp_polyline_append(outline, x, y, mark);
   }
   fmpq_add(y, teeth->height, teeth->depth);
-  done = done && tp_polyline_append(outline, x, y, mark) &&
-         tp_polyline_append(outline, zero, y, mark);
+  done =
+      done && tp_polyline_append(outline, x, y, mark) && tp_polyline_append(outline, zero, y, mark);
   fmpq_clear(x);
   fmpq_clear(y);
   fmpq_clear(zero);

@@ -113,12 +113,8 @@ void tp_ring_sums_double(double sums[TP_SUM_COUNT], double bounds[TP_SUM_COUNT],
 
   const double unit = DBL_EPSILON / 2, most_u = largest(u, count), most_v = largest(v, count);
   const double measure = most_u * rows[MEASURE_V] + most_v * rows[MEASURE_U];
-  const double scale[TP_SUM_COUNT] = {1,
-                                      2 * most_u,
-                                      2 * most_v,
-                                      3 * most_u * most_u,
-                                      3 * most_v * most_v,
-                                      6 * most_u * most_v};
+  const double scale[TP_SUM_COUNT] = {
+      1, 2 * most_u, 2 * most_v, 3 * most_u * most_u, 3 * most_v * most_v, 6 * most_u * most_v};
   static const double moved[TP_SUM_COUNT] = {4.1, 6.2, 6.2, 8.3, 8.3, 8.4}; /* over `scale` */
   for (int k = 0; k < TP_SUM_COUNT; k++) {
     double bound = 140 * unit * scale[k] * measure;

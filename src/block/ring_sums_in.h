@@ -3,7 +3,8 @@
 
 /* The boundary sums of ring_sums.h in one arithmetic; included once for each. The includer defines
  * NUMBER (a one-element struct type), FUNCTION and the operations INIT, CLEAR, ZERO, SET_INTEGER,
- * ADD, SUBTRACT, MULTIPLY and ADD_PRODUCT on pointers to NUMBER. No include guard: that is meant. */
+ * ADD, SUBTRACT, MULTIPLY and ADD_PRODUCT on pointers to NUMBER. No include guard: that is meant.
+ */
 
 static void FUNCTION(NUMBER *sums, const fmpz *x, const fmpz *y, long count, long bits) {
   (void)bits;

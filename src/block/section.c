@@ -120,8 +120,8 @@ tp_status tp_section_init(tp_section *section, const tp_block_description *block
   section->density_weights =
       calloc((size_t)section->part_count + 1, sizeof *section->density_weights);
   tp_status status = TP_OK;
-  if (section->rings == NULL || section->ring_weights == NULL ||
-      section->density_weights == NULL || !set_rings(section, block)) {
+  if (section->rings == NULL || section->ring_weights == NULL || section->density_weights == NULL ||
+      !set_rings(section, block)) {
     status = tp_fail_memory(message, "the block");
   } else {
     status = check_counts(section, message);

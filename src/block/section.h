@@ -19,13 +19,14 @@
 typedef struct tp_section {
   long hole_count, part_count, ring_count;
   tp_polyline *rings;
-  fmpz *ring_weights;    /* ring_count */
-  fmpz *density_weights; /* 1 + part_count: of the block and of each part */
-  fmpq_t weight_unit;    /* kN/m3; 1 where the scene gives no unit weight */
+  fmpz *ring_weights;          /* ring_count */
+  fmpz *density_weights;       /* 1 + part_count: of the block and of each part */
+  fmpq_t weight_unit;          /* kN/m3; 1 where the scene gives no unit weight */
   tp_polyline element_corners; /* of the paper's own elements (teeth, slab); else empty */
 } tp_section;
 
-/* Rings of the scene's block, each with at least three vertices. On failure `section` is cleared. */
+/* Rings of the scene's block, each with at least three vertices. On failure `section` is cleared.
+ */
 TP_MUST_USE tp_status tp_section_init(tp_section *section, const tp_block_description *block,
                                       tp_message *message);
 void tp_section_clear(tp_section *section);

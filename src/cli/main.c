@@ -29,7 +29,8 @@ int tp_cli_print(const char *text) {
 static void print_help(FILE *out) {
   fprintf(out, "Usage: topple COMMAND [OPTION...] ...\n"
                "Stability of a rock block of any outline on a base of any profile.\n\n");
-  for (int k = 0; k < COMMANDS; k++) fprintf(out, "  %-10s %s\n", commands[k].name, commands[k].what);
+  for (int k = 0; k < COMMANDS; k++)
+    fprintf(out, "  %-10s %s\n", commands[k].name, commands[k].what);
   fprintf(out, "\nA scene file alone is short for 'topple solve SCENE'.\n"
                "'topple COMMAND --help' tells the options of a command.\n\n"
                "  --help     print this help\n"
@@ -67,8 +68,10 @@ int main(int argc, char **argv) {
   for (int k = 0; k < COMMANDS; k++) {
     if (strcmp(first, commands[k].name) == 0) return run_command(commands + k, argc - 1, argv + 1);
   }
-  if (has_suffix(first, ".yaml") || has_suffix(first, ".yml")) return run_command(commands, argc, argv);
-  fprintf(stderr, "topple: '%s' is no command and no scene file; 'topple --help' lists the commands\n",
+  if (has_suffix(first, ".yaml") || has_suffix(first, ".yml"))
+    return run_command(commands, argc, argv);
+  fprintf(stderr,
+          "topple: '%s' is no command and no scene file; 'topple --help' lists the commands\n",
           first);
   return TP_EXIT_USAGE;
 }

@@ -87,9 +87,10 @@ static void to_doubles(double *rounded, const fmpz *values, long count, long exp
       continue;
     }
     fmpz_tdiv_q_2exp(head, values + k, (unsigned long)shift);
-    long word = fmpz_get_si(head);
-    if (fmpz_val2(values + k) < (unsigned long)shift) word |= 1; /* sticky: decides a tie rightly */
-    rounded[k] = ldexp((double)word, (int)(shift - exponent));
+    const long word = fmpz_get_si(head);
+    const bool sticky = fmpz_val2(values + k) < (unsigned long)shift;
+    const long size = labs(word) | (sticky ? 1 : 0); /* the size, so that it moves away from zero */
+    rounded[k] = ldexp((double)(word < 0 ? -size : size), (int)(shift - exponent));
   }
   fmpz_clear(head);
 }
@@ -103,8 +104,8 @@ static bool allocate(tp_lattice *lattice, long chain_count, long count) {
   lattice->u = calloc(points, sizeof *lattice->u);
   lattice->v = calloc(points, sizeof *lattice->v);
   lattice->count = count;
-  return lattice->start != NULL && lattice->x != NULL && lattice->y != NULL &&
-         lattice->u != NULL && lattice->v != NULL;
+  return lattice->start != NULL && lattice->x != NULL && lattice->y != NULL && lattice->u != NULL &&
+         lattice->v != NULL;
 }
 
 static void fill(tp_lattice *lattice, const tp_polyline *const *chains, const fmpz_t denominator) {

@@ -190,6 +190,5 @@ void tp_ratio_text(char *text, size_t size, const fmpq_t value) {
     snprintf(text, size, "%.17g", fmpq_get_d(value));
     return;
   }
-  snprintf(text, size, "%ld/%ld", fmpz_get_si(fmpq_numref(value)),
-           fmpz_get_si(fmpq_denref(value)));
+  snprintf(text, size, "%ld/%ld", fmpz_get_si(fmpq_numref(value)), fmpz_get_si(fmpq_denref(value)));
 }

@@ -94,10 +94,11 @@ static void add_teeth(tp_text *t, const tp_teeth_result *teeth) {
 }
 
 static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight) {
-  tp_text_add(t,
-              "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
-              "\"points\": %zu,\n        ",
-              truth(c->mated), truth(c->beyond_stated), c->facets, c->points);
+  tp_text_add(
+      t,
+      "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
+      "\"points\": %zu,\n        ",
+      truth(c->mated), truth(c->beyond_stated), c->facets, c->points);
   if (c->mated) {
     add_number(t, "beyond_left_m", c->beyond_left_m);
     tp_text_add(t, ",\n        ");
@@ -167,6 +168,17 @@ static void add_sliding(tp_text *t, const tp_sliding *s) {
   tp_text_add(t, ", ");
   add_number(t, "y_m", s->facet_y1_m);
   tp_text_add(t, "}]},\n");
+}
+
+static void add_toe(tp_text *t, const tp_toe *toe) {
+  if (!toe->known) return;
+  tp_text_add(t, "      \"toe\": {\"holds\": %s, ", truth(toe->holds));
+  if (toe->upright) {
+    tp_text_add(t, "\"limit_angle_deg\": null},\n");
+  } else {
+    add_number(t, "limit_angle_deg", toe->limit_angle_deg);
+    tp_text_add(t, "},\n");
+  }
 }
 
 static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
@@ -248,6 +260,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_text_add(t, "      ],\n");
   add_toppling(t, c);
   add_sliding(t, &c->sliding);
+  add_toe(t, &c->toe);
   add_account(t, &c->account, s->block.has_weight);
   add_mechanism(t, c);
   add_effects(t, s);

@@ -62,9 +62,12 @@ static void add_teeth(page *p) {
               teeth->count, length(p, n[0], teeth->width_m, 6), length(p, n[1], teeth->height_m, 6),
               length(p, n[2], teeth->depth_m, 6), unit, tp_text_pivot_kind(teeth->left_end),
               tp_text_pivot_kind(teeth->right_end));
-  tp_text_add(&p->text, "         width Δx = %s, mean height y = %s, amplitude A = %s, wavelength λ = %s %s\n",
+  tp_text_add(&p->text,
+              "         width Δx = %s, mean height y = %s, amplitude A = %s,\n"
+              "         wavelength λ = %s %s\n",
               length(p, n[3], teeth->block_width_m, 6), length(p, n[4], teeth->mean_height_m, 6),
-              length(p, n[5], teeth->amplitude_m, 6), length(p, n[6], teeth->wavelength_m, 6), unit);
+              length(p, n[5], teeth->amplitude_m, 6), length(p, n[6], teeth->wavelength_m, 6),
+              unit);
 }
 
 static void add_block(page *p) {
@@ -72,14 +75,16 @@ static void add_block(page *p) {
   const tp_block_result *b = &s->block;
   const char *unit = s->length_unit;
   char n[4][TP_NUMBER_SIZE];
-  const tp_bounded area = tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
-  tp_text_add(&p->text, "Block    area %s %s², centroid (%s, %s) %s", tp_text_significant(n[0], area, 6),
-              unit, length(p, n[1], b->centroid_x_m, 6), length(p, n[2], b->centroid_y_m, 6), unit);
+  const tp_bounded area =
+      tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
+  tp_text_add(&p->text, "Block    area %s %s², centroid (%s, %s) %s",
+              tp_text_significant(n[0], area, 6), unit, length(p, n[1], b->centroid_x_m, 6),
+              length(p, n[2], b->centroid_y_m, 6), unit);
   if (b->has_weight) {
     tp_text_add(&p->text, ", weight ");
     add_quantity(p, b->weight_n, "N");
-    tp_text_add(&p->text, "\n         over a thickness of %s %s", length(p, n[3], b->thickness_m, 6),
-                unit);
+    tp_text_add(&p->text, "\n         over a thickness of %s %s",
+                length(p, n[3], b->thickness_m, 6), unit);
   } else {
     tp_text_add(&p->text, "\n         (no weight: the scene gives no unit_weight_kn_m3)");
   }
@@ -100,8 +105,8 @@ static void add_ends(page *p, const tp_contact_result *c) {
   if (!left && !right) {
     tp_text_add(&p->text, "ends with the block on both sides");
   } else if (left && right) {
-    tp_text_add(&p->text, "goes on past the block, %s %s on the left, %s %s on the right", n[0], unit,
-                n[1], unit);
+    tp_text_add(&p->text, "goes on by %s %s on the left, %s %s on the right", n[0],
+                unit, n[1], unit);
   } else {
     tp_text_add(&p->text, "ends with the block on the %s, goes on for %s %s on the %s",
                 left ? "right" : "left", left ? n[0] : n[1], unit, left ? "left" : "right");
@@ -126,7 +131,7 @@ static void add_base(page *p) {
   if (c->points > 0) {
     tp_text_add(&p->text, " and %zu contact%s in a point", c->points, c->points == 1 ? "" : "s");
   }
-  tp_text_add(&p->text, ", %s %s long, %s %s along the mean plane",
+  tp_text_add(&p->text, ",\n         %s %s long, %s %s along the mean plane",
               length(p, n[0], c->length_m, 6), s->length_unit,
               length(p, n[1], c->nominal_length_m, 6), s->length_unit);
   if (s->block.has_weight && c->facets > 0) {
@@ -142,11 +147,11 @@ static void add_pivot_row(page *p, const tp_case *c, size_t k) {
   const tp_pivot *pivot = c->pivots + k;
   char n[5][TP_NUMBER_SIZE];
   const bool governs = c->has_governing && k == c->governing;
-  tp_text_add(&p->text, "%s %-9s %11s %11s %13s°", governs ? ">" : " ",
+  tp_text_add(&p->text, "%s %-8s %10s %10s %13s°", governs ? ">" : " ",
               tp_text_pivot_kind(pivot->kind), length(p, n[0], pivot->x_m, 6),
               length(p, n[1], pivot->y_m, 6), tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
   if (p->solution->has_tilt_angle) {
-    tp_text_add(&p->text, " %10s %9s", fos_text(n[3], pivot->fos_resultant),
+    tp_text_add(&p->text, " %9s %9s", fos_text(n[3], pivot->fos_resultant),
                 fos_text(n[4], pivot->fos_elements));
   }
   tp_text_add(&p->text, "  %s\n", governs ? "governs" : pivot->admissible ? "yes" : "no");
@@ -157,8 +162,8 @@ static void add_pivots(page *p, const tp_case *c) {
   char x[16], y[16];
   snprintf(x, sizeof x, "x (%s)", p->solution->length_unit);
   snprintf(y, sizeof y, "y (%s)", p->solution->length_unit);
-  tp_text_add(&p->text, "  %-9s %11s %11s %14s", "Pivot", x, y, "critical angle");
-  if (p->solution->has_tilt_angle) tp_text_add(&p->text, " %10s %9s", "FoS", "elements");
+  tp_text_add(&p->text, "  %-8s %10s %10s %14s", "Pivot", x, y, "critical angle");
+  if (p->solution->has_tilt_angle) tp_text_add(&p->text, " %9s %9s", "FoS", "elements");
   tp_text_add(&p->text, "  admissible\n");
   size_t left_out = 0;
   for (size_t k = 0; k < c->pivot_count; k++) {
@@ -170,7 +175,8 @@ static void add_pivots(page *p, const tp_case *c) {
     }
   }
   if (left_out > 0) {
-    tp_text_add(&p->text, "  … and %zu more, none of them admissible (--json lists all)\n", left_out);
+    tp_text_add(&p->text, "  … and %zu more, none of them admissible (--json lists all)\n",
+                left_out);
   }
 }
 
@@ -195,8 +201,9 @@ static void add_verdict(page *p, const tp_case *c) {
   degrees(n[0], s->tilt_angle_deg);
   tp_text_add(&p->text, "\n  ");
   if (c->falls_backwards) {
-    tp_text_add(&p->text, "Topples up-dip already %s%s%s: its centroid lies past the up-dip end of "
-                          "the contact.\n",
+    tp_text_add(&p->text,
+                "Topples up-dip already %s%s%s:\n  its centroid lies past the up-dip "
+                "end of the contact.\n",
                 s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
                 s->has_tilt_angle ? "°" : "");
     return;
@@ -206,8 +213,8 @@ static void add_verdict(page *p, const tp_case *c) {
     return;
   }
   if (c->first == TP_STANDS) {
-    tp_text_add(&p->text, "Does not topple at any tilt up to 90°; without friction_angle_deg sliding "
-                          "is not judged.\n");
+    tp_text_add(&p->text, "Does not topple at any tilt up to 90°; without friction_angle_deg\n"
+                          "  sliding is not judged.\n");
     return;
   }
   tp_text_fixed(n[1], c->first_angle_deg, 3);
@@ -219,13 +226,13 @@ static void add_verdict(page *p, const tp_case *c) {
   }
   tp_text_fixed(n[2], c->margin_deg, 3);
   if (c->mechanism == TP_STANDS) {
-    tp_text_add(&p->text, "Stands at %s°. Tilted further, it ", n[0]);
+    tp_text_add(&p->text, "Stands at %s° by its moments and angles. Tilted further, it\n  ", n[0]);
     add_first(p, c);
-    tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[1], n[2]);
+    tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[1], n[2]);
   } else {
-    tp_text_add(&p->text, "Does not stand at %s°: it ", n[0]);
+    tp_text_add(&p->text, "Does not stand at %s°: it\n  ", n[0]);
     add_first(p, c);
-    tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[1], n[2]);
+    tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[1], n[2]);
   }
 }
 
@@ -238,7 +245,8 @@ static void add_sliding(page *p, const tp_case *c) {
   }
   if (!s->known) return;
   if (s->never) {
-    tp_text_add(&p->text, "  Sliding by Patton's φ_b + i: never, a facet stands too steep in the way.\n");
+    tp_text_add(&p->text,
+                "  Sliding by Patton's φ_b + i: never, a facet stands too steep in the way.\n");
     return;
   }
   const bool climbs = s->facet_angle_deg.value >= 0;
@@ -246,7 +254,7 @@ static void add_sliding(page *p, const tp_case *c) {
   if (!climbs) i.value = -i.value;
   tp_text_add(&p->text, "  Sliding by Patton's φ_b %s i = %s° %s %s° = %s°", climbs ? "+" : "-",
               degrees(n[0], p->solution->friction_angle_deg), climbs ? "+" : "-", degrees(n[1], i),
-               tp_text_fixed(n[2], s->critical_angle_deg, 3));
+              tp_text_fixed(n[2], s->critical_angle_deg, 3));
   if (s->fos.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
   }
@@ -259,7 +267,23 @@ static void add_sliding(page *p, const tp_case *c) {
   } else {
     tp_text_add(&p->text, ",\n  on the facet from (%s, %s) to (%s, %s)", n[4], n[5], n[6], n[7]);
   }
-  tp_text_add(&p->text, "; no statics of contact forces.\n");
+  tp_text_add(&p->text, ";\n  no statics of contact forces.\n");
+}
+
+/* Where moment equilibrium asks the toe for a reaction outside its friction cone. */
+static void add_toe(page *p, const tp_case *c) {
+  const tp_toe *toe = &c->toe;
+  char n[2][TP_NUMBER_SIZE];
+  if (!toe->known || toe->holds) return;
+  const bool slides_first =
+      c->first == TP_SLIDES && c->first_angle_deg.value <= toe->limit_angle_deg.value;
+  if (slides_first) return;
+  tp_text_add(&p->text,
+              "  Caution: at %s° all its weight would rest on the toe, where friction\n"
+              "  ends at φ_b + i = %s°. It may let go before: contact forces decide that,\n"
+              "  and are not judged here.\n",
+              tp_text_fixed(n[0], c->pivots[c->governing].critical_angle_deg, 3),
+              tp_text_fixed(n[1], toe->limit_angle_deg, 3));
 }
 
 static void add_case(page *p, const tp_case *c) {
@@ -276,6 +300,7 @@ static void add_case(page *p, const tp_case *c) {
   }
   add_verdict(p, c);
   add_sliding(p, c);
+  add_toe(p, c);
 }
 
 static double seconds(const tp_solution *s) {
@@ -286,7 +311,8 @@ static double seconds(const tp_solution *s) {
 
 static void add_effects(page *p) {
   const tp_solution *s = p->solution;
-  tp_text_add(&p->text, "\nCertain to every digit printed, by %s arithmetic, in %.2g ms. What ran:\n",
+  tp_text_add(&p->text,
+              "\nCertain to every digit printed, by %s arithmetic, in %.2g ms. What ran:\n",
               s->level == TP_LEVEL_DOUBLE ? "double" : tp_level_name(s->level), 1e3 * seconds(s));
   for (size_t k = 0; k < s->effect_count; k++) {
     tp_text_add(&p->text, "  %-9s %8.3f ms   for %s\n", s->effects[k].name,
@@ -313,9 +339,8 @@ static void add_account(page *p, const tp_case *c) {
   if (a->count == 0) return;
   tp_text_add(&p->text, "\nMoments by elements about ");
   add_pivot_name(p, c);
-  tp_text_add(&p->text, ", towards the %s at %s°%s\n", tp_text_direction(c->towards),
-              degrees(n[0], a->angle_deg),
-              a->at_critical_angle ? " (critical)" : "");
+  tp_text_add(&p->text, ",\ntilted towards the %s by %s°%s\n", tp_text_direction(c->towards),
+              degrees(n[0], a->angle_deg), a->at_critical_angle ? ", the critical angle" : "");
   snprintf(head[0], sizeof head[0], "weight (%s)", weight);
   snprintf(head[1], sizeof head[1], "x arm (%s)", s->length_unit);
   snprintf(head[2], sizeof head[2], "y arm (%s)", s->length_unit);

@@ -51,10 +51,10 @@ static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digi
     snprintf(out, TP_NUMBER_SIZE, "out of range");
     return out;
   }
-  const double below = number.error > 0 ? nextafter(number.value - number.error, -INFINITY)
-                                        : number.value;
-  const double above = number.error > 0 ? nextafter(number.value + number.error, INFINITY)
-                                        : number.value;
+  const double below =
+      number.error > 0 ? nextafter(number.value - number.error, -INFINITY) : number.value;
+  const double above =
+      number.error > 0 ? nextafter(number.value + number.error, INFINITY) : number.value;
   for (; digits >= least; digits--) {
     snprintf(low, sizeof low, format, digits, below);
     snprintf(high, sizeof high, format, digits, above);

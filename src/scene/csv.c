@@ -168,8 +168,8 @@ tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_messa
   r.buffer = malloc(LONGEST_LINE);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
-    status = tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1},
-                     "no points; each line holds x, y");
+    status =
+        tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1}, "no points; each line holds x, y");
   }
   fclose(r.file);
   free(r.buffer);

@@ -97,8 +97,9 @@ static bool name_value(parser *p, fmpq_t value) {
                    "so write its value as a number",
                    length, start);
   }
-  return fail_at(p, start, "unknown name '%.*s'; define it under 'parameters', before its first use",
-                 length, start);
+  return fail_at(p, start,
+                 "unknown name '%.*s'; define it under 'parameters', before its first use", length,
+                 start);
 }
 
 /* What stands at `text` as one word for a message: a number with its exponent, or what looks like
@@ -222,8 +223,8 @@ static bool sum(parser *p, fmpq_t value) {
 
 tp_status tp_expression_evaluate(fmpq_t value, const char *text, tp_place place,
                                  const tp_parameters *parameters, tp_message *message) {
-  parser p = {.text = text, .at = text, .place = place, .parameters = parameters,
-              .message = message};
+  parser p = {
+      .text = text, .at = text, .place = place, .parameters = parameters, .message = message};
   fmpq_t result;
   fmpq_init(result);
   bool done = true;
@@ -231,8 +232,8 @@ tp_status tp_expression_evaluate(fmpq_t value, const char *text, tp_place place,
   if (*p.at == '\0') done = fail_at(&p, p.at, "a number belongs here");
   done = done && sum(&p, result);
   if (done && *p.at != '\0') {
-    fail_at(&p, p.at, "'%.*s' does not continue a number or an expression", 
-            (int)strnlen(p.at, 40), p.at);
+    fail_at(&p, p.at, "'%.*s' does not continue a number or an expression", (int)strnlen(p.at, 40),
+            p.at);
   }
   if (p.status == TP_OK) fmpq_set(value, result);
   fmpq_clear(result);

@@ -18,11 +18,11 @@ typedef struct tp_node tp_node;
 struct tp_node {
   tp_node_kind kind;
   tp_mark mark;
-  char *text;       /* of a scalar */
-  int text_offset;  /* 1 where an opening quote stands before the text */
-  char *key;        /* of a child of a mapping */
+  char *text;      /* of a scalar */
+  int text_offset; /* 1 where an opening quote stands before the text */
+  char *key;       /* of a child of a mapping */
   tp_mark key_mark;
-  long count;       /* children */
+  long count; /* children */
   tp_node *first, *last, *next;
 };
 

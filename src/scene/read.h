@@ -34,7 +34,8 @@ TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
 
 /* The child that a mapping must have. */
 TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **child,
-                                       const tp_node *mapping, const char *key, const char *example);
+                                       const tp_node *mapping, const char *key,
+                                       const char *example);
 
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);

@@ -30,9 +30,10 @@ static tp_status read_beyond(const tp_reader *reader, const tp_node *node) {
 static tp_status read_between(const tp_reader *reader, const tp_node *node) {
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node,
-                        "between names the two vertices of the outline where the contact begins and "
-                        "ends: [[x, y], [x, y]], the left one first");
+    return tp_read_fail(
+        reader, node,
+        "between names the two vertices of the outline where the contact begins and "
+        "ends: [[x, y], [x, y]], the left one first");
   }
   return tp_read_points(reader, &reader->scene->base.between, node, false, "between");
 }

@@ -115,8 +115,8 @@ static tp_status read_teeth(const tp_reader *reader, const tp_node *node) {
   const bool general =
       tp_node_get(node, "wavelength") != NULL || tp_node_get(node, "block_width") != NULL ||
       tp_node_get(node, "mean_height") != NULL || tp_node_get(node, "amplitude") != NULL;
-  const tp_status status = general ? read_general_teeth(reader, teeth, node)
-                                   : read_counted_teeth(reader, teeth, node);
+  const tp_status status =
+      general ? read_general_teeth(reader, teeth, node) : read_counted_teeth(reader, teeth, node);
   return status == TP_OK ? read_left_end(reader, teeth, node) : status;
 }
 
@@ -139,7 +139,8 @@ static tp_status read_form(const tp_reader *reader, const tp_node *node) {
   const tp_node *outline = tp_node_get(node, "outline");
   const int forms = (teeth != NULL) + (slab != NULL) + (outline != NULL);
   if (forms != 1) {
-    return tp_read_fail(reader, node, "the block needs exactly one of 'outline', 'teeth' and 'slab'");
+    return tp_read_fail(reader, node,
+                        "the block needs exactly one of 'outline', 'teeth' and 'slab'");
   }
   if (teeth != NULL) return read_teeth(reader, teeth);
   if (slab != NULL) return read_slab(reader, slab);
@@ -173,9 +174,11 @@ static tp_status read_unit_weight(const tp_reader *reader, tp_quantity *quantity
 static tp_status read_part(const tp_reader *reader, tp_part *part, const tp_node *node) {
   static const char *const keys[] = {"outline", "unit_weight_kn_m3", NULL};
   const tp_node *outline = NULL, *weight = NULL;
-  tp_status status = tp_node_expect_keys(node, keys, "a part", reader->scene->path, reader->message);
+  tp_status status =
+      tp_node_expect_keys(node, keys, "a part", reader->scene->path, reader->message);
   if (status == TP_OK)
-    status = tp_read_required(reader, &outline, node, "outline", "outline: [[0, 0], [1, 0], [1, 1]]");
+    status =
+        tp_read_required(reader, &outline, node, "outline", "outline: [[0, 0], [1, 0], [1, 1]]");
   if (status == TP_OK)
     status = tp_read_required(reader, &weight, node, "unit_weight_kn_m3", "unit_weight_kn_m3: 20");
   if (status == TP_OK) status = read_unit_weight(reader, &part->unit_weight_kn_m3, weight);
@@ -213,13 +216,14 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
       tp_node_expect_keys(node, keys, "the block", reader->scene->path, reader->message);
   if (status == TP_OK) status = read_form(reader, node);
   if (status == TP_OK)
-    status = tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"), "thickness");
+    status =
+        tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"), "thickness");
   if (status == TP_OK && block->thickness.given && fmpq_sgn(block->thickness.value) <= 0) {
     status = tp_read_fail(reader, tp_node_get(node, "thickness"), "thickness must be above zero");
   }
   if (status == TP_OK)
-    status = read_unit_weight(reader, &block->unit_weight_kn_m3,
-                              tp_node_get(node, "unit_weight_kn_m3"));
+    status =
+        read_unit_weight(reader, &block->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"));
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));
   return status;

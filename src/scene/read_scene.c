@@ -11,8 +11,8 @@
 static const struct {
   const char *name;
   long numerator, denominator; /* metres per unit */
-} units[] = {{"mm", 1, 1000},    {"cm", 1, 100},     {"m", 1, 1},
-             {"km", 1000, 1},    {"in", 127, 5000},  {"ft", 381, 1250}};
+} units[] = {{"mm", 1, 1000}, {"cm", 1, 100},    {"m", 1, 1},
+             {"km", 1000, 1}, {"in", 127, 5000}, {"ft", 381, 1250}};
 
 static tp_status read_length_unit(const tp_reader *reader, const tp_node *root) {
   const tp_node *node = tp_node_get(root, "length_unit");
@@ -44,9 +44,9 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
     if (!tp_expression_is_name(child->key) || tp_expression_is_not_finite(child->key)) {
-      return tp_read_fail(reader, child,
-                          "'%.40s' cannot name a parameter; a name is made of letters, digits and _",
-                          child->key);
+      return tp_read_fail(
+          reader, child, "'%.40s' cannot name a parameter; a name is made of letters, digits and _",
+          child->key);
     }
     fmpq_t value;
     fmpq_init(value);
@@ -127,8 +127,8 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_length_unit(reader, root);
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
   if (status == TP_OK)
-    status = tp_read_required(reader, &block, root, "block",
-                              "block: {slab: {width: 50, height: 100}}");
+    status =
+        tp_read_required(reader, &block, root, "block", "block: {slab: {width: 50, height: 100}}");
   if (status == TP_OK) status = tp_read_block(reader, block);
   if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
   if (status == TP_OK)

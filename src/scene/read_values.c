@@ -23,7 +23,8 @@ tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char 
 
 static bool within_range(const fmpq_t value) {
   const double size = fmpq_get_d(value);
-  return fmpq_is_zero(value) || (size <= 1e308 && size >= -1e308 && (size >= 1e-308 || size <= -1e-308));
+  return fmpq_is_zero(value) ||
+         (size <= 1e308 && size >= -1e308 && (size >= 1e-308 || size <= -1e-308));
 }
 
 tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
@@ -33,8 +34,8 @@ tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *n
   }
   tp_place place = tp_node_place(node, reader->scene->path);
   place.column += node->text_offset;
-  const tp_status status = tp_expression_evaluate(value, node->text, place,
-                                                  &reader->scene->parameters, reader->message);
+  const tp_status status =
+      tp_expression_evaluate(value, node->text, place, &reader->scene->parameters, reader->message);
   if (status == TP_OK && !within_range(value)) {
     return tp_read_fail(reader, node, "%s is outside the range of 1e-308 to 1e308", name);
   }
@@ -126,8 +127,8 @@ tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_no
       status = read_point(reader, &points, p, name);
     }
   } else {
-    status = tp_read_fail(reader, node,
-                          "%s must be a list of [x, y] or the name of a CSV file", name);
+    status =
+        tp_read_fail(reader, node, "%s must be a list of [x, y] or the name of a CSV file", name);
   }
   if (status == TP_OK) {
     *line = points;

@@ -53,7 +53,7 @@ typedef struct tp_block_description {
 
 typedef struct tp_base_description {
   tp_place place;
-  bool mated; /* the base is the counterpart of the underside; else `profile` */
+  bool mated;          /* the base is the counterpart of the underside; else `profile` */
   tp_polyline between; /* of a mated base: empty, or the two vertices where the contact ends */
   tp_quantity beyond_left, beyond_right;
   tp_polyline profile;
@@ -71,7 +71,7 @@ struct tp_scene {
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
-  long file_count; /* names of files that places refer to */
+  long file_count;            /* names of files that places refer to */
   char **files;
 };
 

@@ -9,9 +9,9 @@
 
 typedef struct account {
   tp_evaluation *evaluation;
-  arb_t sine, cosine;      /* of the tilt */
-  arb_t metres;            /* per sixth of a lattice unit */
-  arb_t weight;            /* per unit of weight2 */
+  arb_t sine, cosine;             /* of the tilt */
+  arb_t metres;                   /* per sixth of a lattice unit */
+  arb_t weight;                   /* per unit of weight2 */
   arb_t stabilising, overturning; /* sums */
 } account;
 

@@ -61,6 +61,9 @@ bool tp_evaluate_toppling(tp_evaluation *evaluation, tp_direction towards,
 /* Sliding of one direction; its critical angle is left in `sliding` unless it is never reached. */
 void tp_evaluate_sliding(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *sliding);
 
+/* Whether the base can hold the governing pivot at its critical angle. */
+void tp_evaluate_toe(tp_evaluation *evaluation, tp_case *result, const tp_direction_ball *toppling);
+
 /* The mechanism of one direction, from the critical angles of the others. */
 void tp_evaluate_mechanism(tp_evaluation *evaluation, tp_case *result,
                            const tp_direction_ball *toppling, const tp_direction_ball *sliding);

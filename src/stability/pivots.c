@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moment equilibrium about every candidate pivot (mechanics section 3; Eqs. (2), (A1.3), (A1.7)). */
+/* Moment equilibrium about every candidate pivot (mechanics section 3; Eqs. (2), (A1.3), (A1.7)).
+ */
 
 #include "stability/evaluation.h"
 
@@ -9,7 +10,8 @@
 
 /* Lever arms of the weight about a lattice point, times 3 A2 > 0: the direction of the critical
  * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
-static void arms(const tp_evaluation *e, tp_direction towards, long point, tp_direction_ball *angle) {
+static void arms(const tp_evaluation *e, tp_direction towards, long point,
+                 tp_direction_ball *angle) {
   const long exact = tp_evaluation_bits(e);
   const tp_lattice *l = &e->problem->lattice;
   const arb_struct *sums = e->moments.weighted;

@@ -55,7 +55,7 @@ static bool counts(tp_evaluation *e, const tp_facet *facet, const foot *f, tp_di
   const tp_lattice *l = &e->problem->lattice;
   const fmpz *end = l->x + (towards == TP_TOWARDS_LEFT ? facet->q0 : facet->q1);
   const int to_low = fmpz_cmp(end, f->low), to_high = fmpz_cmp(end, f->high);
-  const bool left = to_low < 0, right = to_high > 0;
+  const bool left = to_low<0, right = to_high> 0;
   if (!left && !right && e->rung.level != TP_LEVEL_EXACT) e->certain = false;
   return towards == TP_TOWARDS_LEFT ? left : right;
 }
@@ -72,43 +72,56 @@ static void motion(const tp_lattice *l, const tp_facet *f, tp_direction towards,
 }
 
 typedef struct governing_facet {
-  long facet; /* -1: none */
+  long facet;   /* -1: none */
   bool blocked; /* a facet stands upright in the way */
   fmpz_t run, rise;
 } governing_facet;
+
+static void governing_init(governing_facet *best) {
+  best->facet = -1;
+  best->blocked = false;
+  fmpz_init(best->run);
+  fmpz_init(best->rise);
+}
+
+static void governing_clear(governing_facet *best) {
+  fmpz_clear(best->run);
+  fmpz_clear(best->rise);
+}
+
+/* Take the facet if its i is the largest so far; of two with the same i, one that has a length. */
+static void consider(const tp_evaluation *e, long k, tp_direction towards, governing_facet *best) {
+  const tp_facet *facets = e->problem->contact.facets, *facet = facets + k;
+  if (facet->t0 == facet->t1) return; /* restrains nothing */
+  fmpz_t run, rise, cross;
+  fmpz_init(run);
+  fmpz_init(rise);
+  fmpz_init(cross);
+  motion(&e->problem->lattice, facet, towards, run, rise);
+  fmpz_mul(cross, rise, best->run);
+  fmpz_submul(cross, best->rise, run);
+  const int steeper = fmpz_sgn(cross);
+  const bool longer = best->facet >= 0 && facet->q0 != facet->q1 &&
+                      facets[best->facet].q0 == facets[best->facet].q1;
+  if (fmpz_sgn(run) <= 0) { /* upright or turned away from the motion */
+    if (fmpz_sgn(rise) > 0) best->blocked = true;
+  } else if (best->facet < 0 || steeper > 0 || (steeper == 0 && longer)) {
+    best->facet = k;
+    fmpz_swap(best->run, run);
+    fmpz_swap(best->rise, rise);
+  }
+  fmpz_clear(run);
+  fmpz_clear(rise);
+  fmpz_clear(cross);
+}
 
 /* The largest i among the facets that count, or among all. */
 static void find_governing(tp_evaluation *e, tp_direction towards, const foot *f, bool all,
                            governing_facet *best) {
   const tp_contact *contact = &e->problem->contact;
-  fmpz_t run, rise, cross;
-  fmpz_init(run);
-  fmpz_init(rise);
-  fmpz_init(cross);
-  best->facet = -1;
-  best->blocked = false;
   for (long k = 0; k < contact->facet_count; k++) {
-    const tp_facet *facet = contact->facets + k;
-    if (facet->t0 == facet->t1) continue;
-    if (!all && !counts(e, facet, f, towards)) continue;
-    motion(&e->problem->lattice, facet, towards, run, rise);
-    if (fmpz_sgn(run) <= 0) {
-      if (fmpz_sgn(rise) > 0) best->blocked = true;
-      continue; /* turned away from the motion */
-    }
-    fmpz_mul(cross, rise, best->run);
-    fmpz_submul(cross, best->rise, run);
-    const int steeper = fmpz_sgn(cross);
-    const bool longer = best->facet >= 0 && facet->q0 != facet->q1 &&
-                        contact->facets[best->facet].q0 == contact->facets[best->facet].q1;
-    if (best->facet >= 0 && (steeper < 0 || (steeper == 0 && !longer))) continue;
-    best->facet = k;
-    fmpz_set(best->run, run);
-    fmpz_set(best->rise, rise);
+    if (all || counts(e, contact->facets + k, f, towards)) consider(e, k, towards, best);
   }
-  fmpz_clear(run);
-  fmpz_clear(rise);
-  fmpz_clear(cross);
 }
 
 /* phi_b + i. Where tan(phi_b) is rational, at 0 and 45 degrees, the direction is exact. */
@@ -203,8 +216,7 @@ void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *s
   governing_facet best;
   fmpz_init(f.low);
   fmpz_init(f.high);
-  fmpz_init(best.run);
-  fmpz_init(best.rise);
+  governing_init(&best);
   find_foot(e, &f);
   find_governing(e, result->towards, &f, false, &best);
   if (best.facet < 0 && !best.blocked) find_governing(e, result->towards, &f, true, &best);
@@ -214,6 +226,33 @@ void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *s
   if (best.facet >= 0) describe(e, result, &best, sliding);
   fmpz_clear(f.low);
   fmpz_clear(f.high);
-  fmpz_clear(best.run);
-  fmpz_clear(best.rise);
+  governing_clear(&best);
+}
+
+void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
+  const tp_contact *contact = &e->problem->contact;
+  result->toe = (tp_toe){0};
+  if (!result->has_governing) return;
+  const long toe = contact->points[result->governing].point;
+  governing_facet best;
+  governing_init(&best);
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *facet = contact->facets + k;
+    if (tp_contact_ends_in(&e->problem->lattice, facet, toe)) {
+      consider(e, k, result->towards, &best);
+    }
+  }
+  if (best.facet >= 0 || best.blocked) {
+    tp_direction_ball limit;
+    tp_direction_ball_init(&limit);
+    result->toe.known = true;
+    result->toe.upright = result->toe.holds = best.blocked;
+    if (!best.blocked) {
+      add_friction(e, &best, &limit);
+      result->toe.limit_angle_deg = tp_evaluation_result(e, limit.degrees);
+      result->toe.holds = tp_evaluation_compare(e, toppling, &limit) <= 0;
+    }
+    tp_direction_ball_clear(&limit);
+  }
+  governing_clear(&best);
 }

@@ -113,6 +113,7 @@ static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   if (scene->friction_angle_deg.given) {
     began = tp_effects_now();
     tp_evaluate_sliding(evaluation, own, &sliding);
+    tp_evaluate_toe(evaluation, own, &toppling);
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
   }
   tp_evaluate_mechanism(evaluation, own, &toppling, &sliding);
@@ -123,10 +124,8 @@ static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
 
 static tp_status step(void *context, tp_rung rung, bool *certain) {
   const climb *c = context;
-  tp_evaluation evaluation = {.problem = c->problem,
-                              .rung = rung,
-                              .digits = c->options->digits,
-                              .certain = true};
+  tp_evaluation evaluation = {
+      .problem = c->problem, .rung = rung, .digits = c->options->digits, .certain = true};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
   tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice, rung);

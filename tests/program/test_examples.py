@@ -53,15 +53,23 @@ class Examples(unittest.TestCase):
             walk(solve(path, "--elements"))
 
     def test_reports_fit_a_terminal(self):
-        """The report is at most 100 columns wide, marks one governing pivot a case, and names the
+        """The report is at most 80 columns wide, marks one governing pivot a case, and names the
         mechanism."""
         for path in sorted((ROOT / "examples").glob("*.yaml")):
             status, out, err = run("solve", "--elements", f"examples/{path.name}")
             self.assertEqual((status, err), (0, ""))
-            self.assertLessEqual(max(map(len, out.splitlines())), 100, path.name)
+            self.assertLessEqual(max(map(len, out.splitlines())), 80, path.name)
             cases = out.count("\nTilted towards the ")
             self.assertEqual(out.count("  governs\n"), cases, path.name)
             self.assertNotIn("uncertain", out)
+
+    def test_readme(self):
+        """README shows the scene as it stands in examples/ and the report as it is printed."""
+        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        scene = (ROOT / "examples/block_e_valley.yaml").read_text(encoding="utf-8")
+        self.assertIn(scene.split("\n", 1)[1], readme)
+        report = run("solve", "examples/block_e_valley.yaml")[1]
+        self.assertIn(report[: report.index("\nCertain to every digit")], readme)
 
     def test_account_of_elements(self):
         """Appendix A on block E about its valley: three slabs of weight a b and three triangles of

@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Numbers: exact reading of decimals, certified balls, and the ladder. The references are written
+ * out by hand or computed with GMP's rationals, which the code under test does not use. */
+
+#include "number/ball.h"
+#include "number/ladder.h"
+#include "number/ratio.h"
+
+#include <check.h>
+#include <gmp.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool read_field(fmpq_t value, const char *text) {
+  const char *problem = NULL;
+  return tp_ratio_read_field(value, text, strlen(text), &problem);
+}
+
+/* Decimal text is the truth: every spelling of a number is the rational that it says. */
+START_TEST(decimals_are_exact) {
+  static const struct {
+    const char *text, *value;
+  } cases[] = {{"0.1", "1/10"},
+               {"1/3", "1/3"},
+               {"-2.50", "-5/2"},
+               {"+.5", "1/2"},
+               {"5.", "5"},
+               {"0", "0"},
+               {"000.000", "0"},
+               {"1e3", "1000"},
+               {"12.5e-1", "5/4"},
+               {"0.1e1", "1"},
+               {"123456789012345678901234567890", "123456789012345678901234567890"},
+               {"0.30000000000000004", "7500000000000001/25000000000000000"},
+               {"1e-20", "1/100000000000000000000"},
+               {"4/0.5", "8"}};
+  fmpq_t value;
+  fmpq_init(value);
+  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+    ck_assert_msg(read_field(value, cases[k].text), "%s", cases[k].text);
+    char *text = fmpq_get_str(NULL, 10, value);
+    ck_assert_str_eq(text, cases[k].value);
+    ck_assert(fmpq_is_canonical(value));
+    flint_free(text);
+  }
+  fmpq_clear(value);
+}
+END_TEST
+
+/* A random mantissa and exponent, read as text and built with GMP, are the same rational. */
+START_TEST(random_decimals_agree_with_gmp) {
+  fmpq_t value;
+  mpq_t expected, found;
+  mpz_t power;
+  fmpq_init(value);
+  mpq_inits(expected, found, NULL);
+  mpz_init(power);
+  unsigned long state = 7;
+  for (int k = 0; k < 5000; k++) {
+    state = state * 6364136223846793005UL + 1442695040888963407UL;
+    const unsigned long mantissa = (state >> 3) >> (k % 60);
+    const int exponent = (int)(state >> 58) - 32;
+    char text[64];
+    snprintf(text, sizeof text, "%lue%d", mantissa, exponent);
+    ck_assert(read_field(value, text));
+    mpz_ui_pow_ui(power, 10, (unsigned long)abs(exponent));
+    mpq_set_ui(expected, mantissa, 1);
+    mpq_set_z(found, power);
+    if (exponent < 0) {
+      mpq_div(expected, expected, found);
+    } else {
+      mpq_mul(expected, expected, found);
+    }
+    fmpq_get_mpq(found, value);
+    ck_assert_msg(mpq_equal(found, expected), "%s", text);
+  }
+  fmpq_clear(value);
+  mpq_clears(expected, found, NULL);
+  mpz_clear(power);
+}
+END_TEST
+
+/* What is no number is refused, with a reason; so are numbers that no double can report. */
+START_TEST(no_numbers) {
+  static const char *const texts[] = {"",      "-",      "x",    "1x",  "1..2", "1e",
+                                      "1e+",   "--1",    "1/0",  "1/",  "nan",  "inf",
+                                      "1e400", "1e-400", "0x10", "1 2", "1,2"};
+  fmpq_t value;
+  fmpq_init(value);
+  for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
+    const char *problem = NULL;
+    ck_assert_msg(!tp_ratio_read_field(value, texts[k], strlen(texts[k]), &problem), "%s",
+                  texts[k]);
+    ck_assert_ptr_nonnull(problem);
+  }
+  fmpq_clear(value);
+}
+END_TEST
+
+/* A value shown in a message reads back as itself, or is clearly rounded. */
+START_TEST(texts_of_values) {
+  static const char *const values[] = {"5/2", "-1/8", "1/3", "1000000", "-7/1000"};
+  static const char *const texts[] = {"2.5", "-0.125", "1/3", "1000000", "-0.007"};
+  fmpq_t value;
+  fmpq_init(value);
+  for (size_t k = 0; k < sizeof values / sizeof values[0]; k++) {
+    char text[64];
+    fmpq_set_str(value, values[k], 10);
+    tp_ratio_text(text, sizeof text, value);
+    ck_assert_str_eq(text, texts[k]);
+  }
+  fmpq_clear(value);
+}
+END_TEST
+
+/* The way back to doubles encloses: for random balls, both ends lie within value +- error. The
+ * comparison is exact (arf), so no tolerance is needed. */
+START_TEST(balls_to_doubles_enclose) {
+  flint_rand_t state;
+  arb_t ball, around;
+  flint_randinit(state);
+  arb_init(ball);
+  arb_init(around);
+  for (int k = 0; k < 20000; k++) {
+    arb_randtest(ball, state, 200, 8);
+    const tp_bounded result = tp_ball_bounded(ball);
+    if (!isfinite(result.error)) continue;
+    arf_set_d(arb_midref(around), result.value);
+    arf_t error;
+    arf_init(error);
+    arf_set_d(error, result.error);
+    arb_set_arf(around, arb_midref(around));
+    arb_add_error_arf(around, error);
+    ck_assert(arb_contains(around, ball));
+    arf_clear(error);
+  }
+  arb_clear(ball);
+  arb_clear(around);
+  flint_randclear(state);
+}
+END_TEST
+
+/* What lies outside the range of a double says so instead of lying. */
+START_TEST(out_of_range) {
+  arb_t ball;
+  arb_init(ball);
+  arb_set_str(ball, "1e600", 100);
+  ck_assert(isinf(tp_ball_bounded(ball).error));
+  arb_set_str(ball, "1e-600", 100);
+  const tp_bounded tiny = tp_ball_bounded(ball);
+  ck_assert(tiny.value == 0 && tiny.error > 0 && tiny.error < 1e-300);
+  arb_clear(ball);
+}
+END_TEST
+
+/* Multiples of 45 degrees are exact in all octants; every other angle encloses MPFR's. */
+START_TEST(angles) {
+  arb_t x, y, angle;
+  arb_init(x);
+  arb_init(y);
+  arb_init(angle);
+  static const int octants[8][3] = {{0, 3, 0},    {2, 2, 45},   {5, 0, 90},   {1, -1, 135},
+                                    {0, -4, 180}, {-3, 3, -45}, {-1, 0, -90}, {-7, -7, -135}};
+  for (int k = 0; k < 8; k++) {
+    arb_set_si(y, octants[k][0]);
+    arb_set_si(x, octants[k][1]);
+    tp_ball_atan2_degrees(angle, y, x, 64);
+    ck_assert(arb_is_exact(angle) && arb_equal_si(angle, octants[k][2]));
+  }
+  arb_set_si(y, 1);
+  arb_set_si(x, 2);
+  tp_ball_atan2_degrees(angle, y, x, 64);
+  ck_assert(!arb_is_exact(angle) && tp_ball_certain(angle, 15));
+  ck_assert(fabs(tp_ball_bounded(angle).value - 26.56505117707799) < 1e-13); /* atan(1/2) */
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(angle);
+}
+END_TEST
+
+/* tan and sin, cos of rational degrees: exact where they are rational, and sin^2 + cos^2
+ * encloses 1. */
+START_TEST(functions_of_degrees) {
+  fmpq_t degrees;
+  arb_t sine, cosine, tangent;
+  fmpq_init(degrees);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(tangent);
+  for (long k = -720; k <= 720; k += 15) {
+    fmpq_set_si(degrees, k, 1);
+    tp_ball_sin_cos_degrees(sine, cosine, degrees, 100);
+    tp_ball_tan_degrees(tangent, degrees, 100);
+    ck_assert_int_eq(k % 90 == 0, arb_is_exact(sine) && arb_is_exact(cosine));
+    if (k % 90 == 45 || k % 90 == -45) ck_assert(arb_is_exact(tangent));
+    if ((k / 90) % 2 != 0 && k % 90 == 0) {
+      ck_assert(!arb_is_finite(tangent));
+    } else {
+      arb_submul(sine, tangent, cosine, 100);
+      ck_assert(arb_contains_zero(sine)); /* tan cos = sin */
+    }
+  }
+  fmpq_clear(degrees);
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(tangent);
+}
+END_TEST
+
+static tp_status certain_at(void *context, tp_rung rung, bool *certain) {
+  const tp_level *enough = context;
+  *certain = rung.level >= *enough;
+  return TP_OK;
+}
+
+static tp_status never_certain(void *context, tp_rung rung, bool *certain) {
+  long *last_bits = context;
+  ck_assert_int_gt(rung.bits, *last_bits); /* every rung is finer than the one before */
+  *last_bits = rung.bits;
+  *certain = false;
+  return TP_OK;
+}
+
+static tp_status fails(void *context, tp_rung rung, bool *certain) {
+  (void)context;
+  (void)rung;
+  *certain = true;
+  return TP_OUT_OF_MEMORY;
+}
+
+/* The ladder stops at the first rung that is certain, says undecided past the last, passes failures
+ * on. */
+START_TEST(ladder) {
+  tp_rung reached;
+  for (tp_level level = TP_LEVEL_DOUBLE; level <= TP_LEVEL_EXACT; level++) {
+    ck_assert_int_eq(tp_ladder_climb(certain_at, &level, &reached), TP_OK);
+    ck_assert_int_eq(reached.level, level);
+  }
+  long bits = 0;
+  ck_assert_int_eq(tp_ladder_climb(never_certain, &bits, &reached), TP_UNDECIDED);
+  ck_assert_int_eq(tp_ladder_climb(fails, NULL, &reached), TP_OUT_OF_MEMORY);
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("number");
+  TCase *numbers = tcase_create("number");
+  tcase_add_test(numbers, decimals_are_exact);
+  tcase_add_test(numbers, random_decimals_agree_with_gmp);
+  tcase_add_test(numbers, no_numbers);
+  tcase_add_test(numbers, texts_of_values);
+  tcase_add_test(numbers, balls_to_doubles_enclose);
+  tcase_add_test(numbers, out_of_range);
+  tcase_add_test(numbers, angles);
+  tcase_add_test(numbers, functions_of_degrees);
+  tcase_add_test(numbers, ladder);
+  suite_add_tcase(suite, numbers);
+  SRunner *runner = srunner_create(suite);
+  srunner_run_all(runner, CK_ENV);
+  const int failed = srunner_ntests_failed(runner);
+  srunner_free(runner);
+  flint_cleanup();
+  return failed == 0 ? 0 : 1;
+}

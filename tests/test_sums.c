@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Moment sums over rings, and the lattice that they stand on, against independent routes: triangle
+ * formulas, values by hand, correctly rounded conversions of FLINT. Comparisons are exact: integers
+ * are equal, and an error is compared with its bound in floats of unlimited length. */
+
+#include "block/ring_sums.h"
+#include "geom.h"
+#include "number/lattice.h"
+
+#include <check.h>
+#include <flint/fmpz_mat.h>
+#include <math.h>
+#include <stdint.h>
+
+enum { MOST = 20000 };
+static fmpz px[MOST], py[MOST]; /* initialised, to 0 */
+static double pu[MOST], pv[MOST];
+
+static uint64_t draw(uint64_t *state) { /* splitmix64 */
+  uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
+  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+  return z ^ (z >> 31);
+}
+
+static void set_point(long k, long u, long v) {
+  fmpz_set_si(px + k, u);
+  fmpz_set_si(py + k, v);
+  pu[k] = (double)u;
+  pv[k] = (double)v;
+}
+
+/* Vertices first … first + count - 1 about the centre: angles jump by 0.6 to 1.4 of a full turn
+ * over `count`, radii are 0.3 to 1 of the given ones. Simple while rounding is less than a jump. */
+static void set_star(long first, long count, double radius_u, double radius_v, const long centre[2],
+                     uint64_t *state) {
+  for (long k = 0; k < count; k++) {
+    const double jitter = 0.4 * (double)(draw(state) >> 11) * 0x1p-53;
+    const double part = 0.3 + 0.7 * (double)(draw(state) >> 11) * 0x1p-53;
+    const double angle = 2 * acos(-1) * ((double)k + jitter) / (double)count;
+    set_point(first + k, centre[0] + lround(part * radius_u * cos(angle)),
+              centre[1] + lround(part * radius_v * sin(angle)));
+  }
+}
+
+static void clear_all(fmpz *values, long count) {
+  for (long k = 0; k < count; k++) fmpz_clear(values + k);
+}
+
+/* Add the six sums of a triangle: twice its area times 1, sum x, sum y, sum x_i x_j over i <= j,
+ * likewise for y, and sum x sum y + sum x_i y_i. */
+static void add_triangle(fmpz sums[TP_SUM_COUNT], const size_t c[3]) {
+  enum { DET, TERM = 1, COUNT = TERM + TP_SUM_COUNT };
+  fmpz values[COUNT] = {0}, *t = values + TERM;
+  fmpz_mat_t corners;
+  fmpz_mat_init(corners, 3, 3);
+  fmpz_one(t + TP_A2);
+  for (int k = 0; k < 3; k++) {
+    fmpz_one(fmpz_mat_entry(corners, k, 0));
+    fmpz_set(fmpz_mat_entry(corners, k, 1), px + c[k]);
+    fmpz_set(fmpz_mat_entry(corners, k, 2), py + c[k]);
+    fmpz_add(t + TP_X6, t + TP_X6, px + c[k]);
+    fmpz_add(t + TP_Y6, t + TP_Y6, py + c[k]);
+    fmpz_addmul(t + TP_XY24, px + c[k], py + c[k]);
+    for (int i = 0; i <= k; i++) {
+      fmpz_addmul(t + TP_XX12, px + c[i], px + c[k]);
+      fmpz_addmul(t + TP_YY12, py + c[i], py + c[k]);
+    }
+  }
+  fmpz_addmul(t + TP_XY24, t + TP_X6, t + TP_Y6);
+  fmpz_mat_det(values + DET, corners);
+  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_addmul(sums + k, values + DET, t + k);
+  clear_all(values, COUNT);
+  fmpz_mat_clear(corners);
+}
+
+static void check_triangles(const size_t *start, size_t ring_count, bool small) {
+  tp_geom_rings rings = {.count = ring_count, .start = start, .x = px, .y = py, .small = small};
+  if (small) rings = (tp_geom_rings){ring_count, start, pu, pv, NULL, NULL, true};
+  tp_geom_triangulation t;
+  ck_assert_int_eq(tp_geom_triangulate(&t, &rings, (const int[]){0, 1}), TP_GEOM_OK);
+  fmpz by_triangles[TP_SUM_COUNT] = {0}, by_ring[TP_SUM_COUNT] = {0}, hole[TP_SUM_COUNT] = {0};
+  for (size_t k = 0; k < t.count; k++) {
+    const bool in_block = t.triangles[k].ring_in_layer[1] == 0;
+    if (in_block) add_triangle(by_triangles, t.triangles[k].corner);
+  }
+  tp_geom_triangulation_clear(&t);
+  tp_ring_sums_exact(by_ring, px, py, (long)start[1]);
+  if (ring_count > 1) {
+    tp_ring_sums_exact(hole, px + start[1], py + start[1], (long)(start[2] - start[1]));
+  }
+  for (int k = 0; k < TP_SUM_COUNT; k++) {
+    fmpz_sub(by_ring + k, by_ring + k, hole + k);
+    ck_assert_msg(fmpz_equal(by_ring + k, by_triangles + k), "%zu vertices, sum %d", start[1], k);
+  }
+  clear_all(by_triangles, TP_SUM_COUNT);
+  clear_all(by_ring, TP_SUM_COUNT);
+  clear_all(hole, TP_SUM_COUNT);
+}
+
+/* Guards the boundary formulas against integrals over triangles that another algorithm found. A
+ * star of three or more covers 0.3 cos(1.4 pi / 3) = 0.031 of its radius: a hole of 0.02 fits. */
+START_TEST(test_ring_sums_are_sums_over_triangles) {
+  uint64_t state = 1;
+  for (int k = 0; k < 200; k++) {
+    const size_t n = 3 + draw(&state) % (k < 100 ? 30 : 498), m = 3 + draw(&state) % 60;
+    const long centre[2] = {(long)(draw(&state) % 2000000) - 1000000, k % 3 * 500000L};
+    const size_t start[3] = {0, n, n + m};
+    set_star(0, (long)n, 1e6, 1e6, centre, &state);
+    set_star((long)n, (long)m, 2e4, 2e4, centre, &state);
+    check_triangles(start, 1 + k / 2 % 2, k % 2 == 0);
+  }
+}
+END_TEST
+
+/* |sum - exact 2^(-exponent degree)| <= bound for all six, without rounding. */
+static void check_double(const fmpz *x, const fmpz *y, const double *u, const double *v, long count,
+                         long exponent) {
+  fmpz exact[TP_SUM_COUNT] = {0};
+  double sums[TP_SUM_COUNT], bounds[TP_SUM_COUNT];
+  arf_t error, limit;
+  arf_init(error);
+  arf_init(limit);
+  tp_ring_sums_exact(exact, x, y, count);
+  tp_ring_sums_double(sums, bounds, u, v, count, exponent == 0);
+  for (int k = 0; k < TP_SUM_COUNT; k++) {
+    arf_set_fmpz(error, exact + k);
+    arf_mul_2exp_si(error, error, -exponent * tp_sum_degree[k]);
+    arf_set_d(limit, sums[k]);
+    arf_sub(error, error, limit, ARF_PREC_EXACT, ARF_RND_DOWN);
+    arf_set_d(limit, bounds[k]);
+    ck_assert_msg(isfinite(bounds[k]) && arf_cmpabs(error, limit) <= 0, "%ld vertices, sum %d",
+                  count, k);
+  }
+  clear_all(exact, TP_SUM_COUNT);
+  arf_clear(error);
+  arf_clear(limit);
+}
+
+static const long sizes[] = {3,   4,   7,   8,    9,    10,   16,   17,   511,  512,
+                             513, 514, 777, 1024, 1025, 1026, 2049, 5000, 20000};
+
+/* Guards the proven bound of the double sums on exact coordinates, at the seams of lanes and chunks
+ * (8, 512): about the origin, far from it on both axes and on one, slivers of aspect 1e-12 flat
+ * and on the diagonal, and a chain that is no polygon. */
+START_TEST(test_double_sums_keep_their_bound) {
+  static const double radii[5][2] = {
+      {1e6, 1e6}, {1e6, 1e6}, {1e6, 1e6}, {0x1p50, 1e3}, {0x1p50, 1e3}};
+  static const long centres[5][2] = {
+      {0, 0}, {1L << 52, 1L << 52}, {3, -(1L << 52)}, {7, 0}, {0, 0}};
+  uint64_t state = 2 + (uint64_t)_i;
+  for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
+    const long n = sizes[s];
+    if (_i < 5) set_star(0, n, radii[_i][0], radii[_i][1], centres[_i], &state);
+    for (long k = 0; k < n && _i > 3; k++) {
+      const long u = (long)pu[k], v = (long)pv[k];
+      if (_i == 4) set_point(k, u + v, u - v);
+      if (_i == 5) set_point(k, (long)(draw(&state) >> 11), -(long)(draw(&state) >> 11));
+    }
+    check_double(px, py, pu, pv, n, 0);
+  }
+}
+END_TEST
+
+/* Guards the use of the bound: for a round polygon the formula gives 1.01 * 140 * 8 / (2 pi) units
+ * of roundoff, 2e-14 of the area; four digits are left for other ways to sum. */
+START_TEST(test_double_bound_is_useful) {
+  double sums[TP_SUM_COUNT], bounds[TP_SUM_COUNT];
+  for (long k = 0; k < 1000; k++) {
+    const double angle = 2 * acos(-1) * (double)k / 1000;
+    set_point(k, lround(1e9 * cos(angle)), lround(1e9 * sin(angle)));
+  }
+  tp_ring_sums_double(sums, bounds, pu, pv, 1000, true);
+  ck_assert_double_gt(bounds[TP_A2], 0);
+  ck_assert_double_lt(bounds[TP_A2], 1e-10 * sums[TP_A2]);
+}
+END_TEST
+
+/* Guards containment at every precision, for integers that fit and for ones of 180 bits, and the
+ * size of the ball. Per edge, with R the largest coordinate and roundings of 2^(1 - bits): 6 R^2 of
+ * the products, 2 R^2 of their difference, at most A2 <= 8 R^2 of the sum so far: 32 R^2 2^-bits.
+ * No sum of the first ring passes 500 * 12 R^4 < 2^96: at 128 bits nothing is rounded. */
+START_TEST(test_balls_contain_the_truth) {
+  uint64_t state = 3;
+  set_star(0, 500, 1e6, 1e6, (const long[]){0, 0}, &state);
+  fmpz exact[TP_SUM_COUNT] = {0};
+  arb_struct sums[TP_SUM_COUNT];
+  for (int k = 0; k < TP_SUM_COUNT; k++) arb_init(sums + k);
+  for (int large = 0; large < 2; large++) {
+    for (long k = 0; k < 500 && large; k++) fmpz_pow_ui(px + k, px + k, 9);
+    for (long k = 0; k < 500 && large; k++) fmpz_pow_ui(py + k, py + k, 9);
+    tp_ring_sums_exact(exact, px, py, 500);
+    for (long bits = 53; bits <= 256; bits = bits == 53 ? 64 : 2 * bits) {
+      tp_ring_sums_ball(sums, px, py, 500, bits);
+      for (int k = 0; k < TP_SUM_COUNT; k++) {
+        ck_assert_msg(arb_contains_fmpz(sums + k, exact + k), "%ld bits, sum %d", bits, k);
+        ck_assert(large || bits < 128 || arb_is_exact(sums + k));
+      }
+      const long limit = 14 + (large ? 360 : 40) - bits; /* 32 * 500 < 2^14, R < 2^20 */
+      ck_assert_int_le(mag_cmp_2exp_si(arb_radref(sums + TP_A2), limit), 0);
+    }
+  }
+  for (int k = 0; k < TP_SUM_COUNT; k++) arb_clear(sums + k);
+  clear_all(exact, TP_SUM_COUNT);
+}
+END_TEST
+
+static const struct {
+  long points[4][2], sums[TP_SUM_COUNT];
+} by_hand[] = {
+    {{{0, 0}, {12, 0}, {12, 12}, {0, 12}}, {288, 5184, 5184, 82944, 82944, 124416}},
+    {{{1, -2}, {4, -2}, {4, 5}, {1, 5}}, {42, 315, 189, 1764, 1596, 1890}},
+    {{{0, 0}, {1, 0}, {3, 0}, {0, 6}}, {18, 54, 108, 162, 648, 324}}, /* a triangle */
+};
+
+/* Guards sign, order and factor of the sums: integrals by hand of two rectangles and a triangle, in
+ * all arithmetics, which are exact here; all sums change sign when the ring is reversed (_i = 1),
+ * and stay when it starts elsewhere. */
+START_TEST(test_sums_by_hand) {
+  for (int k = 0; k < 3 * 4; k++) {
+    for (int i = 0; i < 4; i++) {
+      const long *p = by_hand[k / 4].points[(k + (_i == 0 ? i : 4 - i)) % 4];
+      set_point(i, p[0], p[1]);
+    }
+    fmpz exact[TP_SUM_COUNT] = {0};
+    double sums[TP_SUM_COUNT], bounds[TP_SUM_COUNT];
+    tp_ring_sums_exact(exact, px, py, 4);
+    tp_ring_sums_double(sums, bounds, pu, pv, 4, true);
+    for (int sum = 0; sum < TP_SUM_COUNT; sum++) {
+      const long truth = (_i == 0 ? 1 : -1) * by_hand[k / 4].sums[sum];
+      ck_assert_int_eq(fmpz_get_si(exact + sum), truth);
+      ck_assert_double_eq(sums[sum], (double)truth);
+    }
+    clear_all(exact, TP_SUM_COUNT);
+  }
+}
+END_TEST
+
+enum { HUGE_ONES, EXACT, SLIVER, FAR_OFF, TIES, SCENES };
+static const unsigned long powers[SCENES][2] = {{40, 40}, {0, 0}, {55, 0}, {5, 5}, {0, 0}};
+
+/* A coordinate of the scene: a scaled one of the star with a small denominator, or an integer half
+ * way between two doubles, or next to it. */
+static void draw_value(fmpq_t value, const fmpz_t star, int scene, int axis, uint64_t *state) {
+  fmpz *top = fmpq_numref(value);
+  fmpz_set_ui(fmpq_denref(value), scene == TIES ? 1 : 1 + draw(state) % 12);
+  fmpz_ui_pow_ui(top, 10, powers[scene][axis]);
+  fmpz_mul(top, top, star);
+  if (scene != EXACT) fmpz_add_ui(top, top, draw(state) >> 40);
+  if (scene == TIES) {
+    fmpz_set_ui(top, draw(state) >> 11 << 1 | UINT64_C(1) << 53 | 1);
+    fmpz_mul_2exp(top, top, draw(state) % 140);
+    fmpz_set_si(fmpq_denref(value), (long)(draw(state) % 3) - 1);
+    fmpz_add(top, top, fmpq_denref(value));
+    if (draw(state) % 2 == 0) fmpz_neg(top, top);
+    fmpz_one(fmpq_denref(value));
+  }
+  fmpq_canonicalise(value);
+}
+
+static void check_coordinate(double u, const fmpz_t x, long exponent, fmpq_t metres,
+                             const fmpq_t written) {
+  arf_t truth;
+  arf_init(truth);
+  arf_set_fmpz(truth, x);
+  arf_mul_2exp_si(truth, truth, -exponent);
+  ck_assert_double_eq(u, arf_get_d(truth, ARF_RND_NEAR));
+  fmpq_mul_fmpz(metres, metres, (const fmpz[]){1250});
+  fmpq_div_fmpz(metres, metres, (const fmpz[]){381}); /* from feet in metres */
+  ck_assert(fmpq_equal(metres, written));
+  arf_clear(truth);
+}
+
+static void draw_lines(tp_polyline lines[2], int scene, uint64_t *state) {
+  fmpq_t x, y;
+  fmpq_init(x);
+  fmpq_init(y);
+  for (long k = 0; k < 2; k++) { /* the first chain, which centres the lattice: 2^200 (0 or 4) */
+    fmpq_set_si(x, (scene == FAR_OFF ? 4 : 0) + 2 * k - 1, 1);
+    if (scene != EXACT) fmpq_mul_2exp(x, x, 200);
+    ck_assert(tp_polyline_append(lines, x, x, (tp_mark){0}));
+  }
+  for (long k = 0; k < 2000; k++) {
+    draw_value(x, px + k, scene, 0, state);
+    draw_value(y, py + k, scene, 1, state);
+    ck_assert(tp_polyline_append(lines + 1, x, y, (tp_mark){0}));
+  }
+  fmpq_clear(x);
+  fmpq_clear(y);
+}
+
+/* Guards the lattice: metres come back exactly, doubles are what FLINT rounds to nearest, and sums
+ * of rounded coordinates keep the bound that counts the rounding; for huge coordinates, small ones,
+ * a sliver of aspect 1e-55, a ring far off the centre of the lattice, and ties. */
+START_TEST(test_lattice_rounds_as_it_says) {
+  uint64_t state = 4;
+  tp_polyline lines[2] = {0};
+  tp_lattice lattice;
+  fmpq foot = {381, 1250}, metres = {0, 1}; /* small: on the spot */
+  set_star(0, 2000, 1e6, 1e6, (const long[]){5, 7}, &state);
+  draw_lines(lines, _i, &state);
+  const tp_polyline *const chains[2] = {lines, lines + 1};
+  ck_assert_int_eq(tp_lattice_init(&lattice, chains, 2, &foot, NULL), TP_OK);
+  ck_assert_int_eq(lattice.exponent > 0, _i != EXACT);
+  for (long k = 0; k < lattice.count; k++) {
+    const tp_polyline *line = lines + (k > 1);
+    const long at = k > 1 ? k - 2 : k;
+    tp_lattice_metres_x(&metres, &lattice, lattice.x + k);
+    check_coordinate(lattice.u[k], lattice.x + k, lattice.exponent, &metres, line->x + at);
+    tp_lattice_metres_y(&metres, &lattice, lattice.y + k);
+    check_coordinate(lattice.v[k], lattice.y + k, lattice.exponent, &metres, line->y + at);
+  }
+  check_double(lattice.x + 2, lattice.y + 2, lattice.u + 2, lattice.v + 2, 2000, lattice.exponent);
+  tp_lattice_clear(&lattice);
+  tp_polyline_clear(lines);
+  tp_polyline_clear(lines + 1);
+  fmpq_clear(&metres);
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("sums");
+  TCase *cases = tcase_create("sums");
+  tcase_set_timeout(cases, 120);
+  tcase_add_test(cases, test_ring_sums_are_sums_over_triangles);
+  tcase_add_loop_test(cases, test_double_sums_keep_their_bound, 0, 6);
+  tcase_add_test(cases, test_double_bound_is_useful);
+  tcase_add_test(cases, test_balls_contain_the_truth);
+  tcase_add_loop_test(cases, test_sums_by_hand, 0, 2);
+  tcase_add_loop_test(cases, test_lattice_rounds_as_it_says, 0, SCENES);
+  suite_add_tcase(suite, cases);
+  SRunner *runner = srunner_create(suite);
+  srunner_run_all(runner, CK_ENV);
+  const int failed = srunner_ntests_failed(runner);
+  srunner_free(runner);
+  return failed != 0;
+}
