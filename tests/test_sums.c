@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moment sums over rings, and the lattice that they stand on, against independent routes: triangle
- * formulas, values by hand, correctly rounded conversions of FLINT. Comparisons are exact: integers
- * are equal, and an error is compared with its bound in floats of unlimited length. */
+/* Moment sums over rings, and the lattice under them, by other routes: triangle formulas, values by
+ * hand, conversions of FLINT. An error is compared with its bound in floats of unlimited length. */
 
 #include "block/ring_sums.h"
 #include "geom.h"
 #include "number/lattice.h"
 
 #include <check.h>
-#include <flint/fmpz_mat.h>
 #include <math.h>
 #include <stdint.h>
 
@@ -52,15 +50,10 @@ static void clear_all(fmpz *values, long count) {
 /* Add the six sums of a triangle: twice its area times 1, sum x, sum y, sum x_i x_j over i <= j,
  * likewise for y, and sum x sum y + sum x_i y_i. */
 static void add_triangle(fmpz sums[TP_SUM_COUNT], const size_t c[3]) {
-  enum { DET, TERM = 1, COUNT = TERM + TP_SUM_COUNT };
-  fmpz values[COUNT] = {0}, *t = values + TERM;
-  fmpz_mat_t corners;
-  fmpz_mat_init(corners, 3, 3);
-  fmpz_one(t + TP_A2);
+  fmpz t[TP_SUM_COUNT + 2] = {[TP_A2] = 1}, *det = t + TP_SUM_COUNT, *height = det + 1;
   for (int k = 0; k < 3; k++) {
-    fmpz_one(fmpz_mat_entry(corners, k, 0));
-    fmpz_set(fmpz_mat_entry(corners, k, 1), px + c[k]);
-    fmpz_set(fmpz_mat_entry(corners, k, 2), py + c[k]);
+    fmpz_sub(height, py + c[(k + 1) % 3], py + c[(k + 2) % 3]);
+    fmpz_addmul(det, px + c[k], height);
     fmpz_add(t + TP_X6, t + TP_X6, px + c[k]);
     fmpz_add(t + TP_Y6, t + TP_Y6, py + c[k]);
     fmpz_addmul(t + TP_XY24, px + c[k], py + c[k]);
@@ -70,10 +63,8 @@ static void add_triangle(fmpz sums[TP_SUM_COUNT], const size_t c[3]) {
     }
   }
   fmpz_addmul(t + TP_XY24, t + TP_X6, t + TP_Y6);
-  fmpz_mat_det(values + DET, corners);
-  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_addmul(sums + k, values + DET, t + k);
-  clear_all(values, COUNT);
-  fmpz_mat_clear(corners);
+  for (int k = 0; k < TP_SUM_COUNT; k++) fmpz_addmul(sums + k, det, t + k);
+  clear_all(t, TP_SUM_COUNT + 2);
 }
 
 static void check_triangles(const size_t *start, size_t ring_count, bool small) {
@@ -81,23 +72,19 @@ static void check_triangles(const size_t *start, size_t ring_count, bool small) 
   if (small) rings = (tp_geom_rings){ring_count, start, pu, pv, NULL, NULL, true};
   tp_geom_triangulation t;
   ck_assert_int_eq(tp_geom_triangulate(&t, &rings, (const int[]){0, 1}), TP_GEOM_OK);
-  fmpz by_triangles[TP_SUM_COUNT] = {0}, by_ring[TP_SUM_COUNT] = {0}, hole[TP_SUM_COUNT] = {0};
+  fmpz all[3 * TP_SUM_COUNT] = {0}, *ring = all, *hole = all + 6, *triangles = all + 12;
   for (size_t k = 0; k < t.count; k++) {
-    const bool in_block = t.triangles[k].ring_in_layer[1] == 0;
-    if (in_block) add_triangle(by_triangles, t.triangles[k].corner);
+    if (t.triangles[k].ring_in_layer[1] == 0) add_triangle(triangles, t.triangles[k].corner);
   }
   tp_geom_triangulation_clear(&t);
-  tp_ring_sums_exact(by_ring, px, py, (long)start[1]);
-  if (ring_count > 1) {
-    tp_ring_sums_exact(hole, px + start[1], py + start[1], (long)(start[2] - start[1]));
-  }
+  tp_ring_sums_exact(ring, px, py, (long)start[1]);
+  const long hole_size = ring_count > 1 ? (long)(start[2] - start[1]) : 0;
+  tp_ring_sums_exact(hole, px + start[1], py + start[1], hole_size);
   for (int k = 0; k < TP_SUM_COUNT; k++) {
-    fmpz_sub(by_ring + k, by_ring + k, hole + k);
-    ck_assert_msg(fmpz_equal(by_ring + k, by_triangles + k), "%zu vertices, sum %d", start[1], k);
+    fmpz_sub(ring + k, ring + k, hole + k);
+    ck_assert_msg(fmpz_equal(ring + k, triangles + k), "%zu vertices, sum %d", start[1], k);
   }
-  clear_all(by_triangles, TP_SUM_COUNT);
-  clear_all(by_ring, TP_SUM_COUNT);
-  clear_all(hole, TP_SUM_COUNT);
+  clear_all(all, 3 * TP_SUM_COUNT);
 }
 
 /* Guards the boundary formulas against integrals over triangles that another algorithm found. A
@@ -115,9 +102,9 @@ START_TEST(test_ring_sums_are_sums_over_triangles) {
 }
 END_TEST
 
-/* |sum - exact 2^(-exponent degree)| <= bound for all six, without rounding. */
-static void check_double(const fmpz *x, const fmpz *y, const double *u, const double *v, long count,
-                         long exponent) {
+/* |sum - exact 2^(-exponent degree)| <= bound for all six. Returns the area's relative bound. */
+static double check_double(const fmpz *x, const fmpz *y, const double *u, const double *v,
+                           long count, long exponent) {
   fmpz exact[TP_SUM_COUNT] = {0};
   double sums[TP_SUM_COUNT], bounds[TP_SUM_COUNT];
   arf_t error, limit;
@@ -131,63 +118,45 @@ static void check_double(const fmpz *x, const fmpz *y, const double *u, const do
     arf_set_d(limit, sums[k]);
     arf_sub(error, error, limit, ARF_PREC_EXACT, ARF_RND_DOWN);
     arf_set_d(limit, bounds[k]);
-    ck_assert_msg(isfinite(bounds[k]) && arf_cmpabs(error, limit) <= 0, "%ld vertices, sum %d",
-                  count, k);
+    ck_assert_msg(isfinite(bounds[k]) && arf_cmpabs(error, limit) <= 0, "sum %d", k);
   }
   clear_all(exact, TP_SUM_COUNT);
   arf_clear(error);
   arf_clear(limit);
+  return bounds[TP_A2] / fabs(sums[TP_A2]);
 }
 
-static const long sizes[] = {3,   4,   7,   8,    9,    10,   16,   17,   511,  512,
-                             513, 514, 777, 1024, 1025, 1026, 2049, 5000, 20000};
+static const long sizes[] = {3, 4, 7, 8, 9, 10, 17, 511, 512, 513, 514, 1025, 1026, 5000, 20000};
 
 /* Guards the proven bound of the double sums on exact coordinates, at the seams of lanes and chunks
  * (8, 512): about the origin, far from it on both axes and on one, slivers of aspect 1e-12 flat
- * and on the diagonal, and a chain that is no polygon. */
+ * and on the diagonal, and a chain that is no polygon. The bound is of use, too: the first star has
+ * edges |du| + |dv| <= R and A2 > 0.5 R^2, so 142 w n R^2 / A2 < 4e-11 for a thousand vertices. */
 START_TEST(test_double_sums_keep_their_bound) {
-  static const double radii[5][2] = {
-      {1e6, 1e6}, {1e6, 1e6}, {1e6, 1e6}, {0x1p50, 1e3}, {0x1p50, 1e3}};
-  static const long centres[5][2] = {
-      {0, 0}, {1L << 52, 1L << 52}, {3, -(1L << 52)}, {7, 0}, {0, 0}};
+  const long far = 1L << 52, centres[4][2] = {{0, 0}, {far, far}, {3, -far}, {7, 0}};
   uint64_t state = 2 + (uint64_t)_i;
   for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
     const long n = sizes[s];
-    if (_i < 5) set_star(0, n, radii[_i][0], radii[_i][1], centres[_i], &state);
+    set_star(0, n, _i < 3 ? 1e6 : 0x1p50, _i < 3 ? 1e6 : 1e3, centres[_i % 4], &state);
     for (long k = 0; k < n && _i > 3; k++) {
-      const long u = (long)pu[k], v = (long)pv[k];
-      if (_i == 4) set_point(k, u + v, u - v);
-      if (_i == 5) set_point(k, (long)(draw(&state) >> 11), -(long)(draw(&state) >> 11));
+      const long u = _i == 4 ? (long)pu[k] : (long)(draw(&state) >> 12);
+      const long v = _i == 4 ? (long)pv[k] : (long)(draw(&state) >> 12);
+      set_point(k, u + v, u - v);
     }
-    check_double(px, py, pu, pv, n, 0);
+    ck_assert(check_double(px, py, pu, pv, n, 0) < 1e-10 || _i > 0 || n > 1026);
   }
 }
 END_TEST
 
-/* Guards the use of the bound: for a round polygon the formula gives 1.01 * 140 * 8 / (2 pi) units
- * of roundoff, 2e-14 of the area; four digits are left for other ways to sum. */
-START_TEST(test_double_bound_is_useful) {
-  double sums[TP_SUM_COUNT], bounds[TP_SUM_COUNT];
-  for (long k = 0; k < 1000; k++) {
-    const double angle = 2 * acos(-1) * (double)k / 1000;
-    set_point(k, lround(1e9 * cos(angle)), lround(1e9 * sin(angle)));
-  }
-  tp_ring_sums_double(sums, bounds, pu, pv, 1000, true);
-  ck_assert_double_gt(bounds[TP_A2], 0);
-  ck_assert_double_lt(bounds[TP_A2], 1e-10 * sums[TP_A2]);
-}
-END_TEST
-
-/* Guards containment at every precision, for integers that fit and for ones of 180 bits, and the
- * size of the ball. Per edge, with R the largest coordinate and roundings of 2^(1 - bits): 6 R^2 of
- * the products, 2 R^2 of their difference, at most A2 <= 8 R^2 of the sum so far: 32 R^2 2^-bits.
- * No sum of the first ring passes 500 * 12 R^4 < 2^96: at 128 bits nothing is rounded. */
+/* Guards containment at every precision, and the size of the ball. With R the largest coordinate,
+ * roundings of 2^(1 - bits), per edge: 6 R^2 of the products, 2 R^2 of their difference, 8 R^2 >=
+ * A2 of the sum so far. The first ring needs 500 * 12 R^4 < 2^96: at 128 bits nothing is rounded.
+ */
 START_TEST(test_balls_contain_the_truth) {
   uint64_t state = 3;
   set_star(0, 500, 1e6, 1e6, (const long[]){0, 0}, &state);
   fmpz exact[TP_SUM_COUNT] = {0};
-  arb_struct sums[TP_SUM_COUNT];
-  for (int k = 0; k < TP_SUM_COUNT; k++) arb_init(sums + k);
+  arb_struct *sums = _arb_vec_init(TP_SUM_COUNT);
   for (int large = 0; large < 2; large++) {
     for (long k = 0; k < 500 && large; k++) fmpz_pow_ui(px + k, px + k, 9);
     for (long k = 0; k < 500 && large; k++) fmpz_pow_ui(py + k, py + k, 9);
@@ -202,7 +171,7 @@ START_TEST(test_balls_contain_the_truth) {
       ck_assert_int_le(mag_cmp_2exp_si(arb_radref(sums + TP_A2), limit), 0);
     }
   }
-  for (int k = 0; k < TP_SUM_COUNT; k++) arb_clear(sums + k);
+  _arb_vec_clear(sums, TP_SUM_COUNT);
   clear_all(exact, TP_SUM_COUNT);
 }
 END_TEST
@@ -215,9 +184,9 @@ static const struct {
     {{{0, 0}, {1, 0}, {3, 0}, {0, 6}}, {18, 54, 108, 162, 648, 324}}, /* a triangle */
 };
 
-/* Guards sign, order and factor of the sums: integrals by hand of two rectangles and a triangle, in
- * all arithmetics, which are exact here; all sums change sign when the ring is reversed (_i = 1),
- * and stay when it starts elsewhere. */
+/* Guards sign, order and factor of the sums: integrals by hand of two rectangles and a triangle,
+ * also in double, exact here; they change sign with the direction (_i = 1) and not with the start.
+ */
 START_TEST(test_sums_by_hand) {
   for (int k = 0; k < 3 * 4; k++) {
     for (int i = 0; i < 4; i++) {
@@ -238,24 +207,25 @@ START_TEST(test_sums_by_hand) {
 }
 END_TEST
 
-enum { HUGE_ONES, EXACT, SLIVER, FAR_OFF, TIES, SCENES };
-static const unsigned long powers[SCENES][2] = {{40, 40}, {0, 0}, {55, 0}, {5, 5}, {0, 0}};
+enum { HUGES, EXACT, SLIVER, TINY, FAR_OFF, TIES, SCENES };
+/* Powers of ten times x, y and the denominator; power of two times the first chain. */
+static const unsigned long scenes[SCENES][4] = {{53, 53, 0, 0}, {0, 0, 0, 0},     {55, 0, 0, 0},
+                                                {0, 0, 70, 0},  {43, 43, 0, 200}, {0, 0, 0, 200}};
+static const fmpq foot = {381, 1250}; /* in metres */
 
-/* A coordinate of the scene: a scaled one of the star with a small denominator, or an integer half
- * way between two doubles, or next to it. */
+/* A scaled coordinate of the star, or an integer half way between two doubles or next to that. */
 static void draw_value(fmpq_t value, const fmpz_t star, int scene, int axis, uint64_t *state) {
-  fmpz *top = fmpq_numref(value);
-  fmpz_set_ui(fmpq_denref(value), scene == TIES ? 1 : 1 + draw(state) % 12);
-  fmpz_ui_pow_ui(top, 10, powers[scene][axis]);
-  fmpz_mul(top, top, star);
-  if (scene != EXACT) fmpz_add_ui(top, top, draw(state) >> 40);
+  fmpz *top = fmpq_numref(value), *below = fmpq_denref(value);
   if (scene == TIES) {
     fmpz_set_ui(top, draw(state) >> 11 << 1 | UINT64_C(1) << 53 | 1);
     fmpz_mul_2exp(top, top, draw(state) % 140);
-    fmpz_set_si(fmpq_denref(value), (long)(draw(state) % 3) - 1);
-    fmpz_add(top, top, fmpq_denref(value));
+    fmpz_add_si(top, top, (long)(draw(state) % 3) - 1);
     if (draw(state) % 2 == 0) fmpz_neg(top, top);
-    fmpz_one(fmpq_denref(value));
+  } else {
+    fmpz_ui_pow_ui(top, 10, scenes[scene][axis]);
+    fmpz_mul(top, top, star);
+    fmpz_ui_pow_ui(below, 10, scenes[scene][2]);
+    fmpz_mul_ui(below, below, 1 + draw(state) % 12);
   }
   fmpq_canonicalise(value);
 }
@@ -267,50 +237,43 @@ static void check_coordinate(double u, const fmpz_t x, long exponent, fmpq_t met
   arf_set_fmpz(truth, x);
   arf_mul_2exp_si(truth, truth, -exponent);
   ck_assert_double_eq(u, arf_get_d(truth, ARF_RND_NEAR));
-  fmpq_mul_fmpz(metres, metres, (const fmpz[]){1250});
-  fmpq_div_fmpz(metres, metres, (const fmpz[]){381}); /* from feet in metres */
+  fmpq_div(metres, metres, &foot);
   ck_assert(fmpq_equal(metres, written));
   arf_clear(truth);
 }
 
+/* The first chain, which centres the lattice: about 0, or 4 * 2^200; the second is the scene. */
 static void draw_lines(tp_polyline lines[2], int scene, uint64_t *state) {
-  fmpq_t x, y;
-  fmpq_init(x);
-  fmpq_init(y);
-  for (long k = 0; k < 2; k++) { /* the first chain, which centres the lattice: 2^200 (0 or 4) */
-    fmpq_set_si(x, (scene == FAR_OFF ? 4 : 0) + 2 * k - 1, 1);
-    if (scene != EXACT) fmpq_mul_2exp(x, x, 200);
-    ck_assert(tp_polyline_append(lines, x, x, (tp_mark){0}));
+  for (long k = 0; k < 2002; k++) {
+    fmpq x = {(scene == FAR_OFF ? 4 : 0) + 2 * k - 1, 1}, y = {0, 1};
+    fmpq_mul_2exp(&x, &x, scenes[scene][3]);
+    fmpq_set(&y, &x);
+    if (k > 1) draw_value(&x, px + k, scene, 0, state);
+    if (k > 1) draw_value(&y, py + k, scene, 1, state);
+    ck_assert(tp_polyline_append(lines + (k > 1), &x, &y, (tp_mark){0}));
+    fmpq_clear(&x);
+    fmpq_clear(&y);
   }
-  for (long k = 0; k < 2000; k++) {
-    draw_value(x, px + k, scene, 0, state);
-    draw_value(y, py + k, scene, 1, state);
-    ck_assert(tp_polyline_append(lines + 1, x, y, (tp_mark){0}));
-  }
-  fmpq_clear(x);
-  fmpq_clear(y);
 }
 
 /* Guards the lattice: metres come back exactly, doubles are what FLINT rounds to nearest, and sums
  * of rounded coordinates keep the bound that counts the rounding; for huge coordinates, small ones,
- * a sliver of aspect 1e-55, a ring far off the centre of the lattice, and ties. */
+ * a sliver of aspect 1e-55, tiny ones, a ring far off the centre of the lattice, and ties. */
 START_TEST(test_lattice_rounds_as_it_says) {
   uint64_t state = 4;
   tp_polyline lines[2] = {0};
   tp_lattice lattice;
-  fmpq foot = {381, 1250}, metres = {0, 1}; /* small: on the spot */
-  set_star(0, 2000, 1e6, 1e6, (const long[]){5, 7}, &state);
+  fmpq metres = {0, 1};
+  set_star(2, 2000, 1e6, 1e6, (const long[]){5, 7}, &state);
   draw_lines(lines, _i, &state);
   const tp_polyline *const chains[2] = {lines, lines + 1};
   ck_assert_int_eq(tp_lattice_init(&lattice, chains, 2, &foot, NULL), TP_OK);
   ck_assert_int_eq(lattice.exponent > 0, _i != EXACT);
-  for (long k = 0; k < lattice.count; k++) {
-    const tp_polyline *line = lines + (k > 1);
-    const long at = k > 1 ? k - 2 : k;
+  for (long k = 2; k < lattice.count; k++) {
     tp_lattice_metres_x(&metres, &lattice, lattice.x + k);
-    check_coordinate(lattice.u[k], lattice.x + k, lattice.exponent, &metres, line->x + at);
+    check_coordinate(lattice.u[k], lattice.x + k, lattice.exponent, &metres, lines[1].x + k - 2);
     tp_lattice_metres_y(&metres, &lattice, lattice.y + k);
-    check_coordinate(lattice.v[k], lattice.y + k, lattice.exponent, &metres, line->y + at);
+    check_coordinate(lattice.v[k], lattice.y + k, lattice.exponent, &metres, lines[1].y + k - 2);
   }
   check_double(lattice.x + 2, lattice.y + 2, lattice.u + 2, lattice.v + 2, 2000, lattice.exponent);
   tp_lattice_clear(&lattice);
@@ -323,10 +286,8 @@ END_TEST
 int main(void) {
   Suite *suite = suite_create("sums");
   TCase *cases = tcase_create("sums");
-  tcase_set_timeout(cases, 120);
   tcase_add_test(cases, test_ring_sums_are_sums_over_triangles);
   tcase_add_loop_test(cases, test_double_sums_keep_their_bound, 0, 6);
-  tcase_add_test(cases, test_double_bound_is_useful);
   tcase_add_test(cases, test_balls_contain_the_truth);
   tcase_add_loop_test(cases, test_sums_by_hand, 0, 2);
   tcase_add_loop_test(cases, test_lattice_rounds_as_it_says, 0, SCENES);

@@ -3,8 +3,6 @@
 
 #include "base/contact.h"
 
-#include "base/facets.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,15 +10,6 @@ void tp_contact_clear(tp_contact *contact) {
   free(contact->facets);
   free(contact->points);
   memset(contact, 0, sizeof *contact);
-}
-
-bool tp_contact_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point) {
-  return tp_facets_same_point(lattice, facet->q0, point) ||
-         tp_facets_same_point(lattice, facet->q1, point);
-}
-
-int tp_contact_side(const tp_lattice *lattice, long p, long q, const tp_facet *facet) {
-  return tp_facets_dot(lattice, p, q, facet->t0, facet->t1);
 }
 
 static int compare_heights(const tp_lattice *l, long a, long b) {
@@ -53,7 +42,7 @@ static tp_pivot_kind kind_alone(const tp_lattice *l, long point, long outline_co
 static void add_point(tp_contact *contact, const tp_lattice *l, long point, long left, long right) {
   for (long k = contact->point_count - 1; k >= 0 && k >= contact->point_count - 2; k--) {
     tp_contact_point *known = contact->points + k;
-    if (!tp_facets_same_point(l, known->point, point)) continue;
+    if (!tp_facet_same_point(l, known->point, point)) continue;
     if (left >= 0) known->left = left;
     if (right >= 0) known->right = right;
     return;

@@ -12,14 +12,7 @@
 #ifndef TP_CONTACT_H
 #define TP_CONTACT_H
 
-#include "base/profile.h"
-
-/* Ends and direction by points of the lattice; the block lies on the left of the direction. */
-typedef struct tp_facet {
-  long q0, q1; /* from left to right; equal for a contact in a point */
-  long t0, t1; /* direction from t0 to t1; equal: restrains nothing */
-  long base_edge;
-} tp_facet;
+#include "base/facets.h"
 
 /* A vertex of the contact: candidate pivot. */
 typedef struct tp_contact_point {
@@ -42,12 +35,5 @@ TP_MUST_USE tp_status tp_contact_init(tp_contact *contact, const tp_section *sec
                                       const tp_base *base, const tp_lattice *lattice,
                                       tp_message *message);
 void tp_contact_clear(tp_contact *contact);
-
-/* Does the facet begin or end in the point? */
-bool tp_contact_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point);
-
-/* (q - p) . t for points of the lattice and the direction of a facet: below zero where turning
- * about p towards the left presses q into the facet's other side (mechanics section 3). */
-int tp_contact_side(const tp_lattice *lattice, long p, long q, const tp_facet *facet);
 
 #endif

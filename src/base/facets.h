@@ -1,12 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Finding the facets of a contact; used by contact.c alone. */
+/* Facets of a contact: their geometry on the lattice, and how they are found. */
 
 #ifndef TP_FACETS_H
 #define TP_FACETS_H
 
-#include "base/contact.h"
+#include "base/profile.h"
+
+/* Ends and direction by points of the lattice; the block lies on the left of the direction. */
+typedef struct tp_facet {
+  long q0, q1; /* from left to right; equal for a contact in a point */
+  long t0, t1; /* direction from t0 to t1; equal: restrains nothing */
+  long base_edge;
+} tp_facet;
 
 /* A growing list of facets. */
 typedef struct tp_facets {
@@ -27,9 +34,16 @@ TP_MUST_USE tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *
                                            tp_message *message);
 
 /* Sign of (b - a) x (d - c) and of (b - a) . (d - c) for points of the lattice. */
-int tp_facets_cross(const tp_lattice *lattice, long a, long b, long c, long d);
-int tp_facets_dot(const tp_lattice *lattice, long a, long b, long c, long d);
+int tp_facet_cross(const tp_lattice *lattice, long a, long b, long c, long d);
+int tp_facet_dot(const tp_lattice *lattice, long a, long b, long c, long d);
 
-bool tp_facets_same_point(const tp_lattice *lattice, long a, long b);
+bool tp_facet_same_point(const tp_lattice *lattice, long a, long b);
+
+/* Does the facet begin or end in the point? */
+bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point);
+
+/* Sign of (q - p) . t, t the direction of the facet: below zero where turning about p towards the
+ * left presses q through it (mechanics section 3). */
+int tp_facet_side(const tp_lattice *lattice, const tp_facet *facet, long p, long q);
 
 #endif

@@ -19,6 +19,21 @@ tp_status tp_check_geometry(tp_geom_status geometry, const char *what, tp_messag
 /* "the edge from vertex 2 (30, 5) to vertex 3 (60, 0)" for the k-th edge of a closed ring. */
 void tp_check_edge_text(char *text, size_t size, const tp_polyline *ring, long edge);
 
+/* The first meeting in the order of edges; a mess of meetings is cut off after a million. */
+typedef struct tp_first_meeting {
+  bool found;
+  long seen;
+  tp_geom_meeting meeting;
+  bool (*counts)(const void *context, tp_geom_meeting meeting);
+  const void *context;
+} tp_first_meeting;
+
+/* A tp_geom_visitor for a tp_first_meeting. */
+bool tp_check_keep_first(void *context, tp_geom_meeting meeting);
+
+/* "crosses", "touches", "lies on". */
+const char *tp_check_verb(tp_geom_meeting_kind kind);
+
 /* Refuse a closed ring with a vertex given twice in a row, all vertices on a line, or one that
  * meets itself. `name` is the ring in the message. */
 TP_MUST_USE tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,

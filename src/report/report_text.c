@@ -4,7 +4,7 @@
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
 #include "number/ladder.h"
-#include "report/text.h"
+#include "report/page.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,65 +12,26 @@
 
 enum { ROWS_SHOWN = 16 };
 
-typedef struct page {
-  tp_text text;
-  const tp_solution *solution;
-} page;
-
-/* A length in the scene's unit. */
-static const char *length(const page *p, char out[TP_NUMBER_SIZE], tp_bounded metres, int digits) {
-  return tp_text_significant(out, tp_text_over(metres, p->solution->metres_per_unit), digits);
-}
-
-/* A force or a pressure, in thousands where it is large. */
-static void add_quantity(page *p, tp_bounded number, const char *unit) {
-  char n[TP_NUMBER_SIZE];
-  const bool large = number.value >= 1e4;
-  if (large) number = tp_text_over(number, 1e3);
-  tp_text_add(&p->text, "%s %s%s", tp_text_significant(n, number, 5), large ? "k" : "", unit);
-}
-
-/* An angle with up to three decimals that are not zero. */
-static const char *degrees(char out[TP_NUMBER_SIZE], tp_bounded angle) {
-  tp_text_fixed(out, angle, 3);
-  if (strchr(out, '.') == NULL) return out;
-  size_t length_left = strlen(out);
-  while (out[length_left - 1] == '0') out[--length_left] = '\0';
-  if (out[length_left - 1] == '.') out[length_left - 1] = '\0';
-  return out;
-}
-
-static const char *fos_text(char out[TP_NUMBER_SIZE], tp_fos fos) {
-  switch (fos.state) {
-  case TP_FOS_NUMBER:
-    return tp_text_fixed(out, fos.value, 3);
-  case TP_FOS_NO_OVERTURNING:
-    return "unbounded";
-  case TP_FOS_NO_TILT:
-  case TP_FOS_NOT_ASKED:
-    break;
-  }
-  return "-";
-}
-
-static void add_teeth(page *p) {
+static void add_teeth(tp_page *p) {
   const tp_teeth_result *teeth = &p->solution->teeth;
   const char *unit = p->solution->length_unit;
   char n[7][TP_NUMBER_SIZE];
   if (!teeth->known) return;
   tp_text_add(&p->text, "Teeth    N = %zu, a = %s, b = %s, c = %s %s; left end %s, right end %s\n",
-              teeth->count, length(p, n[0], teeth->width_m, 6), length(p, n[1], teeth->height_m, 6),
-              length(p, n[2], teeth->depth_m, 6), unit, tp_text_pivot_kind(teeth->left_end),
+              teeth->count, tp_page_length(p, n[0], teeth->width_m, 6),
+              tp_page_length(p, n[1], teeth->height_m, 6),
+              tp_page_length(p, n[2], teeth->depth_m, 6), unit, tp_text_pivot_kind(teeth->left_end),
               tp_text_pivot_kind(teeth->right_end));
   tp_text_add(&p->text,
               "         width Δx = %s, mean height y = %s, amplitude A = %s,\n"
               "         wavelength λ = %s %s\n",
-              length(p, n[3], teeth->block_width_m, 6), length(p, n[4], teeth->mean_height_m, 6),
-              length(p, n[5], teeth->amplitude_m, 6), length(p, n[6], teeth->wavelength_m, 6),
-              unit);
+              tp_page_length(p, n[3], teeth->block_width_m, 6),
+              tp_page_length(p, n[4], teeth->mean_height_m, 6),
+              tp_page_length(p, n[5], teeth->amplitude_m, 6),
+              tp_page_length(p, n[6], teeth->wavelength_m, 6), unit);
 }
 
-static void add_block(page *p) {
+static void add_block(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_block_result *b = &s->block;
   const char *unit = s->length_unit;
@@ -78,13 +39,13 @@ static void add_block(page *p) {
   const tp_bounded area =
       tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
   tp_text_add(&p->text, "Block    area %s %s², centroid (%s, %s) %s",
-              tp_text_significant(n[0], area, 6), unit, length(p, n[1], b->centroid_x_m, 6),
-              length(p, n[2], b->centroid_y_m, 6), unit);
+              tp_text_significant(n[0], area, 6), unit, tp_page_length(p, n[1], b->centroid_x_m, 6),
+              tp_page_length(p, n[2], b->centroid_y_m, 6), unit);
   if (b->has_weight) {
     tp_text_add(&p->text, ", weight ");
-    add_quantity(p, b->weight_n, "N");
+    tp_page_add_quantity(p, b->weight_n, "N");
     tp_text_add(&p->text, "\n         over a thickness of %s %s",
-                length(p, n[3], b->thickness_m, 6), unit);
+                tp_page_length(p, n[3], b->thickness_m, 6), unit);
   } else {
     tp_text_add(&p->text, "\n         (no weight: the scene gives no unit_weight_kn_m3)");
   }
@@ -96,24 +57,24 @@ static void add_block(page *p) {
   tp_text_add(&p->text, "\n");
 }
 
-static void add_ends(page *p, const tp_contact_result *c) {
+static void add_ends(tp_page *p, const tp_contact_result *c) {
   const char *unit = p->solution->length_unit;
   char n[2][TP_NUMBER_SIZE];
   const bool left = c->beyond_left_m.value > 0, right = c->beyond_right_m.value > 0;
-  length(p, n[0], c->beyond_left_m, 6);
-  length(p, n[1], c->beyond_right_m, 6);
+  tp_page_length(p, n[0], c->beyond_left_m, 6);
+  tp_page_length(p, n[1], c->beyond_right_m, 6);
   if (!left && !right) {
     tp_text_add(&p->text, "ends with the block on both sides");
   } else if (left && right) {
-    tp_text_add(&p->text, "goes on by %s %s on the left, %s %s on the right", n[0],
-                unit, n[1], unit);
+    tp_text_add(&p->text, "goes on by %s %s on the left, %s %s on the right", n[0], unit, n[1],
+                unit);
   } else {
     tp_text_add(&p->text, "ends with the block on the %s, goes on for %s %s on the %s",
                 left ? "right" : "left", left ? n[0] : n[1], unit, left ? "left" : "right");
   }
 }
 
-static void add_base(page *p) {
+static void add_base(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
   char n[2][TP_NUMBER_SIZE];
@@ -132,33 +93,34 @@ static void add_base(page *p) {
     tp_text_add(&p->text, " and %zu contact%s in a point", c->points, c->points == 1 ? "" : "s");
   }
   tp_text_add(&p->text, ",\n         %s %s long, %s %s along the mean plane",
-              length(p, n[0], c->length_m, 6), s->length_unit,
-              length(p, n[1], c->nominal_length_m, 6), s->length_unit);
+              tp_page_length(p, n[0], c->length_m, 6), s->length_unit,
+              tp_page_length(p, n[1], c->nominal_length_m, 6), s->length_unit);
   if (s->block.has_weight && c->facets > 0) {
     tp_text_add(&p->text, ";\n         weight per area ");
-    add_quantity(p, c->weight_per_contact_area_pa, "Pa");
+    tp_page_add_quantity(p, c->weight_per_contact_area_pa, "Pa");
     tp_text_add(&p->text, ", per area of the mean plane ");
-    add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
+    tp_page_add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
   }
   tp_text_add(&p->text, "\n");
 }
 
-static void add_pivot_row(page *p, const tp_case *c, size_t k) {
+static void add_pivot_row(tp_page *p, const tp_case *c, size_t k) {
   const tp_pivot *pivot = c->pivots + k;
   char n[5][TP_NUMBER_SIZE];
   const bool governs = c->has_governing && k == c->governing;
   tp_text_add(&p->text, "%s %-8s %10s %10s %13s°", governs ? ">" : " ",
-              tp_text_pivot_kind(pivot->kind), length(p, n[0], pivot->x_m, 6),
-              length(p, n[1], pivot->y_m, 6), tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
+              tp_text_pivot_kind(pivot->kind), tp_page_length(p, n[0], pivot->x_m, 6),
+              tp_page_length(p, n[1], pivot->y_m, 6),
+              tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
   if (p->solution->has_tilt_angle) {
-    tp_text_add(&p->text, " %9s %9s", fos_text(n[3], pivot->fos_resultant),
-                fos_text(n[4], pivot->fos_elements));
+    tp_text_add(&p->text, " %9s %9s", tp_page_fos(n[3], pivot->fos_resultant),
+                tp_page_fos(n[4], pivot->fos_elements));
   }
   tp_text_add(&p->text, "  %s\n", governs ? "governs" : pivot->admissible ? "yes" : "no");
 }
 
 /* The admissible pivots, and of the others as many as fit, those nearest to the toe. */
-static void add_pivots(page *p, const tp_case *c) {
+static void add_pivots(tp_page *p, const tp_case *c) {
   char x[16], y[16];
   snprintf(x, sizeof x, "x (%s)", p->solution->length_unit);
   snprintf(y, sizeof y, "y (%s)", p->solution->length_unit);
@@ -180,25 +142,18 @@ static void add_pivots(page *p, const tp_case *c) {
   }
 }
 
-static void add_pivot_name(page *p, const tp_case *c) {
-  const tp_pivot *pivot = c->pivots + c->governing;
-  char n[2][TP_NUMBER_SIZE];
-  tp_text_add(&p->text, "the %s at (%s, %s)", tp_text_pivot_kind(pivot->kind),
-              length(p, n[0], pivot->x_m, 6), length(p, n[1], pivot->y_m, 6));
-}
-
 /* "topples about the valley at (0, 0)" */
-static void add_first(page *p, const tp_case *c) {
+static void add_first(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
   if (c->first != TP_TOPPLES) return;
   tp_text_add(&p->text, " about ");
-  add_pivot_name(p, c);
+  tp_page_add_pivot(p, c);
 }
 
-static void add_verdict(page *p, const tp_case *c) {
+static void add_verdict(tp_page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
   char n[3][TP_NUMBER_SIZE];
-  degrees(n[0], s->tilt_angle_deg);
+  tp_page_degrees(n[0], s->tilt_angle_deg);
   tp_text_add(&p->text, "\n  ");
   if (c->falls_backwards) {
     tp_text_add(&p->text,
@@ -236,7 +191,7 @@ static void add_verdict(page *p, const tp_case *c) {
   }
 }
 
-static void add_sliding(page *p, const tp_case *c) {
+static void add_sliding(tp_page *p, const tp_case *c) {
   const tp_sliding *s = &c->sliding;
   char n[8][TP_NUMBER_SIZE];
   if (!p->solution->has_friction) {
@@ -253,15 +208,15 @@ static void add_sliding(page *p, const tp_case *c) {
   tp_bounded i = s->facet_angle_deg;
   if (!climbs) i.value = -i.value;
   tp_text_add(&p->text, "  Sliding by Patton's φ_b %s i = %s° %s %s° = %s°", climbs ? "+" : "-",
-              degrees(n[0], p->solution->friction_angle_deg), climbs ? "+" : "-", degrees(n[1], i),
-              tp_text_fixed(n[2], s->critical_angle_deg, 3));
+              tp_page_degrees(n[0], p->solution->friction_angle_deg), climbs ? "+" : "-",
+              tp_page_degrees(n[1], i), tp_text_fixed(n[2], s->critical_angle_deg, 3));
   if (s->fos.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
   }
-  length(p, n[4], s->facet_x0_m, 6);
-  length(p, n[5], s->facet_y0_m, 6);
-  length(p, n[6], s->facet_x1_m, 6);
-  length(p, n[7], s->facet_y1_m, 6);
+  tp_page_length(p, n[4], s->facet_x0_m, 6);
+  tp_page_length(p, n[5], s->facet_y0_m, 6);
+  tp_page_length(p, n[6], s->facet_x1_m, 6);
+  tp_page_length(p, n[7], s->facet_y1_m, 6);
   if (strcmp(n[4], n[6]) == 0 && strcmp(n[5], n[7]) == 0) {
     tp_text_add(&p->text, ",\n  against the contact in (%s, %s)", n[4], n[5]);
   } else {
@@ -271,7 +226,7 @@ static void add_sliding(page *p, const tp_case *c) {
 }
 
 /* Where moment equilibrium asks the toe for a reaction outside its friction cone. */
-static void add_toe(page *p, const tp_case *c) {
+static void add_toe(tp_page *p, const tp_case *c) {
   const tp_toe *toe = &c->toe;
   char n[2][TP_NUMBER_SIZE];
   if (!toe->known || toe->holds) return;
@@ -286,11 +241,11 @@ static void add_toe(page *p, const tp_case *c) {
               tp_text_fixed(n[1], toe->limit_angle_deg, 3));
 }
 
-static void add_case(page *p, const tp_case *c) {
+static void add_case(tp_page *p, const tp_case *c) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(&p->text, "\nTilted towards the %s", tp_text_direction(c->towards));
   if (p->solution->has_tilt_angle) {
-    tp_text_add(&p->text, " by %s°", degrees(n, p->solution->tilt_angle_deg));
+    tp_text_add(&p->text, " by %s°", tp_page_degrees(n, p->solution->tilt_angle_deg));
   }
   tp_text_add(&p->text, "\n\n");
   add_pivots(p, c);
@@ -309,7 +264,7 @@ static double seconds(const tp_solution *s) {
   return sum;
 }
 
-static void add_effects(page *p) {
+static void add_effects(tp_page *p) {
   const tp_solution *s = p->solution;
   tp_text_add(&p->text,
               "\nCertain to every digit printed, by %s arithmetic, in %.2g ms. What ran:\n",
@@ -321,54 +276,12 @@ static void add_effects(page *p) {
 }
 
 tp_status tp_report_text(char **text, const tp_solution *solution) {
-  page p = {.solution = solution};
+  tp_page p = {.solution = solution};
   if (solution->title != NULL) tp_text_add(&p.text, "%s\n\n", solution->title);
   add_teeth(&p);
   add_block(&p);
   add_base(&p);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
   add_effects(&p);
-  return tp_text_finish(&p.text, text);
-}
-
-static void add_account(page *p, const tp_case *c) {
-  const tp_solution *s = p->solution;
-  const tp_account *a = &c->account;
-  const char *weight = s->block.has_weight ? "N" : "W";
-  char n[5][TP_NUMBER_SIZE], head[4][32];
-  if (a->count == 0) return;
-  tp_text_add(&p->text, "\nMoments by elements about ");
-  add_pivot_name(p, c);
-  tp_text_add(&p->text, ",\ntilted towards the %s by %s°%s\n", tp_text_direction(c->towards),
-              degrees(n[0], a->angle_deg), a->at_critical_angle ? ", the critical angle" : "");
-  snprintf(head[0], sizeof head[0], "weight (%s)", weight);
-  snprintf(head[1], sizeof head[1], "x arm (%s)", s->length_unit);
-  snprintf(head[2], sizeof head[2], "y arm (%s)", s->length_unit);
-  snprintf(head[3], sizeof head[3], "(%s %s)", weight, s->length_unit);
-  tp_text_add(&p->text, "%5s  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "", "", "stabilising",
-              "overturning");
-  tp_text_add(&p->text, "%5s  %-8s %11s %11s %11s %13s %13s\n", "#", "element", head[0], head[1],
-              head[2], head[3], head[3]);
-  for (size_t k = 0; k < a->count; k++) {
-    const tp_element *e = a->elements + k;
-    tp_text_add(&p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
-                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
-                tp_text_significant(n[0], e->weight, 6), length(p, n[1], e->normal_arm_m, 6),
-                length(p, n[2], e->parallel_arm_m, 6), length(p, n[3], e->stabilising, 6),
-                length(p, n[4], e->overturning, 6));
-  }
-  tp_text_add(&p->text, "  sum  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "",
-              length(p, n[0], a->stabilising, 6), length(p, n[1], a->overturning, 6));
-  const tp_pivot *pivot = c->pivots + c->governing;
-  if (pivot->fos_elements.state == TP_FOS_NUMBER) {
-    tp_text_add(&p->text, "  FoS by elements %s, by the resultant %s\n",
-                fos_text(n[0], pivot->fos_elements), fos_text(n[1], pivot->fos_resultant));
-  }
-}
-
-tp_status tp_report_elements(char **text, const tp_solution *solution) {
-  page p = {.solution = solution};
-  tp_text_add(&p.text, "%s", "");
-  for (size_t k = 0; k < solution->case_count; k++) add_account(&p, solution->cases + k);
   return tp_text_finish(&p.text, text);
 }

@@ -5,8 +5,8 @@
 
 static bool opens(const tp_lattice *lattice, const tp_facet *facet, long p,
                   tp_direction direction) {
-  return direction == TP_TOWARDS_LEFT ? tp_contact_side(lattice, p, facet->q0, facet) >= 0
-                                      : tp_contact_side(lattice, facet->q1, p, facet) >= 0;
+  return direction == TP_TOWARDS_LEFT ? tp_facet_side(lattice, facet, p, facet->q0) >= 0
+                                      : tp_facet_side(lattice, facet, facet->q1, p) >= 0;
 }
 
 void tp_admissible_find(bool *admissible, const tp_contact *contact, const tp_lattice *lattice,

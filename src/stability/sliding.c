@@ -238,7 +238,7 @@ void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball 
   governing_init(&best);
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
-    if (tp_contact_ends_in(&e->problem->lattice, facet, toe)) {
+    if (tp_facet_ends_in(&e->problem->lattice, facet, toe)) {
       consider(e, k, result->towards, &best);
     }
   }

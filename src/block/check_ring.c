@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "block/check.h"
+
+#include "number/ratio.h"
+
+#include <stdio.h>
+#include <string.h>
+
+tp_geom_rings tp_check_rings(const tp_lattice *lattice, long first, long count, size_t *start) {
+  const long offset = lattice->start[first];
+  for (long r = 0; r <= count; r++) start[r] = (size_t)(lattice->start[first + r] - offset);
+  return (tp_geom_rings){.count = (size_t)count,
+                         .start = start,
+                         .u = lattice->u + offset,
+                         .v = lattice->v + offset,
+                         .x = lattice->x + offset,
+                         .y = lattice->y + offset,
+                         .small = lattice->exponent == 0};
+}
+
+tp_status tp_check_geometry(tp_geom_status geometry, const char *what, tp_message *message) {
+  switch (geometry) {
+  case TP_GEOM_OK:
+    return TP_OK;
+  case TP_GEOM_OUT_OF_MEMORY:
+    return tp_fail_memory(message, what);
+  case TP_GEOM_FAILED:
+    break;
+  }
+  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){0},
+                 "the geometry library failed on %s; please report this scene", what);
+}
+
+void tp_check_edge_text(char *text, size_t size, const tp_polyline *ring, long edge) {
+  long from = edge, to = edge + 1 == ring->count ? 0 : edge + 1;
+  if (ring->reversed) {
+    const long held = from;
+    from = to;
+    to = held;
+  }
+  char p[4][64];
+  tp_ratio_text(p[0], sizeof p[0], ring->x + from);
+  tp_ratio_text(p[1], sizeof p[1], ring->y + from);
+  tp_ratio_text(p[2], sizeof p[2], ring->x + to);
+  tp_ratio_text(p[3], sizeof p[3], ring->y + to);
+  snprintf(text, size, "the edge from vertex %ld (%s, %s) to vertex %ld (%s, %s)",
+           tp_polyline_number(ring, from), p[0], p[1], tp_polyline_number(ring, to), p[2], p[3]);
+}
+
+static tp_status fail_repeated(const tp_polyline *ring, long k, long next, const char *name,
+                               tp_message *message) {
+  const bool later = tp_polyline_number(ring, next) > tp_polyline_number(ring, k);
+  const long twin = later ? next : k, original = later ? k : next;
+  char x[64], y[64];
+  tp_ratio_text(x, sizeof x, ring->x + twin);
+  tp_ratio_text(y, sizeof y, ring->y + twin);
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, twin),
+                 "%s: vertex %ld repeats vertex %ld at (%s, %s); delete one of them%s", name,
+                 tp_polyline_number(ring, twin), tp_polyline_number(ring, original), x, y,
+                 tp_polyline_number(ring, original) == 1 &&
+                         tp_polyline_number(ring, twin) == ring->count
+                     ? " (an outline closes itself)"
+                     : "");
+}
+
+static bool collinear(const tp_lattice *lattice, long first, long count) {
+  const fmpz *x = lattice->x + first, *y = lattice->y + first;
+  fmpz_t dx, dy, turn;
+  fmpz_init(dx);
+  fmpz_init(dy);
+  fmpz_init(turn);
+  bool straight = true;
+  for (long k = 2; k < count && straight; k++) {
+    fmpz_sub(dx, x + 1, x);
+    fmpz_sub(dy, y + k, y);
+    fmpz_mul(turn, dx, dy);
+    fmpz_sub(dx, x + k, x);
+    fmpz_sub(dy, y + 1, y);
+    fmpz_submul(turn, dx, dy);
+    straight = fmpz_is_zero(turn);
+  }
+  fmpz_clear(dx);
+  fmpz_clear(dy);
+  fmpz_clear(turn);
+  return straight;
+}
+
+bool tp_check_keep_first(void *context, tp_geom_meeting meeting) {
+  tp_first_meeting *first = context;
+  if (first->counts != NULL && !first->counts(first->context, meeting)) return true;
+  const tp_geom_meeting *best = &first->meeting;
+  if (!first->found || meeting.a < best->a || (meeting.a == best->a && meeting.b < best->b)) {
+    first->meeting = meeting;
+  }
+  first->found = true;
+  return ++first->seen < 1000000;
+}
+
+const char *tp_check_verb(tp_geom_meeting_kind kind) {
+  switch (kind) {
+  case TP_GEOM_CROSS:
+    return "crosses";
+  case TP_GEOM_TOUCH:
+    return "touches";
+  case TP_GEOM_OVERLAP:
+    break;
+  }
+  return "lies on";
+}
+
+static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *rings,
+                                 const char *name, tp_message *message) {
+  tp_first_meeting first = {0};
+  const tp_status status = tp_check_geometry(
+      tp_geom_find_meetings(rings, -1, tp_check_keep_first, &first), "a crossing outline", message);
+  if (status != TP_OK) return status;
+  if (!first.found) {
+    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1), "%s crosses itself", name);
+  }
+  const long a = (long)first.meeting.a, b = (long)first.meeting.b;
+  char one[320], other[320], where[300];
+  tp_check_edge_text(one, sizeof one, ring, a);
+  tp_check_edge_text(other, sizeof other, ring, b);
+  tp_place_text(where, sizeof where, tp_polyline_place(ring, b));
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, a),
+                 "%s %s itself: %s %s %s (%s); reorder or move the vertices", name,
+                 first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "touches", one,
+                 tp_check_verb(first.meeting.kind), other, where);
+}
+
+tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,
+                        const char *name, tp_message *message) {
+  const long first = lattice->start[chain], count = ring->count;
+  for (long k = 0; k < count; k++) {
+    const long next = k + 1 == count ? 0 : k + 1;
+    if (fmpz_equal(lattice->x + first + k, lattice->x + first + next) &&
+        fmpz_equal(lattice->y + first + k, lattice->y + first + next)) {
+      return fail_repeated(ring, k, next, name, message);
+    }
+  }
+  if (collinear(lattice, first, count)) {
+    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1),
+                   "%s has no area: all its vertices lie on one line", name);
+  }
+  size_t start[2];
+  const tp_geom_rings rings = tp_check_rings(lattice, chain, 1, start);
+  bool simple = false;
+  const tp_status status = tp_check_geometry(tp_geom_is_simple(&simple, &rings, 0), name, message);
+  if (status != TP_OK || simple) return status;
+  return fail_not_simple(ring, &rings, name, message);
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A page for a terminal, 80 columns wide: numbers in the scene's units, every printed digit
+ * certain. */
+
+#ifndef TP_PAGE_H
+#define TP_PAGE_H
+
+#include "report/text.h"
+
+typedef struct tp_page {
+  tp_text text;
+  const tp_solution *solution;
+} tp_page;
+
+/* A length, or a moment per unit of force, in the scene's length unit. */
+const char *tp_page_length(const tp_page *page, char out[TP_NUMBER_SIZE], tp_bounded metres,
+                           int digits);
+
+/* An angle with up to three decimals that are not zero. */
+const char *tp_page_degrees(char out[TP_NUMBER_SIZE], tp_bounded angle);
+
+/* A factor of safety, or what stands for it where it is no number. */
+const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos);
+
+/* A force or a pressure, in thousands where it is large. */
+void tp_page_add_quantity(tp_page *page, tp_bounded number, const char *unit);
+
+/* "the valley at (0, 0)": the governing pivot. */
+void tp_page_add_pivot(tp_page *page, const tp_case *own);
+
+#endif
