@@ -87,13 +87,12 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
   contact->facets = facets.items;
   contact->facet_count = facets.count;
   if (status == TP_OK) {
-    contact->points = calloc(2 * (size_t)facets.count, sizeof *contact->points);
-    if (contact->points == NULL) status = tp_fail_memory(message, "the contact");
+    contact->points = calloc(2 * (size_t)facets.count + 1, sizeof *contact->points);
   }
-  if (status == TP_OK) {
+  if (contact->points != NULL) {
     collect_points(contact, base, lattice, ring);
-  } else {
-    tp_contact_clear(contact);
+    return TP_OK;
   }
-  return status;
+  tp_contact_clear(contact);
+  return status != TP_OK ? status : tp_fail_memory(message, "the contact");
 }

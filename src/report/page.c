@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-const char *tp_page_length(const tp_page *p, char out[TP_NUMBER_SIZE], tp_bounded metres, int digits) {
+const char *tp_page_length(const tp_page *p, char out[TP_NUMBER_SIZE], tp_bounded metres,
+                           int digits) {
   return tp_text_significant(out, tp_text_over(metres, p->solution->metres_per_unit), digits);
 }
 

@@ -165,7 +165,7 @@ tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_messa
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
                    strerror(errno));
   }
-  r.buffer = malloc(LONGEST_LINE);
+  r.buffer = calloc(1, LONGEST_LINE);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
     status =

@@ -127,7 +127,7 @@ static tp_status take_scalar(builder *b, const yaml_event_t *event) {
   if (wants_key(b)) return take_key(b, text, mark);
   tp_node *node = NULL;
   const tp_status status = attach(b, TP_NODE_SCALAR, mark, &node);
-  if (status != TP_OK) return status;
+  if (status != TP_OK || node == NULL) return status;
   node->text_offset = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
   node->text = strdup(text);
   return node->text != NULL ? TP_OK : tp_fail_memory(b->message, "the scene");
@@ -140,7 +140,7 @@ static tp_status open_collection(builder *b, tp_node_kind kind, tp_mark mark) {
                    MOST_DEPTH);
   }
   const tp_status status = attach(b, kind, mark, &node);
-  if (status == TP_OK) b->open[b->depth++] = node;
+  if (status == TP_OK && node != NULL) b->open[b->depth++] = node;
   return status;
 }
 

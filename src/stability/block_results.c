@@ -154,7 +154,8 @@ static void contact_length_double(tp_evaluation *e, arb_t length) {
     }
     total += part;
   }
-  const double roundings = 1030 + (double)(count / 1024);
+  const long parts = count / 1024;
+  const double roundings = 1030 + (double)parts;
   tp_ball_set_bounded(length, total, 1.01 * roundings * DBL_EPSILON / 2 * total);
 }
 
