@@ -166,6 +166,7 @@ tp_geom_status triangulate_one(tp_geom_triangulation *result, const tp_geom_ring
   }
   Walk<Triangulation> walk(t, layer);
   size_t conflict[2] = {0, 0};
+  if (t.dimension() < 2) return TP_GEOM_FAILED;
   walk.run([&](auto, int, Rings &in, size_t *c) { return walk.toggle(in, 0, c); }, conflict);
   return collect(t, result);
 }
@@ -198,6 +199,7 @@ tp_geom_status triangulate_several(tp_geom_triangulation *result, const tp_geom_
     return std::all_of(entered.begin(), entered.end(),
                        [&](size_t ring) { return walk.toggle(in, ring, conflict); });
   };
+  if (t.dimension() < 2) return TP_GEOM_FAILED;
   result->conflict = false;
   size_t conflict[2] = {0, 0};
   if (!walk.run(cross, conflict)) {

@@ -173,6 +173,9 @@ static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_sectio
   status = add_beyond(base, scene, outline, first, -1, message);
   if (status != TP_OK) return status;
   base->mated_first = base->ring.count;
+  if (!tp_polyline_reserve(&base->ring, base->ring.count + base->mated_count + 4)) {
+    return tp_fail_memory(message, "the base");
+  }
   for (long k = 0; k <= base->mated_count; k++) {
     const long vertex = (first + k) % outline->count;
     if (!tp_polyline_append(&base->ring, outline->x + vertex, outline->y + vertex,

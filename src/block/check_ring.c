@@ -17,7 +17,7 @@ tp_geom_rings tp_check_rings(const tp_lattice *lattice, long first, long count, 
                          .v = lattice->v + offset,
                          .x = lattice->x + offset,
                          .y = lattice->y + offset,
-                         .small = lattice->exponent == 0};
+                         .small = tp_lattice_is_exact(lattice)};
 }
 
 tp_status tp_check_geometry(tp_geom_status geometry, const char *what, tp_message *message) {

@@ -5,6 +5,10 @@
 
 #include "number/ball.h"
 
+/* Integers up to about this size are summed faster exactly than in balls (measured: 90 against 290
+ * ns a vertex at 40 bits, even at 300). */
+enum { EXACT_IS_CHEAPER = 256 };
+
 void tp_moments_init(tp_moments *moments) {
   arb_init(moments->area2);
   for (int k = 0; k < TP_SUM_COUNT; k++) arb_init(moments->weighted + k);
@@ -19,10 +23,12 @@ static void ring_in_double(arb_struct sums[TP_SUM_COUNT], const tp_lattice *latt
                            long count) {
   double values[TP_SUM_COUNT], bounds[TP_SUM_COUNT];
   tp_ring_sums_double(values, bounds, lattice->u + first, lattice->v + first, count,
-                      lattice->exponent == 0);
+                      tp_lattice_is_exact(lattice));
   for (int k = 0; k < TP_SUM_COUNT; k++) {
     tp_ball_set_bounded(sums + k, values[k], bounds[k]);
-    arb_mul_2exp_si(sums + k, sums + k, lattice->exponent * tp_sum_degree[k]);
+    arb_mul_2exp_si(sums + k, sums + k,
+                    lattice->exponent_u * tp_sum_degree[k].x +
+                        lattice->exponent_v * tp_sum_degree[k].y);
   }
 }
 
@@ -53,7 +59,11 @@ void tp_moments_evaluate(tp_moments *moments, const tp_section *section, const t
       ring_in_double(ring, lattice, first, count);
       break;
     case TP_LEVEL_BALL:
-      tp_ring_sums_ball(ring, lattice->x + first, lattice->y + first, count, rung.bits);
+      if (lattice->bits > EXACT_IS_CHEAPER) {
+        tp_ring_sums_ball(ring, lattice->x + first, lattice->y + first, count, rung.bits);
+        break;
+      }
+      ring_exactly(ring, lattice, first, count);
       break;
     case TP_LEVEL_EXACT:
       ring_exactly(ring, lattice, first, count);

@@ -5,7 +5,7 @@
 
 #include "block/ring_sums.h"
 
-const int tp_sum_degree[TP_SUM_COUNT] = {2, 3, 3, 4, 4, 4};
+const tp_degree tp_sum_degree[TP_SUM_COUNT] = {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}};
 
 #define NUMBER fmpz
 #define FUNCTION exact_sums

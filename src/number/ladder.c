@@ -4,7 +4,7 @@
 #include "number/ladder.h"
 
 static const tp_rung rungs[] = {
-    {TP_LEVEL_DOUBLE, 80},  {TP_LEVEL_BALL, 160},   {TP_LEVEL_EXACT, 320},
+    {TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_BALL, 160},   {TP_LEVEL_EXACT, 320},
     {TP_LEVEL_EXACT, 1280}, {TP_LEVEL_EXACT, 5120},
 };
 

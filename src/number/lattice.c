@@ -95,6 +95,19 @@ static void to_doubles(double *rounded, const fmpz *values, long count, long exp
   fmpz_clear(head);
 }
 
+/* Doubles of one axis; the exponent. `*bits` grows to the size of the largest integer. */
+static long round_axis(double *rounded, const fmpz *values, long count, long *bits) {
+  const long own = largest_bits(values, count);
+  const long exponent = own > 53 ? own - 53 : 0;
+  to_doubles(rounded, values, count, exponent);
+  if (own > *bits) *bits = own;
+  return exponent;
+}
+
+bool tp_lattice_is_exact(const tp_lattice *lattice) {
+  return lattice->exponent_u == 0 && lattice->exponent_v == 0;
+}
+
 static bool allocate(tp_lattice *lattice, long chain_count, long count) {
   const size_t points = count > 0 ? (size_t)count : 1;
   lattice->chain_count = chain_count;
@@ -124,12 +137,8 @@ static void fill(tp_lattice *lattice, const tp_polyline *const *chains, const fm
   const long leading = lattice->chain_count > 0 ? chains[0]->count : 0;
   centre(lattice->x, leading, lattice->count, lattice->origin_x);
   centre(lattice->y, leading, lattice->count, lattice->origin_y);
-  const long bits_x = largest_bits(lattice->x, lattice->count);
-  const long bits_y = largest_bits(lattice->y, lattice->count);
-  const long bits = bits_x > bits_y ? bits_x : bits_y;
-  lattice->exponent = bits > 53 ? bits - 53 : 0;
-  to_doubles(lattice->u, lattice->x, lattice->count, lattice->exponent);
-  to_doubles(lattice->v, lattice->y, lattice->count, lattice->exponent);
+  lattice->exponent_u = round_axis(lattice->u, lattice->x, lattice->count, &lattice->bits);
+  lattice->exponent_v = round_axis(lattice->v, lattice->y, lattice->count, &lattice->bits);
 }
 
 tp_status tp_lattice_init(tp_lattice *lattice, const tp_polyline *const *chains, long count,

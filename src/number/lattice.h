@@ -8,7 +8,8 @@
  * ones:
  *     x_m = (x + origin_x) * step_m,   step_m = metres per scene length / D.
  * Predicates and moment sums on the integers are exact with ring operations only. For double
- * arithmetic u = x * 2^-exponent rounded to nearest; exponent 0 says that u is exact. */
+ * arithmetic u = x * 2^-exponent_u and v = y * 2^-exponent_v, rounded to nearest, the largest of
+ * each near 2^53 or below; both exponents 0 say that all u and v are exact. */
 
 #ifndef TP_LATTICE_H
 #define TP_LATTICE_H
@@ -24,7 +25,8 @@ typedef struct tp_lattice {
   long count;  /* points in all */
   fmpz *x, *y;
   double *u, *v;
-  long exponent;
+  long exponent_u, exponent_v;
+  long bits; /* of the largest integer */
   fmpz_t origin_x, origin_y;
   fmpq_t step_m;
 } tp_lattice;
@@ -35,6 +37,9 @@ TP_MUST_USE tp_status tp_lattice_init(tp_lattice *lattice, const tp_polyline *co
                                       long count, const fmpq_t metres_per_unit,
                                       tp_message *message);
 void tp_lattice_clear(tp_lattice *lattice);
+
+/* Are u and v the coordinates themselves? */
+bool tp_lattice_is_exact(const tp_lattice *lattice);
 
 /* The coordinate in metres, exactly. */
 void tp_lattice_metres_x(fmpq_t metres, const tp_lattice *lattice, const fmpz_t x);

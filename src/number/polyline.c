@@ -24,18 +24,22 @@ static bool grow(void **array, long capacity, size_t size) {
   return true;
 }
 
+bool tp_polyline_reserve(tp_polyline *line, long count) {
+  if (count <= line->capacity) return true;
+  void *xs = line->x, *ys = line->y, *marks = line->marks;
+  const bool grown = grow(&xs, count, sizeof *line->x) && grow(&ys, count, sizeof *line->y) &&
+                     grow(&marks, count, sizeof *line->marks);
+  line->x = xs;
+  line->y = ys;
+  line->marks = marks;
+  if (grown) line->capacity = count;
+  return grown;
+}
+
 bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y, tp_mark mark) {
-  if (line->count == line->capacity) {
-    const long capacity = line->capacity == 0 ? 16 : 2 * line->capacity;
-    void *xs = line->x, *ys = line->y, *marks = line->marks;
-    const bool grown = grow(&xs, capacity, sizeof *line->x) &&
-                       grow(&ys, capacity, sizeof *line->y) &&
-                       grow(&marks, capacity, sizeof *line->marks);
-    line->x = xs;
-    line->y = ys;
-    line->marks = marks;
-    if (!grown) return false;
-    line->capacity = capacity;
+  const bool full = line->count == line->capacity;
+  if (full && !tp_polyline_reserve(line, line->capacity == 0 ? 16 : 2 * line->capacity)) {
+    return false;
   }
   const long k = line->count++;
   fmpq_init(line->x + k);
@@ -48,6 +52,10 @@ bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y, tp_ma
 
 bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line) {
   *copy = (tp_polyline){.file = line->file, .mark = line->mark, .reversed = line->reversed};
+  if (!tp_polyline_reserve(copy, line->count)) {
+    tp_polyline_clear(copy);
+    return false;
+  }
   for (long k = 0; k < line->count; k++) {
     if (!tp_polyline_append(copy, line->x + k, line->y + k, line->marks[k])) {
       tp_polyline_clear(copy);

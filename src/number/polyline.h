@@ -25,7 +25,8 @@ typedef struct tp_polyline {
 
 void tp_polyline_clear(tp_polyline *line);
 
-/* Append a point; false when memory is exhausted. */
+/* Make room for `count` points in all; append a point. False when memory is exhausted. */
+TP_MUST_USE bool tp_polyline_reserve(tp_polyline *line, long count);
 TP_MUST_USE bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y,
                                     tp_mark mark);
 TP_MUST_USE bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line);

@@ -224,7 +224,7 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
   arb_init(length);
   arb_init(newton);
   weight(e, newton);
-  if (e->rung.level == TP_LEVEL_DOUBLE && problem->lattice.exponent == 0) {
+  if (e->rung.level == TP_LEVEL_DOUBLE && tp_lattice_is_exact(&problem->lattice)) {
     contact_length_double(e, length);
   } else {
     contact_length_ball(e, length);

@@ -23,8 +23,8 @@ tp_bounded tp_evaluation_rational(const fmpq_t value) {
   return result;
 }
 
-tp_bounded tp_evaluation_x(const tp_evaluation *evaluation, long point) {
-  const tp_lattice *lattice = &evaluation->problem->lattice;
+tp_bounded tp_evaluation_x(const tp_problem *problem, long point) {
+  const tp_lattice *lattice = &problem->lattice;
   fmpq_t metres;
   fmpq_init(metres);
   tp_lattice_metres_x(metres, lattice, lattice->x + point);
@@ -33,8 +33,8 @@ tp_bounded tp_evaluation_x(const tp_evaluation *evaluation, long point) {
   return result;
 }
 
-tp_bounded tp_evaluation_y(const tp_evaluation *evaluation, long point) {
-  const tp_lattice *lattice = &evaluation->problem->lattice;
+tp_bounded tp_evaluation_y(const tp_problem *problem, long point) {
+  const tp_lattice *lattice = &problem->lattice;
   fmpq_t metres;
   fmpq_init(metres);
   tp_lattice_metres_y(metres, lattice, lattice->y + point);

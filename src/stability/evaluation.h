@@ -14,7 +14,8 @@ typedef struct tp_evaluation {
   tp_rung rung;
   int digits;
   tp_moments moments;
-  bool certain; /* all numbers and decisions so far */
+  bool certain;     /* all numbers and decisions so far */
+  bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
 } tp_evaluation;
 
 /* Precision of the arithmetic before functions are taken: sums and products of exact integers stay
@@ -28,8 +29,8 @@ tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball);
 tp_bounded tp_evaluation_rational(const fmpq_t value);
 
 /* Coordinates of a lattice point in metres. */
-tp_bounded tp_evaluation_x(const tp_evaluation *evaluation, long point);
-tp_bounded tp_evaluation_y(const tp_evaluation *evaluation, long point);
+tp_bounded tp_evaluation_x(const tp_problem *problem, long point);
+tp_bounded tp_evaluation_y(const tp_problem *problem, long point);
 
 /* An angle by its direction: tan(angle) = sine / cosine, unnormalised. On exact rungs exact. */
 typedef struct tp_direction_ball {

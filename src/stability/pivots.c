@@ -26,27 +26,25 @@ static void arms(const tp_evaluation *e, tp_direction towards, long point,
   angle->exact_direction = true;
 }
 
-/* tan of the scene's tilt; false where it gives none. */
-static bool tilt_functions(const tp_evaluation *e, arb_t sine, arb_t cosine) {
-  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
-  if (tilt->given) tp_ball_sin_cos_degrees(sine, cosine, tilt->value, e->rung.bits);
-  return tilt->given;
-}
+/* The scene's tilt, where it gives one. */
+typedef struct tilt {
+  bool given;
+  arb_t sine, cosine;
+} tilt;
 
 /* x arm cot(alpha) / y arm, Eq. (2). Nothing overturns where the centroid is not above the pivot,
  * or on level ground. */
-static tp_fos resultant_form(tp_evaluation *e, const tp_direction_ball *angle, const arb_t sine,
-                             const arb_t cosine, bool tilted) {
-  if (!tilted) return (tp_fos){.state = TP_FOS_NO_TILT};
-  if (arb_is_zero(sine) || arb_is_nonpositive(angle->cosine)) {
+static tp_fos resultant_form(tp_evaluation *e, const tp_direction_ball *angle, const tilt *t) {
+  if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
+  if (arb_is_zero(t->sine) || arb_is_nonpositive(angle->cosine)) {
     return (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   }
   tp_fos fos = {.state = TP_FOS_NUMBER};
   arb_t value, divisor;
   arb_init(value);
   arb_init(divisor);
-  arb_mul(value, angle->sine, cosine, e->rung.bits);
-  arb_mul(divisor, angle->cosine, sine, e->rung.bits);
+  arb_mul(value, angle->sine, t->cosine, e->rung.bits);
+  arb_mul(divisor, angle->cosine, t->sine, e->rung.bits);
   arb_div(value, value, divisor, e->rung.bits);
   fos.value = tp_evaluation_result(e, value);
   arb_clear(value);
@@ -64,10 +62,9 @@ static void combine(arb_t sum, const fmpz_t normal, const fmpz_t parallel, const
 /* Each element's components with the stabilising or the overturning moments by their own sign,
  * (A1.3): the normal component W cos(alpha) stabilises beyond the pivot, the parallel one
  * W sin(alpha) overturns above it. */
-static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, const arb_t sine,
-                            const arb_t cosine, bool tilted) {
+static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, const tilt *t) {
   const tp_problem *problem = e->problem;
-  if (!tilted) return (tp_fos){.state = TP_FOS_NO_TILT};
+  if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (!problem->has_elements) return (tp_fos){.state = TP_FOS_NOT_ASKED};
   fmpz m[4]; /* beyond and before along x, above and below along y */
   for (int k = 0; k < 4; k++) fmpz_init(m + k);
@@ -78,8 +75,8 @@ static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, 
   arb_t stabilising, overturning;
   arb_init(stabilising);
   arb_init(overturning);
-  combine(stabilising, m, m + 3, sine, cosine, e->rung.bits);
-  combine(overturning, m + 1, m + 2, sine, cosine, e->rung.bits);
+  combine(stabilising, m, m + 3, t->sine, t->cosine, e->rung.bits);
+  combine(overturning, m + 1, m + 2, t->sine, t->cosine, e->rung.bits);
   tp_fos fos = {.state = TP_FOS_NO_OVERTURNING};
   if (!arb_is_zero(overturning)) {
     fos.state = TP_FOS_NUMBER;
@@ -116,29 +113,38 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   return found;
 }
 
+/* All numbers of one pivot; are they certain? */
+static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long point,
+                           tp_direction_ball *angle, const tilt *t) {
+  const bool certain_before = e->certain;
+  e->certain = true;
+  arms(e, towards, point, angle);
+  pivot->critical_angle_deg = tp_evaluation_result(e, angle->degrees);
+  pivot->fos_resultant = resultant_form(e, angle, t);
+  pivot->fos_elements = elements_form(e, towards, point, t);
+  const bool certain = e->certain;
+  e->certain = certain && certain_before;
+  return certain;
+}
+
 void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *toppling) {
   const tp_contact *contact = &e->problem->contact;
-  tp_direction_ball angle;
-  arb_t sine, cosine;
-  tp_direction_ball_init(&angle);
-  arb_init(sine);
-  arb_init(cosine);
-  const bool tilted = tilt_functions(e, sine, cosine);
+  const tp_quantity *angle = &e->problem->scene->tilt_angle_deg;
+  bool *settled = e->settled[result->towards];
+  tilt t = {.given = angle->given};
+  tp_direction_ball critical;
+  tp_direction_ball_init(&critical);
+  arb_init(t.sine);
+  arb_init(t.cosine);
+  if (t.given) tp_ball_sin_cos_degrees(t.sine, t.cosine, angle->value, e->rung.bits);
   for (size_t k = 0; k < result->pivot_count; k++) {
-    const tp_contact_point *p = contact->points + k;
-    tp_pivot *pivot = result->pivots + k;
-    pivot->kind = p->kind;
-    pivot->admissible = e->problem->admissible[result->towards][k];
-    pivot->x_m = tp_evaluation_x(e, p->point);
-    pivot->y_m = tp_evaluation_y(e, p->point);
-    arms(e, result->towards, p->point, &angle);
-    pivot->critical_angle_deg = tp_evaluation_result(e, angle.degrees);
-    pivot->fos_resultant = resultant_form(e, &angle, sine, cosine, tilted);
-    pivot->fos_elements = elements_form(e, result->towards, p->point, sine, cosine, tilted);
+    if (settled[k]) continue;
+    settled[k] = evaluate_pivot(e, result->towards, result->pivots + k, contact->points[k].point,
+                                &critical, &t);
   }
   result->has_governing = tp_evaluate_toppling(e, result->towards, toppling, &result->governing,
                                                &result->governing_tie);
-  tp_direction_ball_clear(&angle);
-  arb_clear(sine);
-  arb_clear(cosine);
+  tp_direction_ball_clear(&critical);
+  arb_clear(t.sine);
+  arb_clear(t.cosine);
 }

@@ -191,10 +191,10 @@ static void describe(tp_evaluation *e, tp_case *result, const governing_facet *b
   arb_set_fmpz(run, best->run);
   tp_ball_atan2_degrees(limit, rise, run, e->rung.bits);
   s->facet_angle_deg = tp_evaluation_result(e, limit);
-  s->facet_x0_m = tp_evaluation_x(e, facet->q0);
-  s->facet_y0_m = tp_evaluation_y(e, facet->q0);
-  s->facet_x1_m = tp_evaluation_x(e, facet->q1);
-  s->facet_y1_m = tp_evaluation_y(e, facet->q1);
+  s->facet_x0_m = tp_evaluation_x(e->problem, facet->q0);
+  s->facet_y0_m = tp_evaluation_y(e->problem, facet->q0);
+  s->facet_x1_m = tp_evaluation_x(e->problem, facet->q1);
+  s->facet_y1_m = tp_evaluation_y(e->problem, facet->q1);
   add_friction(e, best, sliding);
   arb_set_ui(limit, 90);
   if (best->blocked || arb_ge(sliding->degrees, limit)) {

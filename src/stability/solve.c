@@ -77,6 +77,17 @@ static void describe_teeth(tp_solution *solution, const tp_scene *scene) {
   result->right_end = right_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
 }
 
+/* What is exact about the pivots, once for all rungs. */
+static void describe_pivots(tp_case *own, const tp_problem *problem) {
+  for (size_t k = 0; k < own->pivot_count; k++) {
+    const tp_contact_point *p = problem->contact.points + k;
+    own->pivots[k] = (tp_pivot){.kind = p->kind,
+                                .admissible = problem->admissible[own->towards][k],
+                                .x_m = tp_evaluation_x(problem, p->point),
+                                .y_m = tp_evaluation_y(problem, p->point)};
+  }
+}
+
 static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bool account,
                             tp_message *message) {
   const bool asked[2] = {problem->scene->towards_left, problem->scene->towards_right};
@@ -87,6 +98,7 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
     own->pivot_count = (size_t)problem->contact.point_count;
     own->pivots = calloc(own->pivot_count, sizeof *own->pivots);
     if (own->pivots == NULL) return tp_fail_memory(message, "the pivots");
+    describe_pivots(own, problem);
     if (!account) continue;
     own->account.elements =
         calloc((size_t)problem->elements.count + 1, sizeof *own->account.elements);
@@ -99,6 +111,7 @@ typedef struct climb {
   const tp_problem *problem;
   const tp_solve_options *options;
   tp_solution *solution;
+  bool *settled[2];
 } climb;
 
 static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *c) {
@@ -124,8 +137,11 @@ static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
 
 static tp_status step(void *context, tp_rung rung, bool *certain) {
   const climb *c = context;
-  tp_evaluation evaluation = {
-      .problem = c->problem, .rung = rung, .digits = c->options->digits, .certain = true};
+  tp_evaluation evaluation = {.problem = c->problem,
+                              .rung = rung,
+                              .digits = c->options->digits,
+                              .certain = true,
+                              .settled = {c->settled[0], c->settled[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
   tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice, rung);
@@ -154,10 +170,31 @@ static void note_level(tp_solution *solution, tp_rung reached) {
   }
 }
 
+static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options *options,
+                              tp_solution *solution, tp_message *message) {
+  const size_t points = (size_t)problem->contact.point_count;
+  climb c = {problem, options, solution, {calloc(points, 1), calloc(points, 1)}};
+  tp_rung reached;
+  tp_status status = TP_OK;
+  if (c.settled[0] == NULL || c.settled[1] == NULL) {
+    status = tp_fail_memory(message, "the pivots");
+  } else {
+    status = tp_ladder_climb(step, &c, &reached);
+    note_level(solution, reached);
+  }
+  if (status == TP_UNDECIDED) {
+    (void)tp_fail(message, TP_UNDECIDED, (tp_place){problem->scene->path, 0, 0},
+                  "undecided at %ld bits: a number is not certain to %d digits", reached.bits,
+                  options->digits);
+  }
+  free(c.settled[0]);
+  free(c.settled[1]);
+  return status;
+}
+
 static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
                       tp_message *message) {
   tp_problem problem;
-  tp_rung reached;
   tp_status status = describe_scene(solution, scene, message);
   if (status != TP_OK) return status;
   describe_teeth(solution, scene);
@@ -165,14 +202,7 @@ static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_sol
   if (status != TP_OK) return status;
   status = make_cases(solution, &problem, options->elements, message);
   if (status == TP_OK) {
-    climb c = {&problem, options, solution};
-    status = tp_ladder_climb(step, &c, &reached);
-    note_level(solution, reached);
-    if (status == TP_UNDECIDED) {
-      (void)tp_fail(message, TP_UNDECIDED, (tp_place){scene->path, 0, 0},
-                    "undecided at %ld bits: a number is not certain to %d digits", reached.bits,
-                    options->digits);
-    }
+    status = climb_ladder(&problem, options, solution, message);
   }
   tp_problem_clear(&problem);
   return status;

@@ -10,8 +10,8 @@
  * To be read: `read and solve` is the whole way. What it takes beyond the parts above it goes into
  * the pivots, the sliding and the higher rungs of the ladder; exact moments and the triangulation
  * are parts that this scene does not call for. The lattice holds the vertices of the outline and
- * again those of the mated base; all times are per vertex of
- * the outline. The peak memory is that of one reading and solving, before anything else has run. */
+ * again those of the mated base; all times are per vertex of the outline. The peak memory is that
+ * of one reading and solving, before anything else has run. */
 
 #include "bench.h"
 
