@@ -159,6 +159,7 @@ static int compare_facets(const void *a, const void *b, void *context) {
 }
 
 static void sort(search *s, tp_facets *facets) {
+  if (facets->count < 2) return; /* there may be no array to sort */
   qsort_r(facets->items, (size_t)facets->count, sizeof *facets->items, compare_facets, s);
 }
 
