@@ -6,8 +6,8 @@
  * tolerances. Every test runs twice: _i = 0 on the path of big integers, 1 on that of doubles. */
 
 #include "geom.h"
+#include "runner.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -282,6 +282,20 @@ START_TEST(test_rings_of_one_layer_and_of_two) {
 }
 END_TEST
 
+/* Guards the precondition of the triangulation: points all on one line, or none, are a status and
+ * no crash. */
+START_TEST(test_degenerate_points_are_refused) {
+  const size_t start[2] = {0, 3}, none[2] = {0, 0};
+  const double u[3] = {0, 1, 2}, v[3] = {0, 2, 4};
+  const int layer[1] = {0};
+  tp_geom_triangulation result;
+  tp_geom_rings rings = {.count = 1, .start = start, .u = u, .v = v, .small = true};
+  ck_assert_int_eq(tp_geom_triangulate(&result, &rings, layer), TP_GEOM_FAILED);
+  rings.start = none;
+  ck_assert_int_eq(tp_geom_triangulate(&result, &rings, layer), TP_GEOM_FAILED);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("geom");
   TCase *cases = tcase_create("geom");
@@ -290,10 +304,7 @@ int main(void) {
   tcase_add_loop_test(cases, test_nothing_escapes, 0, 2);
   tcase_add_loop_test(cases, test_outline_is_filled_and_holes_are_not, 0, 2);
   tcase_add_loop_test(cases, test_rings_of_one_layer_and_of_two, 0, 2);
+  tcase_add_test(cases, test_degenerate_points_are_refused);
   suite_add_tcase(suite, cases);
-  SRunner *runner = srunner_create(suite);
-  srunner_run_all(runner, CK_ENV);
-  const int failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  return failed != 0;
+  return run_suite(suite);
 }

@@ -7,8 +7,8 @@
 #include "number/ball.h"
 #include "number/ladder.h"
 #include "number/ratio.h"
+#include "runner.h"
 
-#include <check.h>
 #include <gmp.h>
 #include <math.h>
 #include <stdlib.h>
@@ -258,10 +258,5 @@ int main(void) {
   tcase_add_test(numbers, functions_of_degrees);
   tcase_add_test(numbers, ladder);
   suite_add_tcase(suite, numbers);
-  SRunner *runner = srunner_create(suite);
-  srunner_run_all(runner, CK_ENV);
-  const int failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  flint_cleanup();
-  return failed == 0 ? 0 : 1;
+  return run_suite(suite);
 }

@@ -4,11 +4,11 @@
 /* Scenes: exact expressions, CSV in its dialects, suggestions for misspelt keys. What must be
  * refused is tested from outside, by tests/bad; here stands what must be understood, and how. */
 
+#include "runner.h"
 #include "scene/csv.h"
 #include "scene/expression.h"
 #include "scene/node.h"
 
-#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -195,10 +195,5 @@ int main(void) {
   tcase_add_test(scenes, csv_seams);
   tcase_add_test(scenes, polyline_orientation);
   suite_add_tcase(suite, scenes);
-  SRunner *runner = srunner_create(suite);
-  srunner_run_all(runner, CK_ENV);
-  const int failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  flint_cleanup();
-  return failed == 0 ? 0 : 1;
+  return run_suite(suite);
 }

@@ -7,8 +7,8 @@
 #include "block/ring_sums.h"
 #include "geom.h"
 #include "number/lattice.h"
+#include "runner.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdint.h>
 
@@ -298,9 +298,5 @@ int main(void) {
   tcase_add_loop_test(cases, test_sums_by_hand, 0, 2);
   tcase_add_loop_test(cases, test_lattice_rounds_as_it_says, 0, SCENES);
   suite_add_tcase(suite, cases);
-  SRunner *runner = srunner_create(suite);
-  srunner_run_all(runner, CK_ENV);
-  const int failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  return failed != 0;
+  return run_suite(suite);
 }

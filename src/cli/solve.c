@@ -65,6 +65,7 @@ static tp_status print_solution(const tp_solution *solution, const arguments *a,
 int tp_cli_solve(int argc, char **argv) {
   arguments a = {0};
   argp_err_exit_status = TP_EXIT_USAGE;
+  argp_program_version = "topple " TP_VERSION;
   if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;

@@ -45,50 +45,48 @@ static void add_fos(tp_text *t, const char *key, tp_fos fos) {
   }
 }
 
-static void add_block(tp_text *t, const tp_block_result *b) {
-  tp_text_add(t, "      \"block\": {\n        ");
-  add_number(t, "area_m2", b->area_m2);
-  tp_text_add(t, ",\n        ");
-  add_number(t, "centroid_x_m", b->centroid_x_m);
-  tp_text_add(t, ",\n        ");
-  add_number(t, "centroid_y_m", b->centroid_y_m);
-  tp_text_add(t, ",\n        ");
-  add_number(t, "second_moment_xx_m4", b->second_moment_xx_m4);
-  tp_text_add(t, ",\n        ");
-  add_number(t, "second_moment_yy_m4", b->second_moment_yy_m4);
-  tp_text_add(t, ",\n        ");
-  add_number(t, "second_moment_xy_m4", b->second_moment_xy_m4);
-  tp_text_add(t, ",\n        ");
-  add_number(t, "thickness_m", b->thickness_m);
-  tp_text_add(t, ",\n        ");
-  if (b->has_weight) {
-    add_number(t, "weight_n", b->weight_n);
-  } else {
-    tp_text_add(t, "\"weight_n\": null");
+typedef struct named {
+  const char *key;
+  tp_bounded number;
+} named;
+
+/* Numbers, each followed by a comma and the separator. */
+static void add_numbers(tp_text *t, const named *numbers, size_t count, const char *separator) {
+  for (size_t k = 0; k < count; k++) {
+    add_number(t, numbers[k].key, numbers[k].number);
+    tp_text_add(t, ",%s", separator);
   }
+}
+
+static void add_block(tp_text *t, const tp_block_result *b) {
+  const named numbers[] = {{"area_m2", b->area_m2},
+                           {"centroid_x_m", b->centroid_x_m},
+                           {"centroid_y_m", b->centroid_y_m},
+                           {"second_moment_xx_m4", b->second_moment_xx_m4},
+                           {"second_moment_yy_m4", b->second_moment_yy_m4},
+                           {"second_moment_xy_m4", b->second_moment_xy_m4},
+                           {"thickness_m", b->thickness_m},
+                           {"weight_n", b->weight_n}};
+  const size_t all = sizeof numbers / sizeof numbers[0];
+  tp_text_add(t, "      \"block\": {\n        ");
+  add_numbers(t, numbers, b->has_weight ? all : all - 1, "\n        ");
+  if (!b->has_weight) tp_text_add(t, "\"weight_n\": null,\n        ");
   tp_text_add(t,
-              ",\n        \"vertices\": %zu, \"holes\": %zu, \"parts\": %zu, \"triangles\": %zu\n"
-              "      },\n",
+              "\"vertices\": %zu, \"holes\": %zu, \"parts\": %zu, \"triangles\": %zu\n      },\n",
               b->vertices, b->holes, b->parts, b->triangles);
 }
 
 static void add_teeth(tp_text *t, const tp_teeth_result *teeth) {
   if (!teeth->known) return;
+  const named lengths[] = {{"width_m", teeth->width_m},
+                           {"height_m", teeth->height_m},
+                           {"depth_m", teeth->depth_m},
+                           {"block_width_m", teeth->block_width_m},
+                           {"mean_height_m", teeth->mean_height_m},
+                           {"amplitude_m", teeth->amplitude_m},
+                           {"wavelength_m", teeth->wavelength_m}};
   tp_text_add(t, "      \"teeth\": {\n        \"count\": %zu,\n        ", teeth->count);
-  const struct {
-    const char *key;
-    tp_bounded number;
-  } lengths[] = {{"width_m", teeth->width_m},
-                 {"height_m", teeth->height_m},
-                 {"depth_m", teeth->depth_m},
-                 {"block_width_m", teeth->block_width_m},
-                 {"mean_height_m", teeth->mean_height_m},
-                 {"amplitude_m", teeth->amplitude_m},
-                 {"wavelength_m", teeth->wavelength_m}};
-  for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
-    add_number(t, lengths[k].key, lengths[k].number);
-    tp_text_add(t, ",\n        ");
-  }
+  add_numbers(t, lengths, sizeof lengths / sizeof lengths[0], "\n        ");
   tp_text_add(t, "\"left_end\": \"%s\", \"right_end\": \"%s\"\n      },\n",
               tp_text_pivot_kind(teeth->left_end), tp_text_pivot_kind(teeth->right_end));
 }
@@ -118,13 +116,10 @@ static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight)
 }
 
 static void add_pivot(tp_text *t, const tp_pivot *p) {
+  const named numbers[] = {
+      {"x_m", p->x_m}, {"y_m", p->y_m}, {"critical_angle_deg", p->critical_angle_deg}};
   tp_text_add(t, "        {\"kind\": \"%s\", ", tp_text_pivot_kind(p->kind));
-  add_number(t, "x_m", p->x_m);
-  tp_text_add(t, ", ");
-  add_number(t, "y_m", p->y_m);
-  tp_text_add(t, ", ");
-  add_number(t, "critical_angle_deg", p->critical_angle_deg);
-  tp_text_add(t, ", ");
+  add_numbers(t, numbers, sizeof numbers / sizeof numbers[0], " ");
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
   add_fos(t, "fos_elements", p->fos_elements);
@@ -195,14 +190,11 @@ static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
     const tp_element *e = a->elements + k;
     tp_text_add(t, "          {\"kind\": \"%s\", \"part\": %zu, ",
                 e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle", e->part);
-    add_number(t, "weight", e->weight);
-    tp_text_add(t, ", ");
-    add_number(t, "normal_arm_m", e->normal_arm_m);
-    tp_text_add(t, ", ");
-    add_number(t, "parallel_arm_m", e->parallel_arm_m);
-    tp_text_add(t, ", ");
-    add_number(t, "stabilising", e->stabilising);
-    tp_text_add(t, ", ");
+    const named numbers[] = {{"weight", e->weight},
+                             {"normal_arm_m", e->normal_arm_m},
+                             {"parallel_arm_m", e->parallel_arm_m},
+                             {"stabilising", e->stabilising}};
+    add_numbers(t, numbers, sizeof numbers / sizeof numbers[0], " ");
     add_number(t, "overturning", e->overturning);
     tp_text_add(t, "}%s\n", k + 1 < a->count ? "," : "");
   }

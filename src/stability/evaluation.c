@@ -23,24 +23,22 @@ tp_bounded tp_evaluation_rational(const fmpq_t value) {
   return result;
 }
 
-tp_bounded tp_evaluation_x(const tp_problem *problem, long point) {
-  const tp_lattice *lattice = &problem->lattice;
+static tp_bounded coordinate(const tp_lattice *lattice, const fmpz *value,
+                             void (*to_metres)(fmpq_t, const tp_lattice *, const fmpz_t)) {
   fmpq_t metres;
   fmpq_init(metres);
-  tp_lattice_metres_x(metres, lattice, lattice->x + point);
+  to_metres(metres, lattice, value);
   const tp_bounded result = tp_evaluation_rational(metres);
   fmpq_clear(metres);
   return result;
 }
 
+tp_bounded tp_evaluation_x(const tp_problem *problem, long point) {
+  return coordinate(&problem->lattice, problem->lattice.x + point, tp_lattice_metres_x);
+}
+
 tp_bounded tp_evaluation_y(const tp_problem *problem, long point) {
-  const tp_lattice *lattice = &problem->lattice;
-  fmpq_t metres;
-  fmpq_init(metres);
-  tp_lattice_metres_y(metres, lattice, lattice->y + point);
-  const tp_bounded result = tp_evaluation_rational(metres);
-  fmpq_clear(metres);
-  return result;
+  return coordinate(&problem->lattice, problem->lattice.y + point, tp_lattice_metres_y);
 }
 
 void tp_direction_ball_init(tp_direction_ball *angle) {

@@ -174,7 +174,7 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
                               tp_solution *solution, tp_message *message) {
   const size_t points = (size_t)problem->contact.point_count;
   climb c = {problem, options, solution, {calloc(points, 1), calloc(points, 1)}};
-  tp_rung reached;
+  tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
   if (c.settled[0] == NULL || c.settled[1] == NULL) {
     status = tp_fail_memory(message, "the pivots");
