@@ -7,23 +7,30 @@
 #include "scene/node.h"
 
 #include <ctype.h>
-#include <math.h>
+#include <stdalign.h>
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
-enum { MOST_DEPTH = 200, MOST_BITS = 20000 };
+enum { MOST_DEPTH = 200 };
 
 typedef struct parser {
   const char *text, *at;
   tp_place place;
-  const tp_parameters *parameters;
+  const tp_algebra *algebra;
+  const void *context;
   tp_message *message;
   int depth;
   tp_status status;
 } parser;
+
+/* A value of whatever algebra, on the stack. */
+typedef struct operand {
+  _Alignas(max_align_t) unsigned char bytes[TP_ALGEBRA_SIZE];
+} operand;
 
 __attribute__((format(printf, 3, 4))) static bool fail_at(parser *p, const char *at,
                                                           const char *format, ...) {
@@ -66,25 +73,13 @@ static void skip_space(parser *p) {
   while (*p->at == ' ' || *p->at == '\t') p->at++;
 }
 
-static bool bounded(parser *p, const fmpq_t value, const char *at) {
-  if (fmpz_bits(fmpq_numref(value)) + fmpz_bits(fmpq_denref(value)) <= MOST_BITS) return true;
-  return fail_at(p, at, "the value grows beyond 20 000 bits here");
-}
+static bool sum(parser *p, void *value);
 
-static bool sum(parser *p, fmpq_t value);
-
-static bool name_value(parser *p, fmpq_t value) {
+static bool name_value(parser *p, void *value) {
   const char *start = p->at;
   while (continues_name(*p->at)) p->at++;
   const int length = (int)(p->at - start);
-  const tp_parameters *known = p->parameters;
-  for (long k = known != NULL ? known->count - 1 : -1; k >= 0; k--) {
-    if (strlen(known->names[k]) == (size_t)length &&
-        strncmp(known->names[k], start, (size_t)length) == 0) {
-      fmpq_set(value, known->values + k);
-      return true;
-    }
-  }
+  if (p->algebra->set_name(value, start, (size_t)length, p->context)) return true;
   char word[64] = "";
   strncat(word, start, (size_t)(length < 63 ? length : 63));
   if (tp_expression_is_not_finite(word)) {
@@ -114,7 +109,29 @@ static size_t word_length(const char *text) {
   return length > 0 ? length : 1;
 }
 
-static bool primary(parser *p, fmpq_t value) {
+/* value = value op other, with the operator's place for a complaint. */
+static bool combine(parser *p, void *value, const char *op, const void *other) {
+  const char *problem = p->algebra->combine(value, *op, other, p->context);
+  return problem == NULL || fail_at(p, op, "%s", problem);
+}
+
+static bool number(parser *p, void *value) {
+  const char *problem = NULL;
+  fmpq_t decimal;
+  fmpq_init(decimal);
+  const size_t used = tp_ratio_read_decimal(decimal, p->at, strlen(p->at), &problem);
+  if (used > 0) p->algebra->set_number(value, decimal, p->context);
+  fmpq_clear(decimal);
+  if (used == 0) {
+    const size_t length = word_length(p->at);
+    if (tp_expression_is_not_finite(p->at)) problem = "is not a finite number";
+    return fail_at(p, p->at, "'%.*s' %s", (int)(length < 40 ? length : 40), p->at, problem);
+  }
+  p->at += used;
+  return true;
+}
+
+static bool primary(parser *p, void *value) {
   skip_space(p);
   if (*p->at == '(') {
     const char *open = p->at++;
@@ -126,116 +143,70 @@ static bool primary(parser *p, fmpq_t value) {
   }
   if (starts_name(*p->at)) return name_value(p, value);
   if (*p->at == '\0') return fail_at(p, p->at, "a number is missing at the end");
-  const char *problem = NULL;
-  const size_t used = tp_ratio_read_decimal(value, p->at, strlen(p->at), &problem);
-  if (used == 0) {
-    const size_t length = word_length(p->at);
-    if (tp_expression_is_not_finite(p->at)) problem = "is not a finite number";
-    return fail_at(p, p->at, "'%.*s' %s", (int)(length < 40 ? length : 40), p->at, problem);
-  }
-  p->at += used;
-  return true;
-}
-
-static bool power_of(parser *p, fmpq_t base, const fmpq_t exponent, const char *at) {
-  if (!fmpz_is_one(fmpq_denref(exponent))) {
-    return fail_at(p, at, "an exponent must be a whole number");
-  }
-  if (fmpq_is_zero(base) && fmpq_sgn(exponent) < 0) {
-    return fail_at(p, at, "division by zero: zero to a negative power");
-  }
-  const double bits = (double)(fmpz_bits(fmpq_numref(base)) + fmpz_bits(fmpq_denref(base)));
-  const double size = bits * fabs(fmpz_get_d(fmpq_numref(exponent)));
-  if (size > MOST_BITS || !fmpz_fits_si(fmpq_numref(exponent))) {
-    return fail_at(p, at, "the value grows beyond 20 000 bits here");
-  }
-  fmpq_pow_si(base, base, fmpz_get_si(fmpq_numref(exponent)));
-  return true;
+  return number(p, value);
 }
 
 /* Signs and powers: -2^2 is -(2^2), 2^-1 is allowed, 2^3^2 is 2^(3^2). */
-static bool signed_power(parser *p, fmpq_t value) {
-  if (++p->depth > MOST_DEPTH) {
-    return fail_at(p, p->at, "nested deeper than 200 levels");
-  }
+static bool signed_power(parser *p, void *value) {
+  if (++p->depth > MOST_DEPTH) return fail_at(p, p->at, "nested deeper than 200 levels");
   skip_space(p);
   bool done = true;
   if (*p->at == '-' || *p->at == '+') {
     const bool negative = *p->at++ == '-';
     done = signed_power(p, value);
-    if (done && negative) fmpq_neg(value, value);
+    if (done && negative) p->algebra->negate(value, p->context);
   } else {
     done = primary(p, value);
     skip_space(p);
     if (done && *p->at == '^') {
-      const char *at = p->at++;
-      fmpq_t exponent;
-      fmpq_init(exponent);
-      done = signed_power(p, exponent) && power_of(p, value, exponent, at);
-      fmpq_clear(exponent);
+      const char *op = p->at++;
+      operand exponent;
+      p->algebra->init(&exponent, p->context);
+      done = signed_power(p, &exponent) && combine(p, value, op, &exponent);
+      p->algebra->clear(&exponent, p->context);
     }
   }
   p->depth--;
   return done;
 }
 
-static bool product(parser *p, fmpq_t value) {
-  if (!signed_power(p, value)) return false;
-  fmpq_t factor;
-  fmpq_init(factor);
+/* Operands of one precedence from left to right. */
+static bool chain(parser *p, void *value, const char *operators,
+                  bool (*operand_of)(parser *, void *)) {
+  if (!operand_of(p, value)) return false;
+  operand other;
+  p->algebra->init(&other, p->context);
   bool done = true;
-  for (skip_space(p); done && (*p->at == '*' || *p->at == '/'); skip_space(p)) {
-    const char *at = p->at++;
-    done = signed_power(p, factor);
-    if (!done) break;
-    if (*at == '*') {
-      fmpq_mul(value, value, factor);
-    } else if (fmpq_is_zero(factor)) {
-      done = fail_at(p, at, "division by zero");
-    } else {
-      fmpq_div(value, value, factor);
-    }
-    done = done && bounded(p, value, at);
+  for (skip_space(p); done && *p->at != '\0' && strchr(operators, *p->at) != NULL; skip_space(p)) {
+    const char *op = p->at++;
+    done = operand_of(p, &other) && combine(p, value, op, &other);
   }
-  fmpq_clear(factor);
+  p->algebra->clear(&other, p->context);
   return done;
 }
 
-static bool sum(parser *p, fmpq_t value) {
-  if (!product(p, value)) return false;
-  fmpq_t term;
-  fmpq_init(term);
-  bool done = true;
-  for (skip_space(p); done && (*p->at == '+' || *p->at == '-'); skip_space(p)) {
-    const char *at = p->at++;
-    done = product(p, term);
-    if (!done) break;
-    if (*at == '+') {
-      fmpq_add(value, value, term);
-    } else {
-      fmpq_sub(value, value, term);
-    }
-    done = bounded(p, value, at);
-  }
-  fmpq_clear(term);
-  return done;
+static bool product(parser *p, void *value) {
+  return chain(p, value, "*/", signed_power);
 }
 
-tp_status tp_expression_evaluate(fmpq_t value, const char *text, tp_place place,
-                                 const tp_parameters *parameters, tp_message *message) {
-  parser p = {
-      .text = text, .at = text, .place = place, .parameters = parameters, .message = message};
-  fmpq_t result;
-  fmpq_init(result);
-  bool done = true;
+static bool sum(parser *p, void *value) {
+  return chain(p, value, "+-", product);
+}
+
+tp_status tp_expression_read(void *value, const tp_algebra *algebra, const void *context,
+                             const char *text, tp_place place, tp_message *message) {
+  parser p = {.text = text,
+              .at = text,
+              .place = place,
+              .algebra = algebra,
+              .context = context,
+              .message = message};
   skip_space(&p);
-  if (*p.at == '\0') done = fail_at(&p, p.at, "a number belongs here");
-  done = done && sum(&p, result);
-  if (done && *p.at != '\0') {
+  if (*p.at == '\0') {
+    fail_at(&p, p.at, "a number belongs here");
+  } else if (sum(&p, value) && *p.at != '\0') {
     fail_at(&p, p.at, "'%.*s' does not continue a number or an expression", (int)strnlen(p.at, 40),
             p.at);
   }
-  if (p.status == TP_OK) fmpq_set(value, result);
-  fmpq_clear(result);
   return p.status;
 }
