@@ -262,6 +262,68 @@ TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
 
+/* How derived formulas are written: text for computer algebra, LaTeX, or C in doubles. */
+typedef enum tp_notation { TP_NOTATION_TEXT, TP_NOTATION_LATEX, TP_NOTATION_C } tp_notation;
+
+/* Numerator and denominator, coprime polynomials with whole coefficients, and both as one formula.
+ */
+typedef struct tp_fraction {
+  char *numerator, *denominator, *formula;
+} tp_fraction;
+
+/* One element of a derivation about the governing pivot: its area times relative density, and the
+ * arms of its weight; the signs are those at the scene's parameter values. */
+typedef struct tp_derived_element {
+  tp_element_kind kind;
+  size_t part;
+  tp_fraction area, normal_arm, parallel_arm;
+  bool normal_stabilises, parallel_overturns;
+} tp_derived_element;
+
+/* A pivot in symbols. Factor of safety in elements form: (a cot(alpha) + b) / (c cot(alpha) + d)
+ * with the sums of elements' moments a, b that stabilise and c, d that overturn, each element on
+ * the side where it is at the scene's values. Where c = 0 it is fos_cot cot(alpha) + fos_constant,
+ * as in (A1.3). */
+typedef struct tp_derived_pivot {
+  tp_direction towards;
+  tp_pivot_kind kind;
+  bool admissible, governs;
+  tp_fraction x, y;
+  tp_fraction tangent; /* of the critical angle; FoS, resultant form, is tangent cot(alpha) */
+  tp_bounded critical_angle_deg; /* at the scene's values */
+  bool has_elements;             /* the elements form was asked for */
+  bool splits;                   /* c = 0 */
+  tp_fraction fos_cot, fos_constant;
+  tp_fraction normal_stabilising, parallel_stabilising, normal_overturning, parallel_overturning;
+} tp_derived_pivot;
+
+typedef struct tp_derivation {
+  char *title;
+  tp_notation notation;
+  tp_fraction area, x_moment, y_moment; /* about the scene's origin, weighted by relative density */
+  size_t symbol_count;
+  char **symbols; /* parameters that the formulas are in */
+  size_t pivot_count;
+  tp_derived_pivot *pivots;
+  size_t element_count;            /* 0 unless asked for */
+  tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
+} tp_derivation;
+
+typedef struct tp_derive_options {
+  tp_notation notation;
+  bool elements; /* derive the elements form and list its elements */
+} tp_derive_options;
+
+tp_derive_options tp_derive_options_default(void);
+
+/* The closed formulas of a scene in its parameters, in scene lengths. */
+TP_MUST_USE tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
+                                const tp_derive_options *options, tp_message *message);
+void tp_derivation_free(tp_derivation *derivation);
+
+TP_MUST_USE tp_status tp_report_derivation(char **text, const tp_derivation *derivation);
+TP_MUST_USE tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation);
+
 #ifdef __cplusplus
 }
 #endif

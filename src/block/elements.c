@@ -56,6 +56,7 @@ static void set_triangle(tp_exact_element *e, const tp_lattice *l, const long co
   fmpz_add(&e->y6, &e->y6, y + corner[2]);
   fmpz_mul_ui(&e->y6, &e->y6, 2);
   e->kind = TP_ELEMENT_TRIANGLE;
+  for (int k = 0; k < 3; k++) e->corner[k] = corner[k];
   fmpz_clear(dx);
   fmpz_clear(dy);
 }
@@ -76,6 +77,8 @@ static void set_slab(tp_exact_element *e, const tp_lattice *l, long low, long hi
   fmpz_add(&e->y6, l->y + high, l->y + low);
   fmpz_mul_ui(&e->y6, &e->y6, 3);
   e->kind = TP_ELEMENT_SLAB;
+  e->corner[0] = low;
+  e->corner[1] = high;
   fmpz_clear(dx);
   fmpz_clear(dy);
 }

@@ -15,6 +15,7 @@
 typedef struct tp_exact_element {
   tp_element_kind kind;
   size_t part;
+  long corner[3]; /* points of the lattice: of a slab the lower left and the upper right one */
   fmpz weight2, x6, y6;
 } tp_exact_element;
 

@@ -19,23 +19,29 @@ static void joint_abscissa(fmpq_t x, const tp_teeth *teeth, long joint) {
   fmpz_clear(k);
 }
 
+tp_teeth_point tp_outline_teeth_point(const tp_teeth *teeth, long k) {
+  if (k <= teeth->count) {
+    const bool low = (k % 2 == 0) == teeth->left_end_valley;
+    return (tp_teeth_point){k, 0, low ? 0 : 1};
+  }
+  return (tp_teeth_point){k == teeth->count + 1 ? teeth->count : 0, 1, 1};
+}
+
 bool tp_outline_teeth(tp_polyline *outline, const tp_teeth *teeth, tp_mark mark) {
-  fmpq_t x, y, zero;
+  fmpq_t x, y;
   fmpq_init(x);
   fmpq_init(y);
-  fmpq_init(zero);
   bool done = true;
-  for (long joint = 0; joint <= teeth->count && done; joint++) {
-    joint_abscissa(x, teeth, joint);
-    tp_outline_joint_height(y, teeth, joint);
+  for (long k = 0; k < teeth->count + 3 && done; k++) {
+    const tp_teeth_point p = tp_outline_teeth_point(teeth, k);
+    joint_abscissa(x, teeth, p.x_a);
+    fmpq_zero(y);
+    if (p.y_b != 0) fmpq_add(y, y, teeth->height);
+    if (p.y_c != 0) fmpq_add(y, y, teeth->depth);
     done = tp_polyline_append(outline, x, y, mark);
   }
-  fmpq_add(y, teeth->height, teeth->depth);
-  done =
-      done && tp_polyline_append(outline, x, y, mark) && tp_polyline_append(outline, zero, y, mark);
   fmpq_clear(x);
   fmpq_clear(y);
-  fmpq_clear(zero);
   return done;
 }
 

@@ -12,6 +12,15 @@
  * y = 0, peaks at y = c, the top at y = b + c. False when memory is exhausted. */
 TP_MUST_USE bool tp_outline_teeth(tp_polyline *outline, const tp_teeth *teeth, tp_mark mark);
 
+/* A vertex of that outline as a whole combination of width a, height b and depth c. */
+typedef struct tp_teeth_point {
+  long x_a;
+  int y_b, y_c;
+} tp_teeth_point;
+
+/* The k-th vertex, 0 <= k < count + 3: the joints of the underside, then the two upper corners. */
+tp_teeth_point tp_outline_teeth_point(const tp_teeth *teeth, long k);
+
 /* Height of the underside at the k-th joint between sub-blocks (k < 0 and k > N go on beyond the
  * block): 0 or c. */
 void tp_outline_joint_height(fmpq_t y, const tp_teeth *teeth, long joint);

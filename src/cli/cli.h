@@ -10,6 +10,7 @@ enum { TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 
 /* argv[0] is the program's name followed by the command's. Returns the exit status. */
 int tp_cli_solve(int argc, char **argv);
+int tp_cli_derive(int argc, char **argv);
 
 /* Write a whole report to stdout: 0, or TP_EXIT_SYSTEM with a message. */
 int tp_cli_print(const char *text);

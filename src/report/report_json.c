@@ -4,42 +4,14 @@
 /* A solution as JSON: the contract of the program with other programs. */
 
 #include "number/ladder.h"
-#include "report/text.h"
+#include "report/json.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A computed number, `{"value": v, "error": e}`; null where it lies outside the range of a
- * double. */
-static void add_number(tp_text *t, const char *key, tp_bounded number) {
-  if (!isfinite(number.error)) {
-    tp_text_add(t, "\"%s\": null", key);
-  } else {
-    tp_text_add(t, "\"%s\": {\"value\": %.17g, \"error\": %.17g}", key, number.value, number.error);
-  }
-}
-
-static void add_string(tp_text *t, const char *string) {
-  tp_text_add(t, "\"");
-  for (const char *c = string; *c != '\0'; c++) {
-    if (*c == '"' || *c == '\\') {
-      tp_text_add(t, "\\%c", *c);
-    } else if ((unsigned char)*c < 0x20) {
-      tp_text_add(t, "\\u%04x", (unsigned)*c);
-    } else {
-      tp_text_add(t, "%c", *c);
-    }
-  }
-  tp_text_add(t, "\"");
-}
-
-static const char *truth(bool value) {
-  return value ? "true" : "false";
-}
-
 static void add_fos(tp_text *t, const char *key, tp_fos fos) {
   if (fos.state == TP_FOS_NUMBER) {
-    add_number(t, key, fos.value);
+    tp_json_number(t, key, fos.value);
   } else {
     tp_text_add(t, "\"%s\": null", key);
   }
@@ -53,7 +25,7 @@ typedef struct named {
 /* Numbers, each followed by a comma and the separator. */
 static void add_numbers(tp_text *t, const named *numbers, size_t count, const char *separator) {
   for (size_t k = 0; k < count; k++) {
-    add_number(t, numbers[k].key, numbers[k].number);
+    tp_json_number(t, numbers[k].key, numbers[k].number);
     tp_text_add(t, ",%s", separator);
   }
 }
@@ -96,21 +68,21 @@ static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight)
       t,
       "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
       "\"points\": %zu,\n        ",
-      truth(c->mated), truth(c->beyond_stated), c->facets, c->points);
+      tp_json_truth(c->mated), tp_json_truth(c->beyond_stated), c->facets, c->points);
   if (c->mated) {
-    add_number(t, "beyond_left_m", c->beyond_left_m);
+    tp_json_number(t, "beyond_left_m", c->beyond_left_m);
     tp_text_add(t, ",\n        ");
-    add_number(t, "beyond_right_m", c->beyond_right_m);
+    tp_json_number(t, "beyond_right_m", c->beyond_right_m);
     tp_text_add(t, ",\n        ");
   }
-  add_number(t, "length_m", c->length_m);
+  tp_json_number(t, "length_m", c->length_m);
   tp_text_add(t, ",\n        ");
-  add_number(t, "nominal_length_m", c->nominal_length_m);
+  tp_json_number(t, "nominal_length_m", c->nominal_length_m);
   if (has_weight) {
     tp_text_add(t, ",\n        ");
-    add_number(t, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
+    tp_json_number(t, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
     tp_text_add(t, ",\n        ");
-    add_number(t, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
+    tp_json_number(t, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
   }
   tp_text_add(t, "\n      },\n");
 }
@@ -123,7 +95,7 @@ static void add_pivot(tp_text *t, const tp_pivot *p) {
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
   add_fos(t, "fos_elements", p->fos_elements);
-  tp_text_add(t, ", \"admissible\": %s}", truth(p->admissible));
+  tp_text_add(t, ", \"admissible\": %s}", tp_json_truth(p->admissible));
 }
 
 static void add_toppling(tp_text *t, const tp_case *c) {
@@ -133,8 +105,8 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   }
   const tp_pivot *p = c->pivots + c->governing;
   tp_text_add(t, "      \"toppling\": {\"pivot\": %zu, \"tie\": %s, ", c->governing,
-              truth(c->governing_tie));
-  add_number(t, "critical_angle_deg", p->critical_angle_deg);
+              tp_json_truth(c->governing_tie));
+  tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
   tp_text_add(t, ", ");
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
@@ -149,29 +121,29 @@ static void add_sliding(tp_text *t, const tp_sliding *s) {
     tp_text_add(t, "\"critical_angle_deg\": null, \"fos\": null},\n");
     return;
   }
-  add_number(t, "critical_angle_deg", s->critical_angle_deg);
+  tp_json_number(t, "critical_angle_deg", s->critical_angle_deg);
   tp_text_add(t, ", ");
   add_fos(t, "fos", s->fos);
   tp_text_add(t, ",\n        ");
-  add_number(t, "facet_angle_deg", s->facet_angle_deg);
+  tp_json_number(t, "facet_angle_deg", s->facet_angle_deg);
   tp_text_add(t, ", \"facet\": [{");
-  add_number(t, "x_m", s->facet_x0_m);
+  tp_json_number(t, "x_m", s->facet_x0_m);
   tp_text_add(t, ", ");
-  add_number(t, "y_m", s->facet_y0_m);
+  tp_json_number(t, "y_m", s->facet_y0_m);
   tp_text_add(t, "}, {");
-  add_number(t, "x_m", s->facet_x1_m);
+  tp_json_number(t, "x_m", s->facet_x1_m);
   tp_text_add(t, ", ");
-  add_number(t, "y_m", s->facet_y1_m);
+  tp_json_number(t, "y_m", s->facet_y1_m);
   tp_text_add(t, "}]},\n");
 }
 
 static void add_toe(tp_text *t, const tp_toe *toe) {
   if (!toe->known) return;
-  tp_text_add(t, "      \"toe\": {\"holds\": %s, ", truth(toe->holds));
+  tp_text_add(t, "      \"toe\": {\"holds\": %s, ", tp_json_truth(toe->holds));
   if (toe->upright) {
     tp_text_add(t, "\"limit_angle_deg\": null},\n");
   } else {
-    add_number(t, "limit_angle_deg", toe->limit_angle_deg);
+    tp_json_number(t, "limit_angle_deg", toe->limit_angle_deg);
     tp_text_add(t, "},\n");
   }
 }
@@ -180,11 +152,11 @@ static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
   if (a->count == 0) return;
   tp_text_add(t, "      \"elements\": {\"weight_unit\": \"%s\", ",
               has_weight ? "N" : "weight of the block");
-  add_number(t, "angle_deg", a->angle_deg);
+  tp_json_number(t, "angle_deg", a->angle_deg);
   tp_text_add(t, ",\n        ");
-  add_number(t, "stabilising", a->stabilising);
+  tp_json_number(t, "stabilising", a->stabilising);
   tp_text_add(t, ", ");
-  add_number(t, "overturning", a->overturning);
+  tp_json_number(t, "overturning", a->overturning);
   tp_text_add(t, ",\n        \"account\": [\n");
   for (size_t k = 0; k < a->count; k++) {
     const tp_element *e = a->elements + k;
@@ -195,7 +167,7 @@ static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
                              {"parallel_arm_m", e->parallel_arm_m},
                              {"stabilising", e->stabilising}};
     add_numbers(t, numbers, sizeof numbers / sizeof numbers[0], " ");
-    add_number(t, "overturning", e->overturning);
+    tp_json_number(t, "overturning", e->overturning);
     tp_text_add(t, "}%s\n", k + 1 < a->count ? "," : "");
   }
   tp_text_add(t, "        ]},\n");
@@ -207,15 +179,15 @@ static void add_mechanism(tp_text *t, const tp_case *c) {
   if (c->first == TP_INTERLOCKED || c->first == TP_STANDS) {
     tp_text_add(t, "\"critical_angle_deg\": null, ");
   } else {
-    add_number(t, "critical_angle_deg", c->first_angle_deg);
+    tp_json_number(t, "critical_angle_deg", c->first_angle_deg);
     tp_text_add(t, ", ");
   }
   if (c->has_margin) {
-    add_number(t, "margin_deg", c->margin_deg);
+    tp_json_number(t, "margin_deg", c->margin_deg);
   } else {
     tp_text_add(t, "\"margin_deg\": null");
   }
-  tp_text_add(t, "},\n      \"falls_backwards\": %s,\n", truth(c->falls_backwards));
+  tp_text_add(t, "},\n      \"falls_backwards\": %s,\n", tp_json_truth(c->falls_backwards));
 }
 
 static void add_effects(tp_text *t, const tp_solution *s) {
@@ -223,7 +195,7 @@ static void add_effects(tp_text *t, const tp_solution *s) {
   for (size_t k = 0; k < s->effect_count; k++) {
     const tp_effect *e = s->effects + k;
     tp_text_add(t, "%s\n        {\"name\": \"%s\", \"called_for_by\": ", k > 0 ? "," : "", e->name);
-    add_string(t, e->called_for_by);
+    tp_json_string(t, e->called_for_by);
     tp_text_add(t, ", \"seconds\": %.9f, \"level\": \"%s\"}", e->seconds, tp_level_name(e->level));
   }
   tp_text_add(t, "\n      ]\n");
@@ -233,12 +205,12 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_text_add(t, "    {\n      \"towards\": \"%s\",\n", tp_text_direction(c->towards));
   if (s->has_tilt_angle) {
     tp_text_add(t, "      ");
-    add_number(t, "tilt_angle_deg", s->tilt_angle_deg);
+    tp_json_number(t, "tilt_angle_deg", s->tilt_angle_deg);
     tp_text_add(t, ",\n");
   }
   if (s->has_friction) {
     tp_text_add(t, "      ");
-    add_number(t, "friction_angle_deg", s->friction_angle_deg);
+    tp_json_number(t, "friction_angle_deg", s->friction_angle_deg);
     tp_text_add(t, ",\n");
   }
   add_block(t, &s->block);
@@ -264,7 +236,7 @@ tp_status tp_report_json(char **text, const tp_solution *solution) {
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
   if (solution->title != NULL) {
     tp_text_add(&t, "  \"title\": ");
-    add_string(&t, solution->title);
+    tp_json_string(&t, solution->title);
     tp_text_add(&t, ",\n");
   }
   tp_text_add(&t, "  \"level\": \"%s\", \"bits\": %ld,\n  \"cases\": [\n",

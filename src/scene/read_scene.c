@@ -194,6 +194,7 @@ void tp_scene_free(tp_scene *scene) {
   free(scene->parameters.values);
   for (long k = 0; k < scene->file_count; k++) free(scene->files[k]);
   free(scene->files);
+  tp_node_free(scene->source);
   free(scene->title);
   free(scene->path);
   free(scene);
@@ -206,8 +207,8 @@ tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message)
   tp_status status = tp_node_read(&root, read->path, message);
   if (status == TP_OK) {
     const tp_reader reader = {read, message};
+    read->source = root;
     status = read_root(&reader, root);
-    tp_node_free(root);
   }
   if (status == TP_OK) {
     *scene = read;

@@ -10,6 +10,7 @@
 #include "message.h"
 #include "number/polyline.h"
 #include "scene/expression.h"
+#include "scene/node.h"
 
 #include <flint/fmpq.h>
 
@@ -71,6 +72,7 @@ struct tp_scene {
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
+  tp_node *source;            /* the file as read, for what is derived with symbols */
   long file_count;            /* names of files that places refer to */
   char **files;
 };

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The elements form in symbols, as Appendix A derives it. */
+
+#include "derive/formulas.h"
+
+void tp_element_formulas_init(tp_element_formulas *e, const tp_field *field) {
+  fmpz_mpoly_q_init(e->area, field->ring);
+  fmpz_mpoly_q_init(e->normal_arm, field->ring);
+  fmpz_mpoly_q_init(e->parallel_arm, field->ring);
+}
+
+void tp_element_formulas_clear(tp_element_formulas *e, const tp_field *field) {
+  fmpz_mpoly_q_clear(e->area, field->ring);
+  fmpz_mpoly_q_clear(e->normal_arm, field->ring);
+  fmpz_mpoly_q_clear(e->parallel_arm, field->ring);
+}
+
+void tp_side_formulas_init(tp_side_formulas *s, const tp_field *field) {
+  fmpz_mpoly_q_init(s->a, field->ring);
+  fmpz_mpoly_q_init(s->b, field->ring);
+  fmpz_mpoly_q_init(s->c, field->ring);
+  fmpz_mpoly_q_init(s->d, field->ring);
+}
+
+void tp_side_formulas_clear(tp_side_formulas *s, const tp_field *field) {
+  fmpz_mpoly_q_clear(s->a, field->ring);
+  fmpz_mpoly_q_clear(s->b, field->ring);
+  fmpz_mpoly_q_clear(s->c, field->ring);
+  fmpz_mpoly_q_clear(s->d, field->ring);
+}
+
+static void divide(fmpz_mpoly_q_t value, long by, const fmpz_mpoly_ctx_t ring) {
+  fmpz_t divisor;
+  fmpz_init_set_si(divisor, by);
+  fmpz_mpoly_q_div_fmpz(value, value, divisor, ring);
+  fmpz_clear(divisor);
+}
+
+static bool is_negative(const fmpz_mpoly_q_t formula, const tp_field *field) {
+  fmpq_t value;
+  fmpq_init(value);
+  const bool negative = tp_field_evaluate(value, formula, field) && fmpq_sgn(value) < 0;
+  fmpq_clear(value);
+  return negative;
+}
+
+/* Area and centroid of an element: of a slab (x1 - x0) (y1 - y0) and the middle; of a triangle half
+ * the determinant and the mean of the corners. */
+static void set_shape(tp_element_formulas *e, const tp_exact_element *exact,
+                      const tp_symbols *symbols, const tp_problem *problem) {
+  const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
+  const bool slab = exact->kind == TP_ELEMENT_SLAB;
+  const fmpz_mpoly_q_struct *x[3], *y[3];
+  for (int k = 0; k < (slab ? 2 : 3); k++) {
+    x[k] = tp_formulas_x(symbols, problem, exact->corner[k]);
+    y[k] = tp_formulas_y(symbols, problem, exact->corner[k]);
+  }
+  fmpz_mpoly_q_add(e->normal_arm, x[0], x[1], ring);
+  fmpz_mpoly_q_add(e->parallel_arm, y[0], y[1], ring);
+  fmpz_mpoly_q_t dx, dy;
+  fmpz_mpoly_q_init(dx, ring);
+  fmpz_mpoly_q_init(dy, ring);
+  fmpz_mpoly_q_sub(dx, x[1], x[0], ring);
+  fmpz_mpoly_q_sub(dy, slab ? y[1] : y[2], y[0], ring);
+  fmpz_mpoly_q_mul(e->area, dx, dy, ring);
+  if (!slab) {
+    fmpz_mpoly_q_add(e->normal_arm, e->normal_arm, x[2], ring);
+    fmpz_mpoly_q_add(e->parallel_arm, e->parallel_arm, y[2], ring);
+    fmpz_mpoly_q_sub(dx, x[2], x[0], ring);
+    fmpz_mpoly_q_sub(dy, y[1], y[0], ring);
+    fmpz_mpoly_q_mul(dx, dx, dy, ring);
+    fmpz_mpoly_q_sub(e->area, e->area, dx, ring);
+    divide(e->area, 2, ring);
+  }
+  divide(e->normal_arm, slab ? 2 : 3, ring);
+  divide(e->parallel_arm, slab ? 2 : 3, ring);
+  if (is_negative(e->area, &symbols->field)) fmpz_mpoly_q_neg(e->area, e->area, ring);
+  fmpz_mpoly_q_clear(dx, ring);
+  fmpz_mpoly_q_clear(dy, ring);
+}
+
+void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
+                             const tp_problem *problem, long index, long pivot,
+                             tp_direction towards) {
+  const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
+  const tp_exact_element *exact = problem->elements.items + index;
+  set_shape(e, exact, symbols, problem);
+  fmpq_t density;
+  fmpq_init(density);
+  fmpq_set_fmpz(density, problem->section.density_weights + exact->part);
+  fmpq_div_fmpz(density, density, problem->section.density_weights);
+  fmpz_mpoly_q_mul_fmpq(e->area, e->area, density, ring);
+  fmpq_clear(density);
+  fmpz_mpoly_q_sub(e->normal_arm, e->normal_arm, tp_formulas_x(symbols, problem, pivot), ring);
+  fmpz_mpoly_q_sub(e->parallel_arm, e->parallel_arm, tp_formulas_y(symbols, problem, pivot), ring);
+  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(e->normal_arm, e->normal_arm, ring);
+  e->normal_stabilises = !is_negative(e->normal_arm, &symbols->field);
+  e->parallel_overturns = !is_negative(e->parallel_arm, &symbols->field);
+}
+
+/* One element's two moments onto their sides, each taken positive. */
+static void add_sides(tp_side_formulas *s, const tp_element_formulas *e, fmpz_mpoly_q_t scratch,
+                      const fmpz_mpoly_ctx_t ring) {
+  fmpz_mpoly_q_mul(scratch, e->area, e->normal_arm, ring);
+  if (e->normal_stabilises) {
+    fmpz_mpoly_q_add(s->a, s->a, scratch, ring);
+  } else {
+    fmpz_mpoly_q_sub(s->c, s->c, scratch, ring);
+  }
+  fmpz_mpoly_q_mul(scratch, e->area, e->parallel_arm, ring);
+  if (e->parallel_overturns) {
+    fmpz_mpoly_q_add(s->d, s->d, scratch, ring);
+  } else {
+    fmpz_mpoly_q_sub(s->b, s->b, scratch, ring);
+  }
+}
+
+bool tp_side_formulas_sum(tp_side_formulas *s, const tp_formulas *formulas,
+                          const tp_symbols *symbols, const tp_problem *problem, long pivot,
+                          tp_direction towards) {
+  const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
+  tp_element_formulas element;
+  fmpz_mpoly_q_t scratch, area;
+  tp_element_formulas_init(&element, &symbols->field);
+  fmpz_mpoly_q_init(scratch, ring);
+  fmpz_mpoly_q_init(area, ring);
+  for (long k = 0; k < problem->elements.count; k++) {
+    tp_element_formulas_set(&element, symbols, problem, k, pivot, towards);
+    fmpz_mpoly_q_add(area, area, element.area, ring);
+    add_sides(s, &element, scratch, ring);
+  }
+  fmpz_mpoly_q_add(area, area, area, ring);
+  const bool whole = fmpz_mpoly_q_equal(area, formulas->weighted2, ring) != 0;
+  tp_element_formulas_clear(&element, &symbols->field);
+  fmpz_mpoly_q_clear(scratch, ring);
+  fmpz_mpoly_q_clear(area, ring);
+  return whole;
+}

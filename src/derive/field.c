@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "derive/field.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_POWER = 1000 };
+static const char too_large[] = "the formula grows beyond what can be derived here";
+
+static const fmpz_mpoly_ctx_struct *ring(const void *context) {
+  const tp_field *field = context;
+  return field->ring;
+}
+
+static void init(void *value, const void *context) {
+  fmpz_mpoly_q_init(value, ring(context));
+}
+
+static void clear(void *value, const void *context) {
+  fmpz_mpoly_q_clear(value, ring(context));
+}
+
+static void set_number(void *value, const fmpq_t number, const void *context) {
+  fmpz_mpoly_q_set_fmpq(value, number, ring(context));
+}
+
+static bool set_name(void *value, const char *name, size_t length, const void *context) {
+  const tp_field *field = context;
+  for (long k = field->known - 1; k >= 0; k--) {
+    const char *known = field->parameters->names[k];
+    if (strlen(known) == length && strncmp(known, name, length) == 0) {
+      fmpz_mpoly_q_set(value, field->values + k, field->ring);
+      return true;
+    }
+  }
+  return false;
+}
+
+static void negate(void *value, const void *context) {
+  fmpz_mpoly_q_neg(value, value, ring(context));
+}
+
+static double terms(const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) {
+  return (double)fmpz_mpoly_length(fmpz_mpoly_q_numref(f), ctx) +
+         (double)fmpz_mpoly_length(fmpz_mpoly_q_denref(f), ctx);
+}
+
+/* The whole number that a constant formula is; false for any other. */
+static bool whole_number(slong *number, const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) {
+  if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(f), ctx) ||
+      !fmpz_mpoly_is_fmpz(fmpz_mpoly_q_numref(f), ctx)) {
+    return false;
+  }
+  fmpz_t constant;
+  fmpz_init(constant);
+  fmpz_mpoly_get_fmpz(constant, fmpz_mpoly_q_numref(f), ctx);
+  *number = fmpz_fits_si(constant) ? fmpz_get_si(constant) : MOST_POWER + 1;
+  fmpz_clear(constant);
+  return true;
+}
+
+static bool multiply(fmpz_mpoly_q_struct *value, const fmpz_mpoly_q_struct *other,
+                     const fmpz_mpoly_ctx_t ctx) {
+  if (terms(value, ctx) * terms(other, ctx) > TP_FIELD_TERMS) return false;
+  fmpz_mpoly_q_mul(value, value, other, ctx);
+  return true;
+}
+
+static const char *power(fmpz_mpoly_q_struct *base, const fmpz_mpoly_q_struct *exponent,
+                         const fmpz_mpoly_ctx_t ctx) {
+  slong count = 0;
+  if (!whole_number(&count, exponent, ctx)) return "an exponent must be a whole number";
+  if (count > MOST_POWER || count < -MOST_POWER) return "an exponent may be at most 1000 here";
+  if (fmpz_mpoly_q_is_zero(base, ctx) && count < 0) {
+    return "division by zero: zero to a negative power";
+  }
+  fmpz_mpoly_q_t factor;
+  fmpz_mpoly_q_init(factor, ctx);
+  fmpz_mpoly_q_set(factor, base, ctx);
+  if (count < 0) fmpz_mpoly_q_inv(factor, factor, ctx);
+  fmpz_mpoly_q_one(base, ctx);
+  bool done = true;
+  for (slong k = 0; k < (count < 0 ? -count : count) && done; k++)
+    done = multiply(base, factor, ctx);
+  fmpz_mpoly_q_clear(factor, ctx);
+  return done ? NULL : too_large;
+}
+
+static const char *combine(void *value, char op, const void *other, const void *context) {
+  const fmpz_mpoly_ctx_struct *ctx = ring(context);
+  if (op == '^') return power(value, other, ctx);
+  if (op == '/' && fmpz_mpoly_q_is_zero(other, ctx)) {
+    return "division by zero, whatever the parameters";
+  }
+  if (terms(value, ctx) * terms(other, ctx) > TP_FIELD_TERMS) return too_large;
+  switch (op) {
+  case '+':
+    fmpz_mpoly_q_add(value, value, other, ctx);
+    break;
+  case '-':
+    fmpz_mpoly_q_sub(value, value, other, ctx);
+    break;
+  case '*':
+    fmpz_mpoly_q_mul(value, value, other, ctx);
+    break;
+  default:
+    fmpz_mpoly_q_div(value, value, other, ctx);
+    break;
+  }
+  return NULL;
+}
+
+static const tp_algebra field_algebra = {init, clear, set_number, set_name, negate, combine};
+
+tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_node *node,
+                        const tp_scene *scene, tp_message *message) {
+  tp_place place = tp_node_place(node, scene->path);
+  place.column += node->text_offset;
+  const tp_status status =
+      tp_expression_read(value, &field_algebra, field, node->text, place, message);
+  if (status == TP_OK && terms(value, field->ring) > TP_FIELD_COORDINATE_TERMS + 1) {
+    return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, scene->path),
+                   "more than %d terms in one number; formulas are derived for shorter ones",
+                   TP_FIELD_COORDINATE_TERMS);
+  }
+  return status;
+}
+
+void tp_field_clear(tp_field *field) {
+  for (long k = 0; field->values != NULL && k < field->parameters->count; k++) {
+    fmpz_mpoly_q_clear(field->values + k, field->ring);
+  }
+  free(field->values);
+  fmpz_mpoly_ctx_clear(field->ring);
+}
+
+tp_status tp_field_init(tp_field *field, const tp_scene *scene, tp_message *message) {
+  const long count = scene->parameters.count;
+  *field = (tp_field){.parameters = &scene->parameters};
+  fmpz_mpoly_ctx_init(field->ring, count > 0 ? count : 1, ORD_LEX);
+  field->values = calloc((size_t)count + 1, sizeof *field->values);
+  tp_status status = TP_OK;
+  if (field->values == NULL) {
+    status = tp_fail_memory(message, "the field of formulas");
+  } else {
+    for (long k = 0; k < count; k++) fmpz_mpoly_q_init(field->values + k, field->ring);
+  }
+  const tp_node *source = tp_node_get(scene->source, "parameters");
+  const tp_node *node = source != NULL ? source->first : NULL;
+  for (long k = 0; k < count && node != NULL && status == TP_OK; k++, node = node->next) {
+    status = tp_field_read(field->values + k, field, node, scene, message);
+    if (fmpz_mpoly_q_is_fmpq(field->values + k, field->ring)) {
+      fmpz_mpoly_q_gen(field->values + k, k, field->ring);
+    }
+    field->known = k + 1;
+  }
+  if (status != TP_OK) tp_field_clear(field);
+  return status;
+}
+
+static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial,
+                                const tp_field *field) {
+  fmpq_t term, factor;
+  fmpq_init(term);
+  fmpq_init(factor);
+  fmpq_zero(value);
+  for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
+    fmpq_one(term);
+    fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), polynomial, t, field->ring);
+    for (long k = 0; k < field->parameters->count; k++) {
+      const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
+      if (exponent == 0) continue;
+      fmpq_pow_si(factor, field->parameters->values + k, exponent);
+      fmpq_mul(term, term, factor);
+    }
+    fmpq_add(value, value, term);
+  }
+  fmpq_clear(term);
+  fmpq_clear(factor);
+}
+
+bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field) {
+  fmpq_t below;
+  fmpq_init(below);
+  evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), field);
+  evaluate_polynomial(below, fmpz_mpoly_q_denref(formula), field);
+  const bool defined = !fmpq_is_zero(below);
+  if (defined) fmpq_div(value, value, below);
+  fmpq_clear(below);
+  return defined;
+}

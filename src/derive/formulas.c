@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "derive/formulas.h"
+
+void tp_formulas_init(tp_formulas *f, const tp_field *field) {
+  fmpz_mpoly_q_init(f->area2, field->ring);
+  fmpz_mpoly_q_init(f->weighted2, field->ring);
+  fmpz_mpoly_q_init(f->x6, field->ring);
+  fmpz_mpoly_q_init(f->y6, field->ring);
+}
+
+void tp_formulas_clear(tp_formulas *f, const tp_field *field) {
+  fmpz_mpoly_q_clear(f->area2, field->ring);
+  fmpz_mpoly_q_clear(f->weighted2, field->ring);
+  fmpz_mpoly_q_clear(f->x6, field->ring);
+  fmpz_mpoly_q_clear(f->y6, field->ring);
+}
+
+/* sum += (p + q) c weight */
+static void add_moment(fmpz_mpoly_q_t sum, const fmpz_mpoly_q_t p, const fmpz_mpoly_q_t q,
+                       const fmpz_mpoly_q_t c, const fmpq_t weight, fmpz_mpoly_q_t scratch,
+                       const fmpz_mpoly_ctx_t ring) {
+  fmpz_mpoly_q_add(scratch, p, q, ring);
+  fmpz_mpoly_q_mul(scratch, scratch, c, ring);
+  fmpz_mpoly_q_mul_fmpq(scratch, scratch, weight, ring);
+  fmpz_mpoly_q_add(sum, sum, scratch, ring);
+}
+
+/* The sums of one ring, times its relative weight; the plain area times `sign`. */
+static void add_ring(tp_formulas *f, const tp_symbolic_chain *chain, const fmpq_t weight, int sign,
+                     const fmpz_mpoly_ctx_t ring) {
+  fmpz_mpoly_q_t c, scratch;
+  fmpz_mpoly_q_init(c, ring);
+  fmpz_mpoly_q_init(scratch, ring);
+  for (long k = 0; k < chain->count; k++) {
+    const long next = k + 1 == chain->count ? 0 : k + 1;
+    const fmpz_mpoly_q_struct *x0 = chain->x + k, *x1 = chain->x + next;
+    const fmpz_mpoly_q_struct *y0 = chain->y + k, *y1 = chain->y + next;
+    fmpz_mpoly_q_mul(c, x0, y1, ring);
+    fmpz_mpoly_q_mul(scratch, x1, y0, ring);
+    fmpz_mpoly_q_sub(c, c, scratch, ring);
+    if (sign > 0) fmpz_mpoly_q_add(f->area2, f->area2, c, ring);
+    if (sign < 0) fmpz_mpoly_q_sub(f->area2, f->area2, c, ring);
+    fmpz_mpoly_q_mul_fmpq(scratch, c, weight, ring);
+    fmpz_mpoly_q_add(f->weighted2, f->weighted2, scratch, ring);
+    add_moment(f->x6, x0, x1, c, weight, scratch, ring);
+    add_moment(f->y6, y0, y1, c, weight, scratch, ring);
+  }
+  fmpz_mpoly_q_clear(c, ring);
+  fmpz_mpoly_q_clear(scratch, ring);
+}
+
+void tp_formulas_sum(tp_formulas *f, const tp_symbols *symbols, const tp_section *section) {
+  fmpq_t weight;
+  fmpq_init(weight);
+  for (long r = 0; r < section->ring_count; r++) {
+    fmpq_set_fmpz(weight, section->ring_weights + r);
+    fmpq_div_fmpz(weight, weight, section->density_weights);
+    const int sign = r == 0 ? 1 : r <= section->hole_count ? -1 : 0;
+    add_ring(f, symbols->rings + r, weight, sign, symbols->field.ring);
+  }
+  fmpq_clear(weight);
+}
+
+/* The chain and the place in it of a lattice point. */
+static const tp_symbolic_chain *locate(const tp_symbols *symbols, const tp_problem *problem,
+                                       long point, long *at) {
+  const long *start = problem->lattice.start, rings = symbols->ring_count;
+  long chain = 0;
+  while (point >= start[chain + 1]) chain++;
+  *at = point - start[chain];
+  const tp_symbolic_chain *found = chain < rings    ? symbols->rings + chain
+                                   : chain == rings ? &symbols->profile
+                                                    : &symbols->corners;
+  return *at < found->count ? found : NULL;
+}
+
+const fmpz_mpoly_q_struct *tp_formulas_x(const tp_symbols *symbols, const tp_problem *problem,
+                                         long point) {
+  long at = 0;
+  const tp_symbolic_chain *chain = locate(symbols, problem, point, &at);
+  return chain != NULL ? chain->x + at : NULL;
+}
+
+const fmpz_mpoly_q_struct *tp_formulas_y(const tp_symbols *symbols, const tp_problem *problem,
+                                         long point) {
+  long at = 0;
+  const tp_symbolic_chain *chain = locate(symbols, problem, point, &at);
+  return chain != NULL ? chain->y + at : NULL;
+}

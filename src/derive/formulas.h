@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The moment sums and lever arms of a block in symbols (mechanics section 9). */
+
+#ifndef TP_FORMULAS_H
+#define TP_FORMULAS_H
+
+#include "derive/symbols.h"
+#include "stability/problem.h"
+
+/* Twice the area, six times the first moments about the scene's origin, weighted by relative
+ * density; `area2` without weights, holes taken off. */
+typedef struct tp_formulas {
+  fmpz_mpoly_q_t area2, weighted2, x6, y6;
+} tp_formulas;
+
+void tp_formulas_init(tp_formulas *formulas, const tp_field *field);
+void tp_formulas_clear(tp_formulas *formulas, const tp_field *field);
+
+/* The boundary sums of block/ring_sums.h over all rings. */
+void tp_formulas_sum(tp_formulas *formulas, const tp_symbols *symbols, const tp_section *section);
+
+/* Coordinates of a point of the problem's lattice in symbols; NULL where it has none, as past the
+ * block on a mated base. */
+const fmpz_mpoly_q_struct *tp_formulas_x(const tp_symbols *symbols, const tp_problem *problem,
+                                         long point);
+const fmpz_mpoly_q_struct *tp_formulas_y(const tp_symbols *symbols, const tp_problem *problem,
+                                         long point);
+
+/* An element about a pivot: its area times relative density, the arms of its weight (x mirrored
+ * towards the right), and the sides that they are on at the scene's values. */
+typedef struct tp_element_formulas {
+  fmpz_mpoly_q_t area, normal_arm, parallel_arm;
+  bool normal_stabilises, parallel_overturns;
+} tp_element_formulas;
+
+void tp_element_formulas_init(tp_element_formulas *element, const tp_field *field);
+void tp_element_formulas_clear(tp_element_formulas *element, const tp_field *field);
+void tp_element_formulas_set(tp_element_formulas *element, const tp_symbols *symbols,
+                             const tp_problem *problem, long index, long pivot,
+                             tp_direction towards);
+
+/* The sums of the elements' moments: a, b stabilise with cos and sin of the tilt, c, d overturn. */
+typedef struct tp_side_formulas {
+  fmpz_mpoly_q_t a, b, c, d;
+} tp_side_formulas;
+
+void tp_side_formulas_init(tp_side_formulas *sides, const tp_field *field);
+void tp_side_formulas_clear(tp_side_formulas *sides, const tp_field *field);
+
+/* False where the elements do not add up to the block for all values of the parameters, because
+ * corners of different rings meet only at the scene's values. */
+bool tp_side_formulas_sum(tp_side_formulas *sides, const tp_formulas *formulas,
+                          const tp_symbols *symbols, const tp_problem *problem, long pivot,
+                          tp_direction towards);
+
+#endif

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+#include "derive/notation.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void add_latex_name(FILE *out, const char *name) {
+  if (strlen(name) == 1) {
+    fputs(name, out);
+    return;
+  }
+  fputs("\\mathrm{", out);
+  for (const char *c = name; *c != '\0'; c++) {
+    if (*c == '_') fputc('\\', out);
+    fputc(*c, out);
+  }
+  fputs("}", out);
+}
+
+/* A factor name^exponent; `first`: nothing stands before it in the term. */
+static void add_factor(FILE *out, const char *name, slong exponent, bool first,
+                       tp_notation notation) {
+  switch (notation) {
+  case TP_NOTATION_TEXT:
+    fprintf(out, "%s%s", first ? "" : "*", name);
+    if (exponent > 1) fprintf(out, "^%ld", (long)exponent);
+    break;
+  case TP_NOTATION_LATEX:
+    if (!first) fputs(" ", out);
+    add_latex_name(out, name);
+    if (exponent > 1) fprintf(out, "^{%ld}", (long)exponent);
+    break;
+  case TP_NOTATION_C:
+    for (slong k = 0; k < exponent; k++) fprintf(out, "%s%s", first && k == 0 ? "" : "*", name);
+    break;
+  }
+}
+
+static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp_field *field,
+                     tp_notation notation) {
+  fmpz_t coefficient;
+  fmpz_init(coefficient);
+  fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, t, field->ring);
+  const bool negative = fmpz_sgn(coefficient) < 0;
+  if (negative) fmpz_neg(coefficient, coefficient);
+  if (t > 0) {
+    fputs(negative ? " - " : " + ", out);
+  } else if (negative) {
+    fputs("-", out);
+  }
+  bool constant = true;
+  for (long k = 0; k < field->parameters->count; k++) {
+    constant = constant && fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring) == 0;
+  }
+  bool first = fmpz_is_one(coefficient) && !constant;
+  if (!first) {
+    char *digits = fmpz_get_str(NULL, 10, coefficient);
+    fprintf(out, "%s%s", digits, notation == TP_NOTATION_C ? ".0" : "");
+    flint_free(digits);
+  }
+  for (long k = 0; k < field->parameters->count; k++) {
+    const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
+    if (exponent == 0) continue;
+    add_factor(out, field->parameters->names[k], exponent, first, notation);
+    first = false;
+  }
+  fmpz_clear(coefficient);
+}
+
+static void add_polynomial(FILE *out, const fmpz_mpoly_t polynomial, const tp_field *field,
+                           tp_notation notation) {
+  const slong terms = fmpz_mpoly_length(polynomial, field->ring);
+  if (terms == 0) fputs(notation == TP_NOTATION_C ? "0.0" : "0", out);
+  for (slong t = 0; t < terms; t++) add_term(out, polynomial, t, field, notation);
+}
+
+char *tp_notation_polynomial(const fmpz_mpoly_t polynomial, const tp_field *field,
+                             tp_notation notation) {
+  char *text = NULL;
+  size_t length = 0;
+  FILE *out = open_memstream(&text, &length);
+  if (out == NULL) return NULL;
+  add_polynomial(out, polynomial, field, notation);
+  return fclose(out) == 0 ? text : NULL;
+}
+
+static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_field *field,
+                         tp_notation notation) {
+  const fmpz_mpoly_struct *top = fmpz_mpoly_q_numref(fraction);
+  const fmpz_mpoly_struct *below = fmpz_mpoly_q_denref(fraction);
+  if (fmpz_mpoly_is_one(below, field->ring)) {
+    add_polynomial(out, top, field, notation);
+    return;
+  }
+  if (notation == TP_NOTATION_LATEX) {
+    fputs("\\frac{", out);
+    add_polynomial(out, top, field, notation);
+    fputs("}{", out);
+    add_polynomial(out, below, field, notation);
+    fputs("}", out);
+    return;
+  }
+  const bool sum = fmpz_mpoly_length(top, field->ring) > 1;
+  const bool constant = fmpz_mpoly_is_fmpz(below, field->ring) != 0;
+  fputs(sum ? "(" : "", out);
+  add_polynomial(out, top, field, notation);
+  fputs(sum ? ")" : "", out);
+  fputs(constant ? "/" : "/(", out);
+  add_polynomial(out, below, field, notation);
+  fputs(constant ? "" : ")", out);
+}
+
+char *tp_notation_fraction(const fmpz_mpoly_q_t fraction, const tp_field *field,
+                           tp_notation notation) {
+  char *text = NULL;
+  size_t length = 0;
+  FILE *out = open_memstream(&text, &length);
+  if (out == NULL) return NULL;
+  add_fraction(out, fraction, field, notation);
+  return fclose(out) == 0 ? text : NULL;
+}

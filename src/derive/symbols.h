@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The section of a block in symbols: the same rings, vertex by vertex, as rational functions of the
+ * scene's parameters. Coordinates that the scene gives by numbers are constants. */
+
+#ifndef TP_SYMBOLS_H
+#define TP_SYMBOLS_H
+
+#include "block/section.h"
+#include "derive/field.h"
+
+typedef struct tp_symbolic_chain {
+  long count;
+  fmpz_mpoly_q_struct *x, *y;
+} tp_symbolic_chain;
+
+typedef struct tp_symbols {
+  tp_field field;
+  long ring_count;
+  tp_symbolic_chain *rings;  /* as those of the section, in the same order and sense */
+  tp_symbolic_chain profile; /* of a base with a profile of its own; else empty */
+  tp_symbolic_chain corners; /* of the elements of Appendix A, as in the section; else empty */
+} tp_symbols;
+
+/* On failure `symbols` is cleared. */
+TP_MUST_USE tp_status tp_symbols_init(tp_symbols *symbols, const tp_scene *scene,
+                                      const tp_section *section, tp_message *message);
+void tp_symbols_clear(tp_symbols *symbols);
+
+#endif

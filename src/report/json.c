@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/json.h"
+
+#include <math.h>
+
+void tp_json_number(tp_text *t, const char *key, tp_bounded number) {
+  if (!isfinite(number.error)) {
+    tp_text_add(t, "\"%s\": null", key);
+  } else {
+    tp_text_add(t, "\"%s\": {\"value\": %.17g, \"error\": %.17g}", key, number.value, number.error);
+  }
+}
+
+void tp_json_string(tp_text *t, const char *string) {
+  tp_text_add(t, "\"");
+  for (const char *c = string; *c != '\0'; c++) {
+    if (*c == '"' || *c == '\\') {
+      tp_text_add(t, "\\%c", *c);
+    } else if ((unsigned char)*c < 0x20) {
+      tp_text_add(t, "\\u%04x", (unsigned)*c);
+    } else {
+      tp_text_add(t, "%c", *c);
+    }
+  }
+  tp_text_add(t, "\"");
+}
+
+const char *tp_json_truth(bool value) {
+  return value ? "true" : "false";
+}

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A derivation as a page of text, as LaTeX, or as C. */
+
+#include "report/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void add_heading(tp_text *t, const tp_derivation *d) {
+  tp_text_add(t, "%s: ", d->title != NULL ? d->title : "Formulas");
+  if (d->symbol_count == 0) tp_text_add(t, "no parameters, so numbers");
+  for (size_t k = 0; k < d->symbol_count; k++) {
+    tp_text_add(t, "%s%s", k == 0 ? "in " : ", ", d->symbols[k]);
+  }
+}
+
+/* "valley at (0, 0), towards the left, governs, 35.201 degrees at the scene's values" */
+static void add_description(tp_text *t, const tp_derived_pivot *p) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "%s at (%s, %s), towards the %s, %s, %s degrees at the scene's values",
+              tp_text_pivot_kind(p->kind), p->x.formula, p->y.formula,
+              tp_text_direction(p->towards),
+              p->governs      ? "governs"
+              : p->admissible ? "admissible"
+                              : "not admissible",
+              tp_text_fixed(n, p->critical_angle_deg, 3));
+}
+
+/* The formula as a factor: in parentheses where it has a sum or a quotient. */
+static void add_factor(tp_text *t, const char *formula) {
+  const bool plain = strpbrk(formula, " /") == NULL;
+  tp_text_add(t, plain ? "%s" : "(%s)", formula);
+}
+
+static void add_elements(tp_text *t, const tp_derivation *d, tp_direction towards) {
+  if (d->elements[towards] == NULL) return;
+  tp_text_add(t, "\nElements about the governing pivot, towards the %s\n",
+              tp_text_direction(towards));
+  for (size_t k = 0; k < d->element_count; k++) {
+    const tp_derived_element *e = d->elements[towards] + k;
+    tp_text_add(t, "  w%zu  %s, area %s\n      arms %s (%s), %s (%s)\n", k + 1,
+                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle", e->area.formula,
+                e->normal_arm.formula, e->normal_stabilises ? "stabilises" : "overturns",
+                e->parallel_arm.formula, e->parallel_overturns ? "overturns" : "stabilises");
+  }
+}
+
+static void add_text_pivot(tp_text *t, const tp_derived_pivot *p) {
+  tp_text_add(t, "\nPivot: ");
+  add_description(t, p);
+  tp_text_add(t, "\n  tan(alpha_crit) = %s\n", p->tangent.formula);
+  if (!p->has_elements) return;
+  tp_text_add(t, "  FoS by elements = ");
+  if (p->splits) {
+    add_factor(t, p->fos_cot.formula);
+    tp_text_add(t, "*cot(alpha)");
+    if (strcmp(p->fos_constant.formula, "0") != 0) {
+      tp_text_add(t, " + %s", p->fos_constant.formula);
+    }
+    tp_text_add(t, "\n");
+  } else {
+    tp_text_add(
+        t,
+        "(A*cot(alpha) + B)/(C*cot(alpha) + D)\n    A = %s\n    B = %s\n    C = %s\n    D = %s\n",
+        p->normal_stabilising.formula, p->parallel_stabilising.formula,
+        p->normal_overturning.formula, p->parallel_overturning.formula);
+  }
+}
+
+static void write_text(tp_text *t, const tp_derivation *d) {
+  add_heading(t, d);
+  tp_text_add(t,
+              "\n\nLengths in scene units; moments about its origin, weighted by relative density\n"
+              "  area = %s\n  x moment = %s\n  y moment = %s\n\n"
+              "FoS by the resultant weight = tan(alpha_crit)*cot(alpha)\n",
+              d->area.formula, d->x_moment.formula, d->y_moment.formula);
+  for (size_t k = 0; k < d->pivot_count; k++) add_text_pivot(t, d->pivots + k);
+  add_elements(t, d, TP_TOWARDS_LEFT);
+  add_elements(t, d, TP_TOWARDS_RIGHT);
+}
+
+static void write_latex(tp_text *t, const tp_derivation *d) {
+  tp_text_add(t, "%% ");
+  add_heading(t, d);
+  tp_text_add(t, "\n\\[ A = %s \\]\n\\[ S_x = %s \\]\n\\[ S_y = %s \\]\n", d->area.formula,
+              d->x_moment.formula, d->y_moment.formula);
+  for (size_t k = 0; k < d->pivot_count; k++) {
+    const tp_derived_pivot *p = d->pivots + k;
+    tp_text_add(t, "%% ");
+    add_description(t, p);
+    tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", p->tangent.formula);
+    if (!p->has_elements) continue;
+    if (p->splits) {
+      tp_text_add(t, "\\[ \\mathrm{FoS} = %s \\cot\\alpha + %s \\]\n", p->fos_cot.formula,
+                  p->fos_constant.formula);
+    } else {
+      tp_text_add(t,
+                  "\\[ \\mathrm{FoS} = \\frac{\\left(%s\\right) \\cot\\alpha + %s}"
+                  "{\\left(%s\\right) \\cot\\alpha + %s} \\]\n",
+                  p->normal_stabilising.formula, p->parallel_stabilising.formula,
+                  p->normal_overturning.formula, p->parallel_overturning.formula);
+    }
+  }
+}
+
+static void add_arguments(tp_text *t, const tp_derivation *d, const char *first) {
+  tp_text_add(t, "(%s", first);
+  for (size_t k = 0; k < d->symbol_count; k++) {
+    tp_text_add(t, "%sdouble %s", k > 0 || *first != '\0' ? ", " : "", d->symbols[k]);
+  }
+  tp_text_add(t, d->symbol_count == 0 && *first == '\0' ? "void) {\n" : ") {\n");
+}
+
+static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
+  const tp_derived_pivot *p = d->pivots + k;
+  tp_text_add(t, "\n/* ");
+  add_description(t, p);
+  tp_text_add(t, " */\ndouble tan_critical_angle_%zu", k + 1);
+  add_arguments(t, d, "");
+  const bool bounded = strcmp(p->tangent.denominator, "0") != 0;
+  tp_text_add(t, "  return %s;\n}\n", bounded ? p->tangent.formula : "INFINITY");
+  if (!p->has_elements) return;
+  tp_text_add(t, "\ndouble fos_elements_%zu", k + 1);
+  add_arguments(t, d, "double alpha");
+  tp_text_add(
+      t,
+      "  const double normal = cos(alpha), parallel = sin(alpha);\n"
+      "  return (normal*(%s) + parallel*(%s))\n         / (normal*(%s) + parallel*(%s));\n}\n",
+      p->normal_stabilising.formula, p->parallel_stabilising.formula, p->normal_overturning.formula,
+      p->parallel_overturning.formula);
+}
+
+static void write_c(tp_text *t, const tp_derivation *d) {
+  tp_text_add(t, "/* ");
+  add_heading(t, d);
+  tp_text_add(t, " */\n\n#include <math.h>\n\ndouble area");
+  add_arguments(t, d, "");
+  tp_text_add(t, "  return %s;\n}\n", d->area.formula);
+  for (size_t k = 0; k < d->pivot_count; k++) add_c_pivot(t, d, k);
+}
+
+tp_status tp_report_derivation(char **text, const tp_derivation *derivation) {
+  tp_text t = {0};
+  switch (derivation->notation) {
+  case TP_NOTATION_TEXT:
+    write_text(&t, derivation);
+    break;
+  case TP_NOTATION_LATEX:
+    write_latex(&t, derivation);
+    break;
+  case TP_NOTATION_C:
+    write_c(&t, derivation);
+    break;
+  }
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Derived formulas: equal to the paper's Fig. 8 letter by letter, and at their parameters equal to
+exact numbers, as rationals: nothing here has a tolerance but where C evaluates in doubles."""
+
+import ctypes
+import json
+import math
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+import exact
+from harness import main, run, solve
+
+# (N, left end): numerator and denominator as in Fig. 8, (A1.4) … (A1.24)
+FIG_8 = {
+    (2, "valley"): ("6*a*b + 3*a*c", "3*b^2 + 6*b*c + 2*c^2"),
+    (2, "peak"): ("6*a*b + 3*a*c", "3*b^2 - c^2"),
+    (3, "valley"): ("27*a*b + 13*a*c", "9*b^2 + 18*b*c + 6*c^2"),
+    (3, "peak"): ("27*a*b + 14*a*c", "9*b^2 - 3*c^2"),
+    (4, "valley"): ("12*a*b + 6*a*c", "3*b^2 + 6*b*c + 2*c^2"),
+    (4, "peak"): ("12*a*b + 6*a*c", "3*b^2 - c^2"),
+}
+
+TEETH = ("topple: 1\nlength_unit: mm\nparameters: {a: 30, b: 120, c: 5}\nblock:\n"
+         "  teeth: {count: %d, width: a, height: b, depth: c, left_end: %s}\ntilt: {towards: left}\n")
+
+
+def value(formula, values):
+    """A derived polynomial at rational values, by Python's own arithmetic."""
+    return Fraction(eval(formula.replace("^", "**"), {"__builtins__": {}}, values))
+
+
+def evaluate(text, values):
+    """An expression of a scene in rationals: its numbers are fractions."""
+    python = re.sub(r"\d+", lambda n: f"Fraction({n.group()})", text)
+    return eval(python, {"__builtins__": {}, "Fraction": Fraction}, values)
+
+
+def quotient(fraction, values):
+    return value(fraction["numerator"], values) / value(fraction["denominator"], values)
+
+
+class Derive(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.scene = pathlib.Path(self.folder.name) / "scene.yaml"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def derive(self, text, *options):
+        self.scene.write_text(text)
+        status, out, err = run("derive", "--json", *options, self.scene)
+        self.assertEqual((status, err), (0, ""))
+        return json.loads(out)
+
+    def test_fig_8(self):
+        """N = 2, 3, 4 towards both kinds of end: the formulas of Fig. 8, in the same terms."""
+        for (count, end), (top, bottom) in FIG_8.items():
+            pivot = self.derive(TEETH % (count, end))["pivots"][0]
+            self.assertTrue(pivot["governs"])
+            self.assertEqual(pivot["tan_critical_angle"], {"numerator": top, "denominator": bottom})
+
+    def test_elements_form(self):
+        """(A1.3) and (A1.15): the triangles below a peak stabilise, FoS = p cot(alpha) + q."""
+        for count, top, bottom in ((3, "27*a*b + 14*a*c", "9*b^2"), (4, "4*a*b + 2*a*c", "b^2")):
+            form = self.derive(TEETH % (count, "peak"), "--elements")["pivots"][0]["fos_elements"]
+            self.assertEqual(form["cot"], {"numerator": top, "denominator": bottom})
+            self.assertEqual(form["constant"], {"numerator": "c^2", "denominator": "3*b^2"})
+
+    def test_general_parameters(self):
+        """The same block by dx, y, A and lambda (section 5.1 of the paper): four teeth, dx = 2 lambda,
+        about a valley, at random values against exact moments."""
+        text = ("topple: 1\nlength_unit: mm\nparameters: {y: 100, A: 5, l: 40}\nblock:\n  teeth: "
+                "{block_width: 2*l, mean_height: y, amplitude: A, wavelength: l, left_end: valley}\n")
+        tangent = self.derive(text)["pivots"][0]["tan_critical_angle"]
+        for _ in range(20):
+            y, amplitude, length = (Fraction(random.randint(1, 99)) for _ in range(3))
+            count, a, b, c = 4, length / 2, y - amplitude / 2, amplitude
+            m = exact.block_moments(exact.teeth(count, a, b, c, "valley"))
+            gx, gy = exact.centroid(m)
+            found = quotient(tangent, {"y": y, "A": amplitude, "l": length})
+            self.assertEqual(found, gx / gy)
+
+    def test_parameters_by_expressions(self):
+        """A parameter given by others stands for its expression; one given by a number is a symbol,
+        whatever its name."""
+        derived = self.derive("topple: 1\nlength_unit: m\nparameters: {w: 2, k: 3, h: k*w, twice_h: "
+                              "2*h}\nblock: {slab: {width: w, height: twice_h}}\n")
+        self.assertEqual(derived["symbols"], ["w", "k"])
+        self.assertEqual(derived["area"], {"numerator": "2*w^2*k", "denominator": "1"})
+        self.assertEqual(derived["pivots"][0]["tan_critical_angle"],
+                         {"numerator": "1", "denominator": "2*k"})
+
+    def random_polygon(self, count):
+        """A star-shaped polygon whose coordinates are expressions in p, q and r, with their values."""
+        values = {n: Fraction(random.randint(50, 150), 100) for n in "pqr"}
+        names = list(values)
+        while True:
+            angles = sorted(random.uniform(0, 2 * math.pi) for _ in range(count))
+            gaps = [b - a for a, b in zip(angles, angles[1:] + [angles[0] + 2 * math.pi])]
+            if max(gaps) < 3 and min(gaps) > 0.02:
+                break
+        texts = []
+        for angle in angles:
+            radius = random.randint(600, 1000)
+            pair = []
+            for part in (math.cos(angle), math.sin(angle)):
+                number = Fraction(round(radius * part), 100)
+                name, other = random.choice(names), random.choice(names)
+                form = random.choice([f"{number}*{name}", f"({number})*{name}/{other}",
+                                      f"{number} + {name} - {other}", f"{number}"])
+                pair.append(form)
+            texts.append(pair)
+        return values, texts
+
+    def test_random_polygons(self):
+        """1000 random polygons in three parameters: area and every tangent, evaluated at the values,
+        equal the exact rational of the numbers; the angle lies within the bounds of solve."""
+        random.seed(31)
+        done = 0
+        while done < 1000:
+            values, texts = self.random_polygon(random.randint(3, 9))
+            ring = [tuple(evaluate(t, values) for t in pair) for pair in texts]
+            body = ", ".join(f"[{x}, {y}]" for x, y in texts)
+            numbers = ", ".join(f"{n}: {v}" for n, v in values.items())
+            self.scene.write_text(f"topple: 1\nlength_unit: m\nparameters: {{{numbers}}}\nblock: "
+                                  f"{{outline: [{body}]}}\ntilt: {{towards: left}}\n")
+            status, out, err = run("derive", "--json", self.scene)
+            if status == 3:  # the random expressions made it cross itself
+                self.assertRegex(err, "crosses|touches|repeats")
+                continue
+            self.assertEqual((status, err), (0, ""))
+            derived = json.loads(out)
+            m = exact.block_moments(ring)
+            gx, gy = exact.centroid(m)
+            self.assertEqual(quotient(derived["area"], values), m[0])
+            self.assertEqual(quotient(derived["x_moment"], values), m[1])
+            for pivot in derived["pivots"]:
+                px, py = quotient(pivot["x"], values), quotient(pivot["y"], values)
+                self.assertIn((px, py), ring)
+                if gy != py:
+                    self.assertEqual(quotient(pivot["tan_critical_angle"], values),
+                                     (gx - px) / (gy - py))
+            if done % 50 == 0:
+                numeric = solve(self.scene)["cases"][0]["pivots"]
+                for one, other in zip(derived["pivots"], numeric):
+                    a, b = one["critical_angle_deg"], other["critical_angle_deg"]
+                    self.assertLessEqual(abs(Decimal(a["value"]) - Decimal(b["value"])),
+                                         Decimal(a["error"]) + Decimal(b["error"]))
+            done += 1
+
+    def test_c(self):
+        """The C of a derivation compiles without warnings and gives the numbers."""
+        compiler = shutil.which("cc")
+        self.assertIsNotNone(compiler)
+        self.scene.write_text(TEETH % (3, "peak"))
+        status, out, _ = run("derive", "--c", "--elements", self.scene)
+        self.assertEqual(status, 0)
+        source, library = self.scene.with_suffix(".c"), self.scene.with_suffix(".so")
+        source.write_text(out)
+        subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source,
+                        "-o", library, "-lm"], check=True)
+        c = ctypes.CDLL(str(library))
+        c.tan_critical_angle_1.restype = c.fos_elements_1.restype = ctypes.c_double
+        a, b, depth = (ctypes.c_double(v) for v in (30, 120, 5))
+        tangent = Fraction(27 * 30 * 120 + 14 * 30 * 5, 9 * 120**2 - 3 * 25)
+        self.assertAlmostEqual(c.tan_critical_angle_1(a, b, depth), float(tangent), delta=1e-15)
+        angle = ctypes.c_double(math.atan(float(tangent)))
+        self.assertAlmostEqual(c.fos_elements_1(angle, a, b, depth), 1, delta=1e-14)
+
+    def test_latex(self):
+        self.scene.write_text(TEETH % (3, "valley"))
+        out = run("derive", "--latex", self.scene)[1]
+        self.assertIn(r"\frac{27 a b + 13 a c}{9 b^{2} + 18 b c + 6 c^{2}}", out)
+
+    def test_many_teeth(self):
+        """200 teeth within seconds; the same tangent as by exact numbers."""
+        began = time.monotonic()
+        pivot = self.derive(TEETH % (200, "valley"))["pivots"][0]
+        self.assertLess(time.monotonic() - began, 60)
+        values = {"a": Fraction(30), "b": Fraction(120), "c": Fraction(5)}
+        gx, gy = exact.centroid(exact.block_moments(exact.teeth(200, 30, 120, 5, "valley")))
+        self.assertEqual(quotient(pivot["tan_critical_angle"], values), gx / gy)
+
+    def refuse(self, parameters, width, expected):
+        self.scene.write_text(f"topple: 1\nlength_unit: m\nparameters: {{{parameters}}}\nblock: "
+                              f"{{slab: {{width: {width}, height: 1}}}}\n")
+        status, out, err = run("derive", self.scene)
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn(expected, err)
+
+    def test_bad_input(self):
+        """What numbers allow but symbols do not: zero denominators, high powers, endless products,
+        thousands of parameters."""
+        self.refuse("a: 1, b: 2", "1/(a - 1)", "division by zero")
+        self.refuse("a: 1, b: 1", "(a/b)^2000", "an exponent may be at most 1000 here")
+        self.refuse("a: 2, b: 3", "2^a", "an exponent must be a whole number")
+        self.refuse("a: 2, b: 3, c: 5", "(a + b + c)^40", "more than 64 terms in one number")
+        many = ", ".join(f"p{k}: {k + 1}" for k in range(10_000))
+        self.refuse(many, "p1", "more than 1000 keys in one place")
+
+
+if __name__ == "__main__":
+    main()
