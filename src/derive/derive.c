@@ -137,18 +137,6 @@ static tp_bounded angle_at_values(const work *w, const fmpz_mpoly_q_t x_arm,
   return result;
 }
 
-/* S6 - 3 A2 p: six times the first moment about the pivot. */
-static void set_arm(fmpz_mpoly_q_t arm, const fmpz_mpoly_q_t moment6,
-                    const fmpz_mpoly_q_t weighted2, const fmpz_mpoly_q_t pivot,
-                    const fmpz_mpoly_ctx_t ring) {
-  fmpz_t three;
-  fmpz_init_set_si(three, 3);
-  fmpz_mpoly_q_mul(arm, weighted2, pivot, ring);
-  fmpz_mpoly_q_mul_fmpz(arm, arm, three, ring);
-  fmpz_mpoly_q_sub(arm, moment6, arm, ring);
-  fmpz_clear(three);
-}
-
 static tp_status derive_elements_form(work *w, tp_derived_pivot *p, long point) {
   const tp_field *field = &w->symbols.field;
   tp_side_formulas sides;
@@ -197,8 +185,8 @@ static tp_status derive_pivot(work *w, tp_derived_pivot *p, const tp_case *own, 
   fmpz_mpoly_q_t x_arm, y_arm;
   fmpz_mpoly_q_init(x_arm, ring);
   fmpz_mpoly_q_init(y_arm, ring);
-  set_arm(x_arm, w->formulas.x6, w->formulas.weighted2, px, ring);
-  set_arm(y_arm, w->formulas.y6, w->formulas.weighted2, py, ring);
+  tp_formulas_arm(x_arm, w->formulas.x6, w->formulas.weighted2, px, &w->symbols.field);
+  tp_formulas_arm(y_arm, w->formulas.y6, w->formulas.weighted2, py, &w->symbols.field);
   if (p->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x_arm, x_arm, ring);
   p->tangent = write_quotient(w, x_arm, y_arm);
   p->critical_angle_deg = angle_at_values(w, x_arm, y_arm);

@@ -129,20 +129,42 @@ tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_no
 }
 
 void tp_field_clear(tp_field *field) {
-  for (long k = 0; field->values != NULL && k < field->parameters->count; k++) {
+  for (long k = 0; field->names != NULL && k < field->parameters->count; k++) {
     fmpz_mpoly_q_clear(field->values + k, field->ring);
   }
   free(field->values);
+  free(field->names);
   fmpz_mpoly_ctx_clear(field->ring);
+}
+
+void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field) {
+  fmpz_mpoly_q_gen(value, field->symbol_count - 1, field->ring);
+}
+
+static bool is_parameter(const tp_parameters *parameters, const char *name) {
+  for (long k = 0; k < parameters->count; k++) {
+    if (strcmp(parameters->names[k], name) == 0) return true;
+  }
+  return false;
+}
+
+static bool name_symbols(tp_field *field) {
+  const tp_parameters *parameters = field->parameters;
+  field->names = calloc((size_t)field->symbol_count, sizeof *field->names);
+  if (field->names == NULL) return false;
+  for (long k = 0; k < parameters->count; k++) field->names[k] = parameters->names[k];
+  field->names[parameters->count] = is_parameter(parameters, "N") ? "n" : "N";
+  return true;
 }
 
 tp_status tp_field_init(tp_field *field, const tp_scene *scene, tp_message *message) {
   const long count = scene->parameters.count;
   *field = (tp_field){.parameters = &scene->parameters};
-  fmpz_mpoly_ctx_init(field->ring, count > 0 ? count : 1, ORD_LEX);
+  field->symbol_count = count + 1;
+  fmpz_mpoly_ctx_init(field->ring, field->symbol_count, ORD_LEX);
   field->values = calloc((size_t)count + 1, sizeof *field->values);
   tp_status status = TP_OK;
-  if (field->values == NULL) {
+  if (field->values == NULL || !name_symbols(field)) {
     status = tp_fail_memory(message, "the field of formulas");
   } else {
     for (long k = 0; k < count; k++) fmpz_mpoly_q_init(field->values + k, field->ring);

@@ -18,6 +18,8 @@
 typedef struct tp_field {
   fmpz_mpoly_ctx_t ring;
   const tp_parameters *parameters; /* of the scene: names and values */
+  long symbol_count;               /* the parameters, and one more for a count */
+  const char **names;              /* of the symbols; the last is N, or n where N is taken */
   long known;                      /* parameters read so far */
   fmpz_mpoly_q_struct *values;     /* symbol or expression of each */
 } tp_field;
@@ -33,7 +35,11 @@ TP_MUST_USE tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field,
                                     const tp_node *node, const tp_scene *scene,
                                     tp_message *message);
 
-/* Its exact value at the scene's parameters; false where the denominator vanishes there. */
+/* The symbol that stands for a count. */
+void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field);
+
+/* Its exact value at the scene's parameters; false where the denominator vanishes there.
+ * The count symbol has no value and must not occur. */
 bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field);
 
 #endif

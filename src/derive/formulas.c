@@ -27,9 +27,9 @@ static void add_moment(fmpz_mpoly_q_t sum, const fmpz_mpoly_q_t p, const fmpz_mp
   fmpz_mpoly_q_add(sum, sum, scratch, ring);
 }
 
-/* The sums of one ring, times its relative weight; the plain area times `sign`. */
-static void add_ring(tp_formulas *f, const tp_symbolic_chain *chain, const fmpq_t weight, int sign,
-                     const fmpz_mpoly_ctx_t ring) {
+void tp_formulas_add_chain(tp_formulas *f, const tp_symbolic_chain *chain, const fmpq_t weight,
+                           int sign, const tp_field *field) {
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t c, scratch;
   fmpz_mpoly_q_init(c, ring);
   fmpz_mpoly_q_init(scratch, ring);
@@ -58,9 +58,20 @@ void tp_formulas_sum(tp_formulas *f, const tp_symbols *symbols, const tp_section
     fmpq_set_fmpz(weight, section->ring_weights + r);
     fmpq_div_fmpz(weight, weight, section->density_weights);
     const int sign = r == 0 ? 1 : r <= section->hole_count ? -1 : 0;
-    add_ring(f, symbols->rings + r, weight, sign, symbols->field.ring);
+    tp_formulas_add_chain(f, symbols->rings + r, weight, sign, &symbols->field);
   }
   fmpq_clear(weight);
+}
+
+void tp_formulas_arm(fmpz_mpoly_q_t arm, const fmpz_mpoly_q_t moment6,
+                     const fmpz_mpoly_q_t weighted2, const fmpz_mpoly_q_t pivot,
+                     const tp_field *field) {
+  fmpz_t three;
+  fmpz_init_set_si(three, 3);
+  fmpz_mpoly_q_mul(arm, weighted2, pivot, field->ring);
+  fmpz_mpoly_q_mul_fmpz(arm, arm, three, field->ring);
+  fmpz_mpoly_q_sub(arm, moment6, arm, field->ring);
+  fmpz_clear(three);
 }
 
 /* The chain and the place in it of a lattice point. */

@@ -21,6 +21,15 @@ void tp_formulas_clear(tp_formulas *formulas, const tp_field *field);
 /* The boundary sums of block/ring_sums.h over all rings. */
 void tp_formulas_sum(tp_formulas *formulas, const tp_symbols *symbols, const tp_section *section);
 
+/* Add one ring with its relative weight; the plain area times `sign`. */
+void tp_formulas_add_chain(tp_formulas *formulas, const tp_symbolic_chain *chain,
+                           const fmpq_t weight, int sign, const tp_field *field);
+
+/* S6 - 3 A2 p: six times the first moment about a pivot. */
+void tp_formulas_arm(fmpz_mpoly_q_t arm, const fmpz_mpoly_q_t moment6,
+                     const fmpz_mpoly_q_t weighted2, const fmpz_mpoly_q_t pivot,
+                     const tp_field *field);
+
 /* Coordinates of a point of the problem's lattice in symbols; NULL where it has none, as past the
  * block on a mated base. */
 const fmpz_mpoly_q_struct *tp_formulas_x(const tp_symbols *symbols, const tp_problem *problem,

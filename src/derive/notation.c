@@ -53,7 +53,7 @@ static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp
     fputs("-", out);
   }
   bool constant = true;
-  for (long k = 0; k < field->parameters->count; k++) {
+  for (long k = 0; k < field->symbol_count; k++) {
     constant = constant && fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring) == 0;
   }
   bool first = fmpz_is_one(coefficient) && !constant;
@@ -62,10 +62,10 @@ static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp
     fprintf(out, "%s%s", digits, notation == TP_NOTATION_C ? ".0" : "");
     flint_free(digits);
   }
-  for (long k = 0; k < field->parameters->count; k++) {
+  for (long k = 0; k < field->symbol_count; k++) {
     const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
     if (exponent == 0) continue;
-    add_factor(out, field->parameters->names[k], exponent, first, notation);
+    add_factor(out, field->names[k], exponent, first, notation);
     first = false;
   }
   fmpz_clear(coefficient);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void clear_chain(tp_symbolic_chain *chain, const fmpz_mpoly_ctx_t ring) {
+void tp_symbolic_chain_clear(tp_symbolic_chain *chain, const fmpz_mpoly_ctx_t ring) {
   for (long k = 0; k < chain->count; k++) {
     fmpz_mpoly_q_clear(chain->x + k, ring);
     fmpz_mpoly_q_clear(chain->y + k, ring);
@@ -32,11 +32,11 @@ static bool init_chain(tp_symbolic_chain *chain, long count, const fmpz_mpoly_ct
 
 void tp_symbols_clear(tp_symbols *symbols) {
   for (long r = 0; r < symbols->ring_count; r++) {
-    clear_chain(symbols->rings + r, symbols->field.ring);
+    tp_symbolic_chain_clear(symbols->rings + r, symbols->field.ring);
   }
   free(symbols->rings);
-  clear_chain(&symbols->profile, symbols->field.ring);
-  clear_chain(&symbols->corners, symbols->field.ring);
+  tp_symbolic_chain_clear(&symbols->profile, symbols->field.ring);
+  tp_symbolic_chain_clear(&symbols->corners, symbols->field.ring);
   tp_field_clear(&symbols->field);
   memset(symbols, 0, sizeof *symbols);
 }
@@ -75,40 +75,65 @@ static tp_status set_points(const builder *b, tp_symbolic_chain *chain, const tp
   return status;
 }
 
-/* Width a, height b and depth c of the teeth, by whichever keys the scene gives (section 5.1 of the
- * paper): a = lambda / 2, b = y - A / 2, c = A. A slab is one tooth of depth 0. */
-typedef struct teeth_formulas {
-  fmpz_mpoly_q_t a, b, c;
-} teeth_formulas;
-
-static tp_status read_key(const builder *b, fmpz_mpoly_q_t value, const tp_node *map,
-                          const char *key) {
+static tp_status read_key(const tp_symbols *symbols, const tp_scene *scene, fmpz_mpoly_q_t value,
+                          const tp_node *map, const char *key, tp_message *message) {
   const tp_node *node = tp_node_get(map, key);
-  return node == NULL ? TP_OK : read_number(b, value, node);
+  return node == NULL ? TP_OK : tp_field_read(value, &symbols->field, node, scene, message);
 }
 
-static tp_status read_teeth(const builder *b, teeth_formulas *f, const tp_node *block) {
-  const fmpz_mpoly_ctx_struct *ring = b->symbols->field.ring;
-  const tp_node *teeth = tp_node_get(block, "teeth");
+void tp_teeth_formulas_init(tp_teeth_formulas *f, const tp_field *field) {
+  fmpz_mpoly_q_init(f->a, field->ring);
+  fmpz_mpoly_q_init(f->b, field->ring);
+  fmpz_mpoly_q_init(f->c, field->ring);
+  fmpz_mpoly_q_init(f->count, field->ring);
+}
+
+void tp_teeth_formulas_clear(tp_teeth_formulas *f, const tp_field *field) {
+  fmpz_mpoly_q_clear(f->a, field->ring);
+  fmpz_mpoly_q_clear(f->b, field->ring);
+  fmpz_mpoly_q_clear(f->c, field->ring);
+  fmpz_mpoly_q_clear(f->count, field->ring);
+}
+
+/* From the general parameters: a = lambda / 2, b = y - A / 2, c = A, N = dx / a. */
+static void set_general(tp_teeth_formulas *f, const tp_field *field) {
+  fmpz_mpoly_q_t half;
+  fmpq_t value;
+  fmpz_mpoly_q_init(half, field->ring);
+  fmpq_init(value);
+  fmpq_set_si(value, 1, 2);
+  fmpz_mpoly_q_set_fmpq(half, value, field->ring);
+  fmpz_mpoly_q_mul(f->a, f->a, half, field->ring);
+  fmpz_mpoly_q_mul(half, half, f->c, field->ring);
+  fmpz_mpoly_q_sub(f->b, f->b, half, field->ring);
+  fmpz_mpoly_q_div(f->count, f->count, f->a, field->ring);
+  fmpz_mpoly_q_clear(half, field->ring);
+  fmpq_clear(value);
+}
+
+tp_status tp_teeth_formulas_read(tp_teeth_formulas *f, const tp_symbols *symbols,
+                                 const tp_scene *scene, tp_message *message) {
+  const tp_node *block = tp_node_get(scene->source, "block"), *teeth = tp_node_get(block, "teeth");
   const tp_node *map = teeth != NULL ? teeth : tp_node_get(block, "slab");
   const bool general = tp_node_get(map, "wavelength") != NULL;
-  tp_status status = read_key(b, f->a, map, general ? "wavelength" : "width");
-  if (status == TP_OK) status = read_key(b, f->b, map, general ? "mean_height" : "height");
-  if (status == TP_OK) status = read_key(b, f->c, map, general ? "amplitude" : "depth");
-  if (status == TP_OK && general) {
-    fmpz_mpoly_q_t half;
-    fmpq_t value;
-    fmpz_mpoly_q_init(half, ring);
-    fmpq_init(value);
-    fmpq_set_si(value, 1, 2);
-    fmpz_mpoly_q_set_fmpq(half, value, ring);
-    fmpz_mpoly_q_mul(f->a, f->a, half, ring);
-    fmpz_mpoly_q_mul(half, half, f->c, ring);
-    fmpz_mpoly_q_sub(f->b, f->b, half, ring);
-    fmpz_mpoly_q_clear(half, ring);
-    fmpq_clear(value);
+  const struct {
+    fmpz_mpoly_q_struct *value;
+    const char *key;
+  } keys[] = {{f->a, general ? "wavelength" : "width"},
+              {f->b, general ? "mean_height" : "height"},
+              {f->c, general ? "amplitude" : "depth"},
+              {f->count, general ? "block_width" : ""}};
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < sizeof keys / sizeof keys[0] && status == TP_OK; k++) {
+    status = read_key(symbols, scene, keys[k].value, map, keys[k].key, message);
   }
-  return status;
+  if (status != TP_OK) return status;
+  if (general) {
+    set_general(f, &symbols->field);
+  } else {
+    tp_field_count_symbol(f->count, &symbols->field);
+  }
+  return TP_OK;
 }
 
 static void set_multiple(fmpz_mpoly_q_t x, const fmpz_mpoly_q_t unit, long count,
@@ -119,43 +144,44 @@ static void set_multiple(fmpz_mpoly_q_t x, const fmpz_mpoly_q_t unit, long count
   fmpz_clear(factor);
 }
 
-/* The outline and the element corners, point by point as block/outline.c places them. */
-static tp_status set_teeth(const builder *b, const teeth_formulas *f) {
-  const fmpz_mpoly_ctx_struct *ring = b->symbols->field.ring;
-  const tp_teeth *teeth = &b->scene->block.teeth;
-  tp_symbolic_chain *outline = b->symbols->rings, *corners = &b->symbols->corners;
-  if (!init_chain(outline, teeth->count + 3, ring) ||
-      !init_chain(corners, 2 * (teeth->count + 1), ring)) {
-    return tp_fail_memory(b->message, "the formulas");
-  }
+bool tp_teeth_formulas_outline(tp_symbolic_chain *outline, const tp_teeth_formulas *f,
+                               const tp_teeth *teeth, const tp_field *field) {
+  if (!init_chain(outline, teeth->count + 3, field->ring)) return false;
   for (long k = 0; k < outline->count; k++) {
     const tp_teeth_point p = tp_outline_teeth_point(teeth, k);
-    set_multiple(outline->x + k, f->a, p.x_a, ring);
-    if (p.y_b != 0) fmpz_mpoly_q_add(outline->y + k, outline->y + k, f->b, ring);
-    if (p.y_c != 0) fmpz_mpoly_q_add(outline->y + k, outline->y + k, f->c, ring);
+    set_multiple(outline->x + k, f->a, p.x_a, field->ring);
+    if (p.y_b != 0) fmpz_mpoly_q_add(outline->y + k, outline->y + k, f->b, field->ring);
+    if (p.y_c != 0) fmpz_mpoly_q_add(outline->y + k, outline->y + k, f->c, field->ring);
   }
+  return true;
+}
+
+/* The element corners, point by point as block/outline.c places them. */
+static bool set_corners(tp_symbolic_chain *corners, const tp_teeth_formulas *f,
+                        const tp_teeth *teeth, const tp_field *field) {
+  if (!init_chain(corners, 2 * (teeth->count + 1), field->ring)) return false;
   for (long k = 0; k < corners->count; k++) {
-    set_multiple(corners->x + k, f->a, k / 2, ring);
-    fmpz_mpoly_q_set(corners->y + k, f->c, ring);
-    if (k % 2 == 1) fmpz_mpoly_q_add(corners->y + k, corners->y + k, f->b, ring);
+    set_multiple(corners->x + k, f->a, k / 2, field->ring);
+    fmpz_mpoly_q_set(corners->y + k, f->c, field->ring);
+    if (k % 2 == 1) fmpz_mpoly_q_add(corners->y + k, corners->y + k, f->b, field->ring);
   }
-  return TP_OK;
+  return true;
 }
 
 static tp_status set_outline(const builder *b, const tp_section *section, const tp_node *block) {
   if (b->scene->block.form == TP_OUTLINE_VERTICES) {
     return set_points(b, b->symbols->rings, tp_node_get(block, "outline"), section->rings);
   }
-  const fmpz_mpoly_ctx_struct *ring = b->symbols->field.ring;
-  teeth_formulas f;
-  fmpz_mpoly_q_init(f.a, ring);
-  fmpz_mpoly_q_init(f.b, ring);
-  fmpz_mpoly_q_init(f.c, ring);
-  tp_status status = read_teeth(b, &f, block);
-  if (status == TP_OK) status = set_teeth(b, &f);
-  fmpz_mpoly_q_clear(f.a, ring);
-  fmpz_mpoly_q_clear(f.b, ring);
-  fmpz_mpoly_q_clear(f.c, ring);
+  tp_symbols *symbols = b->symbols;
+  const tp_teeth *teeth = &b->scene->block.teeth;
+  tp_teeth_formulas f;
+  tp_teeth_formulas_init(&f, &symbols->field);
+  tp_status status = tp_teeth_formulas_read(&f, symbols, b->scene, b->message);
+  if (status == TP_OK && !(tp_teeth_formulas_outline(symbols->rings, &f, teeth, &symbols->field) &&
+                           set_corners(&symbols->corners, &f, teeth, &symbols->field))) {
+    status = tp_fail_memory(b->message, "the formulas");
+  }
+  tp_teeth_formulas_clear(&f, &symbols->field);
   return status;
 }
 
