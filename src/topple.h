@@ -321,6 +321,42 @@ TP_MUST_USE tp_status tp_derive(tp_derivation **derivation, const tp_scene *scen
                                 const tp_derive_options *options, tp_message *message);
 void tp_derivation_free(tp_derivation *derivation);
 
+enum { TP_FAMILY_FIXED = 4, TP_FAMILY_CHECKED = 6 };
+
+/* One formula for every number of teeth of one parity: the tangent of the critical angle about the
+ * toe of one direction of tilt. */
+typedef struct tp_family_formula {
+  tp_direction towards;
+  bool even;
+  tp_pivot_kind kind; /* of the toe */
+  tp_fraction tangent;
+} tp_family_formula;
+
+/* The formulas of a toothed block for every number N of teeth. The sums over the underside add
+ * terms that are polynomials of degree 2 at most in the number of the joint, the same for all
+ * joints of a parity; for N of one parity they are polynomials in N of degree 3 at most, which
+ * TP_FAMILY_FIXED members fix, so the formulas hold for every N. TP_FAMILY_CHECKED further members
+ * were found to agree exactly. */
+typedef struct tp_family {
+  char *title;
+  tp_notation notation;
+  char *count; /* what N is: a symbol, or 2 dx / lambda */
+  size_t symbol_count;
+  char **symbols;
+  long fixed[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
+  long checked[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
+  tp_family_formula formulas[4];
+} tp_family;
+
+/* One formula for every number of teeth, for the scene's left end. Scenes of other blocks are bad
+ * input. */
+TP_MUST_USE tp_status tp_derive_family(tp_family **family, const tp_scene *scene,
+                                       tp_notation notation, tp_message *message);
+void tp_family_free(tp_family *family);
+
+TP_MUST_USE tp_status tp_report_family(char **text, const tp_family *family);
+TP_MUST_USE tp_status tp_report_family_json(char **text, const tp_family *family);
+
 TP_MUST_USE tp_status tp_report_derivation(char **text, const tp_derivation *derivation);
 TP_MUST_USE tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation);
 

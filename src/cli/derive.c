@@ -9,20 +9,22 @@
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct arguments {
   const char *scene;
-  bool json;
+  bool json, for_all_counts;
   tp_derive_options derive;
 } arguments;
 
-enum { KEY_LATEX = 256, KEY_C };
+enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the formulas as JSON", 0},
     {"latex", KEY_LATEX, NULL, 0, "Print LaTeX", 0},
     {"c", KEY_C, NULL, 0, "Print C functions", 0},
     {"elements", 'e', NULL, 0, "Derive the factor of safety by elements too, and list them", 0},
+    {"for-all", KEY_FOR_ALL, "count", 0, "One formula for every number of teeth", 0},
     {0}};
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -39,6 +41,12 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_C:
     a->derive.notation = TP_NOTATION_C;
+    return 0;
+  case KEY_FOR_ALL:
+    if (strcmp(argument, "count") != 0) {
+      argp_error(state, "--for-all takes 'count', the number of teeth; not '%s'", argument);
+    }
+    a->for_all_counts = true;
     return 0;
   case ARGP_KEY_ARG:
     if (a->scene != NULL) argp_error(state, "one scene at a time; '%s' is one too many", argument);
@@ -67,21 +75,42 @@ static const struct argp parser = {
            "expression in others is replaced by it. The formulas are exact identities. Exit "
            "status: 0 done, 2 wrong usage, 3 bad input, 4 undecided, 5 system failed."};
 
+static tp_status report_formulas(char **report, const tp_scene *scene, const arguments *a,
+                                 tp_message *message) {
+  tp_derivation *derivation = NULL;
+  tp_status status = tp_derive(&derivation, scene, &a->derive, message);
+  if (status == TP_OK) {
+    status = a->json ? tp_report_derivation_json(report, derivation)
+                     : tp_report_derivation(report, derivation);
+  }
+  tp_derivation_free(derivation);
+  return status;
+}
+
+static tp_status report_family(char **report, const tp_scene *scene, const arguments *a,
+                               tp_message *message) {
+  tp_family *family = NULL;
+  tp_status status = tp_derive_family(&family, scene, a->derive.notation, message);
+  if (status == TP_OK) {
+    status = a->json ? tp_report_family_json(report, family) : tp_report_family(report, family);
+  }
+  tp_family_free(family);
+  return status;
+}
+
 int tp_cli_derive(int argc, char **argv) {
   arguments a = {.derive = tp_derive_options_default()};
   argp_err_exit_status = TP_EXIT_USAGE;
   argp_program_version = "topple " TP_VERSION;
   if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
   tp_scene *scene = NULL;
-  tp_derivation *derivation = NULL;
   tp_message message = {""};
   char *report = NULL;
   int written = 0;
   tp_status status = tp_scene_read(&scene, a.scene, &message);
-  if (status == TP_OK) status = tp_derive(&derivation, scene, &a.derive, &message);
   if (status == TP_OK) {
-    status = a.json ? tp_report_derivation_json(&report, derivation)
-                    : tp_report_derivation(&report, derivation);
+    status = a.for_all_counts ? report_family(&report, scene, &a, &message)
+                              : report_formulas(&report, scene, &a, &message);
   }
   if (status == TP_OK) written = tp_cli_print(report);
   if (status != TP_OK) {
@@ -89,7 +118,6 @@ int tp_cli_derive(int argc, char **argv) {
             message.text[0] != '\0' ? message.text : tp_status_meaning(status));
   }
   free(report);
-  tp_derivation_free(derivation);
   tp_scene_free(scene);
   return status == TP_OK ? written : tp_status_exit(status);
 }

@@ -17,12 +17,6 @@ tp_derive_options tp_derive_options_default(void) {
   return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false};
 }
 
-static void free_fraction(tp_fraction *fraction) {
-  free(fraction->numerator);
-  free(fraction->denominator);
-  free(fraction->formula);
-}
-
 static void free_pivot(tp_derived_pivot *p) {
   tp_fraction *fractions[] = {&p->x,
                               &p->y,
@@ -33,24 +27,25 @@ static void free_pivot(tp_derived_pivot *p) {
                               &p->parallel_stabilising,
                               &p->normal_overturning,
                               &p->parallel_overturning};
-  for (size_t k = 0; k < sizeof fractions / sizeof fractions[0]; k++) free_fraction(fractions[k]);
+  for (size_t k = 0; k < sizeof fractions / sizeof fractions[0]; k++)
+    tp_notation_free(fractions[k]);
 }
 
 void tp_derivation_free(tp_derivation *derivation) {
   if (derivation == NULL) return;
   free(derivation->title);
-  free_fraction(&derivation->area);
-  free_fraction(&derivation->x_moment);
-  free_fraction(&derivation->y_moment);
+  tp_notation_free(&derivation->area);
+  tp_notation_free(&derivation->x_moment);
+  tp_notation_free(&derivation->y_moment);
   for (size_t k = 0; k < derivation->symbol_count; k++) free(derivation->symbols[k]);
   free(derivation->symbols);
   for (size_t k = 0; k < derivation->pivot_count; k++) free_pivot(derivation->pivots + k);
   free(derivation->pivots);
   for (int d = 0; d < 2; d++) {
     for (size_t k = 0; derivation->elements[d] != NULL && k < derivation->element_count; k++) {
-      free_fraction(&derivation->elements[d][k].area);
-      free_fraction(&derivation->elements[d][k].normal_arm);
-      free_fraction(&derivation->elements[d][k].parallel_arm);
+      tp_notation_free(&derivation->elements[d][k].area);
+      tp_notation_free(&derivation->elements[d][k].normal_arm);
+      tp_notation_free(&derivation->elements[d][k].parallel_arm);
     }
     free(derivation->elements[d]);
   }
@@ -69,13 +64,7 @@ typedef struct work {
 } work;
 
 static tp_fraction write(work *w, const fmpz_mpoly_q_t formula) {
-  const tp_field *field = &w->symbols.field;
-  const tp_notation notation = w->out->notation;
-  tp_fraction f = {tp_notation_polynomial(fmpz_mpoly_q_numref(formula), field, notation),
-                   tp_notation_polynomial(fmpz_mpoly_q_denref(formula), field, notation),
-                   tp_notation_fraction(formula, field, notation)};
-  if (f.numerator == NULL || f.denominator == NULL || f.formula == NULL) w->failed = true;
-  return f;
+  return tp_notation_write(formula, &w->symbols.field, w->out->notation, &w->failed);
 }
 
 /* formula / divisor, written. */
@@ -93,22 +82,7 @@ static tp_fraction write_over(work *w, const fmpz_mpoly_q_t formula, long diviso
 }
 
 static tp_fraction write_quotient(work *w, const fmpz_mpoly_q_t top, const fmpz_mpoly_q_t below) {
-  const fmpz_mpoly_ctx_struct *ring = w->symbols.field.ring;
-  if (fmpz_mpoly_q_is_zero(below, ring)) {
-    tp_fraction f = write(w, top);
-    free(f.denominator);
-    free(f.formula);
-    f.denominator = strdup("0");
-    f.formula = strdup("unbounded");
-    if (f.denominator == NULL || f.formula == NULL) w->failed = true;
-    return f;
-  }
-  fmpz_mpoly_q_t value;
-  fmpz_mpoly_q_init(value, ring);
-  fmpz_mpoly_q_div(value, top, below, ring);
-  const tp_fraction f = write(w, value);
-  fmpz_mpoly_q_clear(value, ring);
-  return f;
+  return tp_notation_write_quotient(top, below, &w->symbols.field, w->out->notation, &w->failed);
 }
 
 /* atan2 of the arms at the scene's values. */
@@ -218,22 +192,6 @@ static tp_status list_elements(work *w, const tp_case *own) {
   return TP_OK;
 }
 
-static tp_status name_symbols(work *w) {
-  const tp_parameters *parameters = w->symbols.field.parameters;
-  w->out->symbols = calloc((size_t)parameters->count + 1, sizeof *w->out->symbols);
-  if (w->out->symbols == NULL) return tp_fail_memory(w->message, "the symbols");
-  fmpz_mpoly_q_t symbol;
-  fmpz_mpoly_q_init(symbol, w->symbols.field.ring);
-  for (long k = 0; k < parameters->count; k++) {
-    fmpz_mpoly_q_gen(symbol, k, w->symbols.field.ring);
-    if (!fmpz_mpoly_q_equal(symbol, w->symbols.field.values + k, w->symbols.field.ring)) continue;
-    w->out->symbols[w->out->symbol_count] = strdup(parameters->names[k]);
-    if (w->out->symbols[w->out->symbol_count++] == NULL) w->failed = true;
-  }
-  fmpz_mpoly_q_clear(symbol, w->symbols.field.ring);
-  return TP_OK;
-}
-
 static tp_status derive_pivots(work *w, bool elements) {
   const tp_solution *solution = w->solution;
   const size_t points = (size_t)w->problem.contact.point_count;
@@ -260,7 +218,8 @@ static tp_status fill(work *w, const tp_scene *scene, const tp_derive_options *o
   w->out->area = write_over(w, w->formulas.area2, 2);
   w->out->x_moment = write_over(w, w->formulas.x6, 6);
   w->out->y_moment = write_over(w, w->formulas.y6, 6);
-  status = name_symbols(w);
+  w->out->symbol_count = tp_field_list_symbols(&w->out->symbols, &w->symbols.field);
+  if (w->out->symbols == NULL) status = tp_fail_memory(w->message, "the symbols");
   if (status == TP_OK) status = derive_pivots(w, options->elements);
   if (status == TP_OK && w->failed) status = tp_fail_memory(w->message, "the formulas");
   tp_formulas_clear(&w->formulas, &w->symbols.field);

@@ -141,6 +141,30 @@ void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field) {
   fmpz_mpoly_q_gen(value, field->symbol_count - 1, field->ring);
 }
 
+size_t tp_field_list_symbols(char ***names, const tp_field *field) {
+  const tp_parameters *parameters = field->parameters;
+  size_t count = 0;
+  bool failed = false;
+  char **list = calloc((size_t)parameters->count + 1, sizeof *list);
+  fmpz_mpoly_q_t symbol;
+  fmpz_mpoly_q_init(symbol, field->ring);
+  for (long k = 0; list != NULL && k < parameters->count; k++) {
+    fmpz_mpoly_q_gen(symbol, k, field->ring);
+    if (!fmpz_mpoly_q_equal(symbol, field->values + k, field->ring)) continue;
+    list[count] = strdup(parameters->names[k]);
+    failed = failed || list[count] == NULL;
+    count++;
+  }
+  fmpz_mpoly_q_clear(symbol, field->ring);
+  if (failed) {
+    for (size_t k = 0; k < count; k++) free(list[k]);
+    free(list);
+    list = NULL;
+  }
+  *names = list;
+  return list != NULL ? count : 0;
+}
+
 static bool is_parameter(const tp_parameters *parameters, const char *name) {
   for (long k = 0; k < parameters->count; k++) {
     if (strcmp(parameters->names[k], name) == 0) return true;

@@ -35,6 +35,10 @@ TP_MUST_USE tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field,
                                     const tp_node *node, const tp_scene *scene,
                                     tp_message *message);
 
+/* Names of the parameters that are symbols, allocated with malloc like each of them; their number.
+ * NULL when memory is exhausted. */
+size_t tp_field_list_symbols(char ***names, const tp_field *field);
+
 /* The symbol that stands for a count. */
 void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field);
 

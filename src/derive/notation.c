@@ -78,7 +78,7 @@ static void add_polynomial(FILE *out, const fmpz_mpoly_t polynomial, const tp_fi
   for (slong t = 0; t < terms; t++) add_term(out, polynomial, t, field, notation);
 }
 
-char *tp_notation_polynomial(const fmpz_mpoly_t polynomial, const tp_field *field,
+static char *polynomial_text(const fmpz_mpoly_t polynomial, const tp_field *field,
                              tp_notation notation) {
   char *text = NULL;
   size_t length = 0;
@@ -114,7 +114,7 @@ static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_fiel
   fputs(constant ? "" : ")", out);
 }
 
-char *tp_notation_fraction(const fmpz_mpoly_q_t fraction, const tp_field *field,
+static char *fraction_text(const fmpz_mpoly_q_t fraction, const tp_field *field,
                            tp_notation notation) {
   char *text = NULL;
   size_t length = 0;
@@ -122,4 +122,39 @@ char *tp_notation_fraction(const fmpz_mpoly_q_t fraction, const tp_field *field,
   if (out == NULL) return NULL;
   add_fraction(out, fraction, field, notation);
   return fclose(out) == 0 ? text : NULL;
+}
+
+tp_fraction tp_notation_write(const fmpz_mpoly_q_t formula, const tp_field *field,
+                              tp_notation notation, bool *failed) {
+  const tp_fraction f = {polynomial_text(fmpz_mpoly_q_numref(formula), field, notation),
+                         polynomial_text(fmpz_mpoly_q_denref(formula), field, notation),
+                         fraction_text(formula, field, notation)};
+  if (f.numerator == NULL || f.denominator == NULL || f.formula == NULL) *failed = true;
+  return f;
+}
+
+tp_fraction tp_notation_write_quotient(const fmpz_mpoly_q_t top, const fmpz_mpoly_q_t below,
+                                       const tp_field *field, tp_notation notation, bool *failed) {
+  tp_fraction f;
+  if (fmpz_mpoly_q_is_zero(below, field->ring)) {
+    f = tp_notation_write(top, field, notation, failed);
+    free(f.denominator);
+    free(f.formula);
+    f.denominator = strdup("0");
+    f.formula = strdup("unbounded");
+    if (f.denominator == NULL || f.formula == NULL) *failed = true;
+    return f;
+  }
+  fmpz_mpoly_q_t value;
+  fmpz_mpoly_q_init(value, field->ring);
+  fmpz_mpoly_q_div(value, top, below, field->ring);
+  f = tp_notation_write(value, field, notation, failed);
+  fmpz_mpoly_q_clear(value, field->ring);
+  return f;
+}
+
+void tp_notation_free(tp_fraction *fraction) {
+  free(fraction->numerator);
+  free(fraction->denominator);
+  free(fraction->formula);
 }

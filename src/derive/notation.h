@@ -8,12 +8,12 @@
 
 #include "derive/field.h"
 
-/* The polynomial in a notation, allocated with malloc; NULL when memory is exhausted. */
-char *tp_notation_polynomial(const fmpz_mpoly_t polynomial, const tp_field *field,
-                             tp_notation notation);
-
-/* The fraction as one formula. */
-char *tp_notation_fraction(const fmpz_mpoly_q_t fraction, const tp_field *field,
-                           tp_notation notation);
+/* Numerator, denominator and formula at once; `*failed` is set when memory is exhausted. Over zero
+ * the formula is "unbounded" and the denominator 0. */
+tp_fraction tp_notation_write(const fmpz_mpoly_q_t formula, const tp_field *field,
+                              tp_notation notation, bool *failed);
+tp_fraction tp_notation_write_quotient(const fmpz_mpoly_q_t top, const fmpz_mpoly_q_t below,
+                                       const tp_field *field, tp_notation notation, bool *failed);
+void tp_notation_free(tp_fraction *fraction);
 
 #endif

@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* One formula for every number of teeth.
+ *
+ * Problem: the moment sums of a toothed block of N sub-blocks as functions of N, exactly and for
+ * all N. Method: along the underside x_k = k a and y_k is 0 or c by the parity of k, so every term
+ * of the boundary sums of area and first moments is a polynomial of degree at most 2 in k on each
+ * parity of k; summed over k < N with N of one parity it is a polynomial in N of degree at most 3,
+ * and so are the three terms over the top and the sides. Four members of a parity fix it
+ * (Lagrange); the formula then holds for all N of that parity. Further members are compared all the
+ * same, as a check of the program. In the general parameters (dx, y, A, lambda) N stands for 2 dx /
+ * lambda (section 5.1). */
+
+#include "derive/formulas.h"
+#include "derive/notation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MEMBERS = TP_FAMILY_FIXED + TP_FAMILY_CHECKED, SUMS = 3 };
+
+void tp_family_free(tp_family *family) {
+  if (family == NULL) return;
+  free(family->title);
+  free(family->count);
+  for (size_t k = 0; k < family->symbol_count; k++) free(family->symbols[k]);
+  free(family->symbols);
+  for (int k = 0; k < 4; k++) tp_notation_free(&family->formulas[k].tangent);
+  free(family);
+}
+
+/* The members of one parity: N, and twice the area and six times the first moments of each. */
+typedef struct members {
+  long count[MEMBERS];
+  fmpz_mpoly_q_t sums[MEMBERS][SUMS];
+} members;
+
+static void members_init(members *m, const tp_field *field) {
+  for (int k = 0; k < MEMBERS; k++) {
+    for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_init(m->sums[k][s], field->ring);
+  }
+}
+
+static void members_clear(members *m, const tp_field *field) {
+  for (int k = 0; k < MEMBERS; k++) {
+    for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_clear(m->sums[k][s], field->ring);
+  }
+}
+
+/* Sums of the block with `count` teeth. */
+static bool sum_member(members *m, int k, const tp_teeth_formulas *f, const tp_scene *scene,
+                       const tp_field *field) {
+  tp_teeth teeth = scene->block.teeth; /* borrows the numbers, of which only count and end matter */
+  teeth.count = m->count[k];
+  tp_symbolic_chain outline = {0};
+  if (!tp_teeth_formulas_outline(&outline, f, &teeth, field)) return false;
+  tp_formulas sums;
+  fmpq_t one;
+  tp_formulas_init(&sums, field);
+  fmpq_init(one);
+  fmpq_one(one);
+  tp_formulas_add_chain(&sums, &outline, one, 1, field);
+  fmpz_mpoly_q_swap(m->sums[k][0], sums.weighted2, field->ring);
+  fmpz_mpoly_q_swap(m->sums[k][1], sums.x6, field->ring);
+  fmpz_mpoly_q_swap(m->sums[k][2], sums.y6, field->ring);
+  fmpq_clear(one);
+  tp_formulas_clear(&sums, field);
+  tp_symbolic_chain_clear(&outline, field->ring);
+  return true;
+}
+
+/* The sum through the fixed members, at N = `at` (Lagrange). */
+static void interpolate(fmpz_mpoly_q_t value, const members *m, int sum, const fmpz_mpoly_q_t at,
+                        const tp_field *field) {
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
+  fmpz_mpoly_q_t term, factor;
+  fmpz_t integer;
+  fmpz_mpoly_q_init(term, ring);
+  fmpz_mpoly_q_init(factor, ring);
+  fmpz_init(integer);
+  fmpz_mpoly_q_zero(value, ring);
+  for (int i = 0; i < TP_FAMILY_FIXED; i++) {
+    fmpz_mpoly_q_set(term, m->sums[i][sum], ring);
+    for (int j = 0; j < TP_FAMILY_FIXED; j++) {
+      if (j == i) continue;
+      fmpz_set_si(integer, m->count[j]);
+      fmpz_mpoly_q_sub_fmpz(factor, at, integer, ring);
+      fmpz_mpoly_q_mul(term, term, factor, ring);
+      fmpz_set_si(integer, m->count[i] - m->count[j]);
+      fmpz_mpoly_q_div_fmpz(term, term, integer, ring);
+    }
+    fmpz_mpoly_q_add(value, value, term, ring);
+  }
+  fmpz_mpoly_q_clear(term, ring);
+  fmpz_mpoly_q_clear(factor, ring);
+  fmpz_clear(integer);
+}
+
+/* Do the members that were not used agree? */
+static bool members_agree(const members *m, const tp_field *field) {
+  fmpz_mpoly_q_t at, value;
+  fmpz_mpoly_q_init(at, field->ring);
+  fmpz_mpoly_q_init(value, field->ring);
+  bool agree = true;
+  for (int k = TP_FAMILY_FIXED; k < MEMBERS && agree; k++) {
+    fmpz_mpoly_q_set_si(at, m->count[k], field->ring);
+    for (int s = 0; s < SUMS && agree; s++) {
+      interpolate(value, m, s, at, field);
+      agree = fmpz_mpoly_q_equal(value, m->sums[k][s], field->ring) != 0;
+    }
+  }
+  fmpz_mpoly_q_clear(at, field->ring);
+  fmpz_mpoly_q_clear(value, field->ring);
+  return agree;
+}
+
+/* The tangent about the toe of one direction: the left toe at (0, 0 or c), the right one at
+ * (N a, 0 or c). */
+static void write_toe(tp_family_formula *out, const fmpz_mpoly_q_t sums[SUMS],
+                      const tp_teeth_formulas *f, const tp_field *field, tp_notation notation,
+                      bool *failed) {
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
+  const bool left = out->towards == TP_TOWARDS_LEFT;
+  fmpz_mpoly_q_t x, y, x_arm, y_arm;
+  fmpz_mpoly_q_init(x, ring);
+  fmpz_mpoly_q_init(y, ring);
+  fmpz_mpoly_q_init(x_arm, ring);
+  fmpz_mpoly_q_init(y_arm, ring);
+  if (!left) fmpz_mpoly_q_mul(x, f->count, f->a, ring);
+  if (out->kind == TP_PIVOT_PEAK) fmpz_mpoly_q_set(y, f->c, ring);
+  tp_formulas_arm(x_arm, sums[1], sums[0], x, field);
+  tp_formulas_arm(y_arm, sums[2], sums[0], y, field);
+  if (!left) fmpz_mpoly_q_neg(x_arm, x_arm, ring);
+  out->tangent = tp_notation_write_quotient(x_arm, y_arm, field, notation, failed);
+  fmpz_mpoly_q_clear(x, ring);
+  fmpz_mpoly_q_clear(y, ring);
+  fmpz_mpoly_q_clear(x_arm, ring);
+  fmpz_mpoly_q_clear(y_arm, ring);
+}
+
+static tp_status derive_parity(tp_family *family, bool even, const tp_teeth_formulas *f,
+                               const tp_scene *scene, const tp_field *field, tp_message *message) {
+  members m;
+  fmpz_mpoly_q_t sums[SUMS];
+  bool failed = false;
+  members_init(&m, field);
+  for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_init(sums[s], field->ring);
+  for (int k = 0; k < MEMBERS; k++) {
+    m.count[k] = 2 * k + (even ? 2 : 1);
+    failed = failed || !sum_member(&m, k, f, scene, field);
+    if (k < TP_FAMILY_FIXED) {
+      family->fixed[even][k] = m.count[k];
+    } else {
+      family->checked[even][k - TP_FAMILY_FIXED] = m.count[k];
+    }
+  }
+  tp_status status = TP_OK;
+  if (!failed && !members_agree(&m, field)) {
+    status = tp_fail(message, TP_DEPENDENCY_FAILED, scene->block.place,
+                     "the formula for all counts fails on a further count; please report this");
+  }
+  for (int s = 0; s < SUMS; s++) interpolate(sums[s], &m, s, f->count, field);
+  const bool left_valley = scene->block.teeth.left_end_valley;
+  for (int d = 0; d < 2; d++) {
+    tp_family_formula *own = family->formulas + 2 * (even ? 1 : 0) + d;
+    const bool valley = d == 0 ? left_valley : left_valley == even;
+    *own = (tp_family_formula){.towards = d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT,
+                               .even = even,
+                               .kind = valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK};
+    write_toe(own, (const fmpz_mpoly_q_t *)sums, f, field, family->notation, &failed);
+  }
+  for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_clear(sums[s], field->ring);
+  members_clear(&m, field);
+  if (status == TP_OK && failed) status = tp_fail_memory(message, "the family of formulas");
+  return status;
+}
+
+static tp_status describe(tp_family *family, const tp_teeth_formulas *f, const tp_scene *scene,
+                          const tp_field *field, tp_message *message) {
+  bool failed = false;
+  tp_fraction count = tp_notation_write(f->count, field, family->notation, &failed);
+  family->count = count.formula;
+  count.formula = NULL;
+  tp_notation_free(&count);
+  family->symbol_count = tp_field_list_symbols(&family->symbols, field);
+  if (scene->title != NULL) {
+    family->title = strdup(scene->title);
+    failed = failed || family->title == NULL;
+  }
+  return failed || family->symbols == NULL ? tp_fail_memory(message, "the family of formulas")
+                                           : TP_OK;
+}
+
+static tp_status fill(tp_family *family, const tp_scene *scene, tp_message *message) {
+  tp_symbols symbols = {0}; /* of which only the field is used: the rings are made count by count */
+  tp_status status = tp_field_init(&symbols.field, scene, message);
+  if (status != TP_OK) return status;
+  tp_teeth_formulas f;
+  tp_teeth_formulas_init(&f, &symbols.field);
+  status = tp_teeth_formulas_read(&f, &symbols, scene, message);
+  if (status == TP_OK) status = describe(family, &f, scene, &symbols.field, message);
+  for (int even = 0; even < 2 && status == TP_OK; even++) {
+    status = derive_parity(family, even == 1, &f, scene, &symbols.field, message);
+  }
+  tp_teeth_formulas_clear(&f, &symbols.field);
+  tp_field_clear(&symbols.field);
+  return status;
+}
+
+tp_status tp_derive_family(tp_family **family, const tp_scene *scene, tp_notation notation,
+                           tp_message *message) {
+  if (scene->block.form != TP_OUTLINE_TEETH || scene->block.hole_count > 0 ||
+      scene->block.part_count > 0) {
+    return tp_fail(message, TP_BAD_INPUT, scene->block.place,
+                   "only a toothed block without holes and parts has a formula for all counts: "
+                   "'block: {teeth: {count: 3, …}}'");
+  }
+  tp_family *own = calloc(1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "the family of formulas");
+  own->notation = notation;
+  const tp_status status = fill(own, scene, message);
+  if (status == TP_OK) {
+    *family = own;
+  } else {
+    tp_family_free(own);
+  }
+  return status;
+}

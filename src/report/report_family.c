@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A family of formulas as text, LaTeX, C or JSON, with the reach of its proof in words. */
+
+#include "report/json.h"
+
+static void add_counts(tp_text *t, const long *counts, int number) {
+  for (int k = 0; k < number; k++) tp_text_add(t, "%s%ld", k > 0 ? ", " : "", counts[k]);
+}
+
+static const char *parity(bool even) {
+  return even ? "even" : "odd";
+}
+
+/* The reach of the proof. */
+static void add_proof(tp_text *t, const tp_family *f, const char *indent) {
+  tp_text_add(t,
+              "%sFor every N of a parity: each sum over the underside is a polynomial in N of\n"
+              "%sdegree 3 at most (terms of degree 2 in the number of the joint, by parity), so\n"
+              "%sfour members fix it.",
+              indent, indent, indent);
+  for (int even = 0; even < 2; even++) {
+    tp_text_add(t, "\n%s%s: fixed by N = ", indent, even == 1 ? "Even" : "Odd");
+    add_counts(t, f->fixed[even], TP_FAMILY_FIXED);
+    tp_text_add(t, "; found exact on N = ");
+    add_counts(t, f->checked[even], TP_FAMILY_CHECKED);
+  }
+  tp_text_add(t, "\n");
+}
+
+static void add_title(tp_text *t, const tp_family *f) {
+  tp_text_add(t, "%s, for every number N of teeth", f->title != NULL ? f->title : "Toothed block");
+}
+
+/* Is N a symbol of its own, or an expression in others? */
+static bool count_is_symbol(const tp_family *f) {
+  return f->count[0] != '\0' && f->count[1] == '\0';
+}
+
+static void write_text(tp_text *t, const tp_family *f) {
+  add_title(t, f);
+  if (!count_is_symbol(f)) tp_text_add(t, ": N = %s", f->count);
+  tp_text_add(t, "\n");
+  for (int k = 0; k < 4; k++) {
+    const tp_family_formula *own = f->formulas + k;
+    tp_text_add(t, "\nN %s, towards the %s, about the %s\n  tan(alpha_crit) = %s\n",
+                parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
+                own->tangent.formula);
+  }
+  tp_text_add(t, "\n");
+  add_proof(t, f, "");
+}
+
+static void write_latex(tp_text *t, const tp_family *f) {
+  tp_text_add(t, "%% ");
+  add_title(t, f);
+  if (!count_is_symbol(f)) tp_text_add(t, "\n\\[ N = %s \\]", f->count);
+  tp_text_add(t, "\n");
+  for (int k = 0; k < 4; k++) {
+    const tp_family_formula *own = f->formulas + k;
+    tp_text_add(
+        t, "%% N %s, towards the %s, about the %s\n\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n",
+        parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
+        own->tangent.formula);
+  }
+  add_proof(t, f, "% ");
+}
+
+static void write_c(tp_text *t, const tp_family *f) {
+  tp_text_add(t, "/* ");
+  add_title(t, f);
+  tp_text_add(t, ": N is %s\n *\n", f->count);
+  add_proof(t, f, " * ");
+  tp_text_add(t, " */\n");
+  for (int k = 0; k < 4; k++) {
+    const tp_family_formula *own = f->formulas + k;
+    tp_text_add(t, "\n/* N %s, towards the %s, about the %s */\ndouble tan_critical_angle_%s_%s(",
+                parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
+                parity(own->even), tp_text_direction(own->towards));
+    if (count_is_symbol(f))
+      tp_text_add(t, "double %s%s", f->count, f->symbol_count > 0 ? ", " : "");
+    for (size_t s = 0; s < f->symbol_count; s++) {
+      tp_text_add(t, "%sdouble %s", s > 0 ? ", " : "", f->symbols[s]);
+    }
+    tp_text_add(t, ") {\n  return %s;\n}\n", own->tangent.formula);
+  }
+}
+
+tp_status tp_report_family(char **text, const tp_family *family) {
+  tp_text t = {0};
+  switch (family->notation) {
+  case TP_NOTATION_TEXT:
+    write_text(&t, family);
+    break;
+  case TP_NOTATION_LATEX:
+    write_latex(&t, family);
+    break;
+  case TP_NOTATION_C:
+    write_c(&t, family);
+    break;
+  }
+  return tp_text_finish(&t, text);
+}
+
+tp_status tp_report_family_json(char **text, const tp_family *family) {
+  tp_text t = {0};
+  tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"count\": ", TP_VERSION);
+  tp_json_string(&t, family->count);
+  tp_text_add(&t, ",\n  \"formulas\": [\n");
+  for (int k = 0; k < 4; k++) {
+    const tp_family_formula *own = family->formulas + k;
+    tp_text_add(&t, "    {\"count\": \"%s\", \"towards\": \"%s\", \"kind\": \"%s\",\n     ",
+                parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind));
+    tp_text_add(&t, "\"tan_critical_angle\": {\"numerator\": ");
+    tp_json_string(&t, own->tangent.numerator);
+    tp_text_add(&t, ", \"denominator\": ");
+    tp_json_string(&t, own->tangent.denominator);
+    tp_text_add(&t, "},\n     \"fixed_by\": [");
+    add_counts(&t, family->fixed[own->even], TP_FAMILY_FIXED);
+    tp_text_add(&t, "], \"checked_on\": [");
+    add_counts(&t, family->checked[own->even], TP_FAMILY_CHECKED);
+    tp_text_add(&t, "]}%s\n", k < 3 ? "," : "");
+  }
+  tp_text_add(&t, "  ]\n}\n");
+  return tp_text_finish(&t, text);
+}
