@@ -98,6 +98,7 @@ typedef enum tp_mechanism {
 /* Why a factor of safety is a number, or is none. */
 typedef enum tp_fos_state {
   TP_FOS_NUMBER,
+  TP_FOS_UNDEFINED, /* the weight lies past the pivot, and its resultant overturns nothing else */
   TP_FOS_NO_TILT,        /* the scene gives no tilt angle */
   TP_FOS_NO_OVERTURNING, /* nothing overturns or drives: the factor is unbounded */
   TP_FOS_NOT_ASKED       /* elements form of a large block without the elements option */
@@ -141,7 +142,8 @@ typedef struct tp_account {
 
 /* Patton's sliding angle phi_b + i (Eq. 6) on the facet that governs. No statics of contact forces
  * stands behind it: a facet wholly up-dip of the centroid sheds its load as the table tilts, and of
- * the others the one that rises most steeply down-dip governs. */
+ * the others the one that rises most steeply down-dip governs. Where that would slide on level ground,
+ * the block wedges itself between its facets, and all of them count. */
 typedef struct tp_sliding {
   bool known;                 /* the scene gives a friction angle */
   bool never;                 /* phi_b + i reaches 90 degrees */

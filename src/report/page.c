@@ -32,6 +32,8 @@ const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos) {
     return tp_text_fixed(out, fos.value, 3);
   case TP_FOS_NO_OVERTURNING:
     return "unbounded";
+  case TP_FOS_UNDEFINED:
+    return "none";
   case TP_FOS_NO_TILT:
   case TP_FOS_NOT_ASKED:
     break;

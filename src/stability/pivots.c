@@ -33,11 +33,12 @@ typedef struct tilt {
 } tilt;
 
 /* x arm cot(alpha) / y arm, Eq. (2). Nothing overturns where the centroid is not above the pivot,
- * or on level ground. */
+ * or on level ground; a weight past the pivot has no factor then. */
 static tp_fos resultant_form(tp_evaluation *e, const tp_direction_ball *angle, const tilt *t) {
   if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (arb_is_zero(t->sine) || arb_is_nonpositive(angle->cosine)) {
-    return (tp_fos){.state = TP_FOS_NO_OVERTURNING};
+    const bool past = arb_is_negative(angle->sine);
+    return (tp_fos){.state = past ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING};
   }
   tp_fos fos = {.state = TP_FOS_NUMBER};
   arb_t value, divisor;

@@ -6,7 +6,9 @@
  * A facet wholly up-dip of the centroid sheds its load as soon as the table tilts (the paper's
  * section 4.5 on block F), so it does not count; of the others the block must climb the one that
  * rises most steeply down-dip, or where none rises it slides down the flattest: the largest signed
- * i. This is a formula, not statics: the limit analysis judges the contact forces. */
+ * i. Where even level ground would be too steep for that, the block wedges itself between its
+ * facets: the up-dip ones keep their load, and all count. This is a formula, not statics: the limit
+ * analysis judges the contact forces. */
 
 #include "stability/evaluation.h"
 
@@ -209,6 +211,17 @@ static void describe(tp_evaluation *e, tp_case *result, const governing_facet *b
   arb_clear(limit);
 }
 
+/* phi_b + i <= 0 */
+static bool slides_when_level(tp_evaluation *e, const governing_facet *best) {
+  tp_direction_ball limit;
+  tp_direction_ball_init(&limit);
+  add_friction(e, best, &limit);
+  const bool slides = arb_is_nonpositive(limit.degrees) != 0;
+  if (!slides && !arb_is_positive(limit.degrees)) e->certain = false;
+  tp_direction_ball_clear(&limit);
+  return slides;
+}
+
 void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *sliding) {
   result->sliding = (tp_sliding){0};
   if (!e->problem->scene->friction_angle_deg.given) return;
@@ -219,7 +232,9 @@ void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *s
   governing_init(&best);
   find_foot(e, &f);
   find_governing(e, result->towards, &f, false, &best);
-  if (best.facet < 0 && !best.blocked) find_governing(e, result->towards, &f, true, &best);
+  if (!best.blocked && (best.facet < 0 || slides_when_level(e, &best))) {
+    find_governing(e, result->towards, &f, true, &best);
+  }
   result->sliding.known = best.facet >= 0 || best.blocked;
   result->sliding.never = best.blocked;
   result->sliding.fos = (tp_fos){.state = TP_FOS_NO_OVERTURNING};

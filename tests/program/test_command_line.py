@@ -153,6 +153,27 @@ class HardDecisions(unittest.TestCase):
         self.assertEqual(case["first"]["margin_deg"], {"value": 0, "error": 0})
         self.assertEqual(case["mechanism"], "topples")
 
+    def test_wedged_on_a_steep_ridge(self):
+        """Teeth steeper than friction astride a ridge: the facet that leans down-dip alone would slide
+        on level ground, so the other keeps its load; it leans against the block at 71.6 degrees, and
+        with phi_b = 20 neither slides nor, as turning is blocked, topples."""
+        text = ("topple: 1\nlength_unit: m\nblock: {teeth: {count: 2, width: 10, height: 100, depth: "
+                "30, left_end: valley}}\nfriction_angle_deg: %s\n")
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "scene.yaml"
+            for friction, mechanism in (("20", "interlocked"), ("10", "slides")):
+                scene.write_text(text % friction)
+                for case in solve(scene)["cases"]:
+                    self.assertEqual(case["mechanism"], mechanism)
+                    self.assertIsNone(case["toppling"])
+
+    def test_no_factor_past_the_pivot(self):
+        """On level ground nothing overturns about the toe, so its factor is unbounded; about the other
+        end the weight lies past the pivot, and the resultant form has no value: both are null."""
+        case = self.solve_slab(1, 2, "tilt: {angle_deg: 0}")
+        self.assertEqual([p["fos"] for p in case["pivots"]], [None, None])
+        self.assertEqual([p["fos_elements"] for p in case["pivots"]][0], None)
+
     def test_falls_backwards(self):
         """A centroid past the up-dip end of the contact: it topples up-dip until the tilt brings it
         back over the foot."""
