@@ -166,6 +166,11 @@ static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_sectio
     first = tp_polyline_leftmost(outline);
     last = rightmost(outline);
   }
+  if (status == TP_OK && between->count == 2 &&
+      fmpq_cmp(outline->x + first, outline->x + last) > 0) {
+    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 0),
+                     "'between' names the left end of the contact first");
+  }
   if (status != TP_OK) return status;
   base->mated = between->count == 0;
   base->outline_first = first;

@@ -3,6 +3,7 @@
 
 #include "report/page.h"
 
+#include <math.h>
 #include <string.h>
 
 const char *tp_page_length(const tp_page *p, char out[TP_NUMBER_SIZE], tp_bounded metres,
@@ -17,13 +18,27 @@ void tp_page_add_quantity(tp_page *p, tp_bounded number, const char *unit) {
   tp_text_add(&p->text, "%s %s%s", tp_text_significant(n, number, 5), large ? "k" : "", unit);
 }
 
+/* Drop the zeros behind the last decimal that is none. */
+static const char *trim(char *number) {
+  if (strchr(number, '.') == NULL || strchr(number, 'e') != NULL) return number;
+  size_t left = strlen(number);
+  while (number[left - 1] == '0') number[--left] = '\0';
+  if (number[left - 1] == '.') number[left - 1] = '\0';
+  return number;
+}
+
+const char *tp_page_coordinate(const tp_page *p, char out[TP_NUMBER_SIZE], tp_bounded metres) {
+  enum { MOST_DECIMALS = 12 };
+  const double size = sqrt(p->solution->block.area_m2.value) / p->solution->metres_per_unit;
+  const double decimals = 6 - ceil(log10(size));
+  if (!(decimals >= 0 && decimals <= MOST_DECIMALS)) return tp_page_length(p, out, metres, 6);
+  tp_text_fixed(out, tp_text_over(metres, p->solution->metres_per_unit), (int)decimals);
+  return trim(out);
+}
+
 const char *tp_page_degrees(char out[TP_NUMBER_SIZE], tp_bounded angle) {
   tp_text_fixed(out, angle, 3);
-  if (strchr(out, '.') == NULL) return out;
-  size_t length_left = strlen(out);
-  while (out[length_left - 1] == '0') out[--length_left] = '\0';
-  if (out[length_left - 1] == '.') out[length_left - 1] = '\0';
-  return out;
+  return trim(out);
 }
 
 const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos) {
@@ -45,5 +60,5 @@ void tp_page_add_pivot(tp_page *p, const tp_case *c) {
   const tp_pivot *pivot = c->pivots + c->governing;
   char n[2][TP_NUMBER_SIZE];
   tp_text_add(&p->text, "the %s at (%s, %s)", tp_text_pivot_kind(pivot->kind),
-              tp_page_length(p, n[0], pivot->x_m, 6), tp_page_length(p, n[1], pivot->y_m, 6));
+              tp_page_coordinate(p, n[0], pivot->x_m), tp_page_coordinate(p, n[1], pivot->y_m));
 }

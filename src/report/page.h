@@ -18,6 +18,10 @@ typedef struct tp_page {
 const char *tp_page_length(const tp_page *page, char out[TP_NUMBER_SIZE], tp_bounded metres,
                            int digits);
 
+/* A coordinate in the scene's length unit, to about a millionth of the block's size, so that points
+ * of a block far from the origin stay apart. */
+const char *tp_page_coordinate(const tp_page *page, char out[TP_NUMBER_SIZE], tp_bounded metres);
+
 /* An angle with up to three decimals that are not zero. */
 const char *tp_page_degrees(char out[TP_NUMBER_SIZE], tp_bounded angle);
 

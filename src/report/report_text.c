@@ -39,8 +39,9 @@ static void add_block(tp_page *p) {
   const tp_bounded area =
       tp_text_over(tp_text_over(b->area_m2, s->metres_per_unit), s->metres_per_unit);
   tp_text_add(&p->text, "Block    area %s %s², centroid (%s, %s) %s",
-              tp_text_significant(n[0], area, 6), unit, tp_page_length(p, n[1], b->centroid_x_m, 6),
-              tp_page_length(p, n[2], b->centroid_y_m, 6), unit);
+              tp_text_significant(n[0], area, 6), unit,
+              tp_page_coordinate(p, n[1], b->centroid_x_m),
+              tp_page_coordinate(p, n[2], b->centroid_y_m), unit);
   if (b->has_weight) {
     tp_text_add(&p->text, ", weight ");
     tp_page_add_quantity(p, b->weight_n, "N");
@@ -109,8 +110,8 @@ static void add_pivot_row(tp_page *p, const tp_case *c, size_t k) {
   char n[5][TP_NUMBER_SIZE];
   const bool governs = c->has_governing && k == c->governing;
   tp_text_add(&p->text, "%s %-8s %10s %10s %13s°", governs ? ">" : " ",
-              tp_text_pivot_kind(pivot->kind), tp_page_length(p, n[0], pivot->x_m, 6),
-              tp_page_length(p, n[1], pivot->y_m, 6),
+              tp_text_pivot_kind(pivot->kind), tp_page_coordinate(p, n[0], pivot->x_m),
+              tp_page_coordinate(p, n[1], pivot->y_m),
               tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
   if (p->solution->has_tilt_angle) {
     tp_text_add(&p->text, " %9s %9s", tp_page_fos(n[3], pivot->fos_resultant),
@@ -213,10 +214,10 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   if (s->fos.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
   }
-  tp_page_length(p, n[4], s->facet_x0_m, 6);
-  tp_page_length(p, n[5], s->facet_y0_m, 6);
-  tp_page_length(p, n[6], s->facet_x1_m, 6);
-  tp_page_length(p, n[7], s->facet_y1_m, 6);
+  tp_page_coordinate(p, n[4], s->facet_x0_m);
+  tp_page_coordinate(p, n[5], s->facet_y0_m);
+  tp_page_coordinate(p, n[6], s->facet_x1_m);
+  tp_page_coordinate(p, n[7], s->facet_y1_m);
   if (strcmp(n[4], n[6]) == 0 && strcmp(n[5], n[7]) == 0) {
     tp_text_add(&p->text, ",\n  against the contact in (%s, %s)", n[4], n[5]);
   } else {
