@@ -216,6 +216,7 @@ tp_geom_status triangulate_several(tp_geom_triangulation *result, const tp_geom_
 tp_geom_status tp_geom_triangulate(tp_geom_triangulation *result, const tp_geom_rings *rings,
                                    const int *layer_of_ring) {
   *result = {};
+  if (tp::vertex_count(*rings) < 3) return TP_GEOM_FAILED;
   return tp::guard([&] {
     if (rings->count == 1) {
       return rings->small ? triangulate_one<tp::Small>(result, *rings, layer_of_ring)
