@@ -6,11 +6,17 @@
 #ifndef TP_CLI_H
 #define TP_CLI_H
 
+#include "topple.h"
+
 enum { TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 
 /* argv[0] is the program's name followed by the command's. Returns the exit status. */
 int tp_cli_solve(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
+
+/* The end of a command: its complaint on stderr unless the status is TP_OK; the exit status, which
+ * is `written` (of tp_cli_print) then. */
+int tp_cli_end(tp_status status, const tp_message *message, int written);
 
 /* Write a whole report to stdout: 0, or TP_EXIT_SYSTEM with a message. */
 int tp_cli_print(const char *text);

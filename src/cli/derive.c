@@ -4,10 +4,8 @@
 /* topple derive SCENE */
 
 #include "cli/cli.h"
-#include "topple.h"
 
 #include <argp.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -113,11 +111,7 @@ int tp_cli_derive(int argc, char **argv) {
                               : report_formulas(&report, scene, &a, &message);
   }
   if (status == TP_OK) written = tp_cli_print(report);
-  if (status != TP_OK) {
-    fprintf(stderr, "topple: %s\n",
-            message.text[0] != '\0' ? message.text : tp_status_meaning(status));
-  }
   free(report);
   tp_scene_free(scene);
-  return status == TP_OK ? written : tp_status_exit(status);
+  return tp_cli_end(status, &message, written);
 }

@@ -5,7 +5,6 @@
 
 #define _GNU_SOURCE
 #include "cli/cli.h"
-#include "topple.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -25,6 +24,13 @@ int tp_cli_print(const char *text) {
   if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
   fprintf(stderr, "topple: cannot write the report: %s\n", strerror(errno));
   return TP_EXIT_SYSTEM;
+}
+
+int tp_cli_end(tp_status status, const tp_message *message, int written) {
+  if (status == TP_OK) return written;
+  fprintf(stderr, "topple: %s\n",
+          message->text[0] != '\0' ? message->text : tp_status_meaning(status));
+  return tp_status_exit(status);
 }
 
 static void print_help(FILE *out) {

@@ -4,10 +4,8 @@
 /* topple solve SCENE */
 
 #include "cli/cli.h"
-#include "topple.h"
 
 #include <argp.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 typedef struct arguments {
@@ -76,11 +74,7 @@ int tp_cli_solve(int argc, char **argv) {
   tp_status status = tp_scene_read(&scene, a.scene, &message);
   if (status == TP_OK) status = tp_solve(&solution, scene, &solve, &message);
   if (status == TP_OK) status = print_solution(solution, &a, &written);
-  if (status != TP_OK) {
-    fprintf(stderr, "topple: %s\n",
-            message.text[0] != '\0' ? message.text : tp_status_meaning(status));
-  }
   tp_solution_free(solution);
   tp_scene_free(scene);
-  return status == TP_OK ? written : tp_status_exit(status);
+  return tp_cli_end(status, &message, written);
 }

@@ -187,12 +187,12 @@ tp_status tp_field_init(tp_field *field, const tp_scene *scene, tp_message *mess
   field->symbol_count = count + 1;
   fmpz_mpoly_ctx_init(field->ring, field->symbol_count, ORD_LEX);
   field->values = calloc((size_t)count + 1, sizeof *field->values);
-  tp_status status = TP_OK;
   if (field->values == NULL || !name_symbols(field)) {
-    status = tp_fail_memory(message, "the field of formulas");
-  } else {
-    for (long k = 0; k < count; k++) fmpz_mpoly_q_init(field->values + k, field->ring);
+    tp_field_clear(field);
+    return tp_fail_memory(message, "the field of formulas");
   }
+  for (long k = 0; k < count; k++) fmpz_mpoly_q_init(field->values + k, field->ring);
+  tp_status status = TP_OK;
   const tp_node *source = tp_node_get(scene->source, "parameters");
   const tp_node *node = source != NULL ? source->first : NULL;
   for (long k = 0; k < count && node != NULL && status == TP_OK; k++, node = node->next) {

@@ -31,7 +31,7 @@ static bool init_chain(tp_symbolic_chain *chain, long count, const fmpz_mpoly_ct
 }
 
 void tp_symbols_clear(tp_symbols *symbols) {
-  for (long r = 0; r < symbols->ring_count; r++) {
+  for (long r = 0; symbols->rings != NULL && r < symbols->ring_count; r++) {
     tp_symbolic_chain_clear(symbols->rings + r, symbols->field.ring);
   }
   free(symbols->rings);
@@ -193,7 +193,8 @@ static tp_status set_rings(const builder *b, const tp_section *section) {
   const tp_node *node = holes != NULL ? holes->first : NULL;
   for (long r = 1; r < section->ring_count && status == TP_OK; r++) {
     const bool part = r > section->hole_count;
-    if (r == section->hole_count + 1) node = parts->first;
+    if (r == section->hole_count + 1) node = parts != NULL ? parts->first : NULL;
+    if (node == NULL) break; /* never: the section was made from these nodes */
     status = set_points(b, symbols->rings + r, part ? tp_node_get(node, "outline") : node,
                         section->rings + r);
     node = node->next;

@@ -30,3 +30,11 @@ void tp_json_string(tp_text *t, const char *string) {
 const char *tp_json_truth(bool value) {
   return value ? "true" : "false";
 }
+
+void tp_json_fraction(tp_text *t, const char *key, const tp_fraction *f) {
+  tp_text_add(t, "\"%s\": {\"numerator\": ", key);
+  tp_json_string(t, f->numerator);
+  tp_text_add(t, ", \"denominator\": ");
+  tp_json_string(t, f->denominator);
+  tp_text_add(t, "}");
+}

@@ -12,6 +12,9 @@
  * double. */
 void tp_json_number(tp_text *text, const char *key, tp_bounded number);
 
+/* `"key": {"numerator": n, "denominator": d}` */
+void tp_json_fraction(tp_text *text, const char *key, const tp_fraction *fraction);
+
 /* A string in quotes, escaped. */
 void tp_json_string(tp_text *text, const char *string);
 

@@ -5,29 +5,21 @@
 
 #include "report/json.h"
 
-static void add_fraction(tp_text *t, const char *key, const tp_fraction *f) {
-  tp_text_add(t, "\"%s\": {\"numerator\": ", key);
-  tp_json_string(t, f->numerator);
-  tp_text_add(t, ", \"denominator\": ");
-  tp_json_string(t, f->denominator);
-  tp_text_add(t, "}");
-}
-
 static void add_elements_form(tp_text *t, const tp_derived_pivot *p) {
   if (!p->has_elements) return;
   tp_text_add(t, ",\n     \"fos_elements\": {");
-  add_fraction(t, "stabilising_cos", &p->normal_stabilising);
+  tp_json_fraction(t, "stabilising_cos", &p->normal_stabilising);
   tp_text_add(t, ",\n       ");
-  add_fraction(t, "stabilising_sin", &p->parallel_stabilising);
+  tp_json_fraction(t, "stabilising_sin", &p->parallel_stabilising);
   tp_text_add(t, ",\n       ");
-  add_fraction(t, "overturning_cos", &p->normal_overturning);
+  tp_json_fraction(t, "overturning_cos", &p->normal_overturning);
   tp_text_add(t, ",\n       ");
-  add_fraction(t, "overturning_sin", &p->parallel_overturning);
+  tp_json_fraction(t, "overturning_sin", &p->parallel_overturning);
   if (p->splits) {
     tp_text_add(t, ",\n       ");
-    add_fraction(t, "cot", &p->fos_cot);
+    tp_json_fraction(t, "cot", &p->fos_cot);
     tp_text_add(t, ",\n       ");
-    add_fraction(t, "constant", &p->fos_constant);
+    tp_json_fraction(t, "constant", &p->fos_constant);
   }
   tp_text_add(t, "}");
 }
@@ -37,11 +29,11 @@ static void add_pivot(tp_text *t, const tp_derived_pivot *p) {
       t, "    {\"towards\": \"%s\", \"kind\": \"%s\", \"admissible\": %s, \"governs\": %s,\n     ",
       tp_text_direction(p->towards), tp_text_pivot_kind(p->kind), tp_json_truth(p->admissible),
       tp_json_truth(p->governs));
-  add_fraction(t, "x", &p->x);
+  tp_json_fraction(t, "x", &p->x);
   tp_text_add(t, ", ");
-  add_fraction(t, "y", &p->y);
+  tp_json_fraction(t, "y", &p->y);
   tp_text_add(t, ",\n     ");
-  add_fraction(t, "tan_critical_angle", &p->tangent);
+  tp_json_fraction(t, "tan_critical_angle", &p->tangent);
   tp_text_add(t, ",\n     ");
   tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
   add_elements_form(t, p);
@@ -56,11 +48,11 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
     tp_json_string(&t, derivation->symbols[k]);
   }
   tp_text_add(&t, "],\n  ");
-  add_fraction(&t, "area", &derivation->area);
+  tp_json_fraction(&t, "area", &derivation->area);
   tp_text_add(&t, ",\n  ");
-  add_fraction(&t, "x_moment", &derivation->x_moment);
+  tp_json_fraction(&t, "x_moment", &derivation->x_moment);
   tp_text_add(&t, ",\n  ");
-  add_fraction(&t, "y_moment", &derivation->y_moment);
+  tp_json_fraction(&t, "y_moment", &derivation->y_moment);
   tp_text_add(&t, ",\n  \"pivots\": [\n");
   for (size_t k = 0; k < derivation->pivot_count; k++) {
     add_pivot(&t, derivation->pivots + k);

@@ -112,11 +112,8 @@ tp_status tp_report_family_json(char **text, const tp_family *family) {
     const tp_family_formula *own = family->formulas + k;
     tp_text_add(&t, "    {\"count\": \"%s\", \"towards\": \"%s\", \"kind\": \"%s\",\n     ",
                 parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind));
-    tp_text_add(&t, "\"tan_critical_angle\": {\"numerator\": ");
-    tp_json_string(&t, own->tangent.numerator);
-    tp_text_add(&t, ", \"denominator\": ");
-    tp_json_string(&t, own->tangent.denominator);
-    tp_text_add(&t, "},\n     \"fixed_by\": [");
+    tp_json_fraction(&t, "tan_critical_angle", &own->tangent);
+    tp_text_add(&t, ",\n     \"fixed_by\": [");
     add_counts(&t, family->fixed[own->even], TP_FAMILY_FIXED);
     tp_text_add(&t, "], \"checked_on\": [");
     add_counts(&t, family->checked[own->even], TP_FAMILY_CHECKED);

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The public library's symbolic half: closed formulas of a scene. Included by topple.h. */
+
+#ifndef TOPPLE_DERIVE_H
+#define TOPPLE_DERIVE_H
+
+#include "topple.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How derived formulas are written: text for computer algebra, LaTeX, or C in doubles. */
+typedef enum tp_notation { TP_NOTATION_TEXT, TP_NOTATION_LATEX, TP_NOTATION_C } tp_notation;
+
+/* Numerator and denominator, coprime polynomials with whole coefficients, and both as one formula.
+ */
+typedef struct tp_fraction {
+  char *numerator, *denominator, *formula;
+} tp_fraction;
+
+/* One element of a derivation about the governing pivot: its area times relative density, and the
+ * arms of its weight; the signs are those at the scene's parameter values. */
+typedef struct tp_derived_element {
+  tp_element_kind kind;
+  size_t part;
+  tp_fraction area, normal_arm, parallel_arm;
+  bool normal_stabilises, parallel_overturns;
+} tp_derived_element;
+
+/* A pivot in symbols. Factor of safety in elements form: (a cot(alpha) + b) / (c cot(alpha) + d)
+ * with the sums of elements' moments a, b that stabilise and c, d that overturn, each element on
+ * the side where it is at the scene's values. Where c = 0 it is fos_cot cot(alpha) + fos_constant,
+ * as in (A1.3). */
+typedef struct tp_derived_pivot {
+  tp_direction towards;
+  tp_pivot_kind kind;
+  bool admissible, governs;
+  tp_fraction x, y;
+  tp_fraction tangent; /* of the critical angle; FoS, resultant form, is tangent cot(alpha) */
+  tp_bounded critical_angle_deg; /* at the scene's values */
+  bool has_elements;             /* the elements form was asked for */
+  bool splits;                   /* c = 0 */
+  tp_fraction fos_cot, fos_constant;
+  tp_fraction normal_stabilising, parallel_stabilising, normal_overturning, parallel_overturning;
+} tp_derived_pivot;
+
+typedef struct tp_derivation {
+  char *title;
+  tp_notation notation;
+  tp_fraction area, x_moment, y_moment; /* about the scene's origin, weighted by relative density */
+  size_t symbol_count;
+  char **symbols; /* parameters that the formulas are in */
+  size_t pivot_count;
+  tp_derived_pivot *pivots;
+  size_t element_count;            /* 0 unless asked for */
+  tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
+} tp_derivation;
+
+typedef struct tp_derive_options {
+  tp_notation notation;
+  bool elements; /* derive the elements form and list its elements */
+} tp_derive_options;
+
+tp_derive_options tp_derive_options_default(void);
+
+/* The closed formulas of a scene in its parameters, in scene lengths. */
+TP_MUST_USE tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
+                                const tp_derive_options *options, tp_message *message);
+void tp_derivation_free(tp_derivation *derivation);
+
+enum { TP_FAMILY_FIXED = 4, TP_FAMILY_CHECKED = 6 };
+
+/* One formula for every number of teeth of one parity: the tangent of the critical angle about the
+ * toe of one direction of tilt. */
+typedef struct tp_family_formula {
+  tp_direction towards;
+  bool even;
+  tp_pivot_kind kind; /* of the toe */
+  tp_fraction tangent;
+} tp_family_formula;
+
+/* The formulas of a toothed block for every number N of teeth. The sums over the underside add
+ * terms that are polynomials of degree 2 at most in the number of the joint, the same for all
+ * joints of a parity; for N of one parity they are polynomials in N of degree 3 at most, which
+ * TP_FAMILY_FIXED members fix, so the formulas hold for every N. TP_FAMILY_CHECKED further members
+ * were found to agree exactly. */
+typedef struct tp_family {
+  char *title;
+  tp_notation notation;
+  char *count; /* what N is: a symbol, or 2 dx / lambda */
+  size_t symbol_count;
+  char **symbols;
+  long fixed[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
+  long checked[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
+  tp_family_formula formulas[4];
+} tp_family;
+
+/* One formula for every number of teeth, for the scene's left end. Scenes of other blocks are bad
+ * input. */
+TP_MUST_USE tp_status tp_derive_family(tp_family **family, const tp_scene *scene,
+                                       tp_notation notation, tp_message *message);
+void tp_family_free(tp_family *family);
+
+TP_MUST_USE tp_status tp_report_family(char **text, const tp_family *family);
+TP_MUST_USE tp_status tp_report_family_json(char **text, const tp_family *family);
+
+TP_MUST_USE tp_status tp_report_derivation(char **text, const tp_derivation *derivation);
+TP_MUST_USE tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
