@@ -6,7 +6,7 @@
 #include "derive/formulas.h"
 #include "derive/notation.h"
 #include "number/ball.h"
-#include "stability/evaluation.h"
+#include "stability/solve.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -230,10 +230,13 @@ static tp_status fill(work *w, const tp_scene *scene, const tp_derive_options *o
 static tp_status derive(tp_derivation *out, tp_solution *solution, const tp_scene *scene,
                         const tp_derive_options *options, tp_message *message) {
   work w = {.out = out, .solution = solution, .message = message};
-  const tp_solve_options solve = {.elements = options->elements, .digits = 9};
+  tp_solve_options solve = tp_solve_options_default();
+  solve.elements = options->elements;
   tp_status status = tp_problem_init(&w.problem, scene, &solve, solution, message);
   if (status != TP_OK) return status;
-  if (w.problem.lattice.start[w.problem.section.ring_count] > MOST_VERTICES) {
+  solve.elements = false; /* needs no account in numbers */
+  status = tp_solve_problem(solution, &w.problem, &solve, message);
+  if (status == TP_OK && w.problem.lattice.start[w.problem.section.ring_count] > MOST_VERTICES) {
     status = tp_fail(message, TP_NO_ANSWER, scene->block.place,
                      "more than %d vertices; formulas are derived for fewer", MOST_VERTICES);
   }
@@ -248,12 +251,10 @@ static tp_status derive(tp_derivation *out, tp_solution *solution, const tp_scen
 
 tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
                     const tp_derive_options *options, tp_message *message) {
-  const tp_solve_options solve = tp_solve_options_default();
-  tp_solution *solution = NULL;
-  tp_status status = tp_solve(&solution, scene, &solve, message);
-  if (status != TP_OK) return status;
+  tp_solution *solution = calloc(1, sizeof *solution);
   tp_derivation *out = calloc(1, sizeof *out);
-  if (out == NULL) {
+  tp_status status = TP_OK;
+  if (solution == NULL || out == NULL) {
     status = tp_fail_memory(message, "the derivation");
   } else {
     out->notation = options->notation;

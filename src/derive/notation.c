@@ -78,16 +78,6 @@ static void add_polynomial(FILE *out, const fmpz_mpoly_t polynomial, const tp_fi
   for (slong t = 0; t < terms; t++) add_term(out, polynomial, t, field, notation);
 }
 
-static char *polynomial_text(const fmpz_mpoly_t polynomial, const tp_field *field,
-                             tp_notation notation) {
-  char *text = NULL;
-  size_t length = 0;
-  FILE *out = open_memstream(&text, &length);
-  if (out == NULL) return NULL;
-  add_polynomial(out, polynomial, field, notation);
-  return fclose(out) == 0 ? text : NULL;
-}
-
 static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_field *field,
                          tp_notation notation) {
   const fmpz_mpoly_struct *top = fmpz_mpoly_q_numref(fraction);
@@ -114,21 +104,33 @@ static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_fiel
   fputs(constant ? "" : ")", out);
 }
 
-static char *fraction_text(const fmpz_mpoly_q_t fraction, const tp_field *field,
-                           tp_notation notation) {
+enum part { NUMERATOR, DENOMINATOR, WHOLE };
+
+static char *part_text(const fmpz_mpoly_q_t fraction, enum part part, const tp_field *field,
+                       tp_notation notation) {
   char *text = NULL;
   size_t length = 0;
   FILE *out = open_memstream(&text, &length);
   if (out == NULL) return NULL;
-  add_fraction(out, fraction, field, notation);
+  switch (part) {
+  case NUMERATOR:
+    add_polynomial(out, fmpz_mpoly_q_numref(fraction), field, notation);
+    break;
+  case DENOMINATOR:
+    add_polynomial(out, fmpz_mpoly_q_denref(fraction), field, notation);
+    break;
+  case WHOLE:
+    add_fraction(out, fraction, field, notation);
+    break;
+  }
   return fclose(out) == 0 ? text : NULL;
 }
 
 tp_fraction tp_notation_write(const fmpz_mpoly_q_t formula, const tp_field *field,
                               tp_notation notation, bool *failed) {
-  const tp_fraction f = {polynomial_text(fmpz_mpoly_q_numref(formula), field, notation),
-                         polynomial_text(fmpz_mpoly_q_denref(formula), field, notation),
-                         fraction_text(formula, field, notation)};
+  const tp_fraction f = {part_text(formula, NUMERATOR, field, notation),
+                         part_text(formula, DENOMINATOR, field, notation),
+                         part_text(formula, WHOLE, field, notation)};
   if (f.numerator == NULL || f.denominator == NULL || f.formula == NULL) *failed = true;
   return f;
 }

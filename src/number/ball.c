@@ -82,28 +82,3 @@ void tp_ball_sin_cos_degrees(arb_t sine, arb_t cosine, const fmpq_t degrees, lon
   fmpq_clear(turn);
   fmpz_clear(quarters);
 }
-
-void tp_ball_tan_degrees(arb_t tangent, const fmpq_t degrees, long bits) {
-  fmpq_t eighths;
-  fmpz_t unit;
-  fmpq_init(eighths);
-  fmpz_init_set_ui(unit, 45);
-  fmpq_div_fmpz(eighths, degrees, unit);
-  if (fmpz_is_one(fmpq_denref(eighths))) {
-    static const int tangents[4] = {0, 1, 0, -1};
-    const unsigned long eighth = fmpz_fdiv_ui(fmpq_numref(eighths), 4);
-    if (eighth == 2) {
-      arb_indeterminate(tangent);
-    } else {
-      arb_set_si(tangent, tangents[eighth]);
-    }
-  } else {
-    arb_t cosine;
-    arb_init(cosine);
-    tp_ball_sin_cos_degrees(tangent, cosine, degrees, bits);
-    arb_div(tangent, tangent, cosine, bits);
-    arb_clear(cosine);
-  }
-  fmpq_clear(eighths);
-  fmpz_clear(unit);
-}

@@ -32,7 +32,4 @@ void tp_ball_atan2_degrees(arb_t angle, const arb_t y, const arb_t x, long bits)
 /* Sine and cosine of a rational angle in degrees; exact where they are 0 or 1. */
 void tp_ball_sin_cos_degrees(arb_t sine, arb_t cosine, const fmpq_t degrees, long bits);
 
-/* tan(degrees), exact at multiples of 45; indeterminate at 90. */
-void tp_ball_tan_degrees(arb_t tangent, const fmpq_t degrees, long bits);
-
 #endif

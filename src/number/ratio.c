@@ -3,7 +3,6 @@
 
 #include "number/ratio.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -4,14 +4,12 @@
 #include "scene/expression.h"
 
 #include "number/ratio.h"
-#include "scene/node.h"
 
 #include <ctype.h>
 #include <stdalign.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 

@@ -18,21 +18,14 @@ typedef struct account {
 /* Newton per unit of weight2, or the fraction of the block's weight. */
 static void set_weight(account *a) {
   const tp_problem *problem = a->evaluation->problem;
-  const tp_block_description *block = &problem->scene->block;
   const long bits = a->evaluation->rung.bits;
-  if (!block->unit_weight_kn_m3.given) {
+  if (!problem->scene->block.unit_weight_kn_m3.given) {
     arb_inv(a->weight, a->evaluation->moments.weighted + TP_A2, bits);
     return;
   }
   fmpq_t factor;
   fmpq_init(factor);
-  fmpq_mul(factor, problem->lattice.step_m, problem->lattice.step_m);
-  fmpq_mul(factor, factor, problem->section.weight_unit);
-  if (block->thickness.given) {
-    fmpq_mul(factor, factor, block->thickness.value);
-    fmpq_mul(factor, factor, problem->scene->metres_per_unit);
-  }
-  fmpq_mul_ui(factor, factor, 500);
+  tp_problem_weight_factor(factor, problem);
   arb_set_fmpq(a->weight, factor, bits);
   fmpq_clear(factor);
 }

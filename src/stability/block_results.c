@@ -63,29 +63,14 @@ static tp_bounded second_moment(tp_evaluation *e, const arb_t second, unsigned l
   return result;
 }
 
-static void thickness_in_metres(fmpq_t thickness, const tp_scene *scene) {
-  if (scene->block.thickness.given) {
-    fmpq_mul(thickness, scene->block.thickness.value, scene->metres_per_unit);
-  } else {
-    fmpq_one(thickness);
-  }
-}
-
-/* Weight in newton: unit weight in kN/m3 times volume. */
+/* Weight in newton. */
 static void weight(tp_evaluation *e, arb_t newton) {
-  const long bits = e->rung.bits;
-  fmpq_t factor, thickness;
+  fmpq_t factor;
   fmpq_init(factor);
-  fmpq_init(thickness);
-  thickness_in_metres(thickness, e->problem->scene);
-  fmpq_mul(factor, thickness, e->problem->section.weight_unit);
-  fmpq_mul(factor, factor, e->problem->lattice.step_m);
-  fmpq_mul(factor, factor, e->problem->lattice.step_m);
-  fmpq_mul_ui(factor, factor, 500); /* kN to N, and half of twice the area */
-  arb_mul_fmpz(newton, e->moments.weighted + TP_A2, fmpq_numref(factor), bits);
-  arb_div_fmpz(newton, newton, fmpq_denref(factor), bits);
+  tp_problem_weight_factor(factor, e->problem);
+  arb_mul_fmpz(newton, e->moments.weighted + TP_A2, fmpq_numref(factor), e->rung.bits);
+  arb_div_fmpz(newton, newton, fmpq_denref(factor), e->rung.bits);
   fmpq_clear(factor);
-  fmpq_clear(thickness);
 }
 
 void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
@@ -103,7 +88,7 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
   block->second_moment_xx_m4 = second_moment(e, sums + TP_XX12, 12, sums + TP_X6, sums + TP_X6);
   block->second_moment_yy_m4 = second_moment(e, sums + TP_YY12, 12, sums + TP_Y6, sums + TP_Y6);
   block->second_moment_xy_m4 = second_moment(e, sums + TP_XY24, 24, sums + TP_X6, sums + TP_Y6);
-  thickness_in_metres(thickness, problem->scene);
+  tp_problem_thickness(thickness, problem);
   block->thickness_m = tp_evaluation_rational(thickness);
   block->has_weight = problem->scene->block.unit_weight_kn_m3.given;
   if (block->has_weight) {
@@ -184,7 +169,7 @@ static tp_bounded pressure(tp_evaluation *e, const tp_bounded length_m, const ar
   arb_t value;
   fmpq_init(width);
   arb_init(value);
-  thickness_in_metres(width, e->problem->scene);
+  tp_problem_thickness(width, e->problem);
   arb_div(value, newton, length, bits);
   arb_div_fmpz(value, value, fmpq_numref(width), bits);
   arb_mul_fmpz(value, value, fmpq_denref(width), bits);

@@ -113,3 +113,20 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   if (status != TP_OK) tp_problem_clear(problem);
   return status;
 }
+
+void tp_problem_thickness(fmpq_t metres, const tp_problem *problem) {
+  const tp_quantity *thickness = &problem->scene->block.thickness;
+  if (thickness->given) {
+    fmpq_mul(metres, thickness->value, problem->scene->metres_per_unit);
+  } else {
+    fmpq_one(metres);
+  }
+}
+
+void tp_problem_weight_factor(fmpq_t newton, const tp_problem *problem) {
+  tp_problem_thickness(newton, problem);
+  fmpq_mul(newton, newton, problem->section.weight_unit);
+  fmpq_mul(newton, newton, problem->lattice.step_m);
+  fmpq_mul(newton, newton, problem->lattice.step_m);
+  fmpq_mul_ui(newton, newton, 500); /* kN to N, and half of twice the area */
+}

@@ -31,4 +31,11 @@ TP_MUST_USE tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene
                                       tp_message *message);
 void tp_problem_clear(tp_problem *problem);
 
+/* Thickness of the section in metres. */
+void tp_problem_thickness(fmpq_t metres, const tp_problem *problem);
+
+/* Newton for each unit of weighted twice-area on the lattice: half of it, times the square of the
+ * step, the thickness and the unit weight. */
+void tp_problem_weight_factor(fmpq_t newton, const tp_problem *problem);
+
 #endif

@@ -3,6 +3,7 @@
 
 /* A scene in, the stability of its block out. */
 
+#include "stability/solve.h"
 #include "number/ladder.h"
 #include "stability/effects.h"
 #include "stability/evaluation.h"
@@ -192,18 +193,21 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
   return status;
 }
 
+tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
+                           const tp_solve_options *options, tp_message *message) {
+  tp_status status = describe_scene(solution, problem->scene, message);
+  describe_teeth(solution, problem->scene);
+  if (status == TP_OK) status = make_cases(solution, problem, options->elements, message);
+  if (status == TP_OK) status = climb_ladder(problem, options, solution, message);
+  return status;
+}
+
 static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
                       tp_message *message) {
   tp_problem problem;
-  tp_status status = describe_scene(solution, scene, message);
+  tp_status status = tp_problem_init(&problem, scene, options, solution, message);
   if (status != TP_OK) return status;
-  describe_teeth(solution, scene);
-  status = tp_problem_init(&problem, scene, options, solution, message);
-  if (status != TP_OK) return status;
-  status = make_cases(solution, &problem, options->elements, message);
-  if (status == TP_OK) {
-    status = climb_ladder(&problem, options, solution, message);
-  }
+  status = tp_solve_problem(solution, &problem, options, message);
   tp_problem_clear(&problem);
   return status;
 }
