@@ -3,15 +3,12 @@
 
 /* The closed formulas of a scene. */
 
-#include "derive/formulas.h"
+#include "derive/model.h"
 #include "derive/notation.h"
 #include "number/ball.h"
-#include "stability/solve.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { MOST_VERTICES = 20000 };
 
 tp_derive_options tp_derive_options_default(void) {
   return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false};
@@ -55,21 +52,18 @@ void tp_derivation_free(tp_derivation *derivation) {
 /* What a derivation takes. */
 typedef struct work {
   tp_derivation *out;
-  const tp_solution *solution;
-  tp_problem problem;
-  tp_symbols symbols;
-  tp_formulas formulas;
+  tp_model model;
   tp_message *message;
   bool failed; /* memory was exhausted while writing */
 } work;
 
 static tp_fraction write(work *w, const fmpz_mpoly_q_t formula) {
-  return tp_notation_write(formula, &w->symbols.field, w->out->notation, &w->failed);
+  return tp_notation_write(formula, &w->model.symbols.field, w->out->notation, &w->failed);
 }
 
 /* formula / divisor, written. */
 static tp_fraction write_over(work *w, const fmpz_mpoly_q_t formula, long divisor) {
-  const fmpz_mpoly_ctx_struct *ring = w->symbols.field.ring;
+  const fmpz_mpoly_ctx_struct *ring = w->model.symbols.field.ring;
   fmpz_mpoly_q_t value;
   fmpz_t integer;
   fmpz_mpoly_q_init(value, ring);
@@ -82,7 +76,8 @@ static tp_fraction write_over(work *w, const fmpz_mpoly_q_t formula, long diviso
 }
 
 static tp_fraction write_quotient(work *w, const fmpz_mpoly_q_t top, const fmpz_mpoly_q_t below) {
-  return tp_notation_write_quotient(top, below, &w->symbols.field, w->out->notation, &w->failed);
+  return tp_notation_write_quotient(top, below, &w->model.symbols.field, w->out->notation,
+                                    &w->failed);
 }
 
 /* atan2 of the arms at the scene's values. */
@@ -96,8 +91,8 @@ static tp_bounded angle_at_values(const work *w, const fmpz_mpoly_q_t x_arm,
   arb_init(cosine);
   arb_init(angle);
   tp_bounded result = {0, INFINITY};
-  if (tp_field_evaluate(x, x_arm, &w->symbols.field) &&
-      tp_field_evaluate(y, y_arm, &w->symbols.field)) {
+  if (tp_field_evaluate(x, x_arm, &w->model.symbols.field) &&
+      tp_field_evaluate(y, y_arm, &w->model.symbols.field)) {
     arb_set_fmpq(sine, x, 128);
     arb_set_fmpq(cosine, y, 128);
     tp_ball_atan2_degrees(angle, sine, cosine, 128);
@@ -111,14 +106,14 @@ static tp_bounded angle_at_values(const work *w, const fmpz_mpoly_q_t x_arm,
   return result;
 }
 
-static tp_status derive_elements_form(work *w, tp_derived_pivot *p, long point) {
-  const tp_field *field = &w->symbols.field;
+static tp_status derive_elements_form(work *w, tp_derived_pivot *p,
+                                      const tp_symbolic_point *point) {
+  const tp_model *m = &w->model;
+  const tp_field *field = &m->symbols.field;
   tp_side_formulas sides;
   tp_side_formulas_init(&sides, field);
-  const bool whole =
-      tp_side_formulas_sum(&sides, &w->formulas, &w->symbols, &w->problem, point, p->towards);
   tp_status status = TP_OK;
-  if (whole) {
+  if (tp_side_formulas_sum(&sides, &m->formulas, &m->symbols, &m->problem, point, p->towards)) {
     p->has_elements = true;
     p->splits =
         fmpz_mpoly_q_is_zero(sides.c, field->ring) && !fmpz_mpoly_q_is_zero(sides.d, field->ring);
@@ -131,7 +126,7 @@ static tp_status derive_elements_form(work *w, tp_derived_pivot *p, long point) 
       p->fos_constant = write_quotient(w, sides.b, sides.d);
     }
   } else {
-    status = tp_fail(w->message, TP_NO_ANSWER, w->problem.scene->block.place,
+    status = tp_fail(w->message, TP_NO_ANSWER, m->problem.scene->block.place,
                      "the triangles of this block hold only at these values of the parameters: "
                      "corners of different rings meet by chance; derive without --elements");
   }
@@ -141,45 +136,41 @@ static tp_status derive_elements_form(work *w, tp_derived_pivot *p, long point) 
 
 static tp_status derive_pivot(work *w, tp_derived_pivot *p, const tp_case *own, size_t k,
                               bool elements) {
-  const fmpz_mpoly_ctx_struct *ring = w->symbols.field.ring;
-  const long point = w->problem.contact.points[k].point;
-  const fmpz_mpoly_q_struct *px = tp_formulas_x(&w->symbols, &w->problem, point);
-  const fmpz_mpoly_q_struct *py = tp_formulas_y(&w->symbols, &w->problem, point);
-  if (px == NULL || py == NULL) {
-    return tp_fail(w->message, TP_NO_ANSWER, w->problem.scene->base.place,
-                   "a pivot lies on the base past the block, where the base has no formula; give "
-                   "the base as a profile");
-  }
+  const fmpz_mpoly_ctx_struct *ring = w->model.symbols.field.ring;
+  tp_symbolic_point point;
+  const tp_status status = tp_model_pivot(&point, &w->model, k, w->message);
+  if (status != TP_OK) return status;
   p->towards = own->towards;
   p->kind = own->pivots[k].kind;
   p->admissible = own->pivots[k].admissible;
   p->governs = own->has_governing && own->governing == k;
-  p->x = write(w, px);
-  p->y = write(w, py);
+  p->x = write(w, point.x);
+  p->y = write(w, point.y);
   fmpz_mpoly_q_t x_arm, y_arm;
   fmpz_mpoly_q_init(x_arm, ring);
   fmpz_mpoly_q_init(y_arm, ring);
-  tp_formulas_arm(x_arm, w->formulas.x6, w->formulas.weighted2, px, &w->symbols.field);
-  tp_formulas_arm(y_arm, w->formulas.y6, w->formulas.weighted2, py, &w->symbols.field);
-  if (p->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x_arm, x_arm, ring);
+  tp_model_arms(x_arm, y_arm, &w->model, &point, p->towards);
   p->tangent = write_quotient(w, x_arm, y_arm);
   p->critical_angle_deg = angle_at_values(w, x_arm, y_arm);
   fmpz_mpoly_q_clear(x_arm, ring);
   fmpz_mpoly_q_clear(y_arm, ring);
-  return elements ? derive_elements_form(w, p, point) : TP_OK;
+  return elements ? derive_elements_form(w, p, &point) : TP_OK;
 }
 
 static tp_status list_elements(work *w, const tp_case *own) {
-  const tp_elements *all = &w->problem.elements;
+  const tp_model *m = &w->model;
+  const tp_elements *all = &m->problem.elements;
+  tp_symbolic_point pivot;
+  const tp_status status = tp_model_pivot(&pivot, m, own->governing, w->message);
+  if (status != TP_OK) return status;
   tp_derived_element *list = calloc((size_t)all->count + 1, sizeof *list);
   if (list == NULL) return tp_fail_memory(w->message, "the elements");
   w->out->elements[own->towards] = list;
   w->out->element_count = (size_t)all->count;
-  const long pivot = w->problem.contact.points[own->governing].point;
   tp_element_formulas e;
-  tp_element_formulas_init(&e, &w->symbols.field);
+  tp_element_formulas_init(&e, &m->symbols.field);
   for (long k = 0; k < all->count; k++) {
-    tp_element_formulas_set(&e, &w->symbols, &w->problem, k, pivot, own->towards);
+    tp_element_formulas_set(&e, &m->symbols, &m->problem, k, &pivot, own->towards);
     list[k] = (tp_derived_element){.kind = all->items[k].kind,
                                    .part = all->items[k].part,
                                    .area = write(w, e.area),
@@ -188,13 +179,13 @@ static tp_status list_elements(work *w, const tp_case *own) {
                                    .normal_stabilises = e.normal_stabilises,
                                    .parallel_overturns = e.parallel_overturns};
   }
-  tp_element_formulas_clear(&e, &w->symbols.field);
+  tp_element_formulas_clear(&e, &m->symbols.field);
   return TP_OK;
 }
 
 static tp_status derive_pivots(work *w, bool elements) {
-  const tp_solution *solution = w->solution;
-  const size_t points = (size_t)w->problem.contact.point_count;
+  const tp_solution *solution = w->model.solution;
+  const size_t points = (size_t)w->model.problem.contact.point_count;
   w->out->pivots = calloc(points * solution->case_count + 1, sizeof *w->out->pivots);
   if (w->out->pivots == NULL) return tp_fail_memory(w->message, "the pivots");
   tp_status status = TP_OK;
@@ -210,57 +201,31 @@ static tp_status derive_pivots(work *w, bool elements) {
   return status;
 }
 
-static tp_status fill(work *w, const tp_scene *scene, const tp_derive_options *options) {
-  tp_status status = tp_symbols_init(&w->symbols, scene, &w->problem.section, w->message);
-  if (status != TP_OK) return status;
-  tp_formulas_init(&w->formulas, &w->symbols.field);
-  tp_formulas_sum(&w->formulas, &w->symbols, &w->problem.section);
-  w->out->area = write_over(w, w->formulas.area2, 2);
-  w->out->x_moment = write_over(w, w->formulas.x6, 6);
-  w->out->y_moment = write_over(w, w->formulas.y6, 6);
-  w->out->symbol_count = tp_field_list_symbols(&w->out->symbols, &w->symbols.field);
-  if (w->out->symbols == NULL) status = tp_fail_memory(w->message, "the symbols");
-  if (status == TP_OK) status = derive_pivots(w, options->elements);
-  if (status == TP_OK && w->failed) status = tp_fail_memory(w->message, "the formulas");
-  tp_formulas_clear(&w->formulas, &w->symbols.field);
-  tp_symbols_clear(&w->symbols);
-  return status;
-}
-
-static tp_status derive(tp_derivation *out, tp_solution *solution, const tp_scene *scene,
-                        const tp_derive_options *options, tp_message *message) {
-  work w = {.out = out, .solution = solution, .message = message};
-  tp_solve_options solve = tp_solve_options_default();
-  solve.elements = options->elements;
-  tp_status status = tp_problem_init(&w.problem, scene, &solve, solution, message);
-  if (status != TP_OK) return status;
-  solve.elements = false; /* needs no account in numbers */
-  status = tp_solve_problem(solution, &w.problem, &solve, message);
-  if (status == TP_OK && w.problem.lattice.start[w.problem.section.ring_count] > MOST_VERTICES) {
-    status = tp_fail(message, TP_NO_ANSWER, scene->block.place,
-                     "more than %d vertices; formulas are derived for fewer", MOST_VERTICES);
-  }
-  if (status == TP_OK && scene->title != NULL) {
-    out->title = strdup(scene->title);
-    if (out->title == NULL) status = tp_fail_memory(message, "the derivation");
-  }
-  if (status == TP_OK) status = fill(&w, scene, options);
-  tp_problem_clear(&w.problem);
-  return status;
+static tp_status fill(work *w, const tp_derive_options *options) {
+  tp_derivation *out = w->out;
+  const tp_formulas *f = &w->model.formulas;
+  const char *title = w->model.problem.scene->title;
+  out->area = write_over(w, f->area2, 2);
+  out->x_moment = write_over(w, f->x6, 6);
+  out->y_moment = write_over(w, f->y6, 6);
+  out->symbol_count = tp_field_list_symbols(&out->symbols, &w->model.symbols.field);
+  if (title != NULL) out->title = strdup(title);
+  if (out->symbols == NULL || (title != NULL && out->title == NULL)) w->failed = true;
+  const tp_status status = derive_pivots(w, options->elements);
+  return status == TP_OK && w->failed ? tp_fail_memory(w->message, "the formulas") : status;
 }
 
 tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
                     const tp_derive_options *options, tp_message *message) {
-  tp_solution *solution = calloc(1, sizeof *solution);
   tp_derivation *out = calloc(1, sizeof *out);
-  tp_status status = TP_OK;
-  if (solution == NULL || out == NULL) {
-    status = tp_fail_memory(message, "the derivation");
-  } else {
-    out->notation = options->notation;
-    status = derive(out, solution, scene, options, message);
+  if (out == NULL) return tp_fail_memory(message, "the derivation");
+  out->notation = options->notation;
+  work w = {.out = out, .message = message};
+  tp_status status = tp_model_init(&w.model, scene, options->elements, NULL, message);
+  if (status == TP_OK) {
+    status = fill(&w, options);
+    tp_model_clear(&w.model);
   }
-  tp_solution_free(solution);
   if (status == TP_OK) {
     *derivation = out;
   } else {

@@ -52,24 +52,23 @@ static void set_shape(tp_element_formulas *e, const tp_exact_element *exact,
                       const tp_symbols *symbols, const tp_problem *problem) {
   const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
   const bool slab = exact->kind == TP_ELEMENT_SLAB;
-  const fmpz_mpoly_q_struct *x[3], *y[3];
+  tp_symbolic_point p[3] = {{0}};
   for (int k = 0; k < (slab ? 2 : 3); k++) {
-    x[k] = tp_formulas_x(symbols, problem, exact->corner[k]);
-    y[k] = tp_formulas_y(symbols, problem, exact->corner[k]);
+    (void)tp_formulas_point(p + k, symbols, problem, exact->corner[k]); /* all are the block's */
   }
-  fmpz_mpoly_q_add(e->normal_arm, x[0], x[1], ring);
-  fmpz_mpoly_q_add(e->parallel_arm, y[0], y[1], ring);
+  fmpz_mpoly_q_add(e->normal_arm, p[0].x, p[1].x, ring);
+  fmpz_mpoly_q_add(e->parallel_arm, p[0].y, p[1].y, ring);
   fmpz_mpoly_q_t dx, dy;
   fmpz_mpoly_q_init(dx, ring);
   fmpz_mpoly_q_init(dy, ring);
-  fmpz_mpoly_q_sub(dx, x[1], x[0], ring);
-  fmpz_mpoly_q_sub(dy, slab ? y[1] : y[2], y[0], ring);
+  fmpz_mpoly_q_sub(dx, p[1].x, p[0].x, ring);
+  fmpz_mpoly_q_sub(dy, slab ? p[1].y : p[2].y, p[0].y, ring);
   fmpz_mpoly_q_mul(e->area, dx, dy, ring);
   if (!slab) {
-    fmpz_mpoly_q_add(e->normal_arm, e->normal_arm, x[2], ring);
-    fmpz_mpoly_q_add(e->parallel_arm, e->parallel_arm, y[2], ring);
-    fmpz_mpoly_q_sub(dx, x[2], x[0], ring);
-    fmpz_mpoly_q_sub(dy, y[1], y[0], ring);
+    fmpz_mpoly_q_add(e->normal_arm, e->normal_arm, p[2].x, ring);
+    fmpz_mpoly_q_add(e->parallel_arm, e->parallel_arm, p[2].y, ring);
+    fmpz_mpoly_q_sub(dx, p[2].x, p[0].x, ring);
+    fmpz_mpoly_q_sub(dy, p[1].y, p[0].y, ring);
     fmpz_mpoly_q_mul(dx, dx, dy, ring);
     fmpz_mpoly_q_sub(e->area, e->area, dx, ring);
     divide(e->area, 2, ring);
@@ -82,7 +81,7 @@ static void set_shape(tp_element_formulas *e, const tp_exact_element *exact,
 }
 
 void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
-                             const tp_problem *problem, long index, long pivot,
+                             const tp_problem *problem, long index, const tp_symbolic_point *pivot,
                              tp_direction towards) {
   const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
   const tp_exact_element *exact = problem->elements.items + index;
@@ -93,8 +92,8 @@ void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
   fmpq_div_fmpz(density, density, problem->section.density_weights);
   fmpz_mpoly_q_mul_fmpq(e->area, e->area, density, ring);
   fmpq_clear(density);
-  fmpz_mpoly_q_sub(e->normal_arm, e->normal_arm, tp_formulas_x(symbols, problem, pivot), ring);
-  fmpz_mpoly_q_sub(e->parallel_arm, e->parallel_arm, tp_formulas_y(symbols, problem, pivot), ring);
+  fmpz_mpoly_q_sub(e->normal_arm, e->normal_arm, pivot->x, ring);
+  fmpz_mpoly_q_sub(e->parallel_arm, e->parallel_arm, pivot->y, ring);
   if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(e->normal_arm, e->normal_arm, ring);
   e->normal_stabilises = !is_negative(e->normal_arm, &symbols->field);
   e->parallel_overturns = !is_negative(e->parallel_arm, &symbols->field);
@@ -118,8 +117,8 @@ static void add_sides(tp_side_formulas *s, const tp_element_formulas *e, fmpz_mp
 }
 
 bool tp_side_formulas_sum(tp_side_formulas *s, const tp_formulas *formulas,
-                          const tp_symbols *symbols, const tp_problem *problem, long pivot,
-                          tp_direction towards) {
+                          const tp_symbols *symbols, const tp_problem *problem,
+                          const tp_symbolic_point *pivot, tp_direction towards) {
   const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
   tp_element_formulas element;
   fmpz_mpoly_q_t scratch, area;

@@ -12,13 +12,18 @@
  * same, as a check of the program. In the general parameters (dx, y, A, lambda) N stands for 2 dx /
  * lambda (section 5.1). */
 
-#include "derive/formulas.h"
+#include "derive/family.h"
 #include "derive/notation.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MEMBERS = TP_FAMILY_FIXED + TP_FAMILY_CHECKED, SUMS = 3 };
+enum { MEMBERS = TP_FAMILY_FIXED + TP_FAMILY_CHECKED, SUMS = TP_FAMILY_SUMS };
+
+/* N of the k-th member of a parity. */
+static long member_count(int k, bool even) {
+  return 2L * k + (even ? 2 : 1);
+}
 
 void tp_family_free(tp_family *family) {
   if (family == NULL) return;
@@ -115,63 +120,96 @@ static bool members_agree(const members *m, const tp_field *field) {
   return agree;
 }
 
-/* The tangent about the toe of one direction: the left toe at (0, 0 or c), the right one at
- * (N a, 0 or c). */
-static void write_toe(tp_family_formula *out, const fmpz_mpoly_q_t sums[SUMS],
-                      const tp_teeth_formulas *f, const tp_field *field, tp_notation notation,
-                      bool *failed) {
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  const bool left = out->towards == TP_TOWARDS_LEFT;
-  fmpz_mpoly_q_t x, y, x_arm, y_arm;
-  fmpz_mpoly_q_init(x, ring);
-  fmpz_mpoly_q_init(y, ring);
-  fmpz_mpoly_q_init(x_arm, ring);
-  fmpz_mpoly_q_init(y_arm, ring);
-  if (!left) fmpz_mpoly_q_mul(x, f->count, f->a, ring);
-  if (out->kind == TP_PIVOT_PEAK) fmpz_mpoly_q_set(y, f->c, ring);
-  tp_formulas_arm(x_arm, sums[1], sums[0], x, field);
-  tp_formulas_arm(y_arm, sums[2], sums[0], y, field);
-  if (!left) fmpz_mpoly_q_neg(x_arm, x_arm, ring);
-  out->tangent = tp_notation_write_quotient(x_arm, y_arm, field, notation, failed);
-  fmpz_mpoly_q_clear(x, ring);
-  fmpz_mpoly_q_clear(y, ring);
-  fmpz_mpoly_q_clear(x_arm, ring);
-  fmpz_mpoly_q_clear(y_arm, ring);
+tp_status tp_family_check(const tp_scene *scene, tp_message *message) {
+  const tp_block_description *block = &scene->block;
+  if (block->form == TP_OUTLINE_TEETH && block->hole_count == 0 && block->part_count == 0) {
+    return TP_OK;
+  }
+  return tp_fail(message, TP_BAD_INPUT, block->place,
+                 "only a toothed block without holes and parts has a formula for all counts: "
+                 "'block: {teeth: {count: 3, …}}'");
 }
 
-static tp_status derive_parity(tp_family *family, bool even, const tp_teeth_formulas *f,
-                               const tp_scene *scene, const tp_field *field, tp_message *message) {
+tp_pivot_kind tp_family_toe_kind(const tp_scene *scene, bool even, tp_direction towards) {
+  const bool left_valley = scene->block.teeth.left_end_valley;
+  const bool valley = towards == TP_TOWARDS_LEFT ? left_valley : left_valley == even;
+  return valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
+}
+
+void tp_family_arms(fmpz_mpoly_q_t x_arm, fmpz_mpoly_q_t y_arm, const tp_family_sums *sums,
+                    const tp_teeth_formulas *f, tp_pivot_kind kind, tp_direction towards,
+                    const tp_field *field) {
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
+  const bool left = towards == TP_TOWARDS_LEFT;
+  fmpz_mpoly_q_t x, y;
+  fmpz_mpoly_q_init(x, ring);
+  fmpz_mpoly_q_init(y, ring);
+  if (!left) fmpz_mpoly_q_mul(x, f->count, f->a, ring);
+  if (kind == TP_PIVOT_PEAK) fmpz_mpoly_q_set(y, f->c, ring);
+  tp_formulas_arm(x_arm, sums->of[1], sums->of[0], x, field);
+  tp_formulas_arm(y_arm, sums->of[2], sums->of[0], y, field);
+  if (!left) fmpz_mpoly_q_neg(x_arm, x_arm, ring);
+  fmpz_mpoly_q_clear(x, ring);
+  fmpz_mpoly_q_clear(y, ring);
+}
+
+static void write_toe(tp_family_formula *out, const tp_family_sums *sums,
+                      const tp_teeth_formulas *f, const tp_field *field, tp_notation notation,
+                      bool *failed) {
+  fmpz_mpoly_q_t x_arm, y_arm;
+  fmpz_mpoly_q_init(x_arm, field->ring);
+  fmpz_mpoly_q_init(y_arm, field->ring);
+  tp_family_arms(x_arm, y_arm, sums, f, out->kind, out->towards, field);
+  out->tangent = tp_notation_write_quotient(x_arm, y_arm, field, notation, failed);
+  fmpz_mpoly_q_clear(x_arm, field->ring);
+  fmpz_mpoly_q_clear(y_arm, field->ring);
+}
+
+void tp_family_sums_init(tp_family_sums *sums, const tp_field *field) {
+  for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_init(sums->of[s], field->ring);
+}
+
+void tp_family_sums_clear(tp_family_sums *sums, const tp_field *field) {
+  for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_clear(sums->of[s], field->ring);
+}
+
+tp_status tp_family_sums_derive(tp_family_sums *sums, bool even, const tp_teeth_formulas *f,
+                                const tp_scene *scene, const tp_field *field, tp_message *message) {
   members m;
-  fmpz_mpoly_q_t sums[SUMS];
   bool failed = false;
   members_init(&m, field);
-  for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_init(sums[s], field->ring);
   for (int k = 0; k < MEMBERS; k++) {
-    m.count[k] = 2 * k + (even ? 2 : 1);
+    m.count[k] = member_count(k, even);
     failed = failed || !sum_member(&m, k, f, scene, field);
-    if (k < TP_FAMILY_FIXED) {
-      family->fixed[even][k] = m.count[k];
-    } else {
-      family->checked[even][k - TP_FAMILY_FIXED] = m.count[k];
-    }
   }
-  tp_status status = TP_OK;
+  tp_status status = failed ? tp_fail_memory(message, "the family of formulas") : TP_OK;
   if (!failed && !members_agree(&m, field)) {
     status = tp_fail(message, TP_DEPENDENCY_FAILED, scene->block.place,
                      "the formula for all counts fails on a further count; please report this");
   }
-  for (int s = 0; s < SUMS; s++) interpolate(sums[s], &m, s, f->count, field);
-  const bool left_valley = scene->block.teeth.left_end_valley;
-  for (int d = 0; d < 2; d++) {
-    tp_family_formula *own = family->formulas + 2 * (even ? 1 : 0) + d;
-    const bool valley = d == 0 ? left_valley : left_valley == even;
-    *own = (tp_family_formula){.towards = d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT,
-                               .even = even,
-                               .kind = valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK};
-    write_toe(own, (const fmpz_mpoly_q_t *)sums, f, field, family->notation, &failed);
-  }
-  for (int s = 0; s < SUMS; s++) fmpz_mpoly_q_clear(sums[s], field->ring);
+  for (int s = 0; s < SUMS; s++) interpolate(sums->of[s], &m, s, f->count, field);
   members_clear(&m, field);
+  return status;
+}
+
+static tp_status derive_parity(tp_family *family, bool even, const tp_teeth_formulas *f,
+                               const tp_scene *scene, const tp_field *field, tp_message *message) {
+  for (int k = 0; k < TP_FAMILY_FIXED; k++) family->fixed[even][k] = member_count(k, even);
+  for (int k = 0; k < TP_FAMILY_CHECKED; k++) {
+    family->checked[even][k] = member_count(TP_FAMILY_FIXED + k, even);
+  }
+  tp_family_sums sums;
+  tp_family_sums_init(&sums, field);
+  tp_status status = tp_family_sums_derive(&sums, even, f, scene, field, message);
+  bool failed = false;
+  for (int d = 0; d < 2 && status == TP_OK; d++) {
+    const tp_direction towards = d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+    tp_family_formula *own = family->formulas + 2 * (even ? 1 : 0) + d;
+    *own = (tp_family_formula){
+        .towards = towards, .even = even, .kind = tp_family_toe_kind(scene, even, towards)};
+    write_toe(own, &sums, f, field, family->notation, &failed);
+  }
+  tp_family_sums_clear(&sums, field);
   if (status == TP_OK && failed) status = tp_fail_memory(message, "the family of formulas");
   return status;
 }
@@ -194,7 +232,7 @@ static tp_status describe(tp_family *family, const tp_teeth_formulas *f, const t
 
 static tp_status fill(tp_family *family, const tp_scene *scene, tp_message *message) {
   tp_symbols symbols = {0}; /* of which only the field is used: the rings are made count by count */
-  tp_status status = tp_field_init(&symbols.field, scene, message);
+  tp_status status = tp_field_init(&symbols.field, scene, NULL, message);
   if (status != TP_OK) return status;
   tp_teeth_formulas f;
   tp_teeth_formulas_init(&f, &symbols.field);
@@ -210,12 +248,8 @@ static tp_status fill(tp_family *family, const tp_scene *scene, tp_message *mess
 
 tp_status tp_derive_family(tp_family **family, const tp_scene *scene, tp_notation notation,
                            tp_message *message) {
-  if (scene->block.form != TP_OUTLINE_TEETH || scene->block.hole_count > 0 ||
-      scene->block.part_count > 0) {
-    return tp_fail(message, TP_BAD_INPUT, scene->block.place,
-                   "only a toothed block without holes and parts has a formula for all counts: "
-                   "'block: {teeth: {count: 3, …}}'");
-  }
+  const tp_status suits = tp_family_check(scene, message);
+  if (suits != TP_OK) return suits;
   tp_family *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the family of formulas");
   own->notation = notation;

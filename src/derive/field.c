@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_POWER = 1000 };
+enum { MOST_POWER = 1000, MOST_BITS = 100000, MOST_DEGREE = 100000 };
 static const char too_large[] = "the formula grows beyond what can be derived here";
 
 static const fmpz_mpoly_ctx_struct *ring(const void *context) {
@@ -42,9 +42,29 @@ static void negate(void *value, const void *context) {
   fmpz_mpoly_q_neg(value, value, ring(context));
 }
 
-static double terms(const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) {
-  return (double)fmpz_mpoly_length(fmpz_mpoly_q_numref(f), ctx) +
-         (double)fmpz_mpoly_length(fmpz_mpoly_q_denref(f), ctx);
+/* Terms, bits of the largest coefficient and degree of both halves. */
+typedef struct extent {
+  double terms, bits, degree;
+} extent;
+
+static extent measure(const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) {
+  const fmpz_mpoly_struct *halves[2] = {fmpz_mpoly_q_numref(f), fmpz_mpoly_q_denref(f)};
+  extent e = {0, 0, 0};
+  for (int k = 0; k < 2; k++) {
+    if (fmpz_mpoly_is_zero(halves[k], ctx)) continue;
+    e.terms += (double)fmpz_mpoly_length(halves[k], ctx);
+    e.bits += (double)labs(fmpz_mpoly_max_bits(halves[k]));
+    e.degree += (double)fmpz_mpoly_total_degree_si(halves[k], ctx);
+  }
+  return e;
+}
+
+const char *tp_field_too_large(const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                               const tp_field *field) {
+  const extent one = measure(a, field->ring), other = measure(b, field->ring);
+  const bool fits = one.terms * other.terms <= TP_FIELD_TERMS &&
+                    one.bits + other.bits <= MOST_BITS && one.degree + other.degree <= MOST_DEGREE;
+  return fits ? NULL : too_large;
 }
 
 /* The whole number that a constant formula is; false for any other. */
@@ -61,40 +81,40 @@ static bool whole_number(slong *number, const fmpz_mpoly_q_struct *f, const fmpz
   return true;
 }
 
-static bool multiply(fmpz_mpoly_q_struct *value, const fmpz_mpoly_q_struct *other,
-                     const fmpz_mpoly_ctx_t ctx) {
-  if (terms(value, ctx) * terms(other, ctx) > TP_FIELD_TERMS) return false;
-  fmpz_mpoly_q_mul(value, value, other, ctx);
-  return true;
-}
-
-static const char *power(fmpz_mpoly_q_struct *base, const fmpz_mpoly_q_struct *exponent,
-                         const fmpz_mpoly_ctx_t ctx) {
-  slong count = 0;
-  if (!whole_number(&count, exponent, ctx)) return "an exponent must be a whole number";
-  if (count > MOST_POWER || count < -MOST_POWER) return "an exponent may be at most 1000 here";
-  if (fmpz_mpoly_q_is_zero(base, ctx) && count < 0) {
+const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *field) {
+  const fmpz_mpoly_ctx_struct *ctx = field->ring;
+  if (exponent > MOST_POWER || exponent < -MOST_POWER) {
+    return "an exponent may be at most 1000 here";
+  }
+  if (fmpz_mpoly_q_is_zero(base, ctx) && exponent < 0) {
     return "division by zero: zero to a negative power";
   }
   fmpz_mpoly_q_t factor;
   fmpz_mpoly_q_init(factor, ctx);
   fmpz_mpoly_q_set(factor, base, ctx);
-  if (count < 0) fmpz_mpoly_q_inv(factor, factor, ctx);
+  if (exponent < 0) fmpz_mpoly_q_inv(factor, factor, ctx);
   fmpz_mpoly_q_one(base, ctx);
-  bool done = true;
-  for (slong k = 0; k < (count < 0 ? -count : count) && done; k++)
-    done = multiply(base, factor, ctx);
+  const char *problem = NULL;
+  for (long k = 0; k < labs(exponent) && problem == NULL; k++) {
+    problem = tp_field_too_large(base, factor, field);
+    if (problem == NULL) fmpz_mpoly_q_mul(base, base, factor, ctx);
+  }
   fmpz_mpoly_q_clear(factor, ctx);
-  return done ? NULL : too_large;
+  return problem;
 }
 
 static const char *combine(void *value, char op, const void *other, const void *context) {
   const fmpz_mpoly_ctx_struct *ctx = ring(context);
-  if (op == '^') return power(value, other, ctx);
+  if (op == '^') {
+    slong exponent = 0;
+    if (!whole_number(&exponent, other, ctx)) return "an exponent must be a whole number";
+    return tp_field_power(value, exponent, context);
+  }
   if (op == '/' && fmpz_mpoly_q_is_zero(other, ctx)) {
     return "division by zero, whatever the parameters";
   }
-  if (terms(value, ctx) * terms(other, ctx) > TP_FIELD_TERMS) return too_large;
+  const char *problem = tp_field_too_large(value, other, context);
+  if (problem != NULL) return problem;
   switch (op) {
   case '+':
     fmpz_mpoly_q_add(value, value, other, ctx);
@@ -120,7 +140,7 @@ tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_no
   place.column += node->text_offset;
   const tp_status status =
       tp_expression_read(value, &field_algebra, field, node->text, place, message);
-  if (status == TP_OK && terms(value, field->ring) > TP_FIELD_COORDINATE_TERMS + 1) {
+  if (status == TP_OK && measure(value, field->ring).terms > TP_FIELD_COORDINATE_TERMS + 1) {
     return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, scene->path),
                    "more than %d terms in one number; formulas are derived for shorter ones",
                    TP_FIELD_COORDINATE_TERMS);
@@ -138,7 +158,11 @@ void tp_field_clear(tp_field *field) {
 }
 
 void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field) {
-  fmpz_mpoly_q_gen(value, field->symbol_count - 1, field->ring);
+  fmpz_mpoly_q_gen(value, field->parameters->count, field->ring);
+}
+
+long tp_field_added(const tp_field *field, long k) {
+  return field->parameters->count + 1 + k;
 }
 
 size_t tp_field_list_symbols(char ***names, const tp_field *field) {
@@ -172,28 +196,33 @@ static bool is_parameter(const tp_parameters *parameters, const char *name) {
   return false;
 }
 
-static bool name_symbols(tp_field *field) {
+static bool name_symbols(tp_field *field, const tp_symbol_names *more) {
   const tp_parameters *parameters = field->parameters;
   field->names = calloc((size_t)field->symbol_count, sizeof *field->names);
   if (field->names == NULL) return false;
   for (long k = 0; k < parameters->count; k++) field->names[k] = parameters->names[k];
   field->names[parameters->count] = is_parameter(parameters, "N") ? "n" : "N";
+  for (long k = 0; more != NULL && k < more->count; k++) {
+    field->names[tp_field_added(field, k)] = more->names[k];
+  }
   return true;
 }
 
-tp_status tp_field_init(tp_field *field, const tp_scene *scene, tp_message *message) {
-  const long count = scene->parameters.count;
-  *field = (tp_field){.parameters = &scene->parameters};
-  field->symbol_count = count + 1;
+tp_status tp_field_init(tp_field *field, const tp_scene *scene, const tp_symbol_names *more,
+                        tp_message *message) {
+  static const tp_parameters none = {0};
+  *field = (tp_field){.parameters = scene != NULL ? &scene->parameters : &none};
+  const long count = field->parameters->count;
+  field->symbol_count = count + 1 + (more != NULL ? more->count : 0);
   fmpz_mpoly_ctx_init(field->ring, field->symbol_count, ORD_LEX);
   field->values = calloc((size_t)count + 1, sizeof *field->values);
-  if (field->values == NULL || !name_symbols(field)) {
+  if (field->values == NULL || !name_symbols(field, more)) {
     tp_field_clear(field);
     return tp_fail_memory(message, "the field of formulas");
   }
   for (long k = 0; k < count; k++) fmpz_mpoly_q_init(field->values + k, field->ring);
   tp_status status = TP_OK;
-  const tp_node *source = tp_node_get(scene->source, "parameters");
+  const tp_node *source = scene != NULL ? tp_node_get(scene->source, "parameters") : NULL;
   const tp_node *node = source != NULL ? source->first : NULL;
   for (long k = 0; k < count && node != NULL && status == TP_OK; k++, node = node->next) {
     status = tp_field_read(field->values + k, field, node, scene, message);
@@ -204,36 +233,4 @@ tp_status tp_field_init(tp_field *field, const tp_scene *scene, tp_message *mess
   }
   if (status != TP_OK) tp_field_clear(field);
   return status;
-}
-
-static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial,
-                                const tp_field *field) {
-  fmpq_t term, factor;
-  fmpq_init(term);
-  fmpq_init(factor);
-  fmpq_zero(value);
-  for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
-    fmpq_one(term);
-    fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), polynomial, t, field->ring);
-    for (long k = 0; k < field->parameters->count; k++) {
-      const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
-      if (exponent == 0) continue;
-      fmpq_pow_si(factor, field->parameters->values + k, exponent);
-      fmpq_mul(term, term, factor);
-    }
-    fmpq_add(value, value, term);
-  }
-  fmpq_clear(term);
-  fmpq_clear(factor);
-}
-
-bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field) {
-  fmpq_t below;
-  fmpq_init(below);
-  evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), field);
-  evaluate_polynomial(below, fmpz_mpoly_q_denref(formula), field);
-  const bool defined = !fmpq_is_zero(below);
-  if (defined) fmpq_div(value, value, below);
-  fmpq_clear(below);
-  return defined;
 }

@@ -6,20 +6,21 @@
  * alone).
  *
  * A parameter that the scene gives by a number is a symbol; one that it gives by an expression in
- * others stands for that expression. */
+ * others stands for that expression. Further symbols are a count, and whatever a caller adds. */
 
 #ifndef TP_FIELD_H
 #define TP_FIELD_H
 
 #include "scene/scene.h"
 
+#include <arb.h>
 #include <calcium/fmpz_mpoly_q.h>
 
 typedef struct tp_field {
   fmpz_mpoly_ctx_t ring;
   const tp_parameters *parameters; /* of the scene: names and values */
-  long symbol_count;               /* the parameters, and one more for a count */
-  const char **names;              /* of the symbols; the last is N, or n where N is taken */
+  long symbol_count;               /* the parameters, one for a count, and those of the caller */
+  const char **names;              /* of the symbols; the count is N, or n where N is taken */
   long known;                      /* parameters read so far */
   fmpz_mpoly_q_struct *values;     /* symbol or expression of each */
 } tp_field;
@@ -27,7 +28,15 @@ typedef struct tp_field {
 /* Products of more terms than this are not formed; a coordinate may have fewer still. */
 enum { TP_FIELD_TERMS = 200000, TP_FIELD_COORDINATE_TERMS = 64 };
 
-TP_MUST_USE tp_status tp_field_init(tp_field *field, const tp_scene *scene, tp_message *message);
+/* Names of symbols that a caller adds; they must outlive the field. */
+typedef struct tp_symbol_names {
+  long count;
+  const char *const *names;
+} tp_symbol_names;
+
+/* `scene` NULL: no parameters. `more` NULL: no symbols but the scene's. */
+TP_MUST_USE tp_status tp_field_init(tp_field *field, const tp_scene *scene,
+                                    const tp_symbol_names *more, tp_message *message);
 void tp_field_clear(tp_field *field);
 
 /* The expression of a scalar node as a rational function. */
@@ -39,11 +48,26 @@ TP_MUST_USE tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field,
  * NULL when memory is exhausted. */
 size_t tp_field_list_symbols(char ***names, const tp_field *field);
 
+/* What keeps a product from being formed: too many terms, digits or powers; NULL where nothing
+ * does. Sums, differences and quotients take the same work. */
+const char *tp_field_too_large(const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                               const tp_field *field);
+
+/* base = base^exponent for a whole exponent; NULL, or what is wrong as a static string. */
+const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *field);
+
+/* The index of the symbol that the caller added as its k-th. */
+long tp_field_added(const tp_field *field, long k);
+
 /* The symbol that stands for a count. */
 void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field);
 
 /* Its exact value at the scene's parameters; false where the denominator vanishes there.
- * The count symbol has no value and must not occur. */
+ * The count symbol and those of the caller have no value and must not occur. */
 bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field);
+
+/* Its value where each symbol takes its ball; not finite where the denominator may vanish. */
+void tp_field_evaluate_ball(arb_t value, const fmpz_mpoly_q_t formula, arb_srcptr symbols,
+                            const tp_field *field, long bits);
 
 #endif

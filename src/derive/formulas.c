@@ -74,29 +74,16 @@ void tp_formulas_arm(fmpz_mpoly_q_t arm, const fmpz_mpoly_q_t moment6,
   fmpz_clear(three);
 }
 
-/* The chain and the place in it of a lattice point. */
-static const tp_symbolic_chain *locate(const tp_symbols *symbols, const tp_problem *problem,
-                                       long point, long *at) {
+bool tp_formulas_point(tp_symbolic_point *coordinates, const tp_symbols *symbols,
+                       const tp_problem *problem, long point) {
   const long *start = problem->lattice.start, rings = symbols->ring_count;
   long chain = 0;
   while (point >= start[chain + 1]) chain++;
-  *at = point - start[chain];
   const tp_symbolic_chain *found = chain < rings    ? symbols->rings + chain
                                    : chain == rings ? &symbols->profile
                                                     : &symbols->corners;
-  return *at < found->count ? found : NULL;
-}
-
-const fmpz_mpoly_q_struct *tp_formulas_x(const tp_symbols *symbols, const tp_problem *problem,
-                                         long point) {
-  long at = 0;
-  const tp_symbolic_chain *chain = locate(symbols, problem, point, &at);
-  return chain != NULL ? chain->x + at : NULL;
-}
-
-const fmpz_mpoly_q_struct *tp_formulas_y(const tp_symbols *symbols, const tp_problem *problem,
-                                         long point) {
-  long at = 0;
-  const tp_symbolic_chain *chain = locate(symbols, problem, point, &at);
-  return chain != NULL ? chain->y + at : NULL;
+  const long at = point - start[chain];
+  if (at >= found->count) return false;
+  *coordinates = (tp_symbolic_point){found->x + at, found->y + at};
+  return true;
 }

@@ -30,12 +30,15 @@ void tp_formulas_arm(fmpz_mpoly_q_t arm, const fmpz_mpoly_q_t moment6,
                      const fmpz_mpoly_q_t weighted2, const fmpz_mpoly_q_t pivot,
                      const tp_field *field);
 
-/* Coordinates of a point of the problem's lattice in symbols; NULL where it has none, as past the
- * block on a mated base. */
-const fmpz_mpoly_q_struct *tp_formulas_x(const tp_symbols *symbols, const tp_problem *problem,
-                                         long point);
-const fmpz_mpoly_q_struct *tp_formulas_y(const tp_symbols *symbols, const tp_problem *problem,
-                                         long point);
+/* A point in symbols, borrowed. */
+typedef struct tp_symbolic_point {
+  const fmpz_mpoly_q_struct *x, *y;
+} tp_symbolic_point;
+
+/* A point of the problem's lattice; false where it has no symbols, as past the block on a mated
+ * base. */
+bool tp_formulas_point(tp_symbolic_point *coordinates, const tp_symbols *symbols,
+                       const tp_problem *problem, long point);
 
 /* An element about a pivot: its area times relative density, the arms of its weight (x mirrored
  * towards the right), and the sides that they are on at the scene's values. */
@@ -47,7 +50,7 @@ typedef struct tp_element_formulas {
 void tp_element_formulas_init(tp_element_formulas *element, const tp_field *field);
 void tp_element_formulas_clear(tp_element_formulas *element, const tp_field *field);
 void tp_element_formulas_set(tp_element_formulas *element, const tp_symbols *symbols,
-                             const tp_problem *problem, long index, long pivot,
+                             const tp_problem *problem, long index, const tp_symbolic_point *pivot,
                              tp_direction towards);
 
 /* The sums of the elements' moments: a, b stabilise with cos and sin of the tilt, c, d overturn. */
@@ -61,7 +64,7 @@ void tp_side_formulas_clear(tp_side_formulas *sides, const tp_field *field);
 /* False where the elements do not add up to the block for all values of the parameters, because
  * corners of different rings meet only at the scene's values. */
 bool tp_side_formulas_sum(tp_side_formulas *sides, const tp_formulas *formulas,
-                          const tp_symbols *symbols, const tp_problem *problem, long pivot,
-                          tp_direction towards);
+                          const tp_symbols *symbols, const tp_problem *problem,
+                          const tp_symbolic_point *pivot, tp_direction towards);
 
 #endif

@@ -208,9 +208,9 @@ static tp_status set_rings(const builder *b, const tp_section *section) {
 }
 
 tp_status tp_symbols_init(tp_symbols *symbols, const tp_scene *scene, const tp_section *section,
-                          tp_message *message) {
+                          const tp_symbol_names *more, tp_message *message) {
   memset(symbols, 0, sizeof *symbols);
-  tp_status status = tp_field_init(&symbols->field, scene, message);
+  tp_status status = tp_field_init(&symbols->field, scene, more, message);
   if (status != TP_OK) return status;
   symbols->rings = calloc((size_t)section->ring_count, sizeof *symbols->rings);
   if (symbols->rings == NULL) {

@@ -42,9 +42,10 @@ TP_MUST_USE bool tp_teeth_formulas_outline(tp_symbolic_chain *outline,
                                            const tp_teeth_formulas *formulas, const tp_teeth *teeth,
                                            const tp_field *field);
 
-/* On failure `symbols` is cleared. */
+/* `more` as for tp_field_init. On failure `symbols` is cleared. */
 TP_MUST_USE tp_status tp_symbols_init(tp_symbols *symbols, const tp_scene *scene,
-                                      const tp_section *section, tp_message *message);
+                                      const tp_section *section, const tp_symbol_names *more,
+                                      tp_message *message);
 void tp_symbols_clear(tp_symbols *symbols);
 
 #endif

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Values of formulas: exact at the scene's parameters, or in balls. */
+
+#include "derive/field.h"
+
+static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial,
+                                const tp_field *field) {
+  fmpq_t term, factor;
+  fmpq_init(term);
+  fmpq_init(factor);
+  fmpq_zero(value);
+  for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
+    fmpq_one(term);
+    fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), polynomial, t, field->ring);
+    for (long k = 0; k < field->parameters->count; k++) {
+      const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
+      if (exponent == 0) continue;
+      fmpq_pow_si(factor, field->parameters->values + k, exponent);
+      fmpq_mul(term, term, factor);
+    }
+    fmpq_add(value, value, term);
+  }
+  fmpq_clear(term);
+  fmpq_clear(factor);
+}
+
+bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field) {
+  fmpq_t below;
+  fmpq_init(below);
+  evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), field);
+  evaluate_polynomial(below, fmpz_mpoly_q_denref(formula), field);
+  const bool defined = !fmpq_is_zero(below);
+  if (defined) fmpq_div(value, value, below);
+  fmpq_clear(below);
+  return defined;
+}
+
+static void evaluate_polynomial_ball(arb_t value, const fmpz_mpoly_t polynomial, arb_srcptr symbols,
+                                     const tp_field *field, long bits) {
+  arb_t term, factor;
+  fmpz_t coefficient;
+  arb_init(term);
+  arb_init(factor);
+  fmpz_init(coefficient);
+  arb_zero(value);
+  for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, t, field->ring);
+    arb_set_fmpz(term, coefficient);
+    for (long k = 0; k < field->symbol_count; k++) {
+      const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
+      if (exponent == 0) continue;
+      arb_pow_ui(factor, symbols + k, (ulong)exponent, bits);
+      arb_mul(term, term, factor, bits);
+    }
+    arb_add(value, value, term, bits);
+  }
+  arb_clear(term);
+  arb_clear(factor);
+  fmpz_clear(coefficient);
+}
+
+void tp_field_evaluate_ball(arb_t value, const fmpz_mpoly_q_t formula, arb_srcptr symbols,
+                            const tp_field *field, long bits) {
+  arb_t below;
+  arb_init(below);
+  evaluate_polynomial_ball(value, fmpz_mpoly_q_numref(formula), symbols, field, bits);
+  evaluate_polynomial_ball(below, fmpz_mpoly_q_denref(formula), symbols, field, bits);
+  arb_div(value, value, below, bits);
+  arb_clear(below);
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "derive/model.h"
+
+#include "stability/solve.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_VERTICES = 20000 };
+
+void tp_model_clear(tp_model *model) {
+  tp_formulas_clear(&model->formulas, &model->symbols.field);
+  tp_symbols_clear(&model->symbols);
+  tp_problem_clear(&model->problem);
+  tp_solution_free(model->solution);
+  memset(model, 0, sizeof *model);
+}
+
+static tp_status solve(tp_model *model, const tp_scene *scene, tp_message *message) {
+  const tp_solve_options options = tp_solve_options_default(); /* needs no account in numbers */
+  const tp_status status = tp_solve_problem(model->solution, &model->problem, &options, message);
+  if (status != TP_OK) return status;
+  if (model->problem.lattice.start[model->problem.section.ring_count] <= MOST_VERTICES)
+    return TP_OK;
+  return tp_fail(message, TP_NO_ANSWER, scene->block.place,
+                 "more than %d vertices; formulas are derived for fewer", MOST_VERTICES);
+}
+
+tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
+                        const tp_symbol_names *more, tp_message *message) {
+  memset(model, 0, sizeof *model);
+  model->solution = calloc(1, sizeof *model->solution);
+  if (model->solution == NULL) return tp_fail_memory(message, "the derivation");
+  tp_solve_options options = tp_solve_options_default();
+  options.elements = elements;
+  tp_status status = tp_problem_init(&model->problem, scene, &options, model->solution, message);
+  if (status == TP_OK) {
+    status = solve(model, scene, message);
+    if (status == TP_OK) {
+      status = tp_symbols_init(&model->symbols, scene, &model->problem.section, more, message);
+    }
+    if (status != TP_OK) tp_problem_clear(&model->problem);
+  }
+  if (status != TP_OK) {
+    tp_solution_free(model->solution);
+    return status;
+  }
+  tp_formulas_init(&model->formulas, &model->symbols.field);
+  tp_formulas_sum(&model->formulas, &model->symbols, &model->problem.section);
+  return TP_OK;
+}
+
+tp_status tp_model_pivot(tp_symbolic_point *pivot, const tp_model *model, size_t k,
+                         tp_message *message) {
+  const tp_problem *problem = &model->problem;
+  if (tp_formulas_point(pivot, &model->symbols, problem, problem->contact.points[k].point)) {
+    return TP_OK;
+  }
+  return tp_fail(message, TP_NO_ANSWER, problem->scene->base.place,
+                 "a pivot lies on the base past the block, where the base has no formula; give "
+                 "the base as a profile");
+}
+
+void tp_model_arms(fmpz_mpoly_q_t x_arm, fmpz_mpoly_q_t y_arm, const tp_model *model,
+                   const tp_symbolic_point *pivot, tp_direction towards) {
+  const tp_formulas *f = &model->formulas;
+  const tp_field *field = &model->symbols.field;
+  tp_formulas_arm(x_arm, f->x6, f->weighted2, pivot->x, field);
+  tp_formulas_arm(y_arm, f->y6, f->weighted2, pivot->y, field);
+  if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(x_arm, x_arm, field->ring);
+}
