@@ -8,11 +8,12 @@
 
 #include "topple.h"
 
-enum { TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
+enum { TP_EXIT_REFUTED = 1, TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 
 /* argv[0] is the program's name followed by the command's. Returns the exit status. */
 int tp_cli_solve(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
+int tp_cli_verify(int argc, char **argv);
 
 /* The end of a command: its complaint on stderr unless the status is TP_OK; the exit status, which
  * is `written` (of tp_cli_print) then. */

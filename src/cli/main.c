@@ -17,6 +17,7 @@ static const struct command {
 } commands[] = {
     {"solve", "Does the block of a scene stand, slide or topple, and at which tilt?", tp_cli_solve},
     {"derive", "The closed formulas behind that, in the scene's parameters", tp_cli_derive},
+    {"verify", "Verdicts on printed formulas and numbers, each proven", tp_cli_verify},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* topple verify CLAIMS */
+
+#include "cli/cli.h"
+
+#include <argp.h>
+#include <stdlib.h>
+
+typedef struct arguments {
+  const char *claims;
+  bool json, markdown;
+} arguments;
+
+static const struct argp_option options[] = {
+    {"json", 'j', NULL, 0, "Print the verdicts as JSON", 0},
+    {"markdown", 'm', NULL, 0, "Print the verdicts as a page in Markdown", 0},
+    {0}};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+  arguments *a = state->input;
+  switch (key) {
+  case 'j':
+    a->json = true;
+    return 0;
+  case 'm':
+    a->markdown = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    if (a->claims != NULL) {
+      argp_error(state, "one claims file at a time; '%s' is one too many", argument);
+    }
+    a->claims = argument;
+    return 0;
+  case ARGP_KEY_NO_ARGS:
+    argp_error(state, "a claims file is missing, for example examples/paper/claims.yaml");
+    return 0;
+  case ARGP_KEY_END:
+    if (a->json && a->markdown) argp_error(state, "JSON or Markdown, not both");
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "CLAIMS",
+    .doc = "Verdicts on printed formulas and numbers: proven, refuted, agrees, truncated, "
+           "disagrees, undecided.\v"
+           "CLAIMS is a YAML file; docs/verify.md tells how to write one. Exit status: 0 done, "
+           "1 done and something is refuted or disagrees, 2 wrong usage, 3 bad input, 5 system "
+           "failed."};
+
+int tp_cli_verify(int argc, char **argv) {
+  arguments a = {0};
+  argp_err_exit_status = TP_EXIT_USAGE;
+  argp_program_version = "topple " TP_VERSION;
+  if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
+  tp_verification *verification = NULL;
+  tp_message message = {""};
+  char *report = NULL;
+  int written = 0;
+  tp_status status = tp_verify(&verification, a.claims, &message);
+  if (status == TP_OK) {
+    status = a.json       ? tp_report_verification_json(&report, verification)
+             : a.markdown ? tp_report_verification_markdown(&report, verification)
+                          : tp_report_verification(&report, verification);
+  }
+  if (status == TP_OK) written = tp_cli_print(report);
+  if (status == TP_OK && written == 0 && tp_verification_objects(verification)) {
+    written = TP_EXIT_REFUTED;
+  }
+  free(report);
+  tp_verification_free(verification);
+  return tp_cli_end(status, &message, written);
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Deciding claims: formulas by identity or at points, numbers by their digits. */
+
+#ifndef TP_DECIDE_H
+#define TP_DECIDE_H
+
+#include "verify/evaluate.h"
+
+/* A claim made ready: what is printed about a quantity of a subject, at a sample. */
+typedef struct tp_question {
+  tp_subject *subject;
+  const tp_formula *quantity, *printed; /* printed NULL where a number is printed */
+  const tp_vocabulary *vocabulary;      /* that `printed` was read with */
+  const char *number;                   /* as printed */
+  tp_place number_place;
+  const tp_sample *sample;
+  tp_message *message;
+} tp_question;
+
+/* Fill in the verdict and what belongs to it. */
+TP_MUST_USE tp_status tp_decide_formula(tp_claim_result *result, const tp_question *question);
+TP_MUST_USE tp_status tp_decide_number(tp_claim_result *result, const tp_question *question);
+
+/* Printed minus derived in the field, or of their tangents (`*tangents`) where both are angles;
+ * `*rational` false: one of them is not rational. `derived` may be NULL. */
+TP_MUST_USE tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *derived,
+                                           bool *rational, bool *tangents,
+                                           const tp_question *question);
+
+/* The smallest change of one sign, coefficient, exponent or name that makes a refuted formula an
+ * identity; none where none is found. */
+TP_MUST_USE tp_status tp_mend_find(tp_claim_result *result, const tp_question *question);
+
+/* Is a text a number as papers print it: [<|>|<=|>=] [sign] decimal? */
+bool tp_decide_is_number(const char *text);
+
+#endif

@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Formulas as rational functions. */
+
+#include "verify/evaluate.h"
+
+#include <stdlib.h>
+
+/* What becomes of a node. */
+typedef enum outcome {
+  RATIONAL,
+  NOT_RATIONAL,
+  FAILED /* `status` says why */
+} outcome;
+
+typedef struct evaluation {
+  const tp_formula *formula;
+  tp_subject *subject;
+  tp_message *message;
+  tp_status status;
+  fmpz_mpoly_q_struct *values; /* of the nodes so far */
+} evaluation;
+
+static const fmpz_mpoly_ctx_struct *ring_of(const evaluation *e) {
+  return e->subject->field->ring;
+}
+
+static outcome fail(evaluation *e, const tp_formula_node *node, const char *problem) {
+  e->status = tp_formula_fail(e->formula, node, e->message, problem);
+  return FAILED;
+}
+
+/* A definition is evaluated once. */
+static outcome of_definition(evaluation *e, fmpz_mpoly_q_t value, long index) {
+  tp_name *name = e->subject->names + index;
+  if (!name->ready) {
+    e->status =
+        tp_evaluate_field(name->value, &name->rational, &name->definition, e->subject, e->message);
+    if (e->status != TP_OK) return FAILED;
+    name->ready = true;
+  }
+  if (!name->rational) return NOT_RATIONAL;
+  fmpz_mpoly_q_set(value, name->value, ring_of(e));
+  return RATIONAL;
+}
+
+static outcome of_name(evaluation *e, fmpz_mpoly_q_t value, long index) {
+  const tp_name *name = NULL;
+  e->status = tp_subject_name(&name, e->subject, index, e->message);
+  if (e->status != TP_OK) return FAILED;
+  switch (name->kind) {
+  case TP_NAME_FORMULA:
+    fmpz_mpoly_q_set(value, name->value, ring_of(e));
+    return RATIONAL;
+  case TP_NAME_ANGLE:
+    fmpz_mpoly_q_gen(value, e->subject->angles[name->angle].degrees, ring_of(e));
+    return RATIONAL;
+  case TP_NAME_DEFINITION:
+    return of_definition(e, value, index);
+  case TP_NAME_DIRECTION:
+    break;
+  }
+  return NOT_RATIONAL;
+}
+
+/* The positive one of the two roots of a perfect square. */
+static outcome square_root(evaluation *e, fmpz_mpoly_q_t value) {
+  const fmpz_mpoly_ctx_struct *ring = ring_of(e);
+  fmpz_mpoly_q_t root;
+  fmpz_mpoly_q_init(root, ring);
+  const bool square =
+      fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(root), fmpz_mpoly_q_numref(value), ring) &&
+      fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(root), fmpz_mpoly_q_denref(value), ring);
+  outcome result = square ? RATIONAL : NOT_RATIONAL;
+  tp_sample sample;
+  if (square && !tp_sample_init(&sample, e->subject)) {
+    e->status = tp_fail_memory(e->message, "a root");
+    result = FAILED;
+  } else if (square) {
+    arb_t size;
+    arb_init(size);
+    tp_sample_evaluate(size, root, &sample, e->subject, 128);
+    if (arb_is_negative(size)) fmpz_mpoly_q_neg(root, root, ring);
+    fmpz_mpoly_q_swap(value, root, ring);
+    arb_clear(size);
+    tp_sample_clear(&sample);
+  }
+  if (!square) { /* the denominator of a value that is not valid must not be zero */
+    fmpz_mpoly_q_one(root, ring);
+  }
+  fmpz_mpoly_q_clear(root, ring);
+  return result;
+}
+
+/* base = base^exponent: whole exponents, and halves of squares. */
+static outcome power(evaluation *e, fmpz_mpoly_q_t base, const fmpz_mpoly_q_t exponent,
+                     const tp_formula_node *node) {
+  if (!fmpz_mpoly_q_is_fmpq(exponent, ring_of(e))) return NOT_RATIONAL;
+  fmpz_t top, below;
+  fmpz_init(top);
+  fmpz_init(below);
+  fmpz_mpoly_get_fmpz(top, fmpz_mpoly_q_numref(exponent), ring_of(e));
+  fmpz_mpoly_get_fmpz(below, fmpz_mpoly_q_denref(exponent), ring_of(e));
+  const bool whole = fmpz_is_one(below) != 0, half = fmpz_equal_si(below, 2) != 0;
+  const long count = fmpz_fits_si(top) ? fmpz_get_si(top) : LONG_MAX;
+  fmpz_clear(top);
+  fmpz_clear(below);
+  if (!whole && !half) return NOT_RATIONAL;
+  const outcome root = half ? square_root(e, base) : RATIONAL;
+  if (root != RATIONAL) return root;
+  const char *problem = tp_field_power(base, count, e->subject->field);
+  return problem == NULL ? RATIONAL : fail(e, node, problem);
+}
+
+static outcome call(evaluation *e, fmpz_mpoly_q_t value, const tp_formula_node *node) {
+  const fmpz_mpoly_ctx_struct *ring = ring_of(e);
+  if (node->function == TP_FUNCTION_SQRT) return square_root(e, value);
+  fmpz_mpoly_q_t sine, cosine;
+  fmpz_mpoly_q_init(sine, ring);
+  fmpz_mpoly_q_init(cosine, ring);
+  bool infinite = false, known = false;
+  switch (node->function) {
+  case TP_FUNCTION_SIN:
+    known = tp_angle_sine_cosine(sine, cosine, value, e->subject);
+    fmpz_mpoly_q_swap(value, sine, ring);
+    break;
+  case TP_FUNCTION_COS:
+    known = tp_angle_sine_cosine(sine, cosine, value, e->subject);
+    fmpz_mpoly_q_swap(value, cosine, ring);
+    break;
+  case TP_FUNCTION_TAN:
+    known = tp_angle_tangent(sine, &infinite, value, e->subject);
+    fmpz_mpoly_q_swap(value, sine, ring);
+    break;
+  case TP_FUNCTION_COT:
+    known = tp_angle_tangent(sine, &infinite, value, e->subject);
+    fmpz_mpoly_q_swap(value, sine, ring);
+    if (known && !infinite && fmpz_mpoly_q_is_zero(value, ring)) {
+      known = false;
+      infinite = true;
+    } else if (known && infinite) {
+      fmpz_mpoly_q_zero(value, ring);
+      infinite = false;
+    } else if (known) {
+      fmpz_mpoly_q_inv(value, value, ring);
+    }
+    break;
+  default:
+    break;
+  }
+  fmpz_mpoly_q_clear(sine, ring);
+  fmpz_mpoly_q_clear(cosine, ring);
+  if (infinite) return fail(e, node, "it is infinite, whatever the values");
+  return known ? RATIONAL : NOT_RATIONAL;
+}
+
+/* left = left op right */
+static outcome combine(evaluation *e, fmpz_mpoly_q_t left, const fmpz_mpoly_q_t right,
+                       const tp_formula_node *node) {
+  const fmpz_mpoly_ctx_struct *ring = ring_of(e);
+  if (node->kind == TP_FORMULA_POWER) return power(e, left, right, node);
+  const char *problem = tp_field_too_large(left, right, e->subject->field);
+  if (problem != NULL) return fail(e, node, problem);
+  switch (node->kind) {
+  case TP_FORMULA_ADD:
+    fmpz_mpoly_q_add(left, left, right, ring);
+    break;
+  case TP_FORMULA_SUBTRACT:
+    fmpz_mpoly_q_sub(left, left, right, ring);
+    break;
+  case TP_FORMULA_MULTIPLY:
+    fmpz_mpoly_q_mul(left, left, right, ring);
+    break;
+  default:
+    if (fmpz_mpoly_q_is_zero(right, ring)) {
+      return fail(e, node, "division by zero, whatever the values");
+    }
+    fmpz_mpoly_q_div(left, left, right, ring);
+    break;
+  }
+  return RATIONAL;
+}
+
+/* The value of a node from those of its operands, which it may take over. */
+static outcome of_node(evaluation *e, const tp_formula_node *node, fmpz_mpoly_q_t value) {
+  if (node->left >= 0) fmpz_mpoly_q_swap(value, e->values + node->left, ring_of(e));
+  outcome result = RATIONAL;
+  switch (node->kind) {
+  case TP_FORMULA_NUMBER:
+    fmpz_mpoly_q_set_fmpq(value, &node->value, ring_of(e));
+    break;
+  case TP_FORMULA_NAME:
+    result = of_name(e, value, node->name);
+    break;
+  case TP_FORMULA_NEGATE:
+    fmpz_mpoly_q_neg(value, value, ring_of(e));
+    break;
+  case TP_FORMULA_CALL:
+    result = call(e, value, node);
+    break;
+  default:
+    result = combine(e, value, e->values + node->right, node);
+    break;
+  }
+  if (result == RATIONAL) tp_subject_reduce(value, e->subject);
+  return result;
+}
+
+/* Evaluate all nodes before `end`; the first that is not rational ends it. */
+static outcome of_nodes(evaluation *e, long end) {
+  outcome result = RATIONAL;
+  for (long k = 0; k < end && result == RATIONAL; k++) {
+    result = of_node(e, e->formula->nodes + k, e->values + k);
+  }
+  return result;
+}
+
+static bool begin(evaluation *e) {
+  e->values = malloc((size_t)e->formula->count * sizeof *e->values);
+  if (e->values == NULL) return false;
+  for (long k = 0; k < e->formula->count; k++) fmpz_mpoly_q_init(e->values + k, ring_of(e));
+  return true;
+}
+
+static void end(evaluation *e) {
+  for (long k = 0; k < e->formula->count; k++) fmpz_mpoly_q_clear(e->values + k, ring_of(e));
+  free(e->values);
+}
+
+tp_status tp_evaluate_field(fmpz_mpoly_q_t value, bool *rational, const tp_formula *formula,
+                            tp_subject *subject, tp_message *message) {
+  evaluation e = {.formula = formula, .subject = subject, .message = message};
+  if (!begin(&e)) return tp_fail_memory(message, "a formula");
+  const outcome result = of_nodes(&e, formula->count);
+  if (result == RATIONAL) fmpz_mpoly_q_swap(value, e.values + formula->count - 1, ring_of(&e));
+  *rational = result == RATIONAL;
+  end(&e);
+  return e.status;
+}
+
+/* The tangent of a name: of a direction, of an angle, of what it is defined by. */
+static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long index,
+                                 tp_subject *subject, tp_message *message) {
+  const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
+  const tp_name *name = NULL;
+  const tp_status status = tp_subject_name(&name, subject, index, message);
+  *rational = false;
+  if (status != TP_OK) return status;
+  if (name->kind == TP_NAME_DEFINITION) {
+    return tp_evaluate_tangent(value, rational, &name->definition, subject, message);
+  }
+  if (name->kind == TP_NAME_DIRECTION && !fmpz_mpoly_q_is_zero(name->run, ring)) {
+    fmpz_mpoly_q_div(value, name->value, name->run, ring);
+    tp_subject_reduce(value, subject);
+    *rational = true;
+  }
+  if (name->kind == TP_NAME_ANGLE) {
+    fmpz_mpoly_q_t cosine;
+    fmpz_mpoly_q_init(cosine, ring);
+    fmpz_mpoly_q_gen(value, subject->angles[name->angle].sine, ring);
+    fmpz_mpoly_q_gen(cosine, subject->angles[name->angle].cosine, ring);
+    fmpz_mpoly_q_div(value, value, cosine, ring);
+    fmpz_mpoly_q_clear(cosine, ring);
+    *rational = true;
+  }
+  return TP_OK;
+}
+
+tp_status tp_evaluate_tangent(fmpz_mpoly_q_t value, bool *rational, const tp_formula *formula,
+                              tp_subject *subject, tp_message *message) {
+  const tp_formula_node *root = tp_formula_root(formula);
+  if (root->kind == TP_FORMULA_NAME) {
+    return tangent_of_name(value, rational, root->name, subject, message);
+  }
+  *rational = false;
+  if (root->kind == TP_FORMULA_CALL && root->function == TP_FUNCTION_ATAN) {
+    evaluation e = {.formula = formula, .subject = subject, .message = message};
+    if (!begin(&e)) return tp_fail_memory(message, "a formula");
+    *rational = of_nodes(&e, formula->count - 1) == RATIONAL;
+    if (*rational) fmpz_mpoly_q_swap(value, e.values + root->left, ring_of(&e));
+    end(&e);
+    return e.status;
+  }
+  fmpz_mpoly_q_t angle;
+  bool known = false, infinite = false;
+  fmpz_mpoly_q_init(angle, subject->field->ring);
+  const tp_status status = tp_evaluate_field(angle, &known, formula, subject, message);
+  if (status == TP_OK && known && !fmpz_mpoly_q_is_fmpq(angle, subject->field->ring)) {
+    *rational = tp_angle_tangent(value, &infinite, angle, subject) && !infinite;
+  }
+  fmpz_mpoly_q_clear(angle, subject->field->ring);
+  return status;
+}

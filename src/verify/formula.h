@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Formulas as papers print them, as trees that know where in the text each part stands.
+ *
+ * + - * / ^ and parentheses over decimals, which are exact, and names; sin, cos, tan, cot, atan,
+ * sqrt, log10, abs; angles are in degrees throughout. The paper's notations are read too: Greek
+ * letters (alpha and its letter are one name), 27ab as a product, sin alpha without parentheses, and
+ * tan^-1: of an angle it is the cotangent, as in the paper's factors of safety, of anything else the
+ * arctangent, as in its critical angles. */
+  TP_FORMULA_ADD,
+  TP_FORMULA_SUBTRACT,
+  TP_FORMULA_MULTIPLY,
+  TP_FORMULA_DIVIDE,
+  TP_FORMULA_POWER,
+  TP_FORMULA_CALL /* function of left */
+} tp_formula_kind;
+
+typedef enum tp_function {
+  TP_FUNCTION_SIN,
+  TP_FUNCTION_COS,
+  TP_FUNCTION_TAN,
+  TP_FUNCTION_COT,
+  TP_FUNCTION_ATAN,
+  TP_FUNCTION_SQRT,
+  TP_FUNCTION_LOG10,
+  TP_FUNCTION_ABS
+} tp_function;
+
+typedef struct tp_formula_node {
+  tp_formula_kind kind;
+  tp_function function;
+  long left, right; /* operands, which stand before this node; -1: none */
+  long name;        /* of the vocabulary */
+  fmpq value;       /* of a number */
+  int begin, end;   /* the part of the text that it is, in bytes */
+  int at, length;   /* its number, name or operator; length 0: an operator that is not written */
+} tp_formula_node;
+
+typedef struct tp_formula {
+  const char *text; /* borrowed */
+  tp_place place;   /* of its first character */
+  long count;
+  tp_formula_node *nodes; /* operands before what they are operands of; the last is the root */
+} tp_formula;
+
+/* The names that a formula may use: `find` gives the number of a name (not terminated, Greek letters
+ * spelt out) or -1, `is_angle` tells whether it stands for an angle. */
+typedef struct tp_vocabulary {
+  long (*find)(const void *context, const char *name, size_t length);
+  bool (*is_angle)(const void *context, long name);
+  const void *context;
+} tp_vocabulary;
+
+/* `formula` is left empty on failure. */
+TP_MUST_USE tp_status tp_formula_read(tp_formula *formula, const char *text, tp_place place,
+                                      const tp_vocabulary *vocabulary, tp_message *message);
+void tp_formula_clear(tp_formula *formula);
+
+/* Append a node; its index, or -1 when memory is exhausted. */
+long tp_formula_add(tp_formula *formula, tp_formula_node node);
+
+const tp_formula_node *tp_formula_root(const tp_formula *formula);
+
+/* Where a byte of the text stands. */
+tp_place tp_formula_place(const tp_formula *formula, int at);
+
+/* Complain at a node. */
+tp_status tp_formula_fail(const tp_formula *formula, const tp_formula_node *node,
+                          tp_message *message, const char *problem);
+
+/* The name at the front of a text with Greek letters spelt out (delta for its letter, d for the
+ * capital one); bytes used, 0 where no name begins. */
+size_t tp_formula_spell(char *name, size_t size, const char *text, size_t most);
+
+#endif

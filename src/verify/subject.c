@@ -1,0 +1,369 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "verify/evaluate.h"
+#include "verify/quantities.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OWN_ANGLES = 2, MOST_WEIGHTS = 1000 };
+
+/* Elements of the block, which the paper's sums weigh one by one: of teeth and slabs those of
+ * Appendix A, of a plain outline its triangles. */
+static long count_weights(const tp_scene *scene) {
+  const tp_block_description *block = &scene->block;
+  if (block->hole_count > 0 || block->part_count > 0) return 0;
+  long count = block->outline.count - 2;
+  if (block->form == TP_OUTLINE_TEETH) count = 2 * block->teeth.count;
+  if (block->form == TP_OUTLINE_SLAB) count = 1;
+  return count <= MOST_WEIGHTS ? count : 0;
+}
+
+/* printf into new memory, appended to the symbols' names. */
+static bool add_symbol(tp_subject *s, const char *format, const char *name, long number) {
+  char text[128];
+  snprintf(text, sizeof text, format, name, number);
+  s->symbol_names[s->symbol_count] = strdup(text);
+  return s->symbol_names[s->symbol_count++] != NULL;
+}
+
+static bool add_angle(tp_subject *s, const char *name) {
+  tp_angle *angle = s->angles + s->angle_count++;
+  *angle = (tp_angle){s->symbol_count, s->symbol_count + 1, s->symbol_count + 2};
+  return add_symbol(s, "%s", name, 0) && add_symbol(s, "sin(%s)", name, 0) &&
+         add_symbol(s, "cos(%s)", name, 0);
+}
+
+/* Names of the symbols that are added to the scene's parameters. */
+static bool name_symbols(tp_subject *s, const tp_subject_options *options) {
+  const long declared = options->declared_count;
+  s->symbol_names =
+      calloc((size_t)(3 * (declared + OWN_ANGLES) + s->weight_count + 3), sizeof *s->symbol_names);
+  s->angles = calloc((size_t)(declared + OWN_ANGLES), sizeof *s->angles);
+  if (s->symbol_names == NULL || s->angles == NULL) return false;
+  bool done = add_angle(s, "alpha") && add_angle(s, "i");
+  s->length = s->symbol_count;
+  done = done && add_symbol(s, "r", "", 0);
+  s->mend = s->symbol_count;
+  done = done && add_symbol(s, "?", "", 0);
+  s->first_weight = s->symbol_count;
+  for (long k = 0; k < s->weight_count && done; k++) done = add_symbol(s, "w%s_%ld", "", k + 1);
+  for (long k = 0; k < declared && done; k++) {
+    const tp_declared *d = options->declared + k;
+    done = d->angle ? add_angle(s, d->name) : add_symbol(s, "%s", d->name, 0);
+  }
+  return done;
+}
+
+static tp_status init_field(tp_subject *s, tp_message *message) {
+  const tp_symbol_names names = {s->symbol_count, (const char *const *)s->symbol_names};
+  if (s->scene != NULL && s->members == TP_MEMBERS_ONE) {
+    const tp_status status = tp_model_init(&s->model, s->scene, true, &names, message);
+    if (status != TP_OK) return status;
+    s->has_model = true;
+    s->field = &s->model.symbols.field;
+    return TP_OK;
+  }
+  const tp_status status = tp_field_init(&s->own.field, s->scene, &names, message);
+  if (status == TP_OK) s->field = &s->own.field;
+  return status;
+}
+
+/* Indices among the added symbols become indices of the field. */
+static void shift_symbols(tp_subject *s) {
+  for (long k = 0; k < s->angle_count; k++) {
+    tp_angle *a = s->angles + k;
+    *a = (tp_angle){tp_field_added(s->field, a->degrees), tp_field_added(s->field, a->sine),
+                    tp_field_added(s->field, a->cosine)};
+  }
+  s->length = tp_field_added(s->field, s->length);
+  s->mend = tp_field_added(s->field, s->mend);
+  s->first_weight = tp_field_added(s->field, s->first_weight);
+}
+
+/* sin^2 + cos^2 - 1 of every angle. */
+static bool init_ones(tp_subject *s) {
+  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  s->ones = calloc((size_t)s->angle_count, sizeof *s->ones);
+  if (s->ones == NULL) return false;
+  fmpz_mpoly_t square;
+  fmpz_mpoly_init(square, ring);
+  for (long k = 0; k < s->angle_count; k++) {
+    fmpz_mpoly_init(s->ones[k], ring);
+    fmpz_mpoly_gen(s->ones[k], s->angles[k].sine, ring);
+    fmpz_mpoly_pow_ui(s->ones[k], s->ones[k], 2, ring);
+    fmpz_mpoly_gen(square, s->angles[k].cosine, ring);
+    fmpz_mpoly_pow_ui(square, square, 2, ring);
+    fmpz_mpoly_add(s->ones[k], s->ones[k], square, ring);
+    fmpz_mpoly_sub_si(s->ones[k], s->ones[k], 1, ring);
+  }
+  fmpz_mpoly_clear(square, ring);
+  return true;
+}
+
+static bool reduce_half(fmpz_mpoly_t half, const tp_subject *s) {
+  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  bool changed = false;
+  fmpz_mpoly_t quotient;
+  fmpz_mpoly_init(quotient, ring);
+  for (long k = 0; k < s->angle_count; k++) {
+    if (fmpz_mpoly_degree_si(half, s->angles[k].sine, ring) < 2) continue;
+    fmpz_mpoly_divrem(quotient, half, half, s->ones[k], ring);
+    changed = true;
+  }
+  fmpz_mpoly_clear(quotient, ring);
+  return changed;
+}
+
+void tp_subject_reduce(fmpz_mpoly_q_t formula, const tp_subject *s) {
+  const bool top = reduce_half(fmpz_mpoly_q_numref(formula), s);
+  const bool below = reduce_half(fmpz_mpoly_q_denref(formula), s);
+  if ((top || below) && !fmpz_mpoly_is_zero(fmpz_mpoly_q_denref(formula), s->field->ring)) {
+    fmpz_mpoly_q_canonicalise(formula, s->field->ring);
+  }
+}
+
+long tp_subject_find(const void *subject, const char *name, size_t length) {
+  const tp_subject *s = subject;
+  for (long k = s->name_count - 1; k >= 0; k--) {
+    if (strlen(s->names[k].text) == length && strncmp(s->names[k].text, name, length) == 0) {
+      return k;
+    }
+  }
+  return -1;
+}
+
+bool tp_subject_is_angle(const void *subject, long index) {
+  const tp_subject *s = subject;
+  const tp_name *name = s->names + index;
+  if (name->kind != TP_NAME_DEFINITION) return name->kind != TP_NAME_FORMULA;
+  for (long k = 0; k < name->definition.count; k++) { /* 90 - i, an arctangent */
+    const tp_formula_node *n = name->definition.nodes + k;
+    if (n->kind == TP_FORMULA_NAME && !tp_subject_is_angle(s, n->name)) return false;
+    if (n->kind == TP_FORMULA_CALL) return n->function == TP_FUNCTION_ATAN;
+  }
+  return true;
+}
+
+tp_vocabulary tp_subject_vocabulary(const tp_subject *s) {
+  return (tp_vocabulary){tp_subject_find, tp_subject_is_angle, s};
+}
+
+tp_name *tp_subject_add_name(tp_subject *s, const char *text, tp_name_kind kind) {
+  if (s->name_count == s->name_capacity) {
+    const long capacity = 2 * s->name_capacity + 64;
+    tp_name *names = realloc(s->names, (size_t)capacity * sizeof *names);
+    if (names == NULL) return NULL;
+    s->names = names;
+    s->name_capacity = capacity;
+  }
+  tp_name *name = s->names + s->name_count;
+  *name = (tp_name){.kind = kind, .text = strdup(text), .ready = true};
+  if (name->text == NULL) return NULL;
+  fmpz_mpoly_q_init(name->value, s->field->ring);
+  fmpz_mpoly_q_init(name->run, s->field->ring);
+  s->name_count++;
+  return name;
+}
+
+static void drop_names(tp_subject *s, long keep) {
+  while (s->name_count > keep) {
+    tp_name *name = s->names + --s->name_count;
+    tp_formula_clear(&name->definition);
+    free(name->used);
+    fmpz_mpoly_q_clear(name->value, s->field->ring);
+    fmpz_mpoly_q_clear(name->run, s->field->ring);
+    free(name->text);
+  }
+}
+
+void tp_subject_forget(tp_subject *subject) {
+  drop_names(subject, subject->permanent);
+}
+
+tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, tp_place place,
+                            tp_message *message) {
+  char spelt[128];
+  const size_t used = tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
+  if (used == 0 || name[used] != '\0') {
+    return tp_fail(message, TP_BAD_INPUT, place, "'%.40s' cannot be a name", name);
+  }
+  tp_formula definition;
+  const tp_vocabulary vocabulary = tp_subject_vocabulary(s);
+  const tp_status status = tp_formula_read(&definition, text, place, &vocabulary, message);
+  if (status != TP_OK) return status;
+  tp_name *added = tp_subject_add_name(s, spelt, TP_NAME_DEFINITION);
+  if (added == NULL) {
+    tp_formula_clear(&definition);
+    return tp_fail_memory(message, "a definition");
+  }
+  added->definition = definition;
+  added->ready = false;
+  added->used = calloc((size_t)s->field->symbol_count, sizeof *added->used);
+  if (added->used == NULL) return tp_fail_memory(message, "a definition");
+  return tp_evaluate_used(added->used, &added->definition, s, message);
+}
+
+tp_status tp_subject_name(const tp_name **name, tp_subject *s, long index, tp_message *message) {
+  tp_name *found = s->names + index;
+  if (!found->ready && found->kind != TP_NAME_DEFINITION) {
+    const tp_status status = found->rule(found->value, found->run, s, message);
+    if (status != TP_OK) return status;
+    tp_subject_reduce(found->value, s);
+    tp_subject_reduce(found->run, s);
+    found->ready = true;
+  }
+  *name = found;
+  return TP_OK;
+}
+
+static bool add_symbol_name(tp_subject *s, long symbol) {
+  tp_name *name = tp_subject_add_name(s, s->field->names[symbol], TP_NAME_FORMULA);
+  if (name != NULL) fmpz_mpoly_q_gen(name->value, symbol, s->field->ring);
+  return name != NULL;
+}
+
+static bool add_angle_name(tp_subject *s, long angle) {
+  tp_name *name = tp_subject_add_name(s, s->field->names[s->angles[angle].degrees], TP_NAME_ANGLE);
+  if (name != NULL) name->angle = angle;
+  return name != NULL;
+}
+
+/* The names of the program itself, then those of the claims file, then those of the scene; none of
+ * the latter may hide one of the former. */
+static tp_status add_names(tp_subject *s, const tp_subject_options *options, tp_place place,
+                           tp_message *message) {
+  const tp_field *field = s->field;
+  const long parameters = field->parameters->count;
+  bool done = true;
+  for (long k = 0; k < OWN_ANGLES && done; k++) done = add_angle_name(s, k);
+  for (long k = 0; k < s->weight_count && done; k++) done = add_symbol_name(s, s->first_weight + k);
+  done = done && add_symbol_name(s, s->length) && add_symbol_name(s, parameters) &&
+         (s->scene == NULL || tp_quantities_add(s));
+  const long ours = s->name_count;
+  long symbol = s->first_weight + s->weight_count, angle = OWN_ANGLES;
+  for (long d = 0; d < options->declared_count && done; d++) {
+    const bool is_angle = options->declared[d].angle;
+    done = is_angle ? add_angle_name(s, angle++) : add_symbol_name(s, symbol);
+    symbol += is_angle ? 3 : 1;
+  }
+  const long declared = s->name_count;
+  for (long k = 0; k < parameters && done; k++) {
+    tp_name *name = tp_subject_add_name(s, field->parameters->names[k], TP_NAME_FORMULA);
+    done = name != NULL;
+    if (done) fmpz_mpoly_q_set(name->value, field->values + k, field->ring);
+  }
+  if (!done) return tp_fail_memory(message, "the symbols");
+  for (long k = ours; k < s->name_count; k++) {
+    for (long j = 0; j < k && j < declared; j++) {
+      if (strcmp(s->names[j].text, s->names[k].text) != 0) continue;
+      return tp_fail(message, TP_BAD_INPUT, place,
+                     "'%.40s' is %s; rename the %s '%.40s' of this geometry", s->names[k].text,
+                     j < ours ? "a name that claims use for something else" : "declared already",
+                     k < declared ? "symbol" : "parameter", s->names[k].text);
+    }
+  }
+  return TP_OK;
+}
+
+/* Values of the symbols, where they have one. */
+static bool init_values(tp_subject *s, const tp_subject_options *options) {
+  const tp_field *field = s->field;
+  s->values = calloc((size_t)field->symbol_count, sizeof *s->values);
+  s->given = calloc((size_t)field->symbol_count, sizeof *s->given);
+  if (s->values == NULL || s->given == NULL) return false;
+  for (long k = 0; k < field->symbol_count; k++) fmpq_init(s->values + k);
+  for (long k = 0; k < field->parameters->count; k++) {
+    fmpq_set(s->values + k, field->parameters->values + k);
+    s->given[k] = true;
+  }
+  if (s->scene != NULL && s->scene->block.form != TP_OUTLINE_VERTICES) {
+    const long count = field->parameters->count;
+    fmpq_set_si(s->values + count, s->scene->block.teeth.count, 1);
+    s->given[count] = true;
+  }
+  const long alpha = s->angles[TP_ANGLE_ALPHA].degrees;
+  if (s->scene != NULL && s->scene->tilt_angle_deg.given) {
+    fmpq_set(s->values + alpha, s->scene->tilt_angle_deg.value);
+    s->given[alpha] = true;
+  }
+  for (long k = s->first_weight + s->weight_count, d = 0; d < options->declared_count; d++) {
+    fmpq_set(s->values + k, options->declared[d].value);
+    s->given[k] = true;
+    k += options->declared[d].angle ? 3 : 1;
+  }
+  return true;
+}
+
+/* The direction of tilt and the pivot. */
+static tp_status choose_pivot(tp_subject *s, const tp_subject_options *options, tp_place place,
+                              tp_message *message) {
+  s->towards = options->has_direction   ? options->towards
+               : s->scene->towards_left ? TP_TOWARDS_LEFT
+                                        : TP_TOWARDS_RIGHT;
+  if (!s->has_model) return tp_family_check(s->scene, message);
+  const tp_solution *solution = s->model.solution;
+  for (size_t c = 0; c < solution->case_count; c++) {
+    if (solution->cases[c].towards == s->towards) s->at = solution->cases + c;
+  }
+  if (s->at == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, place, "the scene does not tilt this way");
+  }
+  s->pivot = options->has_pivot ? options->pivot : s->at->governing;
+  if (options->has_pivot ? s->pivot >= s->at->pivot_count : !s->at->has_governing) {
+    return tp_fail(message, TP_BAD_INPUT, place, "the scene has no such pivot");
+  }
+  return TP_OK;
+}
+
+tp_status tp_subject_init(tp_subject *s, const tp_subject_options *options, tp_place place,
+                          tp_message *message) {
+  memset(s, 0, sizeof *s);
+  s->rounded = options->rounded;
+  s->members = options->members;
+  tp_status status = TP_OK;
+  if (options->scene != NULL) status = tp_scene_read(&s->scene, options->scene, message);
+  if (status == TP_OK && s->scene != NULL) s->weight_count = count_weights(s->scene);
+  if (status == TP_OK && !name_symbols(s, options)) status = tp_fail_memory(message, "the symbols");
+  if (status == TP_OK) status = init_field(s, message);
+  if (status == TP_OK && s->scene != NULL) status = choose_pivot(s, options, place, message);
+  if (status == TP_OK) {
+    shift_symbols(s);
+    if (!init_ones(s) || !init_values(s, options)) status = tp_fail_memory(message, "the symbols");
+  }
+  if (status == TP_OK) status = add_names(s, options, place, message);
+  if (status == TP_OK && !tp_quantities_example_values(s)) {
+    status = tp_fail_memory(message, "the symbols");
+  }
+  s->permanent = s->name_count;
+  if (status != TP_OK) tp_subject_clear(s);
+  return status;
+}
+
+void tp_subject_clear(tp_subject *s) {
+  if (s->field != NULL) {
+    drop_names(s, 0);
+    for (long k = 0; s->ones != NULL && k < s->angle_count; k++) {
+      fmpz_mpoly_clear(s->ones[k], s->field->ring);
+    }
+    for (long k = 0; s->values != NULL && k < s->field->symbol_count; k++) {
+      fmpq_clear(s->values + k);
+    }
+    if (s->has_model) {
+      tp_model_clear(&s->model);
+    } else {
+      tp_field_clear(&s->own.field);
+    }
+  }
+  free(s->names);
+  free(s->ones);
+  free(s->values);
+  free(s->given);
+  for (long k = 0; k < s->symbol_count; k++) free(s->symbol_names[k]);
+  free(s->symbol_names);
+  free(s->angles);
+  tp_scene_free(s->scene);
+  memset(s, 0, sizeof *s);
+}
