@@ -8,6 +8,18 @@
  * letters (alpha and its letter are one name), 27ab as a product, sin alpha without parentheses, and
  * tan^-1: of an angle it is the cotangent, as in the paper's factors of safety, of anything else the
  * arctangent, as in its critical angles. */
+
+#ifndef TP_FORMULA_H
+#define TP_FORMULA_H
+
+#include "message.h"
+
+#include <flint/fmpq.h>
+
+typedef enum tp_formula_kind {
+  TP_FORMULA_NUMBER,
+  TP_FORMULA_NAME,
+  TP_FORMULA_NEGATE, /* left */
   TP_FORMULA_ADD,
   TP_FORMULA_SUBTRACT,
   TP_FORMULA_MULTIPLY,
