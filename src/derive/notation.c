@@ -78,6 +78,14 @@ static void add_polynomial(FILE *out, const fmpz_mpoly_t polynomial, const tp_fi
   for (slong t = 0; t < terms; t++) add_term(out, polynomial, t, field, notation);
 }
 
+static bool is_symbol(const fmpz_mpoly_t polynomial, const tp_field *field) {
+  bool symbol = false;
+  for (long k = 0; k < field->symbol_count; k++) {
+    symbol = symbol || fmpz_mpoly_is_gen(polynomial, k, field->ring);
+  }
+  return symbol;
+}
+
 static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_field *field,
                          tp_notation notation) {
   const fmpz_mpoly_struct *top = fmpz_mpoly_q_numref(fraction);
@@ -95,13 +103,13 @@ static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_fiel
     return;
   }
   const bool sum = fmpz_mpoly_length(top, field->ring) > 1;
-  const bool constant = fmpz_mpoly_is_fmpz(below, field->ring) != 0;
+  const bool bare = fmpz_mpoly_is_fmpz(below, field->ring) || is_symbol(below, field);
   fputs(sum ? "(" : "", out);
   add_polynomial(out, top, field, notation);
   fputs(sum ? ")" : "", out);
-  fputs(constant ? "/" : "/(", out);
+  fputs(bare ? "/" : "/(", out);
   add_polynomial(out, below, field, notation);
-  fputs(constant ? "" : ")", out);
+  fputs(bare ? "" : ")", out);
 }
 
 enum part { NUMERATOR, DENOMINATOR, WHOLE };

@@ -29,7 +29,8 @@ static int decimals(const char *printed) {
 
 const char *tp_claim_number(char out[TP_NUMBER_SIZE], const tp_claim_result *c, tp_bounded number) {
   if (c->is_formula) return tp_text_significant(out, number, 8);
-  return tp_text_fixed(out, number, decimals(c->printed) + 2);
+  const bool relation = strpbrk(c->printed, "<>") != NULL;
+  return tp_text_fixed(out, number, decimals(c->printed) + (relation ? 4 : 2));
 }
 
 void tp_claim_add_outcome(tp_text *t, const tp_claim_result *c) {

@@ -5,9 +5,9 @@
  *
  * + - * / ^ and parentheses over decimals, which are exact, and names; sin, cos, tan, cot, atan,
  * sqrt, log10, abs; angles are in degrees throughout. The paper's notations are read too: Greek
- * letters (alpha and its letter are one name), 27ab as a product, sin alpha without parentheses, and
- * tan^-1: of an angle it is the cotangent, as in the paper's factors of safety, of anything else the
- * arctangent, as in its critical angles. */
+ * letters (alpha and its letter are one name), 27ab as a product, sin alpha without parentheses,
+ * and tan^-1: of an angle it is the cotangent, as in the paper's factors of safety, of anything
+ * else the arctangent, as in its critical angles. */
 
 #ifndef TP_FORMULA_H
 #define TP_FORMULA_H
@@ -56,8 +56,8 @@ typedef struct tp_formula {
   tp_formula_node *nodes; /* operands before what they are operands of; the last is the root */
 } tp_formula;
 
-/* The names that a formula may use: `find` gives the number of a name (not terminated, Greek letters
- * spelt out) or -1, `is_angle` tells whether it stands for an angle. */
+/* The names that a formula may use: `find` gives the number of a name (not terminated, Greek
+ * letters spelt out) or -1, `is_angle` tells whether it stands for an angle. */
 typedef struct tp_vocabulary {
   long (*find)(const void *context, const char *name, size_t length);
   bool (*is_angle)(const void *context, long name);

@@ -177,8 +177,8 @@ static long application(parser *p, tp_function function, int at, int length) {
   if (of < 0) return -1;
   if (inverse) {
     const tp_formula_node *n = p->formula->nodes + of;
-    const bool angle = n->kind == TP_FORMULA_NAME &&
-                       p->vocabulary->is_angle(p->vocabulary->context, n->name);
+    const bool angle =
+        n->kind == TP_FORMULA_NAME && p->vocabulary->is_angle(p->vocabulary->context, n->name);
     function = angle ? TP_FUNCTION_COT : TP_FUNCTION_ATAN;
   }
   const long value = call(p, function, of, at, length);

@@ -4,24 +4,17 @@
 /* The smallest change that makes a refuted formula an identity.
  *
  * Candidates are changes of the text at one place, so that what is reported is what was read and
- * proven again: a sign turned; a number replaced by x, where x is solved for: with everything else
- * given random whole values the numerator of the difference is a polynomial in x, whose rational
- * roots are the only x that can do; an exponent replaced or added; a term multiplied by x; a name
- * taken for another. The first kind that works is kept, and of that kind the change with the
+ * proven again: a sign turned; a number replaced; an exponent replaced or added; a term multiplied;
+ * a name taken for another. The first kind that works is kept, and of that kind the change with the
  * simplest number. */
 
-#define _POSIX_C_SOURCE 200809L
-#include "verify/decide.h"
+#include "verify/mend.h"
 
 #include "number/ratio.h"
 
-#include <flint/fmpz_poly.h>
-#include <flint/fmpz_poly_factor.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char unknown[] = "the_mended_number"; /* spelt like no name of a paper */
 
 typedef struct search {
   const tp_question *question;
@@ -30,35 +23,10 @@ typedef struct search {
   bool failed; /* memory was exhausted */
 } search;
 
-/* The printed text with [begin, end) replaced. */
-static char *replaced(const tp_formula *f, int begin, int end, const char *by) {
-  const size_t size = strlen(f->text) + strlen(by) + 1;
-  char *text = malloc(size);
-  if (text != NULL) snprintf(text, size, "%.*s%s%s", begin, f->text, by, f->text + end);
-  return text;
-}
-
-/* Printed minus derived for another text; false where it cannot be formed. */
-static bool difference_of(fmpz_mpoly_q_t difference, const char *text, const tp_question *q) {
-  tp_formula formula;
-  tp_message ignored;
-  tp_question other = *q;
-  other.message = &ignored;
-  if (tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored) != TP_OK) {
-    return false;
-  }
-  other.printed = &formula;
-  bool rational = false, tangents = false;
-  const bool done =
-      tp_decide_difference(difference, NULL, &rational, &tangents, &other) == TP_OK && rational;
-  tp_formula_clear(&formula);
-  return done;
-}
-
 static bool is_identity(const char *text, const tp_question *q) {
   fmpz_mpoly_q_t difference;
   fmpz_mpoly_q_init(difference, q->subject->field->ring);
-  const bool zero = difference_of(difference, text, q) &&
+  const bool zero = tp_mend_difference(difference, text, q) &&
                     fmpz_mpoly_q_is_zero(difference, q->subject->field->ring);
   fmpz_mpoly_q_clear(difference, q->subject->field->ring);
   return zero;
@@ -104,77 +72,31 @@ static void turn_signs(search *s) {
       const char *sign = n->kind == TP_FORMULA_ADD ? "-" : "+";
       snprintf(change, sizeof change, "the sign before %s is %s",
                part(text, sizeof text, s, right->begin, right->end), sign);
-      try_change(s, replaced(f, n->at, n->at + n->length, sign), 1, change);
+      try_change(s, tp_mend_replaced(f, n->at, n->at + n->length, sign), 1, change);
     } else if (n->kind == TP_FORMULA_NEGATE) {
       snprintf(change, sizeof change, "there is no minus before %s",
                part(text, sizeof text, s, n->at + n->length, n->end));
-      try_change(s, replaced(f, n->at, n->at + n->length, ""), 1, change);
+      try_change(s, tp_mend_replaced(f, n->at, n->at + n->length, ""), 1, change);
     }
   }
-  try_change(s, replaced(f, 0, 0, "-"), 2, "the sign of the whole is -");
-}
-
-/* A polynomial in the unknown alone: its other symbols take whole values. */
-static void to_univariate(fmpz_poly_t out, const fmpz_mpoly_t p, const tp_subject *s) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
-  fmpz_t term, factor;
-  fmpz_init(term);
-  fmpz_init(factor);
-  for (slong t = 0; t < fmpz_mpoly_length(p, ring); t++) {
-    fmpz_mpoly_get_term_coeff_fmpz(term, p, t, ring);
-    for (long k = 0; k < s->field->symbol_count; k++) {
-      const slong exponent = fmpz_mpoly_get_term_var_exp_si(p, t, k, ring);
-      if (exponent == 0 || k == s->mend) continue;
-      fmpz_set_si(factor, 1009 + 613 * k * k + 271 * k);
-      fmpz_pow_ui(factor, factor, (ulong)exponent);
-      fmpz_mul(term, term, factor);
-    }
-    const slong power = fmpz_mpoly_get_term_var_exp_si(p, t, s->mend, ring);
-    fmpz_poly_get_coeff_fmpz(factor, out, power);
-    fmpz_add(factor, factor, term);
-    fmpz_poly_set_coeff_fmpz(out, power, factor);
-  }
-  fmpz_clear(term);
-  fmpz_clear(factor);
+  try_change(s, tp_mend_replaced(f, 0, 0, "-"), 2, "the sign of the whole is -");
 }
 
 typedef void (*root_visitor)(search *s, const fmpq_t root, int begin, int end);
 
-/* Visit the rational x for which the text with x at [begin, end) may be an identity. */
+/* Visit the numbers for which the text with the unknown, as `written`, at [begin, end) may be an
+ * identity. */
 static void solve_for(search *s, int begin, int end, const char *written, root_visitor visit) {
-  const tp_subject *subject = s->question->subject;
-  const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
-  char *text = replaced(printed(s), begin, end, written);
-  if (text == NULL) {
-    s->failed = true;
-    return;
-  }
-  fmpz_mpoly_q_t difference;
-  fmpz_mpoly_q_init(difference, ring);
-  const bool known = difference_of(difference, text, s->question);
+  fmpq *roots = NULL;
+  char *text = tp_mend_replaced(printed(s), begin, end, written);
+  const long count = text != NULL ? tp_mend_solve(&roots, text, s->question) : -1;
   free(text);
-  fmpz_poly_t polynomial;
-  fmpz_poly_init(polynomial);
-  if (known && fmpz_mpoly_degree_si(fmpz_mpoly_q_numref(difference), subject->mend, ring) > 0) {
-    to_univariate(polynomial, fmpz_mpoly_q_numref(difference), subject);
+  if (count < 0) s->failed = true;
+  for (long k = 0; k < count; k++) {
+    visit(s, roots + k, begin, end);
+    fmpq_clear(roots + k);
   }
-  if (fmpz_poly_degree(polynomial) > 0 && fmpz_poly_degree(polynomial) <= 40) {
-    fmpz_poly_factor_t factors;
-    fmpz_poly_factor_init(factors);
-    fmpz_poly_factor(factors, polynomial);
-    for (slong k = 0; k < factors->num; k++) {
-      if (fmpz_poly_degree(factors->p + k) != 1) continue;
-      fmpq_t root;
-      fmpq_init(root);
-      fmpq_set_fmpz_frac(root, factors->p[k].coeffs, factors->p[k].coeffs + 1);
-      fmpq_neg(root, root);
-      visit(s, root, begin, end);
-      fmpq_clear(root);
-    }
-    fmpz_poly_factor_clear(factors);
-  }
-  fmpz_poly_clear(polynomial);
-  fmpz_mpoly_q_clear(difference, ring);
+  free(roots);
 }
 
 /* How simple a number is: denominators weigh more than what it is. */
@@ -183,41 +105,51 @@ static double simplicity(const fmpq_t value) {
   return 1000 * fmpz_get_d(fmpq_denref(value)) + (size < 900 ? size : 900);
 }
 
-/* A number as it is written into a formula. */
-static void number_text(char *out, size_t size, const fmpq_t value) {
+/* A number in digits: a decimal where one stands for it, else a fraction. */
+static void digits_text(char *out, size_t size, const fmpq_t value, bool decimal) {
+  char *fraction = decimal ? NULL : fmpq_get_str(NULL, 10, value);
+  if (fraction == NULL || strlen(fraction) >= size) {
+    tp_ratio_text(out, size, value);
+  } else {
+    snprintf(out, size, "%s", fraction);
+  }
+  flint_free(fraction);
+}
+
+/* The same as it is written into a formula. */
+static void number_text(char *out, size_t size, const fmpq_t value, bool decimal) {
   char text[80];
-  tp_ratio_text(text, sizeof text, value);
-  const bool plain = fmpz_is_one(fmpq_denref(value)) && fmpq_sgn(value) >= 0;
+  digits_text(text, sizeof text, value, decimal);
+  const bool plain = strchr(text, '/') == NULL && fmpq_sgn(value) >= 0;
   snprintf(out, size, plain ? "%s" : "(%s)", text);
 }
 
 static void keep_number(search *s, const fmpq_t root, int begin, int end) {
   char by[90], change[200], text[60], number[80];
-  number_text(by, sizeof by, root);
-  tp_ratio_text(number, sizeof number, root);
-  snprintf(change, sizeof change, "the number %s at column %d is %s",
-           part(text, sizeof text, s, begin, end),
+  part(text, sizeof text, s, begin, end);
+  const bool decimal = strchr(text, '.') != NULL;
+  number_text(by, sizeof by, root, decimal);
+  digits_text(number, sizeof number, root, decimal);
+  snprintf(change, sizeof change, "the number %s at column %d is %s", text,
            tp_formula_place(printed(s), begin).column - printed(s)->place.column + 1, number);
-  try_change(s, replaced(printed(s), begin, end, by), simplicity(root), change);
+  try_change(s, tp_mend_replaced(printed(s), begin, end, by), simplicity(root), change);
 }
 
 static void change_numbers(search *s) {
   const tp_formula *f = printed(s);
-  char written[40];
-  snprintf(written, sizeof written, "(%s)", unknown);
   for (long k = 0; k < f->count; k++) {
     const tp_formula_node *n = f->nodes + k;
     if (n->kind == TP_FORMULA_NUMBER) {
-      solve_for(s, n->at, n->at + n->length, written, keep_number);
+      solve_for(s, n->at, n->at + n->length, "(" TP_MEND_UNKNOWN ")", keep_number);
     }
   }
 }
 
 static void keep_factor(search *s, const fmpq_t root, int begin, int end) {
   (void)end;
-  char number[80], by[100], change[200];
+  char number[80], by[100], change[200], text[60];
   const tp_formula *f = printed(s);
-  number_text(number, sizeof number, root);
+  number_text(number, sizeof number, root, false);
   snprintf(by, sizeof by, "%s*", number);
   int stop = begin;
   for (long k = 0; k < f->count; k++) { /* the longest product that begins here */
@@ -227,17 +159,18 @@ static void keep_factor(search *s, const fmpq_t root, int begin, int end) {
       stop = n->end;
     }
   }
-  char text[60];
-  snprintf(change, sizeof change, "%s is to be multiplied by %s",
-           part(text, sizeof text, s, begin, stop), number);
-  try_change(s, replaced(f, begin, begin, by), simplicity(root), change);
+  part(text, sizeof text, s, begin, stop);
+  if (fmpq_is_zero(root)) {
+    snprintf(change, sizeof change, "the term %s is not there", text);
+  } else {
+    snprintf(change, sizeof change, "%s is to be multiplied by %s", text, number);
+  }
+  try_change(s, tp_mend_replaced(f, begin, begin, by), simplicity(root), change);
 }
 
 /* Multiply each term of a sum, and the whole. */
 static void multiply_terms(search *s) {
   const tp_formula *f = printed(s);
-  char written[40];
-  snprintf(written, sizeof written, "(%s)*", unknown);
   for (long k = 0; k < f->count; k++) {
     const tp_formula_node *n = f->nodes + k;
     if (n->kind != TP_FORMULA_ADD && n->kind != TP_FORMULA_SUBTRACT) continue;
@@ -246,10 +179,10 @@ static void multiply_terms(search *s) {
       const bool sum =
           operands[j]->kind == TP_FORMULA_ADD || operands[j]->kind == TP_FORMULA_SUBTRACT;
       if (sum && f->text[operands[j]->begin] != '(') continue; /* its first term has its turn */
-      solve_for(s, operands[j]->begin, operands[j]->begin, written, keep_factor);
+      solve_for(s, operands[j]->begin, operands[j]->begin, "(" TP_MEND_UNKNOWN ")*", keep_factor);
     }
   }
-  solve_for(s, 0, 0, written, keep_factor);
+  solve_for(s, 0, 0, "(" TP_MEND_UNKNOWN ")*", keep_factor);
 }
 
 static void try_exponent(search *s, int begin, int end, const char *exponent, double size,
@@ -257,7 +190,7 @@ static void try_exponent(search *s, int begin, int end, const char *exponent, do
   char change[200], by[24];
   snprintf(change, sizeof change, "the exponent of %s is %s", of, exponent);
   snprintf(by, sizeof by, "^%s", exponent);
-  try_change(s, replaced(printed(s), begin, end, by), size, change);
+  try_change(s, tp_mend_replaced(printed(s), begin, end, by), size, change);
 }
 
 /* Replace exponents, and give one to what has none. */
@@ -296,12 +229,12 @@ static void change_names(search *s) {
     for (long other = 0; other < subject->name_count; other++) {
       const tp_name *name = subject->names + other;
       if (other == n->name || name->kind == TP_NAME_DIRECTION || name->rule != NULL) continue;
-      if (strcmp(name->text, unknown) == 0) continue;
+      if (strcmp(name->text, TP_MEND_UNKNOWN) == 0) continue;
       char by[140], change[300], text[60];
       snprintf(by, sizeof by, "(%.120s)", name->text);
       snprintf(change, sizeof change, "%s is %s",
                part(text, sizeof text, s, n->at, n->at + n->length), name->text);
-      try_change(s, replaced(f, n->begin, n->end, by), (double)other, change);
+      try_change(s, tp_mend_replaced(f, n->begin, n->end, by), (double)other, change);
     }
   }
 }
@@ -310,7 +243,7 @@ tp_status tp_mend_find(tp_claim_result *result, const tp_question *q) {
   static void (*const kinds[])(search *) = {turn_signs, change_numbers, change_exponents,
                                             multiply_terms, change_names};
   search s = {.question = q, .result = result};
-  tp_name *x = tp_subject_add_name(q->subject, unknown, TP_NAME_FORMULA);
+  tp_name *x = tp_subject_add_name(q->subject, TP_MEND_UNKNOWN, TP_NAME_FORMULA);
   if (x == NULL) return tp_fail_memory(q->message, "a claim");
   fmpz_mpoly_q_gen(x->value, q->subject->mend, q->subject->field->ring);
   for (size_t k = 0; k < sizeof kinds / sizeof kinds[0] && result->mend == NULL; k++) kinds[k](&s);

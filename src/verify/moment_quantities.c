@@ -184,6 +184,7 @@ bool tp_quantities_example_values(tp_subject *s) {
   const long alpha = s->angles[TP_ANGLE_ALPHA].degrees;
   const tp_name *width = NULL;
   if (!s->given[alpha]) fmpq_set_si(s->values + alpha, 20, 1);
+  fmpq_set_si(s->values + s->angles[TP_ANGLE_I].degrees, 10, 1); /* where no facet says otherwise */
   const long index = tp_subject_find(s, "block_width", strlen("block_width"));
   if (s->has_model && index >= 0 && tp_subject_name(&width, s, index, NULL) == TP_OK &&
       tp_field_evaluate(s->values + s->length, width->value, s->field)) {

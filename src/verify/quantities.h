@@ -26,8 +26,8 @@ TP_QUANTITY_RULE(tp_quantity_amplitude);
 tp_status tp_quantity_fail(const tp_subject *s, tp_message *message, const char *problem);
 
 /* Values for symbols that nothing else gives one, for examples of what a formula comes to: weights
- * are areas, r is a fiftieth of the block's width, alpha 20 degrees. False when memory is exhausted.
- */
+ * are areas, r is a fiftieth of the block's width, alpha 20 degrees, i 10 without a block. False
+ * when memory is exhausted. */
 TP_MUST_USE bool tp_quantities_example_values(tp_subject *s);
 
 /* Moments x, y of a weight about the sharp corner, brought to the axis where rounding puts it. */

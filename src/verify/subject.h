@@ -91,7 +91,7 @@ struct tp_subject {
   tp_name *names;
 };
 
-enum { TP_ANGLE_ALPHA, TP_ANGLE_I };
+enum { TP_ANGLE_ALPHA, TP_ANGLE_I, TP_OWN_ANGLES };
 
 TP_MUST_USE tp_status tp_subject_init(tp_subject *subject, const tp_subject_options *options,
                                       tp_place place, tp_message *message);
@@ -116,6 +116,13 @@ TP_MUST_USE tp_status tp_subject_name(const tp_name **name, tp_subject *subject,
 
 /* Bring a formula to its normal form under sin^2 + cos^2 = 1. */
 void tp_subject_reduce(fmpz_mpoly_q_t formula, const tp_subject *subject);
+
+/* Parts of the initialisation, and of its reverse: the polynomials `ones`; all permanent names; the
+ * names after the first `keep` taken away. */
+TP_MUST_USE bool tp_subject_init_ones(tp_subject *subject);
+TP_MUST_USE tp_status tp_subject_add_names(tp_subject *subject, const tp_subject_options *options,
+                                           tp_place place, tp_message *message);
+void tp_subject_drop_names(tp_subject *subject, long keep);
 
 /* The quantities that a block offers, as part of its initialisation; false when memory is
  * exhausted. */

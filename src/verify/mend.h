@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the search for a mend tries: other texts of a formula. */
+
+#ifndef TP_MEND_H
+#define TP_MEND_H
+
+#include "verify/decide.h"
+
+/* The name of the unknown in a text, spelt like no name of a paper. */
+#define TP_MEND_UNKNOWN "the_mended_number"
+
+/* The text of a formula with [begin, end) replaced; NULL when memory is exhausted. */
+char *tp_mend_replaced(const tp_formula *formula, int begin, int end, const char *by);
+
+/* Printed minus derived for another text; false where it cannot be formed. */
+bool tp_mend_difference(fmpz_mpoly_q_t difference, const char *text, const tp_question *question);
+
+/* The rational numbers for which a text with the unknown in it may be an identity: new memory, the
+ * caller clears and frees it. -1 when memory is exhausted. */
+long tp_mend_solve(fmpq **roots, const char *text, const tp_question *question);
+
+#endif

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The names that formulas about a subject may use. */
+
+#include "verify/evaluate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+long tp_subject_find(const void *subject, const char *name, size_t length) {
+  const tp_subject *s = subject;
+  for (long k = s->name_count - 1; k >= 0; k--) {
+    if (strlen(s->names[k].text) == length && strncmp(s->names[k].text, name, length) == 0) {
+      return k;
+    }
+  }
+  return -1;
+}
+
+bool tp_subject_is_angle(const void *subject, long index) {
+  const tp_subject *s = subject;
+  const tp_name *name = s->names + index;
+  if (name->kind != TP_NAME_DEFINITION) return name->kind != TP_NAME_FORMULA;
+  for (long k = 0; k < name->definition.count; k++) { /* 90 - i, an arctangent */
+    const tp_formula_node *n = name->definition.nodes + k;
+    if (n->kind == TP_FORMULA_NAME && !tp_subject_is_angle(s, n->name)) return false;
+    if (n->kind == TP_FORMULA_CALL) return n->function == TP_FUNCTION_ATAN;
+  }
+  return true;
+}
+
+tp_vocabulary tp_subject_vocabulary(const tp_subject *s) {
+  return (tp_vocabulary){tp_subject_find, tp_subject_is_angle, s};
+}
+
+tp_name *tp_subject_add_name(tp_subject *s, const char *text, tp_name_kind kind) {
+  if (s->name_count == s->name_capacity) {
+    const long capacity = 2 * s->name_capacity + 64;
+    tp_name *names = realloc(s->names, (size_t)capacity * sizeof *names);
+    if (names == NULL) return NULL;
+    s->names = names;
+    s->name_capacity = capacity;
+  }
+  tp_name *name = s->names + s->name_count;
+  *name = (tp_name){.kind = kind, .text = strdup(text), .ready = true};
+  if (name->text == NULL) return NULL;
+  fmpz_mpoly_q_init(name->value, s->field->ring);
+  fmpz_mpoly_q_init(name->run, s->field->ring);
+  s->name_count++;
+  return name;
+}
+
+void tp_subject_drop_names(tp_subject *s, long keep) {
+  while (s->name_count > keep) {
+    tp_name *name = s->names + --s->name_count;
+    tp_formula_clear(&name->definition);
+    free(name->used);
+    fmpz_mpoly_q_clear(name->value, s->field->ring);
+    fmpz_mpoly_q_clear(name->run, s->field->ring);
+    free(name->text);
+  }
+}
+
+void tp_subject_forget(tp_subject *subject) {
+  tp_subject_drop_names(subject, subject->permanent);
+}
+
+tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, tp_place place,
+                            tp_message *message) {
+  char spelt[128];
+  const size_t used = tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
+  if (used == 0 || name[used] != '\0') {
+    return tp_fail(message, TP_BAD_INPUT, place, "'%.40s' cannot be a name", name);
+  }
+  tp_formula definition;
+  const tp_vocabulary vocabulary = tp_subject_vocabulary(s);
+  const tp_status status = tp_formula_read(&definition, text, place, &vocabulary, message);
+  if (status != TP_OK) return status;
+  tp_name *added = tp_subject_add_name(s, spelt, TP_NAME_DEFINITION);
+  if (added == NULL) {
+    tp_formula_clear(&definition);
+    return tp_fail_memory(message, "a definition");
+  }
+  added->definition = definition;
+  added->ready = false;
+  added->used = calloc((size_t)s->field->symbol_count, sizeof *added->used);
+  if (added->used == NULL) return tp_fail_memory(message, "a definition");
+  return tp_evaluate_used(added->used, &added->definition, s, message);
+}
+
+tp_status tp_subject_name(const tp_name **name, tp_subject *s, long index, tp_message *message) {
+  tp_name *found = s->names + index;
+  if (!found->ready && found->kind != TP_NAME_DEFINITION) {
+    const tp_status status = found->rule(found->value, found->run, s, message);
+    if (status != TP_OK) return status;
+    tp_subject_reduce(found->value, s);
+    tp_subject_reduce(found->run, s);
+    found->ready = true;
+  }
+  *name = found;
+  return TP_OK;
+}
+
+static bool add_symbol_name(tp_subject *s, long symbol) {
+  tp_name *name = tp_subject_add_name(s, s->field->names[symbol], TP_NAME_FORMULA);
+  if (name != NULL) fmpz_mpoly_q_gen(name->value, symbol, s->field->ring);
+  return name != NULL;
+}
+
+static bool add_angle_name(tp_subject *s, long angle) {
+  tp_name *name = tp_subject_add_name(s, s->field->names[s->angles[angle].degrees], TP_NAME_ANGLE);
+  if (name != NULL) name->angle = angle;
+  return name != NULL;
+}
+
+/* The names of the program itself, then those of the claims file, then those of the scene; none of
+ * the latter may hide one of the former. */
+tp_status tp_subject_add_names(tp_subject *s, const tp_subject_options *options, tp_place place,
+                               tp_message *message) {
+  const tp_field *field = s->field;
+  const long parameters = field->parameters->count;
+  bool done = true;
+  for (long k = 0; k < TP_OWN_ANGLES && done; k++) done = add_angle_name(s, k);
+  for (long k = 0; k < s->weight_count && done; k++) done = add_symbol_name(s, s->first_weight + k);
+  done = done && add_symbol_name(s, s->length) && add_symbol_name(s, parameters) &&
+         (s->scene == NULL || tp_quantities_add(s));
+  const long ours = s->name_count;
+  long symbol = s->first_weight + s->weight_count, angle = TP_OWN_ANGLES;
+  for (long d = 0; d < options->declared_count && done; d++) {
+    const bool is_angle = options->declared[d].angle;
+    done = is_angle ? add_angle_name(s, angle++) : add_symbol_name(s, symbol);
+    symbol += is_angle ? 3 : 1;
+  }
+  const long declared = s->name_count;
+  for (long k = 0; k < parameters && done; k++) {
+    tp_name *name = tp_subject_add_name(s, field->parameters->names[k], TP_NAME_FORMULA);
+    done = name != NULL;
+    if (done) fmpz_mpoly_q_set(name->value, field->values + k, field->ring);
+  }
+  if (!done) return tp_fail_memory(message, "the symbols");
+  for (long k = ours; k < s->name_count; k++) {
+    for (long j = 0; j < k && j < declared; j++) {
+      if (strcmp(s->names[j].text, s->names[k].text) != 0) continue;
+      return tp_fail(message, TP_BAD_INPUT, place,
+                     "'%.40s' is %s; rename the %s '%.40s' of this geometry", s->names[k].text,
+                     j < ours ? "a name that claims use for something else" : "declared already",
+                     k < declared ? "symbol" : "parameter", s->names[k].text);
+    }
+  }
+  return TP_OK;
+}
