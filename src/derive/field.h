@@ -66,6 +66,10 @@ void tp_field_count_symbol(fmpz_mpoly_q_t value, const tp_field *field);
  * The count symbol and those of the caller have no value and must not occur. */
 bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field);
 
+/* The same where each symbol of the field takes the value given. */
+bool tp_field_evaluate_at(fmpq_t value, const fmpz_mpoly_q_t formula, const fmpq *symbols,
+                          const tp_field *field);
+
 /* Its value where each symbol takes its ball; not finite where the denominator may vanish. */
 void tp_field_evaluate_ball(arb_t value, const fmpz_mpoly_q_t formula, arb_srcptr symbols,
                             const tp_field *field, long bits);

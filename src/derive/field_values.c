@@ -5,8 +5,9 @@
 
 #include "derive/field.h"
 
-static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial,
-                                const tp_field *field) {
+/* The first `count` symbols take values; others are taken for 1. */
+static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial, const fmpq *values,
+                                long count, const tp_field *field) {
   fmpq_t term, factor;
   fmpq_init(term);
   fmpq_init(factor);
@@ -14,10 +15,10 @@ static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial,
   for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
     fmpq_one(term);
     fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), polynomial, t, field->ring);
-    for (long k = 0; k < field->parameters->count; k++) {
+    for (long k = 0; k < count; k++) {
       const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
       if (exponent == 0) continue;
-      fmpq_pow_si(factor, field->parameters->values + k, exponent);
+      fmpq_pow_si(factor, values + k, exponent);
       fmpq_mul(term, term, factor);
     }
     fmpq_add(value, value, term);
@@ -26,15 +27,25 @@ static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial,
   fmpq_clear(factor);
 }
 
-bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field) {
+static bool evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const fmpq *values, long count,
+                     const tp_field *field) {
   fmpq_t below;
   fmpq_init(below);
-  evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), field);
-  evaluate_polynomial(below, fmpz_mpoly_q_denref(formula), field);
+  evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), values, count, field);
+  evaluate_polynomial(below, fmpz_mpoly_q_denref(formula), values, count, field);
   const bool defined = !fmpq_is_zero(below);
   if (defined) fmpq_div(value, value, below);
   fmpq_clear(below);
   return defined;
+}
+
+bool tp_field_evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const tp_field *field) {
+  return evaluate(value, formula, field->parameters->values, field->parameters->count, field);
+}
+
+bool tp_field_evaluate_at(fmpq_t value, const fmpz_mpoly_q_t formula, const fmpq *symbols,
+                          const tp_field *field) {
+  return evaluate(value, formula, symbols, field->symbol_count, field);
 }
 
 static void evaluate_polynomial_ball(arb_t value, const fmpz_mpoly_t polynomial, arb_srcptr symbols,

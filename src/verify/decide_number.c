@@ -3,10 +3,11 @@
 
 /* Verdicts on printed numbers.
  *
- * With d printed decimals and m the printed number times 10^d, a whole number, the printed digits
- * are the rounding of x if |10^d x - m| <= 1/2, and its truncation if 10^d x lies between m and the
- * next whole number away from zero. The computed value is enclosed, and enclosed more tightly until
- * this is decided. A relation, as in `< 0.1`, is decided in the same way. */
+ * The printed digits are the rounding of x if x lies within half a unit of the last of them, and
+ * its truncation if it lies between them and the next number away from zero with as many decimals.
+ * The computed value is enclosed, and enclosed more tightly until this is decided. A relation, as
+ * in
+ * `< 0.1`, is decided in the same way. */
 
 #include "verify/decide.h"
 
@@ -14,6 +15,7 @@
 #include "number/ratio.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { FIRST_BITS = 128, MOST_BITS = 8192 };
@@ -79,61 +81,117 @@ static int side_of(const arb_t x, const fmpq_t bound, long bits) {
   return side;
 }
 
-/* Does x lie in [low, high]: 1 yes, -1 no, 0 not known. A ball within rounding of an end that is a
- * value of x itself is not told apart from it. */
+/* Does x lie in [low, high]: 1 yes, -1 no, 0 not known? */
 static int within(const arb_t x, const fmpq_t low, const fmpq_t high, long bits) {
   const int left = side_of(x, low, bits), right = side_of(x, high, bits);
   if (left < 0 || right > 0) return -1;
   return left > 0 && right < 0 ? 1 : 0;
 }
 
-/* 10^decimals x against m. */
-static bool decide_digits(tp_verdict *verdict, const arb_t x, const printed_number *p, long bits) {
-  arb_t scaled;
-  fmpq_t m, low, high, half;
-  arb_init(scaled);
-  fmpq_init(m);
-  fmpq_init(low);
-  fmpq_init(high);
-  fmpq_init(half);
+/* The numbers whose rounding, or truncation, to its decimals the printed number is. */
+static void set_intervals(fmpq_t least, fmpq_t most, fmpq_t inner, fmpq_t outer,
+                          const printed_number *p) {
+  fmpq_t unit, half;
   fmpz_t power;
+  fmpq_init(unit);
+  fmpq_init(half);
   fmpz_init(power);
-  fmpz_ui_pow_ui(power, 10, (ulong)(p->decimals < 0 ? -p->decimals : p->decimals));
+  fmpz_ui_pow_ui(power, 10, (ulong)labs(p->decimals));
+  fmpq_one(unit);
   if (p->decimals < 0) {
-    fmpq_div_fmpz(m, p->value, power);
-    arb_div_fmpz(scaled, x, power, bits);
+    fmpq_mul_fmpz(unit, unit, power);
   } else {
-    fmpq_mul_fmpz(m, p->value, power);
-    arb_mul_fmpz(scaled, x, power, bits);
+    fmpq_div_fmpz(unit, unit, power);
   }
-  fmpq_set_si(half, 1, 2);
-  fmpq_sub(low, m, half);
-  fmpq_add(high, m, half);
-  const int rounds = within(scaled, low, high, bits);
-  fmpq_set(low, m);
-  fmpq_set(high, m);
-  fmpq_set_si(half, 1, 1);
-  if (fmpq_sgn(m) >= 0) fmpq_add(high, m, half);
-  if (fmpq_sgn(m) <= 0) fmpq_sub(low, m, half);
-  const int cuts = within(scaled, low, high, bits);
+  fmpq_div_2exp(half, unit, 1);
+  fmpq_sub(least, p->value, half);
+  fmpq_add(most, p->value, half);
+  fmpq_set(inner, p->value);
+  fmpq_set(outer, p->value);
+  if (fmpq_sgn(p->value) >= 0) fmpq_add(outer, outer, unit);
+  if (fmpq_sgn(p->value) <= 0) fmpq_sub(inner, inner, unit);
+  fmpq_clear(unit);
+  fmpq_clear(half);
+  fmpz_clear(power);
+}
+
+static bool decide_digits(tp_verdict *verdict, const arb_t x, const printed_number *p, long bits) {
+  fmpq_t least, most, inner, outer;
+  fmpq_init(least);
+  fmpq_init(most);
+  fmpq_init(inner);
+  fmpq_init(outer);
+  set_intervals(least, most, inner, outer, p);
+  const int rounds = within(x, least, most, bits), cuts = within(x, inner, outer, bits);
   *verdict = rounds > 0 ? TP_VERDICT_AGREES
              : cuts > 0 ? TP_VERDICT_TRUNCATED
                         : TP_VERDICT_DISAGREES;
-  fmpz_clear(power);
-  fmpq_clear(m);
-  fmpq_clear(low);
-  fmpq_clear(high);
-  fmpq_clear(half);
-  arb_clear(scaled);
+  fmpq_clear(least);
+  fmpq_clear(most);
+  fmpq_clear(inner);
+  fmpq_clear(outer);
   return rounds > 0 || (rounds < 0 && cuts != 0);
+}
+
+static bool is_below(const printed_number *p) {
+  return p->relation == '<' || p->relation == 'l';
 }
 
 static bool decide_once(tp_verdict *verdict, const arb_t x, const printed_number *p, long bits) {
   if (p->relation == '=') return decide_digits(verdict, x, p, bits);
   const int side = side_of(x, p->value, bits);
-  const bool below = p->relation == '<' || p->relation == 'l';
-  *verdict = (side < 0) == below ? TP_VERDICT_AGREES : TP_VERDICT_DISAGREES;
+  *verdict = (side < 0) == is_below(p) ? TP_VERDICT_AGREES : TP_VERDICT_DISAGREES;
   return side != 0;
+}
+
+/* Does the quantity take a rational value at the sample, without sines and cosines? */
+static tp_status exact_value(fmpq_t x, bool *exact, const tp_question *q) {
+  const tp_subject *s = q->subject;
+  fmpz_mpoly_q_t formula;
+  fmpz_mpoly_q_init(formula, s->field->ring);
+  tp_status status = tp_evaluate_field(formula, exact, q->quantity, q->subject, q->message);
+  int *used = calloc((size_t)s->field->symbol_count, sizeof *used);
+  if (used == NULL) status = tp_fail_memory(q->message, "a number");
+  if (status == TP_OK && *exact) {
+    fmpz_mpoly_q_used_vars(used, formula, s->field->ring);
+    for (long k = 0; k < s->angle_count; k++) {
+      if (used[s->angles[k].sine] || used[s->angles[k].cosine]) *exact = false;
+    }
+    if (used[s->angles[TP_ANGLE_I].degrees]) *exact = false;
+    *exact = *exact && tp_field_evaluate_at(x, formula, q->sample->values, s->field);
+  }
+  free(used);
+  fmpz_mpoly_q_clear(formula, s->field->ring);
+  return status;
+}
+
+/* What no enclosure tells apart: a rational value that is exactly half-way, or the bound of a
+ * relation. Half-way is the rounding of both its neighbours. */
+static tp_status decide_tie(tp_verdict *verdict, const printed_number *p, const tp_question *q) {
+  fmpq_t x;
+  bool exact = false;
+  fmpq_init(x);
+  const tp_status status = exact_value(x, &exact, q);
+  *verdict = TP_VERDICT_UNDECIDED;
+  if (status == TP_OK && exact && p->relation == '=') {
+    fmpq_t least, most, inner, outer;
+    fmpq_init(least);
+    fmpq_init(most);
+    fmpq_init(inner);
+    fmpq_init(outer);
+    set_intervals(least, most, inner, outer, p);
+    const bool rounds = fmpq_cmp(x, least) >= 0 && fmpq_cmp(x, most) <= 0;
+    *verdict = rounds ? TP_VERDICT_AGREES : TP_VERDICT_DISAGREES;
+    fmpq_clear(least);
+    fmpq_clear(most);
+    fmpq_clear(inner);
+    fmpq_clear(outer);
+  } else if (status == TP_OK && exact) {
+    const bool equal = p->relation == 'l' || p->relation == 'g';
+    *verdict = equal ? TP_VERDICT_AGREES : TP_VERDICT_DISAGREES;
+  }
+  fmpq_clear(x);
+  return status;
 }
 
 tp_status tp_decide_number(tp_claim_result *result, const tp_question *q) {
@@ -158,7 +216,7 @@ tp_status tp_decide_number(tp_claim_result *result, const tp_question *q) {
     if (status == TP_OK) decided = decide_once(&result->verdict, x, &p, bits);
   }
   if (status == TP_OK) {
-    if (!decided) result->verdict = TP_VERDICT_UNDECIDED;
+    if (!decided) status = decide_tie(&result->verdict, &p, q);
     result->has_values = true;
     result->computed = tp_ball_bounded(x);
     arb_set_fmpq(x, p.value, FIRST_BITS);
