@@ -47,6 +47,18 @@ typedef struct tp_derived_pivot {
   tp_fraction normal_stabilising, parallel_stabilising, normal_overturning, parallel_overturning;
 } tp_derived_pivot;
 
+/* The corner at the governing pivot of one direction, rounded (Appendix B): the axis moves along
+ * the facet up-dip by the length r, with the mass kept. In the scene's parameters, r, sin(i) and
+ * cos(i) with i the angle of that facet, and tan(alpha). */
+typedef struct tp_derived_rounding {
+  bool known;
+  tp_pivot_kind kind;
+  tp_fraction tangent; /* of the critical angle; FoS is tangent cot(alpha) */
+  tp_fraction length;  /* the r at which the block topples at alpha, (A2.4) */
+  bool has_radius;     /* the side at the corner is normal to the base */
+  tp_fraction radius;  /* the r_c that this r belongs to, (A2.6) */
+} tp_derived_rounding;
+
 typedef struct tp_derivation {
   char *title;
   tp_notation notation;
@@ -57,11 +69,13 @@ typedef struct tp_derivation {
   tp_derived_pivot *pivots;
   size_t element_count;            /* 0 unless asked for */
   tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
+  tp_derived_rounding rounded[2];  /* by direction; where asked for */
 } tp_derivation;
 
 typedef struct tp_derive_options {
   tp_notation notation;
   bool elements; /* derive the elements form and list its elements */
+  bool rounded;  /* round the corners at the governing pivots */
 } tp_derive_options;
 
 tp_derive_options tp_derive_options_default(void);

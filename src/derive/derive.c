@@ -3,7 +3,7 @@
 
 /* The closed formulas of a scene. */
 
-#include "derive/model.h"
+#include "derive/derive_rounding.h"
 #include "derive/notation.h"
 #include "number/ball.h"
 
@@ -39,6 +39,7 @@ void tp_derivation_free(tp_derivation *derivation) {
   for (size_t k = 0; k < derivation->pivot_count; k++) free_pivot(derivation->pivots + k);
   free(derivation->pivots);
   for (int d = 0; d < 2; d++) {
+    tp_derived_rounding_free(derivation->rounded + d);
     for (size_t k = 0; derivation->elements[d] != NULL && k < derivation->element_count; k++) {
       tp_notation_free(&derivation->elements[d][k].area);
       tp_notation_free(&derivation->elements[d][k].normal_arm);
@@ -183,20 +184,29 @@ static tp_status list_elements(work *w, const tp_case *own) {
   return TP_OK;
 }
 
-static tp_status derive_pivots(work *w, bool elements) {
+static tp_status derive_case(work *w, const tp_case *own, const tp_derive_options *options) {
+  const size_t points = (size_t)w->model.problem.contact.point_count;
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < points && status == TP_OK; k++) {
+    status = derive_pivot(w, w->out->pivots + w->out->pivot_count++, own, k, options->elements);
+  }
+  if (!own->has_governing) return status;
+  if (status == TP_OK && options->elements) status = list_elements(w, own);
+  if (status == TP_OK && options->rounded) {
+    status = tp_derive_rounding(w->out->rounded + own->towards, &w->model, own, options->notation,
+                                &w->failed, w->message);
+  }
+  return status;
+}
+
+static tp_status derive_pivots(work *w, const tp_derive_options *options) {
   const tp_solution *solution = w->model.solution;
   const size_t points = (size_t)w->model.problem.contact.point_count;
   w->out->pivots = calloc(points * solution->case_count + 1, sizeof *w->out->pivots);
   if (w->out->pivots == NULL) return tp_fail_memory(w->message, "the pivots");
   tp_status status = TP_OK;
   for (size_t c = 0; c < solution->case_count && status == TP_OK; c++) {
-    for (size_t k = 0; k < points && status == TP_OK; k++) {
-      status =
-          derive_pivot(w, w->out->pivots + w->out->pivot_count++, solution->cases + c, k, elements);
-    }
-    if (status == TP_OK && elements && solution->cases[c].has_governing) {
-      status = list_elements(w, solution->cases + c);
-    }
+    status = derive_case(w, solution->cases + c, options);
   }
   return status;
 }
@@ -211,17 +221,22 @@ static tp_status fill(work *w, const tp_derive_options *options) {
   out->symbol_count = tp_field_list_symbols(&out->symbols, &w->model.symbols.field);
   if (title != NULL) out->title = strdup(title);
   if (out->symbols == NULL || (title != NULL && out->title == NULL)) w->failed = true;
-  const tp_status status = derive_pivots(w, options->elements);
+  const tp_status status = derive_pivots(w, options);
   return status == TP_OK && w->failed ? tp_fail_memory(w->message, "the formulas") : status;
 }
 
 tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
                     const tp_derive_options *options, tp_message *message) {
+  if (options->rounded) {
+    const tp_status status = tp_derive_rounding_check(scene, message);
+    if (status != TP_OK) return status;
+  }
   tp_derivation *out = calloc(1, sizeof *out);
   if (out == NULL) return tp_fail_memory(message, "the derivation");
   out->notation = options->notation;
   work w = {.out = out, .message = message};
-  tp_status status = tp_model_init(&w.model, scene, options->elements, NULL, message);
+  tp_status status = tp_model_init(&w.model, scene, options->elements,
+                                   options->rounded ? &tp_derive_rounding_symbols : NULL, message);
   if (status == TP_OK) {
     status = fill(&w, options);
     tp_model_clear(&w.model);

@@ -8,7 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* sin(i) and the like are symbols too. */
 static void add_latex_name(FILE *out, const char *name) {
+  const char *bracket = strchr(name, '(');
+  if (bracket != NULL) {
+    const int argument = (int)strlen(bracket + 1) - 1;
+    fprintf(out, "\\%.*s %s%.*s", (int)(bracket - name), name, argument > 1 ? "\\" : "", argument,
+            bracket + 1);
+    return;
+  }
   if (strlen(name) == 1) {
     fputs(name, out);
     return;
@@ -31,7 +39,9 @@ static void add_factor(FILE *out, const char *name, slong exponent, bool first,
     break;
   case TP_NOTATION_LATEX:
     if (!first) fputs(" ", out);
+    if (exponent > 1 && strchr(name, '(') != NULL) fputs("(", out);
     add_latex_name(out, name);
+    if (exponent > 1 && strchr(name, '(') != NULL) fputs(")", out);
     if (exponent > 1) fprintf(out, "^{%ld}", (long)exponent);
     break;
   case TP_NOTATION_C:

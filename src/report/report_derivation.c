@@ -69,6 +69,18 @@ static void add_text_pivot(tp_text *t, const tp_derived_pivot *p) {
   }
 }
 
+static void add_text_rounding(tp_text *t, const tp_derived_rounding *r, tp_direction towards) {
+  if (!r->known) return;
+  tp_text_add(
+      t,
+      "\nRounded corner: the axis moves from the governing %s, towards the %s, up-dip along\n"
+      "its facet, of angle i, by r; the mass is kept\n  tan(alpha_crit) = %s\n"
+      "  toppling at alpha: r = %s\n",
+      tp_text_pivot_kind(r->kind), tp_text_direction(towards), r->tangent.formula,
+      r->length.formula);
+  if (r->has_radius) tp_text_add(t, "  of radius r_c = %s\n", r->radius.formula);
+}
+
 static void write_text(tp_text *t, const tp_derivation *d) {
   add_heading(t, d);
   tp_text_add(t,
@@ -79,6 +91,20 @@ static void write_text(tp_text *t, const tp_derivation *d) {
   for (size_t k = 0; k < d->pivot_count; k++) add_text_pivot(t, d->pivots + k);
   add_elements(t, d, TP_TOWARDS_LEFT);
   add_elements(t, d, TP_TOWARDS_RIGHT);
+  add_text_rounding(t, d->rounded + TP_TOWARDS_LEFT, TP_TOWARDS_LEFT);
+  add_text_rounding(t, d->rounded + TP_TOWARDS_RIGHT, TP_TOWARDS_RIGHT);
+}
+
+static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
+  for (int k = 0; k < 2; k++) {
+    const tp_derived_rounding *r = d->rounded + k;
+    if (!r->known) continue;
+    tp_text_add(t, "%% the corner at the governing %s, towards the %s, rounded\n",
+                tp_text_pivot_kind(r->kind), tp_text_direction((tp_direction)k));
+    tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n\\[ r = %s \\]\n",
+                r->tangent.formula, r->length.formula);
+    if (r->has_radius) tp_text_add(t, "\\[ r_c = %s \\]\n", r->radius.formula);
+  }
 }
 
 static void write_latex(tp_text *t, const tp_derivation *d) {
@@ -103,6 +129,7 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
                   p->normal_overturning.formula, p->parallel_overturning.formula);
     }
   }
+  add_latex_rounding(t, d);
 }
 
 static void add_arguments(tp_text *t, const tp_derivation *d, const char *first) {
@@ -132,6 +159,30 @@ static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
       p->parallel_overturning.formula);
 }
 
+/* Angles in radians. */
+static void add_c_rounding(tp_text *t, const tp_derivation *d) {
+  for (int k = 0; k < 2; k++) {
+    const tp_derived_rounding *r = d->rounded + k;
+    const char *side = tp_text_direction((tp_direction)k);
+    if (!r->known) continue;
+    tp_text_add(
+        t,
+        "\n/* the corner at the governing %s, towards the %s, rounded by r along its facet of "
+        "angle i */\ndouble tan_critical_angle_rounded_%s",
+        tp_text_pivot_kind(r->kind), side, side);
+    add_arguments(t, d, "double r, double i");
+    tp_text_add(t, "  (void)i; /* of a level facet it is 0 */\n  return %s;\n}\n",
+                r->tangent.formula);
+    tp_text_add(t, "\ndouble rounding_length_%s", side);
+    add_arguments(t, d, "double alpha, double i");
+    tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->length.formula);
+    if (!r->has_radius) continue;
+    tp_text_add(t, "\ndouble corner_radius_%s", side);
+    add_arguments(t, d, "double alpha, double i");
+    tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->radius.formula);
+  }
+}
+
 static void write_c(tp_text *t, const tp_derivation *d) {
   tp_text_add(t, "/* ");
   add_heading(t, d);
@@ -139,6 +190,7 @@ static void write_c(tp_text *t, const tp_derivation *d) {
   add_arguments(t, d, "");
   tp_text_add(t, "  return %s;\n}\n", d->area.formula);
   for (size_t k = 0; k < d->pivot_count; k++) add_c_pivot(t, d, k);
+  add_c_rounding(t, d);
 }
 
 tp_status tp_report_derivation(char **text, const tp_derivation *derivation) {

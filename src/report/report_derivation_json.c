@@ -40,6 +40,29 @@ static void add_pivot(tp_text *t, const tp_derived_pivot *p) {
   tp_text_add(t, "}");
 }
 
+/* Where rounded corners were asked for. */
+static void add_rounded(tp_text *t, const tp_derivation *d) {
+  const char *separator = ",\n  \"rounded\": [\n    ";
+  bool any = false;
+  for (int k = 0; k < 2; k++) {
+    const tp_derived_rounding *r = d->rounded + k;
+    if (!r->known) continue;
+    tp_text_add(t, "%s{\"towards\": \"%s\", \"kind\": \"%s\",\n     ", separator,
+                tp_text_direction((tp_direction)k), tp_text_pivot_kind(r->kind));
+    tp_json_fraction(t, "tan_critical_angle", &r->tangent);
+    tp_text_add(t, ",\n     ");
+    tp_json_fraction(t, "rounding_length", &r->length);
+    if (r->has_radius) {
+      tp_text_add(t, ",\n     ");
+      tp_json_fraction(t, "corner_radius", &r->radius);
+    }
+    tp_text_add(t, "}");
+    separator = ",\n    ";
+    any = true;
+  }
+  if (any) tp_text_add(t, "\n  ]");
+}
+
 tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation) {
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"symbols\": [", TP_VERSION);
@@ -58,6 +81,8 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
     add_pivot(&t, derivation->pivots + k);
     tp_text_add(&t, "%s\n", k + 1 < derivation->pivot_count ? "," : "");
   }
-  tp_text_add(&t, "  ]\n}\n");
+  tp_text_add(&t, "  ]");
+  add_rounded(&t, derivation);
+  tp_text_add(&t, "\n}\n");
   return tp_text_finish(&t, text);
 }

@@ -44,6 +44,10 @@ tp_status tp_text_finish(tp_text *text, char **result) {
   return TP_OK;
 }
 
+static void drop_minus_of_zero(char *number) {
+  if (number[0] == '-' && strtod(number, NULL) == 0) memmove(number, number + 1, strlen(number));
+}
+
 static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digits, int least,
                            const char *format) {
   char low[TP_NUMBER_SIZE], high[TP_NUMBER_SIZE];
@@ -58,10 +62,11 @@ static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digi
   for (; digits >= least; digits--) {
     snprintf(low, sizeof low, format, digits, below);
     snprintf(high, sizeof high, format, digits, above);
+    drop_minus_of_zero(low);
+    drop_minus_of_zero(high);
     if (strcmp(low, high) == 0) break;
   }
   snprintf(out, TP_NUMBER_SIZE, digits >= least ? "%s" : "uncertain", low);
-  if (strtod(out, NULL) == 0 && out[0] == '-') memmove(out, out + 1, strlen(out)); /* no -0 */
   return out;
 }
 

@@ -29,6 +29,10 @@ TP_MUST_USE tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly
                                            bool *rational, bool *tangents,
                                            const tp_question *question);
 
+/* A formula in writing: by the tangent of an angle where sine and cosine come in no other way. */
+TP_MUST_USE tp_status tp_decide_write(char **text, const fmpz_mpoly_q_t formula,
+                                      const tp_question *question);
+
 /* The smallest change of one sign, coefficient, exponent or name that makes a refuted formula an
  * identity; none where none is found. */
 TP_MUST_USE tp_status tp_mend_find(tp_claim_result *result, const tp_question *question);

@@ -9,7 +9,6 @@
  * two enclosures that do not meet refute the claim; if all meet it agrees to as many digits as they
  * are narrow, and is not called proven. */
 
-#include "derive/notation.h"
 #include "verify/decide.h"
 
 #include "number/ball.h"
@@ -50,15 +49,6 @@ tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *d
   }
   fmpz_mpoly_q_clear(value, ring);
   return status;
-}
-
-static tp_status write(char **text, const fmpz_mpoly_q_t formula, const tp_question *q) {
-  bool failed = false;
-  tp_fraction fraction = tp_notation_write(formula, q->subject->field, TP_NOTATION_TEXT, &failed);
-  *text = fraction.formula;
-  fraction.formula = NULL;
-  tp_notation_free(&fraction);
-  return failed ? tp_fail_memory(q->message, "a formula") : TP_OK;
 }
 
 /* Both sides at a sample. */
@@ -175,14 +165,14 @@ static tp_status decide_at_points(tp_claim_result *result, const tp_question *q)
 
 static tp_status decide_identity(tp_claim_result *result, const fmpz_mpoly_q_t difference,
                                  const fmpz_mpoly_q_t derived, const tp_question *q) {
-  tp_status status = write(&result->derived, derived, q);
+  tp_status status = tp_decide_write(&result->derived, derived, q);
   if (status != TP_OK) return status;
   if (fmpz_mpoly_q_is_zero(difference, q->subject->field->ring)) {
     result->verdict = TP_VERDICT_PROVEN;
     return TP_OK;
   }
   result->verdict = TP_VERDICT_REFUTED;
-  status = write(&result->difference, difference, q);
+  status = tp_decide_write(&result->difference, difference, q);
   if (status == TP_OK) status = find_witness(result, q);
   return status == TP_OK ? tp_mend_find(result, q) : status;
 }

@@ -177,6 +177,46 @@ class Derive(unittest.TestCase):
         angle = ctypes.c_double(math.atan(float(tangent)))
         self.assertAlmostEqual(c.fos_elements_1(angle, a, b, depth), 1, delta=1e-14)
 
+    def test_rounded(self):
+        """--rounded, the C of it compiled: at the length r that it says lets block E go at alpha, the
+        critical angle about the moved axis, by exact moments, is alpha; r_c = r tan(theta/2), theta
+        the corner's angle. Towards the peak it is (A2.4) and (A2.6), towards the valley (A2.10)."""
+        compiler = shutil.which("cc")
+        for end, slope in (("peak", -1), ("valley", 1)):
+            self.scene.write_text(TEETH % (3, end))
+            status, out, err = run("derive", "--c", "--rounded", self.scene)
+            self.assertEqual((status, err), (0, ""))
+            source, library = self.scene.with_suffix(".c"), self.scene.with_suffix(f".{end}.so")
+            source.write_text(out)
+            subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source,
+                            "-o", library, "-lm"], check=True)
+            c = ctypes.CDLL(str(library))
+            for name in ("rounding_length", "corner_radius", "tan_critical_angle_rounded"):
+                getattr(c, f"{name}_left").restype = ctypes.c_double
+            sizes = [ctypes.c_double(v) for v in (30, 120, 5)]
+            i, alpha = math.atan(5 / 30), math.radians(33 if end == "peak" else 31)
+            length = c.rounding_length_left(ctypes.c_double(alpha), ctypes.c_double(i), *sizes)
+            ring = exact.teeth(3, 30, 120, 5, end)
+            gx, gy = exact.centroid(exact.block_moments(ring))
+            x = float(gx - ring[0][0]) - length * math.cos(i)
+            y = float(gy - ring[0][1]) - slope * length * math.sin(i)
+            self.assertGreater(length, 0)
+            self.assertAlmostEqual(math.atan2(x, y), alpha, delta=1e-13)
+            tangent = c.tan_critical_angle_rounded_left(ctypes.c_double(length), ctypes.c_double(i), *sizes)
+            self.assertAlmostEqual(tangent, math.tan(alpha), delta=1e-13)
+            radius = c.corner_radius_left(ctypes.c_double(alpha), ctypes.c_double(i), *sizes)
+            theta = math.pi / 2 - slope * i
+            self.assertAlmostEqual(radius, length * math.tan(theta / 2), delta=1e-12)
+        latex = run("derive", "--latex", "--rounded", self.scene)[1]
+        self.assertIn(r"18 b r \cos i", latex)
+        slab = run("derive", "--json", "--rounded", "examples/paper/slab.yaml")[1]
+        rounded = json.loads(slab)["rounded"][0]  # Eq. (5)
+        self.assertEqual(rounded["tan_critical_angle"], {"numerator": "dx - 2*r", "denominator": "y"})
+        self.scene.write_text(TEETH.replace("{a: 30,", "{r: 1, a: 30,") % (3, "peak"))
+        status, out, err = run("derive", "--rounded", self.scene)
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("need the name 'r' for themselves; rename this parameter", err)
+
     def test_latex(self):
         self.scene.write_text(TEETH % (3, "valley"))
         out = run("derive", "--latex", self.scene)[1]

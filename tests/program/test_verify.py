@@ -114,6 +114,11 @@ class Paper(unittest.TestCase):
         found = {c["id"]: (c["verdict"], c["change"] or "") for c in self.claims}
         self.assertEqual(found, {k: (row["verdict"], row["change"]) for k, row in golden.items()})
 
+    def test_page(self):
+        """docs/paper_verdicts.md is the report as it is printed."""
+        page = (ROOT / "docs" / "paper_verdicts.md").read_text(encoding="utf-8")
+        self.assertEqual(run("verify", "--markdown", CLAIMS)[1], page)
+
     def test_every_equation(self):
         """Every numbered equation of the issue has a claim."""
         places = {c["where"] for c in self.claims}
