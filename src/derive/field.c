@@ -54,7 +54,9 @@ static extent measure(const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) 
     if (fmpz_mpoly_is_zero(halves[k], ctx)) continue;
     e.terms += (double)fmpz_mpoly_length(halves[k], ctx);
     e.bits += (double)labs(fmpz_mpoly_max_bits(halves[k]));
-    e.degree += (double)fmpz_mpoly_total_degree_si(halves[k], ctx);
+    if (halves[k]->bits > 16) { /* exponents in fewer bits are below the bound without a count */
+      e.degree += (double)fmpz_mpoly_total_degree_si(halves[k], ctx);
+    }
   }
   return e;
 }

@@ -22,11 +22,15 @@ typedef struct evaluation {
 
 static tp_status of_formula(arb_t value, evaluation *e, const tp_formula *formula);
 
-/* With `strict`, symbols need values: the angle i of a facet takes its own. */
-static tp_status check_given(const evaluation *e, const int *used, const tp_formula *formula,
+/* Symbols that the formula uses need values: the angle i of a facet takes its own. */
+static tp_status check_given(const evaluation *e, const fmpz_mpoly_q_t f, const tp_formula *formula,
                              const tp_formula_node *node) {
   const tp_subject *s = e->subject;
-  for (long k = 0; e->strict && k < s->field->symbol_count; k++) {
+  int *used = calloc((size_t)s->field->symbol_count, sizeof *used);
+  if (used == NULL) return tp_fail_memory(e->message, "a formula");
+  fmpz_mpoly_q_used_vars(used, f, s->field->ring);
+  tp_status status = TP_OK;
+  for (long k = 0; k < s->field->symbol_count && status == TP_OK; k++) {
     if (!used[k]) continue;
     long symbol = k;
     for (long a = 0; a < s->angle_count; a++) {
@@ -37,18 +41,15 @@ static tp_status check_given(const evaluation *e, const int *used, const tp_form
     char problem[160];
     snprintf(problem, sizeof problem, "this needs a value of '%s': 'at: {%s: …}'",
              s->field->names[symbol], s->field->names[symbol]);
-    return tp_formula_fail(formula, node, e->message, problem);
+    status = tp_formula_fail(formula, node, e->message, problem);
   }
-  return TP_OK;
+  free(used);
+  return status;
 }
 
 static tp_status of_rational(arb_t value, const evaluation *e, const fmpz_mpoly_q_t f,
                              const tp_formula *formula, const tp_formula_node *node) {
-  int *used = calloc((size_t)e->subject->field->symbol_count, sizeof *used);
-  if (used == NULL) return tp_fail_memory(e->message, "a formula");
-  fmpz_mpoly_q_used_vars(used, f, e->subject->field->ring);
-  const tp_status status = check_given(e, used, formula, node);
-  free(used);
+  const tp_status status = e->strict ? check_given(e, f, formula, node) : TP_OK;
   if (status == TP_OK) tp_field_evaluate_ball(value, f, e->symbols, e->subject->field, e->bits);
   return status;
 }

@@ -16,19 +16,43 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { BITS = 64 };
+
 typedef struct search {
   const tp_question *question;
   tp_claim_result *result;
-  double best; /* of the change that is kept: the smaller, the simpler */
-  bool failed; /* memory was exhausted */
+  arb_t derived; /* the quantity at the claim's values */
+  double best;   /* of the change that is kept: the smaller, the simpler */
+  bool failed;   /* memory was exhausted */
 } search;
 
-static bool is_identity(const char *text, const tp_question *q) {
+/* Could the text be an identity? Not if it differs at the claim's values. */
+static bool may_be_identity(const char *text, search *s) {
+  const tp_question *q = s->question;
+  tp_formula formula;
+  tp_message ignored;
+  if (tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored) != TP_OK) {
+    return false;
+  }
+  arb_t value;
+  arb_init(value);
+  const tp_status status =
+      tp_evaluate_ball(value, &formula, q->subject, q->sample, false, BITS, &ignored);
+  const bool differs =
+      arb_is_finite(value) && arb_is_finite(s->derived) && !arb_overlaps(value, s->derived);
+  arb_clear(value);
+  tp_formula_clear(&formula);
+  return status == TP_OK && !differs;
+}
+
+static bool is_identity(const char *text, search *s) {
+  const fmpz_mpoly_ctx_struct *ring = s->question->subject->field->ring;
+  if (!may_be_identity(text, s)) return false;
   fmpz_mpoly_q_t difference;
-  fmpz_mpoly_q_init(difference, q->subject->field->ring);
-  const bool zero = tp_mend_difference(difference, text, q) &&
-                    fmpz_mpoly_q_is_zero(difference, q->subject->field->ring);
-  fmpz_mpoly_q_clear(difference, q->subject->field->ring);
+  fmpz_mpoly_q_init(difference, ring);
+  const bool zero =
+      tp_mend_difference(difference, text, s->question) && fmpz_mpoly_q_is_zero(difference, ring);
+  fmpz_mpoly_q_clear(difference, ring);
   return zero;
 }
 
@@ -38,7 +62,7 @@ static bool try_change(search *s, char *text, double size, const char *change) {
     s->failed = true;
     return false;
   }
-  const bool better = (s->result->mend == NULL || size < s->best) && is_identity(text, s->question);
+  const bool better = (s->result->mend == NULL || size < s->best) && is_identity(text, s);
   if (better) {
     free(s->result->mend);
     free(s->result->change);
@@ -246,6 +270,12 @@ tp_status tp_mend_find(tp_claim_result *result, const tp_question *q) {
   tp_name *x = tp_subject_add_name(q->subject, TP_MEND_UNKNOWN, TP_NAME_FORMULA);
   if (x == NULL) return tp_fail_memory(q->message, "a claim");
   fmpz_mpoly_q_gen(x->value, q->subject->mend, q->subject->field->ring);
-  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0] && result->mend == NULL; k++) kinds[k](&s);
-  return s.failed ? tp_fail_memory(q->message, "a claim") : TP_OK;
+  arb_init(s.derived);
+  const tp_status status =
+      tp_evaluate_ball(s.derived, q->quantity, q->subject, q->sample, false, BITS, q->message);
+  for (size_t k = 0; status == TP_OK && k < sizeof kinds / sizeof kinds[0]; k++) {
+    if (result->mend == NULL) kinds[k](&s);
+  }
+  arb_clear(s.derived);
+  return s.failed ? tp_fail_memory(q->message, "a claim") : status;
 }

@@ -25,6 +25,7 @@ static size_t spell_one(const char **spelt, size_t *length, const char *text, bo
     *length = 1;
     return 1;
   }
+  if (((unsigned char)*text & 0x80) == 0) return 0;
   for (size_t k = 0; k < sizeof letters / sizeof letters[0]; k++) {
     const size_t bytes = strlen(letters[k].letter);
     if (strncmp(text, letters[k].letter, bytes) != 0) continue;

@@ -11,9 +11,8 @@
 long tp_subject_find(const void *subject, const char *name, size_t length) {
   const tp_subject *s = subject;
   for (long k = s->name_count - 1; k >= 0; k--) {
-    if (strlen(s->names[k].text) == length && strncmp(s->names[k].text, name, length) == 0) {
-      return k;
-    }
+    const char *text = s->names[k].text;
+    if (text[0] == name[0] && strncmp(text, name, length) == 0 && text[length] == '\0') return k;
   }
   return -1;
 }
