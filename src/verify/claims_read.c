@@ -147,7 +147,7 @@ static tp_status read_geometry(tp_geometry *g, const tp_claims *claims, const tp
   const char *scene = NULL;
   if (status == TP_OK) status = tp_claims_text(&scene, claims, node, "scene", true, message);
   if (status == TP_OK) status = read_options(&g->options, claims, node, message);
-  if (status != TP_OK) return status;
+  if (status != TP_OK || scene == NULL) return status;
   g->scene = join_path(claims->path, scene);
   if (g->scene == NULL) return tp_fail_memory(message, "the claims");
   g->options.scene = g->scene;

@@ -34,7 +34,8 @@ static const char *skip(const char *text) {
 
 static bool read_printed(printed_number *p, const char *text, const char **problem) {
   text = skip(text);
-  p->relation = *text == '<' || *text == '>' ? *text++ : '=';
+  p->relation = '=';
+  if (*text == '<' || *text == '>') p->relation = *text++;
   if (p->relation != '=' && *text == '=') {
     p->relation = p->relation == '<' ? 'l' : 'g';
     text++;
@@ -147,11 +148,11 @@ static bool decide_once(tp_verdict *verdict, const arb_t x, const printed_number
 /* Does the quantity take a rational value at the sample, without sines and cosines? */
 static tp_status exact_value(fmpq_t x, bool *exact, const tp_question *q) {
   const tp_subject *s = q->subject;
+  int *used = calloc((size_t)s->field->symbol_count, sizeof *used);
+  if (used == NULL) return tp_fail_memory(q->message, "a number");
   fmpz_mpoly_q_t formula;
   fmpz_mpoly_q_init(formula, s->field->ring);
-  tp_status status = tp_evaluate_field(formula, exact, q->quantity, q->subject, q->message);
-  int *used = calloc((size_t)s->field->symbol_count, sizeof *used);
-  if (used == NULL) status = tp_fail_memory(q->message, "a number");
+  const tp_status status = tp_evaluate_field(formula, exact, q->quantity, q->subject, q->message);
   if (status == TP_OK && *exact) {
     fmpz_mpoly_q_used_vars(used, formula, s->field->ring);
     for (long k = 0; k < s->angle_count; k++) {

@@ -216,27 +216,35 @@ static outcome of_nodes(evaluation *e, long end) {
   return result;
 }
 
-static bool begin(evaluation *e) {
-  e->values = malloc((size_t)e->formula->count * sizeof *e->values);
-  if (e->values == NULL) return false;
-  for (long k = 0; k < e->formula->count; k++) fmpz_mpoly_q_init(e->values + k, ring_of(e));
-  return true;
+static fmpz_mpoly_q_struct *new_values(long count, const fmpz_mpoly_ctx_t ring) {
+  fmpz_mpoly_q_struct *values = malloc((size_t)count * sizeof *values);
+  for (long k = 0; values != NULL && k < count; k++) fmpz_mpoly_q_init(values + k, ring);
+  return values;
 }
 
-static void end(evaluation *e) {
-  for (long k = 0; k < e->formula->count; k++) fmpz_mpoly_q_clear(e->values + k, ring_of(e));
-  free(e->values);
+static void free_values(fmpz_mpoly_q_struct *values, long count, const fmpz_mpoly_ctx_t ring) {
+  for (long k = 0; k < count; k++) fmpz_mpoly_q_clear(values + k, ring);
+  free(values);
+}
+
+/* The value of the formula, or with `operand` of what its root is taken of. */
+static tp_status evaluate(fmpz_mpoly_q_t value, bool *rational, bool operand,
+                          const tp_formula *formula, tp_subject *subject, tp_message *message) {
+  const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
+  const long last = formula->count - 1;
+  fmpz_mpoly_q_struct *values = new_values(formula->count, ring);
+  if (values == NULL) return tp_fail_memory(message, "a formula");
+  evaluation e = {.formula = formula, .subject = subject, .message = message, .values = values};
+  *rational = of_nodes(&e, operand ? last : last + 1) == RATIONAL;
+  const long wanted = operand ? tp_formula_root(formula)->left : last;
+  if (*rational) fmpz_mpoly_q_swap(value, values + wanted, ring);
+  free_values(values, formula->count, ring);
+  return e.status;
 }
 
 tp_status tp_evaluate_field(fmpz_mpoly_q_t value, bool *rational, const tp_formula *formula,
                             tp_subject *subject, tp_message *message) {
-  evaluation e = {.formula = formula, .subject = subject, .message = message};
-  if (!begin(&e)) return tp_fail_memory(message, "a formula");
-  const outcome result = of_nodes(&e, formula->count);
-  if (result == RATIONAL) fmpz_mpoly_q_swap(value, e.values + formula->count - 1, ring_of(&e));
-  *rational = result == RATIONAL;
-  end(&e);
-  return e.status;
+  return evaluate(value, rational, false, formula, subject, message);
 }
 
 /* The tangent of a name: of a direction, of an angle, of what it is defined by. */
@@ -273,17 +281,12 @@ tp_status tp_evaluate_tangent(fmpz_mpoly_q_t value, bool *rational, const tp_for
   if (root->kind == TP_FORMULA_NAME) {
     return tangent_of_name(value, rational, root->name, subject, message);
   }
-  *rational = false;
   if (root->kind == TP_FORMULA_CALL && root->function == TP_FUNCTION_ATAN) {
-    evaluation e = {.formula = formula, .subject = subject, .message = message};
-    if (!begin(&e)) return tp_fail_memory(message, "a formula");
-    *rational = of_nodes(&e, formula->count - 1) == RATIONAL;
-    if (*rational) fmpz_mpoly_q_swap(value, e.values + root->left, ring_of(&e));
-    end(&e);
-    return e.status;
+    return evaluate(value, rational, true, formula, subject, message);
   }
   fmpz_mpoly_q_t angle;
   bool known = false, infinite = false;
+  *rational = false;
   fmpz_mpoly_q_init(angle, subject->field->ring);
   const tp_status status = tp_evaluate_field(angle, &known, formula, subject, message);
   if (status == TP_OK && known && !fmpz_mpoly_q_is_fmpq(angle, subject->field->ring)) {

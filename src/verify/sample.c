@@ -35,7 +35,9 @@ bool tp_sample_init(tp_sample *sample, const tp_subject *s) {
 }
 
 void tp_sample_clear(tp_sample *sample) {
-  for (long k = 0; k < sample->count; k++) fmpq_clear(sample->values + k);
+  for (long k = 0; sample->values != NULL && k < sample->count; k++) {
+    fmpq_clear(sample->values + k);
+  }
   free(sample->values);
   free(sample->given);
   *sample = (tp_sample){0};
