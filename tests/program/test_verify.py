@@ -406,6 +406,15 @@ class Small(unittest.TestCase):
             self.assertEqual((status, out), (3, ""), text)
             self.assertIn(message, err)
 
+    def test_numbers_beyond_all_bounds(self):
+        """Towers of powers and the like end in a verdict or a complaint, never in an abort."""
+        for quantity in ("2^(2^(2^100))", "(1+1e-300)^(9^500)", "(-2)^(1e300)", "sin(2^(2^60))",
+                         "sqrt(2)^(2^80)", "9^9^9^9", "(1/3)^(9^9^9)", "tan(1e308*1e308*1e308)",
+                         "0^0", "0^-1", "(-1)^0.5", "cot(0)", "log10(2^(2^70))"):
+            status, _, err = self.verify(f"- {{id: x, where: here, quantity: '{quantity}', printed: 1}}\n")
+            self.assertIn(status, (0, 1, 3), quantity)
+            self.assertEqual(err.count("\n"), 1 if status == 3 else 0, err)
+
     def test_many_names(self):
         """As many parameters as a scene may have are no burden, 10 000 are refused; definitions that
         double 200 times are evaluated once each."""
