@@ -111,6 +111,7 @@ typedef struct tp_fos {
 
 typedef struct tp_pivot {
   tp_pivot_kind kind;
+  bool rounded;    /* the corner is: (x, y) is where the axis then lies */
   bool admissible; /* to first order: turning about it opens every contact facet */
   tp_bounded x_m, y_m;
   tp_bounded
@@ -164,6 +165,9 @@ typedef struct tp_toe {
   tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
 } tp_toe;
 
+/* What a rounded toe does beyond its critical angle: roll to a new rest, or over. */
+typedef enum tp_rolls { TP_ROLLS_NOT, TP_ROLLS_BACK, TP_ROLLS_OVER } tp_rolls;
+
 typedef struct tp_case {
   tp_direction towards;
   size_t pivot_count;
@@ -171,6 +175,7 @@ typedef struct tp_case {
   bool has_governing;
   size_t governing;   /* index of the admissible pivot with the least critical angle */
   bool governing_tie; /* another admissible pivot has exactly the same critical angle */
+  tp_rolls rolls;     /* the corner at the governing pivot; TP_ROLLS_NOT: it is sharp */
   tp_sliding sliding;
   tp_toe toe;
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */

@@ -31,6 +31,11 @@ static tp_status solve(tp_model *model, const tp_scene *scene, tp_message *messa
 tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                         const tp_symbol_names *more, tp_message *message) {
   memset(model, 0, sizeof *model);
+  if (scene->block.rounded.count > 0) {
+    return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
+                   "formulas are derived for the sharp block; leave out 'rounded' and derive with "
+                   "--rounded");
+  }
   model->solution = calloc(1, sizeof *model->solution);
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");
   tp_solve_options options = tp_solve_options_default();

@@ -95,7 +95,8 @@ static void add_pivot(tp_text *t, const tp_pivot *p) {
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
   add_fos(t, "fos_elements", p->fos_elements);
-  tp_text_add(t, ", \"admissible\": %s}", tp_json_truth(p->admissible));
+  tp_text_add(t, ", \"admissible\": %s%s}", tp_json_truth(p->admissible),
+              p->rounded ? ", \"rounded\": true" : "");
 }
 
 static void add_toppling(tp_text *t, const tp_case *c) {
@@ -111,6 +112,9 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
   add_fos(t, "fos_elements", p->fos_elements);
+  if (c->rolls != TP_ROLLS_NOT) {
+    tp_text_add(t, ", \"beyond\": \"%s\"", c->rolls == TP_ROLLS_BACK ? "rolls back" : "goes over");
+  }
   tp_text_add(t, "},\n");
 }
 

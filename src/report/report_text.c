@@ -226,6 +226,12 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, ";\n  no statics of contact forces.\n");
 }
 
+static void add_rolling(tp_page *p, const tp_case *c) {
+  if (c->rolls == TP_ROLLS_NOT) return;
+  tp_text_add(&p->text, "  Its toe is rounded: beyond its critical angle it %s.\n",
+              c->rolls == TP_ROLLS_BACK ? "rolls on it to a new rest" : "goes over");
+}
+
 /* Where moment equilibrium asks the toe for a reaction outside its friction cone. */
 static void add_toe(tp_page *p, const tp_case *c) {
   const tp_toe *toe = &c->toe;
@@ -255,6 +261,7 @@ static void add_case(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "  Tie: another admissible pivot has exactly the same critical angle.\n");
   }
   add_verdict(p, c);
+  add_rolling(p, c);
   add_sliding(p, c);
   add_toe(p, c);
 }

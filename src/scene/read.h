@@ -38,6 +38,7 @@ TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **
                                        const char *example);
 
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
 /* Fail at a node. */

@@ -208,8 +208,8 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"teeth", "slab",      "outline",           "holes",
-                                     "parts", "thickness", "unit_weight_kn_m3", NULL};
+  static const char *const keys[] = {"teeth",   "slab",      "outline",           "holes", "parts",
+                                     "rounded", "thickness", "unit_weight_kn_m3", NULL};
   tp_block_description *block = &reader->scene->block;
   block->place = tp_node_place(node, reader->scene->path);
   tp_status status =
@@ -226,5 +226,6 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
         read_unit_weight(reader, &block->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"));
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));
+  if (status == TP_OK) status = tp_read_rounded(reader, tp_node_get(node, "rounded"));
   return status;
 }

@@ -172,6 +172,12 @@ static void clear_block(tp_block_description *block) {
     tp_polyline_clear(&block->parts[k].outline);
     fmpq_clear(block->parts[k].unit_weight_kn_m3.value);
   }
+  for (long k = 0; k < block->rounded.count; k++) {
+    fmpq_clear(block->rounded.corners[k].x.value);
+    fmpq_clear(block->rounded.corners[k].y.value);
+    fmpq_clear(block->rounded.corners[k].radius.value);
+  }
+  free(block->rounded.corners);
   free(block->holes);
   free(block->parts);
 }

@@ -39,6 +39,21 @@ typedef struct tp_part {
   tp_quantity unit_weight_kn_m3;
 } tp_part;
 
+/* A corner of the outline that is rounded by a radius. */
+typedef struct tp_corner_description {
+  tp_place place;
+  enum { TP_CORNER_LEFT_END, TP_CORNER_RIGHT_END, TP_CORNER_VERTEX } at;
+  tp_quantity x, y; /* of a TP_CORNER_VERTEX */
+  tp_quantity radius;
+} tp_corner_description;
+
+typedef struct tp_rounded_description {
+  tp_place place;
+  bool keeps_mass; /* model `paper`: the axis moves, the mass is kept; else `exact` */
+  long count;
+  tp_corner_description *corners;
+} tp_rounded_description;
+
 typedef struct tp_block_description {
   tp_place place;
   tp_outline_form form;
@@ -48,6 +63,7 @@ typedef struct tp_block_description {
   tp_polyline *holes;
   long part_count;
   tp_part *parts;
+  tp_rounded_description rounded;
   tp_quantity thickness; /* scene lengths; 1 m where not given */
   tp_quantity unit_weight_kn_m3;
 } tp_block_description;

@@ -16,7 +16,16 @@ typedef struct tp_evaluation {
   tp_moments moments;
   bool certain;     /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
+  const bool *admissible[2]; /* by direction, for each contact point */
 } tp_evaluation;
+
+/* The axis that turning about a contact point towards one side has, in lattice units: the point, or
+ * where the corner there is rounded its tangent point up-dip. */
+void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *evaluation, long point,
+                        tp_direction towards);
+
+/* Which contact points are admissible pivots with rounded corners, into one array a direction. */
+void tp_evaluate_admissible(tp_evaluation *evaluation, bool *admissible, tp_direction towards);
 
 /* Precision of the arithmetic before functions are taken: sums and products of exact integers stay
  * exact on the last rungs. */
@@ -61,6 +70,10 @@ bool tp_evaluate_toppling(tp_evaluation *evaluation, tp_direction towards,
 
 /* Sliding of one direction; its critical angle is left in `sliding` unless it is never reached. */
 void tp_evaluate_sliding(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *sliding);
+
+/* Whether a rounded toe rolls back from its critical angle, or goes over. */
+void tp_evaluate_rolling(tp_evaluation *evaluation, tp_case *result,
+                         const tp_direction_ball *toppling);
 
 /* Whether the base can hold the governing pivot at its critical angle. */
 void tp_evaluate_toe(tp_evaluation *evaluation, tp_case *result, const tp_direction_ball *toppling);

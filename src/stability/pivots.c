@@ -13,15 +13,20 @@
 static void arms(const tp_evaluation *e, tp_direction towards, long point,
                  tp_direction_ball *angle) {
   const long exact = tp_evaluation_bits(e);
-  const tp_lattice *l = &e->problem->lattice;
   const arb_struct *sums = e->moments.weighted;
-  arb_mul_fmpz(angle->sine, sums + TP_A2, l->x + point, exact);
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  tp_evaluation_axis(x, y, e, point, towards);
+  arb_mul(angle->sine, sums + TP_A2, x, exact);
   arb_mul_ui(angle->sine, angle->sine, 3, exact);
   arb_sub(angle->sine, sums + TP_X6, angle->sine, exact);
   if (towards == TP_TOWARDS_RIGHT) arb_neg(angle->sine, angle->sine);
-  arb_mul_fmpz(angle->cosine, sums + TP_A2, l->y + point, exact);
+  arb_mul(angle->cosine, sums + TP_A2, y, exact);
   arb_mul_ui(angle->cosine, angle->cosine, 3, exact);
   arb_sub(angle->cosine, sums + TP_Y6, angle->cosine, exact);
+  arb_clear(x);
+  arb_clear(y);
   tp_ball_atan2_degrees(angle->degrees, angle->sine, angle->cosine, e->rung.bits);
   angle->exact_direction = true;
 }
@@ -98,7 +103,7 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   bool found = false;
   *tie = false;
   for (long k = 0; k < contact->point_count; k++) {
-    if (!e->problem->admissible[towards][k]) continue;
+    if (!e->admissible[towards][k]) continue;
     arms(e, towards, contact->points[k].point, &angle);
     const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
     if (side == 0) *tie = true;
@@ -114,12 +119,35 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   return found;
 }
 
+/* Where the axis of a rounded corner lies, in metres. */
+static void describe_rounded(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long point) {
+  const tp_lattice *l = &e->problem->lattice;
+  if (tp_corners_find(&e->problem->corners, l, point) == NULL) return;
+  arb_t x, y, step;
+  arb_init(x);
+  arb_init(y);
+  arb_init(step);
+  tp_evaluation_axis(x, y, e, point, towards);
+  arb_set_fmpq(step, l->step_m, e->rung.bits);
+  arb_add_fmpz(x, x, l->origin_x, e->rung.bits);
+  arb_add_fmpz(y, y, l->origin_y, e->rung.bits);
+  arb_mul(x, x, step, e->rung.bits);
+  arb_mul(y, y, step, e->rung.bits);
+  pivot->rounded = true;
+  pivot->x_m = tp_evaluation_result(e, x);
+  pivot->y_m = tp_evaluation_result(e, y);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(step);
+}
+
 /* All numbers of one pivot; are they certain? */
 static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long point,
                            tp_direction_ball *angle, const tilt *t) {
   const bool certain_before = e->certain;
   e->certain = true;
   arms(e, towards, point, angle);
+  if (e->problem->corners.count > 0) describe_rounded(e, towards, pivot, point);
   pivot->critical_angle_deg = tp_evaluation_result(e, angle->degrees);
   pivot->fos_resultant = resultant_form(e, angle, t);
   pivot->fos_elements = elements_form(e, towards, point, t);
@@ -139,6 +167,7 @@ void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *to
   arb_init(t.cosine);
   if (t.given) tp_ball_sin_cos_degrees(t.sine, t.cosine, angle->value, e->rung.bits);
   for (size_t k = 0; k < result->pivot_count; k++) {
+    result->pivots[k].admissible = e->admissible[result->towards][k];
     if (settled[k]) continue;
     settled[k] = evaluate_pivot(e, result->towards, result->pivots + k, contact->points[k].point,
                                 &critical, &t);

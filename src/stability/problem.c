@@ -16,6 +16,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_lattice_clear(&problem->lattice);
   tp_contact_clear(&problem->contact);
   tp_elements_clear(&problem->elements);
+  tp_corners_clear(&problem->corners);
   free(problem->admissible[0]);
   free(problem->admissible[1]);
   memset(problem, 0, sizeof *problem);
@@ -45,8 +46,10 @@ static tp_status find_pivots(tp_problem *problem, tp_message *message) {
   return TP_OK;
 }
 
-/* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? */
+/* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? With
+ * rounded corners there is no form by elements. */
 static bool wants_elements(const tp_problem *problem, const tp_solve_options *options) {
+  if (problem->corners.count > 0) return false;
   if (options->elements) return true;
   return problem->scene->tilt_angle_deg.given &&
          problem->lattice.start[problem->section.ring_count] <= TP_ELEMENTS_UNASKED;
@@ -72,6 +75,21 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
   return status;
 }
 
+static tp_status round_corners(tp_problem *problem, const tp_solve_options *options,
+                               tp_solution *solution, tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  const double began = tp_effects_now();
+  const tp_status status = tp_corners_init(&problem->corners, &scene->block, &problem->section,
+                                           &problem->lattice, scene->metres_per_unit, message);
+  tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began);
+  if (status == TP_OK && problem->corners.count > 0 && options->elements) {
+    return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
+                   "the account by elements is for sharp corners; leave out --elements or the "
+                   "rounding");
+  }
+  return status;
+}
+
 static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
                          tp_geom_triangulation *triangulation, tp_solution *solution,
                          tp_message *message) {
@@ -85,6 +103,10 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   }
   if (status != TP_OK) return status;
   tp_effects_note(solution, "outline", scene->block.place, "", began);
+  if (scene->block.rounded.count > 0) {
+    status = round_corners(problem, options, solution, message);
+    if (status != TP_OK) return status;
+  }
 
   began = tp_effects_now();
   status = tp_contact_init(&problem->contact, &problem->section, &problem->base, &problem->lattice,

@@ -7,6 +7,7 @@
 #define TP_PROBLEM_H
 
 #include "base/contact.h"
+#include "block/corners.h"
 #include "block/elements.h"
 
 /* Above this many vertices the elements form of the factor of safety, which needs a triangulation
@@ -19,7 +20,8 @@ typedef struct tp_problem {
   tp_base base;
   tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */
   tp_contact contact;
-  bool *admissible[2]; /* by direction of tilt, for each contact point */
+  bool *admissible[2]; /* by direction of tilt, for each contact point, with sharp corners */
+  tp_corners corners;  /* rounded ones */
   bool has_elements;
   tp_elements elements;
   size_t triangle_count;

@@ -83,7 +83,6 @@ static void describe_pivots(tp_case *own, const tp_problem *problem) {
   for (size_t k = 0; k < own->pivot_count; k++) {
     const tp_contact_point *p = problem->contact.points + k;
     own->pivots[k] = (tp_pivot){.kind = p->kind,
-                                .admissible = problem->admissible[own->towards][k],
                                 .x_m = tp_evaluation_x(problem, p->point),
                                 .y_m = tp_evaluation_y(problem, p->point)};
   }
@@ -113,6 +112,7 @@ typedef struct climb {
   const tp_solve_options *options;
   tp_solution *solution;
   bool *settled[2];
+  bool *admissible[2]; /* with rounded corners, at the present rung */
 } climb;
 
 static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *c) {
@@ -122,6 +122,7 @@ static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   tp_direction_ball_init(&sliding);
   double began = tp_effects_now();
   tp_evaluate_pivots(evaluation, own, &toppling);
+  if (c->problem->corners.count > 0) tp_evaluate_rolling(evaluation, own, &toppling);
   tp_effects_note(c->solution, "toppling", scene->tilt_place, "both directions, as none is given",
                   began);
   if (scene->friction_angle_deg.given) {
@@ -136,16 +137,33 @@ static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   tp_direction_ball_clear(&sliding);
 }
 
+/* Rounded corners have no exact moments: balls of the rung's precision stand in. */
+static void evaluate_corners(tp_evaluation *e, const climb *c) {
+  const tp_problem *problem = c->problem;
+  const double began = tp_effects_now();
+  tp_corners_take_off(&e->moments, &problem->corners, &problem->section, &problem->lattice,
+                      e->rung.bits);
+  for (int d = 0; d < 2; d++) {
+    tp_evaluate_admissible(e, c->admissible[d], d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT);
+    e->admissible[d] = c->admissible[d];
+  }
+  tp_effects_note(c->solution, "rounding", problem->scene->block.rounded.place, "", began);
+}
+
 static tp_status step(void *context, tp_rung rung, bool *certain) {
   const climb *c = context;
+  const bool rounded = c->problem->corners.count > 0;
+  if (rounded && rung.level == TP_LEVEL_EXACT) rung.level = TP_LEVEL_BALL;
   tp_evaluation evaluation = {.problem = c->problem,
                               .rung = rung,
                               .digits = c->options->digits,
                               .certain = true,
-                              .settled = {c->settled[0], c->settled[1]}};
+                              .settled = {c->settled[0], c->settled[1]},
+                              .admissible = {c->problem->admissible[0], c->problem->admissible[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
   tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice, rung);
+  if (rounded) evaluate_corners(&evaluation, c);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
   tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
@@ -161,7 +179,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
 static void note_level(tp_solution *solution, tp_rung reached) {
   solution->level = reached.level;
   solution->bits = reached.bits;
-  static const char *const climbing[] = {"moments", "toppling", "sliding"};
+  static const char *const climbing[] = {"moments", "toppling", "sliding", "rounding"};
   for (size_t k = 0; k < solution->effect_count; k++) {
     for (size_t c = 0; c < sizeof climbing / sizeof climbing[0]; c++) {
       if (strcmp(solution->effects[k].name, climbing[c]) == 0) {
@@ -174,10 +192,15 @@ static void note_level(tp_solution *solution, tp_rung reached) {
 static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options *options,
                               tp_solution *solution, tp_message *message) {
   const size_t points = (size_t)problem->contact.point_count;
-  climb c = {problem, options, solution, {calloc(points, 1), calloc(points, 1)}};
+  climb c = {problem,
+             options,
+             solution,
+             {calloc(points, 1), calloc(points, 1)},
+             {calloc(points, 1), calloc(points, 1)}};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
-  if (c.settled[0] == NULL || c.settled[1] == NULL) {
+  if (c.settled[0] == NULL || c.settled[1] == NULL || c.admissible[0] == NULL ||
+      c.admissible[1] == NULL) {
     status = tp_fail_memory(message, "the pivots");
   } else {
     status = tp_ladder_climb(step, &c, &reached);
@@ -188,8 +211,10 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
                   "undecided at %ld bits: a number is not certain to %d digits", reached.bits,
                   options->digits);
   }
-  free(c.settled[0]);
-  free(c.settled[1]);
+  for (int d = 0; d < 2; d++) {
+    free(c.settled[d]);
+    free(c.admissible[d]);
+  }
   return status;
 }
 

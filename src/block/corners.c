@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "block/corners.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void tp_corner_ball_init(tp_corner_ball *ball) {
+  tp_ball_point_init(&ball->before);
+  tp_ball_point_init(&ball->after);
+  tp_ball_point_init(&ball->centre);
+  arb_init(ball->length);
+  arb_init(ball->radius);
+  arb_init(ball->half_tangent);
+}
+
+void tp_corner_ball_clear(tp_corner_ball *ball) {
+  tp_ball_point_clear(&ball->before);
+  tp_ball_point_clear(&ball->after);
+  tp_ball_point_clear(&ball->centre);
+  arb_clear(ball->length);
+  arb_clear(ball->radius);
+  arb_clear(ball->half_tangent);
+}
+
+/* An edge from the vertex: its vector, exact, and its length. */
+typedef struct edge {
+  fmpz_t dx, dy;
+  arb_t length;
+} edge;
+
+static void edge_init(edge *e, const tp_lattice *l, long from, long to, long bits) {
+  fmpz_init(e->dx);
+  fmpz_init(e->dy);
+  arb_init(e->length);
+  fmpz_sub(e->dx, l->x + to, l->x + from);
+  fmpz_sub(e->dy, l->y + to, l->y + from);
+  fmpz_t square;
+  fmpz_init(square);
+  fmpz_mul(square, e->dx, e->dx);
+  fmpz_addmul(square, e->dy, e->dy);
+  arb_sqrt_fmpz(e->length, square, bits);
+  fmpz_clear(square);
+}
+
+static void edge_clear(edge *e) {
+  fmpz_clear(e->dx);
+  fmpz_clear(e->dy);
+  arb_clear(e->length);
+}
+
+/* The point at `distance` from the vertex along an edge. */
+static void along(tp_ball_point *point, const tp_lattice *l, long vertex, const edge *e,
+                  const arb_t distance, long bits) {
+  arb_t share;
+  arb_init(share);
+  arb_div(share, distance, e->length, bits);
+  arb_mul_fmpz(point->x, share, e->dx, bits);
+  arb_add_fmpz(point->x, point->x, l->x + vertex, bits);
+  arb_mul_fmpz(point->y, share, e->dy, bits);
+  arb_add_fmpz(point->y, point->y, l->y + vertex, bits);
+  arb_clear(share);
+}
+
+/* tan(theta / 2) = (|u| |w| - u . w) / (u x w), u and w the edges after and before. */
+static void set_half_tangent(arb_t value, const edge *u, const edge *w, long bits) {
+  fmpz_t dot, cross;
+  fmpz_init(dot);
+  fmpz_init(cross);
+  fmpz_mul(dot, u->dx, w->dx);
+  fmpz_addmul(dot, u->dy, w->dy);
+  fmpz_mul(cross, u->dx, w->dy);
+  fmpz_submul(cross, u->dy, w->dx);
+  arb_mul(value, u->length, w->length, bits);
+  arb_sub_fmpz(value, value, dot, bits);
+  arb_div_fmpz(value, value, cross, bits);
+  fmpz_clear(dot);
+  fmpz_clear(cross);
+}
+
+void tp_corner_evaluate(tp_corner_ball *ball, const tp_corner *corner, const tp_lattice *l,
+                        long bits) {
+  edge u, w;
+  edge_init(&u, l, corner->vertex, corner->after, bits);
+  edge_init(&w, l, corner->vertex, corner->before, bits);
+  set_half_tangent(ball->half_tangent, &u, &w, bits);
+  arb_set_fmpq(ball->radius, corner->radius, bits);
+  arb_div(ball->length, ball->radius, ball->half_tangent, bits);
+  along(&ball->after, l, corner->vertex, &u, ball->length, bits);
+  along(&ball->before, l, corner->vertex, &w, ball->length, bits);
+  /* the centre is a radius away from the tangent point, to the left of the edge after */
+  arb_t share;
+  arb_init(share);
+  arb_div(share, ball->radius, u.length, bits);
+  arb_mul_fmpz(ball->centre.x, share, u.dy, bits);
+  arb_sub(ball->centre.x, ball->after.x, ball->centre.x, bits);
+  arb_mul_fmpz(ball->centre.y, share, u.dx, bits);
+  arb_add(ball->centre.y, ball->after.y, ball->centre.y, bits);
+  arb_clear(share);
+  edge_clear(&u);
+  edge_clear(&w);
+}
+
+/* Kite less sector. */
+static void tip(tp_region *region, const tp_corner *corner, const tp_lattice *l, long bits) {
+  tp_corner_ball c;
+  tp_ball_point vertex, direction;
+  arb_t angle, size;
+  tp_corner_ball_init(&c);
+  tp_ball_point_init(&vertex);
+  tp_ball_point_init(&direction);
+  arb_init(angle);
+  arb_init(size);
+  tp_corner_evaluate(&c, corner, l, bits);
+  arb_set_fmpz(vertex.x, l->x + corner->vertex);
+  arb_set_fmpz(vertex.y, l->y + corner->vertex);
+  tp_region_add_triangle(region, &vertex, &c.after, &c.centre, bits);
+  tp_region_add_triangle(region, &vertex, &c.centre, &c.before, bits);
+  /* pi - theta = 2 atan(1 / tan(theta / 2)) */
+  arb_inv(angle, c.half_tangent, bits);
+  arb_atan(angle, angle, bits);
+  arb_mul_2exp_si(angle, angle, 1);
+  arb_sub(direction.x, vertex.x, c.centre.x, bits);
+  arb_sub(direction.y, vertex.y, c.centre.y, bits);
+  arb_hypot(size, direction.x, direction.y, bits);
+  arb_div(direction.x, direction.x, size, bits);
+  arb_div(direction.y, direction.y, size, bits);
+  tp_region_subtract_sector(region, &c.centre, c.radius, angle, &direction, bits);
+  tp_corner_ball_clear(&c);
+  tp_ball_point_clear(&vertex);
+  tp_ball_point_clear(&direction);
+  arb_clear(angle);
+  arb_clear(size);
+}
+
+void tp_corners_take_off(tp_moments *moments, const tp_corners *corners, const tp_section *section,
+                         const tp_lattice *lattice, long bits) {
+  if (corners->keeps_mass || corners->count == 0) return;
+  tp_region tips;
+  arb_struct sums[TP_SUM_COUNT];
+  tp_region_init(&tips);
+  for (int k = 0; k < TP_SUM_COUNT; k++) arb_init(sums + k);
+  for (long k = 0; k < corners->count; k++) tip(&tips, corners->items + k, lattice, bits);
+  tp_region_sums(sums, &tips, bits);
+  arb_sub(moments->area2, moments->area2, sums + TP_A2, bits);
+  for (int k = 0; k < TP_SUM_COUNT; k++) {
+    arb_mul_fmpz(sums + k, sums + k, section->density_weights, bits);
+    arb_sub(moments->weighted + k, moments->weighted + k, sums + k, bits);
+    arb_clear(sums + k);
+  }
+  tp_region_clear(&tips);
+}
+
+const tp_corner *tp_corners_find(const tp_corners *corners, const tp_lattice *l, long point) {
+  for (long k = 0; k < corners->count; k++) {
+    const long vertex = corners->items[k].vertex;
+    if (fmpz_equal(l->x + vertex, l->x + point) && fmpz_equal(l->y + vertex, l->y + point)) {
+      return corners->items + k;
+    }
+  }
+  return NULL;
+}
+
+void tp_corners_clear(tp_corners *corners) {
+  for (long k = 0; k < corners->count; k++) fmpq_clear(corners->items[k].radius);
+  free(corners->items);
+  memset(corners, 0, sizeof *corners);
+}

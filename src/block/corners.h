@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Rounded corners (mechanics section 4; Appendix B of the paper).
+ *
+ * A convex vertex with interior angle theta and radius r loses its tip: the tangent points lie at
+ * l = r / tan(theta / 2) from it along both edges. Model `exact` takes off the area between the
+ * kite of vertex, tangent points and centre and the sector about the centre, l r - r^2 (pi - theta)
+ * / 2; model `paper` keeps the mass. */
+
+#ifndef TP_CORNERS_H
+#define TP_CORNERS_H
+
+#include "block/moments.h"
+#include "block/region.h"
+
+typedef struct tp_corner {
+  const tp_corner_description *description;
+  long vertex, before, after; /* points of the lattice: the vertex and its neighbours */
+  fmpq_t radius;              /* lattice units */
+} tp_corner;
+
+typedef struct tp_corners {
+  long count; /* of radius above zero */
+  bool keeps_mass;
+  tp_corner *items;
+} tp_corners;
+
+/* The scene's rounded corners on the outline, the first chain of the lattice. Reflex corners, radii
+ * that do not fit their edges and roundings that overlap are bad input. On failure `corners` is
+ * cleared. */
+TP_MUST_USE tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block,
+                                      const tp_section *section, const tp_lattice *lattice,
+                                      const fmpq_t metres_per_unit, tp_message *message);
+void tp_corners_clear(tp_corners *corners);
+
+/* A corner in lattice units: tangent points on the edges before and after the vertex, the centre of
+ * curvature, and l. */
+typedef struct tp_corner_ball {
+  tp_ball_point before, after, centre;
+  arb_t length, radius, half_tangent; /* tan(theta / 2) */
+} tp_corner_ball;
+
+void tp_corner_ball_init(tp_corner_ball *ball);
+void tp_corner_ball_clear(tp_corner_ball *ball);
+void tp_corner_evaluate(tp_corner_ball *ball, const tp_corner *corner, const tp_lattice *lattice,
+                        long bits);
+
+/* Take the tips off the moments, where the model does. */
+void tp_corners_take_off(tp_moments *moments, const tp_corners *corners, const tp_section *section,
+                         const tp_lattice *lattice, long bits);
+
+/* The corner at a point of the lattice, or NULL. */
+const tp_corner *tp_corners_find(const tp_corners *corners, const tp_lattice *lattice, long point);
+
+#endif

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Finding the corners that a scene rounds, and whether their radii fit. */
+
+#include "block/corners.h"
+
+#include "block/check.h"
+#include "number/ratio.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_BITS = 128, MOST_BITS = 8192 };
+
+/* The end of the underside: the leftmost or rightmost vertex, of several the lowest. */
+static long find_end(const tp_lattice *l, long count, bool left) {
+  long best = 0;
+  for (long k = 1; k < count; k++) {
+    const int side = fmpz_cmp(l->x + k, l->x + best);
+    if ((left ? side < 0 : side > 0) || (side == 0 && fmpz_cmp(l->y + k, l->y + best) < 0)) {
+      best = k;
+    }
+  }
+  return best;
+}
+
+static long find_vertex(const tp_polyline *outline, const tp_corner_description *c) {
+  for (long k = 0; k < outline->count; k++) {
+    if (fmpq_equal(outline->x + k, c->x.value) && fmpq_equal(outline->y + k, c->y.value)) return k;
+  }
+  return -1;
+}
+
+static void name_corner(char *text, size_t size, const tp_section *section, long vertex) {
+  char x[80], y[80];
+  tp_ratio_text(x, sizeof x, section->rings[0].x + vertex);
+  tp_ratio_text(y, sizeof y, section->rings[0].y + vertex);
+  snprintf(text, size, "(%.40s, %.40s)", x, y);
+}
+
+static tp_status locate(tp_corner *corner, const tp_section *section, const tp_lattice *l,
+                        tp_message *message) {
+  const tp_corner_description *c = corner->description;
+  const long count = section->rings[0].count;
+  corner->vertex = c->at == TP_CORNER_VERTEX ? find_vertex(section->rings, c)
+                                             : find_end(l, count, c->at == TP_CORNER_LEFT_END);
+  if (corner->vertex < 0) {
+    return tp_fail(message, TP_BAD_INPUT, c->place, "the outline has no such vertex to round");
+  }
+  corner->before = (corner->vertex + count - 1) % count;
+  corner->after = (corner->vertex + 1) % count;
+  fmpz_t a, b, c0, d;
+  fmpz_init(a);
+  fmpz_init(b);
+  fmpz_init(c0);
+  fmpz_init(d);
+  fmpz_sub(a, l->x + corner->after, l->x + corner->vertex);
+  fmpz_sub(b, l->y + corner->after, l->y + corner->vertex);
+  fmpz_sub(c0, l->x + corner->before, l->x + corner->vertex);
+  fmpz_sub(d, l->y + corner->before, l->y + corner->vertex);
+  fmpz_mul(a, a, d);
+  fmpz_submul(a, b, c0);
+  const int turn = fmpz_sgn(a);
+  fmpz_clear(a);
+  fmpz_clear(b);
+  fmpz_clear(c0);
+  fmpz_clear(d);
+  if (turn > 0) return TP_OK;
+  char name[100];
+  name_corner(name, sizeof name, section, corner->vertex);
+  return tp_fail(message, TP_BAD_INPUT, c->place,
+                 "the corner at %s is %s; only convex corners are rounded", name,
+                 turn < 0 ? "reflex" : "straight");
+}
+
+/* Is a sum of lengths longer than the edge from a to b: 1, 0, or -1 when it is not known? */
+static int exceeds(const arb_t sum, const tp_lattice *l, long a, long b, long bits) {
+  fmpz_t dx, dy;
+  arb_t length;
+  fmpz_init(dx);
+  fmpz_init(dy);
+  arb_init(length);
+  fmpz_sub(dx, l->x + b, l->x + a);
+  fmpz_sub(dy, l->y + b, l->y + a);
+  fmpz_mul(dx, dx, dx);
+  fmpz_addmul(dx, dy, dy);
+  arb_sqrt_fmpz(length, dx, bits);
+  const int answer = arb_gt(sum, length) ? 1 : arb_le(sum, length) ? 0 : -1;
+  fmpz_clear(dx);
+  fmpz_clear(dy);
+  arb_clear(length);
+  return answer;
+}
+
+/* Does a corner, with the one at the end `to` of its edge where that is rounded too, take up more
+ * than the edge? A radius that fits to the last of many digits is taken for one that fits. */
+static bool overlaps(const tp_corners *corners, const tp_corner *corner, long to,
+                     const tp_lattice *l) {
+  const tp_corner *other = tp_corners_find(corners, l, to);
+  tp_corner_ball own, next;
+  tp_corner_ball_init(&own);
+  tp_corner_ball_init(&next);
+  int answer = -1;
+  for (long bits = FIRST_BITS; bits <= MOST_BITS && answer < 0; bits *= 4) {
+    tp_corner_evaluate(&own, corner, l, bits);
+    if (other != NULL) {
+      tp_corner_evaluate(&next, other, l, bits);
+      arb_add(own.length, own.length, next.length, bits);
+    }
+    answer = exceeds(own.length, l, corner->vertex, to, bits);
+  }
+  tp_corner_ball_clear(&own);
+  tp_corner_ball_clear(&next);
+  return answer == 1;
+}
+
+static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
+                           const tp_section *section, const tp_lattice *l, tp_message *message) {
+  const long ends[2] = {corner->before, corner->after};
+  for (int k = 0; k < 2; k++) {
+    if (!overlaps(corners, corner, ends[k], l)) continue;
+    char name[100], edge[200];
+    name_corner(name, sizeof name, section, corner->vertex);
+    tp_check_edge_text(edge, sizeof edge, section->rings, k == 0 ? corner->before : corner->vertex);
+    return tp_fail(message, TP_BAD_INPUT, corner->description->radius.place,
+                   "the radius at %s is too large: rounding %s take up more than %s", name,
+                   tp_corners_find(corners, l, ends[k]) != NULL ? "it and the next corner would"
+                                                                : "it would",
+                   edge);
+  }
+  return TP_OK;
+}
+
+/* Twice the area of the triangle p, q and a lattice point. */
+static void set_cross(arb_t cross, const tp_ball_point *p, const tp_ball_point *q,
+                      const tp_lattice *l, long point, long bits) {
+  arb_t ux, uy, vx, vy;
+  arb_init(ux);
+  arb_init(uy);
+  arb_init(vx);
+  arb_init(vy);
+  arb_sub(ux, q->x, p->x, bits);
+  arb_sub(uy, q->y, p->y, bits);
+  arb_sub_fmpz(vx, p->x, l->x + point, bits);
+  arb_sub_fmpz(vy, p->y, l->y + point, bits);
+  arb_mul(cross, uy, vx, bits);
+  arb_submul(cross, ux, vy, bits);
+  arb_clear(ux);
+  arb_clear(uy);
+  arb_clear(vx);
+  arb_clear(vy);
+}
+
+/* Does a point inside the outline lie in the tip: beyond the chord, and not within a radius of the
+ * centre? */
+static bool in_tip(const tp_corner_ball *c, const tp_lattice *l, long point, long bits) {
+  arb_t side, x, y;
+  arb_init(side);
+  arb_init(x);
+  arb_init(y);
+  set_cross(side, &c->before, &c->after, l, point, bits);
+  arb_sub_fmpz(x, c->centre.x, l->x + point, bits);
+  arb_sub_fmpz(y, c->centre.y, l->y + point, bits);
+  arb_hypot(x, x, y, bits);
+  const bool inside = arb_is_negative(side) && !arb_lt(x, c->radius);
+  arb_clear(side);
+  arb_clear(x);
+  arb_clear(y);
+  return inside;
+}
+
+/* A hole reaches into a tip only with a vertex: an edge cannot enter and leave it by its chord. */
+static tp_status check_holes(const tp_corner *corner, const tp_section *section,
+                             const tp_lattice *l, tp_message *message) {
+  tp_corner_ball c;
+  tp_corner_ball_init(&c);
+  tp_corner_evaluate(&c, corner, l, FIRST_BITS);
+  bool reaches = false;
+  for (long k = l->start[1]; k < l->start[1 + section->hole_count] && !reaches; k++) {
+    reaches = in_tip(&c, l, k, FIRST_BITS);
+  }
+  tp_corner_ball_clear(&c);
+  if (!reaches) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, corner->description->radius.place,
+                 "a hole reaches into the tip that this rounding takes off");
+}
+
+/* Add the corner of a description; one of radius zero is none. */
+static tp_status add(tp_corners *corners, const tp_corner_description *description,
+                     const tp_section *section, const tp_lattice *l, const fmpq_t metres_per_unit,
+                     tp_message *message) {
+  tp_corner corner = {.description = description};
+  const tp_status status = locate(&corner, section, l, message);
+  if (status != TP_OK || fmpq_is_zero(description->radius.value)) return status;
+  if (tp_corners_find(corners, l, corner.vertex) != NULL) {
+    return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
+  }
+  tp_corner *own = corners->items + corners->count++;
+  *own = corner;
+  fmpq_init(own->radius);
+  fmpq_mul(own->radius, description->radius.value, metres_per_unit);
+  fmpq_div(own->radius, own->radius, l->step_m);
+  return TP_OK;
+}
+
+tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block,
+                          const tp_section *section, const tp_lattice *lattice,
+                          const fmpq_t metres_per_unit, tp_message *message) {
+  const tp_rounded_description *rounded = &block->rounded;
+  memset(corners, 0, sizeof *corners);
+  if (rounded->count == 0) return TP_OK;
+  corners->keeps_mass = rounded->keeps_mass;
+  corners->items = calloc((size_t)rounded->count, sizeof *corners->items);
+  if (corners->items == NULL) return tp_fail_memory(message, "the corners");
+  tp_status status = TP_OK;
+  for (long k = 0; k < rounded->count && status == TP_OK; k++) {
+    status = add(corners, rounded->corners + k, section, lattice, metres_per_unit, message);
+  }
+  for (long k = 0; k < corners->count && status == TP_OK; k++) {
+    status = check_fit(corners, corners->items + k, section, lattice, message);
+    if (status == TP_OK) status = check_holes(corners->items + k, section, lattice, message);
+  }
+  if (status == TP_OK && corners->count > 0 && !corners->keeps_mass && block->part_count > 0) {
+    status =
+        tp_fail(message, TP_BAD_INPUT, rounded->place,
+                "corners of a block with parts are rounded by 'model: paper' alone: which part "
+                "would lose its mass is not judged");
+  }
+  if (status != TP_OK) tp_corners_clear(corners);
+  return status;
+}
