@@ -6,17 +6,62 @@
 #include "cli/cli.h"
 
 #include <argp.h>
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct arguments {
   const char *scene;
   bool json, elements;
+  bool has_target, has_low, has_high;
+  tp_find_options find; /* key NULL: nothing is to be found */
 } arguments;
+
+enum { KEY_FIND = 256, KEY_FOR, KEY_FROM, KEY_TO };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the solution as JSON", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
+    {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
+    {"for", KEY_FOR, "RESULT=VALUE", 0,
+     "for which critical_angle, fos, sliding_angle or sliding_fos has the value", 1},
+    {"from", KEY_FROM, "LOW", 0, "Look for it from here (else 0)", 1},
+    {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is)", 1},
     {0}};
+
+static double read_number(const char *text, struct argp_state *state) {
+  char *end = NULL;
+  const double value = strtod(text, &end);
+  if (end == text || *end != '\0' || !isfinite(value)) {
+    argp_error(state, "'%s' is no number", text);
+  }
+  return value;
+}
+
+/* RESULT=VALUE */
+static void read_target(arguments *a, const char *text, struct argp_state *state) {
+  char name[40] = "";
+  const char *equals = strchr(text, '=');
+  const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
+  if (length < sizeof name) memcpy(name, text, length);
+  if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
+    argp_error(state,
+               "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
+               "sliding_fos; not '%s'",
+               text);
+    return;
+  }
+  a->find.value = read_number(equals + 1, state);
+  a->has_target = true;
+}
+
+static void check_find(arguments *a, struct argp_state *state) {
+  const bool named = a->find.key != NULL;
+  if (named != a->has_target) argp_error(state, "--find KEY and --for RESULT=VALUE go together");
+  if ((a->has_low || a->has_high) && !named) argp_error(state, "--from and --to go with --find");
+  if (a->has_low != a->has_high) argp_error(state, "give both --from and --to, or neither");
+  a->find.has_range = a->has_low;
+}
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
   arguments *a = state->input;
@@ -26,6 +71,23 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 'e':
     a->elements = true;
+    return 0;
+  case KEY_FIND:
+    a->find.key = argument;
+    return 0;
+  case KEY_FOR:
+    read_target(a, argument, state);
+    return 0;
+  case KEY_FROM:
+    a->find.low = read_number(argument, state);
+    a->has_low = true;
+    return 0;
+  case KEY_TO:
+    a->find.high = read_number(argument, state);
+    a->has_high = true;
+    return 0;
+  case ARGP_KEY_END:
+    check_find(a, state);
     return 0;
   case ARGP_KEY_ARG:
     if (a->scene != NULL) argp_error(state, "one scene at a time; '%s' is one too many", argument);
@@ -60,6 +122,21 @@ static tp_status print_solution(const tp_solution *solution, const arguments *a,
   return status;
 }
 
+static tp_status print_found(const tp_solution *solution, const arguments *a, int *written,
+                             tp_message *message) {
+  tp_found *found = NULL;
+  char *report = NULL;
+  tp_status status = tp_find(&found, a->scene, &a->find, message);
+  if (status == TP_OK) {
+    status = a->json ? tp_report_found_json(&report, found, solution)
+                     : tp_report_found(&report, found, &a->find);
+  }
+  if (status == TP_OK) *written = tp_cli_print(report);
+  free(report);
+  tp_found_free(found);
+  return status;
+}
+
 int tp_cli_solve(int argc, char **argv) {
   arguments a = {0};
   argp_err_exit_status = TP_EXIT_USAGE;
@@ -73,7 +150,10 @@ int tp_cli_solve(int argc, char **argv) {
   int written = 0;
   tp_status status = tp_scene_read(&scene, a.scene, &message);
   if (status == TP_OK) status = tp_solve(&solution, scene, &solve, &message);
-  if (status == TP_OK) status = print_solution(solution, &a, &written);
+  if (status == TP_OK) {
+    status = a.find.key != NULL ? print_found(solution, &a, &written, &message)
+                                : print_solution(solution, &a, &written);
+  }
   tp_solution_free(solution);
   tp_scene_free(scene);
   return tp_cli_end(status, &message, written);

@@ -200,26 +200,38 @@ void tp_scene_free(tp_scene *scene) {
   free(scene->parameters.values);
   for (long k = 0; k < scene->file_count; k++) free(scene->files[k]);
   free(scene->files);
-  tp_node_free(scene->source);
+  if (!scene->borrows_source) tp_node_free(scene->source);
   free(scene->title);
   free(scene->path);
   free(scene);
 }
 
-tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
-  tp_node *root = NULL;
+tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
+                              tp_message *message) {
   tp_scene *read = new_scene(path);
   if (read == NULL) return tp_fail_memory(message, "the scene");
-  tp_status status = tp_node_read(&root, read->path, message);
-  if (status == TP_OK) {
-    const tp_reader reader = {read, message};
-    read->source = root;
-    status = read_root(&reader, root);
-  }
+  const tp_reader reader = {read, message};
+  read->source = root;
+  read->borrows_source = true;
+  const tp_status status = read_root(&reader, root);
   if (status == TP_OK) {
     *scene = read;
   } else {
     tp_scene_free(read);
+  }
+  return status;
+}
+
+tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
+  tp_node *root = NULL;
+  tp_scene *read = NULL;
+  tp_status status = tp_node_read(&root, path, message);
+  if (status == TP_OK) status = tp_scene_from_nodes(&read, path, root, message);
+  if (status == TP_OK) {
+    read->borrows_source = false;
+    *scene = read;
+  } else {
+    tp_node_free(root);
   }
   return status;
 }

@@ -89,8 +89,14 @@ struct tp_scene {
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
   tp_node *source;            /* the file as read, for what is derived with symbols */
-  long file_count;            /* names of files that places refer to */
+  bool borrows_source;
+  long file_count; /* names of files that places refer to */
   char **files;
 };
+
+/* A scene from nodes that were read already, and that must outlive it; `path` is what places refer
+ * to. */
+TP_MUST_USE tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
+                                          tp_message *message);
 
 #endif

@@ -19,7 +19,9 @@ static tp_bounded in_metres(tp_evaluation *e, arb_t value, int degree) {
   arb_pow_ui(step, step, (ulong)degree, bits);
   arb_mul(value, value, step, bits);
   arb_clear(step);
-  return tp_evaluation_result(e, value);
+  const double step_m = fmpq_get_d(e->problem->lattice.step_m);
+  const double log2_size = (double)e->problem->lattice.bits + log2(step_m > 0 ? step_m : DBL_MIN);
+  return tp_evaluation_result_scaled(e, value, degree * log2_size);
 }
 
 /* Coordinate of the centroid: S6 / (3 A2), moved back by the local origin. */
@@ -205,24 +207,31 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
       contact->points++;
     }
   }
-  arb_t length, newton;
+  arb_t length, newton, lost, lost_along_plane;
   arb_init(length);
   arb_init(newton);
+  arb_init(lost);
+  arb_init(lost_along_plane);
+  if (problem->corners.count > 0) tp_evaluation_contact_loss(lost, lost_along_plane, e);
   weight(e, newton);
   if (e->rung.level == TP_LEVEL_DOUBLE && tp_lattice_is_exact(&problem->lattice)) {
     contact_length_double(e, length);
   } else {
     contact_length_ball(e, length);
   }
+  if (problem->corners.count > 0) arb_sub(length, length, lost, e->rung.bits);
   contact->length_m = in_metres(e, length, 1);
   if (solution->block.has_weight) {
     contact->weight_per_contact_area_pa = pressure(e, contact->length_m, length, newton);
   }
   nominal_length(problem, length);
+  if (problem->corners.count > 0) arb_sub(length, length, lost_along_plane, e->rung.bits);
   contact->nominal_length_m = in_metres(e, length, 1);
   if (solution->block.has_weight) {
     contact->weight_per_nominal_area_pa = pressure(e, contact->nominal_length_m, length, newton);
   }
   arb_clear(length);
   arb_clear(newton);
+  arb_clear(lost);
+  arb_clear(lost_along_plane);
 }

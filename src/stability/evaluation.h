@@ -24,6 +24,10 @@ typedef struct tp_evaluation {
 void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *evaluation, long point,
                         tp_direction towards);
 
+/* The length of contact that rounded corners take away, in lattice units. */
+void tp_evaluation_contact_loss(arb_t along_facets, arb_t along_plane,
+                                const tp_evaluation *evaluation);
+
 /* Which contact points are admissible pivots with rounded corners, into one array a direction. */
 void tp_evaluate_admissible(tp_evaluation *evaluation, bool *admissible, tp_direction towards);
 
@@ -31,8 +35,12 @@ void tp_evaluate_admissible(tp_evaluation *evaluation, bool *admissible, tp_dire
  * exact on the last rungs. */
 long tp_evaluation_bits(const tp_evaluation *evaluation);
 
-/* The ball as a result; notes where it is not certain enough. */
+/* The ball as a result; notes where it is not certain enough. Where no rung is exact, a ball about
+ * zero that is far narrower than the scale of the quantity, 2^log2_scale (1 for
+ * tp_evaluation_result), is certain: a true zero is never known to any share of itself. */
 tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball);
+tp_bounded tp_evaluation_result_scaled(tp_evaluation *evaluation, const arb_t ball,
+                                       double log2_scale);
 
 /* An exact rational as a result. */
 tp_bounded tp_evaluation_rational(const fmpq_t value);

@@ -8,6 +8,8 @@
 
 #include "number/ball.h"
 
+#include <math.h>
+
 /* Lever arms of the weight about a lattice point, times 3 A2 > 0: the direction of the critical
  * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
 static void arms(const tp_evaluation *e, tp_direction towards, long point,
@@ -134,8 +136,9 @@ static void describe_rounded(tp_evaluation *e, tp_direction towards, tp_pivot *p
   arb_mul(x, x, step, e->rung.bits);
   arb_mul(y, y, step, e->rung.bits);
   pivot->rounded = true;
-  pivot->x_m = tp_evaluation_result(e, x);
-  pivot->y_m = tp_evaluation_result(e, y);
+  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  pivot->x_m = tp_evaluation_result_scaled(e, x, log2_size);
+  pivot->y_m = tp_evaluation_result_scaled(e, y, log2_size);
   arb_clear(x);
   arb_clear(y);
   arb_clear(step);

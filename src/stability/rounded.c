@@ -64,6 +64,32 @@ static int side(const tp_evaluation *e, const tp_facet *facet, arb_srcptr px, ar
   return sign;
 }
 
+void tp_evaluation_contact_loss(arb_t along_facets, arb_t along_plane, const tp_evaluation *e) {
+  const tp_problem *problem = e->problem;
+  tp_corner_ball c;
+  arb_t projected;
+  tp_corner_ball_init(&c);
+  arb_init(projected);
+  arb_zero(along_facets);
+  arb_zero(along_plane);
+  for (long k = 0; k < problem->contact.point_count; k++) {
+    const tp_contact_point *p = problem->contact.points + k;
+    const tp_corner *corner = tp_corners_find(&problem->corners, &problem->lattice, p->point);
+    if (corner == NULL) continue;
+    tp_corner_evaluate(&c, corner, &problem->lattice, e->rung.bits);
+    for (int right = 0; right < 2; right++) {
+      if ((right ? p->right : p->left) < 0) continue;
+      arb_sub_fmpz(projected, right ? c.after.x : c.before.x, problem->lattice.x + p->point,
+                   e->rung.bits);
+      arb_abs(projected, projected);
+      arb_add(along_plane, along_plane, projected, e->rung.bits);
+      arb_add(along_facets, along_facets, c.length, e->rung.bits);
+    }
+  }
+  tp_corner_ball_clear(&c);
+  arb_clear(projected);
+}
+
 /* Ends of all facets where rounding leaves them: towards the left those up-dip of them do not
  * matter. */
 typedef struct ends {

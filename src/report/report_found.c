@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What back-analysis found. */
+
+#include "report/json.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
+  tp_text t = {0};
+  char number[TP_NUMBER_SIZE];
+  tp_text_add(&t, "%s for %s = %.15g\n", f->key, tp_find_target_name(options->target),
+              options->value);
+  for (size_t k = 0; k < f->count; k++) {
+    tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
+                f->solutions[k].error);
+  }
+  if (f->count == 0) tp_text_add(&t, "  none in range\n");
+  tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
+  return tp_text_finish(&t, text);
+}
+
+tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution *solution) {
+  char *solved = NULL;
+  tp_status status = tp_report_json(&solved, solution);
+  if (status != TP_OK) return status;
+  tp_text t = {0};
+  const size_t length = strlen(solved);
+  /* before the closing brace of the whole */
+  tp_text_add(&t, "%.*s,\n  \"find\": {\"key\": ", (int)(length - 3), solved);
+  tp_json_string(&t, f->key);
+  tp_text_add(&t, ", \"from\": %.17g, \"to\": %.17g,\n    \"solutions\": [", f->low, f->high);
+  for (size_t k = 0; k < f->count; k++) {
+    tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
+                f->solutions[k].value, f->solutions[k].error);
+  }
+  tp_text_add(&t, "]}\n}\n");
+  free(solved);
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The way to a node of a scene by its keys. */
+
+#ifndef TP_KEY_H
+#define TP_KEY_H
+
+#include "scene/node.h"
+
+/* The scalar at a way like block.rounded.corners.1.radius (entries of lists count from 1), or of a
+ * parameter by its name alone. Bad input where there is none, with the nearest key that there is.
+ */
+TP_MUST_USE tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char *file,
+                                  tp_message *message);
+
+#endif

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The public library's back-analysis. Included by topple.h. */
+
+#ifndef TOPPLE_FIND_H
+#define TOPPLE_FIND_H
+
+#include "topple.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a number of the scene is found for. */
+typedef enum tp_find_target {
+  TP_FIND_CRITICAL_ANGLE, /* of toppling, degrees */
+  TP_FIND_FOS,            /* against toppling, at the scene's tilt */
+  TP_FIND_SLIDING_ANGLE,  /* of sliding, degrees */
+  TP_FIND_SLIDING_FOS
+} tp_find_target;
+
+/* `key` is the way to a number in the scene, as in block.rounded.corners.1.radius (entries of lists
+ * count from 1), or the name of a parameter. */
+typedef struct tp_find_options {
+  const char *key;
+  tp_find_target target;
+  double value;
+  bool has_range;
+  double low, high; /* else 0 to ten times the scene's own value */
+} tp_find_options;
+
+/* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
+ * each it is certain to lie on different sides. Between 512 points of the range that were looked at
+ * a pair of solutions closer than two points may be missed. */
+typedef struct tp_found {
+  char *key;
+  double low, high; /* the range, cut to where the scene has an answer */
+  size_t count;     /* 0: none in the range */
+  tp_bounded *solutions;
+} tp_found;
+
+/* `scene` is the path of a scene that tilts in one direction. */
+TP_MUST_USE tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
+                              tp_message *message);
+void tp_found_free(tp_found *found);
+
+/* critical_angle, fos, sliding_angle or sliding_fos; false for another name. */
+bool tp_find_target_read(tp_find_target *target, const char *name);
+const char *tp_find_target_name(tp_find_target target);
+
+TP_MUST_USE tp_status tp_report_found(char **text, const tp_found *found,
+                                      const tp_find_options *options);
+/* With a solution of the scene as it is, as `topple solve --json` prints it. */
+TP_MUST_USE tp_status tp_report_found_json(char **text, const tp_found *found,
+                                           const tp_solution *solution);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
