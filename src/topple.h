@@ -116,8 +116,13 @@ typedef struct tp_pivot {
   tp_bounded x_m, y_m;
   tp_bounded
       critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
-  tp_fos fos_resultant;   /* Eq. (2): tan(critical angle) / tan(tilt) */
-  tp_fos fos_elements;    /* (A1.3): each element's components by their own sign */
+  bool never;             /* loads keep it from toppling about this pivot at any tilt, ... */
+  bool always;            /* ... or from standing on it at any: there is no critical angle */
+  size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
+  tp_bounded limits_deg[8];
+  tp_fos fos_resultant; /* Eq. (2): tan(critical angle) / tan(tilt); with loads what stabilises over
+                           what overturns */
+  tp_fos fos_elements;  /* (A1.3): each element's components by their own sign */
 } tp_pivot;
 
 typedef enum tp_element_kind { TP_ELEMENT_TRIANGLE, TP_ELEMENT_SLAB } tp_element_kind;
@@ -150,7 +155,7 @@ typedef struct tp_sliding {
   bool never;                 /* phi_b + i reaches 90 degrees */
   tp_bounded facet_angle_deg; /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
-  tp_bounded critical_angle_deg;
+  tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
   tp_fos fos;
 } tp_sliding;
 
@@ -164,6 +169,17 @@ typedef struct tp_toe {
   bool upright; /* a facet at the toe stands upright in the way: it holds at any angle */
   tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
 } tp_toe;
+
+/* A load's moment about the governing pivot at the scene's tilt, N m, overturning positive, and
+ * where it counts. */
+typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING } tp_load_side;
+
+typedef struct tp_load_result {
+  const char *name;
+  char called_for_by[256];
+  tp_bounded moment_nm;
+  tp_load_side side;
+} tp_load_result;
 
 /* What a rounded toe does beyond its critical angle: roll to a new rest, or over. */
 typedef enum tp_rolls { TP_ROLLS_NOT, TP_ROLLS_BACK, TP_ROLLS_OVER } tp_rolls;
@@ -185,6 +201,8 @@ typedef struct tp_case {
   tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
   bool falls_backwards;  /* at this tilt it topples the other way, up-dip */
   tp_account account;
+  size_t load_count; /* with loads and a tilt: the weight's two components, then each load */
+  tp_load_result *loads;
 } tp_case;
 
 typedef struct tp_block_result {
@@ -225,7 +243,7 @@ typedef struct tp_effect {
   tp_level level;
 } tp_effect;
 
-enum { TP_EFFECTS_MAX = 12 };
+enum { TP_EFFECTS_MAX = 24 };
 
 typedef struct tp_solution {
   char *title;
@@ -238,6 +256,7 @@ typedef struct tp_solution {
   tp_block_result block;
   tp_teeth_result teeth;
   tp_contact_result contact;
+  bool loaded; /* the scene calls for loads besides the weight */
   size_t case_count;
   tp_case cases[2];
   size_t effect_count;

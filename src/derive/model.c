@@ -3,6 +3,7 @@
 
 #include "derive/model.h"
 
+#include "load/loads.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -35,6 +36,10 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
     return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
                    "formulas are derived for the sharp block; leave out 'rounded' and derive with "
                    "--rounded");
+  }
+  if (tp_loads_are_called_for(&scene->loads)) {
+    return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
+                   "formulas are derived for the weight alone; leave out 'loads'");
   }
   model->solution = calloc(1, sizeof *model->solution);
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");

@@ -5,6 +5,7 @@
 
 #include "number/ladder.h"
 #include "report/json.h"
+#include "report/report_loads.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,14 +88,25 @@ static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight)
   tp_text_add(t, "\n      },\n");
 }
 
-static void add_pivot(tp_text *t, const tp_pivot *p) {
-  const named numbers[] = {
-      {"x_m", p->x_m}, {"y_m", p->y_m}, {"critical_angle_deg", p->critical_angle_deg}};
+/* null where loads leave it none. */
+static void add_critical_angle(tp_text *t, const tp_pivot *p) {
+  if (p->never || p->always) {
+    tp_text_add(t, "\"critical_angle_deg\": null");
+  } else {
+    tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
+  }
+}
+
+static void add_pivot(tp_text *t, const tp_pivot *p, bool loaded) {
+  const named numbers[] = {{"x_m", p->x_m}, {"y_m", p->y_m}};
   tp_text_add(t, "        {\"kind\": \"%s\", ", tp_text_pivot_kind(p->kind));
   add_numbers(t, numbers, sizeof numbers / sizeof numbers[0], " ");
+  add_critical_angle(t, p);
+  tp_text_add(t, ", ");
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
   add_fos(t, "fos_elements", p->fos_elements);
+  if (loaded) tp_json_limits(t, p);
   tp_text_add(t, ", \"admissible\": %s%s}", tp_json_truth(p->admissible),
               p->rounded ? ", \"rounded\": true" : "");
 }
@@ -107,7 +119,7 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   const tp_pivot *p = c->pivots + c->governing;
   tp_text_add(t, "      \"toppling\": {\"pivot\": %zu, \"tie\": %s, ", c->governing,
               tp_json_truth(c->governing_tie));
-  tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
+  add_critical_angle(t, p);
   tp_text_add(t, ", ");
   add_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
@@ -118,9 +130,10 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   tp_text_add(t, "},\n");
 }
 
-static void add_sliding(tp_text *t, const tp_sliding *s) {
+static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded) {
   if (!s->known) return;
-  tp_text_add(t, "      \"sliding\": {\"method\": \"Patton, phi_b + i\", ");
+  tp_text_add(t, "      \"sliding\": {\"method\": \"%s\", ",
+              loaded ? "forces along and across the facet" : "Patton, phi_b + i");
   if (s->never) {
     tp_text_add(t, "\"critical_angle_deg\": null, \"fos\": null},\n");
     return;
@@ -222,14 +235,15 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   add_contact(t, &s->contact, s->block.has_weight);
   tp_text_add(t, "      \"pivots\": [\n");
   for (size_t k = 0; k < c->pivot_count; k++) {
-    add_pivot(t, c->pivots + k);
+    add_pivot(t, c->pivots + k, s->loaded);
     tp_text_add(t, "%s\n", k + 1 < c->pivot_count ? "," : "");
   }
   tp_text_add(t, "      ],\n");
   add_toppling(t, c);
-  add_sliding(t, &c->sliding);
+  add_sliding(t, &c->sliding, s->loaded);
   add_toe(t, &c->toe);
   add_account(t, &c->account, s->block.has_weight);
+  tp_json_loads(t, c);
   add_mechanism(t, c);
   add_effects(t, s);
   tp_text_add(t, "    }");

@@ -4,7 +4,7 @@
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
 #include "number/ladder.h"
-#include "report/page.h"
+#include "report/report_loads.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -109,10 +109,13 @@ static void add_pivot_row(tp_page *p, const tp_case *c, size_t k) {
   const tp_pivot *pivot = c->pivots + k;
   char n[5][TP_NUMBER_SIZE];
   const bool governs = c->has_governing && k == c->governing;
-  tp_text_add(&p->text, "%s %-8s %10s %10s %13s°", governs ? ">" : " ",
-              tp_text_pivot_kind(pivot->kind), tp_page_coordinate(p, n[0], pivot->x_m),
-              tp_page_coordinate(p, n[1], pivot->y_m),
-              tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
+  tp_text_add(&p->text, "%s %-8s %10s %10s ", governs ? ">" : " ", tp_text_pivot_kind(pivot->kind),
+              tp_page_coordinate(p, n[0], pivot->x_m), tp_page_coordinate(p, n[1], pivot->y_m));
+  if (pivot->never || pivot->always) {
+    tp_text_add(&p->text, "%13s", pivot->never ? "never" : "always");
+  } else {
+    tp_text_add(&p->text, "%12s°", tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
+  }
   if (p->solution->has_tilt_angle) {
     tp_text_add(&p->text, " %9s %9s", tp_page_fos(n[3], pivot->fos_resultant),
                 tp_page_fos(n[4], pivot->fos_elements));
@@ -164,6 +167,10 @@ static void add_verdict(tp_page *p, const tp_case *c) {
                 s->has_tilt_angle ? "°" : "");
     return;
   }
+  if (c->has_governing && c->pivots[c->governing].always) {
+    tp_text_add(&p->text, "Its loads topple it at any tilt.\n");
+    return;
+  }
   if (c->first == TP_INTERLOCKED) {
     tp_text_add(&p->text, "Interlocked: it neither slides nor topples at any tilt up to 90°.\n");
     return;
@@ -203,6 +210,16 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   if (s->never) {
     tp_text_add(&p->text,
                 "  Sliding by Patton's φ_b + i: never, a facet stands too steep in the way.\n");
+    return;
+  }
+  if (p->solution->loaded) {
+    tp_text_add(&p->text,
+                "  Sliding under the loads, by the forces along and across the facet: %s°",
+                tp_text_fixed(n[0], s->critical_angle_deg, 3));
+    if (s->fos.state == TP_FOS_NUMBER) {
+      tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[1], s->fos.value, 3));
+    }
+    tp_text_add(&p->text, "\n");
     return;
   }
   const bool climbs = s->facet_angle_deg.value >= 0;
@@ -262,6 +279,7 @@ static void add_case(tp_page *p, const tp_case *c) {
   }
   add_verdict(p, c);
   add_rolling(p, c);
+  tp_page_add_loads(p, c);
   add_sliding(p, c);
   add_toe(p, c);
 }

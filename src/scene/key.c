@@ -40,8 +40,8 @@ static tp_status fail(const tp_node *at, const char *key, const char *file, tp_m
   const char *nearest = tp_nearest(key, known);
   free(known);
   return tp_fail(message, TP_BAD_INPUT, tp_node_place(at, file), "there is no '%.60s' here%s%s%s",
-                 key, nearest != NULL ? "; is '" : "", nearest != NULL ? nearest : "",
-                 nearest != NULL ? "' meant?" : "");
+                 key, nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                 nearest != NULL ? "'?" : "");
 }
 
 tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char *file,

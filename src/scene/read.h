@@ -39,6 +39,9 @@ TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **
 
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);
+void tp_loads_description_init(tp_loads_description *loads);
+void tp_loads_description_clear(tp_loads_description *loads);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
 /* Fail at a node. */

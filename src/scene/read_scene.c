@@ -113,8 +113,9 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 }
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"topple", "title", "length_unit",        "parameters", "block",
-                                     "base",   "tilt",  "friction_angle_deg", NULL};
+  static const char *const keys[] = {
+      "topple", "title", "length_unit", "parameters",         "block",
+      "base",   "loads", "tilt",        "friction_angle_deg", NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -131,6 +132,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
         tp_read_required(reader, &block, root, "block", "block: {slab: {width: 50, height: 100}}");
   if (status == TP_OK) status = tp_read_block(reader, block);
   if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
+  if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK)
     status = read_angle(reader, &scene->friction_angle_deg, tp_node_get(root, "friction_angle_deg"),
                         "friction_angle_deg", true, "[0°, 90°)");
@@ -155,6 +157,7 @@ static tp_scene *new_scene(const char *path) {
   fmpq_init(block->unit_weight_kn_m3.value);
   fmpq_init(scene->base.beyond_left.value);
   fmpq_init(scene->base.beyond_right.value);
+  tp_loads_description_init(&scene->loads);
   fmpq_init(scene->friction_angle_deg.value);
   fmpq_init(scene->tilt_angle_deg.value);
   return scene;
@@ -185,6 +188,7 @@ static void clear_block(tp_block_description *block) {
 void tp_scene_free(tp_scene *scene) {
   if (scene == NULL) return;
   clear_block(&scene->block);
+  tp_loads_description_clear(&scene->loads);
   tp_polyline_clear(&scene->base.between);
   tp_polyline_clear(&scene->base.profile);
   fmpq_clear(scene->base.beyond_left.value);

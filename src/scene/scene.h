@@ -76,6 +76,43 @@ typedef struct tp_base_description {
   tp_polyline profile;
 } tp_base_description;
 
+/* A pressure or a surcharge along a line of the outline, in kPa at its two ends; or an anchor at
+ * the first point. */
+typedef struct tp_line_load {
+  tp_place place;
+  tp_quantity x0, y0, x1, y1;
+  tp_quantity first_kpa, last_kpa;
+} tp_line_load;
+
+typedef struct tp_anchor_description {
+  tp_place place;
+  tp_quantity x, y;
+  tp_quantity direction_deg; /* of its pull on the block, from x towards y */
+  tp_quantity force_kn;
+  bool passive; /* counts as resistance; else takes from what overturns */
+} tp_anchor_description;
+
+/* Water behind the block, to a height over the up-dip end of the contact, and below it. */
+typedef struct tp_water_description {
+  bool given;
+  tp_place place;
+  tp_quantity height;            /* scene lengths, along the face */
+  tp_quantity unit_weight_kn_m3; /* 9.81 where not given */
+  bool stays_level;              /* the height is vertical, whatever the tilt */
+  bool uplift;                   /* along the base, falling to nothing at the toe */
+} tp_water_description;
+
+typedef struct tp_loads_description {
+  tp_place place;
+  tp_place seismic_place;
+  tp_quantity horizontal, vertical; /* k_h towards down-dip, k_v up, shares of the weight */
+  tp_water_description water;
+  long pressure_count, surcharge_count, anchor_count;
+  tp_line_load *pressures, *surcharges;
+  tp_anchor_description *anchors;
+  tp_quantity bond_kpa, cohesion_kpa; /* of the contact */
+} tp_loads_description;
+
 struct tp_scene {
   char *path;
   char *title;
@@ -84,6 +121,7 @@ struct tp_scene {
   tp_parameters parameters;
   tp_block_description block;
   tp_base_description base;
+  tp_loads_description loads;
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
   bool towards_left, towards_right;
   tp_place tilt_place;

@@ -12,7 +12,7 @@ long tp_evaluation_bits(const tp_evaluation *evaluation) {
 /* A zero of a quantity of the given scale, as far as balls can tell. */
 static bool is_zero(const tp_evaluation *e, const arb_t ball, double log2_scale) {
   enum { LEAST_BITS = 160 };
-  if (e->problem->corners.count == 0 || e->rung.bits < LEAST_BITS) return false;
+  if (!tp_problem_is_enclosed(e->problem) || e->rung.bits < LEAST_BITS) return false;
   return arb_contains_zero(ball) && arb_is_finite(ball) &&
          mag_get_d_log2_approx(arb_radref(ball)) < log2_scale - 0.5 * (double)e->rung.bits;
 }

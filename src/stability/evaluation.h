@@ -16,7 +16,8 @@ typedef struct tp_evaluation {
   tp_moments moments;
   bool certain;     /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
-  const bool *admissible[2]; /* by direction, for each contact point */
+  const bool *admissible[2];      /* by direction, for each contact point */
+  const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
 } tp_evaluation;
 
 /* The axis that turning about a contact point towards one side has, in lattice units: the point, or

@@ -3,7 +3,7 @@
 
 /* What happens first as the table is tilted, and what holds at the scene's tilt. */
 
-#include "stability/evaluation.h"
+#include "stability/loaded.h"
 
 #include "number/ball.h"
 
@@ -40,6 +40,7 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
 /* Does the block topple up-dip at this tilt: is the centroid past the up-dip end of the contact? */
 static bool falls_backwards(tp_evaluation *e, tp_direction towards, const arb_t tilt) {
   const tp_direction other = towards == TP_TOWARDS_LEFT ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT;
+  if (e->loaded != NULL) return tp_loaded_falls_backwards(e->loaded, e, e->admissible[other]);
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
   size_t pivot = 0;

@@ -4,17 +4,34 @@
 /* Moment equilibrium about every candidate pivot (mechanics section 3; Eqs. (2), (A1.3), (A1.7)).
  */
 
-#include "stability/evaluation.h"
+#include "stability/loaded.h"
 
 #include "number/ball.h"
 
 #include <math.h>
 
+/* The critical angle under loads, with its direction for what compares angles by it. */
+static void loaded_angle(tp_evaluation *e, long point, tp_direction_ball *angle, tp_roots *roots) {
+  arb_t turn;
+  arb_init(turn);
+  tp_loaded_critical(angle->degrees, roots, e->loaded, e, point);
+  arb_div_ui(turn, angle->degrees, 180, e->rung.bits);
+  arb_sin_cos_pi(angle->sine, angle->cosine, turn, e->rung.bits);
+  angle->exact_direction = false;
+  arb_clear(turn);
+}
+
 /* Lever arms of the weight about a lattice point, times 3 A2 > 0: the direction of the critical
  * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
-static void arms(const tp_evaluation *e, tp_direction towards, long point,
-                 tp_direction_ball *angle) {
+static void arms(tp_evaluation *e, tp_direction towards, long point, tp_direction_ball *angle) {
   const long exact = tp_evaluation_bits(e);
+  if (e->loaded != NULL) {
+    tp_roots roots;
+    tp_roots_init(&roots);
+    loaded_angle(e, point, angle, &roots);
+    tp_roots_clear(&roots);
+    return;
+  }
   const arb_struct *sums = e->moments.weighted;
   arb_t x, y;
   arb_init(x);
@@ -108,7 +125,7 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
     if (!e->admissible[towards][k]) continue;
     arms(e, towards, contact->points[k].point, &angle);
     const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
-    if (side == 0) *tie = true;
+    if (side == 0) *tie = e->loaded == NULL || !arb_is_exact(angle.degrees); /* both never */
     if (side >= 0) continue;
     const tp_direction_ball held = *toppling;
     *toppling = angle;
@@ -149,11 +166,19 @@ static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *piv
                            tp_direction_ball *angle, const tilt *t) {
   const bool certain_before = e->certain;
   e->certain = true;
-  arms(e, towards, point, angle);
   if (e->problem->corners.count > 0) describe_rounded(e, towards, pivot, point);
+  if (e->loaded != NULL) {
+    tp_roots roots;
+    tp_roots_init(&roots);
+    loaded_angle(e, point, angle, &roots);
+    tp_loaded_pivot(pivot, e->loaded, e, point, angle->degrees, &roots);
+    tp_roots_clear(&roots);
+  } else {
+    arms(e, towards, point, angle);
+    pivot->fos_resultant = resultant_form(e, angle, t);
+    pivot->fos_elements = elements_form(e, towards, point, t);
+  }
   pivot->critical_angle_deg = tp_evaluation_result(e, angle->degrees);
-  pivot->fos_resultant = resultant_form(e, angle, t);
-  pivot->fos_elements = elements_form(e, towards, point, t);
   const bool certain = e->certain;
   e->certain = certain && certain_before;
   return certain;

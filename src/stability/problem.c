@@ -4,6 +4,8 @@
 #include "stability/problem.h"
 
 #include "block/check.h"
+#include "load/check.h"
+#include "load/loads.h"
 #include "stability/admissible.h"
 #include "stability/effects.h"
 
@@ -46,10 +48,14 @@ static tp_status find_pivots(tp_problem *problem, tp_message *message) {
   return TP_OK;
 }
 
+bool tp_problem_is_enclosed(const tp_problem *problem) {
+  return problem->corners.count > 0 || problem->loaded;
+}
+
 /* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? With
- * rounded corners there is no form by elements. */
+ * rounded corners or loads there is no form by elements. */
 static bool wants_elements(const tp_problem *problem, const tp_solve_options *options) {
-  if (problem->corners.count > 0) return false;
+  if (tp_problem_is_enclosed(problem)) return false;
   if (options->elements) return true;
   return problem->scene->tilt_angle_deg.given &&
          problem->lattice.start[problem->section.ring_count] <= TP_ELEMENTS_UNASKED;
@@ -90,6 +96,26 @@ static tp_status round_corners(tp_problem *problem, const tp_solve_options *opti
   return status;
 }
 
+static tp_status check_loads(tp_problem *problem, const tp_solve_options *options,
+                             tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  problem->loaded = true;
+  if (options->elements) {
+    return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
+                   "the account by elements is for the weight alone; leave out --elements or the "
+                   "loads");
+  }
+  fmpq_t heel_y;
+  fmpq_init(heel_y);
+  const tp_contact *contact = &problem->contact;
+  const long last = scene->towards_left ? contact->point_count - 1 : 0;
+  tp_lattice_metres_y(heel_y, &problem->lattice, problem->lattice.y + contact->points[last].point);
+  fmpq_div(heel_y, heel_y, scene->metres_per_unit);
+  const tp_status status = tp_loads_check(scene, &problem->section, heel_y, message);
+  fmpq_clear(heel_y);
+  return status;
+}
+
 static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
                          tp_geom_triangulation *triangulation, tp_solution *solution,
                          tp_message *message) {
@@ -112,6 +138,9 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   status = tp_contact_init(&problem->contact, &problem->section, &problem->base, &problem->lattice,
                            message);
   if (status == TP_OK) status = find_pivots(problem, message);
+  if (status == TP_OK && tp_loads_are_called_for(&scene->loads)) {
+    status = check_loads(problem, options, message);
+  }
   tp_effects_note(solution, "contact", scene->base.place, "a mated base, as none is given", began);
   if (status == TP_OK && wants_elements(problem, options)) {
     status = find_elements(problem, triangulation, options, solution, message);

@@ -22,6 +22,7 @@ typedef struct tp_problem {
   tp_contact contact;
   bool *admissible[2]; /* by direction of tilt, for each contact point, with sharp corners */
   tp_corners corners;  /* rounded ones */
+  bool loaded;         /* the scene calls for loads besides the weight */
   bool has_elements;
   tp_elements elements;
   size_t triangle_count;
@@ -32,6 +33,9 @@ TP_MUST_USE tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene
                                       const tp_solve_options *options, tp_solution *solution,
                                       tp_message *message);
 void tp_problem_clear(tp_problem *problem);
+
+/* Do rounded corners or loads rule out exact arithmetic? */
+bool tp_problem_is_enclosed(const tp_problem *problem);
 
 /* Thickness of the section in metres. */
 void tp_problem_thickness(fmpq_t metres, const tp_problem *problem);

@@ -10,7 +10,7 @@
  * facets: the up-dip ones keep their load, and all count. This is a formula, not statics: the limit
  * analysis judges the contact forces. */
 
-#include "stability/evaluation.h"
+#include "stability/loaded.h"
 
 #include "number/ball.h"
 
@@ -197,6 +197,16 @@ static void describe(tp_evaluation *e, tp_case *result, const governing_facet *b
   s->facet_y0_m = tp_evaluation_y(e->problem, facet->q0);
   s->facet_x1_m = tp_evaluation_x(e->problem, facet->q1);
   s->facet_y1_m = tp_evaluation_y(e->problem, facet->q1);
+  if (e->loaded != NULL) {
+    const bool slides =
+        tp_loaded_sliding(sliding->degrees, &s->fos, e->loaded, e, best->run, best->rise);
+    s->never = best->blocked || !slides;
+    if (!s->never) s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
+    arb_clear(rise);
+    arb_clear(run);
+    arb_clear(limit);
+    return;
+  }
   add_friction(e, best, sliding);
   arb_set_ui(limit, 90);
   if (best->blocked || arb_ge(sliding->degrees, limit)) {
@@ -247,7 +257,7 @@ void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *s
 void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
   const tp_contact *contact = &e->problem->contact;
   result->toe = (tp_toe){0};
-  if (!result->has_governing) return;
+  if (!result->has_governing || e->loaded != NULL) return; /* the reaction is not the weight's */
   const long toe = contact->points[result->governing].point;
   governing_facet best;
   governing_init(&best);

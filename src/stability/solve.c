@@ -6,7 +6,7 @@
 #include "stability/solve.h"
 #include "number/ladder.h"
 #include "stability/effects.h"
-#include "stability/evaluation.h"
+#include "stability/loaded.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +20,7 @@ void tp_solution_free(tp_solution *solution) {
   for (size_t k = 0; k < solution->case_count; k++) {
     free(solution->cases[k].pivots);
     free(solution->cases[k].account.elements);
+    free(solution->cases[k].loads);
   }
   free(solution->title);
   free(solution);
@@ -99,6 +100,10 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
     own->pivots = calloc(own->pivot_count, sizeof *own->pivots);
     if (own->pivots == NULL) return tp_fail_memory(message, "the pivots");
     describe_pivots(own, problem);
+    if (problem->loaded) {
+      own->loads = calloc((size_t)tp_loaded_account_count(problem->scene), sizeof *own->loads);
+      if (own->loads == NULL) return tp_fail_memory(message, "the loads");
+    }
     if (!account) continue;
     own->account.elements =
         calloc((size_t)problem->elements.count + 1, sizeof *own->account.elements);
@@ -113,9 +118,10 @@ typedef struct climb {
   tp_solution *solution;
   bool *settled[2];
   bool *admissible[2]; /* with rounded corners, at the present rung */
+  tp_message *message;
 } climb;
 
-static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *c) {
+static void evaluate_toppling(tp_evaluation *evaluation, tp_case *own, const climb *c) {
   const tp_scene *scene = c->problem->scene;
   tp_direction_ball toppling, sliding;
   tp_direction_ball_init(&toppling);
@@ -137,6 +143,22 @@ static void evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   tp_direction_ball_clear(&sliding);
 }
 
+/* A case, under its loads where the scene calls for some. */
+static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *c) {
+  evaluation->loaded = NULL;
+  if (!c->problem->loaded) {
+    evaluate_toppling(evaluation, own, c);
+    return true;
+  }
+  tp_loaded loaded;
+  if (!tp_loaded_init(&loaded, evaluation, own->towards, c->solution)) return false;
+  evaluation->loaded = &loaded;
+  evaluate_toppling(evaluation, own, c);
+  tp_loaded_account(own, &loaded, evaluation);
+  tp_loaded_clear(&loaded);
+  return true;
+}
+
 /* Rounded corners have no exact moments: balls of the rung's precision stand in. */
 static void evaluate_corners(tp_evaluation *e, const climb *c) {
   const tp_problem *problem = c->problem;
@@ -153,7 +175,8 @@ static void evaluate_corners(tp_evaluation *e, const climb *c) {
 static tp_status step(void *context, tp_rung rung, bool *certain) {
   const climb *c = context;
   const bool rounded = c->problem->corners.count > 0;
-  if (rounded && rung.level == TP_LEVEL_EXACT) rung.level = TP_LEVEL_BALL;
+  if (tp_problem_is_enclosed(c->problem) && rung.level == TP_LEVEL_EXACT)
+    rung.level = TP_LEVEL_BALL;
   tp_evaluation evaluation = {.problem = c->problem,
                               .rung = rung,
                               .digits = c->options->digits,
@@ -167,12 +190,13 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
   tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
-  for (size_t k = 0; k < c->solution->case_count; k++) {
-    evaluate_case(&evaluation, c->solution->cases + k, c);
+  bool done = true;
+  for (size_t k = 0; k < c->solution->case_count && done; k++) {
+    done = evaluate_case(&evaluation, c->solution->cases + k, c);
   }
   tp_moments_clear(&evaluation.moments);
   *certain = evaluation.certain;
-  return TP_OK;
+  return done ? TP_OK : tp_fail_memory(c->message, "the loads");
 }
 
 /* What was computed on the ladder was computed at the level that it reached. */
@@ -196,7 +220,8 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
              options,
              solution,
              {calloc(points, 1), calloc(points, 1)},
-             {calloc(points, 1), calloc(points, 1)}};
+             {calloc(points, 1), calloc(points, 1)},
+             message};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
   if (c.settled[0] == NULL || c.settled[1] == NULL || c.admissible[0] == NULL ||
@@ -222,6 +247,7 @@ tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
                            const tp_solve_options *options, tp_message *message) {
   tp_status status = describe_scene(solution, problem->scene, message);
   describe_teeth(solution, problem->scene);
+  solution->loaded = problem->loaded;
   if (status == TP_OK) status = make_cases(solution, problem, options->elements, message);
   if (status == TP_OK) status = climb_ladder(problem, options, solution, message);
   return status;

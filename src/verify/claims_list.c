@@ -44,8 +44,8 @@ static tp_status find_geometry(const tp_geometry **geometry, const tp_claims *cl
   if (*geometry != NULL) return TP_OK;
   return tp_claims_fail(claims, tp_node_get(node, "geometry"), message,
                         "no geometry is called '%.40s'%s%s%s", name,
-                        nearest != NULL ? "; is '" : "", nearest != NULL ? nearest : "",
-                        nearest != NULL ? "' meant?" : "");
+                        nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                        nearest != NULL ? "'?" : "");
 }
 
 static tp_status read_scalar(const tp_node **scalar, const tp_claims *claims, const tp_node *node,

@@ -230,7 +230,7 @@ class Rounded(unittest.TestCase):
     def test_bad_find(self):
         self.write(3, 30, 120, 5, "peak", 1)
         for key, target, message in (
-                ("block.rouned", "fos=1", "there is no 'rouned' here; is 'rounded' meant?"),
+                ("block.rouned", "fos=1", "there is no 'rouned' here; did you mean 'rounded'?"),
                 ("block.rounded", "fos=1", "this is a list or a map; a single number can be found"),
                 ("block.rounded.corners.2.radius", "fos=1", "there is no '2' here"),
                 ("friction_angle", "fos=1", "there is no 'friction_angle' here"),

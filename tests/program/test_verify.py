@@ -375,7 +375,7 @@ class Small(unittest.TestCase):
         self.refuse(one % ("log10(a - b)", "1.5"), "this has no finite value at the claim's values")
         self.refuse(2 * (one % ("fos", "a")), "claims.yaml:5:61: the claim 'x' is given twice")
         self.refuse("- {id: x, where: here, geometry: f, quantity: fos, printed: a}\n",
-                    "no geometry is called 'f'; is 'e' meant?")
+                    "no geometry is called 'f'; did you mean 'e'?")
         self.refuse("- {id: x, where: here, quantity: fos, printed: a}\n", "unknown name 'fos'")
         for text, message in (
                 ("claims: []\n", "'topple_claims: 1' is missing"),

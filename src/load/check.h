@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Are the loads on the block? */
+
+#ifndef TP_LOAD_CHECK_H
+#define TP_LOAD_CHECK_H
+
+#include "block/section.h"
+
+/* Refuse anchors outside the block, pressures and surcharges on lines that are no part of its
+ * outline, and water that stands above its top. `heel_y` is the height of the up-dip end of the
+ * contact, in scene lengths. */
+TP_MUST_USE tp_status tp_loads_check(const tp_scene *scene, const tp_section *section,
+                                     const fmpq_t heel_y, tp_message *message);
+
+#endif

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "load/loads.h"
+
+void tp_load_setting_init(tp_load_setting *s, const tp_scene *scene, bool mirrored, long bits) {
+  *s = (tp_load_setting){.scene = scene, .mirrored = mirrored, .bits = bits};
+  arb_struct *const all[] = {s->weight, s->x,      s->y,      s->toe_x,
+                             s->toe_y,  s->heel_x, s->heel_y, s->thickness};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_init(all[k]);
+}
+
+void tp_load_setting_clear(tp_load_setting *s) {
+  arb_struct *const all[] = {s->weight, s->x,      s->y,      s->toe_x,
+                             s->toe_y,  s->heel_x, s->heel_y, s->thickness};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_clear(all[k]);
+}
+
+const char *tp_load_name(tp_load_kind kind) {
+  static const char *const names[] = {"weight",   "seismic",   "water", "uplift",
+                                      "pressure", "surcharge", "anchor"};
+  return names[kind];
+}
+
+static bool is_seismic(const tp_loads_description *loads) {
+  return loads->horizontal.given || loads->vertical.given;
+}
+
+long tp_loads_count(const tp_loads_description *loads) {
+  return 1 + is_seismic(loads) + loads->water.given + (loads->water.given && loads->water.uplift) +
+         loads->pressure_count + loads->surcharge_count + loads->anchor_count;
+}
+
+bool tp_loads_are_called_for(const tp_loads_description *loads) {
+  return tp_loads_count(loads) > 1 || loads->bond_kpa.given || loads->cohesion_kpa.given;
+}
+
+void tp_load_metres(arb_t metres, const fmpq_t length, const tp_load_setting *s) {
+  fmpq_t value;
+  fmpq_init(value);
+  fmpq_mul(value, length, s->scene->metres_per_unit);
+  arb_set_fmpq(metres, value, s->bits);
+  fmpq_clear(value);
+}
+
+void tp_load_point(arb_t x, arb_t y, const tp_quantity *px, const tp_quantity *py,
+                   const tp_load_setting *s) {
+  tp_load_metres(x, px->value, s);
+  tp_load_metres(y, py->value, s);
+  if (s->mirrored) arb_neg(x, x);
+}
+
+static tp_load *next(tp_load **loads, tp_load_kind kind, tp_place place) {
+  tp_load *own = (*loads)++;
+  own->kind = kind;
+  own->place = place;
+  return own;
+}
+
+void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
+  const tp_loads_description *d = &s->scene->loads;
+  tp_load_weight(&next(&loads, TP_LOAD_WEIGHT, s->scene->block.place)->wrench, s);
+  if (is_seismic(d)) tp_load_seismic(&next(&loads, TP_LOAD_SEISMIC, d->seismic_place)->wrench, s);
+  if (d->water.given) tp_load_water(&next(&loads, TP_LOAD_WATER, d->water.place)->wrench, s);
+  if (d->water.given && d->water.uplift) {
+    tp_load_uplift(&next(&loads, TP_LOAD_UPLIFT, d->water.place)->wrench, s);
+  }
+  for (long k = 0; k < d->pressure_count; k++) {
+    const tp_line_load *load = d->pressures + k;
+    tp_load_pressure(&next(&loads, TP_LOAD_PRESSURE, load->place)->wrench, load, s);
+  }
+  for (long k = 0; k < d->surcharge_count; k++) {
+    const tp_line_load *load = d->surcharges + k;
+    tp_load_surcharge(&next(&loads, TP_LOAD_SURCHARGE, load->place)->wrench, load, s);
+  }
+  for (long k = 0; k < d->anchor_count; k++) {
+    const tp_anchor_description *anchor = d->anchors + k;
+    tp_load *own = next(&loads, TP_LOAD_ANCHOR, anchor->place);
+    own->active = !anchor->passive;
+    own->passive = anchor->passive;
+    tp_load_anchor(&own->wrench, anchor, s);
+  }
+}

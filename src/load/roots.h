@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The tilts at which a moment or a force vanishes.
+ *
+ * A cos a + B sin a + C = R cos(a - psi) + C has its zeros at psi +- acos(-C / R), in closed form.
+ * With terms in 1 / cos a the zeros are isolated by interval bisection: a box over which the
+ * function or its derivative has no zero is settled, any other is halved; then each is bracketed.
+ */
+
+#ifndef TP_ROOTS_H
+#define TP_ROOTS_H
+
+#include "load/wrench.h"
+
+#include <stdbool.h>
+
+enum { TP_ROOTS_MAX = 8 };
+
+typedef struct tp_roots {
+  long count; /* ascending, in (-90, 90) degrees */
+  arb_struct degrees[TP_ROOTS_MAX];
+  bool rising[TP_ROOTS_MAX]; /* from below zero to above */
+  bool certain;              /* all zeros are found, and no other */
+} tp_roots;
+
+void tp_roots_init(tp_roots *roots);
+void tp_roots_clear(tp_roots *roots);
+
+/* The zeros between -limit and limit, where limit is a ball of radians below pi / 2 for functions
+ * with terms in 1 / cos a, and does not matter for others. */
+void tp_roots_find(tp_roots *roots, const tp_trig *f, const arb_t limit, long bits);
+
+/* The tilt at which what is stable below zero first lets go as the table is tilted from level: the
+ * first rising zero above level; where it is not stable level, the last one below. False where
+ * there is none: `*always` says that it is never stable. `*level` is the value at level ground. */
+bool tp_roots_critical(arb_t degrees, bool *always, tp_roots *roots, const arb_t level);
+
+#endif

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the loads of a scene do, as text and JSON. */
+
+#ifndef TP_REPORT_LOADS_H
+#define TP_REPORT_LOADS_H
+
+#include "report/page.h"
+
+/* The account of moments about the governing pivot, and the tilts at which it lets go and holds
+ * again. Nothing where the scene has no loads. */
+void tp_page_add_loads(tp_page *page, const tp_case *own);
+
+/* "loads": […], for a case. */
+void tp_json_loads(tp_text *text, const tp_case *own);
+
+/* ", "limits_deg": […]" of a pivot under loads. */
+void tp_json_limits(tp_text *text, const tp_pivot *pivot);
+
+#endif

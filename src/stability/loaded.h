@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Stability under the loads of a scene (mechanics section 5). */
+
+#ifndef TP_LOADED_H
+#define TP_LOADED_H
+
+#include "load/loads.h"
+#include "load/roots.h"
+#include "stability/evaluation.h"
+
+/* The loads for one direction of tilt at one rung, in SI units and the frame of load/wrench.h. */
+typedef struct tp_loaded tp_loaded;
+struct tp_loaded {
+  bool mirrored;
+  long count;
+  tp_load *items;
+  tp_wrench sum;
+  arb_t limit; /* radians up to which water that stays level stays below the top of its face */
+};
+
+/* False when memory is exhausted. */
+TP_MUST_USE bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *evaluation,
+                                tp_direction towards, tp_solution *solution);
+void tp_loaded_clear(tp_loaded *loaded);
+
+/* The axis about a contact point, in metres and in the frame of the loads. */
+void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *evaluation,
+                    long point);
+
+/* The moment of all loads about the axis at a contact point, the bond of the contact included. */
+void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *evaluation,
+                      long point);
+
+/* Its zeros, and the critical angle in degrees: 180 where it never topples, -180 where it never
+ * stands. */
+void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
+                        tp_evaluation *evaluation, long point);
+
+/* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
+void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
+                     long point, const arb_t degrees, const tp_roots *roots);
+
+/* The account of loads about the governing pivot; room for tp_loaded_account_count. */
+long tp_loaded_account_count(const tp_scene *scene);
+void tp_loaded_account(tp_case *result, const tp_loaded *loaded, tp_evaluation *evaluation);
+
+/* Does it turn up-dip at the scene's tilt? */
+bool tp_loaded_falls_backwards(const tp_loaded *loaded, tp_evaluation *evaluation,
+                               const bool *admissible);
+
+/* Sliding down along a facet, (run, rise) as in stability/sliding.c, with the friction and cohesion
+ * of the contact: the critical angle in degrees, or false where it never slides. */
+bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded,
+                       tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise);
+
+#endif

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Sliding along a facet under loads: the force along it against friction and cohesion.
+ *
+ * With s the direction of motion along the facet and n its normal, the block slides where
+ * F . s > -(F . n) tan phi + c S, S the area of the contact. With the weight alone and no cohesion
+ * that is Patton's phi + i (Eq. 6). */
+
+#include "stability/loaded.h"
+
+#include "number/ball.h"
+
+/* s = (-run, rise) / size, n = (rise, run) / size. */
+typedef struct facet_frame {
+  arb_t run, rise, friction, cohesion;
+} facet_frame;
+
+/* Cohesion times the length of the contact and the thickness, N. */
+static void set_cohesion(arb_t force, const tp_evaluation *e) {
+  const tp_problem *problem = e->problem;
+  const tp_lattice *l = &problem->lattice;
+  const long bits = e->rung.bits;
+  fmpq_t factor;
+  arb_t dx, dy;
+  fmpq_init(factor);
+  arb_init(dx);
+  arb_init(dy);
+  arb_zero(force);
+  for (long k = 0; k < problem->contact.facet_count; k++) {
+    const tp_facet *f = problem->contact.facets + k;
+    arb_set_fmpz(dx, l->x + f->q1);
+    arb_sub_fmpz(dx, dx, l->x + f->q0, bits);
+    arb_set_fmpz(dy, l->y + f->q1);
+    arb_sub_fmpz(dy, dy, l->y + f->q0, bits);
+    arb_hypot(dx, dx, dy, bits);
+    arb_add(force, force, dx, bits);
+  }
+  tp_problem_thickness(factor, problem);
+  fmpq_mul(factor, factor, l->step_m);
+  fmpq_mul(factor, factor, problem->scene->loads.cohesion_kpa.value);
+  fmpq_mul_ui(factor, factor, 1000);
+  arb_mul_fmpz(force, force, fmpq_numref(factor), bits);
+  arb_div_fmpz(force, force, fmpq_denref(factor), bits);
+  fmpq_clear(factor);
+  arb_clear(dx);
+  arb_clear(dy);
+}
+
+static void frame_init(facet_frame *f, const tp_evaluation *e, const fmpz_t run,
+                       const fmpz_t rise) {
+  const long bits = e->rung.bits;
+  arb_t size, cosine;
+  arb_init(size);
+  arb_init(cosine);
+  arb_init(f->run);
+  arb_init(f->rise);
+  arb_init(f->friction);
+  arb_init(f->cohesion);
+  arb_set_fmpz(f->run, run);
+  arb_set_fmpz(f->rise, rise);
+  arb_hypot(size, f->run, f->rise, bits);
+  arb_div(f->run, f->run, size, bits);
+  arb_div(f->rise, f->rise, size, bits);
+  tp_ball_sin_cos_degrees(f->friction, cosine, e->problem->scene->friction_angle_deg.value, bits);
+  arb_div(f->friction, f->friction, cosine, bits);
+  if (e->problem->scene->loads.cohesion_kpa.given) set_cohesion(f->cohesion, e);
+  arb_clear(size);
+  arb_clear(cosine);
+}
+
+static void frame_clear(facet_frame *f) {
+  arb_clear(f->run);
+  arb_clear(f->rise);
+  arb_clear(f->friction);
+  arb_clear(f->cohesion);
+}
+
+/* along += F . s, normal -= F . n */
+static void resolve(tp_trig *along, tp_trig *normal, const tp_wrench *wrench, const facet_frame *f,
+                    long bits) {
+  tp_trig_submul(along, &wrench->x, f->run, bits);
+  tp_trig_addmul(along, &wrench->y, f->rise, bits);
+  tp_trig_submul(normal, &wrench->x, f->rise, bits);
+  tp_trig_submul(normal, &wrench->y, f->run, bits);
+}
+
+/* What resists over what drives, at the scene's tilt: the pull of a passive anchor that holds back
+ * counts as resistance. */
+static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const facet_frame *f) {
+  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
+  const long bits = e->rung.bits;
+  if (!tilt->given) return (tp_fos){.state = TP_FOS_NO_TILT};
+  tp_trig along, normal;
+  arb_t sine, cosine, value, driving, resisting;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(value);
+  arb_init(driving);
+  arb_init(resisting);
+  tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
+  arb_set(resisting, f->cohesion);
+  for (long k = 0; k < loaded->count; k++) {
+    tp_trig_init(&along);
+    tp_trig_init(&normal);
+    resolve(&along, &normal, &loaded->items[k].wrench, f, bits);
+    tp_trig_evaluate(value, &normal, sine, cosine, bits);
+    arb_addmul(resisting, value, f->friction, bits);
+    tp_trig_evaluate(value, &along, sine, cosine, bits);
+    if (loaded->items[k].passive && arb_is_negative(value)) {
+      arb_sub(resisting, resisting, value, bits);
+    } else {
+      arb_add(driving, driving, value, bits);
+    }
+    tp_trig_clear(&along);
+    tp_trig_clear(&normal);
+  }
+  tp_fos fos = {.state = TP_FOS_NO_OVERTURNING};
+  if (arb_is_positive(driving)) {
+    fos.state = TP_FOS_NUMBER;
+    arb_div(value, resisting, driving, bits);
+    fos.value = tp_evaluation_result(e, value);
+  } else if (!arb_is_nonpositive(driving)) {
+    e->certain = false;
+  }
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(value);
+  arb_clear(driving);
+  arb_clear(resisting);
+  return fos;
+}
+
+bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_evaluation *e,
+                       const fmpz_t run, const fmpz_t rise) {
+  const long bits = e->rung.bits;
+  facet_frame f;
+  tp_trig excess, normal;
+  tp_roots roots;
+  arb_t level, sine, cosine;
+  frame_init(&f, e, run, rise);
+  tp_trig_init(&excess);
+  tp_trig_init(&normal);
+  tp_roots_init(&roots);
+  arb_init(level);
+  arb_init(sine);
+  arb_init(cosine);
+  resolve(&excess, &normal, &loaded->sum, &f, bits);
+  tp_trig_submul(&excess, &normal, f.friction, bits);
+  arb_sub(excess.of + TP_ONE, excess.of + TP_ONE, f.cohesion, bits);
+  tp_roots_find(&roots, &excess, loaded->limit, bits);
+  arb_one(cosine);
+  tp_trig_evaluate(level, &excess, sine, cosine, bits);
+  bool always = false;
+  const bool found = tp_roots_critical(degrees, &always, &roots, level);
+  if (!found && always) arb_set_si(degrees, -180);
+  if (!roots.certain) e->certain = false;
+  *fos = factor(loaded, e, &f);
+  frame_clear(&f);
+  tp_trig_clear(&excess);
+  tp_trig_clear(&normal);
+  tp_roots_clear(&roots);
+  arb_clear(level);
+  arb_clear(sine);
+  arb_clear(cosine);
+  return found || always;
+}
