@@ -112,9 +112,9 @@ static void add_pivot_row(tp_page *p, const tp_case *c, size_t k) {
   tp_text_add(&p->text, "%s %-8s %10s %10s ", governs ? ">" : " ", tp_text_pivot_kind(pivot->kind),
               tp_page_coordinate(p, n[0], pivot->x_m), tp_page_coordinate(p, n[1], pivot->y_m));
   if (pivot->never || pivot->always) {
-    tp_text_add(&p->text, "%13s", pivot->never ? "never" : "always");
+    tp_text_add(&p->text, "%14s", pivot->never ? "never" : "always");
   } else {
-    tp_text_add(&p->text, "%12s°", tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
+    tp_text_add(&p->text, "%13s°", tp_text_fixed(n[2], pivot->critical_angle_deg, 3));
   }
   if (p->solution->has_tilt_angle) {
     tp_text_add(&p->text, " %9s %9s", tp_page_fos(n[3], pivot->fos_resultant),
