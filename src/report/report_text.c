@@ -213,13 +213,12 @@ static void add_sliding(tp_page *p, const tp_case *c) {
     return;
   }
   if (p->solution->loaded) {
-    tp_text_add(&p->text,
-                "  Sliding under the loads, by the forces along and across the facet: %s°",
+    tp_text_add(&p->text, "  Sliding under the loads: %s°",
                 tp_text_fixed(n[0], s->critical_angle_deg, 3));
     if (s->fos.state == TP_FOS_NUMBER) {
       tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[1], s->fos.value, 3));
     }
-    tp_text_add(&p->text, "\n");
+    tp_text_add(&p->text, ", by the forces along and across the facet\n");
     return;
   }
   const bool climbs = s->facet_angle_deg.value >= 0;

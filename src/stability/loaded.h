@@ -29,6 +29,11 @@ void tp_loaded_clear(tp_loaded *loaded);
 void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *evaluation,
                     long point);
 
+/* The moment of the contact's tensile bond about an axis, positive, in N m: against overturning, or
+ * against turning `back`. */
+void tp_loaded_bond(arb_t moment, const arb_t x, const arb_t y, bool back, const tp_loaded *loaded,
+                    const tp_evaluation *evaluation);
+
 /* The moment of all loads about the axis at a contact point, the bond of the contact included. */
 void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *evaluation,
                       long point);

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What stabilises and what overturns at the scene's tilt. */
+
+#include "stability/loaded.h"
+
+#include "number/ball.h"
+
+/* Sums of what stabilises and what overturns, both positive. */
+typedef struct balance {
+  arb_t stabilising, overturning;
+  tp_evaluation *evaluation;
+  tp_case *account; /* NULL: none is drawn up */
+} balance;
+
+static void add_to(balance *b, const char *name, tp_place place, const arb_t moment,
+                   tp_load_side side) {
+  const long bits = b->evaluation->rung.bits;
+  if (side == TP_STABILISES) {
+    arb_sub(b->stabilising, b->stabilising, moment, bits);
+  } else {
+    arb_add(b->overturning, b->overturning, moment, bits);
+  }
+  if (b->account == NULL) return;
+  tp_load_result *own = b->account->loads + b->account->load_count++;
+  *own = (tp_load_result){.name = name, .side = side};
+  own->moment_nm = tp_ball_bounded(moment);
+  tp_place_text(own->called_for_by, sizeof own->called_for_by, place);
+}
+
+static tp_load_side side_of(const arb_t moment, bool active, bool passive) {
+  const bool overturns = arf_sgn(arb_midref(moment)) > 0;
+  if (active) return overturns ? TP_OVERTURNS : TP_LESSENS_OVERTURNING;
+  (void)passive; /* by its sign, like any other */
+  return overturns ? TP_OVERTURNS : TP_STABILISES;
+}
+
+/* The weight by its two components, as in Eq. (2); then each load; then the bond. */
+static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t sine,
+                  const arb_t cosine) {
+  tp_evaluation *e = b->evaluation;
+  const long bits = e->rung.bits;
+  tp_trig about, part;
+  arb_t x, y, moment;
+  tp_trig_init(&about);
+  tp_trig_init(&part);
+  arb_init(x);
+  arb_init(y);
+  arb_init(moment);
+  tp_loaded_axis(x, y, loaded, e, point);
+  for (long k = 0; k < loaded->count; k++) {
+    const tp_load *own = loaded->items + k;
+    tp_wrench_moment(&about, &own->wrench, x, y, bits);
+    if (own->kind == TP_LOAD_WEIGHT) {
+      arb_mul(moment, about.of + TP_COS, cosine, bits);
+      add_to(b, "weight, normal", own->place, moment, side_of(moment, false, false));
+      arb_mul(moment, about.of + TP_SIN, sine, bits);
+      add_to(b, "weight, parallel", own->place, moment, side_of(moment, false, false));
+      continue;
+    }
+    tp_trig_evaluate(moment, &about, sine, cosine, bits);
+    add_to(b, tp_load_name(own->kind), own->place, moment,
+           side_of(moment, own->active, own->passive));
+  }
+  if (e->problem->scene->loads.bond_kpa.given) {
+    tp_loaded_bond(moment, x, y, false, loaded, e);
+    arb_neg(moment, moment);
+    add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, moment, TP_STABILISES);
+  }
+  tp_trig_clear(&about);
+  tp_trig_clear(&part);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(moment);
+}
+
+static void balance_at(balance *b, const tp_loaded *loaded, tp_evaluation *e, long point) {
+  arb_t sine, cosine;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(b->stabilising);
+  arb_init(b->overturning);
+  b->evaluation = e;
+  tp_ball_sin_cos_degrees(sine, cosine, e->problem->scene->tilt_angle_deg.value, e->rung.bits);
+  weigh(b, loaded, point, sine, cosine);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+static void balance_clear(balance *b) {
+  arb_clear(b->stabilising);
+  arb_clear(b->overturning);
+}
+
+void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *e, long point,
+                     const arb_t degrees, const tp_roots *roots) {
+  pivot->never = arb_equal_si(degrees, 180) != 0;
+  pivot->always = arb_equal_si(degrees, -180) != 0;
+  pivot->limit_count = 0;
+  for (long k = 0; k < roots->count; k++) {
+    if (arf_sgn(arb_midref(roots->degrees + k)) <= 0) continue;
+    pivot->limits_deg[pivot->limit_count++] = tp_evaluation_result(e, roots->degrees + k);
+  }
+  pivot->fos_elements = (tp_fos){.state = TP_FOS_NOT_ASKED};
+  pivot->fos_resultant = (tp_fos){.state = TP_FOS_NO_TILT};
+  if (!e->problem->scene->tilt_angle_deg.given) return;
+  balance b = {.account = NULL};
+  balance_at(&b, loaded, e, point);
+  pivot->fos_resultant.state = TP_FOS_NO_OVERTURNING;
+  if (arb_is_positive(b.overturning)) {
+    arb_div(b.stabilising, b.stabilising, b.overturning, e->rung.bits);
+    pivot->fos_resultant.state = TP_FOS_NUMBER;
+    pivot->fos_resultant.value = tp_evaluation_result(e, b.stabilising);
+  } else if (!arb_is_nonpositive(b.overturning)) {
+    e->certain = false;
+  }
+  balance_clear(&b);
+}
+
+long tp_loaded_account_count(const tp_scene *scene) {
+  return tp_loads_count(&scene->loads) + 2; /* the weight twice, and the bond */
+}
+
+void tp_loaded_account(tp_case *result, const tp_loaded *loaded, tp_evaluation *e) {
+  result->load_count = 0;
+  if (!result->has_governing || !e->problem->scene->tilt_angle_deg.given) return;
+  balance b = {.account = result};
+  balance_at(&b, loaded, e, e->problem->contact.points[result->governing].point);
+  balance_clear(&b);
+}
+
+/* The moment about a contact point at a tilt, the bond holding back against turning up-dip. */
+static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluation *e, long point,
+                        const arb_t sine, const arb_t cosine) {
+  tp_trig moment;
+  arb_t x, y, held;
+  tp_trig_init(&moment);
+  arb_init(x);
+  arb_init(y);
+  arb_init(held);
+  tp_loaded_axis(x, y, loaded, e, point);
+  tp_wrench_moment(&moment, &loaded->sum, x, y, e->rung.bits);
+  tp_trig_evaluate(value, &moment, sine, cosine, e->rung.bits);
+  tp_loaded_bond(held, x, y, true, loaded, e);
+  arb_add(value, value, held, e->rung.bits);
+  tp_trig_clear(&moment);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(held);
+}
+
+bool tp_loaded_falls_backwards(const tp_loaded *loaded, tp_evaluation *e, const bool *admissible) {
+  const tp_problem *problem = e->problem;
+  arb_t sine, cosine, value;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(value);
+  tp_ball_sin_cos_degrees(sine, cosine, problem->scene->tilt_angle_deg.value, e->rung.bits);
+  bool falls = false;
+  for (long k = 0; k < problem->contact.point_count && !falls; k++) {
+    if (!admissible[k]) continue;
+    moment_back(value, loaded, e, problem->contact.points[k].point, sine, cosine);
+    falls = arb_is_negative(value);
+    if (!falls && !arb_is_positive(value)) e->certain = false;
+  }
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(value);
+  return falls;
+}
