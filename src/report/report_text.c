@@ -218,7 +218,7 @@ static void add_sliding(tp_page *p, const tp_case *c) {
     if (s->fos.state == TP_FOS_NUMBER) {
       tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[1], s->fos.value, 3));
     }
-    tp_text_add(&p->text, ", by the forces along and across the facet\n");
+    tp_text_add(&p->text, ",\n  by the forces along and across the facet\n");
     return;
   }
   const bool climbs = s->facet_angle_deg.value >= 0;
