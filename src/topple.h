@@ -213,7 +213,7 @@ typedef struct tp_block_result {
   tp_bounded thickness_m;
   bool has_weight;
   tp_bounded weight_n;
-  size_t vertices, holes, parts, triangles;
+  size_t vertices, holes, parts, triangles; /* no vertices: an ellipse */
 } tp_block_result;
 
 /* A toothed block in both of the paper's descriptions (its section 5.1). */

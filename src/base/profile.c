@@ -162,6 +162,10 @@ static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_sectio
       status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 1),
                        "the contact begins and ends in the same vertex");
     }
+  } else if (section->ellipse !=
+             NULL) { /* the flat: from the last vertex of the hull to the first */
+    first = outline->count - 1;
+    last = 0;
   } else {
     first = tp_polyline_leftmost(outline);
     last = rightmost(outline);

@@ -23,6 +23,6 @@ void tp_moments_clear(tp_moments *moments);
 /* Sums at one rung of the ladder; exact integers at TP_LEVEL_EXACT. The first chains of the lattice
  * are the rings of the section. */
 void tp_moments_evaluate(tp_moments *moments, const tp_section *section, const tp_lattice *lattice,
-                         tp_rung rung);
+                         const fmpq_t metres_per_unit, tp_rung rung);
 
 #endif

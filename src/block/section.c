@@ -3,6 +3,7 @@
 
 #include "block/section.h"
 
+#include "block/ellipse.h"
 #include "block/outline.h"
 
 #include <stdio.h>
@@ -82,6 +83,10 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
   case TP_OUTLINE_SLAB:
     done = tp_outline_teeth(outline, &block->teeth, mark) &&
            tp_outline_teeth_elements(&section->element_corners, &block->teeth);
+    break;
+  case TP_OUTLINE_ELLIPSE:
+    section->ellipse = &block->ellipse;
+    done = tp_ellipse_hull(outline, &block->ellipse, mark);
     break;
   }
   for (long k = 0; k < block->hole_count && done; k++) {

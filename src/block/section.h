@@ -22,6 +22,7 @@ typedef struct tp_section {
   fmpz *ring_weights;          /* ring_count */
   fmpz *density_weights;       /* 1 + part_count: of the block and of each part */
   fmpq_t weight_unit;          /* kN/m3; 1 where the scene gives no unit weight */
+  const tp_ellipse *ellipse;   /* the outline stands around this; NULL: it is the block's own */
   tp_polyline element_corners; /* of the paper's own elements (teeth, slab); else empty */
 } tp_section;
 

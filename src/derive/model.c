@@ -37,6 +37,10 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                    "formulas are derived for the sharp block; leave out 'rounded' and derive with "
                    "--rounded");
   }
+  if (scene->block.form == TP_OUTLINE_ELLIPSE) {
+    return tp_fail(message, TP_BAD_INPUT, scene->block.place,
+                   "formulas are derived for outlines of straight edges, not for an ellipse");
+  }
   if (tp_loads_are_called_for(&scene->loads)) {
     return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
                    "formulas are derived for the weight alone; leave out 'loads'");

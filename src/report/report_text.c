@@ -50,7 +50,8 @@ static void add_block(tp_page *p) {
   } else {
     tp_text_add(&p->text, "\n         (no weight: the scene gives no unit_weight_kn_m3)");
   }
-  tp_text_add(&p->text, "; %zu vertices", b->vertices);
+  if (b->vertices > 0) tp_text_add(&p->text, "; %zu vertices", b->vertices);
+  if (b->vertices == 0) tp_text_add(&p->text, "; an ellipse on its flat");
   if (b->holes > 0) tp_text_add(&p->text, ", %zu hole%s", b->holes, b->holes == 1 ? "" : "s");
   if (b->parts > 0) {
     tp_text_add(&p->text, ", %zu part%s of other density", b->parts, b->parts == 1 ? "" : "s");

@@ -134,14 +134,47 @@ static tp_status read_slab(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
+static tp_status read_length(const tp_reader *reader, tp_quantity *length, const tp_node *map,
+                             const char *key, const char *example) {
+  const tp_node *node = NULL;
+  tp_status status = tp_read_required(reader, &node, map, key, example);
+  if (status == TP_OK) status = tp_read_quantity(reader, length, node, key);
+  if (status == TP_OK && fmpq_sgn(length->value) <= 0) {
+    status = tp_read_fail(reader, node, "%s must be above zero", key);
+  }
+  return status;
+}
+
+static tp_status read_ellipse(const tp_reader *reader, const tp_node *block, const tp_node *node) {
+  static const char *const keys[] = {"width", "height", "flat", NULL};
+  tp_ellipse *e = &reader->scene->block.ellipse;
+  reader->scene->block.form = TP_OUTLINE_ELLIPSE;
+  tp_status status =
+      tp_node_expect_keys(node, keys, "ellipse", reader->scene->path, reader->message);
+  if (status == TP_OK) status = read_length(reader, &e->width, node, "width", "width: 8");
+  if (status == TP_OK) status = read_length(reader, &e->height, node, "height", "height: 3");
+  if (status == TP_OK) status = read_length(reader, &e->flat, node, "flat", "flat: 0.6");
+  if (status == TP_OK && fmpq_cmp(e->flat.value, e->width.value) >= 0) {
+    status = tp_read_fail(reader, tp_node_get(node, "flat"),
+                          "the flat must be narrower than the ellipse");
+  }
+  if (status == TP_OK &&
+      (tp_node_get(block, "holes") != NULL || tp_node_get(block, "parts") != NULL ||
+       tp_node_get(block, "rounded") != NULL)) {
+    status = tp_read_fail(reader, node, "an ellipse takes no holes, parts or rounded corners");
+  }
+  return status;
+}
+
 static tp_status read_form(const tp_reader *reader, const tp_node *node) {
   const tp_node *teeth = tp_node_get(node, "teeth"), *slab = tp_node_get(node, "slab");
-  const tp_node *outline = tp_node_get(node, "outline");
-  const int forms = (teeth != NULL) + (slab != NULL) + (outline != NULL);
+  const tp_node *outline = tp_node_get(node, "outline"), *ellipse = tp_node_get(node, "ellipse");
+  const int forms = (teeth != NULL) + (slab != NULL) + (outline != NULL) + (ellipse != NULL);
   if (forms != 1) {
     return tp_read_fail(reader, node,
-                        "the block needs exactly one of 'outline', 'teeth' and 'slab'");
+                        "the block needs exactly one of 'outline', 'teeth', 'slab' and 'ellipse'");
   }
+  if (ellipse != NULL) return read_ellipse(reader, node, ellipse);
   if (teeth != NULL) return read_teeth(reader, teeth);
   if (slab != NULL) return read_slab(reader, slab);
   reader->scene->block.form = TP_OUTLINE_VERTICES;
@@ -208,8 +241,8 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"teeth",   "slab",      "outline",           "holes", "parts",
-                                     "rounded", "thickness", "unit_weight_kn_m3", NULL};
+  static const char *const keys[] = {"teeth", "slab",    "outline",   "ellipse",           "holes",
+                                     "parts", "rounded", "thickness", "unit_weight_kn_m3", NULL};
   tp_block_description *block = &reader->scene->block;
   block->place = tp_node_place(node, reader->scene->path);
   tp_status status =

@@ -153,6 +153,9 @@ static tp_scene *new_scene(const char *path) {
   fmpq_init(block->teeth.width);
   fmpq_init(block->teeth.height);
   fmpq_init(block->teeth.depth);
+  fmpq_init(block->ellipse.width.value);
+  fmpq_init(block->ellipse.height.value);
+  fmpq_init(block->ellipse.flat.value);
   fmpq_init(block->thickness.value);
   fmpq_init(block->unit_weight_kn_m3.value);
   fmpq_init(scene->base.beyond_left.value);
@@ -168,6 +171,9 @@ static void clear_block(tp_block_description *block) {
   fmpq_clear(block->teeth.width);
   fmpq_clear(block->teeth.height);
   fmpq_clear(block->teeth.depth);
+  fmpq_clear(block->ellipse.width.value);
+  fmpq_clear(block->ellipse.height.value);
+  fmpq_clear(block->ellipse.flat.value);
   fmpq_clear(block->thickness.value);
   fmpq_clear(block->unit_weight_kn_m3.value);
   for (long k = 0; k < block->hole_count; k++) tp_polyline_clear(block->holes + k);
@@ -231,7 +237,7 @@ tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message)
   tp_scene *read = NULL;
   tp_status status = tp_node_read(&root, path, message);
   if (status == TP_OK) status = tp_scene_from_nodes(&read, path, root, message);
-  if (status == TP_OK) {
+  if (status == TP_OK && read != NULL) {
     read->borrows_source = false;
     *scene = read;
   } else {

@@ -24,8 +24,15 @@ typedef struct tp_quantity {
 typedef enum tp_outline_form {
   TP_OUTLINE_VERTICES,
   TP_OUTLINE_TEETH,
-  TP_OUTLINE_SLAB
+  TP_OUTLINE_SLAB,
+  TP_OUTLINE_ELLIPSE
 } tp_outline_form;
+
+/* An ellipse of a width and a height, cut off below where it is `flat` wide: it rests on that flat,
+ * from (-flat / 2, 0) to (flat / 2, 0). `height` is of the whole ellipse. */
+typedef struct tp_ellipse {
+  tp_quantity width, height, flat;
+} tp_ellipse;
 
 /* N sub-blocks of width a; b the smaller and b + c the larger of their heights (Fig. 5). */
 typedef struct tp_teeth {
@@ -59,6 +66,7 @@ typedef struct tp_block_description {
   tp_outline_form form;
   tp_polyline outline; /* TP_OUTLINE_VERTICES */
   tp_teeth teeth;      /* TP_OUTLINE_TEETH; a slab is one tooth of depth 0 */
+  tp_ellipse ellipse;  /* TP_OUTLINE_ELLIPSE */
   long hole_count;
   tp_polyline *holes;
   long part_count;

@@ -97,10 +97,11 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
     weight(e, value);
     block->weight_n = tp_evaluation_result(e, value);
   }
-  block->vertices = (size_t)problem->lattice.start[problem->section.ring_count];
+  const bool curved = problem->section.ellipse != NULL;
+  block->vertices = curved ? 0 : (size_t)problem->lattice.start[problem->section.ring_count];
   block->holes = (size_t)problem->section.hole_count;
   block->parts = (size_t)problem->section.part_count;
-  block->triangles = problem->triangle_count;
+  block->triangles = curved ? 0 : problem->triangle_count;
   arb_clear(value);
   fmpq_clear(thickness);
 }

@@ -104,6 +104,10 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
     if (own->kind == TP_LOAD_WEIGHT) continue;
     tp_effects_note(solution, tp_load_name(own->kind), own->place, "", began);
   }
+  const tp_loads_description *d = &scene->loads;
+  if (d->bond_kpa.given) tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
+  if (d->cohesion_kpa.given)
+    tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
   return true;
 }
 

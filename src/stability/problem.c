@@ -49,7 +49,7 @@ static tp_status find_pivots(tp_problem *problem, tp_message *message) {
 }
 
 bool tp_problem_is_enclosed(const tp_problem *problem) {
-  return problem->corners.count > 0 || problem->loaded;
+  return problem->corners.count > 0 || problem->loaded || problem->section.ellipse != NULL;
 }
 
 /* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? With

@@ -185,7 +185,8 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .admissible = {c->problem->admissible[0], c->problem->admissible[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
-  tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice, rung);
+  tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice,
+                      c->problem->scene->metres_per_unit, rung);
   if (rounded) evaluate_corners(&evaluation, c);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);

@@ -227,6 +227,41 @@ class Rounded(unittest.TestCase):
         self.assertEqual(status, 3)
         self.assertIn("derive with --rounded", err)
 
+    def test_ellipse(self):
+        """An ellipse on a flat: area, centroid and second moments against polygons inscribed with n
+        chords, whose gap falls as 1 / n^2; a hemisphere-like cut of a circle in closed form: with the
+        flat at the diameter less nothing the centroid is 4 r / (3 pi) over it, approached from below."""
+        scene = "topple: 1\nlength_unit: m\nblock: {ellipse: {width: %r, height: %r, flat: %r}}\ntilt: {towards: left}\n"
+        for width, height, flat in ((8, 3, 1.8), (2, 2, 0.1), (3, 7, 2.9)):
+            self.scene.write_text(scene % (width, height, flat))
+            case = solve(self.scene)["cases"][0]
+            gaps = []
+            beta = math.asin(flat / width)
+            for n in (400, 800):
+                turns = [-math.pi / 2 + beta + (2 * math.pi - 2 * beta) * k / n for k in range(n + 1)]
+                ring = [(width / 2 * math.cos(t), height / 2 * (math.sin(t) + math.cos(beta))) for t in turns]
+                m = exact.ring_moments([(Fraction(x), Fraction(y)) for x, y in ring])
+                gy = m[2] / m[0]
+                gaps.append([abs(case["block"]["area_m2"]["value"] - float(m[0])),
+                             abs(case["block"]["centroid_y_m"]["value"] - float(gy)),
+                             abs(case["block"]["second_moment_xx_m4"]["value"] - float(m[3])),
+                             abs(case["block"]["second_moment_yy_m4"]["value"] - float(m[4] - gy * m[2]))])
+            for coarse, fine in zip(*gaps):
+                self.assertLess(fine, 1e-2)
+                self.assertAlmostEqual(coarse / fine, 4, delta=0.2)
+            angle = math.degrees(math.atan2(flat / 2, case["block"]["centroid_y_m"]["value"]))
+            self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"], angle, delta=1e-12)
+        self.scene.write_text(scene % (2, 2, 1.999999999999))
+        centroid = solve(self.scene)["cases"][0]["block"]["centroid_y_m"]["value"]
+        self.assertAlmostEqual(centroid, 4 / (3 * math.pi), delta=2e-6)
+        for wrong, message in (("{width: 2, height: 2, flat: 2}", "the flat must be narrower"),
+                               ("{width: 2, height: 0, flat: 1}", "height must be above zero"),
+                               ("{width: 2, height: 2}", "'flat' is missing here")):
+            self.scene.write_text(f"topple: 1\nlength_unit: m\nblock: {{ellipse: {wrong}}}\n")
+            status, out, err = run("solve", self.scene)
+            self.assertEqual((status, out), (3, ""))
+            self.assertIn(message, err)
+
     def test_bad_find(self):
         self.write(3, 30, 120, 5, "peak", 1)
         for key, target, message in (
