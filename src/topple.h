@@ -191,7 +191,9 @@ typedef struct tp_case {
   bool has_governing;
   size_t governing;   /* index of the admissible pivot with the least critical angle */
   bool governing_tie; /* another admissible pivot has exactly the same critical angle */
-  tp_rolls rolls;     /* the corner at the governing pivot; TP_ROLLS_NOT: it is sharp */
+  tp_rolls rolls;     /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
+  bool rests; /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
+  tp_bounded rest_turn_deg; /* ... turned by this on its base */
   tp_sliding sliding;
   tp_toe toe;
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */

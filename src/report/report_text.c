@@ -245,6 +245,12 @@ static void add_sliding(tp_page *p, const tp_case *c) {
 
 static void add_rolling(tp_page *p, const tp_case *c) {
   if (c->rolls == TP_ROLLS_NOT) return;
+  if (c->rests) {
+    char n[TP_NUMBER_SIZE];
+    tp_text_add(&p->text, "  Its toe is rounded: it rolls on it to rest, turned by %s°.\n",
+                tp_text_fixed(n, c->rest_turn_deg, 3));
+    return;
+  }
   tp_text_add(&p->text, "  Its toe is rounded: beyond its critical angle it %s.\n",
               c->rolls == TP_ROLLS_BACK ? "rolls on it to a new rest" : "goes over");
 }

@@ -3,10 +3,7 @@
 
 /* Turning about rounded corners (mechanics section 4; Appendix B).
  *
- * The axis is the tangent point on the edge up-dip of the corner, and the contact begins there.
- * Beyond its critical angle the block rolls on the arc. While the contact moves by r a radian along
- * a plane facet, the weight's arm changes by minus the height of the centroid over the centre of
- * curvature: it rolls back to a new rest if and only if the centre lies above the centroid. */
+ * The axis is the tangent point on the edge up-dip of the corner, and the contact begins there. */
 
 #include "stability/evaluation.h"
 
@@ -152,45 +149,4 @@ void tp_evaluate_admissible(tp_evaluation *e, bool *admissible, tp_direction tow
     admissible[k] = !presses && opens_all(e, &own, p, towards);
   }
   ends_clear(&own, contact->facet_count);
-}
-
-/* Height of the centre over the centroid in the world, at the tilt whose sine and cosine are those
- * of the lever arms: (C - G) . (sin, cos), x mirrored towards the right. */
-static void centre_height(arb_t height, const tp_evaluation *e, const tp_corner_ball *c,
-                          const tp_direction_ball *toppling, bool left) {
-  const long bits = e->rung.bits;
-  const arb_struct *sums = e->moments.weighted;
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
-  arb_div(x, sums + TP_X6, sums + TP_A2, bits);
-  arb_div_ui(x, x, 3, bits);
-  arb_sub(x, c->centre.x, x, bits);
-  if (!left) arb_neg(x, x);
-  arb_div(y, sums + TP_Y6, sums + TP_A2, bits);
-  arb_div_ui(y, y, 3, bits);
-  arb_sub(y, c->centre.y, y, bits);
-  arb_mul(height, x, toppling->sine, bits);
-  arb_addmul(height, y, toppling->cosine, bits);
-  arb_clear(x);
-  arb_clear(y);
-}
-
-void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
-  const tp_problem *problem = e->problem;
-  result->rolls = TP_ROLLS_NOT;
-  if (!result->has_governing) return;
-  const tp_corner *corner = tp_corners_find(&problem->corners, &problem->lattice,
-                                            problem->contact.points[result->governing].point);
-  if (corner == NULL) return;
-  tp_corner_ball c;
-  arb_t height;
-  tp_corner_ball_init(&c);
-  arb_init(height);
-  tp_corner_evaluate(&c, corner, &problem->lattice, e->rung.bits);
-  centre_height(height, e, &c, toppling, result->towards == TP_TOWARDS_LEFT);
-  result->rolls = arb_is_positive(height) ? TP_ROLLS_BACK : TP_ROLLS_OVER;
-  if (!arb_is_positive(height) && !arb_is_negative(height)) e->certain = false;
-  tp_corner_ball_clear(&c);
-  arb_clear(height);
 }

@@ -188,6 +188,39 @@ class Rounded(unittest.TestCase):
             self.assertEqual(toppling["beyond"], "rolls back" if above else "goes over")
             self.assertEqual(toppling["beyond"], beyond)
 
+    def test_rest(self):
+        """Beyond its critical angle a low slab rolls on its toe to a new rest. Where it is found by rolling
+        the block in small steps in doubles: turned about the contact, which moves r a radian along the
+        base, until the centroid stands over the contact; towards both sides alike. At a steeper tilt it
+        goes over."""
+        width, height, radius = 40.0, 30.0, 19.0
+        scene = ("topple: 1\nlength_unit: mm\nblock:\n  slab: {width: 40, height: 30}\n  rounded: {model: paper, "
+                 "corners: [{at: %s, radius: 19}]}\ntilt: {towards: %s, angle_deg: %r}\n")
+        for tilt, rests in ((5.0, True), (11.5, True), (14.0, False)):
+            for end, towards in (("left_end", "left"), ("right_end", "right")):
+                self.scene.write_text(scene % (end, towards, tilt))
+                toppling = solve(self.scene)["cases"][0]["toppling"]
+                self.assertEqual(toppling["beyond"], "rolls back" if rests else "goes over")
+                self.assertEqual("rest_turn_deg" in toppling, rests)
+            a = math.radians(tilt)
+            cx, cy, gx, gy = radius, radius, width / 2, height / 2
+
+            def arm(t):
+                """Horizontal distance of the centroid up-dip of the contact after a turn by t."""
+                x = cx - radius * t + (gx - cx) * math.cos(t) - (gy - cy) * math.sin(t)
+                y = cy + (gx - cx) * math.sin(t) + (gy - cy) * math.cos(t)
+                return (x - (cx - radius * t)) * math.cos(a) - y * math.sin(a)
+
+            turns = [k * math.pi / 2 / 4000 for k in range(4001)]
+            place = next((k for k in range(4000) if arm(turns[k]) < 0 <= arm(turns[k + 1])), None)
+            self.assertEqual(place is not None, rests)
+            if rests:
+                low, high = turns[place], turns[place + 1]
+                for _ in range(60):
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if arm(middle) < 0 else (low, middle)
+                self.assertAlmostEqual(toppling["rest_turn_deg"]["value"], math.degrees(low), delta=1e-9)
+
     def test_only_when_called_for(self):
         """No rounding in the scene, none in the account of effects; a radius of 0 changes no number."""
         self.write(3, 30, 120, 5, "peak", 0)

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a rounded toe does beyond its critical angle (mechanics section 4).
+ *
+ * The block rolls on the arc, on the plane of its facet. With n the facet's normal and q = G - C,
+ * from the centre of curvature to the centroid, both in the world, the weight's arm about the
+ * contact is q_x + r n_x. Turned by t it is |q| cos(p + t) + r n_x, p the direction of q; it grows
+ * with t where the centroid lies below the centre: then the block rolls to a new rest, at t =
+ * -acos(-r n_x / |q|) - p, unless the arc, of pi - theta, ends before, or there is no such t.
+ * Otherwise it goes over. */
+
+#include "stability/evaluation.h"
+
+#include "number/ball.h"
+
+/* The centre of curvature C and the centroid G, x mirrored towards the right, and the normal of the
+ * facet up-dip of the corner. */
+typedef struct roller {
+  arb_t qx, qy; /* G - C in the block's frame */
+  arb_t nx, ny;
+  arb_t radius, arc; /* of the corner, lattice units; pi - theta */
+} roller;
+
+static void roller_init(roller *r, const tp_evaluation *e, const tp_corner *corner, bool left) {
+  const long bits = e->rung.bits;
+  const arb_struct *sums = e->moments.weighted;
+  tp_corner_ball c;
+  tp_corner_ball_init(&c);
+  tp_corner_evaluate(&c, corner, &e->problem->lattice, bits);
+  arb_struct *const all[] = {r->qx, r->qy, r->nx, r->ny, r->radius, r->arc};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_init(all[k]);
+  arb_div(r->qx, sums + TP_X6, sums + TP_A2, bits);
+  arb_div_ui(r->qx, r->qx, 3, bits);
+  arb_sub(r->qx, r->qx, c.centre.x, bits);
+  arb_div(r->qy, sums + TP_Y6, sums + TP_A2, bits);
+  arb_div_ui(r->qy, r->qy, 3, bits);
+  arb_sub(r->qy, r->qy, c.centre.y, bits);
+  /* from the tangent point to the centre */
+  const tp_ball_point *tangent = left ? &c.after : &c.before;
+  arb_sub(r->nx, c.centre.x, tangent->x, bits);
+  arb_sub(r->ny, c.centre.y, tangent->y, bits);
+  arb_div(r->nx, r->nx, c.radius, bits);
+  arb_div(r->ny, r->ny, c.radius, bits);
+  if (!left) {
+    arb_neg(r->qx, r->qx);
+    arb_neg(r->nx, r->nx);
+  }
+  arb_set(r->radius, c.radius);
+  arb_inv(r->arc, c.half_tangent, bits);
+  arb_atan(r->arc, r->arc, bits);
+  arb_mul_2exp_si(r->arc, r->arc, 1);
+  tp_corner_ball_clear(&c);
+}
+
+static void roller_clear(roller *r) {
+  arb_struct *const all[] = {r->qx, r->qy, r->nx, r->ny, r->radius, r->arc};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_clear(all[k]);
+}
+
+/* (x, y) turned by the tilt. */
+static void turn(arb_t x, arb_t y, const arb_t sine, const arb_t cosine, long bits) {
+  arb_t held;
+  arb_init(held);
+  arb_mul(held, x, cosine, bits);
+  arb_submul(held, y, sine, bits);
+  arb_mul(y, y, cosine, bits);
+  arb_addmul(y, x, sine, bits);
+  arb_swap(x, held);
+  arb_clear(held);
+}
+
+/* Does it roll to a rest at the tilt; turned by how much (radians)? */
+static bool find_rest(arb_t turned, roller *r, tp_evaluation *e, const arb_t sine,
+                      const arb_t cosine) {
+  const long bits = e->rung.bits;
+  arb_t size, share, direction, one;
+  arb_init(size);
+  arb_init(share);
+  arb_init(direction);
+  arb_init(one);
+  arb_one(one);
+  turn(r->qx, r->qy, sine, cosine, bits);
+  turn(r->nx, r->ny, sine, cosine, bits);
+  arb_hypot(size, r->qx, r->qy, bits);
+  arb_mul(share, r->nx, r->radius, bits);
+  arb_neg(share, share);
+  arb_div(share, share, size, bits);
+  bool rests = arb_is_negative(r->qy) && arb_lt(share, one);
+  if (rests) {
+    arb_acos(turned, share, bits);
+    arb_atan2(direction, r->qy, r->qx, bits);
+    arb_add(turned, turned, direction, bits);
+    arb_neg(turned, turned);
+    rests = arb_le(turned, r->arc);
+    if (!rests && !arb_gt(turned, r->arc)) e->certain = false;
+  } else if (arb_contains_zero(r->qy) || !(arb_is_positive(r->qy) || arb_gt(share, one))) {
+    e->certain = false;
+  }
+  arb_clear(size);
+  arb_clear(share);
+  arb_clear(direction);
+  arb_clear(one);
+  return rests;
+}
+
+/* At the scene's tilt, where it lies beyond the critical angle. */
+static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_corner *corner, bool left) {
+  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
+  const long bits = e->rung.bits;
+  roller r;
+  arb_t sine, cosine, turned, pi;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(turned);
+  arb_init(pi);
+  roller_init(&r, e, corner, left);
+  tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
+  result->rests = find_rest(turned, &r, e, sine, cosine);
+  result->rolls = result->rests ? TP_ROLLS_BACK : TP_ROLLS_OVER;
+  if (result->rests) {
+    arb_const_pi(pi, bits);
+    arb_div(turned, turned, pi, bits);
+    arb_mul_ui(turned, turned, 180, bits);
+    result->rest_turn_deg = tp_evaluation_result(e, turned);
+  }
+  roller_clear(&r);
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(turned);
+  arb_clear(pi);
+}
+
+/* At the critical angle itself, whose direction is that of the lever arms: back if the centroid
+ * lies below the centre. */
+static void roll_from_limit(tp_evaluation *e, tp_case *result, const tp_corner *corner,
+                            const tp_direction_ball *toppling, bool left) {
+  roller r;
+  roller_init(&r, e, corner, left);
+  turn(r.qx, r.qy, toppling->sine, toppling->cosine, e->rung.bits);
+  result->rolls = arb_is_negative(r.qy) ? TP_ROLLS_BACK : TP_ROLLS_OVER;
+  if (arb_contains_zero(r.qy)) e->certain = false;
+  roller_clear(&r);
+}
+
+void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
+  const tp_problem *problem = e->problem;
+  const tp_quantity *tilt = &problem->scene->tilt_angle_deg;
+  result->rolls = TP_ROLLS_NOT;
+  result->rests = false;
+  if (!result->has_governing || e->loaded != NULL) return;
+  const tp_corner *corner = tp_corners_find(&problem->corners, &problem->lattice,
+                                            problem->contact.points[result->governing].point);
+  if (corner == NULL) return;
+  const bool left = result->towards == TP_TOWARDS_LEFT;
+  arb_t angle;
+  arb_init(angle);
+  arb_set_fmpq(angle, tilt->value, e->rung.bits);
+  if (tilt->given && arb_gt(angle, toppling->degrees)) {
+    rest_at_tilt(e, result, corner, left);
+  } else {
+    roll_from_limit(e, result, corner, toppling, left);
+  }
+  arb_clear(angle);
+}
