@@ -102,54 +102,91 @@ void tp_corner_evaluate(tp_corner_ball *ball, const tp_corner *corner, const tp_
   edge_clear(&w);
 }
 
-/* Kite less sector. */
 static void tip(tp_region *region, const tp_corner *corner, const tp_lattice *l, long bits) {
   tp_corner_ball c;
-  tp_ball_point vertex, direction;
-  arb_t angle, size;
+  tp_ball_point vertex;
   tp_corner_ball_init(&c);
   tp_ball_point_init(&vertex);
-  tp_ball_point_init(&direction);
-  arb_init(angle);
-  arb_init(size);
   tp_corner_evaluate(&c, corner, l, bits);
   arb_set_fmpz(vertex.x, l->x + corner->vertex);
   arb_set_fmpz(vertex.y, l->y + corner->vertex);
-  tp_region_add_triangle(region, &vertex, &c.after, &c.centre, bits);
-  tp_region_add_triangle(region, &vertex, &c.centre, &c.before, bits);
-  /* pi - theta = 2 atan(1 / tan(theta / 2)) */
-  arb_inv(angle, c.half_tangent, bits);
-  arb_atan(angle, angle, bits);
-  arb_mul_2exp_si(angle, angle, 1);
-  arb_sub(direction.x, vertex.x, c.centre.x, bits);
-  arb_sub(direction.y, vertex.y, c.centre.y, bits);
-  arb_hypot(size, direction.x, direction.y, bits);
-  arb_div(direction.x, direction.x, size, bits);
-  arb_div(direction.y, direction.y, size, bits);
-  tp_region_subtract_sector(region, &c.centre, c.radius, angle, &direction, bits);
+  tp_region_add_tip(region, &vertex, &c.before, &c.after, &c.centre, bits);
   tp_corner_ball_clear(&c);
   tp_ball_point_clear(&vertex);
-  tp_ball_point_clear(&direction);
-  arb_clear(angle);
-  arb_clear(size);
 }
 
-void tp_corners_take_off(tp_moments *moments, const tp_corners *corners, const tp_section *section,
-                         const tp_lattice *lattice, long bits) {
-  if (corners->keeps_mass || corners->count == 0) return;
-  tp_region tips;
+/* Take a region of the block's own density off the moments. */
+static void take_off(tp_moments *moments, const tp_region *region, const tp_section *section,
+                     long bits) {
   arb_struct sums[TP_SUM_COUNT];
-  tp_region_init(&tips);
   for (int k = 0; k < TP_SUM_COUNT; k++) arb_init(sums + k);
-  for (long k = 0; k < corners->count; k++) tip(&tips, corners->items + k, lattice, bits);
-  tp_region_sums(sums, &tips, bits);
+  tp_region_sums(sums, region, bits);
   arb_sub(moments->area2, moments->area2, sums + TP_A2, bits);
   for (int k = 0; k < TP_SUM_COUNT; k++) {
     arb_mul_fmpz(sums + k, sums + k, section->density_weights, bits);
     arb_sub(moments->weighted + k, moments->weighted + k, sums + k, bits);
     arb_clear(sums + k);
   }
+}
+
+void tp_corners_take_off(tp_moments *moments, const tp_corners *corners, const tp_section *section,
+                         const tp_lattice *lattice, long bits) {
+  if (corners->keeps_mass || corners->count == 0) return;
+  tp_region tips;
+  tp_region_init(&tips);
+  for (long k = 0; k < corners->count; k++) tip(&tips, corners->items + k, lattice, bits);
+  take_off(moments, &tips, section, bits);
   tp_region_clear(&tips);
+}
+
+/* A coordinate of the scene in lattice units from the local origin: exact. */
+static void set_coordinate(arb_t value, const fmpq_t coordinate, const fmpz_t origin,
+                           const tp_lattice *lattice, const fmpq_t metres_per_unit, long bits) {
+  fmpq_t units;
+  fmpq_init(units);
+  fmpq_mul(units, coordinate, metres_per_unit);
+  fmpq_div(units, units, lattice->step_m);
+  fmpq_sub_fmpz(units, units, origin);
+  arb_set_fmpq(value, units, bits);
+  fmpq_clear(units);
+}
+
+void tp_arc_tip_evaluate(tp_corner_ball *ball, const tp_arc_tip *tip, const tp_lattice *l,
+                         const fmpq_t metres_per_unit, long bits) {
+  const struct {
+    tp_ball_point *point;
+    const fmpq *x, *y;
+  } points[] = {{&ball->before, tip->before_x, tip->before_y},
+                {&ball->after, tip->after_x, tip->after_y},
+                {&ball->centre, tip->centre_x, tip->centre_y}};
+  for (int k = 0; k < 3; k++) {
+    set_coordinate(points[k].point->x, points[k].x, l->origin_x, l, metres_per_unit, bits);
+    set_coordinate(points[k].point->y, points[k].y, l->origin_y, l, metres_per_unit, bits);
+  }
+  arb_sub(ball->radius, ball->after.x, ball->centre.x, bits);
+  arb_sub(ball->length, ball->after.y, ball->centre.y, bits);
+  arb_hypot(ball->radius, ball->radius, ball->length, bits);
+}
+
+void tp_arcs_take_off(tp_moments *moments, const tp_section *section, const tp_lattice *lattice,
+                      const fmpq_t metres_per_unit, long bits) {
+  tp_region tips;
+  tp_corner_ball c;
+  tp_ball_point vertex;
+  tp_region_init(&tips);
+  tp_corner_ball_init(&c);
+  tp_ball_point_init(&vertex);
+  for (long k = 0; k < section->arc_tips.count; k++) {
+    const tp_arc_tip *own = section->arc_tips.items + k;
+    tp_arc_tip_evaluate(&c, own, lattice, metres_per_unit, bits);
+    arb_set_fmpz(vertex.x, lattice->x + own->vertex);
+    arb_set_fmpz(vertex.y, lattice->y + own->vertex);
+    tp_region_add_tip(&tips, &vertex, &c.before, &c.after, &c.centre, bits);
+  }
+  take_off(moments, &tips, section, bits);
+  tp_region_clear(&tips);
+  tp_corner_ball_clear(&c);
+  tp_ball_point_clear(&vertex);
 }
 
 const tp_corner *tp_corners_find(const tp_corners *corners, const tp_lattice *l, long point) {

@@ -50,6 +50,17 @@ void tp_corner_evaluate(tp_corner_ball *ball, const tp_corner *corner, const tp_
 void tp_corners_take_off(tp_moments *moments, const tp_corners *corners, const tp_section *section,
                          const tp_lattice *lattice, long bits);
 
+/* A tip of an arc likewise (its radius, not its length), and all of them off the moments. */
+void tp_arc_tip_evaluate(tp_corner_ball *ball, const tp_arc_tip *tip, const tp_lattice *lattice,
+                         const fmpq_t metres_per_unit, long bits);
+void tp_arcs_take_off(tp_moments *moments, const tp_section *section, const tp_lattice *lattice,
+                      const fmpq_t metres_per_unit, long bits);
+
+/* Refuse arcs that meet other edges, holes that reach into a tip of one, and parts. */
+TP_MUST_USE tp_status tp_arcs_check(const tp_section *section, const tp_lattice *lattice,
+                                    const tp_block_description *block, const fmpq_t metres_per_unit,
+                                    tp_message *message);
+
 /* The corner at a point of the lattice, or NULL. */
 const tp_corner *tp_corners_find(const tp_corners *corners, const tp_lattice *lattice, long point);
 

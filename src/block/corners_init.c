@@ -172,19 +172,62 @@ static bool in_tip(const tp_corner_ball *c, const tp_lattice *l, long point, lon
 }
 
 /* A hole reaches into a tip only with a vertex: an edge cannot enter and leave it by its chord. */
-static tp_status check_holes(const tp_corner *corner, const tp_section *section,
-                             const tp_lattice *l, tp_message *message) {
+static tp_status check_holes(const tp_corner_ball *c, const tp_section *section,
+                             const tp_lattice *l, tp_place place, tp_message *message) {
+  bool reaches = false;
+  for (long k = l->start[1]; k < l->start[1 + section->hole_count] && !reaches; k++) {
+    reaches = in_tip(c, l, k, FIRST_BITS);
+  }
+  if (!reaches) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, place, "a hole reaches across this arc");
+}
+
+static tp_status check_corner_holes(const tp_corner *corner, const tp_section *section,
+                                    const tp_lattice *l, tp_message *message) {
   tp_corner_ball c;
   tp_corner_ball_init(&c);
   tp_corner_evaluate(&c, corner, l, FIRST_BITS);
-  bool reaches = false;
-  for (long k = l->start[1]; k < l->start[1 + section->hole_count] && !reaches; k++) {
-    reaches = in_tip(&c, l, k, FIRST_BITS);
+  const tp_status status = check_holes(&c, section, l, corner->description->radius.place, message);
+  tp_corner_ball_clear(&c);
+  return status;
+}
+
+/* The ring of the arcs' chords, on a lattice of its own. */
+static tp_status check_chords(const tp_section *section, const fmpq_t metres_per_unit,
+                              tp_message *message) {
+  const tp_polyline *chords = &section->arc_tips.chords;
+  tp_lattice lattice;
+  tp_status status = tp_lattice_init(&lattice, &chords, 1, metres_per_unit, message);
+  if (status != TP_OK) return status;
+  status = tp_check_ring(chords, &lattice, 0, "the outline with its arcs", message);
+  tp_lattice_clear(&lattice);
+  return status;
+}
+
+tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
+                        const tp_block_description *block, const fmpq_t metres_per_unit,
+                        tp_message *message) {
+  if (block->part_count > 0) {
+    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
+                   "a block with parts takes no arcs: which part they bound is not judged");
+  }
+  tp_status status = check_chords(section, metres_per_unit, message);
+  tp_corner_ball c;
+  tp_corner_ball_init(&c);
+  for (long k = 0; k < section->arc_tips.count && status == TP_OK; k++) {
+    tp_arc_tip_evaluate(&c, section->arc_tips.items + k, l, metres_per_unit, FIRST_BITS);
+    status = check_holes(&c, section, l, block->arcs[0].place, message);
   }
   tp_corner_ball_clear(&c);
-  if (!reaches) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, corner->description->radius.place,
-                 "a hole reaches into the tip that this rounding takes off");
+  return status;
+}
+
+/* Is a vertex one of the tangents of an arc? */
+static bool is_arc_tip(const tp_section *section, long vertex) {
+  for (long k = 0; k < section->arc_tips.count; k++) {
+    if (section->arc_tips.items[k].vertex == vertex) return true;
+  }
+  return false;
 }
 
 /* Add the corner of a description; one of radius zero is none. */
@@ -196,6 +239,10 @@ static tp_status add(tp_corners *corners, const tp_corner_description *descripti
   if (status != TP_OK || fmpq_is_zero(description->radius.value)) return status;
   if (tp_corners_find(corners, l, corner.vertex) != NULL) {
     return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
+  }
+  if (is_arc_tip(section, corner.before) || is_arc_tip(section, corner.after)) {
+    return tp_fail(message, TP_BAD_INPUT, description->place,
+                   "a corner where an arc ends is not rounded: let the arc run into the edge");
   }
   tp_corner *own = corners->items + corners->count++;
   *own = corner;
@@ -220,7 +267,7 @@ tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block
   }
   for (long k = 0; k < corners->count && status == TP_OK; k++) {
     status = check_fit(corners, corners->items + k, section, lattice, message);
-    if (status == TP_OK) status = check_holes(corners->items + k, section, lattice, message);
+    if (status == TP_OK) status = check_corner_holes(corners->items + k, section, lattice, message);
   }
   if (status == TP_OK && corners->count > 0 && !corners->keeps_mass && block->part_count > 0) {
     status =

@@ -163,6 +163,42 @@ void tp_region_subtract_sector(tp_region *region, const tp_ball_point *centre, c
   sector_clear(&s);
 }
 
+static void distance(arb_t value, const tp_ball_point *p, const tp_ball_point *q, long bits) {
+  arb_t dy;
+  arb_init(dy);
+  arb_sub(value, p->x, q->x, bits);
+  arb_sub(dy, p->y, q->y, bits);
+  arb_hypot(value, value, dy, bits);
+  arb_clear(dy);
+}
+
+void tp_region_add_tip(tp_region *region, const tp_ball_point *vertex, const tp_ball_point *before,
+                       const tp_ball_point *after, const tp_ball_point *centre, long bits) {
+  tp_ball_point direction;
+  arb_t radius, angle, size;
+  tp_ball_point_init(&direction);
+  arb_init(radius);
+  arb_init(angle);
+  arb_init(size);
+  tp_region_add_triangle(region, vertex, after, centre, bits);
+  tp_region_add_triangle(region, vertex, centre, before, bits);
+  distance(radius, after, centre, bits);
+  distance(angle, vertex, after, bits); /* its half has the tangent l / r */
+  arb_div(angle, angle, radius, bits);
+  arb_atan(angle, angle, bits);
+  arb_mul_2exp_si(angle, angle, 1);
+  distance(size, vertex, centre, bits);
+  arb_sub(direction.x, vertex->x, centre->x, bits);
+  arb_sub(direction.y, vertex->y, centre->y, bits);
+  arb_div(direction.x, direction.x, size, bits);
+  arb_div(direction.y, direction.y, size, bits);
+  tp_region_subtract_sector(region, centre, radius, angle, &direction, bits);
+  tp_ball_point_clear(&direction);
+  arb_clear(radius);
+  arb_clear(angle);
+  arb_clear(size);
+}
+
 void tp_region_sums(arb_struct sums[TP_SUM_COUNT], const tp_region *region, long bits) {
   static const unsigned long factors[6] = {2, 6, 6, 12, 12, 24};
   static const int places[6] = {TP_A2, TP_X6, TP_Y6, TP_XX12, TP_YY12, TP_XY24};

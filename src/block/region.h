@@ -34,6 +34,11 @@ void tp_region_add_triangle(tp_region *region, const tp_ball_point *p, const tp_
 void tp_region_subtract_sector(tp_region *region, const tp_ball_point *centre, const arb_t radius,
                                const arb_t angle, const tp_ball_point *along, long bits);
 
+/* Add the tip between two tangents of a circle, which meet in `vertex`, and their arc: the kite of
+ * vertex, tangent points and centre less the sector. */
+void tp_region_add_tip(tp_region *region, const tp_ball_point *vertex, const tp_ball_point *before,
+                       const tp_ball_point *after, const tp_ball_point *centre, long bits);
+
 /* In the scale of the boundary sums: twice the area, six times the first moments, … */
 void tp_region_sums(arb_struct sums[TP_SUM_COUNT], const tp_region *region, long bits);
 

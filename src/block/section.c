@@ -22,6 +22,7 @@ void tp_section_clear(tp_section *section) {
   free(section->ring_weights);
   free(section->density_weights);
   tp_polyline_clear(&section->element_corners);
+  tp_arc_tips_clear(&section->arc_tips);
   fmpq_clear(section->weight_unit);
   memset(section, 0, sizeof *section);
 }
@@ -131,6 +132,7 @@ tp_status tp_section_init(tp_section *section, const tp_block_description *block
   } else {
     status = check_counts(section, message);
   }
+  if (status == TP_OK) status = tp_arcs_apply(&section->arc_tips, section->rings, block, message);
   if (status == TP_OK) {
     set_weights(section, block);
   } else {

@@ -10,6 +10,7 @@
 #ifndef TP_SECTION_H
 #define TP_SECTION_H
 
+#include "block/arcs.h"
 #include "number/lattice.h"
 #include "number/polyline.h"
 #include "scene/scene.h"
@@ -22,6 +23,7 @@ typedef struct tp_section {
   fmpz *ring_weights;          /* ring_count */
   fmpz *density_weights;       /* 1 + part_count: of the block and of each part */
   fmpq_t weight_unit;          /* kN/m3; 1 where the scene gives no unit weight */
+  tp_arc_tips arc_tips;        /* of the outline's arcs: the ring holds their tangents */
   const tp_ellipse *ellipse;   /* the outline stands around this; NULL: it is the block's own */
   tp_polyline element_corners; /* of the paper's own elements (teeth, slab); else empty */
 } tp_section;

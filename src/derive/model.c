@@ -37,9 +37,9 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                    "formulas are derived for the sharp block; leave out 'rounded' and derive with "
                    "--rounded");
   }
-  if (scene->block.form == TP_OUTLINE_ELLIPSE) {
+  if (scene->block.form == TP_OUTLINE_ELLIPSE || scene->block.arc_count > 0) {
     return tp_fail(message, TP_BAD_INPUT, scene->block.place,
-                   "formulas are derived for outlines of straight edges, not for an ellipse");
+                   "formulas are derived for outlines of straight edges, not for curves");
   }
   if (tp_loads_are_called_for(&scene->loads)) {
     return tp_fail(message, TP_BAD_INPUT, scene->loads.place,

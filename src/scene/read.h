@@ -38,6 +38,8 @@ TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **
                                        const char *example);
 
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
+void tp_arcs_clear(tp_block_description *block);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);
 void tp_loads_description_init(tp_loads_description *loads);

@@ -160,8 +160,9 @@ static tp_status read_ellipse(const tp_reader *reader, const tp_node *block, con
   }
   if (status == TP_OK &&
       (tp_node_get(block, "holes") != NULL || tp_node_get(block, "parts") != NULL ||
-       tp_node_get(block, "rounded") != NULL)) {
-    status = tp_read_fail(reader, node, "an ellipse takes no holes, parts or rounded corners");
+       tp_node_get(block, "arcs") != NULL || tp_node_get(block, "rounded") != NULL)) {
+    status =
+        tp_read_fail(reader, node, "an ellipse takes no holes, parts, arcs or rounded corners");
   }
   return status;
 }
@@ -241,8 +242,9 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"teeth", "slab",    "outline",   "ellipse",           "holes",
-                                     "parts", "rounded", "thickness", "unit_weight_kn_m3", NULL};
+  static const char *const keys[] = {"teeth", "slab",  "outline", "ellipse",   "arcs",
+                                     "holes", "parts", "rounded", "thickness", "unit_weight_kn_m3",
+                                     NULL};
   tp_block_description *block = &reader->scene->block;
   block->place = tp_node_place(node, reader->scene->path);
   tp_status status =
@@ -259,6 +261,7 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
         read_unit_weight(reader, &block->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"));
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));
+  if (status == TP_OK) status = tp_read_arcs(reader, tp_node_get(node, "arcs"));
   if (status == TP_OK) status = tp_read_rounded(reader, tp_node_get(node, "rounded"));
   return status;
 }

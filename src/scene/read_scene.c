@@ -187,6 +187,7 @@ static void clear_block(tp_block_description *block) {
     fmpq_clear(block->rounded.corners[k].radius.value);
   }
   free(block->rounded.corners);
+  tp_arcs_clear(block);
   free(block->holes);
   free(block->parts);
 }

@@ -46,6 +46,15 @@ typedef struct tp_part {
   tp_quantity unit_weight_kn_m3;
 } tp_part;
 
+/* An edge of the outline that is an arc: from a vertex to the next one, through a point or with a
+ * bulge, the tangent of a quarter of its angle. */
+typedef struct tp_arc_description {
+  tp_place place;
+  tp_quantity x, y; /* the vertex that it begins in */
+  tp_quantity through_x, through_y;
+  tp_quantity bulge; /* given: instead of the point */
+} tp_arc_description;
+
 /* A corner of the outline that is rounded by a radius. */
 typedef struct tp_corner_description {
   tp_place place;
@@ -71,6 +80,8 @@ typedef struct tp_block_description {
   tp_polyline *holes;
   long part_count;
   tp_part *parts;
+  long arc_count;
+  tp_arc_description *arcs;
   tp_rounded_description rounded;
   tp_quantity thickness; /* scene lengths; 1 m where not given */
   tp_quantity unit_weight_kn_m3;

@@ -49,7 +49,8 @@ static tp_status find_pivots(tp_problem *problem, tp_message *message) {
 }
 
 bool tp_problem_is_enclosed(const tp_problem *problem) {
-  return problem->corners.count > 0 || problem->loaded || problem->section.ellipse != NULL;
+  return problem->corners.count > 0 || problem->loaded || problem->section.ellipse != NULL ||
+         problem->section.arc_tips.count > 0;
 }
 
 /* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? With
@@ -96,6 +97,36 @@ static tp_status round_corners(tp_problem *problem, const tp_solve_options *opti
   return status;
 }
 
+/* Refuse a contact on an arc, whose tangents stand in the ring: a facet, or a point that is no end
+ * of the arc. */
+static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message) {
+  const tp_section *section = &problem->section;
+  const tp_lattice *l = &problem->lattice;
+  const long count = section->rings[0].count;
+  for (long k = 0; k < section->arc_tips.count; k++) {
+    const long tip = section->arc_tips.items[k].vertex;
+    const long ends[2] = {(tip + count - 1) % count, (tip + 1) % count};
+    for (long f = 0; f < problem->contact.facet_count; f++) {
+      const tp_facet *facet = problem->contact.facets + f;
+      for (int side = 0; side < 2; side++) {
+        const bool along = tp_facet_cross(l, tip, ends[side], tip, facet->q0) == 0 &&
+                           tp_facet_cross(l, tip, ends[side], tip, facet->q1) == 0;
+        const bool toward = tp_facet_dot(l, tip, ends[side], tip, facet->q0) >= 0 &&
+                            tp_facet_dot(l, ends[side], tip, ends[side], facet->q1) >= 0 &&
+                            tp_facet_dot(l, tip, ends[side], tip, facet->q1) >= 0 &&
+                            tp_facet_dot(l, ends[side], tip, ends[side], facet->q0) >= 0;
+        const bool own_end =
+            facet->q0 == facet->q1 && tp_facet_same_point(l, facet->q0, ends[side]);
+        if (!along || !toward || own_end) continue;
+        return tp_fail(message, TP_BAD_INPUT, problem->scene->block.arcs[0].place,
+                       "the block touches its base on an arc; say where the contact ends, 'base: "
+                       "{mated: true, between: [[x, y], [x, y]]}', or lower the base");
+      }
+    }
+  }
+  return TP_OK;
+}
+
 static tp_status check_loads(tp_problem *problem, const tp_solve_options *options,
                              tp_message *message) {
   const tp_scene *scene = problem->scene;
@@ -129,6 +160,13 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   }
   if (status != TP_OK) return status;
   tp_effects_note(solution, "outline", scene->block.place, "", began);
+  if (scene->block.arc_count > 0) {
+    began = tp_effects_now();
+    status = tp_arcs_check(&problem->section, &problem->lattice, &scene->block,
+                           scene->metres_per_unit, message);
+    tp_effects_note(solution, "arcs", scene->block.arcs[0].place, "", began);
+    if (status != TP_OK) return status;
+  }
   if (scene->block.rounded.count > 0) {
     status = round_corners(problem, options, solution, message);
     if (status != TP_OK) return status;
@@ -138,6 +176,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   status = tp_contact_init(&problem->contact, &problem->section, &problem->base, &problem->lattice,
                            message);
   if (status == TP_OK) status = find_pivots(problem, message);
+  if (status == TP_OK && scene->block.arc_count > 0) status = check_arcs_clear(problem, message);
   if (status == TP_OK && tp_loads_are_called_for(&scene->loads)) {
     status = check_loads(problem, options, message);
   }

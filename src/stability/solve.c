@@ -187,6 +187,10 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_moments_init(&evaluation.moments);
   tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice,
                       c->problem->scene->metres_per_unit, rung);
+  if (c->problem->section.arc_tips.count > 0) {
+    tp_arcs_take_off(&evaluation.moments, &c->problem->section, &c->problem->lattice,
+                     c->problem->scene->metres_per_unit, rung.bits);
+  }
   if (rounded) evaluate_corners(&evaluation, c);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
