@@ -256,8 +256,8 @@ tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block
                           const tp_section *section, const tp_lattice *lattice,
                           const fmpq_t metres_per_unit, tp_message *message) {
   const tp_rounded_description *rounded = &block->rounded;
-  memset(corners, 0, sizeof *corners);
-  if (rounded->count == 0) return TP_OK;
+  *corners = (tp_corners){0};
+  if (rounded->count <= 0) return TP_OK;
   corners->keeps_mass = rounded->keeps_mass;
   corners->items = calloc((size_t)rounded->count, sizeof *corners->items);
   if (corners->items == NULL) return tp_fail_memory(message, "the corners");
