@@ -15,7 +15,7 @@
 #include "block/region.h"
 
 typedef struct tp_corner {
-  const tp_corner_description *description;
+  tp_place radius_place;      /* where the scene gives its radius */
   long vertex, before, after; /* points of the lattice: the vertex and its neighbours */
   fmpq_t radius;              /* lattice units */
 } tp_corner;

@@ -40,9 +40,8 @@ static void name_corner(char *text, size_t size, const tp_section *section, long
   snprintf(text, size, "(%.40s, %.40s)", x, y);
 }
 
-static tp_status locate(tp_corner *corner, const tp_section *section, const tp_lattice *l,
-                        tp_message *message) {
-  const tp_corner_description *c = corner->description;
+static tp_status locate(tp_corner *corner, const tp_corner_description *c,
+                        const tp_section *section, const tp_lattice *l, tp_message *message) {
   const long count = section->rings[0].count;
   corner->vertex = c->at == TP_CORNER_VERTEX ? find_vertex(section->rings, c)
                                              : find_end(l, count, c->at == TP_CORNER_LEFT_END);
@@ -124,7 +123,7 @@ static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
     char name[100], edge[200];
     name_corner(name, sizeof name, section, corner->vertex);
     tp_check_edge_text(edge, sizeof edge, section->rings, k == 0 ? corner->before : corner->vertex);
-    return tp_fail(message, TP_BAD_INPUT, corner->description->radius.place,
+    return tp_fail(message, TP_BAD_INPUT, corner->radius_place,
                    "the radius at %s is too large: rounding %s take up more than %s", name,
                    tp_corners_find(corners, l, ends[k]) != NULL ? "it and the next corner would"
                                                                 : "it would",
@@ -187,7 +186,7 @@ static tp_status check_corner_holes(const tp_corner *corner, const tp_section *s
   tp_corner_ball c;
   tp_corner_ball_init(&c);
   tp_corner_evaluate(&c, corner, l, FIRST_BITS);
-  const tp_status status = check_holes(&c, section, l, corner->description->radius.place, message);
+  const tp_status status = check_holes(&c, section, l, corner->radius_place, message);
   tp_corner_ball_clear(&c);
   return status;
 }
@@ -234,8 +233,8 @@ static bool is_arc_tip(const tp_section *section, long vertex) {
 static tp_status add(tp_corners *corners, const tp_corner_description *description,
                      const tp_section *section, const tp_lattice *l, const fmpq_t metres_per_unit,
                      tp_message *message) {
-  tp_corner corner = {.description = description};
-  const tp_status status = locate(&corner, section, l, message);
+  tp_corner corner = {.radius_place = description->radius.place};
+  const tp_status status = locate(&corner, description, section, l, message);
   if (status != TP_OK || fmpq_is_zero(description->radius.value)) return status;
   if (tp_corners_find(corners, l, corner.vertex) != NULL) {
     return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
