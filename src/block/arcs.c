@@ -27,8 +27,9 @@ static tp_arc_tip *add_tip(tp_arc_tips *tips) {
   return tip;
 }
 
-/* The tangents between two points of the arc. */
-static bool add_piece(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a,
+/* A piece of an arc, from one point of it to the next along the outline: its tangents, or inwards
+ * its chord, into `ring`, the other of them into `tips->other`. */
+static bool add_piece(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a, bool inwards,
                       const tp_point *from, const tp_point *to, tp_mark mark) {
   tp_point m;
   tp_point_init(&m);
@@ -36,49 +37,60 @@ static bool add_piece(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc 
   tp_arc_tip *tip = add_tip(tips);
   bool done = tip != NULL;
   if (done) {
-    tip->vertex = ring->count;
+    tip->inwards = inwards;
+    tip->vertex = inwards ? ring->count - 1 : ring->count;
     fmpq_set(tip->before_x, from->x);
     fmpq_set(tip->before_y, from->y);
     fmpq_set(tip->after_x, to->x);
     fmpq_set(tip->after_y, to->y);
     fmpq_set(tip->centre_x, a->centre.x);
     fmpq_set(tip->centre_y, a->centre.y);
-    done = tp_polyline_append(ring, m.x, m.y, mark) &&
-           tp_polyline_append(&tips->chords, from->x, from->y, mark);
+    done = tp_polyline_append(inwards ? &tips->other : ring, m.x, m.y, mark);
   }
   tp_point_clear(&m);
   return done;
 }
 
-/* The arc in pieces of about 40 degrees: tangents into `ring`, points into `tips->chords`. */
-static bool add_arc(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a, tp_mark mark) {
-  enum { STEPS = 64, MOST = 64000 }; /* tangents of half angles are multiples of 1 / STEPS */
+enum { MOST_PIECES = 10 };
+
+/* Points of the arc, from its beginning to its end, counter-clockwise about its centre: some 40
+ * degrees apart, the tangents of half their angles multiples of 1 / 64. Their number less one. */
+static int choose_points(tp_point points[MOST_PIECES + 1], const tp_circle_arc *a) {
+  enum { STEPS = 64, MOST = 64000 };
   const double whole = tp_circle_arc_angle(a);
   const int pieces = 1 + (int)(whole / 0.7);
-  tp_point from, to;
   fmpq_t t;
-  tp_point_init(&from);
-  tp_point_init(&to);
   fmpq_init(t);
-  fmpq_set(from.x, a->p.x);
-  fmpq_set(from.y, a->p.y);
-  bool done = true;
-  for (int k = 1; k <= pieces && done; k++) {
-    if (k == pieces) {
-      fmpq_set(to.x, a->q.x);
-      fmpq_set(to.y, a->q.y);
+  for (int k = 0; k <= pieces; k++) {
+    if (k == 0 || k == pieces) {
+      const tp_point *end = k == 0 ? &a->p : &a->q;
+      fmpq_set(points[k].x, end->x);
+      fmpq_set(points[k].y, end->y);
     } else {
       const double half = STEPS * tan(whole * k / pieces / 2);
       fmpq_set_si(t, lround(fmax(-MOST, fmin(half, MOST))), STEPS);
-      tp_circle_arc_point(&to, a, t);
+      tp_circle_arc_point(points + k, a, t);
     }
-    done = add_piece(tips, ring, a, &from, &to, mark);
-    fmpq_set(from.x, to.x);
-    fmpq_set(from.y, to.y);
   }
-  tp_point_clear(&from);
-  tp_point_clear(&to);
   fmpq_clear(t);
+  return pieces;
+}
+
+/* An arc that runs along the outline, or inwards against it. */
+static bool add_arc(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a, bool inwards,
+                    tp_mark mark) {
+  tp_point points[MOST_PIECES + 1];
+  for (int k = 0; k <= MOST_PIECES; k++) tp_point_init(points + k);
+  const int pieces = choose_points(points, a);
+  bool done = true;
+  for (int k = 0; k < pieces && done; k++) {
+    const tp_point *from = points + (inwards ? pieces - k : k);
+    const tp_point *to = points + (inwards ? pieces - k - 1 : k + 1);
+    if (!inwards || k == 0) done = tp_polyline_append(&tips->other, from->x, from->y, mark);
+    if (inwards && k > 0) done = done && tp_polyline_append(ring, from->x, from->y, mark);
+    done = done && add_piece(tips, ring, a, inwards, from, to, mark);
+  }
+  for (int k = 0; k <= MOST_PIECES; k++) tp_point_clear(points + k);
   return done;
 }
 
@@ -130,7 +142,7 @@ static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polylin
   const tp_mark mark = outline->marks[edge];
   bool done = tp_polyline_append(ring, outline->x + edge, outline->y + edge, mark);
   if (d == NULL) {
-    done = done && tp_polyline_append(&tips->chords, outline->x + edge, outline->y + edge, mark);
+    done = done && tp_polyline_append(&tips->other, outline->x + edge, outline->y + edge, mark);
     return done ? TP_OK : tp_fail_memory(message, "the arcs");
   }
   tp_circle_arc a;
@@ -143,11 +155,17 @@ static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polylin
   fmpq_set(a.q.y, outline->y + next);
   set_through(&m, &a, d);
   tp_status status = TP_OK;
-  if (!tp_circle_arc_set_centre(&a, &m)) {
-    status = tp_fail(message, TP_BAD_INPUT, d->place,
-                     "this arc does not bulge outwards: arcs inwards and straight ones are not "
-                     "taken");
-  } else if (!done || !add_arc(tips, ring, &a, mark)) {
+  bool arc = tp_circle_arc_set_centre(&a, &m);
+  const bool inwards = !arc;
+  if (inwards) { /* then it runs counter-clockwise about its centre the other way */
+    const tp_point end = a.p;
+    a.p = a.q;
+    a.q = end;
+    arc = tp_circle_arc_set_centre(&a, &m);
+  }
+  if (!arc) {
+    status = tp_fail(message, TP_BAD_INPUT, d->place, "this arc is straight; leave it out");
+  } else if (!done || !add_arc(tips, ring, &a, inwards, mark)) {
     status = tp_fail_memory(message, "the arcs");
   }
   tp_circle_arc_clear(&a);
@@ -160,9 +178,9 @@ tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_
   memset(tips, 0, sizeof *tips);
   if (block->arc_count == 0) return TP_OK;
   tp_polyline ring = {.file = outline->file, .mark = outline->mark, .reversed = outline->reversed};
-  tips->chords.file = outline->file;
-  tips->chords.mark = outline->mark;
-  tips->chords.reversed = outline->reversed;
+  tips->other.file = outline->file;
+  tips->other.mark = outline->mark;
+  tips->other.reversed = outline->reversed;
   tp_status status = TP_OK;
   long found = 0;
   for (long k = 0; k < outline->count && status == TP_OK; k++) {
@@ -173,6 +191,11 @@ tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_
   if (status == TP_OK && found != block->arc_count) {
     status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
                      "an arc begins in no vertex of the outline, or two begin in the same");
+  }
+  if (status == TP_OK &&
+      (tp_polyline_orientation(&ring) <= 0 || tp_polyline_orientation(&tips->other) <= 0)) {
+    status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
+                     "the outline with its arcs is turned inside out");
   }
   if (status == TP_OK) {
     tp_polyline_clear(outline);
@@ -195,6 +218,6 @@ void tp_arc_tips_clear(tp_arc_tips *tips) {
     fmpq_clear(tip->centre_y);
   }
   free(tips->items);
-  tp_polyline_clear(&tips->chords);
+  tp_polyline_clear(&tips->other);
   memset(tips, 0, sizeof *tips);
 }

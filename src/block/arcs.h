@@ -3,10 +3,11 @@
 
 /* Edges of an outline that are arcs, kept as arcs.
  *
- * An arc stands in the ring as a polygon of its tangents at rational points of its circle: exact,
- * and around the block. The tips between arc and tangents are taken off all moments in closed form,
- * as those of rounded corners are. Where both the ring of tangents and the ring of chords are
- * simple no arc meets another edge: each lies between its chords and its tangents. */
+ * An arc outwards stands in the ring as a polygon of its tangents at rational points of its circle,
+ * one inwards as the polygon of its chords: exact, and around the block. The tips between arc and
+ * tangents, and the segments between chords and arc, are taken off all moments in closed form.
+ * Where this ring and the other one, of chords outwards and tangents inwards, are both simple no
+ * arc meets another edge: each lies between the two. */
 
 #ifndef TP_ARCS_H
 #define TP_ARCS_H
@@ -15,19 +16,20 @@
 #include "number/polyline.h"
 #include "scene/scene.h"
 
-/* A vertex of tangents: the points of the arc on either side, counter-clockwise, and the centre. */
+/* A piece of an arc between two points of it, in the order of the outline, and its centre. */
 typedef struct tp_arc_tip {
-  long vertex; /* of the ring */
+  bool inwards;
+  long vertex; /* of the ring: where the tangents meet, or inwards where the chord begins */
   fmpq_t before_x, before_y, after_x, after_y, centre_x, centre_y;
 } tp_arc_tip;
 
 typedef struct tp_arc_tips {
   long count, capacity;
   tp_arc_tip *items;
-  tp_polyline chords; /* the ring with the points of the arcs in the place of the tangents */
+  tp_polyline other; /* the ring with chords and tangents exchanged */
 } tp_arc_tips;
 
-/* Replace the edges of a counter-clockwise outline that are arcs by tangents. On failure `tips` is
+/* Replace the edges of a counter-clockwise outline that are arcs. On failure `tips` is
  * cleared. */
 TP_MUST_USE tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline,
                                     const tp_block_description *block, tp_message *message);

@@ -179,6 +179,10 @@ void tp_arcs_take_off(tp_moments *moments, const tp_section *section, const tp_l
   for (long k = 0; k < section->arc_tips.count; k++) {
     const tp_arc_tip *own = section->arc_tips.items + k;
     tp_arc_tip_evaluate(&c, own, lattice, metres_per_unit, bits);
+    if (own->inwards) {
+      tp_region_add_segment(&tips, &c.before, &c.after, &c.centre, bits);
+      continue;
+    }
     arb_set_fmpz(vertex.x, lattice->x + own->vertex);
     arb_set_fmpz(vertex.y, lattice->y + own->vertex);
     tp_region_add_tip(&tips, &vertex, &c.before, &c.after, &c.centre, bits);

@@ -191,14 +191,14 @@ static tp_status check_corner_holes(const tp_corner *corner, const tp_section *s
   return status;
 }
 
-/* The ring of the arcs' chords, on a lattice of its own. */
-static tp_status check_chords(const tp_section *section, const fmpq_t metres_per_unit,
-                              tp_message *message) {
-  const tp_polyline *chords = &section->arc_tips.chords;
+/* The other ring of the arcs, on a lattice of its own. */
+static tp_status check_other(const tp_section *section, const fmpq_t metres_per_unit,
+                             tp_message *message) {
+  const tp_polyline *other = &section->arc_tips.other;
   tp_lattice lattice;
-  tp_status status = tp_lattice_init(&lattice, &chords, 1, metres_per_unit, message);
+  tp_status status = tp_lattice_init(&lattice, &other, 1, metres_per_unit, message);
   if (status != TP_OK) return status;
-  status = tp_check_ring(chords, &lattice, 0, "the outline with its arcs", message);
+  status = tp_check_ring(other, &lattice, 0, "the outline with its arcs", message);
   tp_lattice_clear(&lattice);
   return status;
 }
@@ -210,21 +210,30 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
     return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
                    "a block with parts takes no arcs: which part they bound is not judged");
   }
-  tp_status status = check_chords(section, metres_per_unit, message);
+  tp_status status = check_other(section, metres_per_unit, message);
   tp_corner_ball c;
   tp_corner_ball_init(&c);
   for (long k = 0; k < section->arc_tips.count && status == TP_OK; k++) {
-    tp_arc_tip_evaluate(&c, section->arc_tips.items + k, l, metres_per_unit, FIRST_BITS);
+    const tp_arc_tip *tip = section->arc_tips.items + k;
+    if (tip->inwards && block->hole_count > 0) {
+      status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
+                       "a block with holes takes arcs outwards alone");
+      break;
+    }
+    if (tip->inwards) continue;
+    tp_arc_tip_evaluate(&c, tip, l, metres_per_unit, FIRST_BITS);
     status = check_holes(&c, section, l, block->arcs[0].place, message);
   }
   tp_corner_ball_clear(&c);
   return status;
 }
 
-/* Is a vertex one of the tangents of an arc? */
-static bool is_arc_tip(const tp_section *section, long vertex) {
+/* Does the edge from a vertex to the next one stand for a piece of an arc? */
+static bool is_arc_edge(const tp_section *section, long vertex) {
+  const long next = vertex + 1 == section->rings[0].count ? 0 : vertex + 1;
   for (long k = 0; k < section->arc_tips.count; k++) {
-    if (section->arc_tips.items[k].vertex == vertex) return true;
+    const tp_arc_tip *tip = section->arc_tips.items + k;
+    if (tip->vertex == vertex || (!tip->inwards && tip->vertex == next)) return true;
   }
   return false;
 }
@@ -239,7 +248,7 @@ static tp_status add(tp_corners *corners, const tp_corner_description *descripti
   if (tp_corners_find(corners, l, corner.vertex) != NULL) {
     return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
   }
-  if (is_arc_tip(section, corner.before) || is_arc_tip(section, corner.after)) {
+  if (is_arc_edge(section, corner.before) || is_arc_edge(section, corner.vertex)) {
     return tp_fail(message, TP_BAD_INPUT, description->place,
                    "a corner where an arc ends is not rounded: let the arc run into the edge");
   }

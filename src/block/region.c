@@ -199,6 +199,40 @@ void tp_region_add_tip(tp_region *region, const tp_ball_point *vertex, const tp_
   arb_clear(size);
 }
 
+void tp_region_add_segment(tp_region *region, const tp_ball_point *from, const tp_ball_point *to,
+                           const tp_ball_point *centre, long bits) {
+  tp_region rest; /* triangle less sector: the segment, negative */
+  tp_ball_point middle;
+  arb_t radius, angle, size;
+  tp_region_init(&rest);
+  tp_ball_point_init(&middle);
+  arb_init(radius);
+  arb_init(angle);
+  arb_init(size);
+  tp_region_add_triangle(&rest, centre, to, from, bits);
+  arb_add(middle.x, from->x, to->x, bits);
+  arb_mul_2exp_si(middle.x, middle.x, -1);
+  arb_add(middle.y, from->y, to->y, bits);
+  arb_mul_2exp_si(middle.y, middle.y, -1);
+  distance(radius, from, centre, bits);
+  distance(size, &middle, centre, bits);
+  distance(angle, from, &middle, bits);
+  arb_div(angle, angle, size, bits);
+  arb_atan(angle, angle, bits);
+  arb_mul_2exp_si(angle, angle, 1);
+  arb_sub(middle.x, middle.x, centre->x, bits);
+  arb_sub(middle.y, middle.y, centre->y, bits);
+  arb_div(middle.x, middle.x, size, bits);
+  arb_div(middle.y, middle.y, size, bits);
+  tp_region_subtract_sector(&rest, centre, radius, angle, &middle, bits);
+  for (int k = 0; k < 6; k++) arb_sub(region->of + k, region->of + k, rest.of + k, bits);
+  tp_region_clear(&rest);
+  tp_ball_point_clear(&middle);
+  arb_clear(radius);
+  arb_clear(angle);
+  arb_clear(size);
+}
+
 void tp_region_sums(arb_struct sums[TP_SUM_COUNT], const tp_region *region, long bits) {
   static const unsigned long factors[6] = {2, 6, 6, 12, 12, 24};
   static const int places[6] = {TP_A2, TP_X6, TP_Y6, TP_XX12, TP_YY12, TP_XY24};

@@ -39,6 +39,11 @@ void tp_region_subtract_sector(tp_region *region, const tp_ball_point *centre, c
 void tp_region_add_tip(tp_region *region, const tp_ball_point *vertex, const tp_ball_point *before,
                        const tp_ball_point *after, const tp_ball_point *centre, long bits);
 
+/* Add the segment between a chord of a circle, of less than half of it, and its arc; the chord runs
+ * clockwise about the centre. */
+void tp_region_add_segment(tp_region *region, const tp_ball_point *from, const tp_ball_point *to,
+                           const tp_ball_point *centre, long bits);
+
 /* In the scale of the boundary sums: twice the area, six times the first moments, … */
 void tp_region_sums(arb_struct sums[TP_SUM_COUNT], const tp_region *region, long bits);
 

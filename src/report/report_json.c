@@ -125,7 +125,7 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   tp_text_add(t, ", ");
   add_fos(t, "fos_elements", p->fos_elements);
   if (c->rolls != TP_ROLLS_NOT) {
-    tp_text_add(t, ", \"beyond\": \"%s\"", c->rolls == TP_ROLLS_BACK ? "rolls back" : "goes over");
+    tp_text_add(t, ", \"beyond\": \"%s\"", c->rolls == TP_ROLLS_BACK ? "rolls back" : "topples");
     if (c->rests) {
       tp_text_add(t, ", ");
       tp_json_number(t, "rest_turn_deg", c->rest_turn_deg);

@@ -33,9 +33,8 @@ static tp_status read_arc(const tp_reader *reader, tp_arc_description *arc, cons
     status = read_point(reader, &arc->through_x, &arc->through_y, through, "through");
   }
   if (status == TP_OK) status = tp_read_quantity(reader, &arc->bulge, bulge, "bulge");
-  if (status == TP_OK && bulge != NULL && fmpq_sgn(arc->bulge.value) <= 0) {
-    status = tp_read_fail(reader, bulge,
-                          "a bulge must be above zero: outwards; arcs inwards are not taken");
+  if (status == TP_OK && bulge != NULL && fmpq_is_zero(arc->bulge.value)) {
+    status = tp_read_fail(reader, bulge, "a bulge of 0 is a straight edge; leave the arc out");
   }
   return status;
 }

@@ -47,7 +47,7 @@ typedef struct tp_part {
 } tp_part;
 
 /* An edge of the outline that is an arc: from a vertex to the next one, through a point or with a
- * bulge, the tangent of a quarter of its angle. */
+ * bulge, the tangent of a quarter of its angle, negative inwards. */
 typedef struct tp_arc_description {
   tp_place place;
   tp_quantity x, y; /* the vertex that it begins in */

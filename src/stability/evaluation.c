@@ -9,17 +9,18 @@ long tp_evaluation_bits(const tp_evaluation *evaluation) {
   return evaluation->rung.level == TP_LEVEL_EXACT ? ARF_PREC_EXACT : evaluation->rung.bits;
 }
 
-/* A zero of a quantity of the given scale, as far as balls can tell. */
-static bool is_zero(const tp_evaluation *e, const arb_t ball, double log2_scale) {
+bool tp_evaluation_is_zero_width(const tp_evaluation *e, const arb_t ball, double log2_scale) {
   enum { LEAST_BITS = 160 };
   if (!tp_problem_is_enclosed(e->problem) || e->rung.bits < LEAST_BITS) return false;
-  return arb_contains_zero(ball) && arb_is_finite(ball) &&
+  return arb_is_finite(ball) &&
          mag_get_d_log2_approx(arb_radref(ball)) < log2_scale - 0.5 * (double)e->rung.bits;
 }
 
 tp_bounded tp_evaluation_result_scaled(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_scale) {
-  if (!tp_ball_certain(ball, evaluation->digits) && !is_zero(evaluation, ball, log2_scale)) {
+  const bool zero =
+      arb_contains_zero(ball) && tp_evaluation_is_zero_width(evaluation, ball, log2_scale);
+  if (!zero && !tp_ball_certain(ball, evaluation->digits)) {
     evaluation->certain = false;
   }
   return tp_ball_bounded(ball);

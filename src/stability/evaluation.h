@@ -43,6 +43,11 @@ tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball);
 tp_bounded tp_evaluation_result_scaled(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_scale);
 
+/* Where no rung is exact: is the ball far narrower than the scale 2^log2_scale, so that what it
+ * does not tell apart is taken for equal? */
+bool tp_evaluation_is_zero_width(const tp_evaluation *evaluation, const arb_t ball,
+                                 double log2_scale);
+
 /* An exact rational as a result. */
 tp_bounded tp_evaluation_rational(const fmpq_t value);
 

@@ -104,11 +104,12 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
   const tp_lattice *l = &problem->lattice;
   const long count = section->rings[0].count;
   for (long k = 0; k < section->arc_tips.count; k++) {
+    const bool inwards = section->arc_tips.items[k].inwards;
     const long tip = section->arc_tips.items[k].vertex;
     const long ends[2] = {(tip + count - 1) % count, (tip + 1) % count};
     for (long f = 0; f < problem->contact.facet_count; f++) {
       const tp_facet *facet = problem->contact.facets + f;
-      for (int side = 0; side < 2; side++) {
+      for (int side = inwards ? 1 : 0; side < 2; side++) {
         const bool along = tp_facet_cross(l, tip, ends[side], tip, facet->q0) == 0 &&
                            tp_facet_cross(l, tip, ends[side], tip, facet->q1) == 0;
         const bool toward = tp_facet_dot(l, tip, ends[side], tip, facet->q0) >= 0 &&
@@ -116,7 +117,8 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
                             tp_facet_dot(l, tip, ends[side], tip, facet->q1) >= 0 &&
                             tp_facet_dot(l, ends[side], tip, ends[side], facet->q0) >= 0;
         const bool own_end =
-            facet->q0 == facet->q1 && tp_facet_same_point(l, facet->q0, ends[side]);
+            facet->q0 == facet->q1 && (tp_facet_same_point(l, facet->q0, ends[side]) ||
+                                       (inwards && tp_facet_same_point(l, facet->q0, tip)));
         if (!along || !toward || own_end) continue;
         return tp_fail(message, TP_BAD_INPUT, problem->scene->block.arcs[0].place,
                        "the block touches its base on an arc; say where the contact ends, 'base: "
@@ -136,9 +138,19 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
                    "the account by elements is for the weight alone; leave out --elements or the "
                    "loads");
   }
+  const tp_contact *contact = &problem->contact;
+  const tp_quantity *glued =
+      scene->loads.cohesion_kpa.given ? &scene->loads.cohesion_kpa : &scene->loads.bond_kpa;
+  bool has_length = false;
+  for (long k = 0; k < contact->facet_count; k++) {
+    has_length = has_length || contact->facets[k].q0 != contact->facets[k].q1;
+  }
+  if (glued->given && !has_length) {
+    return tp_fail(message, TP_BAD_INPUT, glued->place,
+                   "the block touches its base in points alone: there is no contact to hold");
+  }
   fmpq_t heel_y;
   fmpq_init(heel_y);
-  const tp_contact *contact = &problem->contact;
   const long last = scene->towards_left ? contact->point_count - 1 : 0;
   tp_lattice_metres_y(heel_y, &problem->lattice, problem->lattice.y + contact->points[last].point);
   fmpq_div(heel_y, heel_y, scene->metres_per_unit);

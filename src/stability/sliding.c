@@ -18,12 +18,15 @@
  * centroid, one above `high` right of it; equal on exact rungs but for the exact position. */
 typedef struct foot {
   fmpz_t low, high;
+  bool settled; /* a facet that ends within the bracket ends at the centroid, as far as can be told
+                 */
 } foot;
 
 static void find_foot(const tp_evaluation *e, foot *f) {
   const long bits = tp_evaluation_bits(e);
   const arb_struct *sums = e->moments.weighted;
-  if (e->rung.level == TP_LEVEL_EXACT) {
+  f->settled = e->rung.level == TP_LEVEL_EXACT;
+  if (f->settled) {
     fmpz_t divisor, moment;
     fmpz_init(divisor);
     fmpz_init(moment);
@@ -42,6 +45,7 @@ static void find_foot(const tp_evaluation *e, foot *f) {
   arf_init(end);
   arb_div(position, sums + TP_X6, sums + TP_A2, bits);
   arb_div_ui(position, position, 3, bits);
+  f->settled = tp_evaluation_is_zero_width(e, position, (double)e->problem->lattice.bits);
   if (arb_is_finite(position)) {
     arb_get_lbound_arf(end, position, bits);
     arf_get_fmpz(f->low, end, ARF_RND_CEIL);
@@ -58,7 +62,7 @@ static bool counts(tp_evaluation *e, const tp_facet *facet, const foot *f, tp_di
   const fmpz *end = l->x + (towards == TP_TOWARDS_LEFT ? facet->q0 : facet->q1);
   const int to_low = fmpz_cmp(end, f->low), to_high = fmpz_cmp(end, f->high);
   const bool left = to_low<0, right = to_high> 0;
-  if (!left && !right && e->rung.level != TP_LEVEL_EXACT) e->certain = false;
+  if (!left && !right && !f->settled) e->certain = false;
   return towards == TP_TOWARDS_LEFT ? left : right;
 }
 

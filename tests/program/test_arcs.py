@@ -54,6 +54,29 @@ class Arcs(unittest.TestCase):
             own = math.pi / 8 - half * (4 / (3 * math.pi)) ** 2
             self.assert_close(case["block"]["second_moment_yy_m4"], around + own + half * up**2)
 
+    def test_hollow(self):
+        """A box of 4 by 2 with half a circle of radius 1 taken out of its top, and the side of the other box
+        with a bulge of -0.3 by the segment's closed form: R = c (1 + b^2) / (4 b), area
+        R^2 (t - sin t) / 2 with t = 4 atan b, centroid 4 R sin^3(t/2) / (3 (t - sin t)) from the centre. An
+        arc whose ends are tangents of the sides leaves horns without a width: refused."""
+        half = math.pi / 2
+        wide = "[[-2, 0], [2, 0], [2, 2], [1, 2], [-1, 2], [-2, 2]]"
+        for arcs in ("[{from: [1, 2], through: [0, 1]}]", "[{from: [1, 2], bulge: -1}]"):
+            block = self.solve(wide, arcs)["block"]
+            self.assert_close(block["area_m2"], 8 - half)
+            self.assert_close(block["centroid_y_m"], (8 - half * (2 - 4 / (3 * math.pi))) / (8 - half))
+            self.assert_close(block["second_moment_xx_m4"], 8 * 16 / 12 - math.pi / 8)
+        self.scene.write_text(SCENE % (BOX, "[{from: [1, 2], bulge: -1}]", "{mated: true}"))
+        self.assertIn("itself", run("solve", self.scene)[2])
+        b, chord = 0.3, 2.0
+        radius, t = chord * (1 + b * b) / (4 * b), 4 * math.atan(b)
+        area = radius**2 * (t - math.sin(t)) / 2
+        away = 4 * radius * math.sin(t / 2) ** 3 / (3 * (t - math.sin(t)))  # from the centre
+        middle = 1 + radius * math.cos(t / 2) - away  # abscissa: the centre lies outside the right side
+        block = self.solve(BOX, "[{from: [1, 0], bulge: -0.3}]", "{mated: true, between: [[-1, 0], [1, 0]]}")["block"]
+        self.assert_close(block["area_m2"], 4 - area)
+        self.assert_close(block["centroid_x_m"], -area * middle / (4 - area))
+
     def test_circle(self):
         """Two arcs of one circle on a flat are the ellipse of equal axes, which has its own closed form."""
         case = self.solve("[[-0.6, 0], [0.6, 0], [0, 1.8]]",
@@ -108,9 +131,12 @@ class Arcs(unittest.TestCase):
     def test_wrong_arcs(self):
         wide = "[[0, 0], [4, 0], [4, 4], [3, 4], [3, 1], [1, 1], [1, 4], [0, 4]]"
         for outline, arcs, base, message in (
-                (BOX, "[{from: [1, 2], through: [0, 1]}]", "{mated: true}", "does not bulge outwards"),
-                (BOX, "[{from: [1, 2], through: [0, 2]}]", "{mated: true}", "does not bulge outwards"),
-                (BOX, "[{from: [1, 2], bulge: -1}]", "{mated: true}", "a bulge must be above zero"),
+                (BOX, "[{from: [1, 2], through: [0, 2]}]", "{mated: true}", "this arc is straight"),
+                (BOX, "[{from: [1, 2], bulge: 0}]", "{mated: true}", "a bulge of 0 is a straight edge"),
+                (BOX, "[{from: [1, 2], bulge: -5}]", "{mated: true}", "turned inside out"),
+                (BOX, "[{from: [-1, 0], bulge: -0.1}]", "{mated: true}", "touches its base on an arc"),
+                (BOX, "[{from: [1, 2], bulge: -0.1}]\n  holes: [[[0, 0.5], [0.2, 0.5], [0, 0.7]]]", "{mated: true}",
+                 "takes arcs outwards alone"),
                 (BOX, "[{from: [1, 3], bulge: 1}]", "{mated: true}", "begins in no vertex"),
                 (BOX, "[{from: [1, 2], bulge: 1, through: [0, 3]}]", "{mated: true}", "goes 'through' a point, or"),
                 (BOX, "[{from: [1, 2]}]", "{mated: true}", "goes 'through' a point, or"),

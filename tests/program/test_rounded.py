@@ -42,9 +42,9 @@ class Rounded(unittest.TestCase):
     def write(self, n, a, b, c, end, r, model="paper"):
         self.scene.write_text(SCENE.format(n=n, a=a, b=b, c=c, end=end, r=r, model=model))
 
-    def find(self, target, *more):
+    def find(self, target, *more, scene=None):
         status, out, err = run("solve", "--json", "--find", "block.rounded.corners.1.radius", "--for",
-                               target, *more, self.scene)
+                               target, *more, scene or self.scene)
         self.assertEqual((status, err), (0, ""))
         return json.loads(out)["find"]
 
@@ -58,8 +58,9 @@ class Rounded(unittest.TestCase):
         for row in rows:
             block, end = row["block"], row["axis"]
             n, a, b, c = BLOCKS[block]
-            self.write(n, a, b, c, end, 1)
-            found = self.find(f"critical_angle={row['alpha_phys_deg']}", "--from", 0, "--to", 15)["solutions"]
+            name = block.lower() + (f"_{end}" if block in "ABE" else "")
+            found = self.find(f"critical_angle={row['alpha_phys_deg']}", "--from", 0, "--to", 15,
+                              scene=f"examples/paper/table_4/{name}.yaml")["solutions"]
             self.assertEqual(len(found), 1)
             self.assertLess(found[0]["error"], 1e-10)
             off = abs(Decimal(repr(found[0]["value"])) - Decimal(row["rc_mm"]))
@@ -172,11 +173,21 @@ class Rounded(unittest.TestCase):
         self.assertAlmostEqual(first, 2, delta=0.01)
         self.assertAlmostEqual(third, 8, delta=0.05)
 
+    def test_symmetric(self):
+        """A block that is its own mirror image, both ends rounded: its centroid stands exactly over a
+        joint, which balls can only enclose; both directions have the same answer."""
+        self.scene.write_text(
+            "topple: 1\nlength_unit: mm\nblock:\n  teeth: {count: 4, width: 20, height: 158, depth: 7, left_end: "
+            "valley}\n  rounded: {corners: [{at: left_end, radius: 5}, {at: right_end, radius: 5}]}\n"
+            "friction_angle_deg: 30\ntilt: {towards: both, angle_deg: 10}\n")
+        left, right = (case["toppling"]["critical_angle_deg"] for case in solve(self.scene)["cases"])
+        self.assertLessEqual(abs(left["value"] - right["value"]), left["error"] + right["error"])
+
     def test_rolling(self):
         """A slab of width w and height h on a toe of radius r: at its critical angle the centre of
         curvature is r above the base and from the side, the centroid h / 2 above. A low slab on a toe
-        of nearly half its width rolls back, a taller one goes over."""
-        for height, radius, beyond in ((30, 19, "rolls back"), (100, 19, "goes over")):
+        of nearly half its width rolls back, a taller one topples."""
+        for height, radius, beyond in ((30, 19, "rolls back"), (100, 19, "topples")):
             self.scene.write_text(
                 f"topple: 1\nlength_unit: mm\nblock:\n  slab: {{width: 40, height: {height}}}\n  rounded: {{model:"
                 f" paper, corners: [{{at: left_end, radius: {radius}}}]}}\ntilt: {{towards: left}}\n")
@@ -185,14 +196,14 @@ class Rounded(unittest.TestCase):
             self.assertAlmostEqual(toppling["critical_angle_deg"]["value"], math.degrees(alpha), delta=1e-12)
             centre, weight = (radius, radius), (20, height / 2)
             above = ((centre[0] - weight[0]) * math.sin(alpha) + (centre[1] - weight[1]) * math.cos(alpha)) > 0
-            self.assertEqual(toppling["beyond"], "rolls back" if above else "goes over")
+            self.assertEqual(toppling["beyond"], "rolls back" if above else "topples")
             self.assertEqual(toppling["beyond"], beyond)
 
     def test_rest(self):
         """Beyond its critical angle a low slab rolls on its toe to a new rest. Where it is found by rolling
         the block in small steps in doubles: turned about the contact, which moves r a radian along the
         base, until the centroid stands over the contact; towards both sides alike. At a steeper tilt it
-        goes over."""
+        topples."""
         width, height, radius = 40.0, 30.0, 19.0
         scene = ("topple: 1\nlength_unit: mm\nblock:\n  slab: {width: 40, height: 30}\n  rounded: {model: paper, "
                  "corners: [{at: %s, radius: 19}]}\ntilt: {towards: %s, angle_deg: %r}\n")
@@ -200,7 +211,7 @@ class Rounded(unittest.TestCase):
             for end, towards in (("left_end", "left"), ("right_end", "right")):
                 self.scene.write_text(scene % (end, towards, tilt))
                 toppling = solve(self.scene)["cases"][0]["toppling"]
-                self.assertEqual(toppling["beyond"], "rolls back" if rests else "goes over")
+                self.assertEqual(toppling["beyond"], "rolls back" if rests else "topples")
                 self.assertEqual("rest_turn_deg" in toppling, rests)
             a = math.radians(tilt)
             cx, cy, gx, gy = radius, radius, width / 2, height / 2
