@@ -119,7 +119,7 @@ typedef struct tp_pivot {
   bool never;             /* loads keep it from toppling about this pivot at any tilt, ... */
   bool always;            /* ... or from standing on it at any: there is no critical angle */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
-  tp_bounded limits_deg[8];
+  tp_bounded *limits_deg; /* owned by the case */
   tp_fos fos_resultant; /* Eq. (2): tan(critical angle) / tan(tilt); with loads what stabilises over
                            what overturns */
   tp_fos fos_elements;  /* (A1.3): each element's components by their own sign */
@@ -203,7 +203,8 @@ typedef struct tp_case {
   tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
   bool falls_backwards;  /* at this tilt it topples the other way, up-dip */
   tp_account account;
-  size_t load_count; /* with loads and a tilt: the weight's two components, then each load */
+  tp_bounded *limits; /* of all pivots, with loads */
+  size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */
   tp_load_result *loads;
 } tp_case;
 

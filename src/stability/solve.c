@@ -21,6 +21,7 @@ void tp_solution_free(tp_solution *solution) {
     free(solution->cases[k].pivots);
     free(solution->cases[k].account.elements);
     free(solution->cases[k].loads);
+    free(solution->cases[k].limits);
   }
   free(solution->title);
   free(solution);
@@ -102,7 +103,11 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
     describe_pivots(own, problem);
     if (problem->loaded) {
       own->loads = calloc((size_t)tp_loaded_account_count(problem->scene), sizeof *own->loads);
-      if (own->loads == NULL) return tp_fail_memory(message, "the loads");
+      own->limits = calloc(own->pivot_count * TP_ROOTS_MAX, sizeof *own->limits);
+      if (own->loads == NULL || own->limits == NULL) return tp_fail_memory(message, "the loads");
+      for (size_t k = 0; k < own->pivot_count; k++) {
+        own->pivots[k].limits_deg = own->limits + k * TP_ROOTS_MAX;
+      }
     }
     if (!account) continue;
     own->account.elements =
