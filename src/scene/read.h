@@ -28,6 +28,10 @@ TP_MUST_USE tp_status tp_read_quantity(const tp_reader *reader, tp_quantity *qua
 TP_MUST_USE tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node,
                                    const char *name);
 
+/* A point, [x, y]. */
+TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
+                                    const tp_node *node, const char *name);
+
 /* A list of [x, y], or the name of a CSV file beside the scene. */
 TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
                                      const tp_node *node, bool closed, const char *name);

@@ -7,15 +7,6 @@
 
 #include <stdlib.h>
 
-static tp_status read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
-                            const tp_node *node, const char *name) {
-  if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node, "'%s' is a point, written [x, y]", name);
-  }
-  const tp_status status = tp_read_quantity(reader, x, node->first, "x");
-  return status == TP_OK ? tp_read_quantity(reader, y, node->last, "y") : status;
-}
-
 static tp_status read_arc(const tp_reader *reader, tp_arc_description *arc, const tp_node *node) {
   static const char *const keys[] = {"from", "through", "bulge", NULL};
   const tp_node *from = NULL;
@@ -28,9 +19,9 @@ static tp_status read_arc(const tp_reader *reader, tp_arc_description *arc, cons
   if ((through == NULL) == (bulge == NULL)) {
     return tp_read_fail(reader, node, "an arc goes 'through' a point, or has a 'bulge'");
   }
-  status = read_point(reader, &arc->x, &arc->y, from, "from");
+  status = tp_read_point(reader, &arc->x, &arc->y, from, "from");
   if (status == TP_OK && through != NULL) {
-    status = read_point(reader, &arc->through_x, &arc->through_y, through, "through");
+    status = tp_read_point(reader, &arc->through_x, &arc->through_y, through, "through");
   }
   if (status == TP_OK) status = tp_read_quantity(reader, &arc->bulge, bulge, "bulge");
   if (status == TP_OK && bulge != NULL && fmpq_is_zero(arc->bulge.value)) {

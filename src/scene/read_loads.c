@@ -66,16 +66,11 @@ static tp_status read_water(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
-static tp_status read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
-                            const tp_node *parent, const char *key) {
+static tp_status read_required_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
+                                     const tp_node *parent, const char *key) {
   const tp_node *node = NULL;
   const tp_status status = tp_read_required(reader, &node, parent, key, "[0, 10]");
-  if (status != TP_OK) return status;
-  if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
-    return tp_read_fail(reader, node, "'%s' is a point, written [x, y]", key);
-  }
-  const tp_status first = tp_read_quantity(reader, x, node->first, "x");
-  return first == TP_OK ? tp_read_quantity(reader, y, node->last, "y") : first;
+  return status == TP_OK ? tp_read_point(reader, x, y, node, key) : status;
 }
 
 /* `kpa` as one number, or as two at the ends where `two` allows it. */
@@ -116,8 +111,8 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
     init_line(load);
     load->place = tp_node_place(n, reader->scene->path);
     status = tp_node_expect_keys(n, keys, what, reader->scene->path, reader->message);
-    if (status == TP_OK) status = read_point(reader, &load->x0, &load->y0, n, "from");
-    if (status == TP_OK) status = read_point(reader, &load->x1, &load->y1, n, "to");
+    if (status == TP_OK) status = read_required_point(reader, &load->x0, &load->y0, n, "from");
+    if (status == TP_OK) status = read_required_point(reader, &load->x1, &load->y1, n, "to");
     if (status == TP_OK) status = read_kpa(reader, load, n, two);
   }
   return status;
@@ -130,7 +125,7 @@ static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anc
   anchor->place = tp_node_place(node, reader->scene->path);
   tp_status status =
       tp_node_expect_keys(node, keys, "an anchor", reader->scene->path, reader->message);
-  if (status == TP_OK) status = read_point(reader, &anchor->x, &anchor->y, node, "at");
+  if (status == TP_OK) status = read_required_point(reader, &anchor->x, &anchor->y, node, "at");
   if (status == TP_OK) {
     status = tp_read_required(reader, &direction, node, "direction_deg", "direction_deg: -30");
   }

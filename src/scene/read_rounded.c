@@ -23,8 +23,7 @@ static tp_status read_at(const tp_reader *reader, tp_corner_description *corner,
                         "'at' must be left_end or right_end of the underside, or a vertex [x, y]");
   }
   corner->at = TP_CORNER_VERTEX;
-  const tp_status status = tp_read_quantity(reader, &corner->x, node->first, "x");
-  return status == TP_OK ? tp_read_quantity(reader, &corner->y, node->last, "y") : status;
+  return tp_read_point(reader, &corner->x, &corner->y, node, "at");
 }
 
 static tp_status read_corner(const tp_reader *reader, tp_corner_description *corner,

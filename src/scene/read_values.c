@@ -96,8 +96,17 @@ static const char *keep_path(tp_scene *scene, const char *name) {
   return path;
 }
 
-static tp_status read_point(const tp_reader *reader, tp_polyline *line, const tp_node *node,
-                            const char *name) {
+tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
+                        const tp_node *node, const char *name) {
+  if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
+    return tp_read_fail(reader, node, "'%s' is a point, written [x, y]", name);
+  }
+  const tp_status status = tp_read_quantity(reader, x, node->first, "x");
+  return status == TP_OK ? tp_read_quantity(reader, y, node->last, "y") : status;
+}
+
+static tp_status read_vertex(const tp_reader *reader, tp_polyline *line, const tp_node *node,
+                             const char *name) {
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
     return tp_read_fail(reader, node, "a vertex of %s is written [x, y]", name);
   }
@@ -124,7 +133,7 @@ tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_no
     status = tp_csv_read(&points, path, closed, reader->message);
   } else if (node->kind == TP_NODE_SEQUENCE) {
     for (const tp_node *p = node->first; p != NULL && status == TP_OK; p = p->next) {
-      status = read_point(reader, &points, p, name);
+      status = read_vertex(reader, &points, p, name);
     }
   } else {
     status =

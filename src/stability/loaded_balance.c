@@ -29,11 +29,10 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   tp_place_text(own->called_for_by, sizeof own->called_for_by, place);
 }
 
-static tp_load_side side_of(const arb_t moment, bool active, bool passive) {
-  const bool overturns = arf_sgn(arb_midref(moment)) > 0;
-  if (active) return overturns ? TP_OVERTURNS : TP_LESSENS_OVERTURNING;
-  (void)passive; /* by its sign, like any other */
-  return overturns ? TP_OVERTURNS : TP_STABILISES;
+/* By the sign of the moment; but what an active load holds back is taken from what overturns. */
+static tp_load_side side_of(const arb_t moment, bool active) {
+  if (arf_sgn(arb_midref(moment)) > 0) return TP_OVERTURNS;
+  return active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
 }
 
 /* The weight by its two components, as in Eq. (2); then each load; then the bond. */
@@ -41,10 +40,9 @@ static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t s
                   const arb_t cosine) {
   tp_evaluation *e = b->evaluation;
   const long bits = e->rung.bits;
-  tp_trig about, part;
+  tp_trig about;
   arb_t x, y, moment;
   tp_trig_init(&about);
-  tp_trig_init(&part);
   arb_init(x);
   arb_init(y);
   arb_init(moment);
@@ -54,14 +52,13 @@ static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t s
     tp_wrench_moment(&about, &own->wrench, x, y, bits);
     if (own->kind == TP_LOAD_WEIGHT) {
       arb_mul(moment, about.of + TP_COS, cosine, bits);
-      add_to(b, "weight, normal", own->place, moment, side_of(moment, false, false));
+      add_to(b, "weight, normal", own->place, moment, side_of(moment, false));
       arb_mul(moment, about.of + TP_SIN, sine, bits);
-      add_to(b, "weight, parallel", own->place, moment, side_of(moment, false, false));
+      add_to(b, "weight, parallel", own->place, moment, side_of(moment, false));
       continue;
     }
     tp_trig_evaluate(moment, &about, sine, cosine, bits);
-    add_to(b, tp_load_name(own->kind), own->place, moment,
-           side_of(moment, own->active, own->passive));
+    add_to(b, tp_load_name(own->kind), own->place, moment, side_of(moment, own->active));
   }
   if (e->problem->scene->loads.bond_kpa.given) {
     tp_loaded_bond(moment, x, y, false, loaded, e);
@@ -69,7 +66,6 @@ static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t s
     add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, moment, TP_STABILISES);
   }
   tp_trig_clear(&about);
-  tp_trig_clear(&part);
   arb_clear(x);
   arb_clear(y);
   arb_clear(moment);

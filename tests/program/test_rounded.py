@@ -65,6 +65,13 @@ class Rounded(unittest.TestCase):
             self.assertLess(found[0]["error"], 1e-10)
             off = abs(Decimal(repr(found[0]["value"])) - Decimal(row["rc_mm"]))
             self.assertEqual(off > Decimal("0.005"), (block, row["alpha_phys_deg"], "r_c") in wrong, row)
+            # with the tip's mass taken off: the radius found gives the measured angle
+            self.write(n, a, b, c, end, 1, "exact")
+            exact_mass = self.find(f"critical_angle={row['alpha_phys_deg']}", "--from", 0, "--to", 15)["solutions"]
+            self.assertEqual(len(exact_mass), 1)
+            self.write(n, a, b, c, end, repr(exact_mass[0]["value"]), "exact")
+            angle = solve(self.scene)["cases"][0]["toppling"]["critical_angle_deg"]["value"]
+            self.assertAlmostEqual(angle, float(row["alpha_phys_deg"]), delta=1e-10)
             ring = exact.teeth(n, a, b, c, end)
             fos = exact.factor_of_safety(exact.block_moments(ring), ring[0], Fraction(row["alpha_phys_deg"]))
             self.assertEqual(abs(fos - Decimal(row["fos"])) > Decimal("0.005"),
@@ -323,14 +330,13 @@ class Rounded(unittest.TestCase):
             self.assertEqual(run("solve", *wrong, self.scene)[0], 2)
 
     def test_all_solutions(self):
-        """Both widths of a two-sided question: the tilt angle at which FoS is 1.5 is one; the height that
-        makes a slab with a fixed centroid ... stays one; none in range says so."""
+        """None in the range is said so. An L whose arm grows moves its centroid out over the foot: every
+        number found gives the wanted angle by exact moments."""
         self.write(3, 30, 120, 5, "peak", 1)
         status, out, _ = run("solve", "--find", "block.teeth.height", "--for", "critical_angle=89",
                              "--from", 100, "--to", 200, self.scene)
         self.assertEqual(status, 0)
         self.assertIn("none in range", out)
-        # a wedge on its tip side: an L whose arm grows first steadies, then overturns
         self.scene.write_text(
             "topple: 1\nlength_unit: m\nparameters: {p: 2}\nblock:\n  outline: [[0, 0], [2, 0], [2, 1], [2 + p, 1],"
             " [2 + p, 2], [0, 2]]\nbase: {mated: true, between: [[0, 0], [2, 0]]}\ntilt: {towards: left}\n")
