@@ -14,10 +14,23 @@ typedef struct balance {
   tp_case *account; /* NULL: none is drawn up */
 } balance;
 
+/* A moment whose sign is not known may be on either side: both sums are widened by its size, so
+ * that they enclose what the sign would give. */
+static void add_to_either(balance *b, const arb_t moment) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, moment);
+  arb_add_error_mag(b->stabilising, size);
+  arb_add_error_mag(b->overturning, size);
+  mag_clear(size);
+}
+
 static void add_to(balance *b, const char *name, tp_place place, const arb_t moment,
                    tp_load_side side) {
   const long bits = b->evaluation->rung.bits;
-  if (side == TP_STABILISES) {
+  if (arb_contains_zero(moment)) {
+    add_to_either(b, moment);
+  } else if (side == TP_STABILISES) {
     arb_sub(b->stabilising, b->stabilising, moment, bits);
   } else {
     arb_add(b->overturning, b->overturning, moment, bits);

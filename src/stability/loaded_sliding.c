@@ -109,6 +109,13 @@ static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const facet_fram
     tp_trig_evaluate(value, &along, sine, cosine, bits);
     if (loaded->items[k].passive && arb_is_negative(value)) {
       arb_sub(resisting, resisting, value, bits);
+    } else if (loaded->items[k].passive && arb_contains_zero(value)) { /* on either side */
+      mag_t size;
+      mag_init(size);
+      arb_get_mag(size, value);
+      arb_add_error_mag(resisting, size);
+      arb_add_error_mag(driving, size);
+      mag_clear(size);
     } else {
       arb_add(driving, driving, value, bits);
     }

@@ -135,6 +135,15 @@ class Loads(unittest.TestCase):
                     else:
                         self.assert_fos(case, stabilising / (overturning - held))
 
+    def test_anchor_through_the_pivot(self):
+        """An anchor whose line goes through the toe has no moment, which sines and cosines can only enclose:
+        the factor is that of the weight alone, b cos a / (h sin a), on whichever side it counts."""
+        for passive in ("false", "true"):
+            case = self.solve(2.0, 5.0, "{anchors: [{at: [1, 1], direction_deg: 45, force_kn: 100, passive: %s}]}"
+                              % passive, tilt=20)
+            self.assert_fos(case, 2 / 5 / math.tan(math.radians(20)))
+            self.assert_angle(case, math.degrees(math.atan2(2, 5)))
+
     def test_pressure_and_surcharge(self):
         """A pressure from 0 at the top to p at the foot of the up-dip face is the triangle of water held to
         the block: force p h / 2 at h / 3. A surcharge q over the top is a weight q b at its middle."""
