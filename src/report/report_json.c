@@ -5,6 +5,7 @@
 
 #include "number/ladder.h"
 #include "report/json.h"
+#include "report/report_limit.h"
 #include "report/report_loads.h"
 
 #include <math.h>
@@ -246,6 +247,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   add_toppling(t, c);
   add_sliding(t, &c->sliding, s->loaded);
   add_toe(t, &c->toe);
+  tp_json_limit(t, c);
   add_account(t, &c->account, s->block.has_weight);
   tp_json_loads(t, c);
   add_mechanism(t, c);

@@ -30,6 +30,16 @@ tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball) {
   return tp_evaluation_result_scaled(evaluation, ball, 0);
 }
 
+tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ball,
+                                       double log2_size) {
+  const double asked = log2_size - 3.33 * evaluation->digits; /* 10^-digits > 2^(-3.33 digits) */
+  if (!tp_ball_certain(ball, evaluation->digits) &&
+      !(arb_is_finite(ball) && mag_get_d_log2_approx(arb_radref(ball)) < asked)) {
+    evaluation->certain = false;
+  }
+  return tp_ball_bounded(ball);
+}
+
 tp_bounded tp_evaluation_rational(const fmpq_t value) {
   arb_t ball;
   arb_init(ball);

@@ -43,6 +43,11 @@ tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball);
 tp_bounded tp_evaluation_result_scaled(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_scale);
 
+/* Likewise for a coordinate, which is certain as well where its bound is the asked share of the
+ * block's size, 2^log2_size. */
+tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ball,
+                                       double log2_size);
+
 /* Where no rung is exact: is the ball far narrower than the scale 2^log2_scale, so that what it
  * does not tell apart is taken for equal? */
 bool tp_evaluation_is_zero_width(const tp_evaluation *evaluation, const arb_t ball,
@@ -92,9 +97,16 @@ void tp_evaluate_rolling(tp_evaluation *evaluation, tp_case *result,
 /* Whether the base can hold the governing pivot at its critical angle. */
 void tp_evaluate_toe(tp_evaluation *evaluation, tp_case *result, const tp_direction_ball *toppling);
 
-/* The mechanism of one direction, from the critical angles of the others. */
+/* The static limit of one direction, with the scene's base and otherwise; its angle is left in
+ * `limit` where there is one. False when memory is exhausted. */
+TP_MUST_USE bool tp_evaluate_limit(tp_evaluation *evaluation, tp_case *result,
+                                   tp_direction_ball *limit);
+
+/* The mechanism of one direction, from the limit, or where no friction is given from the critical
+ * angle of toppling. */
 void tp_evaluate_mechanism(tp_evaluation *evaluation, tp_case *result,
-                           const tp_direction_ball *toppling, const tp_direction_ball *sliding);
+                           const tp_direction_ball *toppling, const tp_direction_ball *sliding,
+                           const tp_direction_ball *limit);
 
 /* The account of moments by elements about the governing pivot. `result->account.elements` has room
  * for all of them. */

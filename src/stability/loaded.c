@@ -118,11 +118,14 @@ void tp_loaded_clear(tp_loaded *loaded) {
   arb_clear(loaded->limit);
 }
 
+void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *e) {
+  to_metres(x, e->problem->lattice.origin_x, e);
+  to_metres(y, e->problem->lattice.origin_y, e);
+}
+
 void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *e, long point) {
-  const tp_lattice *l = &e->problem->lattice;
   tp_evaluation_axis(x, y, e, point, loaded->mirrored ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT);
-  to_metres(x, l->origin_x, e);
-  to_metres(y, l->origin_y, e);
+  tp_loaded_metres(x, y, e);
   if (loaded->mirrored) arb_neg(x, x);
 }
 

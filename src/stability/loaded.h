@@ -29,6 +29,9 @@ void tp_loaded_clear(tp_loaded *loaded);
 void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *evaluation,
                     long point);
 
+/* A point of the lattice in metres. */
+void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *evaluation);
+
 /* The moment of the contact's tensile bond about an axis, positive, in N m: against overturning, or
  * against turning `back`. */
 void tp_loaded_bond(arb_t moment, const arb_t x, const arb_t y, bool back, const tp_loaded *loaded,

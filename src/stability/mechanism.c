@@ -19,9 +19,11 @@ static int against_upright(tp_evaluation *e, const tp_direction_ball *angle) {
   return side;
 }
 
-static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
-                                           const tp_direction_ball *toppling,
-                                           const tp_direction_ball *sliding) {
+/* By the formulas of moments and of sliding, where no friction is given or its limit is no angle.
+ */
+static const tp_direction_ball *first_by_formula(tp_evaluation *e, tp_case *result,
+                                                 const tp_direction_ball *toppling,
+                                                 const tp_direction_ball *sliding) {
   const bool topples = result->has_governing && against_upright(e, toppling) < 0;
   const bool slides = result->sliding.known && !result->sliding.never;
   if (topples && slides) {
@@ -35,6 +37,26 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
   }
   result->first = result->sliding.known ? TP_INTERLOCKED : TP_STANDS;
   return NULL;
+}
+
+/* By statics. */
+static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
+                                           const tp_direction_ball *toppling,
+                                           const tp_direction_ball *sliding,
+                                           const tp_direction_ball *limit) {
+  switch (result->limit.kind) {
+  case TP_LIMIT_AT_ANGLE:
+    result->first = result->limit.tie ? TP_SLIDES_AND_TOPPLES : result->limit.mechanism;
+    return limit;
+  case TP_LIMIT_INTERLOCKED:
+    result->first = TP_INTERLOCKED;
+    return NULL;
+  case TP_LIMIT_NOT_ASKED:
+  case TP_LIMIT_NOWHERE:
+  case TP_LIMIT_UNDECIDED:
+    break;
+  }
+  return first_by_formula(e, result, toppling, sliding);
 }
 
 /* Does the block topple up-dip at this tilt: is the centroid past the up-dip end of the contact? */
@@ -55,9 +77,9 @@ static bool falls_backwards(tp_evaluation *e, tp_direction towards, const arb_t 
 }
 
 void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
-                           const tp_direction_ball *sliding) {
+                           const tp_direction_ball *sliding, const tp_direction_ball *limit) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
-  const tp_direction_ball *first = find_first(e, result, toppling, sliding);
+  const tp_direction_ball *first = find_first(e, result, toppling, sliding, limit);
   arb_t angle, margin;
   arb_init(angle);
   arb_init(margin);

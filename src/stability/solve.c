@@ -126,11 +126,14 @@ typedef struct climb {
   tp_message *message;
 } climb;
 
-static void evaluate_toppling(tp_evaluation *evaluation, tp_case *own, const climb *c) {
+/* False when memory is exhausted. */
+static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const climb *c) {
   const tp_scene *scene = c->problem->scene;
-  tp_direction_ball toppling, sliding;
+  tp_direction_ball toppling, sliding, limit;
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
+  tp_direction_ball_init(&limit);
+  bool done = true;
   double began = tp_effects_now();
   tp_evaluate_pivots(evaluation, own, &toppling);
   if (c->problem->corners.count > 0) tp_evaluate_rolling(evaluation, own, &toppling);
@@ -141,27 +144,31 @@ static void evaluate_toppling(tp_evaluation *evaluation, tp_case *own, const cli
     tp_evaluate_sliding(evaluation, own, &sliding);
     tp_evaluate_toe(evaluation, own, &toppling);
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
+    began = tp_effects_now();
+    done = tp_evaluate_limit(evaluation, own, &limit);
+    tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
   }
-  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding);
+  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding, &limit);
   if (c->options->elements) tp_evaluate_account(evaluation, own, &toppling);
   tp_direction_ball_clear(&toppling);
   tp_direction_ball_clear(&sliding);
+  tp_direction_ball_clear(&limit);
+  return done;
 }
 
 /* A case, under its loads where the scene calls for some. */
 static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *c) {
   evaluation->loaded = NULL;
   if (!c->problem->loaded) {
-    evaluate_toppling(evaluation, own, c);
-    return true;
+    return evaluate_motions(evaluation, own, c);
   }
   tp_loaded loaded;
   if (!tp_loaded_init(&loaded, evaluation, own->towards, c->solution)) return false;
   evaluation->loaded = &loaded;
-  evaluate_toppling(evaluation, own, c);
+  const bool done = evaluate_motions(evaluation, own, c);
   tp_loaded_account(own, &loaded, evaluation);
   tp_loaded_clear(&loaded);
-  return true;
+  return done;
 }
 
 /* Rounded corners have no exact moments: balls of the rung's precision stand in. */
@@ -206,14 +213,14 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   }
   tp_moments_clear(&evaluation.moments);
   *certain = evaluation.certain;
-  return done ? TP_OK : tp_fail_memory(c->message, "the loads");
+  return done ? TP_OK : tp_fail_memory(c->message, "the loads and the limit");
 }
 
 /* What was computed on the ladder was computed at the level that it reached. */
 static void note_level(tp_solution *solution, tp_rung reached) {
   solution->level = reached.level;
   solution->bits = reached.bits;
-  static const char *const climbing[] = {"moments", "toppling", "sliding", "rounding"};
+  static const char *const climbing[] = {"moments", "toppling", "sliding", "limit", "rounding"};
   for (size_t k = 0; k < solution->effect_count; k++) {
     for (size_t c = 0; c < sizeof climbing / sizeof climbing[0]; c++) {
       if (strcmp(solution->effects[k].name, climbing[c]) == 0) {

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "limit/basis.h"
+
+#include "geom.h"
+
+#include <arb_fmpz_poly.h>
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+
+tp_basis tp_basis_of(const tp_simplex_answer *answer) {
+  tp_basis basis = {.outcome = answer->outcome, .columns = {-1, -1, -1}};
+  for (int r = 0; r < 3; r++) {
+    if (answer->basis[r] >= 0) basis.columns[basis.count++] = answer->basis[r];
+  }
+  return basis;
+}
+
+static void set_middles(fmpq *entries, const tp_vector *of) {
+  for (int row = 0; row < 3; row++) arf_get_fmpq(entries + row, arb_midref(of->of + row));
+}
+
+static bool solve_exactly(tp_geom_maximum *maximum, const tp_cones *cones, const fmpq *columns,
+                          const fmpq *ends, const fmpq *bounds) {
+  const long count = tp_cones_column_count(cones), edges = 2 * cones->count;
+  const fmpq **most = calloc((size_t)count + 1, sizeof *most);
+  if (most == NULL) return false;
+  for (long k = edges; k < count; k++) most[k] = bounds + (k - edges);
+  const tp_geom_program program = {(size_t)count, columns, ends, ends + 3, most};
+  const tp_geom_status status = tp_geom_maximise(maximum, &program);
+  free(most);
+  return status == TP_GEOM_OK;
+}
+
+bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const tp_vector *direction,
+                    const tp_vector *target, long bits) {
+  const long count = tp_cones_column_count(cones), edges = 2 * cones->count;
+  fmpq *columns = _fmpq_vec_init(3 * count), *bounds = _fmpq_vec_init(count - edges);
+  fmpq ends[6];
+  fmpq_t value;
+  tp_vector entries;
+  tp_vector_init(&entries);
+  fmpq_init(value);
+  for (int k = 0; k < 6; k++) fmpq_init(ends + k);
+  for (long k = 0; k < count; k++) {
+    tp_cones_column(entries.of, cones, k, bits);
+    set_middles(columns + 3 * k, &entries);
+    if (k < edges) continue;
+    tp_cones_bound(entries.of, cones, k);
+    arf_get_fmpq(bounds + (k - edges), arb_midref(entries.of));
+  }
+  set_middles(ends, direction);
+  set_middles(ends + 3, target);
+  tp_geom_maximum maximum = {.value = value};
+  const bool done = solve_exactly(&maximum, cones, columns, ends, bounds);
+  *basis = (tp_basis){.outcome = maximum.outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
+                                 : maximum.outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
+                                                                        : TP_SIMPLEX_INFEASIBLE,
+                      .count = maximum.basis_count,
+                      .columns = {-1, -1, -1}};
+  for (int k = 0; k < maximum.basis_count; k++) basis->columns[k] = maximum.basis[k];
+  _fmpq_vec_clear(columns, 3 * count);
+  _fmpq_vec_clear(bounds, count - edges);
+  for (int k = 0; k < 6; k++) fmpq_clear(ends + k);
+  fmpq_clear(value);
+  tp_vector_clear(&entries);
+  return done;
+}
+
+static void cross(double product[3], const double a[3], const double b[3]) {
+  for (int k = 0; k < 3; k++) {
+    product[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+  }
+}
+
+static double dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Wrapping about the shared edge: with n = s (shared x other) pointing into the cone, the other
+ * face's column k has -s (shared x k) pointing into it. */
+long tp_basis_across(const tp_sketch *sketch, long shared, long other) {
+  static const double rounding = 1e-12;
+  const double *edge = sketch->columns[shared];
+  double normal[3], inward = 0;
+  cross(normal, edge, sketch->columns[other]);
+  for (long k = 0; k < sketch->count; k++) {
+    const double side = dot(normal, sketch->columns[k]);
+    if (fabs(side) > fabs(inward)) inward = side;
+  }
+  const double turn = inward < 0 ? 1 : -1;
+  long found = -1;
+  for (long k = 0; k < sketch->count; k++) {
+    double own[3];
+    cross(own, edge, sketch->columns[k]);
+    if (fabs(own[0]) + fabs(own[1]) + fabs(own[2]) < rounding) continue; /* the edge itself */
+    if (found < 0 || turn * dot(normal, sketch->columns[k]) < -rounding) {
+      found = k;
+      for (int row = 0; row < 3; row++) normal[row] = own[row];
+    }
+  }
+  return found;
+}

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The forces that a base can exert on a block (mechanics section 6).
+ *
+ * Contact points are both ends of every facet, each with its facet's direction t, up-dip, and
+ * normal n, into the block. The friction cone of a point is spanned by its edges n + t tan(phi) and
+ * n - t tan(phi). A force counts as the column (f_x, f_y, moment about the origin). Cohesion lets a
+ * facet carry a shear of either sense along it, a bond a pull at its middle, both up to a bound.
+ * Any one unit of length and force; x mirrored towards the right, so that down-dip is -x. */
+
+#ifndef TP_CONES_H
+#define TP_CONES_H
+
+#include "load/wrench.h"
+
+#include <flint/fmpz.h>
+#include <stdbool.h>
+
+typedef struct tp_cone_point {
+  long site;  /* the same for points in one place */
+  long facet; /* the caller's */
+} tp_cone_point;
+
+/* Two successive points: the ends of a facet that cohesion or a bond acts on. */
+typedef struct tp_allowance {
+  long point;        /* its first end */
+  arb_t shear, pull; /* bounds of the factor on t and on -n */
+} tp_allowance;
+
+typedef struct tp_cones {
+  long count;
+  tp_cone_point *points;
+  arb_ptr x, y;
+  fmpz *tx, *ty;  /* t in whole numbers of any length */
+  arb_t friction; /* tan(phi) */
+  long allowance_count;
+  tp_allowance *allowances;
+} tp_cones;
+
+/* Room for `count` points and `allowance_count` allowances, zeros all; false when memory is
+ * exhausted, and `cones` is cleared. */
+bool tp_cones_init(tp_cones *cones, long count, long allowance_count);
+void tp_cones_clear(tp_cones *cones);
+
+/* Columns 2 k and 2 k + 1 are the edges n + t tan(phi) and n - t tan(phi) of point k; after those
+ * of all points come four for each allowance: shear along t and against it, the pull, and none. */
+enum { TP_ALLOWANCE_COLUMNS = 3 };
+long tp_cones_column_count(const tp_cones *cones);
+bool tp_cones_is_edge(const tp_cones *cones, long column);
+
+/* The column, three balls; its bound, where it is no edge of a cone. */
+void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits);
+void tp_cones_bound(arb_t most, const tp_cones *cones, long column);
+
+/* The point whose force the column is, and a unit of force along it: for the report. */
+long tp_cones_point_of(const tp_cones *cones, long column);
+
+/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? */
+bool tp_cones_are_parallel(const tp_cones *cones, long column, long other);
+bool tp_cones_share_site(const tp_cones *cones, long column, long other);
+
+#endif

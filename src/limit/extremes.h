@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Proofs that there is no limit: forces hold the block at every tilt, or at none. */
+
+#ifndef TP_EXTREMES_H
+#define TP_EXTREMES_H
+
+#include "limit/basis.h"
+
+/* Do three forces hold the block upright, tilted by 90 degrees? The set of wrenches that the base
+ * balances is convex, so one that holds level and upright holds between. */
+tp_answer tp_extremes_interlocked(const tp_limit_question *question, tp_sketch *sketch);
+
+/* Is there a twist, sinking straight down or turning about a centre level with the weight's, that
+ * no contact resists and on which the loads do work at every tilt? */
+tp_answer tp_extremes_nowhere(const tp_limit_question *question, tp_sketch *sketch);
+
+#endif

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "limit/prove.h"
+
+#include "limit/search.h"
+
+typedef struct proof {
+  tp_limit_answer *answer;
+  const tp_limit_question *question;
+  const tp_sketch *sketch;
+  const tp_vector *drive;
+  double near_degrees;
+} proof;
+
+static bool same_mechanism(const tp_face *a, const tp_face *b, const tp_cones *cones) {
+  if (a->motion != b->motion) return false;
+  if (a->motion == TP_MOTION_TURN_AT_SITE) return a->site == b->site;
+  return a->motion == TP_MOTION_SLIDE && tp_cones_are_parallel(cones, a->columns[0], b->columns[0]);
+}
+
+static tp_answer span_and_admit(const proof *p, tp_face *face, long first, long second,
+                                long *violated) {
+  const tp_limit_question *q = p->question;
+  const tp_answer spans = tp_face_span(face, q->cones, first, second, p->drive, &q->judge);
+  return spans == TP_YES ? tp_face_admit(face, q->cones, &q->judge, violated) : spans;
+}
+
+/* One force alone holds the block: the other face beside it is a mechanism at the same tilt. The
+ * loads leave the cone through the one or the other, and the hull of both tilts encloses where. */
+static tp_answer find_tie(const proof *p, int idle) {
+  tp_limit_answer *a = p->answer;
+  const tp_cones *cones = p->question->cones;
+  const long shared = a->face.columns[1 - idle];
+  long column = tp_basis_across(p->sketch, shared, a->face.columns[idle]);
+  tp_answer answer = TP_NO;
+  for (int tries = 0; tries < 3 && column >= 0 && answer == TP_NO; tries++) {
+    long violated = -1;
+    answer = span_and_admit(p, &a->other, shared, column, &violated);
+    column = violated;
+  }
+  if (answer == TP_OPEN) return TP_OPEN;
+  /* where the cone is flat, or both faces are one, there is one mechanism only */
+  if (answer == TP_NO || same_mechanism(&a->face, &a->other, cones)) return TP_YES;
+  a->tie = true;
+  arb_t first;
+  arb_init(first);
+  arb_set(first, a->degrees);
+  answer = tp_search_tilt(a, &a->other, p->question, p->near_degrees);
+  if (!arb_equal(first, a->degrees)) {
+    arb_union(a->degrees, a->degrees, first, p->question->judge.bits);
+  }
+  arb_clear(first);
+  return answer;
+}
+
+/* log2 of the size of force k as the other one would have it. */
+static double force_scale(const tp_limit_answer *a, const tp_cones *cones, int k, long bits) {
+  double scale = 0;
+  tp_vector column;
+  mag_t size;
+  tp_vector_init(&column);
+  mag_init(size);
+  for (int j = 0; j < 2; j++) {
+    tp_cones_column(column.of, cones, a->face.columns[j], bits);
+    scale += (j == k ? -1 : 1) * tp_vector_log2_size(&column);
+  }
+  arb_get_mag(size, a->forces + (1 - k));
+  scale += mag_get_d_log2_approx(size);
+  tp_vector_clear(&column);
+  mag_clear(size);
+  return scale;
+}
+
+static void find_forces(const proof *p) {
+  const tp_limit_question *q = p->question;
+  tp_limit_answer *a = p->answer;
+  tp_vector wrench;
+  tp_vector_init(&wrench);
+  tp_search_load_at(&wrench, q->load, a->sine, a->cosine, q->judge.precision);
+  tp_face_forces(a->forces, &a->face, q->cones, &wrench, &q->judge);
+  tp_vector_clear(&wrench);
+}
+
+static tp_answer check_forces(const proof *p) {
+  const tp_limit_question *q = p->question;
+  int idle = -1;
+  for (int k = 0; k < 2; k++) {
+    const double scale = force_scale(p->answer, q->cones, k, q->judge.bits);
+    const int sign = tp_judge_sign(&q->judge, p->answer->forces + k, scale);
+    if (sign < 0) return TP_NO;
+    if (sign > 1) return TP_OPEN;
+    if (sign == 0) idle = k;
+  }
+  return idle < 0 ? TP_YES : find_tie(p, idle);
+}
+
+tp_answer tp_prove_limit(tp_limit_answer *answer, const tp_limit_question *question,
+                         const tp_sketch *sketch, const tp_basis *basis, const tp_vector *drive,
+                         double near_degrees) {
+  const proof p = {answer, question, sketch, drive, near_degrees};
+  answer->kind = TP_LIMIT_AT_ANGLE;
+  answer->tie = false;
+  if (basis->count != 2) return TP_NO;
+  long violated = -1;
+  tp_answer done =
+      span_and_admit(&p, &answer->face, basis->columns[0], basis->columns[1], &violated);
+  if (done == TP_YES) done = tp_search_tilt(answer, &answer->face, question, near_degrees);
+  if (done != TP_YES) return done;
+  find_forces(&p);
+  return check_forces(&p);
+}

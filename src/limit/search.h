@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Tilts: where a mechanism starts, and about where the block lets go. */
+
+#ifndef TP_SEARCH_H
+#define TP_SEARCH_H
+
+#include "limit/basis.h"
+
+/* Do all loads turn with the tilt, with no bounded force in play: is the limit one linear program
+ * in tan(tilt)? */
+bool tp_search_is_linear(const tp_limit_question *question);
+
+/* The share of the loads that goes with one function of the tilt, and the loads at a tilt. */
+void tp_search_load_term(tp_vector *term, const tp_wrench *load, int basis);
+void tp_search_load_at(tp_vector *wrench, const tp_wrench *load, const arb_t sine,
+                       const arb_t cosine, long bits);
+
+/* The tilt at which the loads begin to do more work on the face's twist than is held: into the
+ * answer's sine, cosine and degrees. Of several the one nearest to `near_degrees`. */
+tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face,
+                         const tp_limit_question *question, double near_degrees);
+
+/* In doubles: the first tilt from level at which nothing holds the block, looking at every degree
+ * and halving between two; from level backwards where level ground does not do. */
+typedef enum tp_search_found {
+  TP_SEARCH_TILT,
+  TP_SEARCH_HOLDS_ALWAYS,
+  TP_SEARCH_HOLDS_NEVER
+} tp_search_found;
+
+tp_search_found tp_search_near(double *degrees, tp_sketch *sketch,
+                               const tp_limit_question *question);
+
+#endif

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "limit/sketch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ball * 2^-exponent; beyond the range of a double, its end. */
+static double scaled(const arb_t ball, long exponent) {
+  arf_t middle;
+  arf_init(middle);
+  arf_mul_2exp_si(middle, arb_midref(ball), -exponent);
+  const double value = arf_get_d(middle, ARF_RND_NEAR);
+  arf_clear(middle);
+  return value;
+}
+
+static long exponent_of(double log2_size) {
+  return isfinite(log2_size) ? (long)ceil(log2_size) : 0;
+}
+
+/* Largest coordinate of a contact point. */
+static long length_exponent(const tp_cones *cones) {
+  mag_t most, own;
+  mag_init(most);
+  mag_init(own);
+  for (long k = 0; k < cones->count; k++) {
+    arb_get_mag(own, cones->x + k);
+    mag_max(most, most, own);
+    arb_get_mag(own, cones->y + k);
+    mag_max(most, most, own);
+  }
+  const long exponent = exponent_of(mag_get_d_log2_approx(most));
+  mag_clear(most);
+  mag_clear(own);
+  return exponent;
+}
+
+static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *entries, long bits) {
+  tp_cones_column(entries->of, cones, k, bits);
+  double *own = s->columns[k];
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, entries->of);
+  const double along = mag_get_d_log2_approx(size);
+  arb_get_mag(size, entries->of + 1);
+  const long exponent = exponent_of(fmax(along, mag_get_d_log2_approx(size)));
+  mag_clear(size);
+  own[0] = scaled(entries->of, exponent);
+  own[1] = scaled(entries->of + 1, exponent);
+  own[2] = scaled(entries->of + 2, exponent + s->length_exponent);
+  if (s->most == NULL) return;
+  s->most[k] = INFINITY;
+  if (tp_cones_is_edge(cones, k)) return;
+  tp_cones_bound(entries->of, cones, k);
+  s->most[k] = scaled(entries->of, s->force_exponent - exponent);
+}
+
+bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *size, long bits) {
+  memset(sketch, 0, sizeof *sketch);
+  const long count = tp_cones_column_count(cones);
+  const bool bounded = cones->allowance_count > 0;
+  sketch->count = count;
+  sketch->columns = calloc((size_t)count + 1, sizeof *sketch->columns);
+  if (bounded) {
+    sketch->most = calloc((size_t)count, sizeof *sketch->most);
+    sketch->at_most = calloc((size_t)count, sizeof *sketch->at_most);
+  }
+  if (sketch->columns == NULL || (bounded && (sketch->most == NULL || sketch->at_most == NULL))) {
+    tp_sketch_clear(sketch);
+    return false;
+  }
+  tp_vector entries;
+  tp_vector_init(&entries);
+  sketch->length_exponent = length_exponent(cones);
+  arb_set(entries.of, size->of);
+  arb_set(entries.of + 1, size->of + 1);
+  sketch->force_exponent = exponent_of(tp_vector_log2_size(&entries));
+  for (long k = 0; k < count; k++) set_column(sketch, cones, k, &entries, bits);
+  tp_vector_clear(&entries);
+  return true;
+}
+
+void tp_sketch_clear(tp_sketch *sketch) {
+  free(sketch->columns);
+  free(sketch->most);
+  free(sketch->at_most);
+  memset(sketch, 0, sizeof *sketch);
+}
+
+void tp_sketch_wrench(double wrench[3], const tp_sketch *sketch, const tp_vector *of) {
+  wrench[0] = scaled(of->of, sketch->force_exponent);
+  wrench[1] = scaled(of->of + 1, sketch->force_exponent);
+  wrench[2] = scaled(of->of + 2, sketch->force_exponent + sketch->length_exponent);
+}
+
+tp_simplex_answer tp_sketch_solve(tp_sketch *sketch, const double direction[3],
+                                  const double target[3]) {
+  tp_simplex_program program = {
+      .count = sketch->count, .columns = (const double(*)[3])sketch->columns, .most = sketch->most};
+  memcpy(program.direction, direction, sizeof program.direction);
+  memcpy(program.target, target, sizeof program.target);
+  return tp_simplex_solve(&program, sketch->at_most);
+}

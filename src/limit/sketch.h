@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The cones in doubles, each column scaled to size one, lengths by that of the contact: what the
+ * simplex method works on. A sketch finds a basis; a face then proves it. */
+
+#ifndef TP_SKETCH_H
+#define TP_SKETCH_H
+
+#include "limit/cones.h"
+#include "limit/simplex.h"
+#include "limit/vector.h"
+
+typedef struct tp_sketch {
+  long count;
+  double (*columns)[3];
+  double *most; /* NULL: none is bounded; in units of `force` */
+  bool *at_most;
+  long length_exponent, force_exponent; /* units of 2^ */
+} tp_sketch;
+
+/* `size` is a wrench of the size of the loads, the weight's say. False when memory is exhausted. */
+bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *size, long bits);
+void tp_sketch_clear(tp_sketch *sketch);
+
+/* A wrench in the sketch's units. */
+void tp_sketch_wrench(double wrench[3], const tp_sketch *sketch, const tp_vector *of);
+
+/* Maximise t subject to sum f c + t direction = target. */
+tp_simplex_answer tp_sketch_solve(tp_sketch *sketch, const double direction[3],
+                                  const double target[3]);
+
+#endif

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/report_limit.h"
+
+#include "report/json.h"
+
+static void add_point(tp_text *t, tp_bounded x, tp_bounded y) {
+  tp_text_add(t, "{");
+  tp_json_number(t, "x_m", x);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "y_m", y);
+  tp_text_add(t, "}");
+}
+
+static void add_answer(tp_text *t, const tp_limit *l) {
+  if (l->kind == TP_LIMIT_AT_ANGLE) {
+    tp_json_number(t, "critical_angle_deg", l->critical_angle_deg);
+  } else {
+    tp_text_add(t, "\"critical_angle_deg\": null");
+  }
+  const bool nowhere = l->kind == TP_LIMIT_NOWHERE;
+  tp_text_add(t, ", \"mechanism\": \"%s\", \"tied_with\": ",
+              nowhere ? "holds nowhere" : tp_text_mechanism(l->mechanism));
+  if (l->tie) {
+    tp_text_add(t, "\"%s\"", tp_text_mechanism(l->tied_with));
+  } else {
+    tp_text_add(t, "null");
+  }
+  tp_text_add(t, ",\n        ");
+  if (l->has_centre) {
+    tp_json_number(t, "centre_x_m", l->centre_x_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "centre_y_m", l->centre_y_m);
+  } else {
+    tp_text_add(t, "\"centre_x_m\": null, \"centre_y_m\": null");
+  }
+  tp_text_add(t, ", \"base_beyond_toe\": %s", tp_json_truth(l->base_beyond_toe));
+}
+
+static void add_reactions(tp_text *t, const tp_limit *l) {
+  tp_text_add(t, ",\n        \"reactions\": [");
+  for (size_t k = 0; k < l->reaction_count; k++) {
+    const tp_reaction *r = l->reactions + k;
+    tp_text_add(t, "%s{", k > 0 ? ", " : "");
+    tp_json_number(t, "x_m", r->x_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "y_m", r->y_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "share_x", r->share_x);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "share_y", r->share_y);
+    tp_text_add(t, "}");
+  }
+  tp_text_add(t, "]");
+}
+
+void tp_json_limit(tp_text *t, const tp_case *c) {
+  const tp_limit *l = &c->limit;
+  if (l->kind == TP_LIMIT_NOT_ASKED) return;
+  tp_text_add(t, "      \"limit\": {");
+  add_answer(t, l);
+  tp_text_add(t, ", \"turns_up_dip\": %s", tp_json_truth(l->turns_up_dip));
+  if (l->has_facet) {
+    tp_text_add(t, ",\n        \"facet\": [");
+    add_point(t, l->facet_x0_m, l->facet_y0_m);
+    tp_text_add(t, ", ");
+    add_point(t, l->facet_x1_m, l->facet_y1_m);
+    tp_text_add(t, "]");
+  }
+  add_reactions(t, l);
+  tp_text_add(t, ",\n        \"otherwise\": {");
+  add_answer(t, &c->limit_otherwise);
+  tp_text_add(t, "}, \"base_matters\": %s},\n", tp_json_truth(c->base_matters));
+}

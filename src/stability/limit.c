@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The static limit of a problem (mechanics section 6): its contact and its loads put as a question
+ * to limit/, and the answer as a result. */
+
+#include "limit/limit.h"
+#include "number/ball.h"
+#include "stability/limit_cones.h"
+#include "stability/limit_result.h"
+#include "stability/loaded.h"
+
+#include <math.h>
+
+enum { LAST_BITS = 5120 }; /* of the ladder: what is open then stays undecided */
+
+/* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
+static void set_friction(arb_t friction, const tp_evaluation *e) {
+  const fmpq *angle = e->problem->scene->friction_angle_deg.value;
+  if (fmpq_is_zero(angle) || fmpq_cmp_si(angle, 45) == 0) {
+    arb_set_si(friction, fmpq_is_zero(angle) ? 0 : 1);
+    return;
+  }
+  arb_t cosine;
+  arb_init(cosine);
+  tp_ball_sin_cos_degrees(friction, cosine, angle, e->rung.bits);
+  arb_div(friction, friction, cosine, e->rung.bits);
+  arb_clear(cosine);
+}
+
+/* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
+ * with (X6, Y6) = 3 A2 times the centroid. */
+static void set_weight(tp_wrench *load, const tp_evaluation *e, bool mirrored) {
+  const arb_struct *sums = e->moments.weighted;
+  const long bits = tp_evaluation_bits(e);
+  arb_mul_si(load->x.of + TP_SIN, sums + TP_A2, -3, bits);
+  arb_set(load->y.of + TP_COS, load->x.of + TP_SIN);
+  arb_neg(load->moment.of + TP_COS, sums + TP_X6);
+  if (mirrored) arb_neg(load->moment.of + TP_COS, load->moment.of + TP_COS);
+  arb_set(load->moment.of + TP_SIN, sums + TP_Y6);
+}
+
+/* From here on, what the bits do not tell from zero is zero: a tie of mechanisms then is one. */
+static bool is_settled(const tp_evaluation *e) {
+  enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160 };
+  return e->rung.bits >=
+         (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS);
+}
+
+/* The answer of one question, as far as the rung goes; false when memory is exhausted. */
+static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, const tp_cones *cones,
+                tp_direction towards) {
+  tp_limit_answer answer;
+  if (!tp_limit_answer_init(&answer, cones)) return false;
+  tp_wrench weight;
+  arb_t range;
+  tp_wrench_init(&weight);
+  arb_init(range);
+  if (e->loaded == NULL) {
+    set_weight(&weight, e, towards == TP_TOWARDS_RIGHT);
+  } else {
+    arb_set(range, e->loaded->limit);
+  }
+  const tp_limit_question question = {
+      .cones = cones,
+      .load = e->loaded != NULL ? &e->loaded->sum : &weight,
+      .range = range,
+      .judge = {.bits = e->rung.bits,
+                .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
+                .settled = is_settled(e)}};
+  const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
+  if (outcome == TP_LIMIT_PROVEN) {
+    tp_limit_describe(result, e, &question, &answer, towards);
+    arb_set(angle->sine, answer.sine);
+    arb_set(angle->cosine, answer.cosine);
+    arb_set(angle->degrees, answer.degrees);
+    angle->exact_direction = e->loaded == NULL && !answer.tie;
+  } else {
+    result->kind = TP_LIMIT_UNDECIDED;
+    result->mechanism = TP_MECHANISM_UNDECIDED;
+    if (e->rung.bits < LAST_BITS) e->certain = false;
+  }
+  tp_wrench_clear(&weight);
+  arb_clear(range);
+  tp_limit_answer_clear(&answer);
+  return outcome != TP_LIMIT_OUT_OF_MEMORY;
+}
+
+static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,
+                 bool otherwise) {
+  tp_cones cones;
+  *result = (tp_limit){0};
+  if (!tp_limit_cones_init(&cones, e, towards, otherwise)) return false;
+  set_friction(cones.friction, e);
+  result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != otherwise;
+  const bool done = ask(result, angle, e, &cones, towards);
+  tp_cones_clear(&cones);
+  return done;
+}
+
+static bool differ(const tp_limit *a, const tp_limit *b) {
+  if (a->kind != b->kind || a->mechanism != b->mechanism) return true;
+  const double error = a->critical_angle_deg.error + b->critical_angle_deg.error;
+  return a->kind == TP_LIMIT_AT_ANGLE &&
+         fabs(a->critical_angle_deg.value - b->critical_angle_deg.value) > error;
+}
+
+bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit) {
+  tp_direction_ball other;
+  tp_direction_ball_init(&other);
+  bool done = find(&result->limit, limit, e, result->towards, false);
+  result->limit_otherwise = result->limit;
+  result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
+  if (done && tp_limit_base_matters(e->problem, result->towards)) {
+    done = find(&result->limit_otherwise, &other, e, result->towards, true);
+  }
+  result->base_matters = differ(&result->limit, &result->limit_otherwise);
+  tp_direction_ball_clear(&other);
+  return done;
+}

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/limit_result.h"
+
+#include "number/ball.h"
+#include "stability/loaded.h"
+
+#include <math.h>
+
+typedef struct telling {
+  tp_limit *result;
+  tp_evaluation *e;
+  const tp_limit_question *question;
+  const tp_limit_answer *answer;
+  tp_direction towards;
+} telling;
+
+static tp_mechanism mechanism_of(const tp_face *face) {
+  switch (face->motion) {
+  case TP_MOTION_SLIDE:
+    return TP_SLIDES;
+  case TP_MOTION_TURN_AT_SITE:
+    return TP_TOPPLES;
+  case TP_MOTION_TURN:
+    return TP_SLIDES_AND_TOPPLES;
+  }
+  return TP_MECHANISM_UNDECIDED;
+}
+
+/* A point of the cones' frame in metres of the scene; certain to the digits of the block's size. */
+static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const arb_t x,
+                      const arb_t y) {
+  tp_evaluation *e = t->e;
+  const tp_lattice *l = &e->problem->lattice;
+  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  arb_t scene_x, scene_y;
+  arb_init(scene_x);
+  arb_init(scene_y);
+  arb_set(scene_x, x);
+  arb_set(scene_y, y);
+  if (t->towards == TP_TOWARDS_RIGHT) arb_neg(scene_x, scene_x);
+  if (e->loaded == NULL) tp_loaded_metres(scene_x, scene_y, e);
+  *x_m = tp_evaluation_result_within(e, scene_x, log2_size);
+  *y_m = tp_evaluation_result_within(e, scene_y, log2_size);
+  arb_clear(scene_x);
+  arb_clear(scene_y);
+}
+
+/* (-v_y, v_x) / omega, or the contact point. */
+static void set_centre(const telling *t) {
+  tp_limit *r = t->result;
+  const tp_face *face = &t->answer->face;
+  const tp_cones *cones = t->question->cones;
+  r->has_centre = face->motion != TP_MOTION_SLIDE;
+  if (!r->has_centre) return;
+  if (face->motion == TP_MOTION_TURN_AT_SITE) {
+    long own = 0;
+    while (cones->points[own].site != face->site) own++;
+    set_point(&r->centre_x_m, &r->centre_y_m, t, cones->x + own, cones->y + own);
+    return;
+  }
+  const arb_struct *v = face->twist.of;
+  const long bits = t->question->judge.bits;
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  arb_div(x, v + 1, v + 2, bits);
+  arb_neg(x, x);
+  arb_div(y, v, v + 2, bits);
+  set_point(&r->centre_x_m, &r->centre_y_m, t, x, y);
+  arb_clear(x);
+  arb_clear(y);
+}
+
+/* The facet of the larger force. */
+static void set_facet(const telling *t) {
+  tp_limit *r = t->result;
+  const tp_problem *problem = t->e->problem;
+  if (t->answer->face.motion != TP_MOTION_SLIDE) return;
+  const arb_struct *f = t->answer->forces;
+  const int larger = arf_cmp(arb_midref(f), arb_midref(f + 1)) >= 0 ? 0 : 1;
+  const tp_cones *cones = t->question->cones;
+  const long facet = cones->points[tp_cones_point_of(cones, t->answer->face.columns[larger])].facet;
+  r->has_facet = facet >= 0;
+  if (!r->has_facet) return;
+  const tp_facet *own = problem->contact.facets + facet;
+  r->facet_x0_m = tp_evaluation_x(problem, own->q0);
+  r->facet_y0_m = tp_evaluation_y(problem, own->q0);
+  r->facet_x1_m = tp_evaluation_x(problem, own->q1);
+  r->facet_y1_m = tp_evaluation_y(problem, own->q1);
+}
+
+/* Of the weight: that of the force of gravity at the tilt, whose direction may come times any
+ * factor. */
+static void set_weight(arb_t weight, const telling *t) {
+  const tp_evaluation *e = t->e;
+  const long bits = t->question->judge.bits;
+  const tp_wrench *own = e->loaded != NULL ? &e->loaded->items[0].wrench : t->question->load;
+  arb_hypot(weight, t->answer->sine, t->answer->cosine, bits);
+  arb_mul(weight, weight, own->y.of + TP_COS, bits);
+  arb_neg(weight, weight);
+}
+
+static void set_reactions(const telling *t) {
+  tp_limit *r = t->result;
+  const tp_cones *cones = t->question->cones;
+  const long bits = t->question->judge.bits;
+  tp_vector column;
+  arb_t weight;
+  tp_vector_init(&column);
+  arb_init(weight);
+  set_weight(weight, t);
+  for (int k = 0; k < 2; k++) {
+    const long own = t->answer->face.columns[k], point = tp_cones_point_of(cones, own);
+    if (arb_is_zero(t->answer->forces + k)) continue;
+    tp_reaction *reaction = r->reactions + r->reaction_count++;
+    tp_cones_column(column.of, cones, own, bits);
+    for (int row = 0; row < 2; row++) {
+      arb_mul(column.of + row, column.of + row, t->answer->forces + k, bits);
+      arb_div(column.of + row, column.of + row, weight, bits);
+    }
+    if (t->towards == TP_TOWARDS_RIGHT) arb_neg(column.of, column.of);
+    reaction->share_x = tp_ball_bounded(column.of);
+    reaction->share_y = tp_ball_bounded(column.of + 1);
+    set_point(&reaction->x_m, &reaction->y_m, t, cones->x + point, cones->y + point);
+  }
+  tp_vector_clear(&column);
+  arb_clear(weight);
+}
+
+void tp_limit_describe(tp_limit *result, tp_evaluation *e, const tp_limit_question *question,
+                       const tp_limit_answer *answer, tp_direction towards) {
+  const telling t = {result, e, question, answer, towards};
+  result->kind = answer->kind;
+  result->mechanism = answer->kind == TP_LIMIT_INTERLOCKED ? TP_INTERLOCKED : TP_SLIDES_AND_TOPPLES;
+  if (answer->kind != TP_LIMIT_AT_ANGLE) return;
+  result->mechanism = mechanism_of(&answer->face);
+  result->critical_angle_deg = tp_evaluation_result(e, answer->degrees);
+  result->tie = answer->tie;
+  if (answer->tie) result->tied_with = mechanism_of(&answer->other);
+  result->turns_up_dip =
+      result->mechanism != TP_SLIDES && arf_sgn(arb_midref(answer->face.twist.of + 2)) < 0;
+  set_centre(&t);
+  set_facet(&t);
+  set_reactions(&t);
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A proven limit in the words of the field. */
+
+#ifndef TP_LIMIT_RESULT_H
+#define TP_LIMIT_RESULT_H
+
+#include "limit/limit.h"
+#include "stability/evaluation.h"
+
+/* Fill in all but base_beyond_toe; notes in the evaluation what is not certain enough. */
+void tp_limit_describe(tp_limit *result, tp_evaluation *evaluation,
+                       const tp_limit_question *question, const tp_limit_answer *answer,
+                       tp_direction towards);
+
+#endif
