@@ -101,6 +101,7 @@ typedef enum tp_fos_state {
   TP_FOS_UNDEFINED, /* the weight lies past the pivot, and its resultant overturns nothing else */
   TP_FOS_NO_TILT,   /* the scene gives no tilt angle */
   TP_FOS_NO_OVERTURNING, /* nothing overturns or drives: the factor is unbounded */
+  TP_FOS_UNDECIDED,      /* at the precision allowed */
   TP_FOS_NOT_ASKED       /* elements form of a large block without the elements option */
 } tp_fos_state;
 
@@ -157,6 +158,7 @@ typedef struct tp_sliding {
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
   tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
   tp_fos fos;
+  tp_fos fos_strength; /* by reducing tan(phi_b): tan(phi_b) / tan(tilt - i); without loads */
 } tp_sliding;
 
 /* Can the toe alone hold the block at its critical angle, where moment equilibrium puts all the
@@ -199,6 +201,8 @@ typedef struct tp_limit {
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
   size_t reaction_count;
   tp_reaction reactions[2];
+  tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which the
+                 limit comes down to the scene's tilt */
   bool base_beyond_toe; /* of the base that this is the limit for: it goes on past the toe */
 } tp_limit;
 

@@ -74,12 +74,11 @@ static void set_near(program *p, const tp_limit_question *q) {
   arb_clear(cosine);
 }
 
-static tp_basis sketch_basis(const program *p, tp_sketch *sketch) {
+static tp_simplex_answer solve_sketch(const program *p, tp_sketch *sketch) {
   double direction[3], target[3];
   tp_sketch_wrench(direction, sketch, &p->direction);
   tp_sketch_wrench(target, sketch, &p->target);
-  const tp_simplex_answer found = tp_sketch_solve(sketch, direction, target);
-  return tp_basis_of(&found);
+  return tp_sketch_solve(sketch, direction, target);
 }
 
 static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q, const program *p,
@@ -104,7 +103,8 @@ static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q
 static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q, const program *p,
                              tp_sketch *sketch) {
   enum { LEAST_BITS = 160 }; /* below, doubling the bits is cheaper */
-  tp_basis basis = sketch_basis(p, sketch);
+  const tp_simplex_answer sketched = solve_sketch(p, sketch);
+  tp_basis basis = tp_basis_of(&sketched);
   tp_answer done = judge_basis(answer, q, p, sketch, &basis);
   if (done != TP_YES && q->judge.bits >= LEAST_BITS) {
     if (!tp_basis_exact(&basis, q->cones, &p->direction, &p->target, q->judge.precision)) {
@@ -131,17 +131,31 @@ static tp_limit_outcome find_near(tp_limit_answer *answer, const tp_limit_questi
   return find(answer, q, p, sketch);
 }
 
-tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question *q) {
-  program p = {.near_degrees = 0};
-  tp_sketch sketch;
+static bool sketch_init(tp_sketch *sketch, const tp_limit_question *q) {
   tp_vector size;
   tp_vector_init(&size);
   tp_search_load_term(&size, q->load, TP_COS); /* the weight's */
-  const bool sketched = tp_sketch_init(&sketch, q->cones, &size, q->judge.bits);
+  const bool done = tp_sketch_init(sketch, q->cones, &size, q->judge.bits);
   tp_vector_clear(&size);
-  if (!sketched) return TP_LIMIT_OUT_OF_MEMORY;
-  tp_vector_init(&p.direction);
-  tp_vector_init(&p.target);
+  return done;
+}
+
+static void program_init(program *p) {
+  p->near_degrees = 0;
+  tp_vector_init(&p->direction);
+  tp_vector_init(&p->target);
+}
+
+static void program_clear(program *p) {
+  tp_vector_clear(&p->direction);
+  tp_vector_clear(&p->target);
+}
+
+tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question *q) {
+  program p;
+  tp_sketch sketch;
+  if (!sketch_init(&sketch, q)) return TP_LIMIT_OUT_OF_MEMORY;
+  program_init(&p);
   tp_limit_outcome outcome = TP_LIMIT_OPEN;
   if (tp_search_is_linear(q)) {
     set_linear(&p, q);
@@ -149,8 +163,38 @@ tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question 
   } else {
     outcome = find_near(answer, q, &p, &sketch);
   }
-  tp_vector_clear(&p.direction);
-  tp_vector_clear(&p.target);
+  program_clear(&p);
   tp_sketch_clear(&sketch);
   return outcome;
+}
+
+static double estimate_linear(tp_sketch *sketch, const tp_limit_question *q) {
+  program p;
+  program_init(&p);
+  set_linear(&p, q);
+  const tp_simplex_answer found = solve_sketch(&p, sketch);
+  program_clear(&p);
+  switch (found.outcome) {
+  case TP_SIMPLEX_UNBOUNDED:
+    return 90;
+  case TP_SIMPLEX_INFEASIBLE:
+    return -90;
+  case TP_SIMPLEX_OPTIMAL:
+  case TP_SIMPLEX_STUCK:
+    break;
+  }
+  return atan(found.t) * (180 / M_PI);
+}
+
+bool tp_limit_estimate(double *degrees, const tp_limit_question *q) {
+  tp_sketch sketch;
+  if (!sketch_init(&sketch, q)) return false;
+  if (tp_search_is_linear(q)) {
+    *degrees = estimate_linear(&sketch, q);
+  } else {
+    const tp_search_found found = tp_search_near(degrees, &sketch, q);
+    if (found != TP_SEARCH_TILT) *degrees = found == TP_SEARCH_HOLDS_ALWAYS ? 90 : -90;
+  }
+  tp_sketch_clear(&sketch);
+  return true;
 }

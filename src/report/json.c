@@ -38,3 +38,11 @@ void tp_json_fraction(tp_text *t, const char *key, const tp_fraction *f) {
   tp_json_string(t, f->denominator);
   tp_text_add(t, "}");
 }
+
+void tp_json_fos(tp_text *t, const char *key, tp_fos fos) {
+  if (fos.state == TP_FOS_NUMBER) {
+    tp_json_number(t, key, fos.value);
+  } else {
+    tp_text_add(t, "\"%s\": null", key);
+  }
+}

@@ -12,6 +12,9 @@
  * double. */
 void tp_json_number(tp_text *text, const char *key, tp_bounded number);
 
+/* A factor of safety; null where it is no number. */
+void tp_json_fos(tp_text *text, const char *key, tp_fos fos);
+
 /* `"key": {"numerator": n, "denominator": d}` */
 void tp_json_fraction(tp_text *text, const char *key, const tp_fraction *fraction);
 

@@ -49,6 +49,8 @@ const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos) {
     return "unbounded";
   case TP_FOS_UNDEFINED:
     return "none";
+  case TP_FOS_UNDECIDED:
+    return "undecided";
   case TP_FOS_NO_TILT:
   case TP_FOS_NOT_ASKED:
     break;

@@ -11,14 +11,6 @@
 #include <math.h>
 #include <string.h>
 
-static void add_fos(tp_text *t, const char *key, tp_fos fos) {
-  if (fos.state == TP_FOS_NUMBER) {
-    tp_json_number(t, key, fos.value);
-  } else {
-    tp_text_add(t, "\"%s\": null", key);
-  }
-}
-
 typedef struct named {
   const char *key;
   tp_bounded number;
@@ -104,9 +96,9 @@ static void add_pivot(tp_text *t, const tp_pivot *p, bool loaded) {
   add_numbers(t, numbers, sizeof numbers / sizeof numbers[0], " ");
   add_critical_angle(t, p);
   tp_text_add(t, ", ");
-  add_fos(t, "fos", p->fos_resultant);
+  tp_json_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
-  add_fos(t, "fos_elements", p->fos_elements);
+  tp_json_fos(t, "fos_elements", p->fos_elements);
   if (loaded) tp_json_limits(t, p);
   tp_text_add(t, ", \"admissible\": %s%s}", tp_json_truth(p->admissible),
               p->rounded ? ", \"rounded\": true" : "");
@@ -122,9 +114,9 @@ static void add_toppling(tp_text *t, const tp_case *c) {
               tp_json_truth(c->governing_tie));
   add_critical_angle(t, p);
   tp_text_add(t, ", ");
-  add_fos(t, "fos", p->fos_resultant);
+  tp_json_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
-  add_fos(t, "fos_elements", p->fos_elements);
+  tp_json_fos(t, "fos_elements", p->fos_elements);
   if (c->rolls != TP_ROLLS_NOT) {
     tp_text_add(t, ", \"beyond\": \"%s\"", c->rolls == TP_ROLLS_BACK ? "rolls back" : "topples");
     if (c->rests) {
@@ -145,7 +137,9 @@ static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded) {
   }
   tp_json_number(t, "critical_angle_deg", s->critical_angle_deg);
   tp_text_add(t, ", ");
-  add_fos(t, "fos", s->fos);
+  tp_json_fos(t, "fos", s->fos);
+  tp_text_add(t, ", ");
+  tp_json_fos(t, "fos_strength", s->fos_strength);
   tp_text_add(t, ",\n        ");
   tp_json_number(t, "facet_angle_deg", s->facet_angle_deg);
   tp_text_add(t, ", \"facet\": [{");

@@ -35,7 +35,8 @@ static void add_answer(tp_text *t, const tp_limit *l) {
   } else {
     tp_text_add(t, "\"centre_x_m\": null, \"centre_y_m\": null");
   }
-  tp_text_add(t, ", \"base_beyond_toe\": %s", tp_json_truth(l->base_beyond_toe));
+  tp_text_add(t, ", \"base_beyond_toe\": %s, ", tp_json_truth(l->base_beyond_toe));
+  tp_json_fos(t, "fos", l->fos);
 }
 
 static void add_reactions(tp_text *t, const tp_limit *l) {

@@ -4,6 +4,7 @@
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
 #include "number/ladder.h"
+#include "report/report_limit.h"
 #include "report/report_loads.h"
 
 #include <math.h>
@@ -147,14 +148,6 @@ static void add_pivots(tp_page *p, const tp_case *c) {
   }
 }
 
-/* "topples about the valley at (0, 0)" */
-static void add_first(tp_page *p, const tp_case *c) {
-  tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
-  if (c->first != TP_TOPPLES) return;
-  tp_text_add(&p->text, " about ");
-  tp_page_add_pivot(p, c);
-}
-
 static void add_verdict(tp_page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
   char n[3][TP_NUMBER_SIZE];
@@ -182,20 +175,27 @@ static void add_verdict(tp_page *p, const tp_case *c) {
     return;
   }
   tp_text_fixed(n[1], c->first_angle_deg, 3);
+  if (!c->has_margin && c->first_angle_deg.value < 0) {
+    tp_text_add(&p->text, "Does not hold even on level ground: it\n  ");
+    tp_page_add_first(p, c);
+    tp_text_add(&p->text, " at %s°.\n", n[1]);
+    return;
+  }
   if (!c->has_margin) {
-    tp_text_add(&p->text, "As the table is tilted, it ");
-    add_first(p, c);
+    tp_text_add(&p->text, "As the table is tilted, it\n  ");
+    tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[1]);
     return;
   }
   tp_text_fixed(n[2], c->margin_deg, 3);
   if (c->mechanism == TP_STANDS) {
-    tp_text_add(&p->text, "Stands at %s° by its moments and angles. Tilted further, it\n  ", n[0]);
-    add_first(p, c);
+    tp_text_add(&p->text, "Stands at %s°%s. Tilted further, it\n  ", n[0],
+                c->limit.kind == TP_LIMIT_NOT_ASKED ? " by its moments" : "");
+    tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[1], n[2]);
   } else {
     tp_text_add(&p->text, "Does not stand at %s°: it\n  ", n[0]);
-    add_first(p, c);
+    tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[1], n[2]);
   }
 }
@@ -231,6 +231,10 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   if (s->fos.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
   }
+  if (s->fos_strength.state == TP_FOS_NUMBER) {
+    tp_text_add(&p->text, ",\n  %s by strength reduction",
+                tp_text_fixed(n[4], s->fos_strength.value, 3));
+  }
   tp_page_coordinate(p, n[4], s->facet_x0_m);
   tp_page_coordinate(p, n[5], s->facet_y0_m);
   tp_page_coordinate(p, n[6], s->facet_x1_m);
@@ -240,7 +244,7 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   } else {
     tp_text_add(&p->text, ",\n  on the facet from (%s, %s) to (%s, %s)", n[4], n[5], n[6], n[7]);
   }
-  tp_text_add(&p->text, ";\n  no statics of contact forces.\n");
+  tp_text_add(&p->text, ".\n");
 }
 
 static void add_rolling(tp_page *p, const tp_case *c) {
@@ -253,22 +257,6 @@ static void add_rolling(tp_page *p, const tp_case *c) {
   }
   tp_text_add(&p->text, "  Its toe is rounded: beyond its critical angle it %s.\n",
               c->rolls == TP_ROLLS_BACK ? "rolls on it to a new rest" : "goes over");
-}
-
-/* Where moment equilibrium asks the toe for a reaction outside its friction cone. */
-static void add_toe(tp_page *p, const tp_case *c) {
-  const tp_toe *toe = &c->toe;
-  char n[2][TP_NUMBER_SIZE];
-  if (!toe->known || toe->holds) return;
-  const bool slides_first =
-      c->first == TP_SLIDES && c->first_angle_deg.value <= toe->limit_angle_deg.value;
-  if (slides_first) return;
-  tp_text_add(&p->text,
-              "  Caution: at %s° all its weight would rest on the toe, where friction\n"
-              "  ends at φ_b + i = %s°. It may let go before: contact forces decide that,\n"
-              "  and are not judged here.\n",
-              tp_text_fixed(n[0], c->pivots[c->governing].critical_angle_deg, 3),
-              tp_text_fixed(n[1], toe->limit_angle_deg, 3));
 }
 
 static void add_case(tp_page *p, const tp_case *c) {
@@ -286,8 +274,8 @@ static void add_case(tp_page *p, const tp_case *c) {
   add_verdict(p, c);
   add_rolling(p, c);
   tp_page_add_loads(p, c);
+  tp_page_add_limit(p, c);
   add_sliding(p, c);
-  add_toe(p, c);
 }
 
 static double seconds(const tp_solution *s) {

@@ -4,7 +4,7 @@
 /* The static limit of a problem (mechanics section 6): its contact and its loads put as a question
  * to limit/, and the answer as a result. */
 
-#include "limit/limit.h"
+#include "limit/reduction.h"
 #include "number/ball.h"
 #include "stability/limit_cones.h"
 #include "stability/limit_result.h"
@@ -47,8 +47,34 @@ static bool is_settled(const tp_evaluation *e) {
          (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS);
 }
 
+/* The factor of safety by strength reduction; false when memory is exhausted. */
+static bool reduce_strength(tp_limit *result, tp_evaluation *e, const tp_limit_question *question,
+                            tp_cones *cones) {
+  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
+  result->fos = (tp_fos){.state = TP_FOS_NO_TILT};
+  if (!tilt->given) return true;
+  tp_reduction_kind kind = TP_REDUCTION_NONE;
+  arb_t factor, degrees;
+  arb_init(factor);
+  arb_init(degrees);
+  arb_set_fmpq(degrees, tilt->value, e->rung.bits);
+  const tp_limit_outcome outcome =
+      tp_reduction_find(&kind, factor, question, cones, degrees, e->digits);
+  if (outcome != TP_LIMIT_PROVEN) {
+    result->fos.state = TP_FOS_UNDECIDED;
+    if (e->rung.bits < LAST_BITS) e->certain = false;
+  } else if (kind == TP_REDUCTION_FACTOR) {
+    result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_result(e, factor)};
+  } else {
+    result->fos.state = kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
+  }
+  arb_clear(factor);
+  arb_clear(degrees);
+  return outcome != TP_LIMIT_OUT_OF_MEMORY;
+}
+
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
-static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, const tp_cones *cones,
+static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_cones *cones,
                 tp_direction towards) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, cones)) return false;
@@ -80,10 +106,12 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, co
     result->mechanism = TP_MECHANISM_UNDECIDED;
     if (e->rung.bits < LAST_BITS) e->certain = false;
   }
+  const bool done =
+      outcome != TP_LIMIT_OUT_OF_MEMORY && reduce_strength(result, e, &question, cones);
   tp_wrench_clear(&weight);
   arb_clear(range);
   tp_limit_answer_clear(&answer);
-  return outcome != TP_LIMIT_OUT_OF_MEMORY;
+  return done;
 }
 
 static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,

@@ -185,6 +185,34 @@ static tp_fos factor_of_safety(tp_evaluation *e, const tp_direction_ball *slidin
   return fos;
 }
 
+/* tan(phi_b) / tan(alpha - i): the friction that is there over the friction that is needed. */
+static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
+  const tp_scene *scene = e->problem->scene;
+  const long bits = e->rung.bits;
+  if (!scene->tilt_angle_deg.given) return (tp_fos){.state = TP_FOS_NO_TILT};
+  tp_fos fos = {.state = TP_FOS_NO_OVERTURNING};
+  arb_t needed, value;
+  arb_init(needed);
+  arb_init(value);
+  arb_set_fmpq(needed, scene->tilt_angle_deg.value, bits);
+  arb_sub(needed, needed, facet_angle, bits);
+  if (arb_is_positive(needed)) {
+    fos.state = TP_FOS_NUMBER;
+    arb_div_ui(needed, needed, 180, bits);
+    arb_tan_pi(needed, needed, bits);
+    arb_set_fmpq(value, scene->friction_angle_deg.value, bits);
+    arb_div_ui(value, value, 180, bits);
+    arb_tan_pi(value, value, bits);
+    arb_div(value, value, needed, bits);
+    fos.value = tp_evaluation_result(e, value);
+  } else if (!arb_is_nonpositive(needed)) {
+    e->certain = false;
+  }
+  arb_clear(needed);
+  arb_clear(value);
+  return fos;
+}
+
 static void describe(tp_evaluation *e, tp_case *result, const governing_facet *best,
                      tp_direction_ball *sliding) {
   tp_sliding *s = &result->sliding;
@@ -201,7 +229,9 @@ static void describe(tp_evaluation *e, tp_case *result, const governing_facet *b
   s->facet_y0_m = tp_evaluation_y(e->problem, facet->q0);
   s->facet_x1_m = tp_evaluation_x(e->problem, facet->q1);
   s->facet_y1_m = tp_evaluation_y(e->problem, facet->q1);
+  s->fos_strength = strength_factor(e, limit);
   if (e->loaded != NULL) {
+    s->fos_strength = (tp_fos){.state = TP_FOS_NOT_ASKED};
     const bool slides =
         tp_loaded_sliding(sliding->degrees, &s->fos, e->loaded, e, best->run, best->rise);
     s->never = best->blocked || !slides;

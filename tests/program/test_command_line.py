@@ -66,7 +66,8 @@ class CommandLine(unittest.TestCase):
         self.assertLessEqual({"critical_angle_deg", "fos"}, set(case["sliding"]))
         self.assertEqual(case["mechanism"], "stands")
         names = [effect["name"] for effect in case["effects"]]
-        self.assertEqual(names, ["outline", "contact", "elements", "moments", "toppling", "sliding"])
+        self.assertEqual(names, ["outline", "contact", "elements", "moments", "toppling", "sliding",
+                                 "limit"])
         for effect in case["effects"]:
             self.assertEqual(set(effect), {"name", "called_for_by", "seconds", "level"})
 
@@ -168,13 +169,14 @@ class HardDecisions(unittest.TestCase):
 
     def test_wedged_on_a_steep_ridge(self):
         """Teeth steeper than friction astride a ridge: the facet that leans down-dip alone would slide
-        on level ground, so the other keeps its load; it leans against the block at 71.6 degrees, and
-        with phi_b = 20 neither slides nor, as turning is blocked, topples."""
+        on level ground, so the other keeps its load; it leans against the block at 71.6 degrees. With
+        phi_b = 20 forces hold it at any tilt; with phi_b = 10 it turns up over the ridge at 61.4
+        degrees already, where Patton's formula says 81.6."""
         text = ("topple: 1\nlength_unit: m\nblock: {teeth: {count: 2, width: 10, height: 100, depth: "
                 "30, left_end: valley}}\nfriction_angle_deg: %s\n")
         with tempfile.TemporaryDirectory() as folder:
             scene = pathlib.Path(folder) / "scene.yaml"
-            for friction, mechanism in (("20", "interlocked"), ("10", "slides")):
+            for friction, mechanism in (("20", "interlocked"), ("10", "slides and topples")):
                 scene.write_text(text % friction)
                 for case in solve(scene)["cases"]:
                     self.assertEqual(case["mechanism"], mechanism)
