@@ -182,10 +182,15 @@ typedef enum tp_limit_kind {
   TP_LIMIT_UNDECIDED    /* at the precision allowed */
 } tp_limit_kind;
 
-/* A force of the base on the block at the limit, as a share of the block's weight. */
+/* A force of the base on the block at the limit, as a share of the block's weight: along an edge of
+ * the friction cone at an end of a facet. */
 typedef struct tp_reaction {
   tp_bounded x_m, y_m;
   tp_bounded share_x, share_y;
+  bool of_facet;     /* false: of the base that goes on, where the scene's ends */
+  size_t facet;      /* from left to right along the contact, those in a point included */
+  bool at_right_end; /* of the facet */
+  bool against_slip; /* friction acts up-dip; else down-dip */
 } tp_reaction;
 
 typedef struct tp_limit {

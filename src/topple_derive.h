@@ -59,6 +59,31 @@ typedef struct tp_derived_rounding {
   tp_fraction radius;  /* the r_c that this r belongs to, (A2.6) */
 } tp_derived_rounding;
 
+/* A force that holds the block at its limit: along the edge n + t tan(phi) of the friction cone at
+ * a contact point if it acts against slip, n - t tan(phi) if not. */
+typedef struct tp_derived_reaction {
+  tp_fraction x, y; /* of the contact point */
+  bool against_slip;
+} tp_derived_reaction;
+
+/* The static limit in symbols (mechanics section 6), with the base of the scene: the tangent of the
+ * critical angle in the scene's parameters and tan(phi) from the two forces of the optimal basis,
+ * which meet the weight in the centre of rotation. It holds wherever no condition, a formula, is
+ * below zero; those that hold for all positive parameters are left out if these are. */
+typedef struct tp_derived_limit {
+  bool known; /* false: interlocked, or nothing holds it */
+  tp_mechanism mechanism;
+  bool base_beyond_toe;
+  tp_fraction tangent;
+  tp_bounded critical_angle_deg; /* at the scene's values */
+  tp_derived_reaction reactions[2];
+  bool has_centre;
+  tp_fraction centre_x, centre_y;
+  bool positive; /* all parameters are, and the conditions suppose so */
+  size_t condition_count;
+  tp_fraction *conditions;
+} tp_derived_limit;
+
 typedef struct tp_derivation {
   char *title;
   tp_notation notation;
@@ -70,12 +95,14 @@ typedef struct tp_derivation {
   size_t element_count;            /* 0 unless asked for */
   tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
   tp_derived_rounding rounded[2];  /* by direction; where asked for */
+  tp_derived_limit limit[2];       /* likewise */
 } tp_derivation;
 
 typedef struct tp_derive_options {
   tp_notation notation;
   bool elements; /* derive the elements form and list its elements */
   bool rounded;  /* round the corners at the governing pivots */
+  bool limit;    /* derive the static limit */
 } tp_derive_options;
 
 tp_derive_options tp_derive_options_default(void);

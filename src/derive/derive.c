@@ -3,6 +3,7 @@
 
 /* The closed formulas of a scene. */
 
+#include "derive/derive_limit.h"
 #include "derive/derive_rounding.h"
 #include "derive/notation.h"
 #include "number/ball.h"
@@ -40,6 +41,7 @@ void tp_derivation_free(tp_derivation *derivation) {
   free(derivation->pivots);
   for (int d = 0; d < 2; d++) {
     tp_derived_rounding_free(derivation->rounded + d);
+    tp_derived_limit_free(derivation->limit + d);
     for (size_t k = 0; derivation->elements[d] != NULL && k < derivation->element_count; k++) {
       tp_notation_free(&derivation->elements[d][k].area);
       tp_notation_free(&derivation->elements[d][k].normal_arm);
@@ -48,6 +50,19 @@ void tp_derivation_free(tp_derivation *derivation) {
     free(derivation->elements[d]);
   }
   free(derivation);
+}
+
+/* Symbols besides the scene's: those of rounded corners first, then that of the limit. */
+enum { MOST_ADDED = 8 };
+
+static tp_symbol_names added_symbols(const char *names[MOST_ADDED],
+                                     const tp_derive_options *options) {
+  long count = 0;
+  for (long k = 0; options->rounded && k < tp_derive_rounding_symbols.count; k++) {
+    names[count++] = tp_derive_rounding_symbols.names[k];
+  }
+  if (options->limit) names[count++] = TP_DERIVE_LIMIT_SYMBOL;
+  return (tp_symbol_names){count, names};
 }
 
 /* What a derivation takes. */
@@ -184,9 +199,16 @@ static tp_status list_elements(work *w, const tp_case *own) {
   return TP_OK;
 }
 
+static tp_status derive_limit(work *w, const tp_case *own, const tp_derive_options *options) {
+  const tp_field *field = &w->model.symbols.field;
+  const long before = options->rounded ? tp_derive_rounding_symbols.count : 0;
+  return tp_derive_limit(w->out->limit + own->towards, &w->model, own,
+                         tp_field_added(field, before), options->notation, &w->failed, w->message);
+}
+
 static tp_status derive_case(work *w, const tp_case *own, const tp_derive_options *options) {
   const size_t points = (size_t)w->model.problem.contact.point_count;
-  tp_status status = TP_OK;
+  tp_status status = options->limit ? derive_limit(w, own, options) : TP_OK;
   for (size_t k = 0; k < points && status == TP_OK; k++) {
     status = derive_pivot(w, w->out->pivots + w->out->pivot_count++, own, k, options->elements);
   }
@@ -231,12 +253,17 @@ tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
     const tp_status status = tp_derive_rounding_check(scene, message);
     if (status != TP_OK) return status;
   }
+  if (options->limit) {
+    const tp_status status = tp_derive_limit_check(scene, message);
+    if (status != TP_OK) return status;
+  }
   tp_derivation *out = calloc(1, sizeof *out);
   if (out == NULL) return tp_fail_memory(message, "the derivation");
   out->notation = options->notation;
   work w = {.out = out, .message = message};
-  tp_status status = tp_model_init(&w.model, scene, options->elements,
-                                   options->rounded ? &tp_derive_rounding_symbols : NULL, message);
+  const char *names[MOST_ADDED];
+  const tp_symbol_names added = added_symbols(names, options);
+  tp_status status = tp_model_init(&w.model, scene, options->elements, &added, message);
   if (status == TP_OK) {
     status = fill(&w, options);
     tp_model_clear(&w.model);

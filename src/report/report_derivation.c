@@ -3,7 +3,7 @@
 
 /* A derivation as a page of text, as LaTeX, or as C. */
 
-#include "report/text.h"
+#include "report/report_derived_limit.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -93,6 +93,7 @@ static void write_text(tp_text *t, const tp_derivation *d) {
   add_elements(t, d, TP_TOWARDS_RIGHT);
   add_text_rounding(t, d->rounded + TP_TOWARDS_LEFT, TP_TOWARDS_LEFT);
   add_text_rounding(t, d->rounded + TP_TOWARDS_RIGHT, TP_TOWARDS_RIGHT);
+  tp_text_derived_limit(t, d);
 }
 
 static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
@@ -130,9 +131,10 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
     }
   }
   add_latex_rounding(t, d);
+  tp_latex_derived_limit(t, d);
 }
 
-static void add_arguments(tp_text *t, const tp_derivation *d, const char *first) {
+void tp_c_arguments(tp_text *t, const tp_derivation *d, const char *first) {
   tp_text_add(t, "(%s", first);
   for (size_t k = 0; k < d->symbol_count; k++) {
     tp_text_add(t, "%sdouble %s", k > 0 || *first != '\0' ? ", " : "", d->symbols[k]);
@@ -145,12 +147,12 @@ static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
   tp_text_add(t, "\n/* ");
   add_description(t, p);
   tp_text_add(t, " */\ndouble tan_critical_angle_%zu", k + 1);
-  add_arguments(t, d, "");
+  tp_c_arguments(t, d, "");
   const bool bounded = strcmp(p->tangent.denominator, "0") != 0;
   tp_text_add(t, "  return %s;\n}\n", bounded ? p->tangent.formula : "INFINITY");
   if (!p->has_elements) return;
   tp_text_add(t, "\ndouble fos_elements_%zu", k + 1);
-  add_arguments(t, d, "double alpha");
+  tp_c_arguments(t, d, "double alpha");
   tp_text_add(
       t,
       "  const double normal = cos(alpha), parallel = sin(alpha);\n"
@@ -170,15 +172,15 @@ static void add_c_rounding(tp_text *t, const tp_derivation *d) {
         "\n/* the corner at the governing %s, towards the %s, rounded by r along its facet of "
         "angle i */\ndouble tan_critical_angle_rounded_%s",
         tp_text_pivot_kind(r->kind), side, side);
-    add_arguments(t, d, "double r, double i");
+    tp_c_arguments(t, d, "double r, double i");
     tp_text_add(t, "  (void)i; /* of a level facet it is 0 */\n  return %s;\n}\n",
                 r->tangent.formula);
     tp_text_add(t, "\ndouble rounding_length_%s", side);
-    add_arguments(t, d, "double alpha, double i");
+    tp_c_arguments(t, d, "double alpha, double i");
     tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->length.formula);
     if (!r->has_radius) continue;
     tp_text_add(t, "\ndouble corner_radius_%s", side);
-    add_arguments(t, d, "double alpha, double i");
+    tp_c_arguments(t, d, "double alpha, double i");
     tp_text_add(t, "  (void)i;\n  return %s;\n}\n", r->radius.formula);
   }
 }
@@ -187,10 +189,11 @@ static void write_c(tp_text *t, const tp_derivation *d) {
   tp_text_add(t, "/* ");
   add_heading(t, d);
   tp_text_add(t, " */\n\n#include <math.h>\n\ndouble area");
-  add_arguments(t, d, "");
+  tp_c_arguments(t, d, "");
   tp_text_add(t, "  return %s;\n}\n", d->area.formula);
   for (size_t k = 0; k < d->pivot_count; k++) add_c_pivot(t, d, k);
   add_c_rounding(t, d);
+  tp_c_derived_limit(t, d);
 }
 
 tp_status tp_report_derivation(char **text, const tp_derivation *derivation) {

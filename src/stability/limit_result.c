@@ -102,6 +102,17 @@ static void set_weight(arb_t weight, const telling *t) {
   arb_neg(weight, weight);
 }
 
+/* Which end of which facet the column acts at, along which edge of its cone. */
+static void set_source(tp_reaction *reaction, const telling *t, long column) {
+  const tp_cones *cones = t->question->cones;
+  const long point = tp_cones_point_of(cones, column), facet = cones->points[point].facet;
+  reaction->of_facet = facet >= 0;
+  if (facet < 0) return;
+  reaction->facet = (size_t)facet;
+  reaction->at_right_end = point > 0 && cones->points[point - 1].facet == facet;
+  reaction->against_slip = tp_cones_is_edge(cones, column) && column % 2 == 0;
+}
+
 static void set_reactions(const telling *t) {
   tp_limit *r = t->result;
   const tp_cones *cones = t->question->cones;
@@ -115,6 +126,7 @@ static void set_reactions(const telling *t) {
     const long own = t->answer->face.columns[k], point = tp_cones_point_of(cones, own);
     if (arb_is_zero(t->answer->forces + k)) continue;
     tp_reaction *reaction = r->reactions + r->reaction_count++;
+    set_source(reaction, t, own);
     tp_cones_column(column.of, cones, own, bits);
     for (int row = 0; row < 2; row++) {
       arb_mul(column.of + row, column.of + row, t->answer->forces + k, bits);

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Inequalities between polynomials, in short. */
+
+#ifndef TP_CONDITIONS_H
+#define TP_CONDITIONS_H
+
+#include "derive/field.h"
+
+/* Conditions that a polynomial is not below zero, no two alike. */
+typedef struct tp_conditions {
+  const tp_field *field;
+  bool positive; /* every symbol in use is above zero */
+  arb_srcptr at; /* values of all symbols, at which each condition holds */
+  long bits;
+  long count, capacity;
+  fmpz_mpoly_q_struct *items;
+  bool failed; /* memory was exhausted */
+} tp_conditions;
+
+void tp_conditions_clear(tp_conditions *conditions);
+
+/* `value` keeps the sign that it has at the values: a condition for each of its factors, which is
+ * enough and far shorter than one for their product. Squares go, and where symbols are above zero
+ * every factor that is so by its signs alone. */
+void tp_conditions_add(tp_conditions *conditions, const fmpz_mpoly_q_t value);
+
+#endif

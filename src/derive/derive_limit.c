@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "derive/derive_limit.h"
+
+#include "derive/conditions.h"
+#include "derive/notation.h"
+#include "number/ball.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BITS = 256 };
+
+tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message) {
+  if (!scene->friction_angle_deg.given) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
+                   "the static limit needs friction_angle_deg; its value picks the mechanism, and "
+                   "the formula then holds for every tan(phi) in its range");
+  }
+  for (long k = 0; k < scene->parameters.count; k++) {
+    if (strcmp(scene->parameters.names[k], "phi") != 0) continue;
+    return tp_fail(message, TP_BAD_INPUT,
+                   tp_node_place(tp_node_get(scene->source, "parameters"), scene->path),
+                   "the formulas of the limit need the name 'phi' for themselves; rename this "
+                   "parameter");
+  }
+  return TP_OK;
+}
+
+void tp_derived_limit_free(tp_derived_limit *l) {
+  tp_notation_free(&l->tangent);
+  tp_notation_free(&l->centre_x);
+  tp_notation_free(&l->centre_y);
+  for (int k = 0; k < 2; k++) {
+    tp_notation_free(&l->reactions[k].x);
+    tp_notation_free(&l->reactions[k].y);
+  }
+  for (size_t k = 0; k < l->condition_count; k++) tp_notation_free(l->conditions + k);
+  free(l->conditions);
+}
+
+typedef struct writing {
+  tp_derived_limit *out;
+  const tp_limit_formulas *formulas;
+  const tp_field *field;
+  tp_notation notation;
+  bool *failed;
+  arb_ptr values; /* of all symbols at the scene's */
+} writing;
+
+/* (-v_y, v_x) / omega. */
+static void write_centre(const writing *w) {
+  const fmpz_mpoly_ctx_struct *ring = w->field->ring;
+  const tp_limit_formulas *f = w->formulas;
+  w->out->has_centre = !fmpz_mpoly_q_is_zero(f->twist[2], ring);
+  if (!w->out->has_centre) return;
+  fmpz_mpoly_q_t x;
+  fmpz_mpoly_q_init(x, ring);
+  fmpz_mpoly_q_set(x, f->twist[1], ring);
+  if (f->towards == TP_TOWARDS_LEFT) fmpz_mpoly_q_neg(x, x, ring);
+  w->out->centre_x = tp_notation_write_quotient(x, f->twist[2], w->field, w->notation, w->failed);
+  w->out->centre_y =
+      tp_notation_write_quotient(f->twist[0], f->twist[2], w->field, w->notation, w->failed);
+  fmpz_mpoly_q_clear(x, ring);
+}
+
+static bool write_reactions(const writing *w, const tp_cone_edge basis[2]) {
+  const tp_model *m = w->formulas->model;
+  for (int k = 0; k < 2; k++) {
+    const tp_facet *facet = m->problem.contact.facets + basis[k].facet;
+    tp_symbolic_point point;
+    if (!tp_formulas_point(&point, &m->symbols, &m->problem,
+                           basis[k].at_right_end ? facet->q1 : facet->q0)) {
+      return false;
+    }
+    tp_derived_reaction *own = w->out->reactions + k;
+    own->x = tp_notation_write(point.x, w->field, w->notation, w->failed);
+    own->y = tp_notation_write(point.y, w->field, w->notation, w->failed);
+    own->against_slip = basis[k].against_slip;
+  }
+  return true;
+}
+
+static void add_powers(tp_conditions *conditions, const writing *w) {
+  const tp_limit_formulas *f = w->formulas;
+  const tp_contact *contact = &f->model->problem.contact;
+  tp_force_formulas force;
+  fmpz_mpoly_q_t power;
+  tp_force_formulas_init(&force, w->field);
+  fmpz_mpoly_q_init(power, w->field->ring);
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *facet = contact->facets + k;
+    if (facet->t0 == facet->t1) continue; /* restrains nothing */
+    for (int column = 0; column < (facet->q0 == facet->q1 ? 2 : 4); column++) {
+      const tp_cone_edge edge = {(size_t)k, column >= 2, column % 2 == 0};
+      if (!tp_force_formulas_set(&force, f, &edge)) continue;
+      tp_limit_formulas_power(power, f, &force);
+      tp_conditions_add(conditions, power);
+    }
+  }
+  tp_force_formulas_clear(&force, w->field);
+  fmpz_mpoly_q_clear(power, w->field->ring);
+}
+
+static bool all_positive(const writing *w) {
+  const tp_parameters *parameters = &w->formulas->model->problem.scene->parameters;
+  for (long k = 0; k < parameters->count; k++) {
+    if (fmpq_sgn(parameters->values + k) <= 0) return false;
+  }
+  return true;
+}
+
+/* The basis is optimal where both forces push, every other one resists no motion by the twist, and
+ * the twist goes with the tilt. */
+static void write_conditions(const writing *w) {
+  tp_conditions conditions = {
+      .field = w->field, .positive = all_positive(w), .at = w->values, .bits = BITS};
+  fmpz_mpoly_q_t factors[2];
+  for (int k = 0; k < 2; k++) fmpz_mpoly_q_init(factors[k], w->field->ring);
+  tp_limit_formulas_factors(factors, w->formulas);
+  for (int k = 0; k < 2; k++) tp_conditions_add(&conditions, factors[k]);
+  tp_conditions_add(&conditions, w->formulas->cosine);
+  add_powers(&conditions, w);
+  w->out->positive = conditions.positive;
+  w->out->conditions = calloc((size_t)conditions.count + 1, sizeof *w->out->conditions);
+  if (w->out->conditions == NULL || conditions.failed) *w->failed = true;
+  for (long k = 0; k < conditions.count && w->out->conditions != NULL; k++) {
+    w->out->conditions[w->out->condition_count++] =
+        tp_notation_write(conditions.items + k, w->field, w->notation, w->failed);
+  }
+  for (int k = 0; k < 2; k++) fmpz_mpoly_q_clear(factors[k], w->field->ring);
+  tp_conditions_clear(&conditions);
+}
+
+/* tan(phi) at the scene's friction, and its parameters. */
+static void set_values(const writing *w, const tp_model *model, long friction) {
+  const tp_scene *scene = model->problem.scene;
+  for (long k = 0; k < scene->parameters.count; k++) {
+    arb_set_fmpq(w->values + k, scene->parameters.values + k, BITS);
+  }
+  arb_t cosine;
+  arb_init(cosine);
+  tp_ball_sin_cos_degrees(w->values + friction, cosine, scene->friction_angle_deg.value, BITS);
+  arb_div(w->values + friction, w->values + friction, cosine, BITS);
+  arb_clear(cosine);
+}
+
+static tp_bounded angle_at_values(const writing *w) {
+  const tp_limit_formulas *f = w->formulas;
+  arb_t tangent, one;
+  arb_init(tangent);
+  arb_init(one);
+  fmpz_mpoly_q_t quotient;
+  fmpz_mpoly_q_init(quotient, w->field->ring);
+  fmpz_mpoly_q_div(quotient, f->sine, f->cosine, w->field->ring);
+  tp_field_evaluate_ball(tangent, quotient, w->values, w->field, BITS);
+  arb_one(one);
+  tp_ball_atan2_degrees(tangent, tangent, one, BITS);
+  const tp_bounded angle = tp_ball_bounded(tangent);
+  fmpz_mpoly_q_clear(quotient, w->field->ring);
+  arb_clear(tangent);
+  arb_clear(one);
+  return angle;
+}
+
+static tp_status write_all(const writing *w, const tp_cone_edge basis[2], tp_message *message) {
+  const tp_limit_formulas *f = w->formulas;
+  w->out->tangent =
+      tp_notation_write_quotient(f->sine, f->cosine, w->field, w->notation, w->failed);
+  w->out->critical_angle_deg = angle_at_values(w);
+  write_centre(w);
+  write_conditions(w);
+  if (write_reactions(w, basis)) return TP_OK;
+  return tp_fail(message, TP_NO_ANSWER, f->model->problem.scene->base.place,
+                 "a force at the limit acts where the base has no formula; give it as a profile");
+}
+
+tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp_case *own,
+                          long friction, tp_notation notation, bool *failed, tp_message *message) {
+  const tp_limit *limit = &own->limit;
+  const tp_field *field = &model->symbols.field;
+  out->mechanism = limit->mechanism;
+  out->base_beyond_toe = limit->base_beyond_toe;
+  if (limit->kind != TP_LIMIT_AT_ANGLE) return TP_OK;
+  if (limit->tie || limit->reaction_count != 2) {
+    return tp_fail(message, TP_NO_ANSWER, model->problem.scene->friction_angle_deg.place,
+                   "at these values two mechanisms tie, each with a formula of its own; derive at "
+                   "values to one side");
+  }
+  out->known = true;
+  tp_cone_edge basis[2];
+  for (int k = 0; k < 2; k++) {
+    const tp_reaction *r = limit->reactions + k;
+    basis[k] = (tp_cone_edge){r->facet, r->at_right_end, r->against_slip};
+  }
+  tp_limit_formulas formulas;
+  tp_status status =
+      tp_limit_formulas_init(&formulas, model, own->towards, friction, basis, message);
+  if (status != TP_OK) return status;
+  const writing w = {out, &formulas, field, notation, failed, _arb_vec_init(field->symbol_count)};
+  set_values(&w, model, friction);
+  status = write_all(&w, basis, message);
+  _arb_vec_clear(w.values, field->symbol_count);
+  tp_limit_formulas_clear(&formulas);
+  return status;
+}

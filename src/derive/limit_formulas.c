@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "derive/limit_formulas.h"
+
+#include <string.h>
+
+typedef const fmpz_mpoly_ctx_struct *ring_pointer;
+
+static ring_pointer ring_of(const tp_limit_formulas *f) {
+  return f->model->symbols.field.ring;
+}
+
+void tp_force_formulas_init(tp_force_formulas *force, const tp_field *field) {
+  fmpz_mpoly_q_init(force->x, field->ring);
+  fmpz_mpoly_q_init(force->y, field->ring);
+  fmpz_mpoly_q_init(force->moment, field->ring);
+}
+
+void tp_force_formulas_clear(tp_force_formulas *force, const tp_field *field) {
+  fmpz_mpoly_q_clear(force->x, field->ring);
+  fmpz_mpoly_q_clear(force->y, field->ring);
+  fmpz_mpoly_q_clear(force->moment, field->ring);
+}
+
+static bool difference(fmpz_mpoly_q_t dx, fmpz_mpoly_q_t dy, const tp_model *m, long from,
+                       long to) {
+  tp_symbolic_point p, q;
+  if (!tp_formulas_point(&p, &m->symbols, &m->problem, from) ||
+      !tp_formulas_point(&q, &m->symbols, &m->problem, to)) {
+    return false;
+  }
+  fmpz_mpoly_q_sub(dx, q.x, p.x, m->symbols.field.ring);
+  fmpz_mpoly_q_sub(dy, q.y, p.y, m->symbols.field.ring);
+  return true;
+}
+
+/* A mated base past the block: its teeth go on, so that the next flank mirrors the block's last
+ * one; any other is level there. */
+static bool beyond_direction(fmpz_mpoly_q_t tx, fmpz_mpoly_q_t ty, const tp_model *m,
+                             const tp_facet *single) {
+  const tp_contact *contact = &m->problem.contact;
+  const tp_scene *scene = m->problem.scene;
+  if (!scene->base.mated) return false;
+  if (scene->block.form != TP_OUTLINE_TEETH || scene->base.between.count > 0) {
+    fmpz_mpoly_q_one(tx, m->symbols.field.ring);
+    fmpz_mpoly_q_zero(ty, m->symbols.field.ring);
+    return true;
+  }
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (f->q0 == f->q1 || !tp_facet_ends_in(&m->problem.lattice, f, single->q0)) continue;
+    const bool found = difference(tx, ty, m, f->t0, f->t1);
+    fmpz_mpoly_q_neg(ty, ty, m->symbols.field.ring);
+    return found;
+  }
+  return false;
+}
+
+/* n + s t tan(phi) with n = (-t_y, t_x), s = 1 against slip and -1 otherwise. */
+bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
+                           const tp_cone_edge *edge) {
+  const tp_model *m = f->model;
+  const fmpz_mpoly_ctx_struct *ring = ring_of(f);
+  const tp_facet *facet = m->problem.contact.facets + edge->facet;
+  const bool mirrored = f->towards == TP_TOWARDS_RIGHT;
+  fmpz_mpoly_q_t tx, ty, friction;
+  tp_symbolic_point point;
+  fmpz_mpoly_q_init(tx, ring);
+  fmpz_mpoly_q_init(ty, ring);
+  fmpz_mpoly_q_init(friction, ring);
+  const bool found = (difference(tx, ty, m, facet->t0, facet->t1) ||
+                      (facet->q0 == facet->q1 && beyond_direction(tx, ty, m, facet))) &&
+                     tp_formulas_point(&point, &m->symbols, &m->problem,
+                                       edge->at_right_end ? facet->q1 : facet->q0);
+  if (found) {
+    if (mirrored) fmpz_mpoly_q_neg(ty, ty, ring);
+    fmpz_mpoly_q_gen(friction, f->friction, ring);
+    if (!edge->against_slip) fmpz_mpoly_q_neg(friction, friction, ring);
+    fmpz_mpoly_q_mul(force->x, tx, friction, ring);
+    fmpz_mpoly_q_sub(force->x, force->x, ty, ring);
+    fmpz_mpoly_q_mul(force->y, ty, friction, ring);
+    fmpz_mpoly_q_add(force->y, force->y, tx, ring);
+    fmpz_mpoly_q_mul(force->moment, point.x, force->y, ring);
+    if (mirrored) fmpz_mpoly_q_neg(force->moment, force->moment, ring);
+    fmpz_mpoly_q_mul(friction, point.y, force->x, ring);
+    fmpz_mpoly_q_sub(force->moment, force->moment, friction, ring);
+  }
+  fmpz_mpoly_q_clear(tx, ring);
+  fmpz_mpoly_q_clear(ty, ring);
+  fmpz_mpoly_q_clear(friction, ring);
+  return found;
+}
+
+/* a d - b c */
+static void determinant(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                        const fmpz_mpoly_q_t c, const fmpz_mpoly_q_t d, ring_pointer ring) {
+  fmpz_mpoly_q_t other;
+  fmpz_mpoly_q_init(other, ring);
+  fmpz_mpoly_q_mul(value, a, d, ring);
+  fmpz_mpoly_q_mul(other, b, c, ring);
+  fmpz_mpoly_q_sub(value, value, other, ring);
+  fmpz_mpoly_q_clear(other, ring);
+}
+
+static void set_twist(tp_limit_formulas *f) {
+  const tp_force_formulas *a = f->basis, *b = f->basis + 1;
+  determinant(f->twist[0], a->y, a->moment, b->y, b->moment, ring_of(f));
+  determinant(f->twist[1], a->moment, a->x, b->moment, b->x, ring_of(f));
+  determinant(f->twist[2], a->x, a->y, b->x, b->y, ring_of(f));
+}
+
+/* With S = 3 (2 A) G, the power of the weight on the twist is -sin (3 (2 A) v_x - S_y omega) - cos
+ * (3 (2 A) v_y + S_x omega): zero at tan = -(3 (2 A) v_y + S_x omega) / (3 (2 A) v_x - S_y omega).
+ */
+static void set_tilt(tp_limit_formulas *f) {
+  const tp_formulas *sums = &f->model->formulas;
+  ring_pointer ring = ring_of(f);
+  fmpz_mpoly_q_t weight, term;
+  fmpz_t three;
+  fmpz_mpoly_q_init(weight, ring);
+  fmpz_mpoly_q_init(term, ring);
+  fmpz_init_set_ui(three, 3);
+  fmpz_mpoly_q_mul_fmpz(weight, sums->weighted2, three, ring);
+  fmpz_mpoly_q_mul(term, sums->x6, f->twist[2], ring);
+  if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(term, term, ring);
+  fmpz_mpoly_q_mul(f->sine, weight, f->twist[1], ring);
+  fmpz_mpoly_q_add(f->sine, f->sine, term, ring);
+  fmpz_mpoly_q_mul(term, sums->y6, f->twist[2], ring);
+  fmpz_mpoly_q_mul(f->cosine, weight, f->twist[0], ring);
+  fmpz_mpoly_q_sub(f->cosine, term, f->cosine, ring);
+  fmpz_mpoly_q_clear(weight, ring);
+  fmpz_mpoly_q_clear(term, ring);
+  fmpz_clear(three);
+}
+
+tp_status tp_limit_formulas_init(tp_limit_formulas *f, const tp_model *model, tp_direction towards,
+                                 long friction, const tp_cone_edge basis[2], tp_message *message) {
+  memset(f, 0, sizeof *f);
+  f->model = model;
+  f->towards = towards;
+  f->friction = friction;
+  const tp_field *field = &model->symbols.field;
+  for (int k = 0; k < 2; k++) tp_force_formulas_init(f->basis + k, field);
+  for (int k = 0; k < 3; k++) fmpz_mpoly_q_init(f->twist[k], field->ring);
+  fmpz_mpoly_q_init(f->sine, field->ring);
+  fmpz_mpoly_q_init(f->cosine, field->ring);
+  if (tp_force_formulas_set(f->basis, f, basis) &&
+      tp_force_formulas_set(f->basis + 1, f, basis + 1)) {
+    set_twist(f);
+    set_tilt(f);
+    return TP_OK;
+  }
+  tp_limit_formulas_clear(f);
+  return tp_fail(message, TP_NO_ANSWER, model->problem.scene->base.place,
+                 "the forces at the limit act on the base past the block, where it has no formula; "
+                 "give the base as a profile");
+}
+
+void tp_limit_formulas_clear(tp_limit_formulas *f) {
+  const tp_field *field = &f->model->symbols.field;
+  for (int k = 0; k < 2; k++) tp_force_formulas_clear(f->basis + k, field);
+  for (int k = 0; k < 3; k++) fmpz_mpoly_q_clear(f->twist[k], field->ring);
+  fmpz_mpoly_q_clear(f->sine, field->ring);
+  fmpz_mpoly_q_clear(f->cosine, field->ring);
+}
+
+/* The twist as it is drives the block where its cosine is above zero at the scene's values; the
+ * callers settle the sign there. */
+void tp_limit_formulas_power(fmpz_mpoly_q_t power, const tp_limit_formulas *f,
+                             const tp_force_formulas *force) {
+  ring_pointer ring = ring_of(f);
+  fmpz_mpoly_q_t term;
+  fmpz_mpoly_q_init(term, ring);
+  fmpz_mpoly_q_mul(power, f->twist[0], force->x, ring);
+  fmpz_mpoly_q_mul(term, f->twist[1], force->y, ring);
+  fmpz_mpoly_q_add(power, power, term, ring);
+  fmpz_mpoly_q_mul(term, f->twist[2], force->moment, ring);
+  fmpz_mpoly_q_add(power, power, term, ring);
+  fmpz_mpoly_q_clear(term, ring);
+}
+
+/* f_0 e_0 + f_1 e_1 = (tan, 1): f_0 = (tan e_1y - e_1x) / omega, f_1 = (e_0x - tan e_0y) / omega;
+ * of parallel forces, which slide it, by the moment row instead of that along x: with G the lever
+ * of the weight, G_x - G_y tan. */
+void tp_limit_formulas_factors(fmpz_mpoly_q_t factors[2], const tp_limit_formulas *f) {
+  ring_pointer ring = ring_of(f);
+  const tp_formulas *sums = &f->model->formulas;
+  fmpz_mpoly_q_t along, up, first, second, below;
+  fmpz_t three;
+  fmpz_mpoly_q_init(along, ring);
+  fmpz_mpoly_q_init(up, ring);
+  fmpz_mpoly_q_init(first, ring);
+  fmpz_mpoly_q_init(second, ring);
+  fmpz_mpoly_q_init(below, ring);
+  fmpz_init_set_ui(three, 3);
+  const tp_force_formulas *a = f->basis, *b = f->basis + 1;
+  const bool slides = fmpz_mpoly_q_is_zero(f->twist[2], ring);
+  fmpz_mpoly_q_div(along, f->sine, f->cosine, ring);
+  fmpz_mpoly_q_one(up, ring);
+  if (slides) { /* moment of the reaction: G_x - G_y tan */
+    fmpz_mpoly_q_mul(first, sums->y6, along, ring);
+    fmpz_mpoly_q_set(along, sums->x6, ring);
+    if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(along, along, ring);
+    fmpz_mpoly_q_sub(along, along, first, ring);
+    fmpz_mpoly_q_mul_fmpz(up, sums->weighted2, three, ring);
+    fmpz_mpoly_q_div(along, along, up, ring);
+    fmpz_mpoly_q_one(up, ring);
+  }
+  const fmpz_mpoly_q_struct *a_row = slides ? a->moment : a->x, *b_row = slides ? b->moment : b->x;
+  determinant(below, a_row, a->y, b_row, b->y, ring);
+  determinant(first, along, up, b_row, b->y, ring);
+  determinant(second, a_row, a->y, along, up, ring);
+  fmpz_mpoly_q_div(factors[0], first, below, ring);
+  fmpz_mpoly_q_div(factors[1], second, below, ring);
+  fmpz_mpoly_q_clear(along, ring);
+  fmpz_mpoly_q_clear(up, ring);
+  fmpz_mpoly_q_clear(first, ring);
+  fmpz_mpoly_q_clear(second, ring);
+  fmpz_mpoly_q_clear(below, ring);
+  fmpz_clear(three);
+}
