@@ -124,8 +124,8 @@ class Paper(unittest.TestCase):
         places = {c["where"] for c in self.claims}
         wanted = [f"Eq. ({k})" for k in (2, 3, 4, 5, 7, 10, 13, 15, 16, 17)]
         wanted += [f"(A1.{k})" for k in range(1, 25)] + [f"(A2.{k})" for k in range(1, 27)]
-        wanted += ["Fig. 8", "Fig. 10", "Fig. 15", "Eqs. (11), (12)", "section 4.4", "section 5.3"]
-        wanted += [f"Table {k}" for k in range(1, 7)]
+        wanted += ["Fig. 8", "Fig. 10", "Fig. 15", "Fig. 16", "Fig. 18", "Eqs. (11), (12)", "section 4.4", "section 5.3"]
+        wanted += [f"Table {k}" for k in range(1, 8)]
         self.assertEqual([w for w in wanted if w not in places], [])
         self.assertIn("T2.A.JRC Eq. (14)", {c["id"] for c in self.claims})
 
