@@ -321,6 +321,7 @@ void tp_scene_free(tp_scene *scene);
 
 typedef struct tp_solve_options {
   bool elements; /* draw up the account of moments by elements */
+  bool limit;    /* find the static limit, where the scene gives a friction angle */
   int digits;    /* relative accuracy asked of every number: 10^-digits, 1 to 15 */
 } tp_solve_options;
 
@@ -335,6 +336,10 @@ void tp_solution_free(tp_solution *solution);
 TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
+/* A table in Markdown, a row for each direction of each solution: moments, sliding, and the limit
+ * on a base that ends at the toe and on one that goes on. */
+TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *solutions,
+                                      size_t count);
 
 #ifdef __cplusplus
 }

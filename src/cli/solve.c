@@ -11,8 +11,10 @@
 #include <string.h>
 
 typedef struct arguments {
-  const char *scene;
-  bool json, elements;
+  const char *scene; /* the first of `scenes` */
+  char **scenes;     /* those of --table */
+  int scene_count;
+  bool json, elements, table;
   bool has_target, has_low, has_high;
   tp_find_options find; /* key NULL: nothing is to be found */
 } arguments;
@@ -21,10 +23,13 @@ enum { KEY_FIND = 256, KEY_FOR, KEY_FROM, KEY_TO };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the solution as JSON", 0},
+    {"table", 't', NULL, 0, "Print a table (Markdown) of several scenes, a row a case", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
-     "for which critical_angle, fos, sliding_angle or sliding_fos has the value", 1},
+     "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos has the "
+     "value",
+     1},
     {"from", KEY_FROM, "LOW", 0, "Look for it from here (else 0)", 1},
     {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is)", 1},
     {0}};
@@ -47,7 +52,7 @@ static void read_target(arguments *a, const char *text, struct argp_state *state
   if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
     argp_error(state,
                "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
-               "sliding_fos; not '%s'",
+               "sliding_fos, limit_angle, limit_fos; not '%s'",
                text);
     return;
   }
@@ -72,6 +77,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case 'e':
     a->elements = true;
     return 0;
+  case 't':
+    a->table = true;
+    return 0;
   case KEY_FIND:
     a->find.key = argument;
     return 0;
@@ -88,10 +96,18 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     check_find(a, state);
+    if (a->scene_count > 1 && !a->table) {
+      argp_error(state, "one scene at a time, or several with --table; '%s' is one too many",
+                 a->scenes[1]);
+    }
+    if (a->table && (a->json || a->elements || a->find.key != NULL)) {
+      argp_error(state, "--table prints a table alone; drop --json, --elements and --find");
+    }
     return 0;
-  case ARGP_KEY_ARG:
-    if (a->scene != NULL) argp_error(state, "one scene at a time; '%s' is one too many", argument);
-    a->scene = argument;
+  case ARGP_KEY_ARGS: /* all that are left */
+    a->scenes = state->argv + state->next;
+    a->scene_count = state->argc - state->next;
+    a->scene = a->scenes[0];
     return 0;
   case ARGP_KEY_NO_ARGS:
     argp_error(state, "a scene file is missing, for example examples/block_e_valley.yaml");
@@ -104,7 +120,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
-    .args_doc = "SCENE",
+    .args_doc = "SCENE…",
     .doc = "Does the block of a scene stand, slide or topple, and at which tilt?\v"
            "SCENE is a YAML file; README.md shows one, docs/scene.md lists every key. Every "
            "number is certain to all digits printed; --json gives each with its proven error "
@@ -137,24 +153,54 @@ static tp_status print_found(const tp_solution *solution, const arguments *a, in
   return status;
 }
 
+static tp_status solve_scene(tp_solution **solution, const char *path, const arguments *a,
+                             tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_solve_options solve = tp_solve_options_default();
+  solve.elements = a->elements;
+  tp_status status = tp_scene_read(&scene, path, message);
+  if (status == TP_OK) status = tp_solve(solution, scene, &solve, message);
+  tp_scene_free(scene);
+  return status;
+}
+
+static tp_status print_table(const arguments *a, int *written, tp_message *message) {
+  const size_t count = (size_t)a->scene_count;
+  char *report = NULL;
+  tp_solution **solutions = calloc(count, sizeof *solutions);
+  tp_status status = solutions != NULL ? TP_OK : TP_OUT_OF_MEMORY;
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    status = solve_scene(solutions + k, a->scenes[k], a, message);
+  }
+  if (status == TP_OK) {
+    status = tp_report_table(&report, (const tp_solution *const *)solutions, count);
+  }
+  if (status == TP_OK) *written = tp_cli_print(report);
+  free(report);
+  for (size_t k = 0; solutions != NULL && k < count; k++) tp_solution_free(solutions[k]);
+  free(solutions);
+  return status;
+}
+
+static tp_status print_one(const arguments *a, int *written, tp_message *message) {
+  tp_solution *solution = NULL;
+  tp_status status = solve_scene(&solution, a->scene, a, message);
+  if (status == TP_OK) {
+    status = a->find.key != NULL ? print_found(solution, a, written, message)
+                                 : print_solution(solution, a, written);
+  }
+  tp_solution_free(solution);
+  return status;
+}
+
 int tp_cli_solve(int argc, char **argv) {
   arguments a = {0};
   argp_err_exit_status = TP_EXIT_USAGE;
   argp_program_version = "topple " TP_VERSION;
   if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
   tp_message message = {""};
-  tp_solve_options solve = tp_solve_options_default();
-  solve.elements = a.elements;
   int written = 0;
-  tp_status status = tp_scene_read(&scene, a.scene, &message);
-  if (status == TP_OK) status = tp_solve(&solution, scene, &solve, &message);
-  if (status == TP_OK) {
-    status = a.find.key != NULL ? print_found(solution, &a, &written, &message)
-                                : print_solution(solution, &a, &written);
-  }
-  tp_solution_free(solution);
-  tp_scene_free(scene);
+  const tp_status status =
+      a.table ? print_table(&a, &written, &message) : print_one(&a, &written, &message);
   return tp_cli_end(status, &message, written);
 }

@@ -116,11 +116,13 @@ static tp_limit_outcome prove_side(int *side, const reduction *r, double factor,
   return outcome;
 }
 
-/* Widen about the estimate until both sides are proven, up to the digits asked for. */
+/* Widen about the estimate until both sides are proven: from what doubles tell apart to what is
+ * asked for, or a little more. */
 static tp_limit_outcome enclose(arb_t factor, const reduction *r, double estimate,
                                 const arb_t degrees, int digits) {
-  const double widest = pow(10, -digits - 1);
-  for (double width = widest * 1e-3; width <= widest * 1.001; width *= 10) {
+  static const double narrowest = 1e-13;
+  const double widest = fmax(pow(10, -digits - 1), 10 * narrowest);
+  for (double width = narrowest; width <= 1.001 * widest; width *= 10) {
     int low = 0, high = 0;
     tp_limit_outcome outcome = prove_side(&low, r, estimate * (1 - width), degrees);
     if (outcome == TP_LIMIT_PROVEN) {

@@ -20,7 +20,8 @@
 
 enum { POINTS = 512, STEPS = 200 };
 
-static const char *const targets[] = {"critical_angle", "fos", "sliding_angle", "sliding_fos"};
+static const char *const targets[] = {"critical_angle", "fos",         "sliding_angle",
+                                      "sliding_fos",    "limit_angle", "limit_fos"};
 enum { TARGETS = sizeof targets / sizeof targets[0] };
 
 bool tp_find_target_read(tp_find_target *target, const char *name) {
@@ -76,6 +77,12 @@ static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target t
   case TP_FIND_SLIDING_FOS:
     if (slides) *value = own->sliding.fos.value;
     return slides && own->sliding.fos.state == TP_FOS_NUMBER;
+  case TP_FIND_LIMIT_ANGLE:
+    *value = own->limit.critical_angle_deg;
+    return own->limit.kind == TP_LIMIT_AT_ANGLE;
+  case TP_FIND_LIMIT_FOS:
+    *value = own->limit.fos.value;
+    return own->limit.fos.state == TP_FOS_NUMBER;
   }
   return false;
 }
@@ -90,6 +97,8 @@ static sample look(search *s, double x) {
   tp_solution *solution = NULL;
   tp_solve_options options = tp_solve_options_default();
   options.digits = 15;
+  options.limit =
+      s->options->target == TP_FIND_LIMIT_ANGLE || s->options->target == TP_FIND_LIMIT_FOS;
   s->number->text = text;
   tp_status status = tp_scene_from_nodes(&scene, s->path, s->root, &s->why);
   if (status == TP_OK) status = tp_solve(&solution, scene, &options, &s->why);

@@ -64,7 +64,7 @@ static bool reduce_strength(tp_limit *result, tp_evaluation *e, const tp_limit_q
     result->fos.state = TP_FOS_UNDECIDED;
     if (e->rung.bits < LAST_BITS) e->certain = false;
   } else if (kind == TP_REDUCTION_FACTOR) {
-    result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_result(e, factor)};
+    result->fos = (tp_fos){TP_FOS_NUMBER, tp_ball_bounded(factor)};
   } else {
     result->fos.state = kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
   }

@@ -12,7 +12,7 @@
 #include <string.h>
 
 tp_solve_options tp_solve_options_default(void) {
-  return (tp_solve_options){.elements = false, .digits = 9};
+  return (tp_solve_options){.elements = false, .limit = true, .digits = 9};
 }
 
 void tp_solution_free(tp_solution *solution) {
@@ -144,6 +144,8 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
     tp_evaluate_sliding(evaluation, own, &sliding);
     tp_evaluate_toe(evaluation, own, &toppling);
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
+  }
+  if (scene->friction_angle_deg.given && c->options->limit) {
     began = tp_effects_now();
     done = tp_evaluate_limit(evaluation, own, &limit);
     tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
