@@ -152,9 +152,10 @@ typedef struct tp_account {
  * the others the one that rises most steeply down-dip governs. Where that would slide on level
  * ground, the block wedges itself between its facets, and all of them count. */
 typedef struct tp_sliding {
-  bool known;                 /* the scene gives a friction angle */
-  bool never;                 /* phi_b + i reaches 90 degrees */
-  tp_bounded facet_angle_deg; /* i, positive where the block must climb */
+  bool known;                    /* the scene gives a friction angle */
+  bool never;                    /* phi_b + i reaches 90 degrees */
+  tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides */
+  tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
   tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
   tp_fos fos;
@@ -195,6 +196,7 @@ typedef struct tp_reaction {
 
 typedef struct tp_limit {
   tp_limit_kind kind;
+  tp_bounded friction_angle_deg; /* at the normal stress of the limit */
   tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
   tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
   bool tie;                      /* another mechanism has the same limit: */
@@ -301,6 +303,7 @@ typedef struct tp_solution {
   tp_bounded tilt_angle_deg;
   bool has_friction;
   tp_bounded friction_angle_deg;
+  bool friction_is_residual; /* Barton's law: the angle at a stress is above it */
   tp_block_result block;
   tp_teeth_result teeth;
   tp_contact_result contact;

@@ -18,6 +18,12 @@ tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message) {
                    "the static limit needs friction_angle_deg; its value picks the mechanism, and "
                    "the formula then holds for every tan(phi) in its range");
   }
+  if (scene->friction.load_dependent) {
+    return tp_fail(
+        message, TP_BAD_INPUT, scene->friction_angle_deg.place,
+        "formulas of the limit take one friction angle; give friction_angle_deg, and the "
+        "formula holds for tan(phi) at any stress");
+  }
   for (long k = 0; k < scene->parameters.count; k++) {
     if (strcmp(scene->parameters.names[k], "phi") != 0) continue;
     return tp_fail(message, TP_BAD_INPUT,

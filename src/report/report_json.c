@@ -141,6 +141,8 @@ static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded) {
   tp_text_add(t, ", ");
   tp_json_fos(t, "fos_strength", s->fos_strength);
   tp_text_add(t, ",\n        ");
+  tp_json_number(t, "friction_angle_deg", s->friction_angle_deg);
+  tp_text_add(t, ", ");
   tp_json_number(t, "facet_angle_deg", s->facet_angle_deg);
   tp_text_add(t, ", \"facet\": [{");
   tp_json_number(t, "x_m", s->facet_x0_m);
@@ -226,7 +228,9 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   }
   if (s->has_friction) {
     tp_text_add(t, "      ");
-    tp_json_number(t, "friction_angle_deg", s->friction_angle_deg);
+    tp_json_number(t,
+                   s->friction_is_residual ? "residual_friction_angle_deg" : "friction_angle_deg",
+                   s->friction_angle_deg);
     tp_text_add(t, ",\n");
   }
   add_block(t, &s->block);

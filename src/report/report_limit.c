@@ -113,6 +113,10 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  By contact forces, on a base that %s: ", base_text(l));
   if (l->kind == TP_LIMIT_AT_ANGLE) {
     tp_text_add(&p->text, "%s°", tp_text_fixed(n, l->critical_angle_deg, 3));
+    if (p->solution->friction_is_residual) {
+      tp_text_add(&p->text, ",\n  with φ = %s° at its normal stress there (Eq. 8)",
+                  tp_text_fixed(n, l->friction_angle_deg, 3));
+    }
     add_fos(p, l->fos);
   } else {
     tp_text_add(&p->text, "\n  ");

@@ -36,6 +36,8 @@ static void add_answer(tp_text *t, const tp_limit *l) {
     tp_text_add(t, "\"centre_x_m\": null, \"centre_y_m\": null");
   }
   tp_text_add(t, ", \"base_beyond_toe\": %s, ", tp_json_truth(l->base_beyond_toe));
+  tp_json_number(t, "friction_angle_deg", l->friction_angle_deg);
+  tp_text_add(t, ", ");
   tp_json_fos(t, "fos", l->fos);
 }
 

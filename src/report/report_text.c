@@ -226,7 +226,7 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   tp_bounded i = s->facet_angle_deg;
   if (!climbs) i.value = -i.value;
   tp_text_add(&p->text, "  Sliding by Patton's φ_b %s i = %s° %s %s° = %s°", climbs ? "+" : "-",
-              tp_page_degrees(n[0], p->solution->friction_angle_deg), climbs ? "+" : "-",
+              tp_page_degrees(n[0], s->friction_angle_deg), climbs ? "+" : "-",
               tp_page_degrees(n[1], i), tp_text_fixed(n[2], s->critical_angle_deg, 3));
   if (s->fos.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));

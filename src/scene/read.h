@@ -48,6 +48,14 @@ TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *no
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);
 void tp_loads_description_init(tp_loads_description *loads);
 void tp_loads_description_clear(tp_loads_description *loads);
+/* An angle in degrees within [0, 90], 90 itself excluded or not; `node` NULL: not given. */
+TP_MUST_USE tp_status tp_read_angle(const tp_reader *reader, tp_quantity *angle,
+                                    const tp_node *node, const char *name, bool excluded);
+
+/* The keys friction_angle_deg and friction of the scene. */
+TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
+void tp_friction_description_init(tp_friction_description *friction);
+void tp_friction_description_clear(tp_friction_description *friction);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
 /* Fail at a node. */

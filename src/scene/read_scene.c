@@ -63,16 +63,6 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
   return TP_OK;
 }
 
-/* An angle in degrees within [0, most], or below `most` where that is excluded. */
-static tp_status read_angle(const tp_reader *reader, tp_quantity *angle, const tp_node *node,
-                            const char *name, bool excluded, const char *range) {
-  const tp_status status = tp_read_quantity(reader, angle, node, name);
-  if (status != TP_OK || !angle->given) return status;
-  const int side = fmpq_cmp_ui(angle->value, 90);
-  if (fmpq_sgn(angle->value) >= 0 && (side < 0 || (side == 0 && !excluded))) return TP_OK;
-  return tp_read_fail(reader, node, "%s must lie in %s", name, range);
-}
-
 static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"towards", "angle_deg", NULL};
   tp_scene *scene = reader->scene;
@@ -90,8 +80,8 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
       return tp_read_fail(reader, towards, "towards must be left, right or both");
     }
   }
-  return read_angle(reader, &scene->tilt_angle_deg, tp_node_get(node, "angle_deg"), "angle_deg",
-                    false, "[0°, 90°]");
+  return tp_read_angle(reader, &scene->tilt_angle_deg, tp_node_get(node, "angle_deg"), "angle_deg",
+                       false);
 }
 
 static tp_status read_version(const tp_reader *reader, const tp_node *root) {
@@ -114,8 +104,8 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "topple", "title", "length_unit", "parameters",         "block",
-      "base",   "loads", "tilt",        "friction_angle_deg", NULL};
+      "topple", "title", "length_unit",        "parameters", "block", "base",
+      "loads",  "tilt",  "friction_angle_deg", "friction",   NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -133,9 +123,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_block(reader, block);
   if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
-  if (status == TP_OK)
-    status = read_angle(reader, &scene->friction_angle_deg, tp_node_get(root, "friction_angle_deg"),
-                        "friction_angle_deg", true, "[0°, 90°)");
+  if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
   return status;
 }
@@ -162,6 +150,7 @@ static tp_scene *new_scene(const char *path) {
   fmpq_init(scene->base.beyond_right.value);
   tp_loads_description_init(&scene->loads);
   fmpq_init(scene->friction_angle_deg.value);
+  tp_friction_description_init(&scene->friction);
   fmpq_init(scene->tilt_angle_deg.value);
   return scene;
 }
@@ -202,6 +191,7 @@ void tp_scene_free(tp_scene *scene) {
   fmpq_clear(scene->base.beyond_right.value);
   fmpq_clear(scene->metres_per_unit);
   fmpq_clear(scene->friction_angle_deg.value);
+  tp_friction_description_clear(&scene->friction);
   fmpq_clear(scene->tilt_angle_deg.value);
   for (long k = 0; k < scene->parameters.count; k++) {
     free(scene->parameters.names[k]);

@@ -132,6 +132,14 @@ typedef struct tp_loads_description {
   tp_quantity bond_kpa, cohesion_kpa; /* of the contact */
 } tp_loads_description;
 
+/* Friction by a law. Patton's phi_b + i (Eq. 6) is one angle, the scene's friction_angle_deg; by
+ * Barton's law (Eq. 8) the angle depends on the normal stress, and friction_angle_deg is its
+ * residual part. JRC is given, or follows from a tilt test (Eq. 9), or from i (Eq. 10). */
+typedef struct tp_friction_description {
+  bool load_dependent;
+  tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
+} tp_friction_description;
+
 struct tp_scene {
   char *path;
   char *title;
@@ -142,6 +150,7 @@ struct tp_scene {
   tp_base_description base;
   tp_loads_description loads;
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
+  tp_friction_description friction;
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */

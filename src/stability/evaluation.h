@@ -14,7 +14,8 @@ typedef struct tp_evaluation {
   tp_rung rung;
   int digits;
   tp_moments moments;
-  bool certain;     /* all numbers and decisions so far */
+  tp_bounded weight_per_area_pa; /* on the mean plane, level, where the block has a weight */
+  bool certain;                  /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
   const bool *admissible[2];      /* by direction, for each contact point */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */

@@ -6,6 +6,7 @@
 
 #include "limit/reduction.h"
 #include "number/ball.h"
+#include "stability/friction.h"
 #include "stability/limit_cones.h"
 #include "stability/limit_result.h"
 #include "stability/loaded.h"
@@ -13,20 +14,6 @@
 #include <math.h>
 
 enum { LAST_BITS = 5120 }; /* of the ladder: what is open then stays undecided */
-
-/* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
-static void set_friction(arb_t friction, const tp_evaluation *e) {
-  const fmpq *angle = e->problem->scene->friction_angle_deg.value;
-  if (fmpq_is_zero(angle) || fmpq_cmp_si(angle, 45) == 0) {
-    arb_set_si(friction, fmpq_is_zero(angle) ? 0 : 1);
-    return;
-  }
-  arb_t cosine;
-  arb_init(cosine);
-  tp_ball_sin_cos_degrees(friction, cosine, angle, e->rung.bits);
-  arb_div(friction, friction, cosine, e->rung.bits);
-  arb_clear(cosine);
-}
 
 /* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
  * with (X6, Y6) = 3 A2 times the centroid. */
@@ -47,20 +34,68 @@ static bool is_settled(const tp_evaluation *e) {
          (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS);
 }
 
-/* The factor of safety by strength reduction; false when memory is exhausted. */
-static bool reduce_strength(tp_limit *result, tp_evaluation *e, const tp_limit_question *question,
-                            tp_cones *cones) {
-  const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
+/* One question about a case, and the answer that is being found. */
+typedef struct asking {
+  tp_evaluation *e;
+  tp_cones *cones;
+  const tp_limit_question *question;
+  tp_limit_answer *answer;
+  tp_limit_outcome outcome;
+} asking;
+
+/* A friction angle to the limit that it gives (tp_friction_limit). */
+static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
+  asking *a = context;
+  tp_friction_tangent(a->cones->friction, degrees, a->e->rung.bits);
+  if (estimate) {
+    double own = 0;
+    if (!tp_limit_estimate(&own, a->question)) a->outcome = TP_LIMIT_OUT_OF_MEMORY;
+    arb_set_d(tilt, own);
+    return a->outcome != TP_LIMIT_OUT_OF_MEMORY;
+  }
+  a->outcome = tp_limit_find(a->answer, a->question);
+  if (a->outcome != TP_LIMIT_PROVEN) return false;
+  arb_set(tilt, a->answer->degrees);
+  if (a->answer->kind != TP_LIMIT_AT_ANGLE) {
+    arb_set_si(tilt, a->answer->kind == TP_LIMIT_INTERLOCKED ? 90 : -90);
+  }
+  return true;
+}
+
+/* The limit with the scene's friction. */
+static void find_limit(tp_limit *result, asking *a) {
+  arb_t friction, tilt;
+  arb_init(friction);
+  arb_init(tilt);
+  if (tp_friction_is_load_dependent(a->e)) {
+    if (!tp_friction_meet(friction, a->e, limit_of, a) && a->outcome == TP_LIMIT_PROVEN) {
+      a->outcome = TP_LIMIT_OPEN;
+    }
+  } else {
+    tp_friction_at(friction, a->e, tilt);
+    (void)limit_of(tilt, a, friction, false);
+  }
+  result->friction_angle_deg = tp_ball_bounded(friction);
+  arb_clear(friction);
+  arb_clear(tilt);
+}
+
+/* The factor of safety by strength reduction, with the friction at the scene's tilt. */
+static void reduce_strength(tp_limit *result, asking *a) {
+  tp_evaluation *e = a->e;
+  const tp_quantity *given = &e->problem->scene->tilt_angle_deg;
   result->fos = (tp_fos){.state = TP_FOS_NO_TILT};
-  if (!tilt->given) return true;
+  if (!given->given) return;
   tp_reduction_kind kind = TP_REDUCTION_NONE;
-  arb_t factor, degrees;
+  arb_t factor, tilt, friction;
   arb_init(factor);
-  arb_init(degrees);
-  arb_set_fmpq(degrees, tilt->value, e->rung.bits);
-  const tp_limit_outcome outcome =
-      tp_reduction_find(&kind, factor, question, cones, degrees, e->digits);
-  if (outcome != TP_LIMIT_PROVEN) {
+  arb_init(tilt);
+  arb_init(friction);
+  arb_set_fmpq(tilt, given->value, e->rung.bits);
+  tp_friction_at(friction, e, tilt);
+  tp_friction_tangent(a->cones->friction, friction, e->rung.bits);
+  a->outcome = tp_reduction_find(&kind, factor, a->question, a->cones, tilt, e->digits);
+  if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
     if (e->rung.bits < LAST_BITS) e->certain = false;
   } else if (kind == TP_REDUCTION_FACTOR) {
@@ -69,8 +104,24 @@ static bool reduce_strength(tp_limit *result, tp_evaluation *e, const tp_limit_q
     result->fos.state = kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
   }
   arb_clear(factor);
-  arb_clear(degrees);
-  return outcome != TP_LIMIT_OUT_OF_MEMORY;
+  arb_clear(tilt);
+  arb_clear(friction);
+}
+
+static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a,
+                     tp_direction towards) {
+  tp_evaluation *e = a->e;
+  if (a->outcome != TP_LIMIT_PROVEN) {
+    result->kind = TP_LIMIT_UNDECIDED;
+    result->mechanism = TP_MECHANISM_UNDECIDED;
+    if (e->rung.bits < LAST_BITS) e->certain = false;
+    return;
+  }
+  tp_limit_describe(result, e, a->question, a->answer, towards);
+  arb_set(angle->sine, a->answer->sine);
+  arb_set(angle->cosine, a->answer->cosine);
+  arb_set(angle->degrees, a->answer->degrees);
+  angle->exact_direction = e->loaded == NULL && !a->answer->tie;
 }
 
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
@@ -94,24 +145,14 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp
       .judge = {.bits = e->rung.bits,
                 .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
                 .settled = is_settled(e)}};
-  const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
-  if (outcome == TP_LIMIT_PROVEN) {
-    tp_limit_describe(result, e, &question, &answer, towards);
-    arb_set(angle->sine, answer.sine);
-    arb_set(angle->cosine, answer.cosine);
-    arb_set(angle->degrees, answer.degrees);
-    angle->exact_direction = e->loaded == NULL && !answer.tie;
-  } else {
-    result->kind = TP_LIMIT_UNDECIDED;
-    result->mechanism = TP_MECHANISM_UNDECIDED;
-    if (e->rung.bits < LAST_BITS) e->certain = false;
-  }
-  const bool done =
-      outcome != TP_LIMIT_OUT_OF_MEMORY && reduce_strength(result, e, &question, cones);
+  asking a = {e, cones, &question, &answer, TP_LIMIT_PROVEN};
+  find_limit(result, &a);
+  describe(result, angle, &a, towards);
+  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY) reduce_strength(result, &a);
   tp_wrench_clear(&weight);
   arb_clear(range);
   tp_limit_answer_clear(&answer);
-  return done;
+  return a.outcome != TP_LIMIT_OUT_OF_MEMORY;
 }
 
 static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,
@@ -119,7 +160,6 @@ static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, t
   tp_cones cones;
   *result = (tp_limit){0};
   if (!tp_limit_cones_init(&cones, e, towards, otherwise)) return false;
-  set_friction(cones.friction, e);
   result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != otherwise;
   const bool done = ask(result, angle, e, &cones, towards);
   tp_cones_clear(&cones);

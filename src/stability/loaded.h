@@ -58,9 +58,11 @@ void tp_loaded_account(tp_case *result, const tp_loaded *loaded, tp_evaluation *
 bool tp_loaded_falls_backwards(const tp_loaded *loaded, tp_evaluation *evaluation,
                                const bool *admissible);
 
-/* Sliding down along a facet, (run, rise) as in stability/sliding.c, with the friction and cohesion
- * of the contact: the critical angle in degrees, or false where it never slides. */
+/* Sliding down along a facet, (run, rise) as in stability/sliding.c, with a friction angle in
+ * degrees and the cohesion of the contact: the critical angle in degrees, or false where it never
+ * slides; the factor of safety is with the friction at the scene's tilt. */
 bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded,
-                       tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise);
+                       tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise,
+                       const arb_t friction);
 
 #endif

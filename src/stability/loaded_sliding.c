@@ -10,6 +10,7 @@
 #include "stability/loaded.h"
 
 #include "number/ball.h"
+#include "stability/friction.h"
 
 /* s = (-run, rise) / size, n = (rise, run) / size. */
 typedef struct facet_frame {
@@ -47,12 +48,11 @@ static void set_cohesion(arb_t force, const tp_evaluation *e) {
   arb_clear(dy);
 }
 
-static void frame_init(facet_frame *f, const tp_evaluation *e, const fmpz_t run,
-                       const fmpz_t rise) {
+static void frame_init(facet_frame *f, const tp_evaluation *e, const fmpz_t run, const fmpz_t rise,
+                       const arb_t friction) {
   const long bits = e->rung.bits;
-  arb_t size, cosine;
+  arb_t size;
   arb_init(size);
-  arb_init(cosine);
   arb_init(f->run);
   arb_init(f->rise);
   arb_init(f->friction);
@@ -62,11 +62,9 @@ static void frame_init(facet_frame *f, const tp_evaluation *e, const fmpz_t run,
   arb_hypot(size, f->run, f->rise, bits);
   arb_div(f->run, f->run, size, bits);
   arb_div(f->rise, f->rise, size, bits);
-  tp_ball_sin_cos_degrees(f->friction, cosine, e->problem->scene->friction_angle_deg.value, bits);
-  arb_div(f->friction, f->friction, cosine, bits);
+  tp_friction_tangent(f->friction, friction, bits);
   if (e->problem->scene->loads.cohesion_kpa.given) set_cohesion(f->cohesion, e);
   arb_clear(size);
-  arb_clear(cosine);
 }
 
 static void frame_clear(facet_frame *f) {
@@ -139,13 +137,13 @@ static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const facet_fram
 }
 
 bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_evaluation *e,
-                       const fmpz_t run, const fmpz_t rise) {
+                       const fmpz_t run, const fmpz_t rise, const arb_t friction) {
   const long bits = e->rung.bits;
   facet_frame f;
   tp_trig excess, normal;
   tp_roots roots;
   arb_t level, sine, cosine;
-  frame_init(&f, e, run, rise);
+  frame_init(&f, e, run, rise, friction);
   tp_trig_init(&excess);
   tp_trig_init(&normal);
   tp_roots_init(&roots);
@@ -162,6 +160,12 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_e
   const bool found = tp_roots_critical(degrees, &always, &roots, level);
   if (!found && always) arb_set_si(degrees, -180);
   if (!roots.certain) e->certain = false;
+  arb_t present;
+  arb_init(present);
+  arb_set_fmpq(present, e->problem->scene->tilt_angle_deg.value, bits);
+  tp_friction_at(present, e, present);
+  tp_friction_tangent(f.friction, present, bits);
+  arb_clear(present);
   *fos = factor(loaded, e, &f);
   frame_clear(&f);
   tp_trig_clear(&excess);

@@ -10,136 +10,20 @@
  * facets: the up-dip ones keep their load, and all count. This is a formula, not statics: the limit
  * analysis judges the contact forces. */
 
-#include "stability/loaded.h"
+#include "stability/friction.h"
+#include "stability/sliding_facet.h"
 
 #include "number/ball.h"
 
-/* Integers that bracket the centroid's abscissa: a lattice abscissa x below `low` lies left of the
- * centroid, one above `high` right of it; equal on exact rungs but for the exact position. */
-typedef struct foot {
-  fmpz_t low, high;
-  bool settled; /* a facet that ends within the bracket ends at the centroid, as far as can be told
-                 */
-} foot;
-
-static void find_foot(const tp_evaluation *e, foot *f) {
-  const long bits = tp_evaluation_bits(e);
-  const arb_struct *sums = e->moments.weighted;
-  f->settled = e->rung.level == TP_LEVEL_EXACT;
-  if (f->settled) {
-    fmpz_t divisor, moment;
-    fmpz_init(divisor);
-    fmpz_init(moment);
-    arb_get_unique_fmpz(divisor, sums + TP_A2);
-    arb_get_unique_fmpz(moment, sums + TP_X6);
-    fmpz_mul_ui(divisor, divisor, 3);
-    fmpz_cdiv_q(f->low, moment, divisor);
-    fmpz_fdiv_q(f->high, moment, divisor);
-    fmpz_clear(divisor);
-    fmpz_clear(moment);
-    return;
-  }
-  arb_t position;
-  arf_t end;
-  arb_init(position);
-  arf_init(end);
-  arb_div(position, sums + TP_X6, sums + TP_A2, bits);
-  arb_div_ui(position, position, 3, bits);
-  f->settled = tp_evaluation_is_zero_width(e, position, (double)e->problem->lattice.bits);
-  if (arb_is_finite(position)) {
-    arb_get_lbound_arf(end, position, bits);
-    arf_get_fmpz(f->low, end, ARF_RND_CEIL);
-    arb_get_ubound_arf(end, position, bits);
-    arf_get_fmpz(f->high, end, ARF_RND_FLOOR);
-  }
-  arb_clear(position);
-  arf_clear(end);
-}
-
-/* Does the facet reach down-dip of the centroid? */
-static bool counts(tp_evaluation *e, const tp_facet *facet, const foot *f, tp_direction towards) {
-  const tp_lattice *l = &e->problem->lattice;
-  const fmpz *end = l->x + (towards == TP_TOWARDS_LEFT ? facet->q0 : facet->q1);
-  const int to_low = fmpz_cmp(end, f->low), to_high = fmpz_cmp(end, f->high);
-  const bool left = to_low<0, right = to_high> 0;
-  if (!left && !right && !f->settled) e->certain = false;
-  return towards == TP_TOWARDS_LEFT ? left : right;
-}
-
-/* Run and rise of the motion down-dip along a facet: (dx, rise) with i = atan2(rise, dx). */
-static void motion(const tp_lattice *l, const tp_facet *f, tp_direction towards, fmpz_t run,
-                   fmpz_t rise) {
-  fmpz_sub(run, l->x + f->t1, l->x + f->t0);
-  if (towards == TP_TOWARDS_LEFT) {
-    fmpz_sub(rise, l->y + f->t0, l->y + f->t1);
-  } else {
-    fmpz_sub(rise, l->y + f->t1, l->y + f->t0);
-  }
-}
-
-typedef struct governing_facet {
-  long facet;   /* -1: none */
-  bool blocked; /* a facet stands upright in the way */
-  fmpz_t run, rise;
-} governing_facet;
-
-static void governing_init(governing_facet *best) {
-  best->facet = -1;
-  best->blocked = false;
-  fmpz_init(best->run);
-  fmpz_init(best->rise);
-}
-
-static void governing_clear(governing_facet *best) {
-  fmpz_clear(best->run);
-  fmpz_clear(best->rise);
-}
-
-/* Take the facet if its i is the largest so far; of two with the same i, one that has a length. */
-static void consider(const tp_evaluation *e, long k, tp_direction towards, governing_facet *best) {
-  const tp_facet *facets = e->problem->contact.facets, *facet = facets + k;
-  if (facet->t0 == facet->t1) return; /* restrains nothing */
-  fmpz_t run, rise, cross;
-  fmpz_init(run);
-  fmpz_init(rise);
-  fmpz_init(cross);
-  motion(&e->problem->lattice, facet, towards, run, rise);
-  fmpz_mul(cross, rise, best->run);
-  fmpz_submul(cross, best->rise, run);
-  const int steeper = fmpz_sgn(cross);
-  const bool longer = best->facet >= 0 && facet->q0 != facet->q1 &&
-                      facets[best->facet].q0 == facets[best->facet].q1;
-  if (fmpz_sgn(run) <= 0) { /* upright or turned away from the motion */
-    if (fmpz_sgn(rise) > 0) best->blocked = true;
-  } else if (best->facet < 0 || steeper > 0 || (steeper == 0 && longer)) {
-    best->facet = k;
-    fmpz_swap(best->run, run);
-    fmpz_swap(best->rise, rise);
-  }
-  fmpz_clear(run);
-  fmpz_clear(rise);
-  fmpz_clear(cross);
-}
-
-/* The largest i among the facets that count, or among all. */
-static void find_governing(tp_evaluation *e, tp_direction towards, const foot *f, bool all,
-                           governing_facet *best) {
-  const tp_contact *contact = &e->problem->contact;
-  for (long k = 0; k < contact->facet_count; k++) {
-    if (all || counts(e, contact->facets + k, f, towards)) consider(e, k, towards, best);
-  }
-}
-
 /* phi_b + i. Where tan(phi_b) is rational, at 0 and 45 degrees, the direction is exact. */
-static void add_friction(const tp_evaluation *e, const governing_facet *best,
+static void add_friction(const tp_evaluation *e, const tp_sliding_facet *best, const arb_t friction,
                          tp_direction_ball *sliding) {
-  const tp_quantity *friction = &e->problem->scene->friction_angle_deg;
   const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
   fmpz_t sine, cosine;
   fmpz_init_set(sine, best->rise);
   fmpz_init_set(cosine, best->run);
-  const bool zero = fmpq_is_zero(friction->value);
-  sliding->exact_direction = zero || fmpq_cmp_si(friction->value, 45) == 0;
+  const bool zero = arb_is_zero(friction) != 0;
+  sliding->exact_direction = zero || arb_equal_si(friction, 45);
   if (sliding->exact_direction && !zero) { /* turned by 45 degrees */
     fmpz_add(sine, best->rise, best->run);
     fmpz_sub(cosine, best->run, best->rise);
@@ -147,35 +31,44 @@ static void add_friction(const tp_evaluation *e, const governing_facet *best,
   arb_set_round_fmpz(sliding->sine, sine, exact);
   arb_set_round_fmpz(sliding->cosine, cosine, exact);
   tp_ball_atan2_degrees(sliding->degrees, sliding->sine, sliding->cosine, bits);
-  if (!sliding->exact_direction) {
-    arb_t angle;
-    arb_init(angle);
-    arb_set_fmpq(angle, friction->value, bits);
-    arb_add(sliding->degrees, sliding->degrees, angle, bits);
-    arb_clear(angle);
-  }
+  if (!sliding->exact_direction) arb_add(sliding->degrees, sliding->degrees, friction, bits);
   fmpz_clear(sine);
   fmpz_clear(cosine);
 }
 
+/* phi_b + i with the friction at a tilt. */
+static void add_friction_at(const tp_evaluation *e, const tp_sliding_facet *best, const arb_t tilt,
+                            tp_direction_ball *sliding) {
+  arb_t friction;
+  arb_init(friction);
+  tp_friction_at(friction, e, tilt);
+  add_friction(e, best, friction, sliding);
+  arb_clear(friction);
+}
+
 /* tan(phi_b + i) / tan(alpha). */
-static tp_fos factor_of_safety(tp_evaluation *e, const tp_direction_ball *sliding, bool never) {
+static tp_fos factor_of_safety(tp_evaluation *e, const tp_sliding_facet *best, bool never) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   if (!tilt->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (never || fmpq_is_zero(tilt->value)) return (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   const long bits = e->rung.bits;
   tp_fos fos = {.state = TP_FOS_NUMBER};
+  tp_direction_ball shear;
   arb_t sine, cosine, value;
+  tp_direction_ball_init(&shear);
   arb_init(sine);
   arb_init(cosine);
   arb_init(value);
   tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
-  if (sliding->exact_direction) {
-    arb_div(value, sliding->sine, sliding->cosine, bits);
+  arb_set_fmpq(value, tilt->value, bits);
+  add_friction_at(e, best, value, &shear);
+  if (shear.exact_direction) {
+    arb_div(value, shear.sine, shear.cosine, bits);
   } else {
-    arb_div_ui(value, sliding->degrees, 180, bits);
+    arb_div_ui(value, shear.degrees, 180, bits);
     arb_tan_pi(value, value, bits);
   }
+  tp_direction_ball_clear(&shear);
   arb_mul(value, value, cosine, bits);
   arb_div(value, value, sine, bits);
   fos.value = tp_evaluation_result(e, value);
@@ -191,18 +84,19 @@ static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
   const long bits = e->rung.bits;
   if (!scene->tilt_angle_deg.given) return (tp_fos){.state = TP_FOS_NO_TILT};
   tp_fos fos = {.state = TP_FOS_NO_OVERTURNING};
-  arb_t needed, value;
+  arb_t needed, value, tilt;
   arb_init(needed);
   arb_init(value);
+  arb_init(tilt);
   arb_set_fmpq(needed, scene->tilt_angle_deg.value, bits);
   arb_sub(needed, needed, facet_angle, bits);
   if (arb_is_positive(needed)) {
     fos.state = TP_FOS_NUMBER;
     arb_div_ui(needed, needed, 180, bits);
     arb_tan_pi(needed, needed, bits);
-    arb_set_fmpq(value, scene->friction_angle_deg.value, bits);
-    arb_div_ui(value, value, 180, bits);
-    arb_tan_pi(value, value, bits);
+    arb_set_fmpq(tilt, scene->tilt_angle_deg.value, bits);
+    tp_friction_at(tilt, e, tilt);
+    tp_friction_tangent(value, tilt, bits);
     arb_div(value, value, needed, bits);
     fos.value = tp_evaluation_result(e, value);
   } else if (!arb_is_nonpositive(needed)) {
@@ -210,56 +104,102 @@ static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
   }
   arb_clear(needed);
   arb_clear(value);
+  arb_clear(tilt);
   return fos;
 }
 
-static void describe(tp_evaluation *e, tp_case *result, const governing_facet *best,
-                     tp_direction_ball *sliding) {
-  tp_sliding *s = &result->sliding;
+/* The motion along a facet and the tilt at which it starts, for a friction angle
+ * (tp_friction_limit). */
+typedef struct start {
+  tp_evaluation *e;
+  const tp_sliding_facet *best;
+  tp_direction_ball *sliding;
+  tp_fos *fos;
+  bool slides;
+} start;
+
+static bool start_of(arb_t tilt, void *context, const arb_t friction, bool estimate) {
+  (void)estimate;
+  start *s = context;
+  if (s->e->loaded == NULL) {
+    add_friction(s->e, s->best, friction, s->sliding);
+    s->slides = true;
+  } else {
+    s->slides = tp_loaded_sliding(s->sliding->degrees, s->fos, s->e->loaded, s->e, s->best->run,
+                                  s->best->rise, friction);
+  }
+  arb_set(tilt, s->sliding->degrees);
+  return s->slides;
+}
+
+/* The friction angle at which it starts, and the start. */
+static bool find_start(arb_t friction, start *s) {
+  arb_t tilt;
+  arb_init(tilt);
+  bool found = true;
+  if (tp_friction_is_load_dependent(s->e)) {
+    found = tp_friction_meet(friction, s->e, start_of, s);
+    if (!found && s->slides) s->e->certain = false;
+  } else {
+    tp_friction_at(friction, s->e, tilt);
+  }
+  found = found && start_of(tilt, s, friction, false);
+  arb_clear(tilt);
+  return found;
+}
+
+static void describe_facet(tp_evaluation *e, tp_sliding *s, const tp_sliding_facet *best,
+                           arb_t angle) {
   const tp_facet *facet = e->problem->contact.facets + best->facet;
-  arb_t rise, run, limit;
+  arb_t rise, run;
   arb_init(rise);
   arb_init(run);
-  arb_init(limit);
   arb_set_fmpz(rise, best->rise);
   arb_set_fmpz(run, best->run);
-  tp_ball_atan2_degrees(limit, rise, run, e->rung.bits);
-  s->facet_angle_deg = tp_evaluation_result(e, limit);
+  tp_ball_atan2_degrees(angle, rise, run, e->rung.bits);
+  s->facet_angle_deg = tp_evaluation_result(e, angle);
   s->facet_x0_m = tp_evaluation_x(e->problem, facet->q0);
   s->facet_y0_m = tp_evaluation_y(e->problem, facet->q0);
   s->facet_x1_m = tp_evaluation_x(e->problem, facet->q1);
   s->facet_y1_m = tp_evaluation_y(e->problem, facet->q1);
-  s->fos_strength = strength_factor(e, limit);
-  if (e->loaded != NULL) {
-    s->fos_strength = (tp_fos){.state = TP_FOS_NOT_ASKED};
-    const bool slides =
-        tp_loaded_sliding(sliding->degrees, &s->fos, e->loaded, e, best->run, best->rise);
-    s->never = best->blocked || !slides;
-    if (!s->never) s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
-    arb_clear(rise);
-    arb_clear(run);
-    arb_clear(limit);
-    return;
-  }
-  add_friction(e, best, sliding);
-  arb_set_ui(limit, 90);
-  if (best->blocked || arb_ge(sliding->degrees, limit)) {
-    s->never = true;
-  } else if (!arb_lt(sliding->degrees, limit)) {
-    e->certain = false;
-  }
-  s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
-  s->fos = factor_of_safety(e, sliding, s->never);
   arb_clear(rise);
   arb_clear(run);
-  arb_clear(limit);
+}
+
+static void describe(tp_evaluation *e, tp_case *result, const tp_sliding_facet *best,
+                     tp_direction_ball *sliding) {
+  tp_sliding *s = &result->sliding;
+  start own = {e, best, sliding, &s->fos, false};
+  arb_t angle, friction;
+  arb_init(angle);
+  arb_init(friction);
+  describe_facet(e, s, best, angle);
+  const bool slides = find_start(friction, &own);
+  s->friction_angle_deg = tp_ball_bounded(friction);
+  if (e->loaded != NULL) {
+    s->fos_strength = (tp_fos){.state = TP_FOS_NOT_ASKED};
+    s->never = best->blocked || !slides;
+    if (!s->never) s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
+  } else {
+    s->fos_strength = strength_factor(e, angle);
+    arb_set_ui(angle, 90);
+    s->never = best->blocked || !slides || arb_ge(sliding->degrees, angle);
+    if (!s->never && !arb_lt(sliding->degrees, angle)) e->certain = false;
+    s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
+    s->fos = factor_of_safety(e, best, s->never);
+  }
+  arb_clear(angle);
+  arb_clear(friction);
 }
 
 /* phi_b + i <= 0 */
-static bool slides_when_level(tp_evaluation *e, const governing_facet *best) {
+static bool slides_when_level(tp_evaluation *e, const tp_sliding_facet *best) {
   tp_direction_ball limit;
+  arb_t level;
   tp_direction_ball_init(&limit);
-  add_friction(e, best, &limit);
+  arb_init(level);
+  add_friction_at(e, best, level, &limit);
+  arb_clear(level);
   const bool slides = arb_is_nonpositive(limit.degrees) != 0;
   if (!slides && !arb_is_positive(limit.degrees)) e->certain = false;
   tp_direction_ball_clear(&limit);
@@ -269,23 +209,17 @@ static bool slides_when_level(tp_evaluation *e, const governing_facet *best) {
 void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *sliding) {
   result->sliding = (tp_sliding){0};
   if (!e->problem->scene->friction_angle_deg.given) return;
-  foot f;
-  governing_facet best;
-  fmpz_init(f.low);
-  fmpz_init(f.high);
-  governing_init(&best);
-  find_foot(e, &f);
-  find_governing(e, result->towards, &f, false, &best);
+  tp_sliding_facet best;
+  tp_sliding_facet_init(&best);
+  tp_sliding_facet_find(&best, e, result->towards, false);
   if (!best.blocked && (best.facet < 0 || slides_when_level(e, &best))) {
-    find_governing(e, result->towards, &f, true, &best);
+    tp_sliding_facet_find(&best, e, result->towards, true);
   }
   result->sliding.known = best.facet >= 0 || best.blocked;
   result->sliding.never = best.blocked;
   result->sliding.fos = (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   if (best.facet >= 0) describe(e, result, &best, sliding);
-  fmpz_clear(f.low);
-  fmpz_clear(f.high);
-  governing_clear(&best);
+  tp_sliding_facet_clear(&best);
 }
 
 void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
@@ -293,12 +227,12 @@ void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball 
   result->toe = (tp_toe){0};
   if (!result->has_governing || e->loaded != NULL) return; /* the reaction is not the weight's */
   const long toe = contact->points[result->governing].point;
-  governing_facet best;
-  governing_init(&best);
+  tp_sliding_facet best;
+  tp_sliding_facet_init(&best);
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
     if (tp_facet_ends_in(&e->problem->lattice, facet, toe)) {
-      consider(e, k, result->towards, &best);
+      tp_sliding_facet_consider(e, k, result->towards, &best);
     }
   }
   if (best.facet >= 0 || best.blocked) {
@@ -307,11 +241,11 @@ void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball 
     result->toe.known = true;
     result->toe.upright = result->toe.holds = best.blocked;
     if (!best.blocked) {
-      add_friction(e, &best, &limit);
+      add_friction_at(e, &best, toppling->degrees, &limit);
       result->toe.limit_angle_deg = tp_evaluation_result(e, limit.degrees);
       result->toe.holds = tp_evaluation_compare(e, toppling, &limit) <= 0;
     }
     tp_direction_ball_clear(&limit);
   }
-  governing_clear(&best);
+  tp_sliding_facet_clear(&best);
 }

@@ -34,6 +34,7 @@ static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp
   solution->tilt_angle_deg = tp_evaluation_rational(scene->tilt_angle_deg.value);
   solution->has_friction = scene->friction_angle_deg.given;
   solution->friction_angle_deg = tp_evaluation_rational(scene->friction_angle_deg.value);
+  solution->friction_is_residual = scene->friction.load_dependent;
   if (scene->title == NULL) return TP_OK;
   solution->title = strdup(scene->title);
   return solution->title != NULL ? TP_OK : tp_fail_memory(message, "the solution");
@@ -208,6 +209,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   if (rounded) evaluate_corners(&evaluation, c);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
+  evaluation.weight_per_area_pa = c->solution->contact.weight_per_nominal_area_pa;
   tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
   bool done = true;
   for (size_t k = 0; k < c->solution->case_count && done; k++) {

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/friction.h"
+
+#include "number/ball.h"
+
+#include <math.h>
+
+bool tp_friction_is_load_dependent(const tp_evaluation *e) {
+  return e->problem->scene->friction.load_dependent;
+}
+
+/* log10(JCS / sigma), sigma in Pa. */
+static void log_strength(arb_t value, const arb_t sigma, const tp_evaluation *e) {
+  const long bits = e->rung.bits;
+  arb_t ten;
+  arb_init(ten);
+  arb_set_fmpq(value, e->problem->scene->friction.jcs_mpa.value, bits);
+  arb_mul_ui(value, value, 1000000, bits);
+  arb_div(value, value, sigma, bits);
+  arb_log(value, value, bits);
+  arb_const_log10(ten, bits);
+  arb_div(value, value, ten, bits);
+  arb_clear(ten);
+}
+
+/* On level ground, under the weight alone. */
+static void level_stress(arb_t sigma, const tp_evaluation *e) {
+  tp_ball_set_bounded(sigma, e->weight_per_area_pa.value, e->weight_per_area_pa.error);
+}
+
+/* Given, by Eq. (9), or by Eq. (10) at the stress on level ground. */
+static void set_jrc(arb_t jrc, const tp_evaluation *e) {
+  const tp_scene *scene = e->problem->scene;
+  const tp_friction_description *f = &scene->friction;
+  const long bits = e->rung.bits;
+  if (f->jrc.given) {
+    arb_set_fmpq(jrc, f->jrc.value, bits);
+    return;
+  }
+  arb_t sigma, divisor;
+  arb_init(sigma);
+  arb_init(divisor);
+  if (f->roughness_angle_deg.given) {
+    level_stress(sigma, e);
+    arb_set_fmpq(jrc, f->roughness_angle_deg.value, bits);
+  } else {
+    fmpq_t angle;
+    fmpq_init(angle);
+    fmpq_sub(angle, f->test_angle_deg.value, scene->friction_angle_deg.value);
+    arb_set_fmpq(jrc, angle, bits);
+    fmpq_clear(angle);
+    arb_set_fmpq(sigma, f->test_stress_kpa.value, bits);
+    arb_mul_ui(sigma, sigma, 1000, bits);
+  }
+  log_strength(divisor, sigma, e);
+  arb_div(jrc, jrc, divisor, bits);
+  arb_clear(sigma);
+  arb_clear(divisor);
+}
+
+/* The mean normal stress over that of the weight on level ground: cos(alpha), or what the loads
+ * make of it. */
+static void stress_ratio(arb_t ratio, const tp_evaluation *e, const arb_t tilt) {
+  const long bits = e->rung.bits;
+  arb_t turn, sine, cosine;
+  arb_init(turn);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_div_ui(turn, tilt, 180, bits);
+  arb_sin_cos_pi(sine, cosine, turn, bits);
+  if (e->loaded == NULL) {
+    arb_set(ratio, cosine);
+  } else {
+    tp_trig_evaluate(ratio, &e->loaded->sum.y, sine, cosine, bits);
+    arb_div(ratio, ratio, e->loaded->items[0].wrench.y.of + TP_COS, bits); /* both downwards */
+  }
+  arb_clear(turn);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+/* phi_r + JRC log10(JCS / sigma), within [0, 70]: stresses above JCS would take friction away. */
+static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
+  enum { MOST_DEGREES = 70 };
+  const long bits = e->rung.bits;
+  arb_t roughness, log, end;
+  arb_init(roughness);
+  arb_init(log);
+  arb_init(end);
+  log_strength(log, sigma, e);
+  set_jrc(roughness, e);
+  arb_set_fmpq(degrees, e->problem->scene->friction_angle_deg.value, bits);
+  arb_addmul(degrees, roughness, log, bits);
+  arb_max(degrees, degrees, end, bits);
+  arb_set_ui(end, MOST_DEGREES);
+  if (arb_is_positive(sigma)) {
+    arb_min(degrees, degrees, end, bits);
+  } else {
+    arb_set(degrees, end);
+  }
+  arb_clear(roughness);
+  arb_clear(log);
+  arb_clear(end);
+}
+
+void tp_friction_at(arb_t degrees, const tp_evaluation *e, const arb_t tilt) {
+  const long bits = e->rung.bits;
+  if (!tp_friction_is_load_dependent(e)) {
+    arb_set_fmpq(degrees, e->problem->scene->friction_angle_deg.value, bits);
+    return;
+  }
+  arb_t sigma, ratio;
+  arb_init(sigma);
+  arb_init(ratio);
+  level_stress(sigma, e);
+  stress_ratio(ratio, e, tilt);
+  arb_mul(sigma, sigma, ratio, bits);
+  barton(degrees, sigma, e);
+  arb_clear(sigma);
+  arb_clear(ratio);
+}
+
+void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits) {
+  if (arb_is_zero(degrees) || arb_equal_si(degrees, 45)) {
+    arb_set_si(tangent, arb_is_zero(degrees) ? 0 : 1);
+    return;
+  }
+  arb_div_ui(tangent, degrees, 180, bits);
+  arb_tan_pi(tangent, tangent, bits);
+}
+
+/* By turns friction from tilt and tilt from friction: the tilt depends on friction less than
+ * friction does on stress, so the steps shrink. */
+static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limit, void *context) {
+  enum { MOST_STEPS = 200 };
+  static const double near_enough = 1e-14;
+  arb_t angle, next;
+  arb_init(angle);
+  arb_init(next);
+  *tilt = 0;
+  bool found = false, failed = false;
+  for (int step = 0; step < MOST_STEPS && !found && !failed; step++) {
+    arb_set_d(next, *tilt);
+    tp_friction_at(angle, e, next);
+    failed = !limit(next, context, angle, true);
+    if (failed) break;
+    const double own = arf_get_d(arb_midref(next), ARF_RND_NEAR);
+    found = fabs(own - *tilt) <= near_enough * fabs(own);
+    *tilt = own;
+  }
+  arb_clear(angle);
+  arb_clear(next);
+  return found;
+}
+
+bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit limit,
+                      void *context) {
+  static const double narrowest = 1e-14, widest = 1e-9; /* degrees to either side */
+  double estimate = 0;
+  if (!iterate(&estimate, e, limit, context)) return false;
+  arb_t interval, image;
+  arb_init(interval);
+  arb_init(image);
+  bool found = false;
+  for (double width = narrowest; width <= widest && !found; width *= 10) {
+    arb_set_d(interval, estimate);
+    mag_set_d(arb_radref(interval), width);
+    tp_friction_at(degrees, e, interval);
+    found = limit(image, context, degrees, false) && arb_contains(interval, image);
+  }
+  arb_clear(interval);
+  arb_clear(image);
+  return found;
+}

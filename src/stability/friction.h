@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The friction angle of the contact, which by Barton's law depends on the normal stress (Eq. 8),
+ *
+ *     phi = phi_r + JRC log10(JCS / sigma_n), at most 70 degrees (Barton and Choubey's range),
+ *
+ * sigma_n being the mean over the contact's area on the mean plane, as in the paper's Table 2: at a
+ * tilt alpha W cos(alpha) / S, under loads with what they add. */
+
+#ifndef TP_FRICTION_H
+#define TP_FRICTION_H
+
+#include "stability/loaded.h"
+
+bool tp_friction_is_load_dependent(const tp_evaluation *evaluation);
+
+/* In degrees, at a tilt in degrees. */
+void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t tilt);
+
+/* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
+void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);
+
+/* The tilt at which the block lets go where the friction angle is `degrees`: in doubles where
+ * `tilt` is asked of as an estimate, else enclosed. False where there is none. */
+typedef bool (*tp_friction_limit)(arb_t tilt, void *context, const arb_t degrees, bool estimate);
+
+/* The friction angle at the tilt at which the block lets go with it. By Brouwer's theorem there is
+ * one in an interval of tilts that the limit maps into itself; false where none was found. */
+bool tp_friction_meet(arb_t degrees, const tp_evaluation *evaluation, tp_friction_limit limit,
+                      void *context);
+
+#endif

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The facet that governs sliding (stability/sliding.c says which). */
+
+#ifndef TP_SLIDING_FACET_H
+#define TP_SLIDING_FACET_H
+
+#include "stability/evaluation.h"
+
+/* i = atan2(rise, run), positive where the motion down-dip climbs. */
+typedef struct tp_sliding_facet {
+  long facet;   /* -1: none */
+  bool blocked; /* a facet stands upright in the way */
+  fmpz_t run, rise;
+} tp_sliding_facet;
+
+void tp_sliding_facet_init(tp_sliding_facet *best);
+void tp_sliding_facet_clear(tp_sliding_facet *best);
+
+/* Take the facet if its i is the largest so far; of two with the same i, one that has a length. */
+void tp_sliding_facet_consider(const tp_evaluation *evaluation, long facet, tp_direction towards,
+                               tp_sliding_facet *best);
+
+/* The largest i among the facets that reach down-dip of the centroid, or among all. */
+void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *evaluation, tp_direction towards,
+                           bool all);
+
+#endif
