@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Friction by a law: Patton's (Eq. 6) and Barton's (Eq. 8, JRC by Eqs. 9 and 10), against fixed points
+found here in floats, whose rounding stays below 1e-12 degrees."""
+
+import math
+import pathlib
+import tempfile
+import unittest
+
+from harness import main, solve
+
+SLAB = ("topple: 1\nlength_unit: m\nblock: {slab: {width: 4, height: 1}, unit_weight_kn_m3: 26}\n"
+        "base: {beyond: {left: 1, right: 1}}\n%s\ntilt: {towards: left, angle_deg: 20}\n")
+
+
+def barton(residual, jrc, jcs_kpa, stress_kpa):
+    return min(70.0, max(0.0, residual + jrc * math.log10(jcs_kpa / stress_kpa)))
+
+
+def fixed_point(function):
+    x = 0.0
+    for _ in range(200):
+        x = function(x)
+    return x
+
+
+class Friction(unittest.TestCase):
+    def slab(self, friction, more=""):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "scene.yaml"
+            scene.write_text(SLAB % friction + more)
+            return solve(scene)["cases"][0]
+
+    def slides_at(self, case, angle):
+        for part in ("limit", "sliding"):
+            found = case[part]["critical_angle_deg"]
+            self.assertAlmostEqual(found["value"], angle, delta=found["error"] + 1e-12)
+            self.assertLess(found["error"], 1e-8)
+        self.assertEqual(case["limit"]["mechanism"], "slides")
+
+    def test_barton(self):
+        """A slab of 26 kPa slides where the tilt is the friction angle at 26 cos(tilt) kPa."""
+        for residual, jrc, jcs in ((28, 8, 120), (20, 2.5, 50), (30, 0, 100), (5, 15, 30)):
+            case = self.slab(f"friction: {{law: barton, residual_angle_deg: {residual}, jrc: {jrc}, "
+                             f"jcs_mpa: {jcs}}}")
+            angle = fixed_point(lambda x: barton(residual, jrc, 1000 * jcs,
+                                                 26 * math.cos(math.radians(x))))
+            self.slides_at(case, angle)
+
+    def test_cap(self):
+        """At low stresses the law is cut off at 70 degrees: the slab, 4 by 1, slides there, below the
+        76 degrees at which it would topple."""
+        self.slides_at(self.slab("friction: {law: barton, residual_angle_deg: 40, jrc: 20, "
+                                 "jcs_mpa: 200}"), 70.0)
+
+    def test_jrc_from_a_tilt_test(self):
+        """Eq. (9): a test at 2.3 kPa that slid at 47 degrees."""
+        case = self.slab("friction: {law: barton, residual_angle_deg: 28, jcs_mpa: 120, "
+                         "tilt_test: {angle_deg: 47, normal_stress_kpa: 2.3}}")
+        jrc = (47 - 28) / math.log10(120000 / 2.3)
+        self.slides_at(case, fixed_point(lambda x: barton(28, jrc, 120000,
+                                                          26 * math.cos(math.radians(x)))))
+
+    def test_jrc_from_a_roughness_angle(self):
+        """Eq. (10): JRC such that i = 9 degrees at the stress on level ground; tilted, the stress is
+        less and the friction a little more."""
+        case = self.slab("friction: {law: barton, residual_angle_deg: 28, jcs_mpa: 120, "
+                         "roughness_angle_deg: 9}")
+        jrc = 9 / math.log10(120000 / 26)
+        angle = fixed_point(lambda x: barton(28, jrc, 120000, 26 * math.cos(math.radians(x))))
+        self.assertGreater(angle, 37)
+        self.slides_at(case, angle)
+
+    def test_loads_change_the_stress(self):
+        """A surcharge of 10 kPa over the top adds 10 kPa cos(tilt) to the stress, and to the weight:
+        it slides where the tilt is the friction at 36 cos(tilt)."""
+        case = self.slab("friction: {law: barton, residual_angle_deg: 28, jrc: 8, jcs_mpa: 120}",
+                         "loads: {surcharges: [{from: [0, 1], to: [4, 1], kpa: 10}]}\n")
+        angle = fixed_point(lambda x: barton(28, 8, 120000, 36 * math.cos(math.radians(x))))
+        self.slides_at(case, angle)
+
+    def test_patton(self):
+        """phi_b + i is one angle: the same report as with the sum."""
+        law = self.slab("friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 7.5}")
+        sum_of = self.slab("friction_angle_deg: 37.5")
+        for case in (law, sum_of):
+            case.pop("effects")
+        self.assertEqual(law, sum_of)
+
+    def test_factor_of_safety(self):
+        """At 20 degrees with the friction at the stress there: tan(phi)/tan(20), by strength
+        reduction and by Patton alike on a plane."""
+        case = self.slab("friction: {law: barton, residual_angle_deg: 28, jrc: 8, jcs_mpa: 120}")
+        phi = barton(28, 8, 120000, 26 * math.cos(math.radians(20)))
+        factor = math.tan(math.radians(phi)) / math.tan(math.radians(20))
+        for found in (case["limit"]["fos"], case["sliding"]["fos"], case["sliding"]["fos_strength"]):
+            self.assertAlmostEqual(found["value"], factor, delta=found["error"] + 1e-13)
+
+
+if __name__ == "__main__":
+    main()
