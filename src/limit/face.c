@@ -3,6 +3,7 @@
 
 #include "limit/face.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,6 +42,18 @@ static void both_columns(tp_vector columns[2], const tp_face *face, const tp_con
     tp_vector_init(columns + k);
     tp_cones_column(columns[k].of, cones, face->columns[k], judge->precision);
   }
+}
+
+/* The same twist from the place alone, without the roundings of the friction: (y, -x, 1) omega. */
+static void turn_about_site(tp_face *face, const tp_cones *cones) {
+  arb_struct *v = face->twist.of;
+  long point = 0;
+  while (cones->points[point].site != face->site) point++;
+  const bool back = arf_sgn(arb_midref(v + 2)) < 0;
+  arb_set(v, cones->y + point);
+  arb_neg(v + 1, cones->x + point);
+  arb_one(v + 2);
+  if (back) tp_vector_neg(&face->twist);
 }
 
 tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long second,
@@ -94,10 +107,11 @@ static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, 
 
 /* Does the column do no work by its place alone? */
 static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
-  if (face->motion == TP_MOTION_TURN_AT_SITE) {
-    return cones->points[column / 2].site == face->site;
+  if (face->motion == TP_MOTION_TURN_AT_SITE && cones->points[column / 2].site == face->site) {
+    return true;
   }
   for (int k = 0; k < 2; k++) {
+    if (face->columns[k] < 0) continue;
     const bool parallel = tp_cones_are_parallel(cones, face->columns[k], column);
     if (face->motion == TP_MOTION_SLIDE && parallel) return true;
     if (parallel && tp_cones_share_site(cones, face->columns[k], column)) return true;
@@ -120,6 +134,23 @@ static double log2_of_terms(const powers *p, const tp_cones *cones, long point) 
   return speed + (double)(along > up ? along : up);
 }
 
+/* Is the point at rest, where neither edge of its cone does work? Where there is friction the two
+ * edges span the plane; otherwise the point may still slip along its facet. */
+static tp_answer is_at_rest(const tp_face *face, const tp_cones *cones, long point, const powers *p,
+                            const tp_judge *judge) {
+  if (!arb_is_zero(cones->friction)) return TP_YES;
+  mag_t arm;
+  mag_init(arm);
+  arb_get_mag(arm, cones->x + point);
+  double scale = mag_get_d_log2_approx(arm);
+  arb_get_mag(arm, cones->y + point);
+  scale = fmax(fmax(scale, mag_get_d_log2_approx(arm)), 0) + tp_vector_log2_size(&face->twist);
+  mag_clear(arm);
+  const int along = tp_judge_sign(judge, p->vx, scale), up = tp_judge_sign(judge, p->vy, scale);
+  if (along == OPEN_SIGN || up == OPEN_SIGN) return TP_OPEN;
+  return along == 0 && up == 0 ? TP_YES : TP_NO;
+}
+
 /* The signs of both edges' powers at a point: idle ones count as zero without arithmetic. */
 static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, powers *p,
                              const tp_judge *judge, long *violated) {
@@ -133,19 +164,22 @@ static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, p
       arb_sub(p->edge, p->normal, p->along, judge->precision);
     }
     if (arb_is_positive(p->edge)) continue;
-    if (is_idle(face, cones, column)) continue;
-    const int sign = tp_judge_sign(judge, p->edge, log2_of_terms(p, cones, point));
+    const int sign = is_idle(face, cones, column)
+                         ? 0
+                         : tp_judge_sign(judge, p->edge, log2_of_terms(p, cones, point));
     if (sign == 0) zeros++;
     if (sign == -1 || sign == OPEN_SIGN) {
       *violated = column;
       return sign == -1 ? TP_NO : TP_OPEN;
     }
   }
-  if (zeros == 2 && face->motion == TP_MOTION_TURN) { /* the centre lies in this point as well */
+  if (zeros < 2 || face->motion != TP_MOTION_TURN) return TP_YES;
+  const tp_answer rests = is_at_rest(face, cones, point, p, judge);
+  if (rests == TP_YES) { /* the centre lies in this point */
     face->motion = TP_MOTION_TURN_AT_SITE;
     face->site = cones->points[point].site;
   }
-  return TP_YES;
+  return rests == TP_OPEN ? TP_OPEN : TP_YES;
 }
 
 /* K: what cohesion and bonds hold against the twist, each at its bound where the motion works
@@ -192,6 +226,7 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *ju
   arb_clear(p.normal);
   arb_clear(p.along);
   arb_clear(p.edge);
+  if (answer == TP_YES && face->motion == TP_MOTION_TURN_AT_SITE) turn_about_site(face, cones);
   if (answer == TP_YES) find_held(face, cones, judge);
   return answer;
 }

@@ -20,7 +20,7 @@ typedef enum tp_answer { TP_NO, TP_YES, TP_OPEN } tp_answer;
 typedef enum tp_motion { TP_MOTION_SLIDE, TP_MOTION_TURN_AT_SITE, TP_MOTION_TURN } tp_motion;
 
 typedef struct tp_face {
-  long columns[2];
+  long columns[2]; /* -1: none, a twist inside the admissible ones */
   tp_vector twist;
   tp_motion motion;
   long site;  /* of TP_MOTION_TURN_AT_SITE */
