@@ -17,12 +17,17 @@ static double scaled(const arb_t ball, long exponent) {
   return value;
 }
 
+/* log2, -infinity for 0 */
+static double log2_of(const mag_t size) {
+  return mag_is_zero(size) ? -INFINITY : mag_get_d_log2_approx(size);
+}
+
 static long exponent_of(double log2_size) {
   return isfinite(log2_size) ? (long)ceil(log2_size) : 0;
 }
 
-/* Largest coordinate of a contact point. */
-static long length_exponent(const tp_cones *cones) {
+/* Largest coordinate of a contact point, or arm of the loads about the origin. */
+static long length_exponent(const tp_cones *cones, double arm) {
   mag_t most, own;
   mag_init(most);
   mag_init(own);
@@ -32,7 +37,7 @@ static long length_exponent(const tp_cones *cones) {
     arb_get_mag(own, cones->y + k);
     mag_max(most, most, own);
   }
-  const long exponent = exponent_of(mag_get_d_log2_approx(most));
+  const long exponent = exponent_of(fmax(log2_of(most), arm));
   mag_clear(most);
   mag_clear(own);
   return exponent;
@@ -44,9 +49,9 @@ static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *e
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
-  const double along = mag_get_d_log2_approx(size);
+  const double along = log2_of(size);
   arb_get_mag(size, entries->of + 1);
-  const long exponent = exponent_of(fmax(along, mag_get_d_log2_approx(size)));
+  const long exponent = exponent_of(fmax(along, log2_of(size)));
   mag_clear(size);
   own[0] = scaled(entries->of, exponent);
   own[1] = scaled(entries->of + 1, exponent);
@@ -74,10 +79,15 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   }
   tp_vector entries;
   tp_vector_init(&entries);
-  sketch->length_exponent = length_exponent(cones);
   arb_set(entries.of, size->of);
   arb_set(entries.of + 1, size->of + 1);
-  sketch->force_exponent = exponent_of(tp_vector_log2_size(&entries));
+  const double force = tp_vector_log2_size(&entries);
+  mag_t moment;
+  mag_init(moment);
+  arb_get_mag(moment, size->of + 2);
+  sketch->force_exponent = exponent_of(force);
+  sketch->length_exponent = length_exponent(cones, log2_of(moment) - force);
+  mag_clear(moment);
   for (long k = 0; k < count; k++) set_column(sketch, cones, k, &entries, bits);
   tp_vector_clear(&entries);
   return true;
