@@ -28,6 +28,30 @@ static void set_friction(arb_t friction, const tp_evaluation *e) {
   arb_clear(cosine);
 }
 
+/* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
+ * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
+static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e) {
+  if (e->loaded != NULL || answer->kind != TP_LIMIT_AT_ANGLE || answer->tie ||
+      answer->face.motion != TP_MOTION_SLIDE) {
+    return;
+  }
+  const long column = answer->face.columns[0], point = tp_cones_point_of(cones, column);
+  arb_t x, y, angle;
+  arb_init(x);
+  arb_init(y);
+  arb_init(angle);
+  arb_set_fmpz(x, cones->ty + point);
+  arb_neg(x, x);
+  arb_set_fmpz(y, cones->tx + point);
+  tp_ball_atan2_degrees(answer->degrees, x, y, e->rung.bits);
+  arb_set_fmpq(angle, e->problem->scene->friction_angle_deg.value, e->rung.bits);
+  if (column % 2 != 0) arb_neg(angle, angle);
+  arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(angle);
+}
+
 /* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
  * with (X6, Y6) = 3 A2 times the centroid. */
 static void set_weight(tp_wrench *load, const tp_evaluation *e, bool mirrored) {
@@ -96,6 +120,7 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp
                 .settled = is_settled(e)}};
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
   if (outcome == TP_LIMIT_PROVEN) {
+    sharpen_slide(&answer, cones, e);
     tp_limit_describe(result, e, &question, &answer, towards);
     arb_set(angle->sine, answer.sine);
     arb_set(angle->cosine, answer.cosine);
