@@ -30,7 +30,8 @@ static void set_friction(arb_t friction, const tp_evaluation *e) {
 
 /* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
  * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
-static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e) {
+static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e,
+                          bool back) {
   if (e->loaded != NULL || answer->kind != TP_LIMIT_AT_ANGLE || answer->tie ||
       answer->face.motion != TP_MOTION_SLIDE) {
     return;
@@ -47,6 +48,7 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_set_fmpq(angle, e->problem->scene->friction_angle_deg.value, e->rung.bits);
   if (column % 2 != 0) arb_neg(angle, angle);
   arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
+  if (back) arb_neg(answer->degrees, answer->degrees);
   arb_clear(x);
   arb_clear(y);
   arb_clear(angle);
@@ -97,30 +99,44 @@ static bool reduce_strength(tp_limit *result, tp_evaluation *e, const tp_limit_q
   return outcome != TP_LIMIT_OUT_OF_MEMORY;
 }
 
+/* The loads as functions of the tilt turned back: sines change their sign. */
+static void turn_back(tp_wrench *load) {
+  tp_trig *parts[] = {&load->x, &load->y, &load->moment};
+  for (int k = 0; k < 3; k++) arb_neg(parts[k]->of + TP_SIN, parts[k]->of + TP_SIN);
+}
+
+static void set_load(tp_wrench *load, const tp_evaluation *e, tp_direction towards, bool back) {
+  if (e->loaded == NULL) {
+    set_weight(load, e, towards == TP_TOWARDS_RIGHT);
+  } else {
+    tp_trig_add(&load->x, &e->loaded->sum.x, e->rung.bits);
+    tp_trig_add(&load->y, &e->loaded->sum.y, e->rung.bits);
+    tp_trig_add(&load->moment, &e->loaded->sum.moment, e->rung.bits);
+  }
+  if (back) turn_back(load);
+}
+
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
 static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_cones *cones,
-                tp_direction towards) {
+                tp_direction towards, bool back) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, cones)) return false;
-  tp_wrench weight;
+  tp_wrench load;
   arb_t range;
-  tp_wrench_init(&weight);
+  tp_wrench_init(&load);
   arb_init(range);
-  if (e->loaded == NULL) {
-    set_weight(&weight, e, towards == TP_TOWARDS_RIGHT);
-  } else {
-    arb_set(range, e->loaded->limit);
-  }
+  set_load(&load, e, towards, back);
+  if (e->loaded != NULL) arb_set(range, e->loaded->limit);
   const tp_limit_question question = {
       .cones = cones,
-      .load = e->loaded != NULL ? &e->loaded->sum : &weight,
+      .load = &load,
       .range = range,
       .judge = {.bits = e->rung.bits,
                 .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
                 .settled = is_settled(e)}};
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
   if (outcome == TP_LIMIT_PROVEN) {
-    sharpen_slide(&answer, cones, e);
+    sharpen_slide(&answer, cones, e, back);
     tp_limit_describe(result, e, &question, &answer, towards);
     arb_set(angle->sine, answer.sine);
     arb_set(angle->cosine, answer.cosine);
@@ -132,21 +148,26 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp
     if (e->rung.bits < LAST_BITS) e->certain = false;
   }
   const bool done =
-      outcome != TP_LIMIT_OUT_OF_MEMORY && reduce_strength(result, e, &question, cones);
-  tp_wrench_clear(&weight);
+      outcome != TP_LIMIT_OUT_OF_MEMORY && (back || reduce_strength(result, e, &question, cones));
+  tp_wrench_clear(&load);
   arb_clear(range);
   tp_limit_answer_clear(&answer);
   return done;
 }
 
+/* With the base of the scene or otherwise; as the table is tilted on or back. */
+typedef struct variant {
+  bool otherwise, back;
+} variant;
+
 static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,
-                 bool otherwise) {
+                 variant v) {
   tp_cones cones;
   *result = (tp_limit){0};
-  if (!tp_limit_cones_init(&cones, e, towards, otherwise)) return false;
+  if (!tp_limit_cones_init(&cones, e, towards, v.otherwise)) return false;
   set_friction(cones.friction, e);
-  result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != otherwise;
-  const bool done = ask(result, angle, e, &cones, towards);
+  result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != v.otherwise;
+  const bool done = ask(result, angle, e, &cones, towards, v.back);
   tp_cones_clear(&cones);
   return done;
 }
@@ -158,14 +179,16 @@ static bool differ(const tp_limit *a, const tp_limit *b) {
          fabs(a->critical_angle_deg.value - b->critical_angle_deg.value) > error;
 }
 
-bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit) {
+bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
+                       tp_direction_ball *back) {
   tp_direction_ball other;
   tp_direction_ball_init(&other);
-  bool done = find(&result->limit, limit, e, result->towards, false);
+  bool done = find(&result->limit, limit, e, result->towards, (variant){0}) &&
+              find(&result->limit_back, back, e, result->towards, (variant){.back = true});
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
   if (done && tp_limit_base_matters(e->problem, result->towards)) {
-    done = find(&result->limit_otherwise, &other, e, result->towards, true);
+    done = find(&result->limit_otherwise, &other, e, result->towards, (variant){.otherwise = true});
   }
   result->base_matters = differ(&result->limit, &result->limit_otherwise);
   tp_direction_ball_clear(&other);
