@@ -48,6 +48,10 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_set_fmpq(angle, e->problem->scene->friction_angle_deg.value, e->rung.bits);
   if (column % 2 != 0) arb_neg(angle, angle);
   arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
+  if (arf_cmpabs_ui(arb_midref(answer->degrees), 90) > 0) { /* forces against that edge: the other */
+    const int side = arf_sgn(arb_midref(answer->degrees));
+    arb_sub_si(answer->degrees, answer->degrees, 180 * side, e->rung.bits);
+  }
   if (back) arb_neg(answer->degrees, answer->degrees);
   arb_clear(x);
   arb_clear(y);
