@@ -106,9 +106,12 @@ static void set_twist(tp_vector *twist, const plane *p, const double turn[2],
   tp_vector_init(&own);
   arb_init(factor);
   for (int row = 0; row < 3; row++) {
-    arb_mul_2exp_si(scaled.of + row, across->of + row, row == 2 ? -sketch->length_exponent : 0);
+    arb_set(scaled.of + row, across->of + row);
     arb_zero(twist->of + row);
   }
+  arb_submul(scaled.of + 2, sketch->x, across->of + 1, bits); /* about the sketch's point */
+  arb_addmul(scaled.of + 2, sketch->y, across->of, bits);
+  arb_mul_2exp_si(scaled.of + 2, scaled.of + 2, -sketch->length_exponent);
   for (int k = 0; k < 2; k++) {
     for (int row = 0; row < 3; row++) arb_set_si(unit.of + row, row == p->rows[k]);
     tp_vector_cross(&own, &scaled, &unit, bits);
@@ -116,6 +119,8 @@ static void set_twist(tp_vector *twist, const plane *p, const double turn[2],
     for (int row = 0; row < 3; row++) arb_addmul(twist->of + row, own.of + row, factor, bits);
   }
   arb_mul_2exp_si(twist->of + 2, twist->of + 2, -sketch->length_exponent);
+  arb_addmul(twist->of, twist->of + 2, sketch->y, bits); /* the velocity at the origin */
+  arb_submul(twist->of + 1, twist->of + 2, sketch->x, bits);
   tp_vector_clear(&scaled);
   tp_vector_clear(&unit);
   tp_vector_clear(&own);
