@@ -48,6 +48,10 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
 tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *judge,
                         long *violated);
 
+/* Allowances that do no work may count or not: those that the sketch has at their bound do. */
+void tp_face_take_idle(tp_face *face, const tp_cones *cones, const bool *at_most,
+                       const tp_judge *judge);
+
 /* The factors on both columns with which they balance the wrench together with the allowances at
  * their bounds. The wrench lies in the face. */
 void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,
