@@ -243,12 +243,15 @@ typedef struct tp_case {
   tp_limit
       limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
   bool base_matters;   /* the two differ */
+  tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
+                          loads: at tilts below minus its angle the block lets go up-dip */
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */
   tp_mechanism first;     /* what happens first as the table is tilted from level */
-  tp_bounded first_angle_deg; /* where `first` happens; unset for TP_INTERLOCKED */
+  tp_bounded first_angle_deg; /* where `first` happens; unset for TP_INTERLOCKED and
+                                 where no forces hold at any tilt */
   bool has_margin;
   tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
-  bool falls_backwards;  /* at this tilt it topples the other way, up-dip */
+  bool falls_backwards;  /* at this tilt it topples or slides the other way, up-dip */
   tp_account account;
   tp_bounded *limits; /* of all pivots, with loads */
   size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */

@@ -135,19 +135,24 @@ static bool add_point(search *s, long q, long t0, long t1, long base_edge) {
 }
 
 /* A vertex of the outline in a vertex of the profile: a notch of either restrains by both its
- * edges; a corner on a corner restrains nothing, but may be pivoted about. */
+ * edges, a straight one as the edge that it lies on; a corner on a corner restrains nothing, but
+ * may be pivoted about. */
 static bool add_corner(search *s, long vertex, long corner, long base_edge) {
   const tp_lattice *l = s->lattice;
   const long before = before_in_outline(s, vertex), after = next_of_outline(s, vertex);
   const bool inner = corner > s->ring && corner < s->ring + s->base->edge_count;
-  if (inner && tp_facet_cross(l, corner - 1, corner, corner, corner + 1) > 0) {
+  const int up = inner ? tp_facet_cross(l, corner - 1, corner, corner, corner + 1) : -1;
+  const int down = tp_facet_cross(l, before, vertex, vertex, after);
+  if (up > 0) {
     return add_point(s, vertex, corner - 1, corner, corner - 1 - s->ring) &&
            add_point(s, vertex, corner, corner + 1, corner - s->ring);
   }
-  if (tp_facet_cross(l, before, vertex, vertex, after) < 0) {
+  if (down < 0) {
     return add_point(s, vertex, before, vertex, base_edge) &&
            add_point(s, vertex, vertex, after, base_edge);
   }
+  if (up == 0) return add_point(s, vertex, corner, corner + 1, corner - s->ring);
+  if (down == 0) return add_point(s, vertex, vertex, after, base_edge);
   return add_point(s, vertex, vertex, vertex, base_edge);
 }
 

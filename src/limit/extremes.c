@@ -53,49 +53,78 @@ tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch)
   return answer;
 }
 
-/* With v_x fixed by omega so that F_s does no work, the power of a column is
- * v_y c_y + omega (c_m + h c_x), h = -F_s,m / F_s,x. The twist (., -1, omega) is admissible for
- * omega within an interval; an inner point of it is taken. */
-static bool find_turn(double *omega, const tp_sketch *sketch, const double down[3],
-                      const double across[3]) {
-  if (across[0] == 0) return false;
-  const double height = -across[2] / across[0];
-  double least = -INFINITY, most = INFINITY;
-  for (long k = 0; k < sketch->count; k++) {
-    const double *c = sketch->columns[k];
-    const double moment = c[2] + height * c[0];
-    if (moment > 0) {
-      least = fmax(least, c[1] / moment);
-    } else if (moment < 0) {
-      most = fmin(most, c[1] / moment);
-    } else if (c[1] > 0) {
-      return false;
-    }
-  }
-  const double moment = down[2] + height * down[0]; /* the loads: -down_y + omega moment > 0 */
-  if (moment > 0) least = fmax(least, down[1] / moment);
-  if (moment < 0) most = fmin(most, down[1] / moment);
-  if (!(least < most)) return false;
-  if (isfinite(least) && isfinite(most)) {
-    *omega = least + (most - least) / 2;
-  } else if (isfinite(least)) {
-    *omega = least + fabs(least) + 1;
-  } else {
-    *omega = isfinite(most) ? most - fabs(most) - 1 : 0;
-  }
-  return true;
+/* The twists on which F_s does no work, v . F_s = 0, are v = a u_0 + b u_1 with u_k = F_s x e, e
+ * the unit vectors of the two rows other than that of the largest entry of F_s. */
+typedef struct plane {
+  int rows[2];
+} plane;
+
+static plane plane_across(const double across[3]) {
+  int most = 0;
+  for (int row = 1; row < 3; row++) most = fabs(across[row]) > fabs(across[most]) ? row : most;
+  return (plane){{(most + 1) % 3, (most + 2) % 3}};
 }
 
-/* (v_x, -1, omega), v_x such that F_s does no work. */
-static void set_twist(tp_vector *twist, const tp_sketch *sketch, double omega,
-                      const tp_vector *across, long bits) {
-  arb_struct *v = twist->of;
-  arb_set_si(v + 1, -1);
-  arb_set_d(v + 2, omega);
-  arb_mul_2exp_si(v + 2, v + 2, -sketch->length_exponent);
-  arb_mul(v, v + 2, across->of + 2, bits);
-  arb_div(v, v, across->of, bits);
-  arb_neg(v, v);
+/* F_s x e = (F_s,y e_m - F_s,m e_y, ...): against a wrench c that is c . (F_s x e) = (c x F_s) . e
+ */
+static void powers_of(double own[2], const plane *p, const double c[3], const double across[3]) {
+  for (int k = 0; k < 2; k++) {
+    const int next = (p->rows[k] + 1) % 3, last = (p->rows[k] + 2) % 3;
+    own[k] = c[next] * across[last] - c[last] * across[next];
+  }
+}
+
+/* Every wrench, the loads at F_c and each column, allows the half of the plane on which its power
+ * is above zero. Seen from the direction of the loads', the column's directions must span less than
+ * a half turn: the middle of their span is inside all halves. */
+static bool find_turn(double turn[2], const plane *p, const tp_sketch *sketch, const double down[3],
+                      const double across[3]) {
+  static const double rounding = 1e-13;
+  double loads[2], own[2], least = 0, most = 0;
+  powers_of(loads, p, down, across);
+  for (long k = 0; k < sketch->count; k++) {
+    powers_of(own, p, sketch->columns[k], across);
+    if (hypot(own[0], own[1]) < rounding) continue; /* along F_s: does no work either */
+    const double angle =
+        atan2(loads[0] * own[1] - loads[1] * own[0], loads[0] * own[0] + loads[1] * own[1]);
+    least = fmin(least, angle);
+    most = fmax(most, angle);
+  }
+  const double middle = (least + most) / 2;
+  turn[0] = loads[0] * cos(middle) - loads[1] * sin(middle);
+  turn[1] = loads[0] * sin(middle) + loads[1] * cos(middle);
+  return most - least < M_PI && hypot(turn[0], turn[1]) > 0;
+}
+
+/* a u_0 + b u_1, in the units of the cones. */
+static void set_twist(tp_vector *twist, const plane *p, const double turn[2],
+                      const tp_sketch *sketch, const tp_vector *across, long bits) {
+  tp_vector scaled, unit, own;
+  arb_t factor;
+  tp_vector_init(&scaled);
+  tp_vector_init(&unit);
+  tp_vector_init(&own);
+  arb_init(factor);
+  for (int row = 0; row < 3; row++) {
+    arb_set(scaled.of + row, across->of + row);
+    arb_zero(twist->of + row);
+  }
+  arb_submul(scaled.of + 2, sketch->x, across->of + 1, bits); /* about the sketch's point */
+  arb_addmul(scaled.of + 2, sketch->y, across->of, bits);
+  arb_mul_2exp_si(scaled.of + 2, scaled.of + 2, -sketch->length_exponent);
+  for (int k = 0; k < 2; k++) {
+    for (int row = 0; row < 3; row++) arb_set_si(unit.of + row, row == p->rows[k]);
+    tp_vector_cross(&own, &scaled, &unit, bits);
+    arb_set_d(factor, turn[k]);
+    for (int row = 0; row < 3; row++) arb_addmul(twist->of + row, own.of + row, factor, bits);
+  }
+  arb_mul_2exp_si(twist->of + 2, twist->of + 2, -sketch->length_exponent);
+  arb_addmul(twist->of, twist->of + 2, sketch->y, bits); /* the velocity at the origin */
+  arb_submul(twist->of + 1, twist->of + 2, sketch->x, bits);
+  tp_vector_clear(&scaled);
+  tp_vector_clear(&unit);
+  tp_vector_clear(&own);
+  arb_clear(factor);
 }
 
 static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_limit_question *q) {
@@ -103,7 +132,8 @@ static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_limit
   arb_t power;
   arb_init(power);
   face->motion = TP_MOTION_TURN;
-  tp_vector_dot(power, &face->twist, down, q->judge.bits);
+  face->columns[0] = face->columns[1] = -1;
+  tp_vector_dot(power, &face->twist, down, q->judge.precision);
   const bool sinks = arb_is_positive(power) != 0;
   arb_clear(power);
   return sinks && tp_face_admit(face, q->cones, &q->judge, &violated) == TP_YES ? TP_YES : TP_OPEN;
@@ -114,7 +144,7 @@ tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_sketch *sketch) {
   tp_face face;
   if (!tp_face_init(&face, q->cones)) return TP_OPEN;
   tp_vector down, across;
-  double sketched_down[3], sketched_across[3], omega = 0;
+  double sketched_down[3], sketched_across[3], turn[2];
   tp_vector_init(&down);
   tp_vector_init(&across);
   tp_search_load_term(&down, q->load, TP_COS);
@@ -122,8 +152,9 @@ tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_sketch *sketch) {
   tp_sketch_wrench(sketched_down, sketch, &down);
   tp_sketch_wrench(sketched_across, sketch, &across);
   tp_answer answer = TP_OPEN;
-  if (find_turn(&omega, sketch, sketched_down, sketched_across)) {
-    set_twist(&face.twist, sketch, omega, &across, q->judge.bits);
+  const plane p = plane_across(sketched_across);
+  if (find_turn(turn, &p, sketch, sketched_down, sketched_across)) {
+    set_twist(&face.twist, &p, turn, sketch, &across, q->judge.precision);
     answer = prove_turn(&face, &down, q);
   }
   tp_vector_clear(&down);

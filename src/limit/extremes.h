@@ -12,8 +12,9 @@
  * balances is convex, so one that holds level and upright holds between. */
 tp_answer tp_extremes_interlocked(const tp_limit_question *question, tp_sketch *sketch);
 
-/* Is there a twist, sinking straight down or turning about a centre level with the weight's, that
- * no contact resists and on which the loads do work at every tilt? */
+/* Is there a twist that no contact resists and on which the loads do the same work, above zero, at
+ * every tilt (but for the factor cos)? Under the weight alone one that sinks straight down, or
+ * turns about a centre level with the centroid. */
 tp_answer tp_extremes_nowhere(const tp_limit_question *question, tp_sketch *sketch);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "limit/face.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,6 +42,18 @@ static void both_columns(tp_vector columns[2], const tp_face *face, const tp_con
     tp_vector_init(columns + k);
     tp_cones_column(columns[k].of, cones, face->columns[k], judge->precision);
   }
+}
+
+/* The same twist from the place alone, without the roundings of the friction: (y, -x, 1) omega. */
+static void turn_about_site(tp_face *face, const tp_cones *cones) {
+  arb_struct *v = face->twist.of;
+  long point = 0;
+  while (cones->points[point].site != face->site) point++;
+  const bool back = arf_sgn(arb_midref(v + 2)) < 0;
+  arb_set(v, cones->y + point);
+  arb_neg(v + 1, cones->x + point);
+  arb_one(v + 2);
+  if (back) tp_vector_neg(&face->twist);
 }
 
 tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long second,
@@ -94,10 +107,11 @@ static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, 
 
 /* Does the column do no work by its place alone? */
 static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
-  if (face->motion == TP_MOTION_TURN_AT_SITE) {
-    return cones->points[column / 2].site == face->site;
+  if (face->motion == TP_MOTION_TURN_AT_SITE && cones->points[column / 2].site == face->site) {
+    return true;
   }
   for (int k = 0; k < 2; k++) {
+    if (face->columns[k] < 0) continue;
     const bool parallel = tp_cones_are_parallel(cones, face->columns[k], column);
     if (face->motion == TP_MOTION_SLIDE && parallel) return true;
     if (parallel && tp_cones_share_site(cones, face->columns[k], column)) return true;
@@ -105,19 +119,37 @@ static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
   return false;
 }
 
+static double log2_size(const arb_t ball) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, ball);
+  const double log2_size = mag_get_d_log2_approx(size);
+  mag_clear(size);
+  return log2_size;
+}
+
+/* What the velocity of a point is made of: v and omega (-y, x), which may cancel. */
+static double log2_of_velocity(const tp_face *face, const tp_cones *cones, long point) {
+  const arb_struct *v = face->twist.of;
+  const double arm = fmax(log2_size(cones->x + point), log2_size(cones->y + point));
+  return fmax(fmax(log2_size(v), log2_size(v + 1)), log2_size(v + 2) + arm);
+}
+
 /* What the powers at a point are made of: its velocity times t. */
-static double log2_of_terms(const powers *p, const tp_cones *cones, long point) {
-  mag_t x, y;
-  mag_init(x);
-  mag_init(y);
-  arb_get_mag(x, p->vx);
-  arb_get_mag(y, p->vy);
-  mag_max(x, x, y);
-  const double speed = mag_get_d_log2_approx(x);
-  mag_clear(x);
-  mag_clear(y);
+static double log2_of_terms(const tp_face *face, const tp_cones *cones, long point) {
   const slong along = (slong)fmpz_bits(cones->tx + point), up = (slong)fmpz_bits(cones->ty + point);
-  return speed + (double)(along > up ? along : up);
+  return log2_of_velocity(face, cones, point) + (double)(along > up ? along : up);
+}
+
+/* Is the point at rest, where neither edge of its cone does work? Where there is friction the two
+ * edges span the plane; otherwise the point may still slip along its facet. */
+static tp_answer is_at_rest(const tp_face *face, const tp_cones *cones, long point, const powers *p,
+                            const tp_judge *judge) {
+  if (!arb_is_zero(cones->friction)) return TP_YES;
+  const double scale = log2_of_velocity(face, cones, point);
+  const int along = tp_judge_sign(judge, p->vx, scale), up = tp_judge_sign(judge, p->vy, scale);
+  if (along == OPEN_SIGN || up == OPEN_SIGN) return TP_OPEN;
+  return along == 0 && up == 0 ? TP_YES : TP_NO;
 }
 
 /* The signs of both edges' powers at a point: idle ones count as zero without arithmetic. */
@@ -133,19 +165,26 @@ static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, p
       arb_sub(p->edge, p->normal, p->along, judge->precision);
     }
     if (arb_is_positive(p->edge)) continue;
-    if (is_idle(face, cones, column)) continue;
-    const int sign = tp_judge_sign(judge, p->edge, log2_of_terms(p, cones, point));
+    const int sign = is_idle(face, cones, column)
+                         ? 0
+                         : tp_judge_sign(judge, p->edge, log2_of_terms(face, cones, point));
     if (sign == 0) zeros++;
     if (sign == -1 || sign == OPEN_SIGN) {
       *violated = column;
       return sign == -1 ? TP_NO : TP_OPEN;
     }
   }
-  if (zeros == 2 && face->motion == TP_MOTION_TURN) { /* the centre lies in this point as well */
+  if (zeros < 2 || face->motion != TP_MOTION_TURN) return TP_YES;
+  const tp_answer rests = is_at_rest(face, cones, point, p, judge);
+  if (rests == TP_YES) { /* the centre lies in this point */
     face->motion = TP_MOTION_TURN_AT_SITE;
     face->site = cones->points[point].site;
   }
-  return TP_YES;
+  return rests == TP_OPEN ? TP_OPEN : TP_YES;
+}
+
+static bool in_no_face(const tp_face *face, long column) {
+  return column != face->columns[0] && column != face->columns[1];
 }
 
 /* K: what cohesion and bonds hold against the twist, each at its bound where the motion works
@@ -163,9 +202,8 @@ static void find_held(tp_face *face, const tp_cones *cones, const tp_judge *judg
     tp_cones_column(column.of, cones, k, judge->precision);
     tp_vector_dot(power, &face->twist, &column, judge->precision);
     arb_neg(power, power);
+    face->full[k - first] = in_no_face(face, k) && arb_is_positive(power);
     arb_max(power, power, zero, judge->precision);
-    face->full[k - first] =
-        k != face->columns[0] && k != face->columns[1] && arf_sgn(arb_midref(power)) > 0;
     tp_cones_bound(most, cones, k);
     arb_addmul(face->held, power, most, judge->bits);
   }
@@ -192,8 +230,26 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *ju
   arb_clear(p.normal);
   arb_clear(p.along);
   arb_clear(p.edge);
+  if (answer == TP_YES && face->motion == TP_MOTION_TURN_AT_SITE) turn_about_site(face, cones);
   if (answer == TP_YES) find_held(face, cones, judge);
   return answer;
+}
+
+void tp_face_take_idle(tp_face *face, const tp_cones *cones, const bool *at_most,
+                       const tp_judge *judge) {
+  const long first = 2 * cones->count, count = tp_cones_column_count(cones);
+  tp_vector column;
+  arb_t power;
+  tp_vector_init(&column);
+  arb_init(power);
+  for (long k = first; k < count; k++) {
+    if (!at_most[k] || face->full[k - first] || !in_no_face(face, k)) continue;
+    tp_cones_column(column.of, cones, k, judge->precision);
+    tp_vector_dot(power, &face->twist, &column, judge->precision);
+    face->full[k - first] = arb_contains_zero(power) != 0;
+  }
+  tp_vector_clear(&column);
+  arb_clear(power);
 }
 
 /* wrench + sum of the full allowances */

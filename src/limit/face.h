@@ -20,7 +20,7 @@ typedef enum tp_answer { TP_NO, TP_YES, TP_OPEN } tp_answer;
 typedef enum tp_motion { TP_MOTION_SLIDE, TP_MOTION_TURN_AT_SITE, TP_MOTION_TURN } tp_motion;
 
 typedef struct tp_face {
-  long columns[2];
+  long columns[2]; /* -1: none, a twist inside the admissible ones */
   tp_vector twist;
   tp_motion motion;
   long site;  /* of TP_MOTION_TURN_AT_SITE */
@@ -47,6 +47,10 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
 /* Is the twist admissible? Also settles the motion and K. `*violated` is a column against it. */
 tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *judge,
                         long *violated);
+
+/* Allowances that do no work may count or not: those that the sketch has at their bound do. */
+void tp_face_take_idle(tp_face *face, const tp_cones *cones, const bool *at_most,
+                       const tp_judge *judge);
 
 /* The factors on both columns with which they balance the wrench together with the allowances at
  * their bounds. The wrench lies in the face. */

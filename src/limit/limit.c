@@ -152,6 +152,10 @@ static void program_clear(program *p) {
 }
 
 tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question *q) {
+  if (q->cones->count == 0) { /* a corner on a corner alone presses on nothing */
+    answer->kind = TP_LIMIT_NOWHERE;
+    return TP_LIMIT_PROVEN;
+  }
   program p;
   tp_sketch sketch;
   if (!sketch_init(&sketch, q)) return TP_LIMIT_OUT_OF_MEMORY;

@@ -107,6 +107,9 @@ tp_answer tp_prove_limit(tp_limit_answer *answer, const tp_limit_question *quest
       span_and_admit(&p, &answer->face, basis->columns[0], basis->columns[1], &violated);
   if (done == TP_YES) done = tp_search_tilt(answer, &answer->face, question, near_degrees);
   if (done != TP_YES) return done;
+  if (sketch->at_most != NULL) {
+    tp_face_take_idle(&answer->face, question->cones, sketch->at_most, &question->judge);
+  }
   find_forces(&p);
   return check_forces(&p);
 }

@@ -130,8 +130,10 @@ tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limi
   tp_vector_clear(&term);
   const double range = arf_get_d(arb_midref(q->range), ARF_RND_DOWN) * (180 / M_PI);
   const double step = range / STEPS;
-  if (holds(sketch, &l, 0)) {
-    for (int k = 1; k <= STEPS; k++) {
+  int from = 0;
+  while (from <= STEPS && !holds(sketch, &l, from * step)) from++;
+  if (from <= STEPS) {
+    for (int k = from + 1; k <= STEPS; k++) {
       if (holds(sketch, &l, k * step)) continue;
       *degrees = halve(sketch, &l, (k - 1) * step, k * step);
       return TP_SEARCH_TILT;

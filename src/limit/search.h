@@ -22,8 +22,9 @@ void tp_search_load_at(tp_vector *wrench, const tp_wrench *load, const arb_t sin
 tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face,
                          const tp_limit_question *question, double near_degrees);
 
-/* In doubles: the first tilt from level at which nothing holds the block, looking at every degree
- * and halving between two; from level backwards where level ground does not do. */
+/* In doubles: the first tilt from level at which nothing holds the block any more, looking at every
+ * degree and halving between two; where level ground does not do, after the first tilt that does;
+ * and where none above does, from level backwards. */
 typedef enum tp_search_found {
   TP_SEARCH_TILT,
   TP_SEARCH_HOLDS_ALWAYS,

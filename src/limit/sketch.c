@@ -17,36 +17,57 @@ static double scaled(const arb_t ball, long exponent) {
   return value;
 }
 
+/* log2, -infinity for 0 */
+static double log2_of(const mag_t size) {
+  return mag_is_zero(size) ? -INFINITY : mag_get_d_log2_approx(size);
+}
+
 static long exponent_of(double log2_size) {
   return isfinite(log2_size) ? (long)ceil(log2_size) : 0;
 }
 
-/* Largest coordinate of a contact point. */
-static long length_exponent(const tp_cones *cones) {
+/* moment - (x f_y - y f_x) */
+static void set_moment(arb_t moment, const tp_sketch *s, const tp_vector *of) {
+  arb_t product;
+  arb_init(product);
+  arb_mul(product, s->x, of->of + 1, s->bits);
+  arb_submul(product, s->y, of->of, s->bits);
+  arb_sub(moment, of->of + 2, product, s->bits);
+  arb_clear(product);
+}
+
+/* Largest distance of a contact point, or arm of the loads, from where moments are about. */
+static long length_exponent(const tp_sketch *s, const tp_cones *cones, double arm) {
   mag_t most, own;
+  arb_t away;
+  arb_init(away);
   mag_init(most);
   mag_init(own);
   for (long k = 0; k < cones->count; k++) {
-    arb_get_mag(own, cones->x + k);
+    arb_sub(away, cones->x + k, s->x, s->bits);
+    arb_get_mag(own, away);
     mag_max(most, most, own);
-    arb_get_mag(own, cones->y + k);
+    arb_sub(away, cones->y + k, s->y, s->bits);
+    arb_get_mag(own, away);
     mag_max(most, most, own);
   }
-  const long exponent = exponent_of(mag_get_d_log2_approx(most));
+  const long exponent = exponent_of(fmax(log2_of(most), arm));
   mag_clear(most);
   mag_clear(own);
+  arb_clear(away);
   return exponent;
 }
 
 static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *entries, long bits) {
   tp_cones_column(entries->of, cones, k, bits);
+  set_moment(entries->of + 2, s, entries);
   double *own = s->columns[k];
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
-  const double along = mag_get_d_log2_approx(size);
+  const double along = log2_of(size);
   arb_get_mag(size, entries->of + 1);
-  const long exponent = exponent_of(fmax(along, mag_get_d_log2_approx(size)));
+  const long exponent = exponent_of(fmax(along, log2_of(size)));
   mag_clear(size);
   own[0] = scaled(entries->of, exponent);
   own[1] = scaled(entries->of + 1, exponent);
@@ -74,16 +95,33 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   }
   tp_vector entries;
   tp_vector_init(&entries);
-  sketch->length_exponent = length_exponent(cones);
   arb_set(entries.of, size->of);
   arb_set(entries.of + 1, size->of + 1);
-  sketch->force_exponent = exponent_of(tp_vector_log2_size(&entries));
+  const double force = tp_vector_log2_size(&entries); /* its moment is zero as yet */
+  arb_init(sketch->x);
+  arb_init(sketch->y);
+  sketch->bits = bits;
+  if (cones->count > 0) {
+    arb_get_mid_arb(sketch->x, cones->x);
+    arb_get_mid_arb(sketch->y, cones->y);
+  }
+  mag_t moment;
+  mag_init(moment);
+  set_moment(entries.of + 2, sketch, size);
+  arb_get_mag(moment, entries.of + 2);
+  sketch->force_exponent = exponent_of(force);
+  sketch->length_exponent = length_exponent(sketch, cones, log2_of(moment) - force);
+  mag_clear(moment);
   for (long k = 0; k < count; k++) set_column(sketch, cones, k, &entries, bits);
   tp_vector_clear(&entries);
   return true;
 }
 
 void tp_sketch_clear(tp_sketch *sketch) {
+  if (sketch->bits > 0) {
+    arb_clear(sketch->x);
+    arb_clear(sketch->y);
+  }
   free(sketch->columns);
   free(sketch->most);
   free(sketch->at_most);
@@ -93,7 +131,11 @@ void tp_sketch_clear(tp_sketch *sketch) {
 void tp_sketch_wrench(double wrench[3], const tp_sketch *sketch, const tp_vector *of) {
   wrench[0] = scaled(of->of, sketch->force_exponent);
   wrench[1] = scaled(of->of + 1, sketch->force_exponent);
-  wrench[2] = scaled(of->of + 2, sketch->force_exponent + sketch->length_exponent);
+  arb_t moment;
+  arb_init(moment);
+  set_moment(moment, sketch, of);
+  wrench[2] = scaled(moment, sketch->force_exponent + sketch->length_exponent);
+  arb_clear(moment);
 }
 
 tp_simplex_answer tp_sketch_solve(tp_sketch *sketch, const double direction[3],

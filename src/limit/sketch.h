@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The cones in doubles, each column scaled to size one, lengths by that of the contact: what the
- * simplex method works on. A sketch finds a basis; a face then proves it. */
+/* The cones in doubles, each column scaled to size one, lengths by that of the contact, moments
+ * about a point of it: what the simplex method works on. A sketch finds a basis; a face then proves
+ * it. */
 
 #ifndef TP_SKETCH_H
 #define TP_SKETCH_H
@@ -17,6 +18,8 @@ typedef struct tp_sketch {
   double *most; /* NULL: none is bounded; in units of `force` */
   bool *at_most;
   long length_exponent, force_exponent; /* units of 2^ */
+  arb_t x, y;                           /* what moments are about, exact */
+  long bits;
 } tp_sketch;
 
 /* `size` is a wrench of the size of the loads, the weight's say. False when memory is exhausted. */

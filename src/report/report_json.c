@@ -194,7 +194,8 @@ static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
 static void add_mechanism(tp_text *t, const tp_case *c) {
   tp_text_add(t, "      \"mechanism\": \"%s\",\n      \"first\": {\"mechanism\": \"%s\", ",
               tp_text_mechanism(c->mechanism), tp_text_mechanism(c->first));
-  if (c->first == TP_INTERLOCKED || c->first == TP_STANDS) {
+  if (c->first == TP_INTERLOCKED || c->first == TP_STANDS || c->limit.kind == TP_LIMIT_NOWHERE ||
+      c->limit.kind == TP_LIMIT_UNDECIDED) {
     tp_text_add(t, "\"critical_angle_deg\": null, ");
   } else {
     tp_json_number(t, "critical_angle_deg", c->first_angle_deg);

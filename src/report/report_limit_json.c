@@ -58,6 +58,16 @@ static void add_reactions(tp_text *t, const tp_limit *l) {
   tp_text_add(t, "]");
 }
 
+/* The least tilt at which forces hold it; null where they hold however far it is tilted back. */
+static void add_holds_from(tp_text *t, const tp_limit *back) {
+  if (back->kind != TP_LIMIT_AT_ANGLE) {
+    tp_text_add(t, "\"holds_from_deg\": null");
+    return;
+  }
+  const tp_bounded from = {0 - back->critical_angle_deg.value, back->critical_angle_deg.error};
+  tp_json_number(t, "holds_from_deg", from);
+}
+
 void tp_json_limit(tp_text *t, const tp_case *c) {
   const tp_limit *l = &c->limit;
   if (l->kind == TP_LIMIT_NOT_ASKED) return;
@@ -74,5 +84,7 @@ void tp_json_limit(tp_text *t, const tp_case *c) {
   add_reactions(t, l);
   tp_text_add(t, ",\n        \"otherwise\": {");
   add_answer(t, &c->limit_otherwise);
-  tp_text_add(t, "}, \"base_matters\": %s},\n", tp_json_truth(c->base_matters));
+  tp_text_add(t, "}, ");
+  add_holds_from(t, &c->limit_back);
+  tp_text_add(t, ", \"base_matters\": %s},\n", tp_json_truth(c->base_matters));
 }

@@ -153,6 +153,23 @@ static void add_verdict(tp_page *p, const tp_case *c) {
   char n[3][TP_NUMBER_SIZE];
   tp_page_degrees(n[0], s->tilt_angle_deg);
   tp_text_add(&p->text, "\n  ");
+  if (c->falls_backwards && c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
+    const tp_bounded from = {0 - c->limit_back.critical_angle_deg.value,
+                             c->limit_back.critical_angle_deg.error};
+    tp_text_add(&p->text, "Lets go up-dip already %s%s%s: below %s° it %s.\n",
+                s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
+                s->has_tilt_angle ? "°" : "", tp_text_fixed(n[1], from, 3),
+                tp_text_mechanism(c->limit_back.mechanism));
+    return;
+  }
+  if (c->limit.kind == TP_LIMIT_NOWHERE) {
+    tp_text_add(&p->text, "Does not stand: no forces of the base hold it at any tilt.\n");
+    return;
+  }
+  if (c->limit.kind == TP_LIMIT_UNDECIDED) {
+    tp_text_add(&p->text, "Undecided at the precision allowed.\n");
+    return;
+  }
   if (c->falls_backwards) {
     tp_text_add(&p->text,
                 "Topples up-dip already %s%s%s:\n  its centroid lies past the up-dip "

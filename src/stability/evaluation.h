@@ -98,16 +98,16 @@ void tp_evaluate_rolling(tp_evaluation *evaluation, tp_case *result,
 /* Whether the base can hold the governing pivot at its critical angle. */
 void tp_evaluate_toe(tp_evaluation *evaluation, tp_case *result, const tp_direction_ball *toppling);
 
-/* The static limit of one direction, with the scene's base and otherwise; its angle is left in
- * `limit` where there is one. False when memory is exhausted. */
+/* The static limit of one direction, with the scene's base and otherwise, and that of tilting back;
+ * the angles are left in `limit` and `back` where there are any. False when memory is exhausted. */
 TP_MUST_USE bool tp_evaluate_limit(tp_evaluation *evaluation, tp_case *result,
-                                   tp_direction_ball *limit);
+                                   tp_direction_ball *limit, tp_direction_ball *back);
 
 /* The mechanism of one direction, from the limit, or where no friction is given from the critical
  * angle of toppling. */
 void tp_evaluate_mechanism(tp_evaluation *evaluation, tp_case *result,
                            const tp_direction_ball *toppling, const tp_direction_ball *sliding,
-                           const tp_direction_ball *limit);
+                           const tp_direction_ball *limit, const tp_direction_ball *back);
 
 /* The account of moments by elements about the governing pivot. `result->account.elements` has room
  * for all of them. */

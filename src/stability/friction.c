@@ -133,7 +133,8 @@ void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits) {
 
 /* By turns friction from tilt and tilt from friction: the tilt depends on friction less than
  * friction does on stress, so the steps shrink. */
-static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limit, void *context) {
+static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limit, void *context,
+                    bool back) {
   enum { MOST_STEPS = 200 };
   static const double near_enough = 1e-14;
   arb_t angle, next;
@@ -142,7 +143,7 @@ static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limi
   *tilt = 0;
   bool found = false, failed = false;
   for (int step = 0; step < MOST_STEPS && !found && !failed; step++) {
-    arb_set_d(next, *tilt);
+    arb_set_d(next, back ? -*tilt : *tilt);
     tp_friction_at(angle, e, next);
     failed = !limit(next, context, angle, true);
     if (failed) break;
@@ -155,19 +156,20 @@ static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limi
   return found;
 }
 
-bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit limit,
-                      void *context) {
+bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit limit, void *context,
+                      bool back) {
   static const double narrowest = 1e-14, widest = 1e-9; /* degrees to either side */
   double estimate = 0;
-  if (!iterate(&estimate, e, limit, context)) return false;
+  if (!iterate(&estimate, e, limit, context, back)) return false;
   arb_t interval, image;
   arb_init(interval);
   arb_init(image);
   bool found = false;
   for (double width = narrowest; width <= widest && !found; width *= 10) {
-    arb_set_d(interval, estimate);
+    arb_set_d(interval, back ? -estimate : estimate);
     mag_set_d(arb_radref(interval), width);
     tp_friction_at(degrees, e, interval);
+    if (back) arb_neg(interval, interval);
     found = limit(image, context, degrees, false) && arb_contains(interval, image);
   }
   arb_clear(interval);

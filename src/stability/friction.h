@@ -26,8 +26,9 @@ void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);
 typedef bool (*tp_friction_limit)(arb_t tilt, void *context, const arb_t degrees, bool estimate);
 
 /* The friction angle at the tilt at which the block lets go with it. By Brouwer's theorem there is
- * one in an interval of tilts that the limit maps into itself; false where none was found. */
+ * one in an interval of tilts that the limit maps into itself; false where none was found. `back`:
+ * tilts count the other way. */
 bool tp_friction_meet(arb_t degrees, const tp_evaluation *evaluation, tp_friction_limit limit,
-                      void *context);
+                      void *context, bool back);
 
 #endif

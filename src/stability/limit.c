@@ -15,6 +15,37 @@
 
 enum { LAST_BITS = 5120 }; /* of the ladder: what is open then stays undecided */
 
+/* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
+ * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
+static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e,
+                          const arb_t friction, bool back) {
+  if (e->loaded != NULL || answer->kind != TP_LIMIT_AT_ANGLE || answer->tie ||
+      answer->face.motion != TP_MOTION_SLIDE) {
+    return;
+  }
+  const long column = answer->face.columns[0], point = tp_cones_point_of(cones, column);
+  arb_t x, y, angle;
+  arb_init(x);
+  arb_init(y);
+  arb_init(angle);
+  arb_set_fmpz(x, cones->ty + point);
+  arb_neg(x, x);
+  arb_set_fmpz(y, cones->tx + point);
+  tp_ball_atan2_degrees(answer->degrees, x, y, e->rung.bits);
+  arb_set(angle, friction);
+  if (column % 2 != 0) arb_neg(angle, angle);
+  arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
+  if (arf_cmpabs_ui(arb_midref(answer->degrees), 90) >
+      0) { /* forces against that edge: the other */
+    const int side = arf_sgn(arb_midref(answer->degrees));
+    arb_sub_si(answer->degrees, answer->degrees, 180 * side, e->rung.bits);
+  }
+  if (back) arb_neg(answer->degrees, answer->degrees);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(angle);
+}
+
 /* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
  * with (X6, Y6) = 3 A2 times the centroid. */
 static void set_weight(tp_wrench *load, const tp_evaluation *e, bool mirrored) {
@@ -41,6 +72,7 @@ typedef struct asking {
   const tp_limit_question *question;
   tp_limit_answer *answer;
   tp_limit_outcome outcome;
+  bool back; /* tilted the other way */
 } asking;
 
 /* A friction angle to the limit that it gives (tp_friction_limit). */
@@ -55,6 +87,7 @@ static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estima
   }
   a->outcome = tp_limit_find(a->answer, a->question);
   if (a->outcome != TP_LIMIT_PROVEN) return false;
+  sharpen_slide(a->answer, a->cones, a->e, degrees, a->back);
   arb_set(tilt, a->answer->degrees);
   if (a->answer->kind != TP_LIMIT_AT_ANGLE) {
     arb_set_si(tilt, a->answer->kind == TP_LIMIT_INTERLOCKED ? 90 : -90);
@@ -68,7 +101,7 @@ static void find_limit(tp_limit *result, asking *a) {
   arb_init(friction);
   arb_init(tilt);
   if (tp_friction_is_load_dependent(a->e)) {
-    if (!tp_friction_meet(friction, a->e, limit_of, a) && a->outcome == TP_LIMIT_PROVEN) {
+    if (!tp_friction_meet(friction, a->e, limit_of, a, a->back) && a->outcome == TP_LIMIT_PROVEN) {
       a->outcome = TP_LIMIT_OPEN;
     }
   } else {
@@ -124,44 +157,63 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
   angle->exact_direction = e->loaded == NULL && !a->answer->tie;
 }
 
+/* The loads as functions of the tilt turned back: sines change their sign. */
+static void turn_back(tp_wrench *load) {
+  tp_trig *parts[] = {&load->x, &load->y, &load->moment};
+  for (int k = 0; k < 3; k++) arb_neg(parts[k]->of + TP_SIN, parts[k]->of + TP_SIN);
+}
+
+static void set_load(tp_wrench *load, const tp_evaluation *e, tp_direction towards, bool back) {
+  if (e->loaded == NULL) {
+    set_weight(load, e, towards == TP_TOWARDS_RIGHT);
+  } else {
+    tp_trig_add(&load->x, &e->loaded->sum.x, e->rung.bits);
+    tp_trig_add(&load->y, &e->loaded->sum.y, e->rung.bits);
+    tp_trig_add(&load->moment, &e->loaded->sum.moment, e->rung.bits);
+  }
+  if (back) turn_back(load);
+}
+
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
 static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_cones *cones,
-                tp_direction towards) {
+                tp_direction towards, bool back) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, cones)) return false;
-  tp_wrench weight;
+  tp_wrench load;
   arb_t range;
-  tp_wrench_init(&weight);
+  tp_wrench_init(&load);
   arb_init(range);
-  if (e->loaded == NULL) {
-    set_weight(&weight, e, towards == TP_TOWARDS_RIGHT);
-  } else {
-    arb_set(range, e->loaded->limit);
-  }
+  set_load(&load, e, towards, back);
+  if (e->loaded != NULL) arb_set(range, e->loaded->limit);
   const tp_limit_question question = {
       .cones = cones,
-      .load = e->loaded != NULL ? &e->loaded->sum : &weight,
+      .load = &load,
       .range = range,
       .judge = {.bits = e->rung.bits,
                 .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
                 .settled = is_settled(e)}};
-  asking a = {e, cones, &question, &answer, TP_LIMIT_PROVEN};
+  asking a = {e, cones, &question, &answer, TP_LIMIT_PROVEN, back};
   find_limit(result, &a);
   describe(result, angle, &a, towards);
-  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY) reduce_strength(result, &a);
-  tp_wrench_clear(&weight);
+  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && !back) reduce_strength(result, &a);
+  tp_wrench_clear(&load);
   arb_clear(range);
   tp_limit_answer_clear(&answer);
   return a.outcome != TP_LIMIT_OUT_OF_MEMORY;
 }
 
+/* With the base of the scene or otherwise; as the table is tilted on or back. */
+typedef struct variant {
+  bool otherwise, back;
+} variant;
+
 static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,
-                 bool otherwise) {
+                 variant v) {
   tp_cones cones;
   *result = (tp_limit){0};
-  if (!tp_limit_cones_init(&cones, e, towards, otherwise)) return false;
-  result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != otherwise;
-  const bool done = ask(result, angle, e, &cones, towards);
+  if (!tp_limit_cones_init(&cones, e, towards, v.otherwise)) return false;
+  result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != v.otherwise;
+  const bool done = ask(result, angle, e, &cones, towards, v.back);
   tp_cones_clear(&cones);
   return done;
 }
@@ -173,14 +225,16 @@ static bool differ(const tp_limit *a, const tp_limit *b) {
          fabs(a->critical_angle_deg.value - b->critical_angle_deg.value) > error;
 }
 
-bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit) {
+bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
+                       tp_direction_ball *back) {
   tp_direction_ball other;
   tp_direction_ball_init(&other);
-  bool done = find(&result->limit, limit, e, result->towards, false);
+  bool done = find(&result->limit, limit, e, result->towards, (variant){0}) &&
+              find(&result->limit_back, back, e, result->towards, (variant){.back = true});
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
   if (done && tp_limit_base_matters(e->problem, result->towards)) {
-    done = find(&result->limit_otherwise, &other, e, result->towards, true);
+    done = find(&result->limit_otherwise, &other, e, result->towards, (variant){.otherwise = true});
   }
   result->base_matters = differ(&result->limit, &result->limit_otherwise);
   tp_direction_ball_clear(&other);

@@ -51,16 +51,39 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
   case TP_LIMIT_INTERLOCKED:
     result->first = TP_INTERLOCKED;
     return NULL;
-  case TP_LIMIT_NOT_ASKED:
   case TP_LIMIT_NOWHERE:
+    result->first = TP_SLIDES_AND_TOPPLES;
+    return NULL;
   case TP_LIMIT_UNDECIDED:
+    result->first = TP_MECHANISM_UNDECIDED;
+    return NULL;
+  case TP_LIMIT_NOT_ASKED:
     break;
   }
   return first_by_formula(e, result, toppling, sliding);
 }
 
-/* Does the block topple up-dip at this tilt: is the centroid past the up-dip end of the contact? */
-static bool falls_backwards(tp_evaluation *e, tp_direction towards, const arb_t tilt) {
+/* Is the tilt below zero, turned back, beyond this angle? */
+static bool lies_before(tp_evaluation *e, const arb_t tilt, const arb_t back) {
+  arb_t sum;
+  arb_init(sum);
+  arb_add(sum, back, tilt, e->rung.bits);
+  const bool before = arb_is_negative(sum) != 0;
+  if (!before && !arb_is_nonnegative(sum)) e->certain = false;
+  arb_clear(sum);
+  return before;
+}
+
+/* By contact forces. */
+static void judge_up_dip(tp_evaluation *e, tp_case *result, const tp_direction_ball *back,
+                         const arb_t tilt) {
+  const tp_limit *l = &result->limit_back;
+  result->falls_backwards = l->kind == TP_LIMIT_AT_ANGLE && lies_before(e, tilt, back->degrees);
+  if (result->falls_backwards) result->mechanism = l->tie ? TP_SLIDES_AND_TOPPLES : l->mechanism;
+}
+
+/* By moments: is the centroid past the up-dip end of the contact? */
+static bool topples_up_dip(tp_evaluation *e, tp_direction towards, const arb_t tilt) {
   const tp_direction other = towards == TP_TOWARDS_LEFT ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT;
   if (e->loaded != NULL) return tp_loaded_falls_backwards(e->loaded, e, e->admissible[other]);
   tp_direction_ball angle;
@@ -68,16 +91,15 @@ static bool falls_backwards(tp_evaluation *e, tp_direction towards, const arb_t 
   size_t pivot = 0;
   bool tie = false, falls = false;
   if (tp_evaluate_toppling(e, other, &angle, &pivot, &tie)) {
-    arb_add(angle.degrees, angle.degrees, tilt, e->rung.bits);
-    falls = arb_is_negative(angle.degrees);
-    if (!falls && !arb_is_nonnegative(angle.degrees)) e->certain = false;
+    falls = lies_before(e, tilt, angle.degrees);
   }
   tp_direction_ball_clear(&angle);
   return falls;
 }
 
 void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
-                           const tp_direction_ball *sliding, const tp_direction_ball *limit) {
+                           const tp_direction_ball *sliding, const tp_direction_ball *limit,
+                           const tp_direction_ball *back) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   const tp_direction_ball *first = find_first(e, result, toppling, sliding, limit);
   arb_t angle, margin;
@@ -97,8 +119,12 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
     }
     result->margin_deg = tp_evaluation_result(e, margin);
   }
-  result->falls_backwards = falls_backwards(e, result->towards, angle);
-  if (result->falls_backwards) result->mechanism = TP_TOPPLES;
+  if (result->limit.kind == TP_LIMIT_AT_ANGLE || result->limit.kind == TP_LIMIT_INTERLOCKED) {
+    judge_up_dip(e, result, back, angle);
+  } else {
+    result->falls_backwards = topples_up_dip(e, result->towards, angle);
+    if (result->falls_backwards) result->mechanism = TP_TOPPLES;
+  }
   arb_clear(angle);
   arb_clear(margin);
 }

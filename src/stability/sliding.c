@@ -138,7 +138,7 @@ static bool find_start(arb_t friction, start *s) {
   arb_init(tilt);
   bool found = true;
   if (tp_friction_is_load_dependent(s->e)) {
-    found = tp_friction_meet(friction, s->e, start_of, s);
+    found = tp_friction_meet(friction, s->e, start_of, s, false);
     if (!found && s->slides) s->e->certain = false;
   } else {
     tp_friction_at(friction, s->e, tilt);

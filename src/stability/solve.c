@@ -130,10 +130,11 @@ typedef struct climb {
 /* False when memory is exhausted. */
 static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const climb *c) {
   const tp_scene *scene = c->problem->scene;
-  tp_direction_ball toppling, sliding, limit;
+  tp_direction_ball toppling, sliding, limit, back;
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
   tp_direction_ball_init(&limit);
+  tp_direction_ball_init(&back);
   bool done = true;
   double began = tp_effects_now();
   tp_evaluate_pivots(evaluation, own, &toppling);
@@ -148,14 +149,15 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
   }
   if (scene->friction_angle_deg.given && c->options->limit) {
     began = tp_effects_now();
-    done = tp_evaluate_limit(evaluation, own, &limit);
+    done = tp_evaluate_limit(evaluation, own, &limit, &back);
     tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
   }
-  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding, &limit);
+  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding, &limit, &back);
   if (c->options->elements) tp_evaluate_account(evaluation, own, &toppling);
   tp_direction_ball_clear(&toppling);
   tp_direction_ball_clear(&sliding);
   tp_direction_ball_clear(&limit);
+  tp_direction_ball_clear(&back);
   return done;
 }
 
