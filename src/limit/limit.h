@@ -44,8 +44,4 @@ typedef enum tp_limit_outcome {
 TP_MUST_USE tp_limit_outcome tp_limit_find(tp_limit_answer *answer,
                                            const tp_limit_question *question);
 
-/* In doubles, unproven: the limit in degrees, 90 where interlocked, -90 where nothing holds. False
- * when memory is exhausted. */
-TP_MUST_USE bool tp_limit_estimate(double *degrees, const tp_limit_question *question);
-
 #endif

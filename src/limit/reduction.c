@@ -3,6 +3,8 @@
 
 #include "limit/reduction.h"
 
+#include "limit/program.h"
+
 #include <math.h>
 
 /* Factors looked at: beyond these, strength does not matter. */
@@ -14,6 +16,7 @@ typedef struct reduction {
   tp_cones *cones;
   arb_t friction; /* as given */
   arb_ptr bounds; /* shear and pull of each allowance, as given */
+  tp_sketch given, reduced;
   double degrees;
 } reduction;
 
@@ -57,17 +60,14 @@ static void restore(const reduction *r) {
 }
 
 /* Limit less tilt in doubles, by the logarithm of the factor: it falls. */
-static bool margin(double *value, const reduction *r, double log_factor) {
-  divide_by(r, exp(log_factor));
-  if (!tp_limit_estimate(value, r->question)) return false;
-  *value -= r->degrees;
-  return true;
+static double margin(reduction *r, double log_factor) {
+  tp_sketch_divide_strength(&r->reduced, &r->given, 2 * r->cones->count, exp(log_factor));
+  return tp_program_estimate(&r->reduced, r->question) - r->degrees;
 }
 
 /* A zero of the margin between two logarithms by regula falsi, the end that stays halved
  * (Illinois), and by halving where that is slow. */
-static bool solve(double *log_factor, const reduction *r, double low, double high, double at_low,
-                  double at_high) {
+static double solve(reduction *r, double low, double high, double at_low, double at_high) {
   enum { MOST_STEPS = 200 };
   int kept = 0;
   for (int step = 0; step < MOST_STEPS && high - low > 4e-16 * fmax(1, fabs(low)); step++) {
@@ -76,12 +76,8 @@ static bool solve(double *log_factor, const reduction *r, double low, double hig
         halves ? low + (high - low) / 2 : low + (high - low) * (at_low / (at_low - at_high));
     if (!(middle > low && middle < high)) middle = low + (high - low) / 2;
     if (!(middle > low && middle < high)) break;
-    double own = 0;
-    if (!margin(&own, r, middle)) return false;
-    if (own == 0) {
-      *log_factor = middle;
-      return true;
-    }
+    const double own = margin(r, middle);
+    if (own == 0) return middle;
     if (own > 0) {
       low = middle;
       at_low = own;
@@ -94,8 +90,7 @@ static bool solve(double *log_factor, const reduction *r, double low, double hig
       kept = -1;
     }
   }
-  *log_factor = low + (high - low) / 2;
-  return true;
+  return low + (high - low) / 2;
 }
 
 /* Proven: 1 where the block holds beyond the tilt at this factor, -1 where not up to it, 0 open. */
@@ -137,15 +132,13 @@ static tp_limit_outcome enclose(arb_t factor, const reduction *r, double estimat
   return TP_LIMIT_OPEN;
 }
 
-static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, const reduction *r,
+static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
                              const arb_t degrees, int digits) {
   const double low = log(least_factor), high = log(most_factor);
-  double at_low = 0, at_high = 0, log_factor = 0;
-  if (!margin(&at_low, r, low) || !margin(&at_high, r, high)) return TP_LIMIT_OUT_OF_MEMORY;
+  const double at_low = margin(r, low), at_high = margin(r, high);
   if (at_low > 0 && at_high < 0) {
     *kind = TP_REDUCTION_FACTOR;
-    if (!solve(&log_factor, r, low, high, at_low, at_high)) return TP_LIMIT_OUT_OF_MEMORY;
-    return enclose(factor, r, exp(log_factor), degrees, digits);
+    return enclose(factor, r, exp(solve(r, low, high, at_low, at_high)), degrees, digits);
   }
   *kind = at_low > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
   int side = 0;
@@ -161,9 +154,15 @@ tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
   reduction r = {.question = question,
                  .cones = cones,
                  .degrees = arf_get_d(arb_midref(degrees), ARF_RND_NEAR)};
-  reduction_init(&r);
-  const tp_limit_outcome outcome = find(kind, factor, &r, degrees, digits);
-  restore(&r);
-  reduction_clear(&r);
+  if (!tp_program_sketch(&r.given, question)) return TP_LIMIT_OUT_OF_MEMORY;
+  tp_limit_outcome outcome = TP_LIMIT_OUT_OF_MEMORY;
+  if (tp_sketch_copy(&r.reduced, &r.given)) {
+    reduction_init(&r);
+    outcome = find(kind, factor, &r, degrees, digits);
+    restore(&r);
+    reduction_clear(&r);
+    tp_sketch_clear(&r.reduced);
+  }
+  tp_sketch_clear(&r.given);
   return outcome;
 }

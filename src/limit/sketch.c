@@ -58,10 +58,18 @@ static long length_exponent(const tp_sketch *s, const tp_cones *cones, double ar
   return exponent;
 }
 
-static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *entries, long bits) {
-  tp_cones_column(entries->of, cones, k, bits);
-  set_moment(entries->of + 2, s, entries);
-  double *own = s->columns[k];
+/* Log2 of the size of a force; of the edges of one cone, that of the first. */
+static long column_exponent(const tp_cones *cones, long k, const tp_vector *entries) {
+  if (tp_cones_is_edge(cones, k)) {
+    const fmpz *tx = cones->tx + k / 2, *ty = cones->ty + k / 2;
+    const double along = (double)(fmpz_bits(tx) > fmpz_bits(ty) ? fmpz_bits(tx) : fmpz_bits(ty));
+    mag_t friction;
+    mag_init(friction);
+    arb_get_mag(friction, cones->friction);
+    const double factor = log2_of(friction);
+    mag_clear(friction);
+    return exponent_of(along + fmax(factor, 0));
+  }
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
@@ -69,6 +77,14 @@ static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *e
   arb_get_mag(size, entries->of + 1);
   const long exponent = exponent_of(fmax(along, log2_of(size)));
   mag_clear(size);
+  return exponent;
+}
+
+static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *entries, long bits) {
+  tp_cones_column(entries->of, cones, k, bits);
+  set_moment(entries->of + 2, s, entries);
+  double *own = s->columns[k];
+  const long exponent = column_exponent(cones, k, entries);
   own[0] = scaled(entries->of, exponent);
   own[1] = scaled(entries->of + 1, exponent);
   own[2] = scaled(entries->of + 2, exponent + s->length_exponent);
@@ -115,6 +131,48 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   for (long k = 0; k < count; k++) set_column(sketch, cones, k, &entries, bits);
   tp_vector_clear(&entries);
   return true;
+}
+
+/* Size one again, by a power of two. */
+static void normalise(double column[3]) {
+  int exponent = 0;
+  (void)frexp(fmax(fabs(column[0]), fabs(column[1])), &exponent);
+  for (int row = 0; row < 3; row++) column[row] = ldexp(column[row], -exponent);
+}
+
+bool tp_sketch_copy(tp_sketch *copy, const tp_sketch *sketch) {
+  const size_t count = (size_t)sketch->count + 1;
+  *copy = *sketch;
+  copy->columns = calloc(count, sizeof *copy->columns);
+  copy->most = sketch->most != NULL ? calloc(count, sizeof *copy->most) : NULL;
+  copy->at_most = sketch->most != NULL ? calloc(count, sizeof *copy->at_most) : NULL;
+  arb_init(copy->x);
+  arb_init(copy->y);
+  arb_set(copy->x, sketch->x);
+  arb_set(copy->y, sketch->y);
+  if (copy->columns == NULL ||
+      (sketch->most != NULL && (copy->most == NULL || copy->at_most == NULL))) {
+    tp_sketch_clear(copy);
+    return false;
+  }
+  memcpy(copy->columns, sketch->columns, (count - 1) * sizeof *copy->columns);
+  if (copy->most != NULL) memcpy(copy->most, sketch->most, (count - 1) * sizeof *copy->most);
+  return true;
+}
+
+void tp_sketch_divide_strength(tp_sketch *sketch, const tp_sketch *given, long edges,
+                               double divisor) {
+  for (long k = 0; k < edges; k += 2) {
+    for (int row = 0; row < 3; row++) {
+      const double with = given->columns[k][row], against = given->columns[k + 1][row];
+      const double mean = (with + against) / 2, half = (with - against) / (2 * divisor);
+      sketch->columns[k][row] = mean + half;
+      sketch->columns[k + 1][row] = mean - half;
+    }
+    normalise(sketch->columns[k]);
+    normalise(sketch->columns[k + 1]);
+  }
+  for (long k = edges; k < given->count; k++) sketch->most[k] = given->most[k] / divisor;
 }
 
 void tp_sketch_clear(tp_sketch *sketch) {

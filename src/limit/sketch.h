@@ -26,6 +26,12 @@ typedef struct tp_sketch {
 bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *size, long bits);
 void tp_sketch_clear(tp_sketch *sketch);
 
+/* A copy with tan(phi) and all bounds divided: the two edges of a cone, scaled alike, are their
+ * mean and plus or minus their half difference over the divisor. */
+bool tp_sketch_copy(tp_sketch *copy, const tp_sketch *sketch);
+void tp_sketch_divide_strength(tp_sketch *sketch, const tp_sketch *given, long edges,
+                               double divisor);
+
 /* A wrench in the sketch's units. */
 void tp_sketch_wrench(double wrench[3], const tp_sketch *sketch, const tp_vector *of);
 

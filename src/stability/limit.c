@@ -4,6 +4,7 @@
 /* The static limit of a problem (mechanics section 6): its contact and its loads put as a question
  * to limit/, and the answer as a result. */
 
+#include "limit/program.h"
 #include "limit/reduction.h"
 #include "number/ball.h"
 #include "stability/friction.h"
@@ -80,10 +81,14 @@ static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estima
   asking *a = context;
   tp_friction_tangent(a->cones->friction, degrees, a->e->rung.bits);
   if (estimate) {
-    double own = 0;
-    if (!tp_limit_estimate(&own, a->question)) a->outcome = TP_LIMIT_OUT_OF_MEMORY;
-    arb_set_d(tilt, own);
-    return a->outcome != TP_LIMIT_OUT_OF_MEMORY;
+    tp_sketch sketch;
+    if (!tp_program_sketch(&sketch, a->question)) {
+      a->outcome = TP_LIMIT_OUT_OF_MEMORY;
+      return false;
+    }
+    arb_set_d(tilt, tp_program_estimate(&sketch, a->question));
+    tp_sketch_clear(&sketch);
+    return true;
   }
   a->outcome = tp_limit_find(a->answer, a->question);
   if (a->outcome != TP_LIMIT_PROVEN) return false;
@@ -174,16 +179,22 @@ static void set_load(tp_wrench *load, const tp_evaluation *e, tp_direction towar
   if (back) turn_back(load);
 }
 
+/* With the base of the scene or otherwise; as the table is tilted on or back. */
+typedef struct variant {
+  bool otherwise, back;
+  bool with_factor; /* of safety */
+} variant;
+
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
 static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_cones *cones,
-                tp_direction towards, bool back) {
+                tp_direction towards, variant v) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, cones)) return false;
   tp_wrench load;
   arb_t range;
   tp_wrench_init(&load);
   arb_init(range);
-  set_load(&load, e, towards, back);
+  set_load(&load, e, towards, v.back);
   if (e->loaded != NULL) arb_set(range, e->loaded->limit);
   const tp_limit_question question = {
       .cones = cones,
@@ -192,20 +203,15 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp
       .judge = {.bits = e->rung.bits,
                 .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
                 .settled = is_settled(e)}};
-  asking a = {e, cones, &question, &answer, TP_LIMIT_PROVEN, back};
+  asking a = {e, cones, &question, &answer, TP_LIMIT_PROVEN, v.back};
   find_limit(result, &a);
   describe(result, angle, &a, towards);
-  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && !back) reduce_strength(result, &a);
+  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) reduce_strength(result, &a);
   tp_wrench_clear(&load);
   arb_clear(range);
   tp_limit_answer_clear(&answer);
   return a.outcome != TP_LIMIT_OUT_OF_MEMORY;
 }
-
-/* With the base of the scene or otherwise; as the table is tilted on or back. */
-typedef struct variant {
-  bool otherwise, back;
-} variant;
 
 static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,
                  variant v) {
@@ -213,7 +219,7 @@ static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, t
   *result = (tp_limit){0};
   if (!tp_limit_cones_init(&cones, e, towards, v.otherwise)) return false;
   result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != v.otherwise;
-  const bool done = ask(result, angle, e, &cones, towards, v.back);
+  const bool done = ask(result, angle, e, &cones, towards, v);
   tp_cones_clear(&cones);
   return done;
 }
@@ -229,13 +235,14 @@ bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *lim
                        tp_direction_ball *back) {
   tp_direction_ball other;
   tp_direction_ball_init(&other);
-  bool done = find(&result->limit, limit, e, result->towards, (variant){0}) &&
+  bool done = find(&result->limit, limit, e, result->towards, (variant){.with_factor = true}) &&
               find(&result->limit_back, back, e, result->towards, (variant){.back = true});
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
   if (done && tp_limit_base_matters(e->problem, result->towards)) {
     done = find(&result->limit_otherwise, &other, e, result->towards, (variant){.otherwise = true});
   }
+  result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   result->base_matters = differ(&result->limit, &result->limit_otherwise);
   tp_direction_ball_clear(&other);
   return done;

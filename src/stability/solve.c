@@ -118,6 +118,12 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
   return TP_OK;
 }
 
+/* A limit that a lower rung made certain, its mechanism included. */
+typedef struct kept_limit {
+  bool settled;
+  tp_direction_ball limit, back;
+} kept_limit;
+
 typedef struct climb {
   const tp_problem *problem;
   const tp_solve_options *options;
@@ -125,16 +131,16 @@ typedef struct climb {
   bool *settled[2];
   bool *admissible[2]; /* with rounded corners, at the present rung */
   tp_message *message;
+  kept_limit *kept; /* by direction */
 } climb;
 
 /* False when memory is exhausted. */
 static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const climb *c) {
   const tp_scene *scene = c->problem->scene;
-  tp_direction_ball toppling, sliding, limit, back;
+  kept_limit *kept = c->kept + own->towards;
+  tp_direction_ball toppling, sliding;
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
-  tp_direction_ball_init(&limit);
-  tp_direction_ball_init(&back);
   bool done = true;
   double began = tp_effects_now();
   tp_evaluate_pivots(evaluation, own, &toppling);
@@ -147,17 +153,19 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
     tp_evaluate_toe(evaluation, own, &toppling);
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
   }
-  if (scene->friction_angle_deg.given && c->options->limit) {
+  const bool certain = evaluation->certain;
+  evaluation->certain = true;
+  if (scene->friction_angle_deg.given && c->options->limit && !kept->settled) {
     began = tp_effects_now();
-    done = tp_evaluate_limit(evaluation, own, &limit, &back);
+    done = tp_evaluate_limit(evaluation, own, &kept->limit, &kept->back);
     tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
   }
-  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding, &limit, &back);
+  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding, &kept->limit, &kept->back);
+  kept->settled = evaluation->certain;
+  evaluation->certain = certain && evaluation->certain;
   if (c->options->elements) tp_evaluate_account(evaluation, own, &toppling);
   tp_direction_ball_clear(&toppling);
   tp_direction_ball_clear(&sliding);
-  tp_direction_ball_clear(&limit);
-  tp_direction_ball_clear(&back);
   return done;
 }
 
@@ -239,12 +247,18 @@ static void note_level(tp_solution *solution, tp_rung reached) {
 static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options *options,
                               tp_solution *solution, tp_message *message) {
   const size_t points = (size_t)problem->contact.point_count;
+  kept_limit kept[2] = {{0}, {0}};
+  for (int d = 0; d < 2; d++) {
+    tp_direction_ball_init(&kept[d].limit);
+    tp_direction_ball_init(&kept[d].back);
+  }
   climb c = {problem,
              options,
              solution,
              {calloc(points, 1), calloc(points, 1)},
              {calloc(points, 1), calloc(points, 1)},
-             message};
+             message,
+             kept};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
   if (c.settled[0] == NULL || c.settled[1] == NULL || c.admissible[0] == NULL ||
@@ -262,6 +276,8 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
   for (int d = 0; d < 2; d++) {
     free(c.settled[d]);
     free(c.admissible[d]);
+    tp_direction_ball_clear(&kept[d].limit);
+    tp_direction_ball_clear(&kept[d].back);
   }
   return status;
 }

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The linear program of a question: sum f c + t direction = target, t to be the largest.
+ *
+ * Where all loads turn with the tilt, F = F_c cos + F_s sin, and t is tan(tilt): direction F_s,
+ * target -F_c. Otherwise it is the program at a tilt near the limit, t the way from there:
+ * direction F', target -F. */
+
+#ifndef TP_PROGRAM_H
+#define TP_PROGRAM_H
+
+#include "limit/limit.h"
+#include "limit/sketch.h"
+
+typedef struct tp_program {
+  tp_vector direction, target;
+  double near_degrees;
+} tp_program;
+
+void tp_program_init(tp_program *program);
+void tp_program_clear(tp_program *program);
+void tp_program_set_linear(tp_program *program, const tp_limit_question *question);
+
+/* At near_degrees. */
+void tp_program_set_near(tp_program *program, const tp_limit_question *question);
+
+/* The question's cones in doubles; false when memory is exhausted. */
+TP_MUST_USE bool tp_program_sketch(tp_sketch *sketch, const tp_limit_question *question);
+
+tp_simplex_answer tp_program_solve(const tp_program *program, tp_sketch *sketch);
+
+/* In doubles, unproven: the limit in degrees, 90 where interlocked, -90 where nothing holds. */
+double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *question);
+
+#endif
