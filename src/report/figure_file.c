@@ -33,9 +33,18 @@ bool tp_figure_is_file_name(const char *path) {
   return kind_of(path) != FILE_UNKNOWN;
 }
 
+/* A file, and the first error of writing to it: Cairo does not hand every one on. */
+typedef struct sink {
+  FILE *file;
+  int error;
+} sink;
+
 static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int length) {
-  return fwrite(data, 1, length, closure) == length ? CAIRO_STATUS_SUCCESS
-                                                    : CAIRO_STATUS_WRITE_ERROR;
+  sink *s = closure;
+  if (s->error == 0 && fwrite(data, 1, length, s->file) != length) {
+    s->error = errno != 0 ? errno : EIO;
+  }
+  return s->error == 0 ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
 
 /* Letters measure alike on every kind of page: no fitting of them to its dots. */
@@ -71,36 +80,35 @@ static cairo_status_t measure(double *height, const tp_figure *figure) {
   return status;
 }
 
-static cairo_surface_t *open_surface(file_kind kind, FILE *file, double width, double height) {
-  if (kind == FILE_SVG)
-    return cairo_svg_surface_create_for_stream(write_bytes, file, width, height);
+static cairo_surface_t *open_surface(file_kind kind, sink *s, double width, double height) {
+  if (kind == FILE_SVG) return cairo_svg_surface_create_for_stream(write_bytes, s, width, height);
   if (kind == FILE_PNG) {
     return cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(width * PNG_DOTS_PER_POINT),
                                       (int)ceil(height * PNG_DOTS_PER_POINT));
   }
-  cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(write_bytes, file, width, height);
+  cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(write_bytes, s, width, height);
   /* else the time of day, and no two files alike */
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "topple " TP_VERSION);
   return surface;
 }
 
-static cairo_status_t write_figure(file_kind kind, FILE *file, const tp_figure *figure) {
+static cairo_status_t write_figure(file_kind kind, sink *s, const tp_figure *figure) {
   double height = 0;
   cairo_status_t status = measure(&height, figure);
   if (status != CAIRO_STATUS_SUCCESS) return status;
-  cairo_surface_t *surface = open_surface(kind, file, tp_figure_width(figure), ceil(height));
+  cairo_surface_t *surface = open_surface(kind, s, tp_figure_width(figure), ceil(height));
   status = cairo_surface_status(surface);
   if (status == CAIRO_STATUS_SUCCESS) {
     status = draw(&height, surface, figure, kind == FILE_PNG ? PNG_DOTS_PER_POINT : 1);
   }
   if (status == CAIRO_STATUS_SUCCESS && kind == FILE_PNG) {
-    status = cairo_surface_write_to_png_stream(surface, write_bytes, file);
+    status = cairo_surface_write_to_png_stream(surface, write_bytes, s);
   }
   cairo_surface_finish(surface);
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
   cairo_surface_destroy(surface);
-  return status;
+  return s->error != 0 ? CAIRO_STATUS_WRITE_ERROR : status;
 }
 
 /* A new file beside the path, with the permissions of any new file. */
@@ -117,8 +125,8 @@ static FILE *open_beside(char *name, size_t size, const char *path) {
 
 static tp_status cannot_write(const char *path, int error, tp_message *message) {
   return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){path, 0, 0},
-                 "cannot write the figure: %s; name a file in a folder that exists and can be "
-                 "written to",
+                 "cannot write the figure: %s; name a file in a folder that exists, can be "
+                 "written to and has room",
                  strerror(error));
 }
 
@@ -132,12 +140,11 @@ static tp_status judge(cairo_status_t status, const char *path, int error, tp_me
 
 static tp_status write_beside(const char *path, char *beside, size_t size, const tp_figure *figure,
                               tp_message *message) {
-  FILE *file = open_beside(beside, size, path);
-  if (file == NULL) return cannot_write(path, errno, message);
-  errno = 0;
-  const cairo_status_t drawn = write_figure(kind_of(path), file, figure);
-  tp_status status = judge(drawn, path, errno != 0 ? errno : EIO, message);
-  if (fclose(file) != 0 && status == TP_OK) status = cannot_write(path, errno, message);
+  sink s = {.file = open_beside(beside, size, path)};
+  if (s.file == NULL) return cannot_write(path, errno, message);
+  const cairo_status_t drawn = write_figure(kind_of(path), &s, figure);
+  tp_status status = judge(drawn, path, s.error, message);
+  if (fclose(s.file) != 0 && status == TP_OK) status = cannot_write(path, errno, message);
   if (status == TP_OK && rename(beside, path) != 0) status = cannot_write(path, errno, message);
   if (status != TP_OK) (void)unlink(beside);
   return status;

@@ -110,6 +110,7 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
     top = fmax(top, tp_figure_heading(cr, figure, figure->states + k, x, y, width));
     extents[k] = tp_figure_extent(cr, figure, figure->states + k);
   }
+  top += 3;
   const double scale = fit(extents, figure);
   for (size_t k = 0; k < figure->panel_count; k++) {
     tall = fmax(tall, scale * (extents[k].y1 - extents[k].y0) + 2 * BORDER);
