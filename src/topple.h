@@ -352,6 +352,7 @@ TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *sol
 #endif
 
 #include "topple_derive.h"
+#include "topple_figure.h"
 #include "topple_find.h"
 #include "topple_verify.h"
 

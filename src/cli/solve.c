@@ -14,17 +14,20 @@ typedef struct arguments {
   const char *scene; /* the first of `scenes` */
   char **scenes;     /* those of --table */
   int scene_count;
+  const char *figure; /* file to draw into; NULL: none */
   bool json, elements, table;
   bool has_target, has_low, has_high;
   tp_find_options find; /* key NULL: nothing is to be found */
 } arguments;
 
-enum { KEY_FIND = 256, KEY_FOR, KEY_FROM, KEY_TO };
+enum { KEY_FIGURE = 256, KEY_FIND, KEY_FOR, KEY_FROM, KEY_TO };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the solution as JSON", 0},
     {"table", 't', NULL, 0, "Print a table (Markdown) of several scenes, a row a case", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
+    {"figure", KEY_FIGURE, "FILE", 0,
+     "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos has the "
@@ -60,11 +63,21 @@ static void read_target(arguments *a, const char *text, struct argp_state *state
   a->has_target = true;
 }
 
+static void read_figure(arguments *a, const char *path, struct argp_state *state) {
+  if (!tp_figure_is_file_name(path)) {
+    argp_error(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
+  }
+  a->figure = path;
+}
+
 static void check_find(arguments *a, struct argp_state *state) {
   const bool named = a->find.key != NULL;
   if (named != a->has_target) argp_error(state, "--find KEY and --for RESULT=VALUE go together");
   if ((a->has_low || a->has_high) && !named) argp_error(state, "--from and --to go with --find");
   if (a->has_low != a->has_high) argp_error(state, "give both --from and --to, or neither");
+  if (named && a->figure != NULL) {
+    argp_error(state, "--figure draws a solution as the scene has it; leave out --find");
+  }
   a->find.has_range = a->has_low;
 }
 
@@ -79,6 +92,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 't':
     a->table = true;
+    return 0;
+  case KEY_FIGURE:
+    read_figure(a, argument, state);
     return 0;
   case KEY_FIND:
     a->find.key = argument;
@@ -100,8 +116,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
       argp_error(state, "one scene at a time, or several with --table; '%s' is one too many",
                  a->scenes[1]);
     }
-    if (a->table && (a->json || a->elements || a->find.key != NULL)) {
-      argp_error(state, "--table prints a table alone; drop --json, --elements and --find");
+    if (a->table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL)) {
+      argp_error(state,
+                 "--table prints a table alone; drop --json, --elements, --figure and --find");
     }
     return 0;
   case ARGP_KEY_ARGS: /* all that are left */
@@ -160,6 +177,9 @@ static tp_status solve_scene(tp_solution **solution, const char *path, const arg
   solve.elements = a->elements;
   tp_status status = tp_scene_read(&scene, path, message);
   if (status == TP_OK) status = tp_solve(solution, scene, &solve, message);
+  if (status == TP_OK && a->figure != NULL) {
+    status = tp_report_figure(a->figure, scene, *solution, message);
+  }
   tp_scene_free(scene);
   return status;
 }

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A figure into a file: written under a name of its own beside it, then renamed, so that the file
+ * is whole or as it was. */
+
+#include "report/figure.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#define PNG_DOTS_PER_POINT (300.0 / 72) /* 300 to the inch */
+
+typedef enum file_kind { FILE_SVG, FILE_PDF, FILE_PNG, FILE_UNKNOWN } file_kind;
+
+static file_kind kind_of(const char *path) {
+  const char *ending = strrchr(path, '.');
+  if (ending == NULL || ending == path || ending[-1] == '/') return FILE_UNKNOWN;
+  if (strcasecmp(ending, ".svg") == 0) return FILE_SVG;
+  if (strcasecmp(ending, ".pdf") == 0) return FILE_PDF;
+  return strcasecmp(ending, ".png") == 0 ? FILE_PNG : FILE_UNKNOWN;
+}
+
+bool tp_figure_is_file_name(const char *path) {
+  return kind_of(path) != FILE_UNKNOWN;
+}
+
+/* A file, and the first error of writing to it: Cairo does not hand every one on. */
+typedef struct sink {
+  FILE *file;
+  int error;
+} sink;
+
+static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int length) {
+  sink *s = closure;
+  if (s->error == 0 && fwrite(data, 1, length, s->file) != length) {
+    s->error = errno != 0 ? errno : EIO;
+  }
+  return s->error == 0 ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+/* Letters measure alike on every kind of page: no fitting of them to its dots. */
+static void set_up(cairo_t *cr) {
+  cairo_font_options_t *options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(cr, options);
+  cairo_font_options_destroy(options);
+  cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+}
+
+/* Draw the page; CAIRO_STATUS_NO_MEMORY where its own memory is exhausted. */
+static cairo_status_t draw(double *height, cairo_surface_t *surface, const tp_figure *figure,
+                           double dots) {
+  cairo_t *cr = cairo_create(surface);
+  set_up(cr);
+  cairo_scale(cr, dots, dots);
+  tp_figure_ink(cr, TP_INK_WHITE);
+  cairo_paint(cr);
+  const bool done = tp_figure_page(height, cr, figure);
+  const cairo_status_t status = done ? cairo_status(cr) : CAIRO_STATUS_NO_MEMORY;
+  cairo_destroy(cr);
+  return status;
+}
+
+/* The height that the page takes, found by drawing it on a page of one dot. */
+static cairo_status_t measure(double *height, const tp_figure *figure) {
+  cairo_surface_t *dot = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1);
+  const cairo_status_t status = draw(height, dot, figure, 1);
+  cairo_surface_destroy(dot);
+  return status;
+}
+
+static cairo_surface_t *open_surface(file_kind kind, sink *s, double width, double height) {
+  if (kind == FILE_SVG) return cairo_svg_surface_create_for_stream(write_bytes, s, width, height);
+  if (kind == FILE_PNG) {
+    return cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(width * PNG_DOTS_PER_POINT),
+                                      (int)ceil(height * PNG_DOTS_PER_POINT));
+  }
+  cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(write_bytes, s, width, height);
+  /* else the time of day, and no two files alike */
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "topple " TP_VERSION);
+  return surface;
+}
+
+static cairo_status_t write_figure(file_kind kind, sink *s, const tp_figure *figure) {
+  double height = 0;
+  cairo_status_t status = measure(&height, figure);
+  if (status != CAIRO_STATUS_SUCCESS) return status;
+  cairo_surface_t *surface = open_surface(kind, s, tp_figure_width(figure), ceil(height));
+  status = cairo_surface_status(surface);
+  if (status == CAIRO_STATUS_SUCCESS) {
+    status = draw(&height, surface, figure, kind == FILE_PNG ? PNG_DOTS_PER_POINT : 1);
+  }
+  if (status == CAIRO_STATUS_SUCCESS && kind == FILE_PNG) {
+    status = cairo_surface_write_to_png_stream(surface, write_bytes, s);
+  }
+  cairo_surface_finish(surface);
+  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
+  cairo_surface_destroy(surface);
+  return s->error != 0 ? CAIRO_STATUS_WRITE_ERROR : status;
+}
+
+/* A new file beside the path, with the permissions of any new file. */
+static FILE *open_beside(char *name, size_t size, const char *path) {
+  enum { ATTEMPTS = 100 };
+  for (int k = 0; k < ATTEMPTS; k++) {
+    snprintf(name, size, "%s.%ld-%d.part", path, (long)getpid(), k);
+    const int descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) return fdopen(descriptor, "wb");
+    if (errno != EEXIST) return NULL;
+  }
+  return NULL;
+}
+
+static tp_status cannot_write(const char *path, int error, tp_message *message) {
+  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){path, 0, 0},
+                 "cannot write the figure: %s; name a file in a folder that exists, can be "
+                 "written to and has room",
+                 strerror(error));
+}
+
+static tp_status judge(cairo_status_t status, const char *path, int error, tp_message *message) {
+  if (status == CAIRO_STATUS_SUCCESS) return TP_OK;
+  if (status == CAIRO_STATUS_NO_MEMORY) return tp_fail_memory(message, "the figure");
+  if (status == CAIRO_STATUS_WRITE_ERROR) return cannot_write(path, error, message);
+  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
+                 "the figure cannot be drawn: %s", cairo_status_to_string(status));
+}
+
+static tp_status write_beside(const char *path, char *beside, size_t size, const tp_figure *figure,
+                              tp_message *message) {
+  sink s = {.file = open_beside(beside, size, path)};
+  if (s.file == NULL) return cannot_write(path, errno, message);
+  const cairo_status_t drawn = write_figure(kind_of(path), &s, figure);
+  tp_status status = judge(drawn, path, s.error, message);
+  if (fclose(s.file) != 0 && status == TP_OK) status = cannot_write(path, errno, message);
+  if (status == TP_OK && rename(beside, path) != 0) status = cannot_write(path, errno, message);
+  if (status != TP_OK) (void)unlink(beside);
+  return status;
+}
+
+tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message *message) {
+  const size_t size = strlen(path) + 64;
+  char *beside = malloc(size);
+  if (beside == NULL) return tp_fail_memory(message, "the figure");
+  const tp_status status = write_beside(path, beside, size, figure, message);
+  free(beside);
+  return status;
+}

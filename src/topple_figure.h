@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solved scene as a drawing: docs/figure.md tells what it shows. Included by topple.h. */
+
+#ifndef TOPPLE_FIGURE_H
+#define TOPPLE_FIGURE_H
+
+#include "topple.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Does the name end in .svg, .pdf or .png, the kinds of file that a figure can be? */
+bool tp_figure_is_file_name(const char *path);
+
+/* Draw the solution of the scene into the file `path`, of the kind that its ending names; a file of
+ * that name is replaced, and stays as it was where the drawing fails. The triangles of the account
+ * by elements are drawn where the solution has one. The colours are legible to the colour-blind.
+ * The same program draws the same bytes each time it is run. */
+TP_MUST_USE tp_status tp_report_figure(const char *path, const tp_scene *scene,
+                                       const tp_solution *solution, tp_message *message);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
