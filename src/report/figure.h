@@ -33,8 +33,6 @@ typedef enum tp_ink {
 
 void tp_figure_ink(cairo_t *cr, tp_ink ink);
 
-/* --- views --- */
-
 typedef struct tp_view {
   double cosine, sine; /* of the turn, counter-clockwise */
   double scale;        /* points per unit */
@@ -49,8 +47,6 @@ tp_spot tp_view_direction(const tp_view *view, tp_spot vector);
 /* The chain as a path. Points that no printer tells apart are dropped, and more of them where too
  * many are left. */
 void tp_view_path(cairo_t *cr, const tp_view *view, const tp_chain *chain);
-
-/* --- the state that a panel shows --- */
 
 enum { TP_FORCES_MAX = 2 };
 
@@ -103,8 +99,6 @@ size_t tp_state_pivots(size_t listed[TP_PIVOTS_LISTED], const tp_figure *figure,
                        const tp_state *state);
 tp_spot tp_figure_pivot_spot(const tp_figure *figure, const tp_case *own, size_t pivot);
 
-/* --- labels beside what is drawn --- */
-
 enum { TP_PLACES_MAX = 64 };
 
 typedef struct tp_places {
@@ -128,8 +122,6 @@ void tp_places_line(tp_places *places, tp_spot from, tp_spot to);
 bool tp_places_find(tp_box *box, tp_places *places, tp_spot anchor, tp_spot direction, double width,
                     double height, double reach, bool strict);
 
-/* --- drawing --- */
-
 typedef struct tp_panel {
   cairo_t *cr;
   const tp_figure *figure;
@@ -144,7 +136,7 @@ typedef struct tp_rock {
 } tp_rock;
 
 tp_rock tp_figure_rock(const tp_figure *figure);
-void tp_figure_draw_base(const tp_panel *panel);
+TP_MUST_USE bool tp_figure_draw_base(const tp_panel *panel);
 void tp_figure_draw_block(const tp_panel *panel);
 void tp_figure_draw_contact(const tp_panel *panel);
 void tp_figure_draw_loads(tp_panel *panel);
@@ -161,11 +153,7 @@ void tp_figure_arrow(cairo_t *cr, tp_spot tail, tp_spot tip, double width);
 /* The disc that numbers a pivot. */
 void tp_figure_disc(cairo_t *cr, tp_spot centre, size_t number, bool governs);
 
-/* What is needed to see the panel: a box on a page of scale 1 with the frame's origin at 0. */
-tp_box tp_figure_extent(cairo_t *cr, const tp_figure *figure, const tp_state *state);
-
-/* --- text: sizes in points --- */
-
+/* Sizes of letters, points. */
 #define TP_TITLE_SIZE 10.5
 #define TP_HEAD_SIZE 8.5
 #define TP_BODY_SIZE 7.5
@@ -183,22 +171,23 @@ void tp_figure_text_in(cairo_t *cr, tp_box box, const char *text);
 double tp_figure_paragraph(cairo_t *cr, double x, double y, double width, double size, bool bold,
                            const char *text);
 
-/* What a panel says below its drawing; where it ends. */
-double tp_figure_heading(cairo_t *cr, const tp_figure *figure, const tp_state *state, double x,
-                         double y, double width);
-double tp_figure_verdict(cairo_t *cr, const tp_figure *figure, const tp_state *state, double x,
-                         double y, double width);
+/* What a panel says above and below its drawing, from *y down to where it moves *y. False when
+ * memory is exhausted. */
+TP_MUST_USE bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure,
+                                   const tp_state *state, double x, double width);
+TP_MUST_USE bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure,
+                                   const tp_state *state, double x, double width);
+
+/* The pivots, and the legend; where they end. */
 double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *state, double x,
                        double y, double width);
 double tp_figure_legend(cairo_t *cr, const tp_figure *figure, double scale, double x, double y,
                         double width);
 
-/* The whole page; its height. */
+/* The whole page, and its height. False when memory is exhausted. */
 #define TP_FIGURE_MARGIN 14.0
 double tp_figure_width(const tp_figure *figure);
 TP_MUST_USE bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure);
-
-/* --- the file --- */
 
 TP_MUST_USE tp_status tp_figure_write(const char *path, const tp_figure *figure,
                                       tp_message *message);

@@ -57,13 +57,14 @@ static bool clip_profile(tp_chain *clipped, const tp_figure *figure, const tp_ro
     done = tp_chain_add(clipped, TP_STEP_LINE, p);
   }
   if (clipped->count > 0) clipped->nodes[0].step = TP_STEP_JUMP;
-  return done && clipped->count > 0;
+  return done;
 }
 
-void tp_figure_draw_base(const tp_panel *p) {
+bool tp_figure_draw_base(const tp_panel *p) {
   const tp_rock rock = tp_figure_rock(p->figure);
   tp_chain profile = {0};
-  if (clip_profile(&profile, p->figure, &rock)) {
+  const bool done = clip_profile(&profile, p->figure, &rock);
+  if (done && profile.count > 0) {
     const tp_spot right = tp_view_spot(&p->view, (tp_spot){rock.x1, rock.bottom});
     const tp_spot left = tp_view_spot(&p->view, (tp_spot){rock.x0, rock.bottom});
     tp_view_path(p->cr, &p->view, &profile);
@@ -85,6 +86,7 @@ void tp_figure_draw_base(const tp_panel *p) {
     cairo_stroke(p->cr);
   }
   tp_chain_clear(&profile);
+  return done;
 }
 
 void tp_figure_draw_block(const tp_panel *p) {

@@ -36,7 +36,8 @@ static void include_force(tp_box *box, const tp_view *view, tp_spot at, tp_spot 
   include(box, tp_view_spot(view, (tp_spot){at.x + times * share.x, at.y + times * share.y}));
 }
 
-tp_box tp_figure_extent(cairo_t *cr, const tp_figure *figure, const tp_state *state) {
+/* What is needed to see the panel: a box on a page of scale 1, the frame's origin at 0. */
+static tp_box find_extent(cairo_t *cr, const tp_figure *figure, const tp_state *state) {
   const double large = 1000; /* points a unit: curves are flattened in points */
   const tp_view view = turned(state, large);
   const tp_rock rock = tp_figure_rock(figure);
@@ -82,7 +83,7 @@ static bool draw_panel(cairo_t *cr, const tp_figure *figure, size_t own, const t
   cairo_save(cr);
   cairo_rectangle(cr, area.x0, area.y0, area.x1 - area.x0, area.y1 - area.y0);
   cairo_clip(cr);
-  tp_figure_draw_base(&p);
+  const bool done = tp_figure_draw_base(&p);
   tp_figure_draw_block(&p);
   tp_figure_draw_loads(&p);
   tp_figure_draw_contact(&p);
@@ -93,7 +94,7 @@ static bool draw_panel(cairo_t *cr, const tp_figure *figure, size_t own, const t
   tp_figure_label_tilt(&p);
   cairo_restore(cr);
   tp_places_clear(&p.places);
-  return true;
+  return done;
 }
 
 bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
@@ -107,8 +108,10 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
   }
   for (size_t k = 0; k < figure->panel_count; k++) {
     const double x = left + (double)k * (width + GAP);
-    top = fmax(top, tp_figure_heading(cr, figure, figure->states + k, x, y, width));
-    extents[k] = tp_figure_extent(cr, figure, figure->states + k);
+    double end = y;
+    if (!tp_figure_heading(&end, cr, figure, figure->states + k, x, width)) return false;
+    top = fmax(top, end);
+    extents[k] = find_extent(cr, figure, figure->states + k);
   }
   top += 3;
   const double scale = fit(extents, figure);
@@ -118,10 +121,12 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
   for (size_t k = 0; k < figure->panel_count; k++) {
     const double x = left + (double)k * (width + GAP);
     const tp_state *state = figure->states + k;
-    if (!draw_panel(cr, figure, k, extents + k, scale, (tp_box){x, top, x + width, top + tall})) {
+    const tp_box area = {x, top, x + width, top + tall};
+    below[k] = area.y1 + 4;
+    if (!draw_panel(cr, figure, k, extents + k, scale, area) ||
+        !tp_figure_verdict(below + k, cr, figure, state, x, width)) {
       return false;
     }
-    below[k] = tp_figure_verdict(cr, figure, state, x, top + tall + 4, width);
   }
   y = fmax(below[0], below[1]) + 5; /* so that the tables stand side by side */
   for (size_t k = 0; k < figure->panel_count; k++) {

@@ -114,7 +114,8 @@ bool tp_places_find(tp_box *box, tp_places *places, tp_spot anchor, tp_spot dire
   for (int off_lines = 1; off_lines >= (strict ? 1 : 0); off_lines--) {
     for (int step = 0; 3 + STEP * step <= reach; step++) {
       for (int k = 0; k < TURNS && places->label_count < TP_PLACES_MAX; k++) {
-        const double angle = turn * ((k + 1) / 2) * (k % 2 == 0 ? 1 : -1);
+        const int turns = (k + 1) / 2; /* to either side by turns */
+        const double angle = turn * (k % 2 == 0 ? turns : -turns);
         const tp_spot d = {direction.x * cos(angle) - direction.y * sin(angle),
                            direction.x * sin(angle) + direction.y * cos(angle)};
         /* the box's half-width in that direction, so that its edge is what is near */

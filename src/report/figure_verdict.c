@@ -27,7 +27,7 @@ static void add_limit(tp_text *t, const tp_figure *figure, const tp_state *state
       if (pivot > 0) tp_text_add(t, " about pivot %zu", pivot);
     }
     if (limit->turns_up_dip) tp_text_add(t, ", turning up-dip,");
-    if (limit->tie) tp_text_add(t, " (tied with: %s)", tp_text_mechanism(limit->tied_with));
+    if (limit->tie) tp_text_add(t, ", or %s (a tie),", tp_text_mechanism(limit->tied_with));
     tp_text_add(t, " at %s°", degrees(n, limit->critical_angle_deg));
     return;
   case TP_LIMIT_INTERLOCKED:
@@ -132,8 +132,8 @@ static void add_loads(tp_text *t, const tp_figure *figure) {
   tp_text_add(t, ".");
 }
 
-double tp_figure_heading(cairo_t *cr, const tp_figure *figure, const tp_state *state, double x,
-                         double y, double width) {
+bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
+                       double x, double width) {
   static const char *const states[] = {[TP_STATE_LIMIT] = "drawn at the static limit",
                                        [TP_STATE_MOMENTS] =
                                            "drawn where the weight passes the pivot",
@@ -146,17 +146,21 @@ double tp_figure_heading(cairo_t *cr, const tp_figure *figure, const tp_state *s
   if (state->kind == TP_STATE_LIMIT && figure->solution->has_friction) {
     tp_text_add(&t, ", φ = %s°", tp_page_degrees(n, figure->solution->friction_angle_deg));
   }
-  if (!t.failed) {
+  const bool done = !t.failed;
+  if (done) {
     tp_figure_ink(cr, TP_INK_BLACK);
-    y = tp_figure_paragraph(cr, x, y, width, TP_HEAD_SIZE, false, t.data);
+    *y = tp_figure_paragraph(cr, x, *y, width, TP_HEAD_SIZE, false, t.data);
   }
   free(t.data);
-  return y;
+  return done;
 }
 
-double tp_figure_verdict(cairo_t *cr, const tp_figure *figure, const tp_state *state, double x,
-                         double y, double width) {
+bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
+                       double x, double width) {
   tp_text verdict = {0}, more = {0};
+  if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
+    tp_text_add(&verdict, "Does not hold even on level ground: ");
+  }
   add_limit(&verdict, figure, state, &state->own->limit);
   add_base(&verdict, figure, state);
   if (state->own->limit.kind == TP_LIMIT_NOT_ASKED) {
@@ -166,13 +170,14 @@ double tp_figure_verdict(cairo_t *cr, const tp_figure *figure, const tp_state *s
   add_scene_tilt(&more, figure, state);
   add_reactions(&more, figure, state);
   add_loads(&more, figure);
-  if (!verdict.failed && !more.failed) {
+  const bool done = !verdict.failed && !more.failed;
+  if (done) {
     verdict.data[0] = (char)toupper((unsigned char)verdict.data[0]);
     tp_figure_ink(cr, TP_INK_BLACK);
-    y = tp_figure_paragraph(cr, x, y, width, TP_BODY_SIZE, true, verdict.data);
-    y = tp_figure_paragraph(cr, x, y + 1, width, TP_BODY_SIZE, false, more.data);
+    *y = tp_figure_paragraph(cr, x, *y, width, TP_BODY_SIZE, true, verdict.data);
+    *y = tp_figure_paragraph(cr, x, *y + 1, width, TP_BODY_SIZE, false, more.data);
   }
   free(verdict.data);
   free(more.data);
-  return y;
+  return done;
 }
