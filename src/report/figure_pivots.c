@@ -144,6 +144,11 @@ void tp_figure_draw_tilt(tp_panel *p) {
     cairo_arc_negative(cr, w.low.x, w.low.y, w.radius, from, -4 * atan(1));
   }
   cairo_stroke(cr);
+  const tp_spot along = tp_view_direction(&p->view, (tp_spot){p->view.sine >= 0 ? 1 : -1, 0});
+  tp_places_line(&p->places, (tp_spot){w.low.x + w.radius * along.x, w.low.y + w.radius * along.y},
+                 w.on_arc);
+  const double level = w.level.x > w.low.x ? w.radius : -w.radius;
+  tp_places_line(&p->places, w.on_arc, (tp_spot){w.low.x + level, w.low.y});
 }
 
 void tp_figure_label_tilt(tp_panel *p) {

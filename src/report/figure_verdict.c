@@ -27,7 +27,7 @@ static void add_limit(tp_text *t, const tp_figure *figure, const tp_state *state
       if (pivot > 0) tp_text_add(t, " about pivot %zu", pivot);
     }
     if (limit->turns_up_dip) tp_text_add(t, ", turning up-dip,");
-    if (limit->tie) tp_text_add(t, " (tied with: %s)", tp_text_mechanism(limit->tied_with));
+    if (limit->tie) tp_text_add(t, ", or %s (a tie),", tp_text_mechanism(limit->tied_with));
     tp_text_add(t, " at %s°", degrees(n, limit->critical_angle_deg));
     return;
   case TP_LIMIT_INTERLOCKED:
@@ -158,6 +158,9 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
 bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
                        double x, double width) {
   tp_text verdict = {0}, more = {0};
+  if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
+    tp_text_add(&verdict, "Does not hold even on level ground: ");
+  }
   add_limit(&verdict, figure, state, &state->own->limit);
   add_base(&verdict, figure, state);
   if (state->own->limit.kind == TP_LIMIT_NOT_ASKED) {

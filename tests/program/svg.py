@@ -37,7 +37,7 @@ def box(points):
 
 class Drawing:
     """The texts of a file as boxes around their ink, each a piece that was written at once, and its
-    filled areas by colour."""
+    filled areas and its strokes by colour."""
 
     def __init__(self, text):
         root = ElementTree.fromstring(text)
@@ -48,14 +48,20 @@ class Drawing:
             ink = [point for piece in pieces for point in piece]
             self.glyphs["#" + symbol.get("id")] = box(ink) if ink else None
         self.texts = [b for b in (self.text_box(g) for g in root.iter(SVG + "g")) if b]
-        self.areas = {}
+        self.areas = self.paths(root, "fill")
+        self.strokes = self.paths(root, "stroke")
+
+    @staticmethod
+    def paths(root, use):
+        """Outlines of all paths that are filled, or stroked, by colour."""
+        found = {}
         for path in root.iter(SVG + "path"):
-            style = path.get("style", "")
-            fill = re.search(r"fill:rgb\(([^)]*)\)", style)
-            if fill:
+            rgb = re.search(use + r":rgb\(([^)]*)\)", path.get("style", ""))
+            if rgb:
                 colour = tuple(round(float(c.strip().rstrip("%")) / 100, 3)
-                               for c in fill.group(1).split(","))
-                self.areas.setdefault(colour, []).append(outlines(path.get("d")))
+                               for c in rgb.group(1).split(","))
+                found.setdefault(colour, []).append(outlines(path.get("d")))
+        return found
 
     def text_box(self, group):
         """The box of a group that holds nothing but letters; None for another."""

@@ -3,6 +3,7 @@
 """Figures: files of the three kinds, whole and alike on every run, in which nothing covers the block;
 mistakes leave no file behind."""
 
+import cmath
 import itertools
 import math
 import pathlib
@@ -107,17 +108,24 @@ class Figures(unittest.TestCase):
                 self.check_clear(drawing, name)
 
     def test_block_e(self):
-        """The block E towards its valley: turned by the limit, which a short base has at 28.73 degrees,
-        and a centre of rotation 6 cm below its base where the lines of the reactions meet."""
+        """Block E towards its valley: turned by the limit, which a short base has at 28.73 degrees, and
+        a cross at the centre of rotation, below its base."""
         drawing = Drawing(self.draw(E_VALLEY, "figure.svg").decode())
         (block,), *_ = drawing.areas[TINTS[0]]
         self.assertEqual(len(block), 6)
         limit = solve(E_VALLEY)["cases"][0]["limit"]
-        angle = math.radians(limit["critical_angle_deg"]["value"])
-        (x0, y0), (x1, y1) = block[-1], block[-2]  # the upper side, from left to right
-        self.assertAlmostEqual(math.atan2(y0 - y1, x1 - x0), angle, places=4)
-        self.assertLess(max(y for piece in drawing.areas[ROCK][0] for _, y in piece),
-                        drawing.size[1])
+        corners = [complex(x, -y) for x, y in block]  # from the valley in (0, 0) to (90, 5) and on
+        turn = (corners[3] - corners[0]) / complex(90, 5)
+        self.assertAlmostEqual(math.degrees(cmath.phase(turn)), limit["critical_angle_deg"]["value"],
+                               places=3)
+        self.assertAlmostEqual(limit["critical_angle_deg"]["value"], 28.73, places=2)
+        centre = corners[0] + turn * complex(1000 * limit["centre_x_m"]["value"],
+                                             1000 * limit["centre_y_m"]["value"])
+        self.assertLess(limit["centre_y_m"]["value"], -0.05)
+        crossed = [sum(complex(x, -y) for x, y in piece) / len(piece)
+                   for stroke in drawing.strokes[VERMILION] for piece in stroke]
+        # Cairo rounds to 1/256 point
+        self.assertEqual(sum(abs(middle - centre) < 0.01 for middle in crossed), 2)
 
     def test_elements(self):
         """--elements draws the sides of the elements; a figure without it is smaller."""
@@ -130,6 +138,7 @@ class Figures(unittest.TestCase):
             self.assertTrue(data.startswith(b"%PDF-1."))
             self.assertTrue(data.rstrip().endswith(b"%%EOF"))
             self.assertEqual(data.count(b"/Type /Page "), 1)
+            self.assertIn(b"/CreationDate (20000101000000Z)", data)  # not the time of day
 
     def test_png(self):
         """300 dots to the inch, as large as the SVG; all of its data there."""
