@@ -331,6 +331,7 @@ TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
 }
 #endif
 
+#include "topple_chart.h"
 #include "topple_derive.h"
 #include "topple_find.h"
 #include "topple_verify.h"
