@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Sizes in mm; letters of 7 points, about the least that journals take. */
-static const double left_mm = 14, right_mm = 4, top_mm = 7, bottom_mm = 11, foot_mm = 1;
+static const double left_mm = 14, right_mm = 4, top_mm = 7, bottom_mm = 9.5, foot_mm = 1;
 static const double between_columns_mm = 12, between_rows_mm = 6, between_titles_mm = 4;
 static const double legend_row_mm = 3.8, letter_mm = 1.3, sample_mm = 8, after_sample_mm = 1.5,
                     after_text_mm = 4;
@@ -21,12 +21,13 @@ static const char *const colours[] = {"#000000", "#E69F00", "#56B4E9", "#009E73"
 /* The same mixed with white, for regions; of different lightness in grey. */
 static const char *const tints[] = {"#E8E8E8", "#FBE6BF", "#DDF0FA", "#CDEBE1", "#FCF9D9",
                                     "#CCE3F0", "#F7DFCC", "#E6C9DA", "#F2F2F2"};
-static const char *const dashes[] = {"solid", "(6,3)", "(1.5,2)", "(8,3,1.5,3)", "(14,4)"};
+static const char *const dashes[] = {"solid", "(6,3)", "(2,3)", "(8,3,1.5,3)", "(14,4)"};
 
 enum { LEGEND_COLUMNS_MAX = 6 };
 
 typedef struct sheet {
   const tp_chart *chart;
+  tp_chart_format format;
   double width_mm, height_mm;
   size_t rows, legend_columns, legend_rows;
   double legend_at_mm[LEGEND_COLUMNS_MAX];
@@ -76,8 +77,10 @@ static bool lay_out_legend(sheet *s, size_t columns) {
   return width <= s->width_mm - 2 * foot_mm;
 }
 
-static sheet lay_out(const tp_chart *chart) {
-  sheet s = {.chart = chart, .rows = (chart->panel_count + chart->columns - 1) / chart->columns};
+static sheet lay_out(const tp_chart *chart, tp_chart_format format) {
+  sheet s = {.chart = chart,
+             .format = format,
+             .rows = (chart->panel_count + chart->columns - 1) / chart->columns};
   s.width_mm = left_mm + right_mm + (double)chart->columns * chart->panel_width_mm +
                (double)(chart->columns - 1) * between_columns_mm;
   size_t columns =
@@ -90,16 +93,16 @@ static sheet lay_out(const tp_chart *chart) {
   return s;
 }
 
-static void add_terminal(tp_text *t, const sheet *s, tp_chart_format format) {
+static void add_terminal(tp_text *t, const sheet *s) {
   const double w = s->width_mm, h = s->height_mm;
   tp_text_add(t, "set encoding utf8\n");
-  if (format == TP_CHART_SVG) {
+  if (s->format == TP_CHART_SVG) {
     tp_text_add(t,
                 "set terminal svg size %.0f,%.0f enhanced font 'Arial,%.2f' linewidth 1 "
                 "background rgb 'white'\n",
                 w * pixels_per_mm, h * pixels_per_mm,
                 letter_points * pixels_per_mm / points_per_mm);
-  } else if (format == TP_CHART_PDF) {
+  } else if (s->format == TP_CHART_PDF) {
     /* gnuplot halves the letters of a PDF, and takes a point for a 72nd of 96 pixels elsewhere */
     tp_text_add(t,
                 "set terminal pdfcairo size %.4fcm,%.4fcm enhanced font 'Arial,%g' fontscale 0.75 "
@@ -195,9 +198,10 @@ static void add_margins(tp_text *t, const sheet *s, size_t panel) {
               (top - c->panel_height_mm) / s->height_mm);
 }
 
-/* A sample of a style at a place of the sheet. */
-static void add_sample(tp_text *t, const sheet *s, const tp_chart_style *style, double x,
-                       double y) {
+/* A sample of a style at a place of the sheet. In an SVG gnuplot joins arrows of one colour and
+ * width into one path of one dash: `apart` makes their widths differ, by less than is seen. */
+static void add_sample(tp_text *t, const sheet *s, const tp_chart_style *style, double x, double y,
+                       double apart) {
   const double w = s->width_mm, h = s->height_mm;
   const char *colour = colours[style->colour];
   switch (style->mark) {
@@ -205,7 +209,7 @@ static void add_sample(tp_text *t, const sheet *s, const tp_chart_style *style, 
     tp_text_add(t,
                 "set arrow from screen %.6f,%.6f to screen %.6f,%.6f nohead lc rgb '%s' lw %.2f "
                 "dt %s\n",
-                x / w, y / h, (x + sample_mm) / w, y / h, colour, line_width(style),
+                x / w, y / h, (x + sample_mm) / w, y / h, colour, line_width(style) + apart,
                 dashes[style->dash]);
     break;
   case TP_MARK_POINTS:
@@ -228,7 +232,7 @@ static void add_legend(tp_text *t, const sheet *s) {
     const double x = s->legend_at_mm[k / s->legend_rows];
     const double rows_below = (double)(s->legend_rows - k % s->legend_rows) - 0.5;
     const double y = foot_mm + rows_below * legend_row_mm;
-    add_sample(t, s, &entry->style, x, y);
+    add_sample(t, s, &entry->style, x, y, 0.01 * (double)k);
     tp_text_add(t, "set label ");
     add_quoted(t, entry->text);
     tp_text_add(t, " at screen %.6f,%.6f left\n", (x + sample_mm + after_sample_mm) / s->width_mm,
@@ -257,12 +261,13 @@ static void add_plot(tp_text *t, const sheet *s, size_t panel) {
 static void add_panel(tp_text *t, const sheet *s, size_t panel) {
   const tp_chart *c = s->chart;
   const tp_chart_panel *p = c->panels + panel;
-  const char *title = p->title != NULL ? p->title : c->title;
+  const bool own = p->title != NULL;
+  const char *title = own ? p->title : panel == 0 ? c->title : NULL;
   add_margins(t, s, panel);
   tp_text_add(t, "unset label\n");
   tp_text_add(t, "set title ");
   add_quoted(t, title != NULL ? title : "");
-  tp_text_add(t, " offset 0,-0.4%s\n", p->title == NULL ? " noenhanced" : "");
+  tp_text_add(t, " offset 0,-0.4%s\n", own ? "" : " noenhanced");
   add_axis(t, &p->x, 'x');
   add_axis(t, &p->y, 'y');
   for (size_t k = 0; k < c->label_count; k++) {
@@ -274,13 +279,14 @@ static void add_panel(tp_text *t, const sheet *s, size_t panel) {
 
 tp_status tp_chart_script(char **text, const tp_chart *chart, tp_chart_format format) {
   tp_text t = {0};
-  const sheet s = lay_out(chart);
-  add_terminal(&t, &s, format);
+  const sheet s = lay_out(chart, format);
+  add_terminal(&t, &s);
   add_data(&t, chart);
-  tp_text_add(&t, "set style textbox opaque noborder margins 0.6,0.6 fillcolor rgb 'white'\n"
-                  "set border 3 front lw 0.6\nset minussign\nset multiplot\nunset key\n"
-                  "set tics front out nomirror scale 0.5\nset xtics offset 0,0.35\n"
-                  "set ytics offset 0.5,0\nset xlabel offset 0,0.7\nset ylabel offset 1.4,0\n");
+  tp_text_add(
+      &t, "set style textbox opaque noborder margins 0.3,0.2 fillcolor rgb 'white'\n"
+          "set border 3 front lw 0.6\nset minussign\nset format '%%h'\nset multiplot\nunset key\n"
+          "set tics front out nomirror scale 0.5\nset xtics offset 0,0.35\n"
+          "set ytics offset 0.5,0\nset xlabel offset 0,0.7\nset ylabel offset 1.4,0\n");
   for (size_t k = 0; k < chart->panel_count; k++) add_panel(&t, &s, k);
   tp_text_add(&t, "unset multiplot\n");
   return tp_text_finish(&t, text);

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { POINTS = 161, PANELS_MAX = 12 };
+enum { POINTS = 111, PANELS_MAX = 12 };
 
 static const tp_chart_colour colours[TP_CHART_LIST_MAX] = {TP_COLOUR_BLUE,   TP_COLOUR_VERMILLION,
                                                            TP_COLOUR_GREEN,  TP_COLOUR_PURPLE,
@@ -151,19 +151,22 @@ static void add_slenderness_labels(const drawing *d) {
   if (any) tp_chart_add_label(d->chart, 0, fos_most, TP_LABEL_ALONG, "{/:Italic Δx/y} =");
 }
 
-static tp_status add_panel(drawing *d, double amplitude, size_t sub_blocks) {
+/* Only panels of the left and of the lowest row name their axes. */
+static tp_status add_panel(drawing *d, double amplitude, size_t sub_blocks, bool left,
+                           bool lowest) {
   const tp_chart_fos_options *o = d->options;
   char title[80];
   const int length = snprintf(title, sizeof title, "{/:Italic A/y} = %.4g %%", 100 * amplitude);
   if (sub_blocks > 0) {
     snprintf(title + length, sizeof title - (size_t)length, ", {/:Italic N} = %zu", sub_blocks);
   }
-  tp_chart_add_panel(
-      d->chart, title,
-      (tp_panel_axis){
-          .label = "Tilt angle {/:Italic α} (°)", .range = {0, o->tilt_deg.to}, .tick = 10},
-      (tp_panel_axis){
-          .label = "Factor of safety {/:Italic FoS} (–)", .range = {0, fos_most}, .tick = 0.5});
+  tp_chart_add_panel(d->chart, title,
+                     (tp_panel_axis){.label = lowest ? "Tilt angle {/:Italic α} (°)" : NULL,
+                                     .range = {0, o->tilt_deg.to},
+                                     .tick = 10},
+                     (tp_panel_axis){.label = left ? "Factor of safety {/:Italic FoS} (–)" : NULL,
+                                     .range = {0, fos_most},
+                                     .tick = 0.5});
   tp_chart_add_guide(d->chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.6});
   tp_chart_add_place(d->chart, 0, 1);
   tp_chart_add_place(d->chart, o->tilt_deg.to, 1);
@@ -218,7 +221,7 @@ tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options, tp
     for (size_t k = 0; k < options->amplitude.count && status == TP_OK; k++) {
       const size_t count =
           options->sub_blocks.count > 0 ? (size_t)options->sub_blocks.values[row] : 0;
-      status = add_panel(&d, options->amplitude.values[k], count);
+      status = add_panel(&d, options->amplitude.values[k], count, k == 0, row + 1 == rows);
     }
   }
   if (status != TP_OK) {

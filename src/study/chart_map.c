@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { LABEL_SIZE = 180 };
+
 static const char tilt_label[] = "Tilt angle {/:Italic α} (°)";
 
 static bool is_tilt(const tp_chart_axis *axis) {
@@ -61,10 +63,32 @@ static tp_status find_numbers(tp_map *map) {
   return status;
 }
 
-static tp_panel_axis axis_of(const tp_chart_axis *from) {
-  return (tp_panel_axis){.label = is_tilt(from) ? tilt_label : from->key,
-                         .plain = !is_tilt(from),
-                         .range = from->range};
+/* A length carries the scene's unit; all else has its unit in the key, if any. Which a parameter is
+ * cannot be told. */
+static bool is_length(const char *key) {
+  static const char *const ends[] = {"width",       "height",    "depth",      "flat",
+                                     "radius",      "thickness", "left",       "right",
+                                     "block_width", "amplitude", "wavelength", "mean_height"};
+  static const char *const begins[] = {"block.outline.", "block.holes.", "base.profile.",
+                                       "base.between."};
+  const char *last = strrchr(key, '.');
+  for (size_t k = 0; last != NULL && k < sizeof ends / sizeof ends[0]; k++) {
+    if (strcmp(last + 1, ends[k]) == 0) return true;
+  }
+  for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
+    if (strncmp(key, begins[k], strlen(begins[k])) == 0) return true;
+  }
+  return false;
+}
+
+/* `label` holds the text as long as the axis is used. */
+static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
+  const tp_node *unit = tp_node_get(map->scene.root, "length_unit");
+  snprintf(label, LABEL_SIZE, "%s", is_tilt(from) ? tilt_label : from->key);
+  if (!is_tilt(from) && is_length(from->key)) {
+    snprintf(label, LABEL_SIZE, "%.140s (%.20s)", from->key, unit->text);
+  }
+  return (tp_panel_axis){.label = label, .plain = !is_tilt(from), .range = from->range};
 }
 
 static void add_legend(tp_chart *chart, bool along_one) {
@@ -82,7 +106,7 @@ static void add_legend(tp_chart *chart, bool along_one) {
       {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
       {"limit", "tie", "limit: tie", tp_line_both},
       {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
-      {"Patton's sliding", "", "{/:Italic φ_b} + {/:Italic i}", tp_line_patton},
+      {"Patton's sliding", "", "Patton: {/:Italic φ_b} + {/:Italic i}", tp_line_patton},
       {"slides and topples from rest", "", "slides and topples at once, from rest",
        tp_line_dynamic},
   };
@@ -109,7 +133,9 @@ static void draw(tp_map *map) {
   }
   map->chart->panel_width_mm = 72;
   map->chart->panel_height_mm = 62;
-  tp_chart_add_panel(map->chart, NULL, axis_of(&o->x), axis_of(&o->y));
+  char labels[2][LABEL_SIZE];
+  const tp_panel_axis x = axis_of(labels[0], map, &o->x), y = axis_of(labels[1], map, &o->y);
+  tp_chart_add_panel(map->chart, NULL, x, y);
   const tp_node *title = tp_node_get(map->scene.root, "title");
   if (title != NULL && title->kind == TP_NODE_SCALAR) tp_chart_set_title(map->chart, title->text);
   if (along_one) {

@@ -12,7 +12,7 @@
 
 #include <stdio.h>
 
-enum { POINTS = 51, WIDTHS = 4, COUNTS = 4, MARKS = 4 };
+enum { POINTS = 21, WIDTHS = 4, COUNTS = 4, MARKS = 4 };
 
 static const double amplitude_most = 0.1;
 static const double marks[MARKS] = {0.01, 0.02, 0.05, 0.1};

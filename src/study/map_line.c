@@ -62,22 +62,44 @@ static size_t piece_end(const line *l, size_t begin) {
   return end;
 }
 
+/* How far a place keeps from the curves of moments, of sliding and of dynamics, and from the bounds
+ * of its region, over the width of a name; in degrees. */
+static double clearance(const line *l, double scalar, double tilt, bool below) {
+  const double reach = 0.12 * (l->scalar.to - l->scalar.from);
+  double least = fmin(tilt - l->tilt.from, l->tilt.to - tilt);
+  for (size_t k = 0; k < l->count; k++) {
+    const tp_look *look = l->looks + k;
+    if (fabs(at(l, k) - scalar) > reach) continue;
+    const double limit = clamped(l, look->limit_deg.value);
+    least = fmin(least, below ? limit - tilt : tilt - limit);
+    if (look->has_toppling) least = fmin(least, fabs(look->toppling_deg.value - tilt));
+    if (look->has_sliding) least = fmin(least, fabs(look->sliding_deg.value - tilt));
+    if (look->has_dynamic) least = fmin(least, fabs(look->dynamic_deg - tilt));
+  }
+  return least;
+}
+
 /* A name where the piece leaves most room for it, if it leaves enough. */
 static void add_name(const line *l, size_t begin, size_t end, bool below) {
-  const double wide = at(l, end - 1) - at(l, begin);
-  double room = 0, scalar = 0, tilt = 0;
+  enum { HEIGHTS = 20 };
+  const double high = l->tilt.to - l->tilt.from, wide = l->scalar.to - l->scalar.from;
+  const double half_name = fmin(0.13 * wide, 0.5 * (at(l, end - 1) - at(l, begin)));
+  double room = 0.03 * high, scalar = 0, tilt = 0;
+  bool found = false;
   for (size_t k = begin; k < end; k++) {
-    const double x = at(l, k), inside = fmin(x - at(l, begin), at(l, end - 1) - x) / wide;
-    const double limit = clamped(l, l->looks[k].limit_deg.value);
-    const double high = below ? limit - l->tilt.from : l->tilt.to - limit;
-    if (inside < 0.3 || high <= room) continue;
-    room = high;
-    scalar = x;
-    tilt = below ? limit - high / 2 : limit + high / 2;
+    const double x = at(l, k);
+    if (x - at(l, begin) < half_name || at(l, end - 1) - x < half_name) continue;
+    for (int h = 1; h < HEIGHTS; h++) {
+      const double y = l->tilt.from + high * h / HEIGHTS;
+      const double clear = fmin(clearance(l, x, y, below), 0.15 * high);
+      if (clear <= room) continue;
+      room = clear;
+      scalar = x;
+      tilt = y;
+      found = true;
+    }
   }
-  const bool fits =
-      room > 0.12 * (l->tilt.to - l->tilt.from) && wide > 0.15 * (l->scalar.to - l->scalar.from);
-  if (!fits) return;
+  if (!found || at(l, end - 1) - at(l, begin) < 0.15 * wide) return;
   tp_chart_add_label(l->map->chart, l->scalar_is_x ? scalar : tilt, l->scalar_is_x ? tilt : scalar,
                      TP_LABEL_CENTRE, below ? "stable" : tp_regime_name(l->looks[begin].regime));
 }

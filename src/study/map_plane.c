@@ -84,6 +84,29 @@ static tp_crossing cross_level(void *context, tp_look low, tp_look high) {
   return (tp_crossing){0};
 }
 
+/* Are two places so near that their labels touch? */
+static bool is_near(const plane *p, tp_place_2d at, const tp_chart_label *label) {
+  const tp_chart_range *x = &p->map->options->x.range, *y = &p->map->options->y.range;
+  return fabs(label->x - at.x) < 0.09 * (x->to - x->from) &&
+         fabs(label->y - at.y) < 0.05 * (y->to - y->from);
+}
+
+/* The present level on its curve, where no other stands; a short curve has none. */
+static void add_level(const plane *p, size_t count) {
+  static const double shares[] = {0.5, 0.35, 0.65, 0.2, 0.8};
+  const tp_chart *chart = p->map->chart;
+  char text[32];
+  snprintf(text, sizeof text, "%.4g°", p->level_deg);
+  for (size_t k = 0; k < sizeof shares / sizeof shares[0] && count > SIDE / 6; k++) {
+    const tp_place_2d at = p->places[(size_t)((double)count * shares[k])];
+    bool is_free = true;
+    for (size_t j = 0; j < chart->label_count; j++) is_free &= !is_near(p, at, chart->labels + j);
+    if (!is_free) continue;
+    tp_chart_add_label(p->map->chart, at.x, at.y, TP_LABEL_BOXED, text);
+    return;
+  }
+}
+
 static void add_regions(tp_map *map, const tp_pieces *pieces) {
   for (int regime = TP_REGIME_SLIDES; regime <= TP_REGIME_UNDECIDED; regime++) {
     bool any = false;
@@ -128,11 +151,7 @@ static void add_curves(plane *p, const tp_field *field, tp_chart_style style, co
       tp_chart_add_point(p->map->chart, (tp_bounded){x, relative * fabs(x)},
                          (tp_bounded){y, relative * fabs(y)});
     }
-    if (levels && count > SIDE / 6) {
-      snprintf(name, sizeof name, "%.4g°", p->level_deg);
-      tp_chart_add_label(p->map->chart, p->places[count / 2].x, p->places[count / 2].y,
-                         TP_LABEL_BOXED, name);
-    }
+    if (levels) add_level(p, count);
   }
   if (!levels) add_regions(p->map, &pieces);
   tp_pieces_clear(&pieces);

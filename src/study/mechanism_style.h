@@ -24,7 +24,7 @@ static const tp_chart_style tp_line_both = {TP_MARK_LINE, TP_COLOUR_PURPLE, TP_D
 static const tp_chart_style tp_line_dynamic = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_LONG, 0.7};
 static const tp_chart_style tp_line_moments = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DASH_DOT,
                                                0.7};
-static const tp_chart_style tp_line_patton = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DOTTED, 0.8};
+static const tp_chart_style tp_line_patton = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DOTTED, 0.9};
 static const tp_chart_style tp_line_contour = {TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.6};
 static const tp_chart_style tp_line_border = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_SOLID, 0.7};
 
