@@ -8,8 +8,8 @@
 #include <string.h>
 
 /* Sizes in mm; letters of 7 points, about the least that journals take. */
-static const double left_mm = 14, right_mm = 4, top_mm = 7, bottom_mm = 9.5, foot_mm = 1;
-static const double between_columns_mm = 12, between_rows_mm = 6, between_titles_mm = 4;
+static const double left_mm = 14, right_mm = 4, top_mm = 7, bottom_mm = 10, foot_mm = 1;
+static const double between_columns_mm = 12, between_rows_mm = 7, between_titles_mm = 4;
 static const double legend_row_mm = 3.8, letter_mm = 1.3, sample_mm = 8, after_sample_mm = 1.5,
                     after_text_mm = 4;
 static const double letter_points = 7;
@@ -188,10 +188,12 @@ static void add_label(tp_text *t, const tp_chart_label *label) {
 /* The margins of a panel, shares of the sheet. */
 static void add_margins(tp_text *t, const sheet *s, size_t panel) {
   const tp_chart *c = s->chart;
-  const double column = (double)(panel % c->columns), row = (double)(panel / c->columns);
+  const double column = (double)(panel % c->columns);
+  const size_t rows_above = panel / c->columns;
   const double left = left_mm + column * (c->panel_width_mm + between_columns_mm);
   const double top =
-      s->height_mm - top_mm - row * (c->panel_height_mm + between_rows_mm + between_titles_mm);
+      s->height_mm - top_mm -
+      (double)rows_above * (c->panel_height_mm + between_rows_mm + between_titles_mm);
   tp_text_add(t, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n", left / s->width_mm,
               (left + c->panel_width_mm) / s->width_mm);
   tp_text_add(t, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", top / s->height_mm,
@@ -227,7 +229,7 @@ static void add_sample(tp_text *t, const sheet *s, const tp_chart_style *style, 
 
 /* Under all panels. */
 static void add_legend(tp_text *t, const sheet *s) {
-  for (size_t k = 0; k < s->chart->legend_count; k++) {
+  for (size_t k = 0; k < s->chart->legend_count && s->legend_rows > 0; k++) {
     const tp_chart_legend *entry = s->chart->legend + k;
     const double x = s->legend_at_mm[k / s->legend_rows];
     const double rows_below = (double)(s->legend_rows - k % s->legend_rows) - 0.5;
@@ -286,7 +288,7 @@ tp_status tp_chart_script(char **text, const tp_chart *chart, tp_chart_format fo
       &t, "set style textbox opaque noborder margins 0.3,0.2 fillcolor rgb 'white'\n"
           "set border 3 front lw 0.6\nset minussign\nset format '%%h'\nset multiplot\nunset key\n"
           "set tics front out nomirror scale 0.5\nset xtics offset 0,0.35\n"
-          "set ytics offset 0.5,0\nset xlabel offset 0,0.7\nset ylabel offset 1.4,0\n");
+          "set ytics offset 0.5,0\nset xlabel offset 0,0.7\nset ylabel offset 0.6,0\n");
   for (size_t k = 0; k < chart->panel_count; k++) add_panel(&t, &s, k);
   tp_text_add(&t, "unset multiplot\n");
   return tp_text_finish(&t, text);

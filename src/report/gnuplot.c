@@ -13,8 +13,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char **environ;
-
 typedef struct child {
   pid_t process;
   int commands, complaints; /* ours: to write to, to read from */
@@ -98,7 +96,7 @@ static void listen_to(const child *own, char *text, size_t size) {
 }
 
 tp_status tp_gnuplot_run(const tp_file *file, const char *script, tp_message *message) {
-  child own;
+  child own = {0};
   tp_status status = start(&own, file->descriptor, message);
   if (status != TP_OK) return status;
   char complaint[400];

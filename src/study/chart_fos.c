@@ -136,16 +136,16 @@ static void add_examples(const drawing *d, tp_toe_kind toe, tp_bounded critical)
 static void add_slenderness_labels(const drawing *d) {
   const double degree = 57.29577951308232;
   const tp_chart_range *tilt = &d->options->tilt_deg;
-  const double room = 0.068 * tilt->to;
-  double free_from = 0.17 * tilt->to;
+  const double per_mm = tilt->to / d->chart->panel_width_mm, room = 5 * per_mm;
+  double free_from = 8 * per_mm;
   bool any = false;
   for (size_t k = 0; k < d->options->inverse_slenderness.count; k++) {
     const double x = d->options->inverse_slenderness.values[k], at = atan(x / fos_most) * degree;
     char text[32];
     snprintf(text, sizeof text, "%.4g", x);
-    if (at < tilt->from || at > tilt->to || at - room / 2 < free_from - room) continue;
+    if (at < tilt->from || at > tilt->to || at - room / 2 < free_from) continue;
     tp_chart_add_label(d->chart, at, fos_most, TP_LABEL_ABOVE, text);
-    free_from = at + room + room / 2;
+    free_from = at + room / 2;
     any = true;
   }
   if (any) tp_chart_add_label(d->chart, 0, fos_most, TP_LABEL_ALONG, "{/:Italic Δx/y} =");

@@ -97,7 +97,7 @@ static void add_legend(tp_chart *chart, bool along_one) {
     tp_chart_add_legend(chart, "critical angle, limit analysis", tp_line_contour);
     return;
   }
-  static const struct entry {
+  const struct entry {
     const char *series, *of, *text;
     tp_chart_style style;
   } entries[] = {
@@ -106,7 +106,7 @@ static void add_legend(tp_chart *chart, bool along_one) {
       {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
       {"limit", "tie", "limit: tie", tp_line_both},
       {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
-      {"Patton's sliding", "", "Patton: {/:Italic φ_b} + {/:Italic i}", tp_line_patton},
+      {"Patton's sliding", "", "Patton's sliding", tp_line_patton},
       {"slides and topples from rest", "", "slides and topples at once, from rest",
        tp_line_dynamic},
   };

@@ -87,6 +87,7 @@ tp_look tp_map_look(tp_map *map, const double *values) {
   for (size_t k = 0; k < map->scene.count; k++) look.values[k] = values[k];
   const tp_status status = tp_varied_solve(&solution, &map->scene, values, &map->why);
   if (status == TP_OK) take(&look, solution);
+  if (status == TP_UNDECIDED) look.regime = TP_REGIME_UNDECIDED;
   if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
     map->status = status;
     *map->message = map->why;

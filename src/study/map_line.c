@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { POINTS = 241, LOOKS_MAX = 1200 };
 
@@ -82,8 +83,11 @@ static double clearance(const line *l, double scalar, double tilt, bool below) {
 /* A name where the piece leaves most room for it, if it leaves enough. */
 static void add_name(const line *l, size_t begin, size_t end, bool below) {
   enum { HEIGHTS = 20 };
+  const double middle = (at(l, begin) + at(l, end - 1)) / 2;
   const double high = l->tilt.to - l->tilt.from, wide = l->scalar.to - l->scalar.from;
-  const double half_name = fmin(0.13 * wide, 0.5 * (at(l, end - 1) - at(l, begin)));
+  const char *name = below ? "stable" : tp_regime_name(l->looks[begin].regime);
+  const double half_name =
+      fmin(0.01 * (double)strlen(name) * wide, 0.5 * (at(l, end - 1) - at(l, begin)));
   double room = 0.03 * high, scalar = 0, tilt = 0;
   bool found = false;
   for (size_t k = begin; k < end; k++) {
@@ -91,7 +95,9 @@ static void add_name(const line *l, size_t begin, size_t end, bool below) {
     if (x - at(l, begin) < half_name || at(l, end - 1) - x < half_name) continue;
     for (int h = 1; h < HEIGHTS; h++) {
       const double y = l->tilt.from + high * h / HEIGHTS;
-      const double clear = fmin(clearance(l, x, y, below), 0.15 * high);
+      /* where much is free, the middle is best */
+      const double clear =
+          fmin(clearance(l, x, y, below), 0.15 * high) - 0.1 * high * fabs(x - middle) / wide;
       if (clear <= room) continue;
       room = clear;
       scalar = x;
@@ -101,7 +107,7 @@ static void add_name(const line *l, size_t begin, size_t end, bool below) {
   }
   if (!found || at(l, end - 1) - at(l, begin) < 0.15 * wide) return;
   tp_chart_add_label(l->map->chart, l->scalar_is_x ? scalar : tilt, l->scalar_is_x ? tilt : scalar,
-                     TP_LABEL_CENTRE, below ? "stable" : tp_regime_name(l->looks[begin].regime));
+                     TP_LABEL_CENTRE, name);
 }
 
 static void add_regions(const line *l) {

@@ -40,9 +40,10 @@ static int regime_region(const void *context, const tp_look *look) {
 }
 
 static tp_crossing middle_of(const tp_look *low, const tp_look *high) {
-  return (tp_crossing){true,
-                       {low->values[0] + (high->values[0] - low->values[0]) / 2,
-                        low->values[1] + (high->values[1] - low->values[1]) / 2}};
+  const double half_x = (high->values[0] - low->values[0]) / 2;
+  const double half_y = (high->values[1] - low->values[1]) / 2;
+  const double x = low->values[0] + half_x, y = low->values[1] + half_y;
+  return (tp_crossing){true, {x, y, half_x + 0x1p-52 * fabs(x), half_y + 0x1p-52 * fabs(y)}};
 }
 
 static tp_crossing cross_regimes(void *context, tp_look low, tp_look high) {
@@ -57,26 +58,49 @@ static int contour_region(const void *context, const tp_look *look) {
   return look->limit_deg.value < p->level_deg ? 1 : 2;
 }
 
-/* Along an edge by false position (Illinois), which halves the weight of an end that stays. A limit
- * that jumps over the level does not cross it. */
+/* 1 above the present level for certain, -1 below it; 0 else. */
+static int side_of(const plane *p, const tp_look *look) {
+  if (!tp_look_has_limit(look)) return 0;
+  const double gap = look->limit_deg.value - p->level_deg, error = look->limit_deg.error;
+  return gap > error ? 1 : gap < -error ? -1 : 0;
+}
+
+static tp_look between(const plane *p, const tp_look *low, const tp_look *high, double share) {
+  share = fmin(fmax(share, 0), 1);
+  const double values[2] = {low->values[0] + share * (high->values[0] - low->values[0]),
+                            low->values[1] + share * (high->values[1] - low->values[1])};
+  return tp_map_look(p->map, values);
+}
+
+/* The narrowest certain bracket about a share of an edge. */
+static tp_crossing bracket(const plane *p, const tp_look *low, const tp_look *high, double share) {
+  for (double h = 0x1p-36; h < 1 && p->map->status == TP_OK; h *= 16) {
+    const tp_look below = between(p, low, high, share - h),
+                  above = between(p, low, high, share + h);
+    if (side_of(p, &below) * side_of(p, &above) < 0) return middle_of(&below, &above);
+  }
+  return (tp_crossing){0};
+}
+
+/* Along an edge by false position (Illinois), which halves the weight of an end that stays, then
+ * within a certain bracket. A limit that jumps over the level does not cross it. */
 static tp_crossing cross_level(void *context, tp_look low, tp_look high) {
   const plane *p = context;
   if (!tp_look_has_limit(&low) || !tp_look_has_limit(&high)) return (tp_crossing){0};
   double a = low.limit_deg.value - p->level_deg, b = high.limit_deg.value - p->level_deg;
+  double first = 0, last = 1;
   for (int step = 0; step < SECANTS && p->map->status == TP_OK; step++) {
-    const double share = a / (a - b);
-    const double values[2] = {low.values[0] + share * (high.values[0] - low.values[0]),
-                              low.values[1] + share * (high.values[1] - low.values[1])};
-    const tp_look found = tp_map_look(p->map, values);
+    const double share = first + a / (a - b) * (last - first);
+    const tp_look found = between(p, &low, &high, share);
     if (!tp_look_has_limit(&found)) return (tp_crossing){0};
     const double gap = found.limit_deg.value - p->level_deg;
-    if (fabs(gap) <= 1e-9 * fabs(p->level_deg)) return middle_of(&found, &found);
+    if (fabs(gap) <= 1e-11 * fabs(p->level_deg)) return bracket(p, &low, &high, share);
     if ((gap < 0) == (a < 0)) {
-      low = found;
+      first = share;
       a = gap;
       b /= 2;
     } else {
-      high = found;
+      last = share;
       b = gap;
       a /= 2;
     }
@@ -140,16 +164,16 @@ static void add_curves(plane *p, const tp_field *field, tp_chart_style style, co
   }
   int regions[2];
   size_t count = 0;
-  while (p->map->status == TP_OK && (count = tp_trace_next(p->places, regions, &pieces)) > 0) {
+  while (p->places != NULL && p->map->status == TP_OK &&
+         (count = tp_trace_next(p->places, regions, &pieces)) > 0) {
     char name[80];
     tp_map_border_name(name, sizeof name, (tp_regime)regions[0], (tp_regime)regions[1]);
     if (levels) snprintf(name, sizeof name, "%.15g", p->level_deg);
     tp_map_begin(p->map, style, series, name);
     for (size_t k = 0; k < count; k++) {
-      const double x = p->places[k].x, y = p->places[k].y;
-      const double relative = levels ? 0x1p-30 : 0x1p-51;
-      tp_chart_add_point(p->map->chart, (tp_bounded){x, relative * fabs(x)},
-                         (tp_bounded){y, relative * fabs(y)});
+      const tp_place_2d *at = p->places + k;
+      tp_chart_add_point(p->map->chart, (tp_bounded){at->x, at->x_error},
+                         (tp_bounded){at->y, at->y_error});
     }
     if (levels) add_level(p, count);
   }

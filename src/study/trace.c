@@ -57,7 +57,7 @@ static void add_patch(tp_pieces *p, const tp_patch *patch) {
 }
 
 static tp_place_2d place_of(const tp_look *look) {
-  return (tp_place_2d){look->values[0], look->values[1]};
+  return (tp_place_2d){.x = look->values[0], .y = look->values[1]};
 }
 
 /* The crossing of an edge, always from its lower or left end, so that both cells beside it find the
@@ -146,8 +146,9 @@ static bool is_straight(tp_map *map, const tp_field *field, const cell *c, const
 
 /* Regions meet in a cell that is small enough: at its centre. */
 static void meet(tp_pieces *pieces, const tp_field *field, const cell *c) {
-  const tp_place_2d centre = {(c->corners[0].values[0] + c->corners[2].values[0]) / 2,
-                              (c->corners[0].values[1] + c->corners[2].values[1]) / 2};
+  const double *low = c->corners[0].values, *high = c->corners[2].values;
+  const double half_x = (high[0] - low[0]) / 2, half_y = (high[1] - low[1]) / 2;
+  const tp_place_2d centre = {low[0] + half_x, low[1] + half_y, half_x, half_y};
   for (int k = 0; k < 4; k++) {
     if (!c->crossings[k].found) continue;
     add_piece(pieces, c->crossings[k].place, centre, region_of(field, c, k),

@@ -12,8 +12,10 @@
 
 #include "study/map.h"
 
+/* Of a crossing, the border lies within the error of it. */
 typedef struct tp_place_2d {
   double x, y;
+  double x_error, y_error;
 } tp_place_2d;
 
 typedef struct tp_crossing {
