@@ -326,9 +326,10 @@ TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_messa
 void tp_scene_free(tp_scene *scene);
 
 typedef struct tp_solve_options {
-  bool elements; /* draw up the account of moments by elements */
-  bool limit;    /* find the static limit, where the scene gives a friction angle */
-  int digits;    /* relative accuracy asked of every number: 10^-digits, 1 to 15 */
+  bool elements;           /* draw up the account of moments by elements */
+  bool limit;              /* find the static limit, where the scene gives a friction angle */
+  bool strength_reduction; /* and its factor of safety, where the scene gives a tilt angle */
+  int digits;              /* relative accuracy asked of every number: 10^-digits, 1 to 15 */
 } tp_solve_options;
 
 tp_solve_options tp_solve_options_default(void);
@@ -351,6 +352,7 @@ TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *sol
 }
 #endif
 
+#include "topple_chart.h"
 #include "topple_derive.h"
 #include "topple_figure.h"
 #include "topple_find.h"

@@ -200,14 +200,11 @@ static tp_status build(builder *b, yaml_parser_t *parser, const source *from) {
   return status;
 }
 
-tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
+/* Closes the file. */
+static tp_status read_file(tp_node **root, FILE *file, const char *path, tp_message *message) {
   builder b = {.path = path, .message = message};
-  source from = {.file = fopen(path, "rb"), .path = path};
+  source from = {.file = file, .path = path};
   yaml_parser_t parser;
-  if (from.file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
   if (!yaml_parser_initialize(&parser)) {
     fclose(from.file);
     return tp_fail_memory(message, "the YAML parser");
@@ -227,4 +224,20 @@ tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
     tp_node_free(b.root);
   }
   return status;
+}
+
+tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
+                   strerror(errno));
+  }
+  return read_file(root, file, path, message);
+}
+
+tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,
+                            tp_message *message) {
+  FILE *file = fmemopen((void *)text, strlen(text), "rb"); /* it only reads */
+  if (file == NULL) return tp_fail_memory(message, "a scene");
+  return read_file(root, file, name, message);
 }

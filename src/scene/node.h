@@ -30,6 +30,10 @@ struct tp_node {
 TP_MUST_USE tp_status tp_node_read(tp_node **root, const char *path, tp_message *message);
 void tp_node_free(tp_node *root);
 
+/* The same from text that is not empty; `name` is what places refer to. */
+TP_MUST_USE tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,
+                                        tp_message *message);
+
 /* The child of a mapping, or NULL. */
 const tp_node *tp_node_get(const tp_node *mapping, const char *key);
 

@@ -13,6 +13,7 @@ typedef struct tp_evaluation {
   const tp_problem *problem;
   tp_rung rung;
   int digits;
+  bool reduces_strength; /* for the factor of safety of the limit */
   tp_moments moments;
   tp_bounded weight_per_area_pa; /* on the mean plane, level, where the block has a weight */
   bool certain;                  /* all numbers and decisions so far */

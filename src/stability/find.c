@@ -10,11 +10,9 @@
  * bound does not reach the wanted value. A bracket over which the result jumps is no solution. */
 
 #include "scene/key.h"
-#include "scene/scene.h"
-#include "stability/solve.h"
+#include "stability/varied.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,8 +44,7 @@ void tp_found_free(tp_found *found) {
 
 typedef struct search {
   const tp_find_options *options;
-  const char *path;
-  tp_node *root, *number;
+  tp_varied scene;
   double low, high; /* the range */
   tp_message *message;
   tp_status status; /* of the system: memory; that a scene has no answer is none */
@@ -90,18 +87,8 @@ static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target t
 /* Solve the scene with the number replaced. */
 static sample look(search *s, double x) {
   sample at = {.x = x};
-  char text[40];
-  snprintf(text, sizeof text, "%.17g", x);
-  char *held = s->number->text;
-  tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_solve_options options = tp_solve_options_default();
-  options.digits = 15;
-  options.limit =
-      s->options->target == TP_FIND_LIMIT_ANGLE || s->options->target == TP_FIND_LIMIT_FOS;
-  s->number->text = text;
-  tp_status status = tp_scene_from_nodes(&scene, s->path, s->root, &s->why);
-  if (status == TP_OK) status = tp_solve(&solution, scene, &options, &s->why);
+  const tp_status status = tp_varied_solve(&solution, &s->scene, &x, &s->why);
   if (status == TP_OK && solution->case_count > 0) {
     at.known = target_value(&at.gap, solution->cases, s->options->target);
     at.gap.value -= s->options->value;
@@ -110,8 +97,6 @@ static sample look(search *s, double x) {
   }
   if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) s->status = status;
   tp_solution_free(solution);
-  tp_scene_free(scene);
-  s->number->text = held;
   return at;
 }
 
@@ -215,7 +200,7 @@ static void scan(search *s, tp_found *found) {
   }
   if (s->status != TP_OK) return;
   if (!any) {
-    s->status = tp_fail(s->message, TP_NO_ANSWER, tp_node_place(s->number, s->path),
+    s->status = tp_fail(s->message, TP_NO_ANSWER, tp_node_place(s->scene.numbers[0], s->scene.path),
                         "nowhere from %g to %g the scene has a %s; %.600s", found->low, found->high,
                         targets[s->options->target],
                         s->why.text[0] != '\0' ? s->why.text : "nothing lets go there");
@@ -225,47 +210,38 @@ static void scan(search *s, tp_found *found) {
   found->high = last_known;
 }
 
-/* The scene as it is: does it tilt one way, and what is the number's own value? */
-static tp_status check(search *s, tp_found *found) {
-  tp_scene *scene = NULL;
-  tp_status status = tp_scene_from_nodes(&scene, s->path, s->root, s->message);
+/* The range to look in: as asked, or about the scene's own number. */
+static tp_status set_range(const search *s, tp_found *found) {
+  double own = 0;
+  const tp_status status = tp_varied_check(&own, &s->scene, s->message);
   if (status != TP_OK) return status;
-  fmpq_t value;
-  fmpq_init(value);
-  tp_place place = tp_node_place(s->number, s->path);
-  if (scene->towards_left && scene->towards_right) {
-    status = tp_fail(s->message, TP_BAD_INPUT, (tp_place){s->path, 0, 0},
-                     "this scene tilts both ways; say which, 'tilt: {towards: left}'");
-  }
-  place.column += s->number->text_offset;
-  if (status == TP_OK) {
-    status = tp_expression_evaluate(value, s->number->text, place, &scene->parameters, s->message);
-  }
-  const double own = fmpq_get_d(value);
   found->low = s->options->has_range ? s->options->low : own < 0 ? 10 * own : 0;
   found->high = s->options->has_range ? s->options->high : own < 0 ? 0 : 10 * own;
-  if (status == TP_OK && !(found->low < found->high)) {
-    status = tp_fail(s->message, TP_BAD_INPUT, place,
-                     "give the range to look in, as in --from 0 --to 10");
-  }
-  fmpq_clear(value);
-  tp_scene_free(scene);
-  return status;
+  if (found->low < found->high) return TP_OK;
+  tp_place place = tp_node_place(s->scene.numbers[0], s->scene.path);
+  place.column += s->scene.numbers[0]->text_offset;
+  return tp_fail(s->message, TP_BAD_INPUT, place,
+                 "give the range to look in, as in --from 0 --to 10");
 }
 
 tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
                   tp_message *message) {
-  search s = {.options = options, .path = scene, .message = message};
+  search s = {.options = options, .scene = {.path = scene, .count = 1}, .message = message};
+  s.scene.options = tp_solve_options_default();
+  s.scene.options.digits = 15;
+  s.scene.options.strength_reduction = options->target == TP_FIND_LIMIT_FOS;
+  s.scene.options.limit =
+      options->target == TP_FIND_LIMIT_ANGLE || s.scene.options.strength_reduction;
   tp_found *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the solutions");
   own->key = strdup(options->key);
-  s.status = own->key != NULL ? tp_node_read(&s.root, scene, message)
+  s.status = own->key != NULL ? tp_node_read(&s.scene.root, scene, message)
                               : tp_fail_memory(message, "the solutions");
   if (s.status == TP_OK) {
-    s.status = tp_key_find(&s.number, s.root, options->key, scene, message);
-    if (s.status == TP_OK) s.status = check(&s, own);
+    s.status = tp_key_find(s.scene.numbers, s.scene.root, options->key, scene, message);
+    if (s.status == TP_OK) s.status = set_range(&s, own);
     if (s.status == TP_OK) scan(&s, own);
-    tp_node_free(s.root);
+    tp_node_free(s.scene.root);
   }
   if (s.status == TP_OK) {
     *found = own;

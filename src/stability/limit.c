@@ -124,6 +124,10 @@ static void reduce_strength(tp_limit *result, asking *a) {
   const tp_quantity *given = &e->problem->scene->tilt_angle_deg;
   result->fos = (tp_fos){.state = TP_FOS_NO_TILT};
   if (!given->given) return;
+  if (!e->reduces_strength) {
+    result->fos.state = TP_FOS_NOT_ASKED;
+    return;
+  }
   tp_reduction_kind kind = TP_REDUCTION_NONE;
   arb_t factor, tilt, friction;
   arb_init(factor);

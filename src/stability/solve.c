@@ -12,7 +12,8 @@
 #include <string.h>
 
 tp_solve_options tp_solve_options_default(void) {
-  return (tp_solve_options){.elements = false, .limit = true, .digits = 9};
+  return (tp_solve_options){
+      .elements = false, .limit = true, .strength_reduction = true, .digits = 9};
 }
 
 void tp_solution_free(tp_solution *solution) {
@@ -205,6 +206,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_evaluation evaluation = {.problem = c->problem,
                               .rung = rung,
                               .digits = c->options->digits,
+                              .reduces_strength = c->options->strength_reduction,
                               .certain = true,
                               .settled = {c->settled[0], c->settled[1]},
                               .admissible = {c->problem->admissible[0], c->problem->admissible[1]}};

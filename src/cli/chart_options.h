@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The options of topple chart. */
+
+#ifndef TP_CHART_OPTIONS_H
+#define TP_CHART_OPTIONS_H
+
+#include "topple.h"
+
+#include <argp.h>
+
+typedef enum tp_chart_kind {
+  TP_CHART_KIND_FOS,
+  TP_CHART_KIND_MECHANISMS,
+  TP_CHART_KIND_RANGES,
+  TP_CHART_KIND_MAP,
+  TP_CHART_KINDS
+} tp_chart_kind;
+
+extern const char *const tp_chart_kinds[TP_CHART_KINDS];
+
+typedef struct tp_chart_arguments {
+  bool has_kind;
+  tp_chart_kind kind;
+  bool json;
+  const char *output; /* NULL: to stdout */
+  tp_chart_format format;
+  bool has_amplitude;
+  unsigned given; /* kinds that the options so far go with, a bit each */
+  tp_chart_fos_options fos;
+  tp_chart_mechanisms_options mechanisms;
+  tp_chart_map_options map;
+  char keys[2][128]; /* of the map's axes */
+} tp_chart_arguments;
+
+extern const struct argp tp_chart_parser;
+
+#endif

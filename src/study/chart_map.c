@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The mechanism map of any scene, along one or two of its numbers: what is asked, and what it is
+ * asked of. */
+
+#include "scene/key.h"
+#include "study/map.h"
+#include "study/mechanism_style.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LABEL_SIZE = 180 };
+
+static const char tilt_label[] = "Tilt angle {/:Italic α} (°)";
+
+static bool is_tilt(const tp_chart_axis *axis) {
+  return strcmp(axis->key, "tilt") == 0;
+}
+
+static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
+  const double from = axis->range.from, to = axis->range.to;
+  if (!(from < to)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "%.60s goes from %g to %g; the range must rise", axis->key, from, to);
+  }
+  if (is_tilt(axis) && !(from >= 0 && to <= 90)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "the tilt goes from %g to %g; it must lie between 0 and 90 degrees", from, to);
+  }
+  return TP_OK;
+}
+
+static tp_status check(const tp_chart_map_options *o, tp_message *message) {
+  tp_status status = check_axis(&o->x, message);
+  if (status == TP_OK) status = check_axis(&o->y, message);
+  if (status == TP_OK && strcmp(o->x.key, o->y.key) == 0) {
+    status = tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                     "both axes are %.60s; give a number of the scene for one of them", o->x.key);
+  }
+  return status;
+}
+
+/* The scene's numbers on the axes, x first. */
+static tp_status find_numbers(tp_map *map) {
+  const tp_chart_axis *axes[2] = {&map->options->x, &map->options->y};
+  tp_status status = tp_node_read(&map->scene.root, map->scene.path, map->message);
+  for (int k = 0; k < 2 && status == TP_OK; k++) {
+    if (is_tilt(axes[k])) continue;
+    status = tp_key_find(map->scene.numbers + map->scene.count, map->scene.root, axes[k]->key,
+                         map->scene.path, map->message);
+    if (status == TP_OK) map->scene.count++;
+  }
+  double own = 0;
+  if (status == TP_OK) status = tp_varied_check(&own, &map->scene, map->message);
+  const bool friction = tp_node_get(map->scene.root, "friction_angle_deg") != NULL ||
+                        tp_node_get(map->scene.root, "friction") != NULL;
+  if (status == TP_OK && !friction) {
+    status =
+        tp_fail(map->message, TP_BAD_INPUT, (tp_place){map->scene.path, 0, 0},
+                "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");
+  }
+  return status;
+}
+
+/* A length carries the scene's unit; all else has its unit in the key, if any. Which a parameter is
+ * cannot be told. */
+static bool is_length(const char *key) {
+  static const char *const ends[] = {"width",       "height",    "depth",      "flat",
+                                     "radius",      "thickness", "left",       "right",
+                                     "block_width", "amplitude", "wavelength", "mean_height"};
+  static const char *const begins[] = {"block.outline.", "block.holes.", "base.profile.",
+                                       "base.between."};
+  const char *last = strrchr(key, '.');
+  for (size_t k = 0; last != NULL && k < sizeof ends / sizeof ends[0]; k++) {
+    if (strcmp(last + 1, ends[k]) == 0) return true;
+  }
+  for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
+    if (strncmp(key, begins[k], strlen(begins[k])) == 0) return true;
+  }
+  return false;
+}
+
+/* `label` holds the text as long as the axis is used. */
+static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
+  const tp_node *unit = tp_node_get(map->scene.root, "length_unit");
+  snprintf(label, LABEL_SIZE, "%s", is_tilt(from) ? tilt_label : from->key);
+  if (!is_tilt(from) && is_length(from->key)) {
+    snprintf(label, LABEL_SIZE, "%.140s (%.20s)", from->key, unit->text);
+  }
+  return (tp_panel_axis){.label = label, .plain = !is_tilt(from), .range = from->range};
+}
+
+static void add_legend(tp_chart *chart, bool along_one) {
+  if (!along_one) {
+    tp_chart_add_legend(chart, "border of mechanisms", tp_line_border);
+    tp_chart_add_legend(chart, "critical angle, limit analysis", tp_line_contour);
+    return;
+  }
+  const struct entry {
+    const char *series, *of, *text;
+    tp_chart_style style;
+  } entries[] = {
+      {"limit", "slides", "limit: slides", tp_line_slides},
+      {"limit", "topples", "limit: topples", tp_line_topples},
+      {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
+      {"limit", "tie", "limit: tie", tp_line_both},
+      {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
+      {"Patton's sliding", "", "Patton's sliding", tp_line_patton},
+      {"slides and topples from rest", "", "slides and topples at once, from rest",
+       tp_line_dynamic},
+  };
+  for (size_t e = 0; e < sizeof entries / sizeof entries[0]; e++) {
+    for (size_t k = 0; k < chart->series_count; k++) {
+      const tp_chart_series *s = chart->series + k;
+      if (s->drawn_only || s->count < 2 || strcmp(s->keys[0], entries[e].series) != 0) continue;
+      if (strcmp(s->keys[1], entries[e].of) != 0) continue;
+      tp_chart_add_legend(chart, entries[e].text, entries[e].style);
+      break;
+    }
+  }
+}
+
+static void draw(tp_map *map) {
+  const tp_chart_map_options *o = map->options;
+  const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
+  map->chart = tp_chart_new("map", (const char *const[]){"series", "of", NULL},
+                            is_tilt(&o->x) ? "tilt_deg" : o->x.key,
+                            is_tilt(&o->y) ? "tilt_deg" : o->y.key, (const char *const[]){NULL});
+  if (map->chart == NULL) {
+    map->status = tp_fail_memory(map->message, "the chart");
+    return;
+  }
+  map->chart->panel_width_mm = 72;
+  map->chart->panel_height_mm = 62;
+  char labels[2][LABEL_SIZE];
+  const tp_panel_axis x = axis_of(labels[0], map, &o->x), y = axis_of(labels[1], map, &o->y);
+  tp_chart_add_panel(map->chart, NULL, x, y);
+  const tp_node *title = tp_node_get(map->scene.root, "title");
+  if (title != NULL && title->kind == TP_NODE_SCALAR) tp_chart_set_title(map->chart, title->text);
+  if (along_one) {
+    tp_map_draw_line(map, is_tilt(&o->y));
+  } else {
+    tp_map_draw_plane(map);
+  }
+  if (map->status == TP_OK && !map->chart->failed) add_legend(map->chart, along_one);
+}
+
+tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp_message *message) {
+  tp_message own = {""};
+  tp_map map = {.options = options, .scene = {.path = options->scene}, .message = &own};
+  map.scene.options = tp_solve_options_default();
+  map.scene.options.digits = 15;
+  map.scene.options.strength_reduction = false;
+  map.status = check(options, &own);
+  if (map.status == TP_OK) map.status = find_numbers(&map);
+  if (map.status == TP_OK) draw(&map);
+  tp_node_free(map.scene.root);
+  if (map.status == TP_OK) return tp_chart_finish(map.chart, chart, message);
+  tp_chart_free(map.chart);
+  if (message != NULL) *message = own;
+  return map.status;
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "study/map.h"
+#include "study/dynamic_border.h"
+#include "study/mechanism_style.h"
+
+#include <stdio.h>
+
+enum { STEPS = 1100 }; /* no range of doubles takes more halvings */
+
+const char *tp_regime_name(tp_regime regime) {
+  static const char *const names[] = {"no answer",          "slides",   "topples",
+                                      "slides and topples", "tie",      "interlocked",
+                                      "does not stand",     "undecided"};
+  return names[regime];
+}
+
+tp_chart_style tp_regime_line(tp_regime regime) {
+  return regime == TP_REGIME_SLIDES    ? tp_line_slides
+         : regime == TP_REGIME_TOPPLES ? tp_line_topples
+                                       : tp_line_both;
+}
+
+tp_chart_style tp_regime_region(tp_regime regime) {
+  switch (regime) {
+  case TP_REGIME_SLIDES:
+    return tp_region_slides;
+  case TP_REGIME_TOPPLES:
+    return tp_region_topples;
+  case TP_REGIME_BOTH:
+  case TP_REGIME_TIE:
+    return tp_region_both;
+  case TP_REGIME_INTERLOCKED:
+    return tp_region_interlocked;
+  case TP_REGIME_NONE:
+  case TP_REGIME_NOWHERE:
+  case TP_REGIME_UNDECIDED:
+    break;
+  }
+  return tp_region_other;
+}
+
+bool tp_look_has_limit(const tp_look *look) {
+  return look->regime >= TP_REGIME_SLIDES && look->regime <= TP_REGIME_TIE;
+}
+
+static tp_regime regime_of(const tp_limit *limit) {
+  switch (limit->kind) {
+  case TP_LIMIT_AT_ANGLE:
+    if (limit->tie && limit->tied_with != limit->mechanism) return TP_REGIME_TIE;
+    return limit->mechanism == TP_SLIDES    ? TP_REGIME_SLIDES
+           : limit->mechanism == TP_TOPPLES ? TP_REGIME_TOPPLES
+                                            : TP_REGIME_BOTH;
+  case TP_LIMIT_INTERLOCKED:
+    return TP_REGIME_INTERLOCKED;
+  case TP_LIMIT_NOWHERE:
+    return TP_REGIME_NOWHERE;
+  case TP_LIMIT_NOT_ASKED:
+  case TP_LIMIT_UNDECIDED:
+    break;
+  }
+  return TP_REGIME_UNDECIDED;
+}
+
+static void take(tp_look *look, const tp_solution *solution) {
+  const tp_case *own = solution->cases;
+  double delta = 0, kappa = 0;
+  look->regime = regime_of(&own->limit);
+  look->limit_deg = own->limit.critical_angle_deg;
+  look->has_toppling = own->has_governing && !own->pivots[own->governing].never &&
+                       !own->pivots[own->governing].always;
+  look->governing = own->governing;
+  if (look->has_toppling) look->toppling_deg = own->pivots[own->governing].critical_angle_deg;
+  look->has_sliding = own->sliding.known && !own->sliding.never;
+  if (look->has_sliding) look->sliding_deg = own->sliding.critical_angle_deg;
+  look->has_dynamic = tp_dynamic_border_of(&delta, &kappa, solution, own) &&
+                      delta <= own->limit.friction_angle_deg.value;
+  if (look->has_dynamic) {
+    look->dynamic_deg = tp_dynamic_border_deg(delta, kappa, own->limit.friction_angle_deg.value);
+  }
+}
+
+tp_look tp_map_look(tp_map *map, const double *values) {
+  tp_look look = {.regime = TP_REGIME_NONE};
+  tp_solution *solution = NULL;
+  for (size_t k = 0; k < map->scene.count; k++) look.values[k] = values[k];
+  const tp_status status = tp_varied_solve(&solution, &map->scene, values, &map->why);
+  if (status == TP_OK) take(&look, solution);
+  if (status == TP_UNDECIDED) look.regime = TP_REGIME_UNDECIDED;
+  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
+    map->status = status;
+    *map->message = map->why;
+  }
+  tp_solution_free(solution);
+  return look;
+}
+
+void tp_map_border(tp_map *map, tp_look *low, tp_look *high) {
+  for (int step = 0; step < STEPS && map->status == TP_OK; step++) {
+    double middle[TP_VARIED_MAX];
+    bool moved = false;
+    for (size_t k = 0; k < map->scene.count; k++) {
+      const double a = low->values[k], b = high->values[k];
+      middle[k] = a + (b - a) / 2;
+      moved |= middle[k] != a && middle[k] != b;
+    }
+    if (!moved) return;
+    const tp_look found = tp_map_look(map, middle);
+    if (found.regime == low->regime) {
+      *low = found;
+    } else {
+      *high = found;
+    }
+  }
+}
+
+void tp_map_border_name(char *text, size_t size, tp_regime one, tp_regime other) {
+  const tp_regime first = one < other ? one : other, last = one < other ? other : one;
+  snprintf(text, size, "%s | %s", tp_regime_name(first), tp_regime_name(last));
+}
+
+void tp_map_begin(tp_map *map, tp_chart_style style, const char *series, const char *of) {
+  tp_chart_add_series(map->chart, style, (const char *const[]){series, of, NULL});
+}
+
+tp_status tp_map_no_answer(const tp_map *map) {
+  return tp_fail(map->message, TP_NO_ANSWER, (tp_place){map->scene.path, 0, 0},
+                 "nowhere in the map the scene has an answer; %.600s", map->why.text);
+}

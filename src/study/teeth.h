@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Regularly toothed blocks by the general parameters of section 5.1 of Alejano et al. */
+
+#ifndef TP_STUDY_TEETH_H
+#define TP_STUDY_TEETH_H
+
+#include "topple.h"
+
+typedef enum tp_toe_kind { TP_TOE_PLANAR, TP_TOE_PEAK, TP_TOE_VALLEY } tp_toe_kind;
+
+extern const char *const tp_toe_names[3];
+
+/* A block of mean height 1. */
+typedef struct tp_toothed {
+  double inverse_slenderness; /* dx / y */
+  double amplitude;           /* A / y; 0: a slab */
+  size_t sub_blocks;          /* N = 2 dx / lambda, so that lambda = 2 dx / N */
+} tp_toothed;
+
+/* The critical angle of toppling about the toe, by solving the exact block. */
+TP_MUST_USE tp_status tp_toothed_critical_angle(tp_bounded *degrees, const tp_toothed *block,
+                                                tp_toe_kind toe, tp_message *message);
+
+/* Its tangent by the general equations behind Eqs. (15) to (17): (dx / y) / (1 -+ A/y -
+ * A^2 / (12 y^2)), upper sign about a peak; amplitude up to 0.5. Exact for an even N. */
+tp_bounded tp_toothed_tangent(const tp_toothed *block, tp_toe_kind toe);
+
+/* tan of an angle, 0 < degrees < 90, and of one with a bound. */
+tp_bounded tp_tangent_deg(tp_bounded degrees);
+
+tp_bounded tp_quotient(tp_bounded numerator, tp_bounded denominator);
+
+#endif

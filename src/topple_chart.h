@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The public library's charts: curves and borders, as tables and as figures. Included by topple.h.
+ */
+
+#ifndef TOPPLE_CHART_H
+#define TOPPLE_CHART_H
+
+#include "topple.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tp_chart tp_chart;
+
+enum { TP_CHART_LIST_MAX = 6 };
+
+typedef struct tp_chart_list {
+  size_t count;
+  double values[TP_CHART_LIST_MAX];
+} tp_chart_list;
+
+typedef struct tp_chart_range {
+  double from, to;
+} tp_chart_range;
+
+/* FoS against tilt about planar, peak and valley axes (Fig. 16 of Alejano et al.): by Eqs. (15),
+ * (16), with the A^2 / (12 y^2) that is right, and (17); or, for each number of sub-blocks, of the
+ * exact block. A panel for each relative amplitude and number of sub-blocks. */
+typedef struct tp_chart_fos_options {
+  tp_chart_list inverse_slenderness; /* dx / y, 0 to 10 */
+  tp_chart_list amplitude;           /* A / y, 0 to 0.5 */
+  tp_chart_list sub_blocks;          /* none: by the equations; else whole, 2 to 1000 */
+  tp_chart_range tilt_deg;           /* within 0 to 90 */
+} tp_chart_fos_options;
+
+tp_chart_fos_options tp_chart_fos_options_default(void);
+TP_MUST_USE tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options,
+                                   tp_message *message);
+
+/* Mechanism maps for a planar and for a rough base (Fig. 18), with the blocks of Table 7. */
+typedef struct tp_chart_mechanisms_options {
+  double friction_deg;        /* above 0 */
+  double roughness_angle_deg; /* i; friction + i at most 80. Below 2 no blocks are placed */
+  double amplitude;           /* A / y, 0 to 0.5 */
+} tp_chart_mechanisms_options;
+
+tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void);
+TP_MUST_USE tp_status tp_chart_mechanisms(tp_chart **chart,
+                                          const tp_chart_mechanisms_options *options,
+                                          tp_message *message);
+
+/* Critical angles about peak and valley against A / y, for the ranges of Fig. 14. */
+TP_MUST_USE tp_status tp_chart_ranges(tp_chart **chart, tp_message *message);
+
+/* A number of a scene and the range that it is taken through; `key` as in tp_find_options, or
+ * `tilt`, the tilt angle in degrees. */
+typedef struct tp_chart_axis {
+  const char *key;
+  tp_chart_range range;
+} tp_chart_axis;
+
+/* The mechanism map of a scene that tilts in one direction and has a friction angle. At most one
+ * axis is the tilt. Every border is a root: on its two sides, as close as doubles lie, the
+ * certified mechanism differs. A change and its reversal between two of the points that are looked
+ * at, 241 along a scalar or a grid of 49 by 49, may be missed. */
+typedef struct tp_chart_map_options {
+  const char *scene; /* a path */
+  tp_chart_axis x, y;
+} tp_chart_map_options;
+
+TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options,
+                                   tp_message *message);
+
+void tp_chart_free(tp_chart *chart);
+
+/* The chart's numbers: a row for every point, with its error. */
+TP_MUST_USE tp_status tp_report_chart_csv(char **text, const tp_chart *chart);
+TP_MUST_USE tp_status tp_report_chart_json(char **text, const tp_chart *chart);
+
+typedef enum tp_chart_format {
+  TP_CHART_SVG,
+  TP_CHART_PDF,
+  TP_CHART_PNG,
+  TP_CHART_CSV
+} tp_chart_format;
+
+/* The format that a file's name ends in; false for another ending. */
+bool tp_chart_format_read(tp_chart_format *format, const char *path);
+
+/* Write the file, whole or not at all. All but CSV are drawn by gnuplot, which must be installed.
+ */
+TP_MUST_USE tp_status tp_report_chart_file(const tp_chart *chart, const char *path,
+                                           tp_chart_format format, tp_message *message);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,427 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Charts: their numbers against the paper and against independent formulas, borders against closed
+forms, figures that are whole, the same again, or not there at all."""
+
+import csv
+import io
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from decimal import Decimal
+from fractions import Fraction
+
+import exact
+from harness import PROGRAM, ROOT, main, run
+
+DEGREE = math.pi / 180
+SLAB = ("topple: 1\ntitle: {title}\nlength_unit: m\nblock: {{slab: {{width: {width}, height: {height}}}}}\n"
+        "friction_angle_deg: {friction}\ntilt: {{towards: left}}\n")
+TABLE_6 = [("0.5", "0.1", 20, "1.37", "1.53", "1.25"), ("0.75", "0.1", 25, "1.61", "1.78", "1.46"),
+           ("1", "0.1", 30, "1.73", "1.92", "1.57"), ("0.5", "0.05", 20, "1.37", "1.44", "1.30"),
+           ("0.75", "0.05", 25, "1.61", "1.69", "1.53"), ("1", "0.05", 30, "1.73", "1.82", "1.65")]
+
+
+def chart(*arguments):
+    """The rows of the CSV that a chart prints."""
+    status, out, err = run("chart", *arguments)
+    if status != 0 or err:
+        raise AssertionError(f"topple chart {arguments}: exit {status}: {err}")
+    return list(csv.DictReader(io.StringIO(out)))
+
+
+def select(rows, **keys):
+    return [row for row in rows if all(row[k] == v for k, v in keys.items())]
+
+
+def tangent(slenderness, amplitude, axis, count=2):
+    """tan of the critical angle of an exact block of mean height 1 (docs/paper.md): the weight's lever
+    arms from its N slabs and N triangles, summed one by one."""
+    if axis == "planar" or amplitude == 0:
+        return Fraction(slenderness)
+    ring = exact.teeth(count, Fraction(slenderness) / count, 1 - Fraction(amplitude) / 2,
+                       Fraction(amplitude), axis)
+    gx, gy = exact.centroid(exact.block_moments(ring))
+    return (gx - ring[0][0]) / (gy - ring[0][1])
+
+
+def formula(slenderness, amplitude, axis):
+    sign = {"planar": 0, "peak": -1, "valley": 1}[axis]
+    a = Fraction(amplitude)
+    return Fraction(slenderness) / (1 + sign * a - (a * a / 12 if sign else 0))
+
+
+class Chart(unittest.TestCase):
+    def setUp(self):
+        self.held = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.held.name)
+        self.scene = self.folder / "scene.yaml"
+
+    def tearDown(self):
+        self.held.cleanup()
+
+    def slab(self, width="1", height="2", friction="30", title="A slab"):
+        self.scene.write_text(SLAB.format(width=width, height=height, friction=friction, title=title),
+                              encoding="utf-8")
+        return self.scene
+
+    def within(self, row, truth, name):
+        """A printed value lies within its printed error of the truth."""
+        off = abs(Decimal(row[name]) - Decimal(truth))
+        self.assertLessEqual(off, Decimal(row["y_error"]) + abs(Decimal(truth)) * Decimal("2e-16"), row)
+        self.assertLess(Decimal(row["y_error"]), Decimal("1e-9"))
+
+
+class FactorOfSafety(Chart):
+    def test_table_6(self):
+        """Every row of Table 6 is on the chart, within the cut-off last digits that docs/paper.md lists;
+        the value is that of Eqs. (15) to (17), mended, at 60 digits."""
+        rows = select(chart("fos", "--amplitude", "0.05,0.1"), series="Table 6")
+        self.assertEqual(len(rows), 18)
+        for slenderness, amplitude, tilt, *printed in TABLE_6:
+            sine, cosine = exact.sin_cos(tilt)
+            for axis, value in zip(("planar", "peak", "valley"), printed):
+                (row,) = select(rows, inverse_slenderness=slenderness, amplitude=amplitude, axis=axis)
+                self.assertEqual((row["printed"], float(row["tilt_deg"])), (value, tilt))
+                truth = exact.decimal(formula(float(slenderness), float(amplitude), axis)) * cosine / sine
+                self.within(row, truth, "fos")
+                self.assertLess(abs(Decimal(value) - truth), Decimal("0.01"), row)
+
+    def test_curves(self):
+        """The curves are the equations; FoS = 1 at the planar critical angle lies between neighbours."""
+        rows = select(chart("fos"), series="curve")
+        self.assertEqual({row["inverse_slenderness"] for row in rows}, {"0.5", "0.75", "1"})
+        for row in rows[::23]:
+            sine, cosine = exact.sin_cos(Fraction(float(row["tilt_deg"])))
+            own = formula(float(row["inverse_slenderness"]), float(row["amplitude"]), row["axis"])
+            self.within(row, exact.decimal(own) * cosine / sine, "fos")
+
+    def test_exact_blocks(self):
+        """With --sub-blocks the blocks are solved: at even N the equations are exact, at odd N not."""
+        plain = select(chart("fos"), series="Table 6")
+        for count, alike in ((2, True), (4, True), (3, False)):
+            blocks = select(chart("fos", "--sub-blocks", count), series="Table 6")
+            self.assertEqual(len(blocks), len(plain))
+            for one, other in zip(plain, blocks):
+                gap = abs(float(one["fos"]) - float(other["fos"]))
+                self.assertEqual(gap <= 1e-12, alike or one["axis"] == "planar")
+                sine, cosine = exact.sin_cos(Fraction(one["tilt_deg"]))
+                own = tangent(float(one["inverse_slenderness"]), float(one["amplitude"]), one["axis"], count)
+                self.within(other, exact.decimal(own) * cosine / sine, "fos")
+
+
+class Ranges(Chart):
+    def test_angles(self):
+        """Every angle of the chart by rational moments and a 60-digit arctangent; both series are there,
+        with N = 2 dx / lambda."""
+        rows = chart("ranges")
+        counts = {s: {r["sub_blocks"] for r in select(rows, series=s)} for s in ("N", "wavelength")}
+        self.assertEqual(counts, {"N": set("2347"), "wavelength": {"2", "4", "10", "20"}})
+        for row in rows:
+            self.assertEqual(Fraction(row["wavelength_over_width"]), Fraction(2, int(row["sub_blocks"])))
+        for row in [r for r in rows if r["mark"] == "Fig. 14" and r["series"] != "odd less even"]:
+            slenderness = Fraction(float(Fraction(row["inverse_slenderness"])))
+            amplitude = Fraction(float(row["amplitude_percent"]) / 100)
+            self.assertIn(float(row["amplitude_percent"]), (1, 2, 5, 10))
+            own = tangent(slenderness, amplitude, row["axis"], int(row["sub_blocks"]))
+            angle = exact.degrees(exact.atan(exact.decimal(own)))
+            self.assertLess(abs(Decimal(row["angle_deg"]) - angle), Decimal("1e-13"), row)
+
+    def test_odd_less_even(self):
+        """What an odd N adds: + about a peak, - about a valley, 0.05 degrees at most."""
+        rows = select(chart("ranges"), series="odd less even", mark="Fig. 14")
+        self.assertEqual(len(rows), 4 * 2 * 2 * 4)
+        for row in rows:
+            slenderness, amplitude = Fraction(row["inverse_slenderness"]), float(row["amplitude_percent"]) / 100
+            odd, even = (math.atan(tangent(slenderness, Fraction(amplitude), row["axis"], n)) / DEGREE
+                         for n in (int(row["sub_blocks"]), 2))
+            self.assertAlmostEqual(float(row["angle_deg"]), odd - even, delta=1e-12)
+            self.assertEqual(float(row["angle_deg"]) > 0, row["axis"] == "peak")
+            self.assertLess(abs(float(row["angle_deg"])), 0.052)
+
+
+class Mechanisms(Chart):
+    def test_table_7(self):
+        """The four blocks stand in the table's ranges; the program agrees with the paper on all but one:
+        block 2, wider than tan(phi + i), cannot topple at phi + i - 1 about a valley of A/y = 1 %."""
+        rows = select(chart("mechanisms"), series="Table 7")
+        self.assertEqual([(r["base"], r["block"]) for r in rows],
+                         [(base, str(k)) for base in ("planar", "rough") for k in (1, 2, 3, 4)])
+        low, high = math.tan(30 * DEGREE), math.tan(40 * DEGREE)
+        for row in rows:
+            x, wide = float(row["inverse_slenderness"]), row["block"] in "12"
+            self.assertEqual(float(row["tilt_deg"]), 39 if row["block"] in "23" else 31)
+            self.assertEqual((x > high, low < x < high), (wide, not wide))
+            self.assertEqual(row["agrees"], "no" if (row["base"], row["block"]) == ("rough", "2") else "yes")
+        judged = {(r["base"], r["block"]): r["program"] for r in rows}
+        self.assertEqual([judged["rough", k] for k in "1234"],
+                         ["stable", "stable", "topples, stable if peak", "stable, topples if valley"])
+        self.assertEqual([r["from_rest"] for r in rows[:4]], ["slides"] * 4)
+        self.assertEqual(judged["planar", "3"], "slides and topples")
+
+    def test_block_2_topples_on_a_rougher_base(self):
+        """Its verdict needs A/y of tan(40) / tan(39) - 1 = 3.6 % at least."""
+        for amplitude, program in (("0.036", "stable"), ("0.04", "stable, topples if valley")):
+            rows = select(chart("mechanisms", "--amplitude", amplitude), base="rough", block="2")
+            self.assertEqual([r["program"] for r in rows], [program])
+
+    def test_borders(self):
+        """Toppling borders by the mended Eqs. (15) to (17), sliding at phi_b and phi_b + i."""
+        rows = chart("mechanisms", "--friction", 28, "--roughness-angle", 7.5, "--amplitude", 0.03)
+        for series, axis in (("topples", "planar"), ("topples about the peak", "peak"),
+                             ("topples about the valley", "valley")):
+            own = select(rows, series=series)
+            self.assertGreater(len(own), 100)
+            for row in own[::7]:
+                tan = formula(float(row["inverse_slenderness"]), 0.03, axis)
+                angle = exact.degrees(exact.atan(exact.decimal(tan)))
+                self.assertLess(abs(Decimal(row["tilt_deg"]) - angle), Decimal("1e-12"))
+        self.assertEqual({(r["base"], float(r["tilt_deg"])) for r in select(rows, series="slides")},
+                         {("planar", 28), ("rough", 35.5)})
+
+
+class Map(Chart):
+    def borders(self, *arguments):
+        return select(chart("map", *arguments), series="border")
+
+    def test_slab(self):
+        """A slab topples at atan(dx/y) and slides at phi: the border is at dx/y = tan phi."""
+        for friction, height in (("30", 2), ("17.3", 0.7), ("51", 11)):
+            truth = height * math.tan(float(friction) * DEGREE)
+            rows = self.borders(self.slab(height=height, friction=friction), "--x",
+                                f"block.slab.width={truth / 3}:{truth * 2.7}")
+            self.assertEqual({r["of"] for r in rows}, {"slides | topples"})
+            for row in rows:
+                self.assertAlmostEqual(float(row["block.slab.width"]) / truth, 1, delta=1e-12)
+                self.assertLess(float(row["x_error"]) / truth, 1e-15)
+
+    def test_limit_and_formulas(self):
+        """Below the border it topples at atan(dx/y), above it slides at phi, and both formulas go on."""
+        rows = chart("map", self.slab(), "--x", "block.slab.width=0.2:3")
+        for row in select(rows, series="limit"):
+            topples = math.atan(float(row["block.slab.width"]) / 2) / DEGREE
+            self.assertEqual(row["of"], "topples" if topples < 30 else "slides")
+            self.assertAlmostEqual(float(row["tilt_deg"]), min(topples, 30), delta=1e-12)
+        for row in select(rows, series="moment equilibrium"):
+            topples = math.atan(float(row["block.slab.width"]) / 2) / DEGREE
+            self.assertAlmostEqual(float(row["tilt_deg"]), topples, delta=1e-12)
+        self.assertEqual({float(r["tilt_deg"]) for r in select(rows, series="Patton's sliding")}, {30})
+
+    def test_axes_change_places(self):
+        """The same map with the tilt on the x axis."""
+        self.slab()
+        upright = chart("map", self.scene, "--x", "block.slab.width=0.2:3")
+        lying = chart("map", self.scene, "--x", "tilt=0:90", "--y", "block.slab.width=0.2:3")
+        self.assertEqual([(r["block.slab.width"], r["tilt_deg"]) for r in upright],
+                         [(r["block.slab.width"], r["tilt_deg"]) for r in lying])
+
+    def test_dynamic_border(self):
+        """From rest a block on a plane slides and topples at once where phi < delta + atan(kappa
+        tan(alpha - delta)): for slabs kappa = 1/4, for a triangle from its own moments. It is drawn for
+        delta <= phi alone, and on a toothed base not at all."""
+        rows = select(chart("map", self.slab(friction="35"), "--x", "block.slab.width=0.2:3"),
+                      series="slides and topples from rest")
+        self.assertGreater(len(rows), 50)
+        for row in rows:
+            delta, alpha = math.atan(float(row["block.slab.width"]) / 2), float(row["tilt_deg"]) * DEGREE
+            self.assertLessEqual(delta, 35.0001 * DEGREE)
+            self.assertAlmostEqual(delta + math.atan(math.tan(alpha - delta) / 4), 35 * DEGREE, delta=1e-9)
+        self.scene.write_text("topple: 1\nlength_unit: m\nparameters: {h: 3}\nblock: {outline: [[0, 0], [1, 0], "
+                              "[0.2, h]]}\nfriction_angle_deg: 40\ntilt: {towards: left}\n")
+        rows = select(chart("map", self.scene, "--x", "h=1:5"), series="slides and topples from rest")
+        self.assertGreater(len(rows), 50)
+        for row in rows:
+            h = Fraction(float(row["h"]))
+            a, sx, sy, xx, yy, _ = exact.ring_moments([(Fraction(0), Fraction(0)), (Fraction(1), Fraction(0)),
+                                                       (Fraction(1, 5), h)])
+            x, y = sx / a, sy / a
+            square = float((xx + yy) / a - x * x - y * y)
+            kappa = square / (square + float(x * x + y * y))
+            delta, alpha = math.atan2(x, y), float(row["tilt_deg"]) * DEGREE
+            self.assertAlmostEqual(delta + math.atan(kappa * math.tan(alpha - delta)), 40 * DEGREE, delta=1e-9)
+        rows = chart("map", "examples/block_e_valley.yaml", "--x", "friction_angle_deg=20:60")
+        self.assertEqual(select(rows, series="slides and topples from rest"), [])
+
+    def test_border_parts_mechanisms(self):
+        """Block E towards its valley: a double below and above each border the solver's own verdicts
+        differ, as the border says."""
+        text = (ROOT / "examples/block_e_valley.yaml").read_text(encoding="utf-8")
+        text = text.replace("friction_angle_deg: 30", "friction_angle_deg: 53")
+        self.scene.write_text(text, encoding="utf-8")
+        rows = self.borders(self.scene, "--x", "c=1:20")
+        self.assertEqual(len(rows), 2)
+        for root, names in {(float(r["c"]), r["of"]) for r in rows}:
+            seen = set()
+            for factor in (1 - 1e-12, 1 + 1e-12):
+                self.scene.write_text(text.replace("c: 5}", f"c: {root * factor!r}}}"), encoding="utf-8")
+                out = json.loads(run("solve", "--json", self.scene)[1])
+                seen.add(out["cases"][0]["limit"]["mechanism"])
+            self.assertEqual(seen, set(names.split(" | ")))
+
+    def test_two_scalars(self):
+        """Over width and height of a slab the border is the line width = height tan phi, and a contour
+        of 20 degrees the line width = height tan 20."""
+        rows = chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y", "block.slab.height=0.5:4")
+        border = select(rows, series="border")
+        self.assertGreater(len(border), 30)
+        for row in border:
+            ratio = float(row["block.slab.width"]) / float(row["block.slab.height"])
+            self.assertAlmostEqual(ratio / math.tan(30 * DEGREE), 1, delta=1e-12)
+        contour = select(rows, series="limit", of="20")
+        self.assertGreater(len(contour), 20)
+        for row in contour:
+            ratio = float(row["block.slab.width"]) / float(row["block.slab.height"])
+            self.assertAlmostEqual(ratio / math.tan(20 * DEGREE), 1, delta=1e-9)
+            width, height = (Fraction(float(row[f"block.slab.{k}"])) for k in ("width", "height"))
+            off = abs(float(width - height * Fraction(math.tan(20 * DEGREE))))
+            self.assertLessEqual(off, float(row["x_error"]) + float(row["y_error"]) + 1e-15)
+            self.assertLess(float(row["x_error"]) + float(row["y_error"]), 1e-8)
+
+    def test_curve_is_one(self):
+        """A traced border comes as one curve: its points follow one another along it."""
+        rows = select(chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y",
+                            "block.slab.height=0.5:4"), series="border")
+        heights = [float(r["block.slab.height"]) for r in rows]
+        self.assertIn(heights, (sorted(heights), sorted(heights, reverse=True)))
+
+    def test_where_the_scene_has_no_answer(self):
+        """A slab has no negative width: the map begins at 0, and a map of nothing says why."""
+        rows = chart("map", self.slab(), "--x", "block.slab.width=-1:3")
+        self.assertTrue(all(float(r["block.slab.width"]) > 0 for r in select(rows, series="limit")))
+        status, out, err = run("chart", "map", self.scene, "--x", "block.slab.width=-3:-1")
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("nowhere in the map", err)
+        self.assertIn("above zero", err.replace("positive", "above zero"))
+
+
+class Figures(Chart):
+    kinds = (["fos"], ["mechanisms"], ["ranges"])
+
+    def all_kinds(self):
+        self.slab(title="It's `id` \\\"{/Bold x}_2\"")
+        line = ["map", self.scene, "--x", "block.slab.width=0.2:3"]
+        return (*self.kinds, line, [*line, "--y", "friction_angle_deg=10:50"])
+
+    def test_whole_and_the_same_again(self):
+        """Every kind in every format: well formed, and byte for byte the same on a rerun."""
+        for k, arguments in enumerate(self.all_kinds()):
+            for ending in ("svg", "pdf", "png", "csv"):
+                one, other = (self.folder / f"{k}-{turn}.{ending}" for turn in "ab")
+                for path in (one, other):
+                    self.assertEqual(run("chart", *arguments, "--output", path), (0, "", ""))
+                data = one.read_bytes()
+                self.assertEqual(data, other.read_bytes())
+                if ending == "svg":
+                    root = xml.etree.ElementTree.fromstring(data)
+                    self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+                elif ending == "pdf":
+                    self.assertTrue(data.startswith(b"%PDF-") and data.rstrip().endswith(b"%%EOF"))
+                    self.assertNotIn(b"CreationDate", data)
+                elif ending == "png":
+                    self.assertTrue(data.startswith(b"\x89PNG\r\n\x1a\n"))
+                    self.assertIn(b"IEND", data[-12:])
+                else:
+                    self.assertEqual(data.decode(), run("chart", *arguments)[1])
+        self.assertEqual([p for p in self.folder.iterdir() if p.name.endswith(".part")], [])
+
+    def test_text_of_a_user(self):
+        """Quotes, backticks and markup of a title are drawn, not carried out."""
+        trap = self.folder / "trap"
+        self.slab(title=f"\"it's `touch {trap}` {{/Bold x}}_2 \\\\n $(id) 'q' @x\"")
+        path = self.folder / "map.svg"
+        self.assertEqual(run("chart", "map", self.scene, "--x", "block.slab.width=0.2:3", "-o", path),
+                         (0, "", ""))
+        text = "".join(xml.etree.ElementTree.fromstring(path.read_bytes()).itertext())
+        self.assertIn(f"it's `touch {trap}` {{/Bold x}}_2", text)
+        self.assertFalse(trap.exists())
+
+    def test_json(self):
+        """The same numbers as JSON, each with its error."""
+        for arguments in self.all_kinds():
+            status, out, err = run("chart", "--json", *arguments)
+            self.assertEqual((status, err), (0, ""))
+            data, rows = json.loads(out), chart(*arguments)
+            points = [p for s in data["series"] for p in s["points"]]
+            self.assertEqual(len(points), len(rows))
+            self.assertEqual([p["y"]["value"] for p in points], [float(r[data["y"]]) for r in rows])
+            self.assertEqual([p["y"]["error"] for p in points], [float(r["y_error"]) for r in rows])
+
+
+class Errors(Chart):
+    def refuse(self, status, message, *arguments):
+        done = run("chart", *arguments)
+        self.assertEqual((done[0], done[1]), (status, ""), arguments)
+        self.assertIn(message, done[2])
+
+    def test_usage(self):
+        self.slab()
+        self.refuse(2, "no kind of chart", "pie")
+        self.refuse(2, "kind of chart is missing")
+        self.refuse(2, "another kind", "ranges", "--friction", 3)
+        self.refuse(2, "must rise", "fos", "--tilt", "60:10")
+        self.refuse(2, "must rise", "map", self.scene, "--x", "block.slab.width=3:1")
+        self.refuse(2, "KEY=FROM:TO", "map", self.scene, "--x", "block.slab.width")
+        self.refuse(2, "--x KEY=FROM:TO", "map", self.scene)
+        self.refuse(2, "scene file is missing", "map")
+        self.refuse(2, "must end in", "fos", "--output", self.folder / "a.gif")
+        self.refuse(2, "no list", "fos", "--amplitude", "0.1;0.2")
+        self.refuse(2, "number", "mechanisms", "--friction", "steep")
+
+    def test_input(self):
+        self.slab()
+        self.refuse(3, "did you mean 'width'?", "map", self.scene, "--x", "block.slab.widht=1:3")
+        self.refuse(3, "list or a map", "map", self.scene, "--x", "block.slab=1:3")
+        self.refuse(3, "both axes are tilt", "map", self.scene, "--x", "tilt=1:3")
+        self.refuse(3, "cannot be opened", "map", self.folder / "none.yaml", "--x", "a=1:3")
+        self.refuse(3, "between 0 and 0.5", "fos", "--amplitude", "0.7")
+        self.refuse(3, "at most 80", "mechanisms", "--friction", 75)
+        self.refuse(3, "whole", "fos", "--sub-blocks", 2.5)
+        self.scene.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\n"
+                              "tilt: {towards: left}\n")
+        self.refuse(3, "friction_angle_deg", "map", self.scene, "--x", "block.slab.width=1:3")
+        self.scene.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\n"
+                              "friction_angle_deg: 30\n")
+        self.refuse(3, "tilts both ways", "map", self.scene, "--x", "block.slab.width=1:3")
+
+    def test_unwritable(self):
+        self.refuse(5, "cannot be written", "fos", "--output", self.folder / "none" / "a.svg")
+        self.refuse(5, "cannot be written", "fos", "--output", self.folder / "none" / "a.csv")
+        (self.folder / "taken.svg").mkdir()
+        self.refuse(5, "no regular file", "fos", "--output", self.folder / "taken.svg")
+
+    def run_with_path(self, path, output):
+        return subprocess.run([PROGRAM, "chart", "fos", "--output", output], cwd=ROOT, check=False,
+                              capture_output=True, encoding="utf-8", env={**os.environ, "PATH": str(path)})
+
+    def test_without_gnuplot(self):
+        """Status 5, what to install, and no file; CSV needs none."""
+        tools = self.folder / "tools"
+        tools.mkdir()
+        done = self.run_with_path(tools, self.folder / "a.svg")
+        self.assertEqual(done.returncode, 5)
+        self.assertIn("apt-get install gnuplot-nox", done.stderr)
+        self.assertEqual(self.run_with_path(tools, self.folder / "a.csv").returncode, 0)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["a.csv", "tools"])
+
+    def test_gnuplot_fails(self):
+        """A gnuplot that fails, or that leaves early, costs no file: what was there stays."""
+        tools, figure = self.folder / "tools", self.folder / "a.svg"
+        tools.mkdir()
+        figure.write_text("as before")
+        for script in ("cat >/dev/null; echo half; echo it broke >&2; exit 3", "exit 0", "kill -9 $$"):
+            (tools / "gnuplot").write_text(f"#!/bin/sh\nPATH=/bin:/usr/bin\n{script}\n")
+            (tools / "gnuplot").chmod(0o755)
+            done = self.run_with_path(tools, figure)
+            self.assertEqual(done.returncode, 5)
+            self.assertIn("gnuplot failed", done.stderr)
+            self.assertEqual(figure.read_text(), "as before")
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["a.svg", "tools"])
+
+
+if __name__ == "__main__":
+    main()
