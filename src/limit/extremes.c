@@ -25,8 +25,10 @@ static tp_answer balance(const long basis[3], const tp_vector *wrench, const tp_
   for (int k = 0; k < 3 && answer == TP_YES; k++) {
     tp_vector_cross(&cross, columns + (k + 1) % 3, columns + (k + 2) % 3, bits);
     tp_vector_dot(share, wrench, &cross, bits);
-    arb_mul(share, share, volume, bits);
-    if (!arb_is_nonpositive(share)) answer = arb_is_positive(share) ? TP_NO : TP_OPEN;
+    const double size = tp_vector_log2_size(wrench) + tp_vector_log2_size(&cross);
+    const int sign = tp_judge_sign(&q->judge, share, size);
+    if (sign > 1) answer = TP_OPEN;
+    if (sign == 1 || sign == -1) answer = (sign > 0) == arb_is_positive(volume) ? TP_NO : TP_YES;
   }
   for (int k = 0; k < 3; k++) tp_vector_clear(columns + k);
   tp_vector_clear(&cross);

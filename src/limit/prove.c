@@ -43,14 +43,22 @@ static tp_answer find_tie(const proof *p, int idle) {
   /* where the cone is flat, or both faces are one, there is one mechanism only */
   if (answer == TP_NO || same_mechanism(&a->face, &a->other, cones)) return TP_YES;
   a->tie = true;
-  arb_t first;
-  arb_init(first);
-  arb_set(first, a->degrees);
+  arb_t degrees, sine, cosine; /* the forces are those at this sine and cosine */
+  arb_init(degrees);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_swap(degrees, a->degrees);
+  arb_swap(sine, a->sine);
+  arb_swap(cosine, a->cosine);
   answer = tp_search_tilt(a, &a->other, p->question, p->near_degrees);
-  if (!arb_equal(first, a->degrees)) {
-    arb_union(a->degrees, a->degrees, first, p->question->judge.bits);
+  if (!arb_equal(degrees, a->degrees)) {
+    arb_union(a->degrees, a->degrees, degrees, p->question->judge.bits);
   }
-  arb_clear(first);
+  arb_swap(sine, a->sine);
+  arb_swap(cosine, a->cosine);
+  arb_clear(degrees);
+  arb_clear(sine);
+  arb_clear(cosine);
   return answer;
 }
 

@@ -90,7 +90,10 @@ static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
   arb_init(tilt);
   arb_set_fmpq(needed, scene->tilt_angle_deg.value, bits);
   arb_sub(needed, needed, facet_angle, bits);
-  if (arb_is_positive(needed)) {
+  arb_set_ui(value, 90);
+  if (arb_ge(needed, value)) {
+    fos.state = TP_FOS_UNDEFINED; /* no friction would do */
+  } else if (arb_is_positive(needed)) {
     fos.state = TP_FOS_NUMBER;
     arb_div_ui(needed, needed, 180, bits);
     arb_tan_pi(needed, needed, bits);
