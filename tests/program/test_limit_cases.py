@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The static limit in cases that can be told in a sentence, each with its closed form."""
+
+import math
+import pathlib
+import tempfile
+import unittest
+
+from harness import ROOT, main, run, solve, table
+
+BLOCK_E = math.degrees(math.atan2(27 * 30 * 120 + 13 * 30 * 5, 9 * 120**2 + 18 * 120 * 5 + 6 * 25))
+
+
+class Cases(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name) / "scene.yaml"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def solve(self, block, base, friction, towards="left", more="", unit="m"):
+        self.path.write_text(f"topple: 1\nlength_unit: {unit}\nblock:\n  {block}\n"
+                             f"  unit_weight_kn_m3: 26\nbase: {{{base}}}\n"
+                             f"friction_angle_deg: {friction}\n{more}tilt: {{towards: {towards}}}\n")
+        return solve(self.path)["cases"][0]
+
+    def limit(self, *arguments, **options):
+        return self.solve(*arguments, **options)["limit"]
+
+    def example(self, name, towards, beyond):
+        text = (ROOT / "examples" / name).read_text(encoding="utf-8")
+        self.assertIn("beyond: {left: 0, right: 0}", text)
+        self.path.write_text(text.replace("beyond: {left: 0, right: 0}",
+                                          f"beyond: {{left: {beyond}, right: {beyond}}}"))
+        return next(c for c in solve(self.path)["cases"] if c["towards"] == towards)
+
+    def holds(self, number, truth, slack=1e-13):
+        """The truth lies in the bound, widened by the rounding of the truth's own doubles."""
+        self.assertLessEqual(abs(number["value"] - truth), number["error"] + slack * max(1, abs(truth)))
+
+    def test_where_the_base_ends_decides(self):
+        """Block E towards its valley at 30 degrees: on a base that ends at its toe it slides on the second
+        facet and turns at 28.73; where the base goes on by a tooth the formula's 35.20 comes true. Either
+        run tells of the other base."""
+        short, long = (self.example("block_e_valley.yaml", "left", b)["limit"] for b in (0, "a"))
+        self.assertEqual(short["mechanism"], "slides and topples")
+        self.assertAlmostEqual(short["critical_angle_deg"]["value"], 28.7345528055, delta=5e-11)
+        self.assertEqual(long["mechanism"], "topples")
+        self.holds(long["critical_angle_deg"], BLOCK_E)
+        self.assertEqual((short["base_beyond_toe"], long["base_beyond_toe"]), (False, True))
+        for one, other in ((short, long), (long, short)):
+            self.assertTrue(one["base_matters"])
+            self.assertEqual(one["otherwise"]["mechanism"], other["mechanism"])
+            self.holds(one["otherwise"]["critical_angle_deg"], other["critical_angle_deg"]["value"])
+
+    def test_table_3(self):
+        """Where the base goes on by a tooth, every block of Table 3 lets go at the angle of its moments;
+        towards a peak on either base."""
+        rows = table("table3.csv")
+        self.assertEqual(len(rows), 14)
+        for row in rows:
+            for beyond in ("a", "2*a") + (("0",) if row["axis"] == "Peak" else ()):
+                with self.subTest(model=row["model"], axis=row["axis"], beyond=beyond):
+                    case = self.example(row["scene"], row["towards"], beyond)
+                    self.assertEqual(case["limit"]["mechanism"], "topples")
+                    self.holds(case["limit"]["critical_angle_deg"],
+                               case["toppling"]["critical_angle_deg"]["value"], 1e-9)
+
+    def test_tie_of_sliding_and_toppling(self):
+        """A square slab at 45 degrees of friction slides and topples at 45 degrees, exactly."""
+        for towards in ("left", "right"):
+            limit = self.limit("slab: {width: 7, height: 7}", "mated: true", 45, towards)
+            self.assertEqual(limit["critical_angle_deg"], {"value": 45, "error": 0})
+            self.assertEqual({limit["mechanism"], limit["tied_with"]}, {"slides", "topples"})
+
+    def test_no_friction_on_a_plane(self):
+        """Without friction a slab slides as soon as the table tilts."""
+        for base in ("mated: true", "mated: true, beyond: {left: 2, right: 2}"):
+            limit = self.limit("slab: {width: 3, height: 9}", base, 0)
+            self.assertEqual(limit["critical_angle_deg"], {"value": 0, "error": 0})
+            self.assertEqual((limit["mechanism"], limit["tied_with"]), ("slides", None))
+
+    def test_no_friction_on_teeth(self):
+        """Without friction, on one tooth (1, c) up and down: the normals (-c, 1) and (c, 1) meet the weight,
+        which leans by the tilt, until one of them takes it all: tan a = c down the far flank, unless the
+        block topples before. Of height h it is so low that it does not."""
+        for c in (1, 2):
+            limit = self.limit(f"outline: [[0, 0], [10, {10 * c}], [20, 0], [20, {10 * c + 1}], "
+                               f"[0, {10 * c + 1}]]", "mated: true", 0)
+            self.assertLessEqual(limit["critical_angle_deg"]["value"], math.degrees(math.atan(c)) + 1e-9)
+            self.assertIn(limit["mechanism"], ("slides", "slides and topples", "topples"))
+
+    def test_balanced_on_a_point(self):
+        """A rhombus on its tip: level it is held, if only just; and no tilt holds it where its centroid is
+        off the tip by more than friction leans."""
+        tip = "outline: [[0, 0], [2, 3], [0, 6], [-2, 3]]"
+        base = "profile: [[-5, 0], [5, 0]]"
+        for friction in (1, 30, 45):
+            with self.subTest(friction=friction):
+                for towards in ("left", "right"):
+                    limit = self.limit(tip, base, friction, towards)
+                    self.assertEqual(limit["critical_angle_deg"], {"value": 0, "error": 0})
+                    self.assertEqual(limit["mechanism"], "topples")
+        limit = self.limit("outline: [[0, 0], [3, 3], [1, 6], [-1, 3]]", base, 30)
+        self.assertEqual(limit["mechanism"], "topples")
+        area = ((3 * 6 - 1 * 3) + (1 * 3 + 1 * 6)) / 2
+        gx = ((3 * 6 - 1 * 3) * 4 + (1 * 3 + 1 * 6) * 0) / 6 / area
+        gy = ((3 * 6 - 1 * 3) * 9 + (1 * 3 + 1 * 6) * 9) / 6 / area
+        self.holds(limit["critical_angle_deg"], math.degrees(math.atan2(gx, gy)))
+        case = self.solve(tip, base, 0)  # one force alone, no mechanism: no wrong one either
+        self.assertEqual((case["limit"]["mechanism"], case["mechanism"]), ("undecided",) * 2)
+        for friction in (0, 5):
+            limit = self.limit("outline: [[0, 0], [3, 3], [1, 6], [-1, 3]]", base, friction)
+            self.assertEqual(limit["mechanism"], "holds nowhere")
+
+    def test_corner_on_corner(self):
+        """Two corners that touch press on nothing: no forces hold the block, and the program says so."""
+        case = self.solve("outline: [[0, 0], [3, 3], [0, 6], [-3, 3]]",
+                          "profile: [[-5, -5], [0, 0], [5, -5]]", 40)
+        self.assertEqual(case["limit"]["mechanism"], "holds nowhere")
+        self.assertNotIn(case["mechanism"], ("stands", "interlocked"))
+
+    def test_redundant_vertices_change_nothing(self):
+        """A vertex in the middle of a straight edge, of the block or of the base, over or under a corner of
+        the other: the corner presses on the edge, with the vertex as without it."""
+        peaks = "profile: [[-1, -3], [2, 0], [4, -3], [7, -3], [9, 0], [12, -3]]"
+        plain = self.limit("outline: [[0, 0], [10, 0], [10, 8], [0, 8]]", peaks, 25)
+        seamed = self.limit("outline: [[0, 0], [2, 0], [9, 0], [10, 0], [10, 8], [0, 8]]", peaks, 25)
+        self.assertEqual(plain["critical_angle_deg"], seamed["critical_angle_deg"])
+        feet = "outline: [[0, 0], [4, 3], [7, 3], [10, 0], [10, 8], [0, 8]]"
+        plain = self.limit(feet, "profile: [[-5, 0], [15, 0]]", 25)
+        seamed = self.limit(feet, "profile: [[-5, 0], [0, 0], [10, 0], [15, 0]]", 25)
+        self.holds(plain["critical_angle_deg"], 25)
+        self.assertEqual(plain["critical_angle_deg"], seamed["critical_angle_deg"])
+
+    def test_interlocked_in_a_notch(self):
+        """A foot in a steep notch with much friction: forces of either flank hold it upright and beyond."""
+        case = self.solve("outline: [[0, 0], [1, 10], [8, 10], [8, 14], [-7, 14], [-7, 10], [-1, 10]]",
+                          "profile: [[-9, 10], [-1, 10], [0, 0], [1, 10], [9, 10]]", 80)
+        self.assertEqual((case["limit"]["mechanism"], case["mechanism"]), ("interlocked",) * 2)
+        self.assertIsNone(case["limit"]["critical_angle_deg"])
+
+    def test_wall_at_the_height_of_the_centroid(self):
+        """A slab against a wall just as high as its centroid: upright, friction of the wall's top corner
+        holds it alone. It is interlocked, and that is decided though the margin is nil."""
+        limit = self.limit("outline: [[0, 0], [3, 0], [3, 2], [0, 2]]", "profile: [[-2, 1], [0, 1], [0, 0], [9, 0]]",
+                           30)
+        self.assertEqual(limit["mechanism"], "interlocked")
+
+    def test_centroid_outside_the_contact(self):
+        """An overhang down-dip, its centroid 2 before the foot's end and 3 high: it holds from -atan(2/3)
+        down, about that end; towards the other side it lets go up-dip at tilts below 33.69."""
+        overhang = ("outline: [[0, 0], [1, 0], [1, 6], [-5, 6], [-5, 0], [-1, 0]]", "profile: [[0, 0], [1, 0]]")
+        case = self.solve(*overhang, 60)
+        gx, gy = case["block"]["centroid_x_m"]["value"], case["block"]["centroid_y_m"]["value"]
+        self.assertEqual((gx, gy), (-2, 3))
+        self.holds(case["limit"]["critical_angle_deg"], -math.degrees(math.atan(2 / 3)))
+        self.assertEqual((case["limit"]["mechanism"], case["limit"]["centre_x_m"]["value"]), ("topples", 0))
+        self.assertFalse(case["falls_backwards"])
+        back = self.solve(*overhang, 60, "right")
+        self.assertTrue(back["falls_backwards"])
+        self.assertEqual(back["mechanism"], "topples")
+        self.holds(back["limit"]["holds_from_deg"], math.degrees(math.atan(2 / 3)))
+        self.assertEqual(self.limit(*overhang, 20)["mechanism"], "holds nowhere")
+
+    def test_never_stands_by_formula(self):
+        """A wedge on one steep facet that rises down-dip slides up-dip off it below i - phi, though angles
+        alone would let it stand."""
+        case = self.solve("outline: [[1, 4], [-4, 4], [1, -5]]", "mated: true", 3.8)
+        self.assertEqual((case["mechanism"], case["falls_backwards"]), ("slides", True))
+        self.holds(case["limit"]["holds_from_deg"], math.degrees(math.atan2(9, 5)) - 3.8)
+        self.holds(case["limit"]["critical_angle_deg"], math.degrees(math.atan2(9, 5)) + 3.8)
+
+    def test_a_tilt_of_just_the_friction(self):
+        """A low slab on a table tilted by just phi: no margin, and no doubt either."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock:\n  slab: {width: 3, height: 1}\n"
+                             "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 30}\n")
+        case = solve(self.path)["cases"][0]
+        self.assertEqual(case["first"]["margin_deg"], {"value": 0, "error": 0})
+        self.assertEqual(case["mechanism"], "slides")
+
+    def test_mirror(self):
+        """Towards the left is the mirror image towards the right, to the last bits."""
+        outline = [(0, 0), (10, 3), (20, 0), (35, 6), (50, 1), (50, 90), (0, 90)]
+        twin = [(-x, y) for x, y in outline[::-1]]
+        for friction in (0, 21, 45, 70):
+            for beyond in ((0, 0), (5, 0), (0, 5)):
+                sides = []
+                for points, (left, right), towards in ((outline, beyond, "left"),
+                                                       (twin, beyond[::-1], "right")):
+                    text = ", ".join(f"[{x}, {y}]" for x, y in points)
+                    sides.append(self.limit(f"outline: [{text}]", "mated: true, beyond: "
+                                            f"{{left: {left}, right: {right}}}", friction, towards))
+                one, other = sides
+                for key in ("mechanism", "base_beyond_toe", "base_matters", "turns_up_dip"):
+                    self.assertEqual(one[key], other[key])
+                if one["critical_angle_deg"] is None:
+                    continue
+                self.holds(one["critical_angle_deg"], other["critical_angle_deg"]["value"], 1e-15)
+                if one["centre_x_m"] is not None:
+                    self.holds(one["centre_x_m"], -other["centre_x_m"]["value"], 1e-15)
+
+    def test_size_and_place(self):
+        """The same block in mm and in m, a million blocks away and 1e200 times smaller: one limit."""
+        outline = [(0, 0), (10, 3), (20, 0), (35, 6), (50, 1), (50, 90), (0, 90)]
+        variants = {"plain": ("mm", 1, 0), "m": ("m", "1e-3", 0), "feet": ("ft", 1, 0),
+                    "tiny": ("mm", "1e-200", 0), "huge": ("km", "1e200", 0),
+                    "far": ("mm", 1, 50 * 10**6), "beyond doubles": ("mm", 1, 10**30)}
+        limits = {}
+        for name, (unit, factor, away) in variants.items():
+            text = ", ".join(f"[{x}*{factor} + {away}, {y}*{factor} - {away}]" for x, y in outline)
+            limits[name] = self.limit(f"outline: [{text}]", "mated: true", 27, unit=unit)
+        for name, limit in limits.items():
+            with self.subTest(name):
+                self.assertEqual(limit["mechanism"], limits["plain"]["mechanism"])
+                self.holds(limit["critical_angle_deg"],
+                           limits["plain"]["critical_angle_deg"]["value"], 1e-13)
+
+    def test_two_thousand_teeth(self):
+        """2000 teeth of 1 x 1/4 under a high and under a low block, on a base that goes on: the one topples
+        at the angle of its moments, the other climbs the flanks at phi + i."""
+        for height, name in ((6000, "topples"), (100, "slides")):
+            case = self.solve(f"teeth: {{count: 2000, width: 1, height: {height}, depth: 1/4, "
+                              "left_end: valley}", "mated: true, beyond: {left: 1, right: 0}", 30)
+            self.assertEqual(case["limit"]["mechanism"], name)
+            truth = (case["toppling"]["critical_angle_deg"]["value"] if name == "topples"
+                     else 30 + math.degrees(math.atan(1 / 4)))
+            self.holds(case["limit"]["critical_angle_deg"], truth)
+
+    def test_worn_toe(self):
+        """Block A with its toe rounded by 3.36 mm, on a base that goes on: it lets go at the angle of its
+        moments about the moved axis, below that of the sharp corner (Table 3: 26.2 and 23.9)."""
+        text = (ROOT / "examples" / "block_a_worn.yaml").read_text(encoding="utf-8")
+        for end, sharp in (("peak", 26.16), ("valley", 23.86)):
+            for model in ("paper", "exact"):
+                self.path.write_text(text.replace("model: paper", f"model: {model}").replace(
+                    "left: 0", "left: a").replace("left_end: peak", f"left_end: {end}"))
+                case = solve(self.path)["cases"][0]
+                self.assertEqual(case["limit"]["mechanism"], "topples")
+                self.holds(case["limit"]["critical_angle_deg"],
+                           case["toppling"]["critical_angle_deg"]["value"], 1e-9)
+                self.assertLess(case["limit"]["critical_angle_deg"]["value"], sharp - 1)
+                self.assertGreater(case["limit"]["critical_angle_deg"]["value"], sharp - 5)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The static limit under loads: random cohesion, bonds, anchors and earthquakes against all pairs of
+forces (limit_forces.py), and closed forms that each docstring works. Slabs are b wide and h high, of
+W = 26 b h kN a metre."""
+
+import math
+import os
+import pathlib
+import random
+import tempfile
+import unittest
+
+from harness import main, solve
+from limit_forces import Base, wrench
+
+ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
+GAMMA = 26.0
+
+
+def centroid(outline):
+    """Area and centroid by the fan of triangles from the first vertex."""
+    area, gx, gy = 0.0, 0.0, 0.0
+    x0, y0 = outline[0]
+    for (x1, y1), (x2, y2) in zip(outline[1:], outline[2:]):
+        own = ((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
+        area += own
+        gx += own * (x0 + x1 + x2) / 3
+        gy += own * (y0 + y1 + y2) / 3
+    return area, (gx / area, gy / area)
+
+
+def mirrored(points):
+    return [(-x, y) for x, y in points[::-1]]
+
+
+class LimitUnderLoads(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name) / "scene.yaml"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def solve(self, outline, friction, loads, towards="left", tilt=""):
+        points = ", ".join(f"[{x!r}, {y!r}]" for x, y in outline)
+        self.text = (f"topple: 1\nlength_unit: m\nblock:\n  outline: [{points}]\n"
+                     f"  unit_weight_kn_m3: 26\nbase: {{mated: true, beyond: {{left: 0, right: 0}}}}\n"
+                     f"loads: {{{loads}}}\nfriction_angle_deg: {friction!r}\n"
+                     f"tilt: {{towards: {towards}{tilt}}}\n")
+        self.path.write_text(self.text)
+        return solve(self.path)["cases"][0]
+
+    def random_scene(self):
+        """A rough block, its loads as text, and as F_cos, F_sin, F_1 towards either side."""
+        count = random.randint(1, 4)
+        under = [(float(k), round(random.uniform(-0.3, 0.3), 2)) for k in range(count + 1)]
+        height = round(random.uniform(0.5, 6), 2)
+        left, right = (round(random.uniform(0, 0.5), 2) for _ in range(2))
+        outline = under + [(count - right, height), (left, height)]
+        strength = [random.choice([0, round(random.uniform(0, 30), 1)]) for _ in range(2)]
+        shaking = [random.choice([0, round(random.uniform(-0.3, 0.3), 2)]) for _ in range(2)]
+        anchors = [((outline[-1][0], height), random.randint(-180, 180), random.randint(1, 60))
+                   for _ in range(random.choice([0, 0, 1, 2]))]
+        loads = [f"cohesion_kpa: {strength[0]!r}, bond_kpa: {strength[1]!r}",
+                 f"seismic: {{horizontal: {shaking[0]!r}, vertical: {shaking[1]!r}}}"]
+        loads += ["anchors: [%s]" % ", ".join(
+            f"{{at: [{x!r}, {y!r}], direction_deg: {d}, force_kn: {f}}}"
+            for (x, y), d, f in anchors)] * (anchors != [])
+        return under, outline, strength, shaking, anchors, ", ".join(loads)
+
+    def test_random(self):
+        """The first tilt from level at which the base fails; where level ground does not do, the end of
+        what tilts do."""
+        random.seed(81)
+        for _ in range(120 * ROUNDS):
+            under, outline, strength, (k, v), anchors, loads = self.random_scene()
+            towards, friction = random.choice(["left", "right"]), random.randint(0, 70)
+            case = self.solve(outline, friction, loads, towards)
+            if towards == "right":
+                under, outline = mirrored(under), mirrored(outline)
+            base = Base(list(zip(under, under[1:])), friction, *strength)
+            area, g = centroid(outline)
+            weight = GAMMA * area
+            fixed = (0.0, 0.0, 0.0)
+            for (x, y), direction, force in anchors:
+                fx, fy = (force * f(math.radians(direction)) for f in (math.cos, math.sin))
+                if towards == "right":
+                    x, fx = -x, -fx
+                fixed = tuple(a + b for a, b in zip(fixed, wrench((x, y), (fx, fy))))
+            forces = (wrench(g, (-k * weight, (v - 1) * weight)),
+                      wrench(g, ((v - 1) * weight, k * weight)), fixed)
+            with self.subTest(scene=self.text):
+                self.compare(case["limit"], base, forces)
+
+    def compare(self, limit, base, forces):
+        found = base.intervals(*forces)
+        value = limit["critical_angle_deg"]
+        level = [i for i in found if i[0] <= 0 <= i[1]]
+        above, below = [i for i in found if i[0] > 0], [i for i in found if i[1] < 0]
+        if not found:
+            self.assertEqual(limit["mechanism"], "holds nowhere")
+            return
+        _, end = (level or above or below[-1:])[0]
+        if end > 89.999:
+            self.assertEqual(limit["mechanism"], "interlocked")
+            return
+        self.assertIsNotNone(value, (limit["mechanism"], found))
+        self.assertLessEqual(abs(value["value"] - end), value["error"] + 1e-8)
+        names = {name for name, _ in base.mechanisms(end, forces, 1e-8)}
+        self.assertIn(limit["mechanism"], names)
+
+    def limit(self, *arguments, **options):
+        return self.solve(*arguments, **options)["limit"]
+
+    def test_cohesion_on_a_plane(self):
+        """A low slab slides where W sin a = W cos a tan(phi) + c b, that is
+        sin(a - phi) = c b cos(phi) / W."""
+        random.seed(82)
+        for _ in range(20):
+            b, h = random.uniform(3, 5), random.uniform(0.2, 0.5)
+            friction, c = random.uniform(5, 30), random.uniform(0.1, 2)
+            limit = self.limit([(0.0, 0.0), (b, 0.0), (b, h), (0.0, h)], friction,
+                               f"cohesion_kpa: {c!r}")
+            phi = math.radians(friction)
+            expected = math.degrees(phi + math.asin(c * b * math.cos(phi) / (GAMMA * b * h)))
+            self.assertEqual(limit["mechanism"], "slides")
+            self.assertAlmostEqual(limit["critical_angle_deg"]["value"], expected, delta=1e-10)
+
+    def test_bond_of_a_slender_slab(self):
+        """A slender slab topples where W (h sin a - b cos a) / 2 = s b^2 / 2: friction is high enough."""
+        random.seed(83)
+        for _ in range(20):
+            b, h, s = random.uniform(1, 2), random.uniform(5, 8), random.uniform(0.1, 5)
+            for towards, toe in (("left", 0.0), ("right", b)):
+                limit = self.limit([(0.0, 0.0), (b, 0.0), (b, h), (0.0, h)], 60, f"bond_kpa: {s!r}",
+                                   towards)
+                expected = math.degrees(math.atan2(b, h) + math.asin(s * b * b
+                                                                     / (GAMMA * b * h
+                                                                        * math.hypot(b, h))))
+                self.assertEqual(limit["mechanism"], "topples")
+                self.assertEqual(limit["centre_x_m"]["value"], toe)
+                self.assertAlmostEqual(limit["critical_angle_deg"]["value"], expected, delta=1e-10)
+
+    def test_earthquake_is_a_tilt(self):
+        """k_h towards down-dip turns gravity by atan(k_h): the limit falls by just that."""
+        random.seed(84)
+        for _ in range(20):
+            under, outline, *_ = self.random_scene()
+            friction, k = random.randint(20, 60), round(random.uniform(0, 0.5), 3)
+            towards = random.choice(["left", "right"])
+            plain = self.limit(outline, friction, "", towards)
+            shaken = self.limit(outline, friction, f"seismic: {{horizontal: {k!r}}}", towards)
+            self.assertEqual(plain["mechanism"], shaken["mechanism"])
+            if plain["critical_angle_deg"] is None:
+                continue
+            one, other = plain["critical_angle_deg"], shaken["critical_angle_deg"]
+            self.assertLessEqual(abs(one["value"] - math.degrees(math.atan(k)) - other["value"]),
+                                 one["error"] + other["error"] + 1e-13)
+
+    def test_far_from_the_origin(self):
+        """A million block sizes away nothing changes, with cohesion, bond and an anchor."""
+        outline = [(0.0, 0.0), (1.0, 0.25), (2.0, 0.0), (2.0, 3.0), (0.0, 3.0)]
+        limits = []
+        for dx, dy in ((0, 0), (2e6, -3e6), (-2e9, 2e9)):
+            moved = [(x + dx, y + dy) for x, y in outline]
+            limits.append(self.limit(moved, 30, "cohesion_kpa: 3, bond_kpa: 2, anchors: [{at: "
+                                     f"[{dx!r}, {dy + 3!r}], direction_deg: -30, force_kn: 5}}]"))
+        for other in limits[1:]:
+            self.assertEqual(other["mechanism"], limits[0]["mechanism"])
+            one, own = limits[0]["critical_angle_deg"], other["critical_angle_deg"]
+            self.assertLessEqual(abs(one["value"] - own["value"]), one["error"] + own["error"])
+
+
+if __name__ == "__main__":
+    main()
