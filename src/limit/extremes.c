@@ -37,6 +37,24 @@ static tp_answer balance(const long basis[3], const tp_vector *wrench, const tp_
   return answer;
 }
 
+/* Where two columns do already, any third that spans with them, with a share of nothing. */
+static void complete(tp_basis *basis, const tp_sketch *sketch) {
+  if (basis->count != 2) return;
+  const double *a = sketch->columns[basis->columns[0]], *b = sketch->columns[basis->columns[1]];
+  double most = 0;
+  for (long k = 0; k < sketch->count; k++) {
+    double volume = 0;
+    for (int row = 0; row < 3; row++) {
+      const int next = (row + 1) % 3, last = (row + 2) % 3;
+      volume += sketch->columns[k][row] * (a[next] * b[last] - a[last] * b[next]);
+    }
+    if (fabs(volume) <= most) continue;
+    most = fabs(volume);
+    basis->columns[2] = k;
+    basis->count = 3;
+  }
+}
+
 tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch) {
   static const double nowhere[3] = {0, 0, 0};
   if (!tp_search_is_linear(q)) return TP_YES; /* the search looked at every degree */
@@ -47,7 +65,8 @@ tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch)
   tp_sketch_wrench(wrench, sketch, &upright);
   for (int row = 0; row < 3; row++) target[row] = -wrench[row];
   const tp_simplex_answer found = tp_sketch_solve(sketch, nowhere, target);
-  const tp_basis basis = tp_basis_of(&found);
+  tp_basis basis = tp_basis_of(&found);
+  complete(&basis, sketch);
   const tp_answer answer = found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 3
                                ? balance(basis.columns, &upright, q)
                                : TP_OPEN;

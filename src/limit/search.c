@@ -89,22 +89,80 @@ tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face, const tp_
   return found;
 }
 
+enum { STEPS = 90 }; /* of the search from level to upright */
+
 /* The loads in the sketch's units, function by function. */
 typedef struct loads {
   double of[TP_BASIS][3];
 } loads;
 
-static bool holds(tp_sketch *sketch, const loads *l, double degrees) {
-  static const double level[3] = {0, 0, 0};
+/* What the base has to bear: the loads turned round. */
+static void set_target(double target[3], const loads *l, double degrees) {
   const double tilt = degrees * (M_PI / 180), cosine = cos(tilt);
   const double basis[TP_BASIS] = {cosine, sin(tilt), 1, 1 / cosine, 1 / (cosine * cosine)};
-  double target[3] = {0, 0, 0};
+  for (int row = 0; row < 3; row++) target[row] = 0;
   for (int k = 0; k < TP_BASIS; k++) {
     for (int row = 0; row < 3; row++) {
       if (l->of[k][row] != 0) target[row] -= basis[k] * l->of[k][row]; /* 1 / cos may be infinite */
     }
   }
-  return tp_sketch_solve(sketch, level, target).outcome == TP_SIMPLEX_OPTIMAL;
+}
+
+static tp_simplex_answer look(tp_sketch *sketch, const loads *l, double degrees) {
+  static const double level[3] = {0, 0, 0};
+  double target[3];
+  set_target(target, l, degrees);
+  return tp_sketch_solve(sketch, level, target);
+}
+
+static bool holds(tp_sketch *sketch, const loads *l, double degrees) {
+  return look(sketch, l, degrees).outcome == TP_SIMPLEX_OPTIMAL;
+}
+
+static double power(const double v[3], const double of[3]) {
+  return v[0] * of[0] + v[1] * of[1] + v[2] * of[2];
+}
+
+/* What bounded forces hold against the twist. */
+static double held_against(const tp_sketch *sketch, const double twist[3]) {
+  double held = 0;
+  for (long k = 0; k < sketch->count && sketch->most != NULL; k++) {
+    const double own = power(twist, sketch->columns[k]);
+    if (own < 0 && isfinite(sketch->most[k])) held -= own * sketch->most[k];
+  }
+  return held;
+}
+
+/* From `at`, where the twist beats the base, to the first tilt on the way to `end` where it does
+ * not; `end` where it does all the way. */
+static double beaten_until(const double twist[3], double held, const loads *l, double at,
+                           double end) {
+  double target[3];
+  set_target(target, l, end);
+  if (-power(twist, target) > held) return end;
+  double low = at, high = end;
+  for (int k = 0; k < 60; k++) {
+    const double middle = (low + high) / 2;
+    set_target(target, l, middle);
+    *(-power(twist, target) > held ? &low : &high) = middle;
+  }
+  return high;
+}
+
+/* A tilt that holds between two that do not: the mechanism in the middle rules out a stretch about
+ * it, and what is left on either side is looked at likewise. */
+static bool find_between(double *found, tp_sketch *sketch, const loads *l, double low, double high,
+                         int depth) {
+  const double middle = (low + high) / 2;
+  const tp_simplex_answer answer = look(sketch, l, middle);
+  *found = middle;
+  if (answer.outcome == TP_SIMPLEX_OPTIMAL) return true;
+  if (answer.outcome != TP_SIMPLEX_INFEASIBLE || depth == 0) return false;
+  const double held = held_against(sketch, answer.dual);
+  const double left = beaten_until(answer.dual, held, l, middle, low);
+  const double right = beaten_until(answer.dual, held, l, middle, high);
+  return (left > low && find_between(found, sketch, l, low, left, depth - 1)) ||
+         (right < high && find_between(found, sketch, l, right, high, depth - 1));
 }
 
 static double halve(tp_sketch *sketch, const loads *l, double low, double high) {
@@ -118,8 +176,22 @@ static double halve(tp_sketch *sketch, const loads *l, double low, double high) 
   return low;
 }
 
+/* The first tilt at which the base holds, in steps from `from`; at a step or between two. */
+static bool find_held(double *found, tp_sketch *sketch, const loads *l, double from, double step) {
+  enum { DEPTH = 40 };
+  for (int k = 0; k <= STEPS; k++) {
+    *found = from + k * step;
+    if (holds(sketch, l, *found)) return true;
+    const double before = from + (k - 1) * step;
+    if (k > 0 && find_between(found, sketch, l, fmin(before, from + k * step),
+                              fmax(before, from + k * step), DEPTH)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limit_question *q) {
-  enum { STEPS = 90 };
   loads l;
   tp_vector term;
   tp_vector_init(&term);
@@ -130,20 +202,15 @@ tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limi
   tp_vector_clear(&term);
   const double range = arf_get_d(arb_midref(q->range), ARF_RND_DOWN) * (180 / M_PI);
   const double step = range / STEPS;
-  int from = 0;
-  while (from <= STEPS && !holds(sketch, &l, from * step)) from++;
-  if (from <= STEPS) {
-    for (int k = from + 1; k <= STEPS; k++) {
-      if (holds(sketch, &l, k * step)) continue;
-      *degrees = halve(sketch, &l, (k - 1) * step, k * step);
-      return TP_SEARCH_TILT;
-    }
-    return TP_SEARCH_HOLDS_ALWAYS;
+  double held = 0;
+  if (!find_held(&held, sketch, &l, 0, step) && !find_held(&held, sketch, &l, 0, -step)) {
+    return TP_SEARCH_HOLDS_NEVER;
   }
-  for (int k = 1; k <= STEPS; k++) {
-    if (!holds(sketch, &l, -k * step)) continue;
-    *degrees = halve(sketch, &l, -k * step, (1 - k) * step);
+  for (double next = held; next < range; held = next) {
+    next = fmin(held + step, range);
+    if (holds(sketch, &l, next)) continue;
+    *degrees = halve(sketch, &l, held, next);
     return TP_SEARCH_TILT;
   }
-  return TP_SEARCH_HOLDS_NEVER;
+  return TP_SEARCH_HOLDS_ALWAYS;
 }
