@@ -206,11 +206,13 @@ tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limi
   if (!find_held(&held, sketch, &l, 0, step) && !find_held(&held, sketch, &l, 0, -step)) {
     return TP_SEARCH_HOLDS_NEVER;
   }
-  for (double next = held; next < range; held = next) {
-    next = fmin(held + step, range);
-    if (holds(sketch, &l, next)) continue;
-    *degrees = halve(sketch, &l, held, next);
-    return TP_SEARCH_TILT;
+  while (held < range) {
+    const double next = fmin(held + step, range);
+    if (!holds(sketch, &l, next)) {
+      *degrees = halve(sketch, &l, held, next);
+      return TP_SEARCH_TILT;
+    }
+    held = next;
   }
   return TP_SEARCH_HOLDS_ALWAYS;
 }
