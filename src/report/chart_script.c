@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Sizes in mm; letters of 7 points, about the least that journals take. */
-static const double left_mm = 14, right_mm = 4, top_mm = 7, bottom_mm = 10, foot_mm = 1;
+static const double left_mm = 16, right_mm = 4, top_mm = 7, bottom_mm = 10.5, foot_mm = 1;
 static const double between_columns_mm = 12, between_rows_mm = 7, between_titles_mm = 4;
 static const double legend_row_mm = 3.8, letter_mm = 1.3, sample_mm = 8, after_sample_mm = 1.5,
                     after_text_mm = 4;
@@ -19,8 +19,8 @@ static const double points_per_mm = 72 / 25.4, pixels_per_mm = 96 / 25.4, dots_p
 static const char *const colours[] = {"#000000", "#E69F00", "#56B4E9", "#009E73", "#F0E442",
                                       "#0072B2", "#D55E00", "#CC79A7", "#8C8C8C"};
 /* The same mixed with white, for regions; of different lightness in grey. */
-static const char *const tints[] = {"#E8E8E8", "#FBE6BF", "#DDF0FA", "#CDEBE1", "#FCF9D9",
-                                    "#CCE3F0", "#F7DFCC", "#E6C9DA", "#F2F2F2"};
+static const char *const tints[] = {"#E8E8E8", "#F9DFA8", "#E8F5FC", "#B5DDCF", "#FCF9D9",
+                                    "#CCE3F0", "#F7DFCC", "#DDB8CE", "#BDBDBD"};
 static const char *const dashes[] = {"solid", "(6,3)", "(2,3)", "(8,3,1.5,3)", "(14,4)"};
 
 enum { LEGEND_COLUMNS_MAX = 6 };
