@@ -22,50 +22,65 @@ static void set_middles(fmpq *entries, const tp_vector *of) {
   for (int row = 0; row < 3; row++) arf_get_fmpq(entries + row, arb_midref(of->of + row));
 }
 
-static bool solve_exactly(tp_geom_maximum *maximum, const tp_cones *cones, const fmpq *columns,
-                          const fmpq *ends, const fmpq *bounds) {
-  const long count = tp_cones_column_count(cones), edges = 2 * cones->count;
-  const fmpq **most = calloc((size_t)count + 1, sizeof *most);
-  if (most == NULL) return false;
-  for (long k = edges; k < count; k++) most[k] = bounds + (k - edges);
-  const tp_geom_program program = {(size_t)count, columns, ends, ends + 3, most};
-  const tp_geom_status status = tp_geom_maximise(maximum, &program);
-  free(most);
-  return status == TP_GEOM_OK;
+/* The program in rationals. */
+typedef struct exact_program {
+  long count;
+  fmpq *entries, *bounds; /* three entries and a bound a column */
+  const fmpq **most;      /* the bounds of those that have one */
+  fmpq ends[6];           /* direction, target */
+} exact_program;
+
+static bool exact_init(exact_program *p, long count) {
+  p->count = count;
+  p->most = calloc((size_t)count + 1, sizeof *p->most);
+  if (p->most == NULL) return false;
+  p->entries = _fmpq_vec_init(3 * count);
+  p->bounds = _fmpq_vec_init(count);
+  for (int k = 0; k < 6; k++) fmpq_init(p->ends + k);
+  return true;
 }
 
-bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const tp_vector *direction,
-                    const tp_vector *target, long bits) {
-  const long count = tp_cones_column_count(cones), edges = 2 * cones->count;
-  fmpq *columns = _fmpq_vec_init(3 * count), *bounds = _fmpq_vec_init(count - edges);
-  fmpq ends[6];
-  fmpq_t value;
+static void exact_clear(exact_program *p) {
+  _fmpq_vec_clear(p->entries, 3 * p->count);
+  _fmpq_vec_clear(p->bounds, p->count);
+  for (int k = 0; k < 6; k++) fmpq_clear(p->ends + k);
+  free(p->most);
+}
+
+static void exact_fill(exact_program *p, const tp_cones *cones, const long *columns, long bits) {
   tp_vector entries;
   tp_vector_init(&entries);
-  fmpq_init(value);
-  for (int k = 0; k < 6; k++) fmpq_init(ends + k);
-  for (long k = 0; k < count; k++) {
-    tp_cones_column(entries.of, cones, k, bits);
-    set_middles(columns + 3 * k, &entries);
-    if (k < edges) continue;
-    tp_cones_bound(entries.of, cones, k);
-    arf_get_fmpq(bounds + (k - edges), arb_midref(entries.of));
+  for (long k = 0; k < p->count; k++) {
+    tp_cones_column(entries.of, cones, columns[k], bits);
+    set_middles(p->entries + 3 * k, &entries);
+    if (tp_cones_is_edge(cones, columns[k])) continue;
+    tp_cones_bound(entries.of, cones, columns[k]);
+    arf_get_fmpq(p->bounds + k, arb_midref(entries.of));
+    p->most[k] = p->bounds + k;
   }
-  set_middles(ends, direction);
-  set_middles(ends + 3, target);
+  tp_vector_clear(&entries);
+}
+
+bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
+                    const tp_vector *direction, const tp_vector *target, long bits) {
+  exact_program p;
+  if (!exact_init(&p, count)) return false;
+  exact_fill(&p, cones, columns, bits);
+  set_middles(p.ends, direction);
+  set_middles(p.ends + 3, target);
+  fmpq_t value;
+  fmpq_init(value);
+  const tp_geom_program program = {(size_t)count, p.entries, p.ends, p.ends + 3, p.most};
   tp_geom_maximum maximum = {.value = value};
-  const bool done = solve_exactly(&maximum, cones, columns, ends, bounds);
+  const bool done = tp_geom_maximise(&maximum, &program) == TP_GEOM_OK;
   *basis = (tp_basis){.outcome = maximum.outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
                                  : maximum.outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
                                                                         : TP_SIMPLEX_INFEASIBLE,
                       .count = maximum.basis_count,
                       .columns = {-1, -1, -1}};
-  for (int k = 0; k < maximum.basis_count; k++) basis->columns[k] = maximum.basis[k];
-  _fmpq_vec_clear(columns, 3 * count);
-  _fmpq_vec_clear(bounds, count - edges);
-  for (int k = 0; k < 6; k++) fmpq_clear(ends + k);
+  for (int k = 0; k < maximum.basis_count; k++) basis->columns[k] = columns[maximum.basis[k]];
   fmpq_clear(value);
-  tp_vector_clear(&entries);
+  exact_clear(&p);
   return done;
 }
 

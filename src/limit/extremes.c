@@ -148,7 +148,8 @@ static void set_twist(tp_vector *twist, const plane *p, const double turn[2],
   arb_clear(factor);
 }
 
-static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_limit_question *q) {
+static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_sketch *sketch,
+                            const tp_limit_question *q) {
   long violated = -1;
   arb_t power;
   arb_init(power);
@@ -157,7 +158,8 @@ static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_limit
   tp_vector_dot(power, &face->twist, down, q->judge.precision);
   const bool sinks = arb_is_positive(power) != 0;
   arb_clear(power);
-  return sinks && tp_face_admit(face, q->cones, &q->judge, &violated) == TP_YES ? TP_YES : TP_OPEN;
+  return sinks && tp_face_admit(face, q->cones, sketch, &q->judge, &violated) == TP_YES ? TP_YES
+                                                                                        : TP_OPEN;
 }
 
 tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_sketch *sketch) {
@@ -176,7 +178,7 @@ tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_sketch *sketch) {
   const plane p = plane_across(sketched_across);
   if (find_turn(turn, &p, sketch, sketched_down, sketched_across)) {
     set_twist(&face.twist, &p, turn, sketch, &across, q->judge.precision);
-    answer = prove_turn(&face, &down, q);
+    answer = prove_turn(&face, &down, sketch, q);
   }
   tp_vector_clear(&down);
   tp_vector_clear(&across);

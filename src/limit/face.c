@@ -3,6 +3,8 @@
 
 #include "limit/face.h"
 
+#include "limit/filter.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -213,8 +215,9 @@ static void find_held(tp_face *face, const tp_cones *cones, const tp_judge *judg
   arb_clear(zero);
 }
 
-tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *judge,
-                        long *violated) {
+tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_sketch *sketch,
+                        const tp_judge *judge, long *violated) {
+  const tp_filter filter = tp_filter_of(&face->twist, sketch);
   powers p;
   arb_init(p.vx);
   arb_init(p.vy);
@@ -223,6 +226,10 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *ju
   arb_init(p.edge);
   tp_answer answer = TP_YES;
   for (long k = 0; k < cones->count && answer == TP_YES; k++) {
+    if (tp_filter_is_above_zero(&filter, sketch->columns[2 * k]) &&
+        tp_filter_is_above_zero(&filter, sketch->columns[2 * k + 1])) {
+      continue;
+    }
     answer = admit_point(face, cones, k, &p, judge, violated);
   }
   arb_clear(p.vx);

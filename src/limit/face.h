@@ -13,6 +13,7 @@
 #define TP_FACE_H
 
 #include "limit/cones.h"
+#include "limit/sketch.h"
 #include "limit/vector.h"
 
 typedef enum tp_answer { TP_NO, TP_YES, TP_OPEN } tp_answer;
@@ -44,9 +45,10 @@ void tp_face_clear(tp_face *face);
 tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long second,
                        const tp_vector *drive, const tp_judge *judge);
 
-/* Is the twist admissible? Also settles the motion and K. `*violated` is a column against it. */
-tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_judge *judge,
-                        long *violated);
+/* Is the twist admissible? Also settles the motion and K. `sketch` is of the same
+ * cones. `*violated` is a column against it. */
+tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_sketch *sketch,
+                        const tp_judge *judge, long *violated);
 
 /* Allowances that do no work may count or not: those that the sketch has at their bound do. */
 void tp_face_take_idle(tp_face *face, const tp_cones *cones, const bool *at_most,

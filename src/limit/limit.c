@@ -6,6 +6,7 @@
 #include "limit/prove.h"
 #include "limit/search.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 bool tp_limit_answer_init(tp_limit_answer *answer, const tp_cones *cones) {
@@ -48,18 +49,67 @@ static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q
   return TP_NO;
 }
 
-/* The basis that doubles find is proven or refuted; then the one of the exact program on the
- * midpoints of the data, which costs more and leaves nothing but the width of the data. */
+/* Columns that an exact program is made of, both edges of each cone. */
+typedef struct working_set {
+  long count;
+  long columns[128];
+} working_set;
+
+enum { MOST_REPAIRS = 32, WHOLE_PROGRAM = 20000, LEAST_BITS = 160 };
+
+static void take(working_set *set, const tp_cones *cones, long column) {
+  const long first = tp_cones_is_edge(cones, column) ? column - column % 2 : column;
+  const long last = tp_cones_is_edge(cones, column) ? first + 1 : column;
+  for (long k = first; k <= last; k++) {
+    bool known = false;
+    for (long at = 0; at < set->count && !known; at++) known = set->columns[at] == k;
+    if (!known) set->columns[set->count++] = k;
+  }
+}
+
+/* Doubles were wrong, and a column says so: the exact program of their basis and that column, then
+ * of that and the next column that refutes it. Each looks at all columns once. */
+static tp_answer repair(tp_limit_answer *answer, const tp_limit_question *q, const tp_program *p,
+                        tp_sketch *sketch, tp_basis *basis) {
+  working_set set = {.count = 0};
+  for (int k = 0; k < basis->count; k++) take(&set, q->cones, basis->columns[k]);
+  for (int round = 0; round < MOST_REPAIRS && answer->violated >= 0; round++) {
+    take(&set, q->cones, answer->violated);
+    if (!tp_basis_exact(basis, q->cones, set.columns, set.count, &p->direction, &p->target,
+                        q->judge.precision) ||
+        basis->outcome != TP_SIMPLEX_OPTIMAL) {
+      return TP_OPEN;
+    }
+    const tp_answer done = judge_basis(answer, q, p, sketch, basis);
+    if (done != TP_NO) return done;
+  }
+  return TP_OPEN;
+}
+
+static bool whole_basis(tp_basis *basis, const tp_limit_question *q, const tp_program *p) {
+  const long count = tp_cones_column_count(q->cones);
+  long *columns = calloc((size_t)count + 1, sizeof *columns);
+  if (columns == NULL) return false;
+  for (long k = 0; k < count; k++) columns[k] = k;
+  const bool done = tp_basis_exact(basis, q->cones, columns, count, &p->direction, &p->target,
+                                   q->judge.precision);
+  free(columns);
+  return done;
+}
+
+/* The basis that doubles find is proven, or repaired; where neither does, the exact program of all
+ * columns on the midpoints of the data, if they are not too many, leaves nothing but the width of
+ * the data. */
 static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q,
                              const tp_program *p, tp_sketch *sketch) {
-  enum { LEAST_BITS = 160 }; /* below, doubling the bits is cheaper */
   const tp_simplex_answer sketched = tp_program_solve(p, sketch);
   tp_basis basis = tp_basis_of(&sketched);
+  answer->violated = -1;
   tp_answer done = judge_basis(answer, q, p, sketch, &basis);
-  if (done != TP_YES && q->judge.bits >= LEAST_BITS) {
-    if (!tp_basis_exact(&basis, q->cones, &p->direction, &p->target, q->judge.precision)) {
-      return TP_LIMIT_FAILED;
-    }
+  if (done == TP_NO && q->cones->allowance_count == 0) done = repair(answer, q, p, sketch, &basis);
+  /* with fewer bits, doubling them is cheaper */
+  if (done != TP_YES && q->judge.bits >= LEAST_BITS && sketch->count <= WHOLE_PROGRAM) {
+    if (!whole_basis(&basis, q, p)) return TP_LIMIT_FAILED;
     done = judge_basis(answer, q, p, sketch, &basis);
   }
   return done == TP_YES ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
@@ -86,18 +136,21 @@ tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question 
     answer->kind = TP_LIMIT_NOWHERE;
     return TP_LIMIT_PROVEN;
   }
+  tp_sketch own, *sketch = q->sketch;
+  if (sketch == NULL) {
+    if (!tp_program_sketch(&own, q)) return TP_LIMIT_OUT_OF_MEMORY;
+    sketch = &own;
+  }
   tp_program p;
-  tp_sketch sketch;
-  if (!tp_program_sketch(&sketch, q)) return TP_LIMIT_OUT_OF_MEMORY;
   tp_program_init(&p);
   tp_limit_outcome outcome = TP_LIMIT_OPEN;
   if (tp_search_is_linear(q)) {
     tp_program_set_linear(&p, q);
-    outcome = find(answer, q, &p, &sketch);
+    outcome = find(answer, q, &p, sketch);
   } else {
-    outcome = find_near(answer, q, &p, &sketch);
+    outcome = find_near(answer, q, &p, sketch);
   }
   tp_program_clear(&p);
-  tp_sketch_clear(&sketch);
+  if (sketch == &own) tp_sketch_clear(&own);
   return outcome;
 }

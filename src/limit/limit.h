@@ -16,6 +16,7 @@
  * loads have terms in 1 / cos). */
 typedef struct tp_limit_question {
   const tp_cones *cones;
+  struct tp_sketch *sketch; /* of these cones, where it is made already; else NULL */
   const tp_wrench *load;
   arb_srcptr range;
   tp_judge judge;
@@ -28,6 +29,7 @@ typedef struct tp_limit_answer {
   tp_face face;
   bool tie; /* `other` is the mechanism at the same limit */
   tp_face other;
+  long violated;        /* a column against which the last face tried is not admissible, or -1 */
   arb_struct forces[2]; /* factors on the columns of `face` */
 } tp_limit_answer;
 

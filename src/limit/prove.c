@@ -23,7 +23,7 @@ static tp_answer span_and_admit(const proof *p, tp_face *face, long first, long 
                                 long *violated) {
   const tp_limit_question *q = p->question;
   const tp_answer spans = tp_face_span(face, q->cones, first, second, p->drive, &q->judge);
-  return spans == TP_YES ? tp_face_admit(face, q->cones, &q->judge, violated) : spans;
+  return spans == TP_YES ? tp_face_admit(face, q->cones, p->sketch, &q->judge, violated) : spans;
 }
 
 /* One force alone holds the block: the other face beside it is a mechanism at the same tilt. The
@@ -109,10 +109,10 @@ tp_answer tp_prove_limit(tp_limit_answer *answer, const tp_limit_question *quest
   const proof p = {answer, question, sketch, drive, near_degrees};
   answer->kind = TP_LIMIT_AT_ANGLE;
   answer->tie = false;
+  answer->violated = -1;
   if (basis->count != 2) return TP_NO;
-  long violated = -1;
   tp_answer done =
-      span_and_admit(&p, &answer->face, basis->columns[0], basis->columns[1], &violated);
+      span_and_admit(&p, &answer->face, basis->columns[0], basis->columns[1], &answer->violated);
   if (done == TP_YES) done = tp_search_tilt(answer, &answer->face, question, near_degrees);
   if (done != TP_YES) return done;
   if (sketch->at_most != NULL) {

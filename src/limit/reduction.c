@@ -16,7 +16,8 @@ typedef struct reduction {
   tp_cones *cones;
   arb_t friction; /* as given */
   arb_ptr bounds; /* shear and pull of each allowance, as given */
-  tp_sketch given, reduced;
+  const tp_sketch *given;
+  tp_sketch reduced;
   double degrees;
 } reduction;
 
@@ -61,7 +62,7 @@ static void restore(const reduction *r) {
 
 /* Limit less tilt in doubles, by the logarithm of the factor: it falls. */
 static double margin(reduction *r, double log_factor) {
-  tp_sketch_divide_strength(&r->reduced, &r->given, 2 * r->cones->count, exp(log_factor));
+  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count, exp(log_factor));
   return tp_program_estimate(&r->reduced, r->question) - r->degrees;
 }
 
@@ -94,12 +95,14 @@ static double solve(reduction *r, double low, double high, double at_low, double
 }
 
 /* Proven: 1 where the block holds beyond the tilt at this factor, -1 where not up to it, 0 open. */
-static tp_limit_outcome prove_side(int *side, const reduction *r, double factor,
-                                   const arb_t degrees) {
+static tp_limit_outcome prove_side(int *side, reduction *r, double factor, const arb_t degrees) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
   divide_by(r, factor);
-  const tp_limit_outcome outcome = tp_limit_find(&answer, r->question);
+  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count, factor);
+  tp_limit_question question = *r->question;
+  question.sketch = &r->reduced;
+  const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
   *side = 0;
   if (outcome == TP_LIMIT_PROVEN) {
     if (answer.kind == TP_LIMIT_INTERLOCKED) *side = 1;
@@ -113,8 +116,8 @@ static tp_limit_outcome prove_side(int *side, const reduction *r, double factor,
 
 /* Widen about the estimate until both sides are proven: from what doubles tell apart to what is
  * asked for, or a little more. */
-static tp_limit_outcome enclose(arb_t factor, const reduction *r, double estimate,
-                                const arb_t degrees, int digits) {
+static tp_limit_outcome enclose(arb_t factor, reduction *r, double estimate, const arb_t degrees,
+                                int digits) {
   static const double narrowest = 1e-13;
   const double widest = fmax(pow(10, -digits - 1), 10 * narrowest);
   for (double width = narrowest; width <= 1.001 * widest; width *= 10) {
@@ -154,15 +157,19 @@ tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
   reduction r = {.question = question,
                  .cones = cones,
                  .degrees = arf_get_d(arb_midref(degrees), ARF_RND_NEAR)};
-  if (!tp_program_sketch(&r.given, question)) return TP_LIMIT_OUT_OF_MEMORY;
+  tp_sketch own;
+  if (question->sketch == NULL && !tp_program_sketch(&own, question)) {
+    return TP_LIMIT_OUT_OF_MEMORY;
+  }
+  r.given = question->sketch != NULL ? question->sketch : &own;
   tp_limit_outcome outcome = TP_LIMIT_OUT_OF_MEMORY;
-  if (tp_sketch_copy(&r.reduced, &r.given)) {
+  if (tp_sketch_copy(&r.reduced, r.given)) {
     reduction_init(&r);
     outcome = find(kind, factor, &r, degrees, digits);
     restore(&r);
     reduction_clear(&r);
     tp_sketch_clear(&r.reduced);
   }
-  tp_sketch_clear(&r.given);
+  if (r.given == &own) tp_sketch_clear(&own);
   return outcome;
 }

@@ -3,6 +3,7 @@
 
 #include "limit/sketch.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,16 @@ static double scaled(const arb_t ball, long exponent) {
   const double value = arf_get_d(middle, ARF_RND_NEAR);
   arf_clear(middle);
   return value;
+}
+
+/* A bound of |truth - scaled(ball, exponent)|: the radius, the rounding, and what underflows. */
+static double error_of(const arb_t ball, long exponent) {
+  mag_t radius;
+  mag_init(radius);
+  mag_mul_2exp_si(radius, arb_radref(ball), -exponent);
+  const double error = mag_get_d(radius); /* an upper bound */
+  mag_clear(radius);
+  return error + fabs(scaled(ball, exponent)) * DBL_EPSILON + DBL_MIN;
 }
 
 /* log2, -infinity for 0 */
@@ -85,9 +96,12 @@ static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *e
   set_moment(entries->of + 2, s, entries);
   double *own = s->columns[k];
   const long exponent = column_exponent(cones, k, entries);
-  own[0] = scaled(entries->of, exponent);
-  own[1] = scaled(entries->of + 1, exponent);
-  own[2] = scaled(entries->of + 2, exponent + s->length_exponent);
+  for (int row = 0; row < 3; row++) {
+    const long unit = row < 2 ? exponent : exponent + s->length_exponent;
+    own[row] = scaled(entries->of + row, unit);
+    s->error = fmax(s->error, error_of(entries->of + row, unit));
+    s->largest[row] = fmax(s->largest[row], fabs(own[row]));
+  }
   if (s->most == NULL) return;
   s->most[k] = INFINITY;
   if (tp_cones_is_edge(cones, k)) return;
@@ -133,11 +147,13 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   return true;
 }
 
-/* Size one again, by a power of two. */
-static void normalise(double column[3]) {
+/* Size one again, by the power of two that is returned. */
+static double normalise(double column[3]) {
   int exponent = 0;
   (void)frexp(fmax(fabs(column[0]), fabs(column[1])), &exponent);
-  for (int row = 0; row < 3; row++) column[row] = ldexp(column[row], -exponent);
+  const double factor = ldexp(1, -exponent);
+  for (int row = 0; row < 3; row++) column[row] *= factor;
+  return factor;
 }
 
 bool tp_sketch_copy(tp_sketch *copy, const tp_sketch *sketch) {
@@ -162,16 +178,25 @@ bool tp_sketch_copy(tp_sketch *copy, const tp_sketch *sketch) {
 
 void tp_sketch_divide_strength(tp_sketch *sketch, const tp_sketch *given, long edges,
                                double divisor) {
+  double factor = 0;
+  for (int row = 0; row < 3; row++) sketch->largest[row] = given->largest[row];
   for (long k = 0; k < edges; k += 2) {
+    double *with = sketch->columns[k], *against = sketch->columns[k + 1];
     for (int row = 0; row < 3; row++) {
-      const double with = given->columns[k][row], against = given->columns[k + 1][row];
-      const double mean = (with + against) / 2, half = (with - against) / (2 * divisor);
-      sketch->columns[k][row] = mean + half;
-      sketch->columns[k + 1][row] = mean - half;
+      const double first = given->columns[k][row], second = given->columns[k + 1][row];
+      const double mean = (first + second) / 2, half = (first - second) / (2 * divisor);
+      with[row] = mean + half;
+      against[row] = mean - half;
     }
-    normalise(sketch->columns[k]);
-    normalise(sketch->columns[k + 1]);
+    factor = fmax(factor, fmax(normalise(with), normalise(against)));
+    for (int row = 0; row < 3; row++) {
+      sketch->largest[row] = fmax(sketch->largest[row], fmax(fabs(with[row]), fabs(against[row])));
+    }
   }
+  /* three roundings of what is at most the largest over a small divisor */
+  double largest = 0;
+  for (int row = 0; row < 3; row++) largest = fmax(largest, given->largest[row]);
+  sketch->error = factor * (1 + 1 / divisor) * (given->error + 3 * DBL_EPSILON * largest);
   for (long k = edges; k < given->count; k++) sketch->most[k] = given->most[k] / divisor;
 }
 

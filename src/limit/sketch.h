@@ -12,15 +12,17 @@
 #include "limit/simplex.h"
 #include "limit/vector.h"
 
-typedef struct tp_sketch {
+typedef struct tp_sketch tp_sketch;
+struct tp_sketch {
   long count;
   double (*columns)[3];
   double *most; /* NULL: none is bounded; in units of `force` */
   bool *at_most;
   long length_exponent, force_exponent; /* units of 2^ */
   arb_t x, y;                           /* what moments are about, exact */
+  double error, largest[3];             /* bounds: of the entries' error; of each row's entries */
   long bits;
-} tp_sketch;
+};
 
 /* `size` is a wrench of the size of the loads, the weight's say. False when memory is exhausted. */
 bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *size, long bits);

@@ -183,33 +183,57 @@ static void set_load(tp_wrench *load, const tp_evaluation *e, tp_direction towar
   if (back) turn_back(load);
 }
 
-/* With the base of the scene or otherwise; as the table is tilted on or back. */
+/* What several questions about one contact share. */
+typedef struct contact_forces {
+  tp_cones cones;
+  tp_sketch sketch;
+  bool has_sketch; /* not with friction that depends on the load: it changes with every question */
+} contact_forces;
+
+/* Tilted on or back; with the factor of safety. */
 typedef struct variant {
-  bool otherwise, back;
-  bool with_factor; /* of safety */
+  bool back, with_factor;
 } variant;
 
+/* False when memory is exhausted. */
+static bool share_sketch(contact_forces *c, tp_limit_question *question, const tp_evaluation *e) {
+  if (tp_friction_is_load_dependent(e) || c->cones.count == 0) return true;
+  if (!c->has_sketch) {
+    arb_t friction;
+    arb_init(friction);
+    tp_friction_at(friction, e, friction);
+    tp_friction_tangent(c->cones.friction, friction, e->rung.bits);
+    arb_clear(friction);
+    c->has_sketch = tp_program_sketch(&c->sketch, question);
+  }
+  question->sketch = c->has_sketch ? &c->sketch : NULL;
+  return c->has_sketch;
+}
+
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
-static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_cones *cones,
+static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, contact_forces *c,
                 tp_direction towards, variant v) {
   tp_limit_answer answer;
-  if (!tp_limit_answer_init(&answer, cones)) return false;
+  if (!tp_limit_answer_init(&answer, &c->cones)) return false;
   tp_wrench load;
   arb_t range;
   tp_wrench_init(&load);
   arb_init(range);
   set_load(&load, e, towards, v.back);
   if (e->loaded != NULL) arb_set(range, e->loaded->limit);
-  const tp_limit_question question = {
-      .cones = cones,
+  tp_limit_question question = {
+      .cones = &c->cones,
       .load = &load,
       .range = range,
       .judge = {.bits = e->rung.bits,
                 .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
                 .settled = is_settled(e)}};
-  asking a = {e, cones, &question, &answer, TP_LIMIT_PROVEN, v.back};
-  find_limit(result, &a);
-  describe(result, angle, &a, towards);
+  asking a = {e, &c->cones, &question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
+  if (share_sketch(c, &question, e)) {
+    a.outcome = TP_LIMIT_PROVEN;
+    find_limit(result, &a);
+    describe(result, angle, &a, towards);
+  }
   if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) reduce_strength(result, &a);
   tp_wrench_clear(&load);
   arb_clear(range);
@@ -217,14 +241,36 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp
   return a.outcome != TP_LIMIT_OUT_OF_MEMORY;
 }
 
-static bool find(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, tp_direction towards,
-                 variant v) {
-  tp_cones cones;
-  *result = (tp_limit){0};
-  if (!tp_limit_cones_init(&cones, e, towards, v.otherwise)) return false;
-  result->base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards) != v.otherwise;
-  const bool done = ask(result, angle, e, &cones, towards, v);
-  tp_cones_clear(&cones);
+static void contact_forces_clear(contact_forces *c) {
+  if (c->has_sketch) tp_sketch_clear(&c->sketch);
+  tp_cones_clear(&c->cones);
+}
+
+static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_ball *back,
+                     tp_evaluation *e) {
+  const tp_direction towards = result->towards;
+  contact_forces c = {.has_sketch = false};
+  if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
+  result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
+  result->limit_back = result->limit;
+  const bool done = ask(&result->limit, limit, e, &c, towards, (variant){.with_factor = true}) &&
+                    ask(&result->limit_back, back, e, &c, towards, (variant){.back = true});
+  contact_forces_clear(&c);
+  return done;
+}
+
+/* With a base that ends at the toe where the scene's goes on, or the other way round. */
+static bool find_otherwise(tp_case *result, tp_evaluation *e) {
+  const tp_direction towards = result->towards;
+  contact_forces c = {.has_sketch = false};
+  if (!tp_limit_cones_init(&c.cones, e, towards, true)) return false;
+  tp_direction_ball other;
+  tp_direction_ball_init(&other);
+  result->limit_otherwise =
+      (tp_limit){.base_beyond_toe = !tp_limit_base_beyond_toe(e->problem, towards)};
+  const bool done = ask(&result->limit_otherwise, &other, e, &c, towards, (variant){0});
+  tp_direction_ball_clear(&other);
+  contact_forces_clear(&c);
   return done;
 }
 
@@ -237,17 +283,11 @@ static bool differ(const tp_limit *a, const tp_limit *b) {
 
 bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
                        tp_direction_ball *back) {
-  tp_direction_ball other;
-  tp_direction_ball_init(&other);
-  bool done = find(&result->limit, limit, e, result->towards, (variant){.with_factor = true}) &&
-              find(&result->limit_back, back, e, result->towards, (variant){.back = true});
+  bool done = find_own(result, limit, back, e);
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
-  if (done && tp_limit_base_matters(e->problem, result->towards)) {
-    done = find(&result->limit_otherwise, &other, e, result->towards, (variant){.otherwise = true});
-  }
+  if (done && tp_limit_base_matters(e->problem, result->towards)) done = find_otherwise(result, e);
   result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   result->base_matters = differ(&result->limit, &result->limit_otherwise);
-  tp_direction_ball_clear(&other);
   return done;
 }

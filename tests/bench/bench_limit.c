@@ -53,9 +53,16 @@ static void find_certified(work *w) {
 }
 
 static void solve_exactly(work *w) {
+  const long count = tp_cones_column_count(&w->cones);
+  long *all = malloc((size_t)count * sizeof *all);
+  if (all == NULL) fail("out of memory");
+  for (long k = 0; k < count; k++) all[k] = k;
   tp_basis basis;
-  if (!tp_basis_exact(&basis, &w->cones, &w->direction, &w->target, BITS)) fail("CGAL fails");
+  if (!tp_basis_exact(&basis, &w->cones, all, count, &w->direction, &w->target, BITS)) {
+    fail("CGAL fails");
+  }
   sink = (double)basis.columns[0];
+  free(all);
 }
 
 static void solve_whole(work *w) {
