@@ -19,6 +19,7 @@ bool tp_limit_answer_init(tp_limit_answer *answer, const tp_cones *cones) {
   arb_init(answer->sine);
   arb_init(answer->cosine);
   arb_init(answer->degrees);
+  arb_init(answer->inclination);
   for (int k = 0; k < 2; k++) arb_init(answer->forces + k);
   return true;
 }
@@ -29,6 +30,7 @@ void tp_limit_answer_clear(tp_limit_answer *answer) {
   arb_clear(answer->sine);
   arb_clear(answer->cosine);
   arb_clear(answer->degrees);
+  arb_clear(answer->inclination);
   for (int k = 0; k < 2; k++) arb_clear(answer->forces + k);
 }
 

@@ -26,6 +26,8 @@ typedef struct tp_limit_answer {
   tp_limit_kind kind;
   arb_t sine, cosine; /* of the limit, times any positive factor where no load is fixed */
   arb_t degrees;
+  bool adds_friction; /* `degrees` is this inclination and the friction angle added: */
+  arb_t inclination;
   tp_face face;
   bool tie; /* `other` is the mechanism at the same limit */
   tp_face other;

@@ -71,13 +71,15 @@ void tp_direction_ball_init(tp_direction_ball *angle) {
   arb_init(angle->sine);
   arb_init(angle->cosine);
   arb_init(angle->degrees);
-  angle->exact_direction = false;
+  arb_init(angle->inclination);
+  angle->exact_direction = angle->adds_friction = false;
 }
 
 void tp_direction_ball_clear(tp_direction_ball *angle) {
   arb_clear(angle->sine);
   arb_clear(angle->cosine);
   arb_clear(angle->degrees);
+  arb_clear(angle->inclination);
 }
 
 /* Sign of sin(a - b), which is that of a - b for angles less than half a turn apart. */

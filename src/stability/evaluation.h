@@ -67,6 +67,8 @@ typedef struct tp_direction_ball {
   arb_t sine, cosine;
   arb_t degrees;
   bool exact_direction; /* sine and cosine enclose the direction of `degrees` itself */
+  bool adds_friction;   /* `degrees` is this inclination and the scene's friction angle added: */
+  arb_t inclination;
 } tp_direction_ball;
 
 void tp_direction_ball_init(tp_direction_ball *angle);

@@ -20,11 +20,13 @@ enum { LAST_BITS = 5120 }; /* of the ladder: what is open then stays undecided *
  * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
 static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e,
                           const arb_t friction, bool back) {
+  answer->adds_friction = false;
   if (e->loaded != NULL || answer->kind != TP_LIMIT_AT_ANGLE || answer->tie ||
       answer->face.motion != TP_MOTION_SLIDE) {
     return;
   }
   const long column = answer->face.columns[0], point = tp_cones_point_of(cones, column);
+  answer->adds_friction = !back && column % 2 == 0;
   arb_t x, y, angle;
   arb_init(x);
   arb_init(y);
@@ -32,7 +34,8 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_set_fmpz(x, cones->ty + point);
   arb_neg(x, x);
   arb_set_fmpz(y, cones->tx + point);
-  tp_ball_atan2_degrees(answer->degrees, x, y, e->rung.bits);
+  tp_ball_atan2_degrees(answer->inclination, x, y, e->rung.bits);
+  arb_set(answer->degrees, answer->inclination);
   arb_set(angle, friction);
   if (column % 2 != 0) arb_neg(angle, angle);
   arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
@@ -40,6 +43,7 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
       0) { /* forces against that edge: the other */
     const int side = arf_sgn(arb_midref(answer->degrees));
     arb_sub_si(answer->degrees, answer->degrees, 180 * side, e->rung.bits);
+    answer->adds_friction = false;
   }
   if (back) arb_neg(answer->degrees, answer->degrees);
   arb_clear(x);
@@ -163,6 +167,8 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
   arb_set(angle->sine, a->answer->sine);
   arb_set(angle->cosine, a->answer->cosine);
   arb_set(angle->degrees, a->answer->degrees);
+  arb_set(angle->inclination, a->answer->inclination);
+  angle->adds_friction = a->answer->adds_friction && !tp_friction_is_load_dependent(e);
   angle->exact_direction = e->loaded == NULL && !a->answer->tie;
 }
 

@@ -97,6 +97,19 @@ static bool topples_up_dip(tp_evaluation *e, tp_direction towards, const arb_t t
   return falls;
 }
 
+/* An angle less the scene's tilt; of two rationals exactly. */
+static void set_margin(arb_t margin, const tp_evaluation *e, const tp_direction_ball *angle) {
+  const tp_scene *scene = e->problem->scene;
+  const long bits = e->rung.bits;
+  fmpq_t rest;
+  fmpq_init(rest);
+  if (angle->adds_friction) fmpq_set(rest, scene->friction_angle_deg.value);
+  fmpq_sub(rest, rest, scene->tilt_angle_deg.value);
+  arb_set_fmpq(margin, rest, bits);
+  arb_add(margin, margin, angle->adds_friction ? angle->inclination : angle->degrees, bits);
+  fmpq_clear(rest);
+}
+
 void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
                            const tp_direction_ball *sliding, const tp_direction_ball *limit,
                            const tp_direction_ball *back) {
@@ -110,7 +123,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   result->has_margin = first != NULL && tilt->given;
   if (first != NULL) result->first_angle_deg = tp_evaluation_result(e, first->degrees);
   if (result->has_margin) {
-    arb_sub(margin, first->degrees, angle, e->rung.bits);
+    set_margin(margin, e, first);
     if (arb_is_positive(margin)) {
       result->mechanism = TP_STANDS;
     } else if (!arb_is_nonpositive(margin)) {
@@ -125,6 +138,8 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
     result->falls_backwards = topples_up_dip(e, result->towards, angle);
     if (result->falls_backwards) result->mechanism = TP_TOPPLES;
   }
+  /* more friction would hold what slips up-dip, but that is not what the factor is about */
+  if (result->falls_backwards) result->limit.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   arb_clear(angle);
   arb_clear(margin);
 }

@@ -31,6 +31,8 @@ static void add_friction(const tp_evaluation *e, const tp_sliding_facet *best, c
   arb_set_round_fmpz(sliding->sine, sine, exact);
   arb_set_round_fmpz(sliding->cosine, cosine, exact);
   tp_ball_atan2_degrees(sliding->degrees, sliding->sine, sliding->cosine, bits);
+  arb_set(sliding->inclination, sliding->degrees);
+  sliding->adds_friction = !sliding->exact_direction && !tp_friction_is_load_dependent(e);
   if (!sliding->exact_direction) arb_add(sliding->degrees, sliding->degrees, friction, bits);
   fmpz_clear(sine);
   fmpz_clear(cosine);

@@ -181,6 +181,19 @@ class Cases(unittest.TestCase):
         self.assertEqual(case["first"]["margin_deg"], {"value": 0, "error": 0})
         self.assertEqual(case["mechanism"], "slides")
 
+    def test_a_tilt_of_just_a_decimal_friction(self):
+        """33.3 degrees is no binary number; the margin of 33.3 against 33.3 is zero all the same, for a
+        slab by contact forces and by Patton, and 33.2999999 stands."""
+        block = "slab: {width: 4, height: 1}"
+        for tilt, mechanism in (("33.3", "slides"), ("33.2999999", "stands")):
+            self.path.write_text(f"topple: 1\nlength_unit: m\nblock: {{{block}}}\n"
+                                 f"friction_angle_deg: 33.3\ntilt: {{towards: left, angle_deg: {tilt}}}\n")
+            (case,) = solve(self.path)["cases"]
+            self.assertEqual(case["mechanism"], mechanism)
+        self.path.write_text(self.path.read_text().replace("33.2999999", "33.3"))
+        self.assertEqual(solve(self.path)["cases"][0]["first"]["margin_deg"],
+                         {"value": 0, "error": 0})
+
     def test_mirror(self):
         """Towards the left is the mirror image towards the right, to the last bits."""
         outline = [(0, 0), (10, 3), (20, 0), (35, 6), (50, 1), (50, 90), (0, 90)]
