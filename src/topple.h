@@ -26,57 +26,11 @@
 #ifndef TOPPLE_H
 #define TOPPLE_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "topple_limit.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-#define TP_VERSION "0.1.0"
-
-#if defined(__GNUC__)
-#define TP_MUST_USE __attribute__((warn_unused_result))
-#else
-#define TP_MUST_USE
-#endif
-
-/* Status of a call: name, exit status of the program, meaning. Outputs stay untouched unless
- * the status is TP_OK. */
-#define TP_STATUS_LIST(X)                                                                          \
-  X(TP_OK, 0, "done")                                                                              \
-  X(TP_BAD_INPUT, 3, "the input is wrong")                                                         \
-  X(TP_NO_ANSWER, 3, "no answer exists")                                                           \
-  X(TP_UNDECIDED, 4, "undecided at the precision allowed")                                         \
-  X(TP_OUT_OF_MEMORY, 5, "out of memory")                                                          \
-  X(TP_SYSTEM_FAILED, 5, "the system failed")                                                      \
-  X(TP_DEPENDENCY_FAILED, 5, "a library that Topple builds on failed")
-
-typedef enum tp_status {
-#define TP_STATUS_ENUM(name, exit_status, meaning) name,
-  TP_STATUS_LIST(TP_STATUS_ENUM)
-#undef TP_STATUS_ENUM
-} tp_status;
-
-const char *tp_status_meaning(tp_status status);
-int tp_status_exit(tp_status status);
-
-/* What went wrong, where (file:line:column) and what to do; always terminated. */
-typedef struct tp_message {
-  char text[1024];
-} tp_message;
-
-/* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
- * truth is outside the range of a double. */
-typedef struct tp_bounded {
-  double value;
-  double error;
-} tp_bounded;
-
-typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
-
-/* The arithmetic that a result took: double with a bound, balls, exact rationals. */
-typedef enum tp_level { TP_LEVEL_DOUBLE, TP_LEVEL_BALL, TP_LEVEL_EXACT } tp_level;
 
 /* Where a pivot lies on the underside of the block (Fig. 8 of Alejano et al.). */
 typedef enum tp_pivot_kind {
@@ -85,30 +39,6 @@ typedef enum tp_pivot_kind {
   TP_PIVOT_FLAT_END, /* the end of a facet that is parallel to the mean plane */
   TP_PIVOT_FLANK     /* between a low and a high end */
 } tp_pivot_kind;
-
-typedef enum tp_mechanism {
-  TP_STANDS,
-  TP_SLIDES,
-  TP_TOPPLES,
-  TP_SLIDES_AND_TOPPLES,
-  TP_INTERLOCKED, /* neither slides nor topples at any tilt below 90 degrees */
-  TP_MECHANISM_UNDECIDED
-} tp_mechanism;
-
-/* Why a factor of safety is a number, or is none. */
-typedef enum tp_fos_state {
-  TP_FOS_NUMBER,
-  TP_FOS_UNDEFINED, /* the weight lies past the pivot, and its resultant overturns nothing else */
-  TP_FOS_NO_TILT,   /* the scene gives no tilt angle */
-  TP_FOS_NO_OVERTURNING, /* nothing overturns or drives: the factor is unbounded */
-  TP_FOS_UNDECIDED,      /* at the precision allowed */
-  TP_FOS_NOT_ASKED       /* elements form of a large block without the elements option */
-} tp_fos_state;
-
-typedef struct tp_fos {
-  tp_fos_state state;
-  tp_bounded value; /* only when state is TP_FOS_NUMBER */
-} tp_fos;
 
 typedef struct tp_pivot {
   tp_pivot_kind kind;
@@ -172,46 +102,6 @@ typedef struct tp_toe {
   bool upright; /* a facet at the toe stands upright in the way: it holds at any angle */
   tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
 } tp_toe;
-
-/* The static limit (limit analysis with Coulomb friction on the contact facets): beyond it no
- * forces of the base hold the block; below it some do. */
-typedef enum tp_limit_kind {
-  TP_LIMIT_NOT_ASKED, /* the scene gives no friction angle */
-  TP_LIMIT_AT_ANGLE,
-  TP_LIMIT_INTERLOCKED, /* forces hold it at every tilt up to 90 degrees */
-  TP_LIMIT_NOWHERE,     /* no forces hold it at any tilt */
-  TP_LIMIT_UNDECIDED    /* at the precision allowed */
-} tp_limit_kind;
-
-/* A force of the base on the block at the limit, as a share of the block's weight: along an edge of
- * the friction cone at an end of a facet. */
-typedef struct tp_reaction {
-  tp_bounded x_m, y_m;
-  tp_bounded share_x, share_y;
-  bool of_facet;     /* false: of the base that goes on, where the scene's ends */
-  size_t facet;      /* from left to right along the contact, those in a point included */
-  bool at_right_end; /* of the facet */
-  bool against_slip; /* friction acts up-dip; else down-dip */
-} tp_reaction;
-
-typedef struct tp_limit {
-  tp_limit_kind kind;
-  tp_bounded friction_angle_deg; /* at the normal stress of the limit */
-  tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
-  tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
-  bool tie;                      /* another mechanism has the same limit: */
-  tp_mechanism tied_with;
-  bool turns_up_dip;                 /* against the sense of toppling */
-  bool has_centre;                   /* of rotation */
-  tp_bounded centre_x_m, centre_y_m; /* a contact point where it topples */
-  bool has_facet;                    /* along which it slides */
-  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
-  size_t reaction_count;
-  tp_reaction reactions[2];
-  tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which the
-                 limit comes down to the scene's tilt */
-  bool base_beyond_toe; /* of the base that this is the limit for: it goes on past the toe */
-} tp_limit;
 
 /* A load's moment about the governing pivot at the scene's tilt, N m, overturning positive, and
  * where it counts. */

@@ -3,6 +3,7 @@
 
 /* A derivation as a page of text, as LaTeX, or as C. */
 
+#include "report/c_arguments.h"
 #include "report/report_derived_limit.h"
 
 #include <stdlib.h>
@@ -132,14 +133,6 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
   }
   add_latex_rounding(t, d);
   tp_latex_derived_limit(t, d);
-}
-
-void tp_c_arguments(tp_text *t, const tp_derivation *d, const char *first) {
-  tp_text_add(t, "(%s", first);
-  for (size_t k = 0; k < d->symbol_count; k++) {
-    tp_text_add(t, "%sdouble %s", k > 0 || *first != '\0' ? ", " : "", d->symbols[k]);
-  }
-  tp_text_add(t, d->symbol_count == 0 && *first == '\0' ? "void) {\n" : ") {\n");
 }
 
 static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {

@@ -3,6 +3,7 @@
 
 #include "report/report_derived_limit.h"
 
+#include "report/c_arguments.h"
 #include "report/json.h"
 
 /* "slides and topples, towards the left, on a base that ends at the toe, 28.735 degrees …" */

@@ -13,7 +13,4 @@ void tp_latex_derived_limit(tp_text *text, const tp_derivation *derivation);
 void tp_c_derived_limit(tp_text *text, const tp_derivation *derivation);
 void tp_json_derived_limit(tp_text *text, const tp_derivation *derivation);
 
-/* "(double a, double b) {": `first`, then the parameters. */
-void tp_c_arguments(tp_text *text, const tp_derivation *derivation, const char *first);
-
 #endif

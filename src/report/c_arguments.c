@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/c_arguments.h"
+
+void tp_c_arguments(tp_text *t, const tp_derivation *d, const char *first) {
+  tp_text_add(t, "(%s", first);
+  for (size_t k = 0; k < d->symbol_count; k++) {
+    tp_text_add(t, "%sdouble %s", k > 0 || *first != '\0' ? ", " : "", d->symbols[k]);
+  }
+  tp_text_add(t, d->symbol_count == 0 && *first == '\0' ? "void) {\n" : ") {\n");
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What every part of the public library speaks of. Included by topple.h. */
+
+#ifndef TOPPLE_BASICS_H
+#define TOPPLE_BASICS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TP_VERSION "0.1.0"
+
+#if defined(__GNUC__)
+#define TP_MUST_USE __attribute__((warn_unused_result))
+#else
+#define TP_MUST_USE
+#endif
+
+/* Status of a call: name, exit status of the program, meaning. Outputs stay untouched unless
+ * the status is TP_OK. */
+#define TP_STATUS_LIST(X)                                                                          \
+  X(TP_OK, 0, "done")                                                                              \
+  X(TP_BAD_INPUT, 3, "the input is wrong")                                                         \
+  X(TP_NO_ANSWER, 3, "no answer exists")                                                           \
+  X(TP_UNDECIDED, 4, "undecided at the precision allowed")                                         \
+  X(TP_OUT_OF_MEMORY, 5, "out of memory")                                                          \
+  X(TP_SYSTEM_FAILED, 5, "the system failed")                                                      \
+  X(TP_DEPENDENCY_FAILED, 5, "a library that Topple builds on failed")
+
+typedef enum tp_status {
+#define TP_STATUS_ENUM(name, exit_status, meaning) name,
+  TP_STATUS_LIST(TP_STATUS_ENUM)
+#undef TP_STATUS_ENUM
+} tp_status;
+
+const char *tp_status_meaning(tp_status status);
+int tp_status_exit(tp_status status);
+
+/* What went wrong, where (file:line:column) and what to do; always terminated. */
+typedef struct tp_message {
+  char text[1024];
+} tp_message;
+
+/* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
+ * truth is outside the range of a double. */
+typedef struct tp_bounded {
+  double value;
+  double error;
+} tp_bounded;
+
+typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
+
+/* The arithmetic that a result took: double with a bound, balls, exact rationals. */
+typedef enum tp_level { TP_LEVEL_DOUBLE, TP_LEVEL_BALL, TP_LEVEL_EXACT } tp_level;
+
+typedef enum tp_mechanism {
+  TP_STANDS,
+  TP_SLIDES,
+  TP_TOPPLES,
+  TP_SLIDES_AND_TOPPLES,
+  TP_INTERLOCKED, /* neither slides nor topples at any tilt below 90 degrees */
+  TP_MECHANISM_UNDECIDED
+} tp_mechanism;
+
+/* Why a factor of safety is a number, or is none. */
+typedef enum tp_fos_state {
+  TP_FOS_NUMBER,
+  TP_FOS_UNDEFINED, /* the weight lies past the pivot, and its resultant overturns nothing else */
+  TP_FOS_NO_TILT,   /* the scene gives no tilt angle */
+  TP_FOS_NO_OVERTURNING, /* nothing overturns or drives: the factor is unbounded */
+  TP_FOS_UNDECIDED,      /* at the precision allowed */
+  TP_FOS_NOT_ASKED       /* elements form of a large block without the elements option */
+} tp_fos_state;
+
+typedef struct tp_fos {
+  tp_fos_state state;
+  tp_bounded value; /* only when state is TP_FOS_NUMBER */
+} tp_fos;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The static limit of a case. Included by topple.h. */
+
+#ifndef TOPPLE_LIMIT_H
+#define TOPPLE_LIMIT_H
+
+#include "topple_basics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The static limit (limit analysis with Coulomb friction on the contact facets): beyond it no
+ * forces of the base hold the block; below it some do. */
+typedef enum tp_limit_kind {
+  TP_LIMIT_NOT_ASKED, /* the scene gives no friction angle */
+  TP_LIMIT_AT_ANGLE,
+  TP_LIMIT_INTERLOCKED, /* forces hold it at every tilt up to 90 degrees */
+  TP_LIMIT_NOWHERE,     /* no forces hold it at any tilt */
+  TP_LIMIT_UNDECIDED    /* at the precision allowed */
+} tp_limit_kind;
+
+/* A force of the base on the block at the limit, as a share of the block's weight: along an edge of
+ * the friction cone at an end of a facet. */
+typedef struct tp_reaction {
+  tp_bounded x_m, y_m;
+  tp_bounded share_x, share_y;
+  bool of_facet;     /* false: of the base that goes on, where the scene's ends */
+  size_t facet;      /* from left to right along the contact, those in a point included */
+  bool at_right_end; /* of the facet */
+  bool against_slip; /* friction acts up-dip; else down-dip */
+} tp_reaction;
+
+typedef struct tp_limit {
+  tp_limit_kind kind;
+  tp_bounded friction_angle_deg; /* at the normal stress of the limit */
+  tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
+  tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
+  bool tie;                      /* another mechanism has the same limit: */
+  tp_mechanism tied_with;
+  bool turns_up_dip;                 /* against the sense of toppling */
+  bool has_centre;                   /* of rotation */
+  tp_bounded centre_x_m, centre_y_m; /* a contact point where it topples */
+  bool has_facet;                    /* along which it slides */
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
+  size_t reaction_count;
+  tp_reaction reactions[2];
+  tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which the
+                 limit comes down to the scene's tilt */
+  bool base_beyond_toe; /* of the base that this is the limit for: it goes on past the toe */
+} tp_limit;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
