@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A solved scene as a drawing: docs/figure.md tells what it shows. Included by topple.h. */
+/* A solved scene as a drawing: docs/figure.md tells what it shows. Included by topple.h;
+ * tp_report_figure is in a library of its own, topple-figure, which alone needs Cairo. */
 
 #ifndef TOPPLE_FIGURE_H
 #define TOPPLE_FIGURE_H

@@ -16,6 +16,10 @@ int tp_cli_solve(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
 int tp_cli_verify(int argc, char **argv);
 
+/* tp_report_figure, from the library that draws. */
+TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
+                                  const tp_solution *solution, tp_message *message);
+
 /* The end of a command: its complaint on stderr unless the status is TP_OK; the exit status, which
  * is `written` (of tp_cli_print) then. */
 int tp_cli_end(tp_status status, const tp_message *message, int written);

@@ -178,7 +178,7 @@ static tp_status solve_scene(tp_solution **solution, const char *path, const arg
   tp_status status = tp_scene_read(&scene, path, message);
   if (status == TP_OK) status = tp_solve(solution, scene, &solve, message);
   if (status == TP_OK && a->figure != NULL) {
-    status = tp_report_figure(a->figure, scene, *solution, message);
+    status = tp_cli_draw(a->figure, scene, *solution, message);
   }
   tp_scene_free(scene);
   return status;

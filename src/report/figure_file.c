@@ -5,6 +5,7 @@
  * is whole or as it was. */
 
 #include "report/figure.h"
+#include "report/figure_name.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -14,25 +15,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <unistd.h>
 
 #define PNG_DOTS_PER_POINT (300.0 / 72) /* 300 to the inch */
-
-typedef enum file_kind { FILE_SVG, FILE_PDF, FILE_PNG, FILE_UNKNOWN } file_kind;
-
-static file_kind kind_of(const char *path) {
-  const char *ending = strrchr(path, '.');
-  if (ending == NULL || ending == path || ending[-1] == '/') return FILE_UNKNOWN;
-  if (strcasecmp(ending, ".svg") == 0) return FILE_SVG;
-  if (strcasecmp(ending, ".pdf") == 0) return FILE_PDF;
-  return strcasecmp(ending, ".png") == 0 ? FILE_PNG : FILE_UNKNOWN;
-}
-
-bool tp_figure_is_file_name(const char *path) {
-  return kind_of(path) != FILE_UNKNOWN;
-}
-
 /* A file, and the first error of writing to it: Cairo does not hand every one on. */
 typedef struct sink {
   FILE *file;
@@ -80,9 +65,10 @@ static cairo_status_t measure(double *height, const tp_figure *figure) {
   return status;
 }
 
-static cairo_surface_t *open_surface(file_kind kind, sink *s, double width, double height) {
-  if (kind == FILE_SVG) return cairo_svg_surface_create_for_stream(write_bytes, s, width, height);
-  if (kind == FILE_PNG) {
+static cairo_surface_t *open_surface(tp_figure_kind kind, sink *s, double width, double height) {
+  if (kind == TP_FIGURE_SVG)
+    return cairo_svg_surface_create_for_stream(write_bytes, s, width, height);
+  if (kind == TP_FIGURE_PNG) {
     return cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(width * PNG_DOTS_PER_POINT),
                                       (int)ceil(height * PNG_DOTS_PER_POINT));
   }
@@ -93,16 +79,16 @@ static cairo_surface_t *open_surface(file_kind kind, sink *s, double width, doub
   return surface;
 }
 
-static cairo_status_t write_figure(file_kind kind, sink *s, const tp_figure *figure) {
+static cairo_status_t write_figure(tp_figure_kind kind, sink *s, const tp_figure *figure) {
   double height = 0;
   cairo_status_t status = measure(&height, figure);
   if (status != CAIRO_STATUS_SUCCESS) return status;
   cairo_surface_t *surface = open_surface(kind, s, tp_figure_width(figure), ceil(height));
   status = cairo_surface_status(surface);
   if (status == CAIRO_STATUS_SUCCESS) {
-    status = draw(&height, surface, figure, kind == FILE_PNG ? PNG_DOTS_PER_POINT : 1);
+    status = draw(&height, surface, figure, kind == TP_FIGURE_PNG ? PNG_DOTS_PER_POINT : 1);
   }
-  if (status == CAIRO_STATUS_SUCCESS && kind == FILE_PNG) {
+  if (status == CAIRO_STATUS_SUCCESS && kind == TP_FIGURE_PNG) {
     status = cairo_surface_write_to_png_stream(surface, write_bytes, s);
   }
   cairo_surface_finish(surface);
@@ -142,7 +128,7 @@ static tp_status write_beside(const char *path, char *beside, size_t size, const
                               tp_message *message) {
   sink s = {.file = open_beside(beside, size, path)};
   if (s.file == NULL) return cannot_write(path, errno, message);
-  const cairo_status_t drawn = write_figure(kind_of(path), &s, figure);
+  const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
   tp_status status = judge(drawn, path, s.error, message);
   if (fclose(s.file) != 0 && status == TP_OK) status = cannot_write(path, errno, message);
   if (status == TP_OK && rename(beside, path) != 0) status = cannot_write(path, errno, message);

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What kind of file a figure is, by its name. */
+
+#ifndef TP_FIGURE_NAME_H
+#define TP_FIGURE_NAME_H
+
+#include "topple.h"
+
+typedef enum tp_figure_kind {
+  TP_FIGURE_SVG,
+  TP_FIGURE_PDF,
+  TP_FIGURE_PNG,
+  TP_FIGURE_UNKNOWN
+} tp_figure_kind;
+
+tp_figure_kind tp_figure_kind_of(const char *path);
+
+#endif
