@@ -118,9 +118,10 @@ static tp_limit_outcome prove_side(int *side, reduction *r, double factor, const
  * asked for, or a little more. */
 static tp_limit_outcome enclose(arb_t factor, reduction *r, double estimate, const arb_t degrees,
                                 int digits) {
-  static const double narrowest = 1e-13;
-  const double widest = fmax(pow(10, -digits - 1), 10 * narrowest);
-  for (double width = narrowest; width <= 1.001 * widest; width *= 10) {
+  enum { NARROWEST = 13 }; /* 10^-13 */
+  const int widest = digits + 1 < NARROWEST - 1 ? digits + 1 : NARROWEST - 1;
+  for (int place = NARROWEST; place >= widest; place--) {
+    const double width = pow(10, -place);
     int low = 0, high = 0;
     tp_limit_outcome outcome = prove_side(&low, r, estimate * (1 - width), degrees);
     if (outcome == TP_LIMIT_PROVEN) {

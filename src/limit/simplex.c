@@ -139,13 +139,13 @@ static bool advance(tableau *s, tp_simplex_outcome *outcome) {
   }
   for (int r = 0; r < 3; r++) s->values[r] -= way * far * step[r];
   const bool was_high = way < 0 && entering >= 0;
-  if (leaving < 0) {
-    s->at_most[entering] = !was_high;
+  if (leaving < 0) { /* which only a bounded column can */
+    if (s->at_most != NULL) s->at_most[entering] = !was_high;
     return true;
   }
   const long out = s->basis[leaving];
   if (out >= 0 && s->at_most != NULL) s->at_most[out] = to_bound;
-  if (was_high) s->at_most[entering] = false;
+  if (was_high && s->at_most != NULL) s->at_most[entering] = false;
   replace(s, leaving, entering, step, was_high ? bound(s, entering) - far : way * far);
   return true;
 }

@@ -172,7 +172,7 @@ bool tp_sketch_copy(tp_sketch *copy, const tp_sketch *sketch) {
     return false;
   }
   memcpy(copy->columns, sketch->columns, (count - 1) * sizeof *copy->columns);
-  if (copy->most != NULL) memcpy(copy->most, sketch->most, (count - 1) * sizeof *copy->most);
+  if (sketch->most != NULL) memcpy(copy->most, sketch->most, (count - 1) * sizeof *copy->most);
   return true;
 }
 
