@@ -224,6 +224,27 @@ static tp_status set_range(const search *s, tp_found *found) {
                  "give the range to look in, as in --from 0 --to 10");
 }
 
+/* What the target cannot be without. */
+static tp_status check_target(const search *s) {
+  const tp_node *root = s->scene.root, *tilt = tp_node_get(root, "tilt");
+  const tp_find_target target = s->options->target;
+  const bool has_friction =
+      tp_node_get(root, "friction_angle_deg") != NULL || tp_node_get(root, "friction") != NULL;
+  const bool has_tilt = tilt != NULL && tp_node_get(tilt, "angle_deg") != NULL;
+  const tp_place place = {s->scene.path, 0, 0};
+  if (target >= TP_FIND_SLIDING_ANGLE && !has_friction) {
+    return tp_fail(s->message, TP_BAD_INPUT, place,
+                   "%s needs friction; give the scene its 'friction_angle_deg: …'",
+                   targets[target]);
+  }
+  const bool needs_tilt =
+      target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS;
+  if (!needs_tilt || has_tilt) return TP_OK;
+  return tp_fail(s->message, TP_BAD_INPUT, place,
+                 "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
+                 targets[target]);
+}
+
 tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
                   tp_message *message) {
   search s = {.options = options, .scene = {.path = scene, .count = 1}, .message = message};
@@ -239,6 +260,7 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
                               : tp_fail_memory(message, "the solutions");
   if (s.status == TP_OK) {
     s.status = tp_key_find(s.scene.numbers, s.scene.root, options->key, scene, message);
+    if (s.status == TP_OK) s.status = check_target(&s);
     if (s.status == TP_OK) s.status = set_range(&s, own);
     if (s.status == TP_OK) scan(&s, own);
     tp_node_free(s.scene.root);

@@ -194,6 +194,23 @@ class Cases(unittest.TestCase):
         self.assertEqual(solve(self.path)["cases"][0]["first"]["margin_deg"],
                          {"value": 0, "error": 0})
 
+    def test_find_says_what_is_missing(self):
+        """The friction for a limit, or its factor without a tilt, cannot be found: the message says so."""
+        self.path.write_text("topple: 1\nlength_unit: m\nparameters: {w: 1}\n"
+                             "block: {slab: {width: w, height: 2}}\ntilt: {towards: left}\n")
+        for target, message in (("limit_angle=20", "limit_angle needs friction"),
+                                ("sliding_fos=1", "sliding_fos needs friction"),
+                                ("fos=1", "fos needs a tilt")):
+            status, out, err = run("solve", "--find", "w", "--for", target, self.path)
+            self.assertEqual((status, out), (3, ""), err)
+            self.assertIn(message, err)
+        self.path.write_text(self.path.read_text().replace("tilt:", "friction_angle_deg: 40\ntilt:"))
+        status, out, err = run("solve", "--find", "w", "--for", "limit_fos=1", self.path)
+        self.assertIn("limit_fos needs a tilt", err)
+        status, out, err = run("solve", "--find", "w", "--for", "limit_angle=20", self.path)
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn(f"{2 * math.tan(math.radians(20)):.9f}"[:9], out)  # topples at atan(w / 2)
+
     def test_mirror(self):
         """Towards the left is the mirror image towards the right, to the last bits."""
         outline = [(0, 0), (10, 3), (20, 0), (35, 6), (50, 1), (50, 90), (0, 90)]
