@@ -39,7 +39,7 @@ static tp_answer find_tie(const proof *p, int idle) {
     answer = span_and_admit(p, &a->other, shared, column, &violated);
     column = violated;
   }
-  if (answer == TP_OPEN) return TP_OPEN;
+  if (answer == TP_OPEN || (answer == TP_NO && column >= 0)) return TP_OPEN;
   /* where the cone is flat, or both faces are one, there is one mechanism only */
   if (answer == TP_NO || same_mechanism(&a->face, &a->other, cones)) return TP_YES;
   a->tie = true;
