@@ -321,7 +321,7 @@ class Rounded(unittest.TestCase):
                 ("block.rounded.corners.2.radius", "fos=1", "there is no '2' here"),
                 ("friction_angle", "fos=1", "there is no 'friction_angle' here"),
                 ("block.teeth.left_end", "critical_angle=20", "unknown name 'peak'"),
-                ("block.rounded.corners.1.radius", "fos=1.2", "the scene has a fos")):
+                ("block.rounded.corners.1.radius", "fos=1.2", "fos needs a tilt")):
             status, out, err = run("solve", "--find", key, "--for", target, self.scene)
             self.assertEqual((status, out), (3, ""), err)
             self.assertIn(message, err)
