@@ -39,6 +39,7 @@ def main():
     """Run the tests of the calling file and close with one line that counts them."""
     suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])
     result = unittest.TextTestRunner(verbosity=1).run(suite)
-    failed = len(result.failures) + len(result.errors)
+    failed = len({test.test_case.id() if hasattr(test, "test_case") else test.id()
+                  for test, _ in result.failures + result.errors})  # a test with cases that fail is one
     print(f"{result.testsRun - failed} passed, {failed} failed", flush=True)
     sys.exit(failed > 0 or result.testsRun == 0)
