@@ -6,6 +6,7 @@
  * tolerances. Every test runs twice: _i = 0 on the path of big integers, 1 on that of doubles. */
 
 #include "geom.h"
+#include "random_numbers.h"
 #include "runner.h"
 
 #include <math.h>
@@ -30,13 +31,6 @@ static tp_geom_rings view(const figure *f, bool small) {
   }
   if (small) return (tp_geom_rings){f->ring_count, f->start, f->u, f->v, NULL, NULL, true};
   return (tp_geom_rings){f->ring_count, f->start, NULL, NULL, large_x, large_y, false};
-}
-
-static uint64_t draw(uint64_t *state) { /* splitmix64 */
-  uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
-  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-  return z ^ (z >> 31);
 }
 
 static void add_ring(figure *f, const long (*points)[2], size_t count) {

@@ -6,20 +6,15 @@
 
 #include "limit/prove.h"
 #include "limit/search.h"
+#include "random_numbers.h"
 #include "runner.h"
 
 #include "geom.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdint.h>
 
 static uint64_t state;
-
-static long below(long count) {
-  state = state * 6364136223846793005U + 1442695040888963407U;
-  return (long)(state >> 33) % count;
-}
 
 /* Facets of a random rough underside as cones of rational friction, and the weight of a block. */
 typedef struct scene {
@@ -31,11 +26,11 @@ typedef struct scene {
 } scene;
 
 static void scene_init(scene *s) {
-  const long facets = 1 + below(4);
+  const long facets = 1 + draw_below(&state, 4);
   ck_assert(tp_cones_init(&s->cones, 2 * facets, 0));
-  long x = 0, y = below(9);
+  long x = 0, y = draw_below(&state, 9);
   for (long k = 0; k < facets; k++) {
-    const long dx = 1 + below(9), dy = below(13) - 6;
+    const long dx = 1 + draw_below(&state, 9), dy = draw_below(&state, 13) - 6;
     for (int end = 0; end < 2; end++) {
       const long own = 2 * k + end;
       arb_set_si(s->cones.x + own, end == 0 ? x : x + dx);
@@ -47,13 +42,13 @@ static void scene_init(scene *s) {
     x += dx;
     y += dy;
   }
-  arb_set_si(s->cones.friction, below(9));
+  arb_set_si(s->cones.friction, draw_below(&state, 9));
   arb_mul_2exp_si(s->cones.friction, s->cones.friction, -2);
   tp_wrench_init(&s->load); /* W = 1 at (gx, gy): F = (-sin, -cos), gx F_y - gy F_x */
   arb_set_si(s->load.x.of + TP_SIN, -1);
   arb_set_si(s->load.y.of + TP_COS, -1);
-  arb_set_si(s->load.moment.of + TP_COS, -below(x + 1));
-  arb_set_si(s->load.moment.of + TP_SIN, 7 + below(30));
+  arb_set_si(s->load.moment.of + TP_COS, -draw_below(&state, x + 1));
+  arb_set_si(s->load.moment.of + TP_SIN, 7 + draw_below(&state, 30));
   s->question = (tp_limit_question){
       .cones = &s->cones, .load = &s->load, .judge = {.bits = 160, .precision = ARF_PREC_EXACT}};
   tp_vector size;

@@ -5,6 +5,7 @@
  * against the exact solver. */
 
 #include "limit/simplex.h"
+#include "random_numbers.h"
 #include "runner.h"
 
 #include "geom.h"
@@ -12,16 +13,10 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdint.h>
 
 enum { MOST = 12 };
 
 static uint64_t state;
-
-static long below(long count) {
-  state = state * 6364136223846793005U + 1442695040888963407U;
-  return (long)(state >> 33) % count;
-}
 
 /* A program whose entries are eighths: the same in doubles and in rationals. */
 typedef struct program {
@@ -32,7 +27,7 @@ typedef struct program {
 
 static void set_eighths(double *values, fmpq *exact, int count) {
   for (int k = 0; k < count; k++) {
-    const long own = below(17) - 8;
+    const long own = draw_below(&state, 17) - 8;
     values[k] = (double)own / 8;
     fmpq_set_si(exact + k, own, 8);
   }
@@ -53,8 +48,9 @@ static void program_init(program *p, long count, bool bounded) {
   p->bounds = _fmpq_vec_init(count);
   for (long k = 0; k < count; k++) {
     set_eighths(p->columns[k], p->exact + 3 * k, 3);
-    if (k > 0 && below(4) == 0) copy_column(p, k, below(k), below(3));
-    const long most = bounded && below(3) > 0 ? below(17) : -1;
+    if (k > 0 && draw_below(&state, 4) == 0)
+      copy_column(p, k, draw_below(&state, k), draw_below(&state, 3));
+    const long most = bounded && draw_below(&state, 3) > 0 ? draw_below(&state, 17) : -1;
     p->most[k] = most < 0 ? INFINITY : (double)most / 8;
     fmpq_set_si(p->bounds + k, most, 8);
   }
@@ -180,7 +176,7 @@ START_TEST(exact_against_all_bases) {
     fmpq_t value, best;
     fmpq_init(value);
     fmpq_init(best);
-    program_init(&p, 3 + below(4), round % 2 == 1);
+    program_init(&p, 3 + draw_below(&state, 4), round % 2 == 1);
     const tp_geom_outcome outcome = solve_exactly(value, &maximum, &p);
     bool regular = false, spans = false;
     const bool feasible = largest(best, &p, &regular), ray = has_ray(&p, &spans);
@@ -207,7 +203,7 @@ START_TEST(doubles_against_exact) {
     bool at_most[MOST];
     fmpq_t value;
     fmpq_init(value);
-    program_init(&p, 1 + below(MOST), round % 2 == 1);
+    program_init(&p, 1 + draw_below(&state, MOST), round % 2 == 1);
     const tp_geom_outcome outcome = solve_exactly(value, &maximum, &p);
     tp_simplex_program given = {.count = p.count,
                                 .columns = (const double(*)[3])p.columns,

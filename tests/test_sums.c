@@ -7,6 +7,7 @@
 #include "block/ring_sums.h"
 #include "geom.h"
 #include "number/lattice.h"
+#include "random_numbers.h"
 #include "runner.h"
 
 #include <math.h>
@@ -15,13 +16,6 @@
 enum { MOST = 20000 };
 static fmpz px[MOST], py[MOST]; /* initialised, to 0 */
 static double pu[MOST], pv[MOST];
-
-static uint64_t draw(uint64_t *state) { /* splitmix64 */
-  uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
-  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-  return z ^ (z >> 31);
-}
 
 static void set_point(long k, long u, long v) {
   fmpz_set_si(px + k, u);

@@ -279,8 +279,7 @@ static void add_full(tp_vector *wrench, const tp_face *face, const tp_cones *con
   arb_clear(most);
 }
 
-/* R = f_0 c_0 + f_1 c_1 with n = c_0 x c_1: f_0 = (R x c_1) . n / n . n, f_1 = (c_0 x R) . n / n .
- * n.
+/* R = f_0 c_0 + f_1 c_1: with n = c_0 x c_1, f_0 = (R x c_1) . n / n^2, f_1 = (c_0 x R) . n / n^2.
  */
 void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,
                     const tp_vector *wrench, const tp_judge *judge) {

@@ -226,13 +226,11 @@ static tp_status set_range(const search *s, tp_found *found) {
 
 /* What the target cannot be without. */
 static tp_status check_target(const search *s) {
-  const tp_node *root = s->scene.root, *tilt = tp_node_get(root, "tilt");
+  const tp_node *tilt = tp_node_get(s->scene.root, "tilt");
   const tp_find_target target = s->options->target;
-  const bool has_friction =
-      tp_node_get(root, "friction_angle_deg") != NULL || tp_node_get(root, "friction") != NULL;
   const bool has_tilt = tilt != NULL && tp_node_get(tilt, "angle_deg") != NULL;
   const tp_place place = {s->scene.path, 0, 0};
-  if (target >= TP_FIND_SLIDING_ANGLE && !has_friction) {
+  if (target >= TP_FIND_SLIDING_ANGLE && !tp_varied_has_friction(&s->scene)) {
     return tp_fail(s->message, TP_BAD_INPUT, place,
                    "%s needs friction; give the scene its 'friction_angle_deg: …'",
                    targets[target]);

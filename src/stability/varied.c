@@ -42,3 +42,8 @@ tp_status tp_varied_check(double *own, const tp_varied *scene, tp_message *messa
   tp_scene_free(read);
   return status;
 }
+
+bool tp_varied_has_friction(const tp_varied *scene) {
+  return tp_node_get(scene->root, "friction_angle_deg") != NULL ||
+         tp_node_get(scene->root, "friction") != NULL;
+}

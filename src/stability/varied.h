@@ -25,4 +25,7 @@ TP_MUST_USE tp_status tp_varied_solve(tp_solution **solution, const tp_varied *s
 /* The scene as it is: does it tilt one way, and what is the first number's own value? */
 TP_MUST_USE tp_status tp_varied_check(double *own, const tp_varied *scene, tp_message *message);
 
+/* Does the scene give the friction of its contact? */
+bool tp_varied_has_friction(const tp_varied *scene);
+
 #endif

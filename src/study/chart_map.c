@@ -55,8 +55,7 @@ static tp_status find_numbers(tp_map *map) {
   }
   double own = 0;
   if (status == TP_OK) status = tp_varied_check(&own, &map->scene, map->message);
-  if (status == TP_OK && tp_node_get(map->scene.root, "friction_angle_deg") == NULL &&
-      tp_node_get(map->scene.root, "friction") == NULL) {
+  if (status == TP_OK && !tp_varied_has_friction(&map->scene)) {
     status =
         tp_fail(map->message, TP_BAD_INPUT, (tp_place){map->scene.path, 0, 0},
                 "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");

@@ -61,13 +61,19 @@ static tp_status add_point(const drawing *d, size_t sub_blocks, tp_toe_kind toe,
   return status;
 }
 
-static tp_status add_curve(const drawing *d, size_t sub_blocks, const char *wavelength,
-                           tp_toe_kind toe, tp_chart_style style, bool less_even) {
+/* A series of one number of sub-blocks and one toe. */
+static void begin_series(const drawing *d, size_t sub_blocks, const char *wavelength,
+                         tp_toe_kind toe, tp_chart_style style) {
   char count[24];
-  tp_status status = TP_OK;
   snprintf(count, sizeof count, "%zu", sub_blocks);
   const char *keys[] = {d->series, d->width->text, count, wavelength, tp_toe_names[toe], NULL};
   tp_chart_add_series(d->chart, style, keys);
+}
+
+static tp_status add_curve(const drawing *d, size_t sub_blocks, const char *wavelength,
+                           tp_toe_kind toe, tp_chart_style style, bool less_even) {
+  tp_status status = TP_OK;
+  begin_series(d, sub_blocks, wavelength, toe, style);
   for (int k = 0; k < POINTS && status == TP_OK; k++) {
     status = add_point(d, sub_blocks, toe, amplitude_most * k / (POINTS - 1), less_even);
   }
@@ -77,12 +83,9 @@ static tp_status add_curve(const drawing *d, size_t sub_blocks, const char *wave
 /* The amplitudes of Fig. 14, on the curve of N. */
 static tp_status add_marks(const drawing *d, size_t sub_blocks, const char *wavelength,
                            tp_toe_kind toe, tp_chart_style style, bool less_even) {
-  char count[24];
   tp_status status = TP_OK;
-  snprintf(count, sizeof count, "%zu", sub_blocks);
-  const char *keys[] = {d->series, d->width->text, count, wavelength, tp_toe_names[toe], NULL};
   style.mark = TP_MARK_POINTS;
-  tp_chart_add_series(d->chart, style, keys);
+  begin_series(d, sub_blocks, wavelength, toe, style);
   for (int k = 0; k < MARKS && status == TP_OK; k++) {
     status = add_point(d, sub_blocks, toe, marks[k], less_even);
     if (status == TP_OK) tp_chart_add_note(d->chart, 0, "Fig. 14");
