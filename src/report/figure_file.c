@@ -4,32 +4,30 @@
 /* A figure into a file: written under a name of its own beside it, then renamed, so that the file
  * is whole or as it was. */
 
+#include "message.h"
 #include "report/figure.h"
 #include "report/figure_name.h"
+#include "report/file.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
-#include <errno.h>
-#include <fcntl.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #define PNG_DOTS_PER_POINT (300.0 / 72) /* 300 to the inch */
-/* A file, and the first error of writing to it: Cairo does not hand every one on. */
+
+/* A file, and how writing to it went: Cairo does not hand every error on. */
 typedef struct sink {
-  FILE *file;
-  int error;
+  tp_file file;
+  tp_status status;
+  tp_message *message;
 } sink;
 
 static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int length) {
   sink *s = closure;
-  if (s->error == 0 && fwrite(data, 1, length, s->file) != length) {
-    s->error = errno != 0 ? errno : EIO;
+  if (s->status == TP_OK) {
+    s->status = tp_file_write(&s->file, (const char *)data, length, s->message);
   }
-  return s->error == 0 ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+  return s->status == TP_OK ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
 
 /* Letters measure alike on every kind of page: no fitting of them to its dots. */
@@ -94,53 +92,19 @@ static cairo_status_t write_figure(tp_figure_kind kind, sink *s, const tp_figure
   cairo_surface_finish(surface);
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface);
   cairo_surface_destroy(surface);
-  return s->error != 0 ? CAIRO_STATUS_WRITE_ERROR : status;
-}
-
-/* A new file beside the path, with the permissions of any new file. */
-static FILE *open_beside(char *name, size_t size, const char *path) {
-  enum { ATTEMPTS = 100 };
-  for (int k = 0; k < ATTEMPTS; k++) {
-    snprintf(name, size, "%s.%ld-%d.part", path, (long)getpid(), k);
-    const int descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0) return fdopen(descriptor, "wb");
-    if (errno != EEXIST) return NULL;
-  }
-  return NULL;
-}
-
-static tp_status cannot_write(const char *path, int error, tp_message *message) {
-  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){path, 0, 0},
-                 "cannot write the figure: %s; name a file in a folder that exists, can be "
-                 "written to and has room",
-                 strerror(error));
-}
-
-static tp_status judge(cairo_status_t status, const char *path, int error, tp_message *message) {
-  if (status == CAIRO_STATUS_SUCCESS) return TP_OK;
-  if (status == CAIRO_STATUS_NO_MEMORY) return tp_fail_memory(message, "the figure");
-  if (status == CAIRO_STATUS_WRITE_ERROR) return cannot_write(path, error, message);
-  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
-                 "the figure cannot be drawn: %s", cairo_status_to_string(status));
-}
-
-static tp_status write_beside(const char *path, char *beside, size_t size, const tp_figure *figure,
-                              tp_message *message) {
-  sink s = {.file = open_beside(beside, size, path)};
-  if (s.file == NULL) return cannot_write(path, errno, message);
-  const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
-  tp_status status = judge(drawn, path, s.error, message);
-  if (fclose(s.file) != 0 && status == TP_OK) status = cannot_write(path, errno, message);
-  if (status == TP_OK && rename(beside, path) != 0) status = cannot_write(path, errno, message);
-  if (status != TP_OK) (void)unlink(beside);
   return status;
 }
 
 tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message *message) {
-  const size_t size = strlen(path) + 64;
-  char *beside = malloc(size);
-  if (beside == NULL) return tp_fail_memory(message, "the figure");
-  const tp_status status = write_beside(path, beside, size, figure, message);
-  free(beside);
-  return status;
+  sink s = {.message = message};
+  const tp_status status = tp_file_open(&s.file, path, message);
+  if (status != TP_OK) return status;
+  const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
+  if (s.status == TP_OK && drawn == CAIRO_STATUS_NO_MEMORY) {
+    s.status = tp_fail_memory(message, "the figure");
+  } else if (s.status == TP_OK && drawn != CAIRO_STATUS_SUCCESS) {
+    s.status = tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
+                       "the figure cannot be drawn: %s", cairo_status_to_string(drawn));
+  }
+  return tp_file_close(&s.file, s.status, message);
 }

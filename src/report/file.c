@@ -13,7 +13,11 @@
 #include <unistd.h>
 
 static tp_status fail(const char *path, const char *why, tp_message *message) {
-  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){path, 0, 0}, "cannot be written: %s", why);
+  return tp_fail(
+      message, TP_SYSTEM_FAILED, (tp_place){path, 0, 0},
+      "cannot be written: %s; name a file in a folder that exists, can be written to and has "
+      "room",
+      why);
 }
 
 /* A rename would replace a device or a pipe instead of writing to it. */

@@ -219,7 +219,7 @@ class Mistakes(unittest.TestCase):
             status, out, err = run("solve", "--figure", self.path / "none" / f"figure.{kind}",
                                    ROOT / E_VALLEY)
             self.assertEqual((status, out), (5, ""))
-            self.assertIn(f"none/figure.{kind}: cannot write the figure: No such file", err)
+            self.assertIn(f"none/figure.{kind}: cannot be written: No such file", err)
         self.assertEqual(list(self.path.iterdir()), [])
 
     def test_folder_in_the_way(self):
@@ -227,7 +227,7 @@ class Mistakes(unittest.TestCase):
         folder.mkdir()
         status, out, err = run("solve", "--figure", folder, ROOT / E_VALLEY)
         self.assertEqual((status, out), (5, ""))
-        self.assertIn("cannot write the figure", err)
+        self.assertIn("cannot be written", err)
         self.assertEqual(list(self.path.iterdir()), [folder])
 
     def test_full_disk(self):
@@ -242,7 +242,7 @@ class Mistakes(unittest.TestCase):
             done = subprocess.run([PROGRAM, "solve", "--figure", figure, E_VALLEY], cwd=ROOT,
                                   capture_output=True, encoding="utf-8", preexec_fn=limit, check=False)
             self.assertEqual((done.returncode, done.stdout), (5, ""), kind)
-            self.assertIn("cannot write the figure: File too large", done.stderr)
+            self.assertIn("cannot be written: File too large", done.stderr)
             self.assertEqual(figure.read_text(), "old")
             self.assertEqual(list(self.path.iterdir()), [figure])
             figure.unlink()
