@@ -213,6 +213,10 @@ typedef struct tp_scene tp_scene;
 
 /* Read the scene in `path`. Files that the scene names are looked for beside it. */
 TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
+/* The same from text in memory; `name` is what messages call it, and files that the scene names are
+ * looked for beside a file of that name. */
+TP_MUST_USE tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
+                                         tp_message *message);
 void tp_scene_free(tp_scene *scene);
 
 typedef struct tp_solve_options {

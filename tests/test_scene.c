@@ -184,6 +184,34 @@ START_TEST(polyline_orientation) {
 }
 END_TEST
 
+/* A scene from memory is the scene of the same file: it solves, and a complaint names the text by
+ * its name and place. Text without a scene in it is refused, the empty one too. */
+START_TEST(scenes_from_text) {
+  static const char slab[] = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\n"
+                             "base: {mated: true}\n";
+  static const char *const wrong[][2] = {
+      {"", "name:1:1: the file is empty; a scene begins with 'topple: 1'"},
+      {"topple: 1\nblock: {slap: 3}\n", "name:1:1: "},
+      {"topple: 1\nlength_unit: m\nblock: {slap: 3}\n", "name:3:9: "},
+      {"[", "name:2:1: not YAML"}};
+  const tp_solve_options options = tp_solve_options_default();
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  ck_assert_int_eq(tp_scene_read_text(&scene, slab, "name", &message), TP_OK);
+  ck_assert_int_eq(tp_solve(&solution, scene, &options, &message), TP_OK);
+  ck_assert_double_eq(solution->block.area_m2.value, 2);
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+  scene = NULL;
+  for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
+    ck_assert_int_eq(tp_scene_read_text(&scene, wrong[k][0], "name", &message), TP_BAD_INPUT);
+    ck_assert_msg(strncmp(message.text, wrong[k][1], strlen(wrong[k][1])) == 0, "%s", message.text);
+    ck_assert_ptr_null(scene);
+  }
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("scene");
   TCase *scenes = tcase_create("scene");
@@ -194,6 +222,7 @@ int main(void) {
   tcase_add_test(scenes, csv_places);
   tcase_add_test(scenes, csv_seams);
   tcase_add_test(scenes, polyline_orientation);
+  tcase_add_test(scenes, scenes_from_text);
   suite_add_tcase(suite, scenes);
   return run_suite(suite);
 }

@@ -223,11 +223,11 @@ tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
   return status;
 }
 
-tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
-  tp_node *root = NULL;
+/* The scene owns its nodes, or they go with it. */
+static tp_status keep_nodes(tp_scene **scene, const char *path, tp_node *root,
+                            tp_message *message) {
   tp_scene *read = NULL;
-  tp_status status = tp_node_read(&root, path, message);
-  if (status == TP_OK) status = tp_scene_from_nodes(&read, path, root, message);
+  const tp_status status = tp_scene_from_nodes(&read, path, root, message);
   if (status == TP_OK && read != NULL) {
     read->borrows_source = false;
     *scene = read;
@@ -235,4 +235,17 @@ tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message)
     tp_node_free(root);
   }
   return status;
+}
+
+tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
+  tp_node *root = NULL;
+  const tp_status status = tp_node_read(&root, path, message);
+  return status == TP_OK ? keep_nodes(scene, path, root, message) : status;
+}
+
+tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
+                             tp_message *message) {
+  tp_node *root = NULL;
+  const tp_status status = tp_node_read_text(&root, text, name, message);
+  return status == TP_OK ? keep_nodes(scene, name, root, message) : status;
 }
