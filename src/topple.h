@@ -205,8 +205,10 @@ typedef struct tp_solution {
   tp_case cases[2];
   size_t effect_count;
   tp_effect effects[TP_EFFECTS_MAX];
-  tp_level level; /* the arithmetic that certified the numbers */
-  long bits;      /* working precision of the last evaluation */
+  tp_level level;               /* the arithmetic that certified the numbers */
+  long bits;                    /* working precision of the last evaluation */
+  int digits;                   /* asked of every number */
+  struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
 
 typedef struct tp_scene tp_scene;
@@ -219,11 +221,14 @@ TP_MUST_USE tp_status tp_scene_read_text(tp_scene **scene, const char *text, con
                                          tp_message *message);
 void tp_scene_free(tp_scene *scene);
 
+enum { TP_DIGITS_MAX = 1000 };
+
 typedef struct tp_solve_options {
   bool elements;           /* draw up the account of moments by elements */
   bool limit;              /* find the static limit, where the scene gives a friction angle */
   bool strength_reduction; /* and its factor of safety, where the scene gives a tilt angle */
-  int digits;              /* relative accuracy asked of every number: 10^-digits, 1 to 15 */
+  int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
+  tp_level level; /* the dearest arithmetic allowed; TP_UNDECIDED where it is not enough */
 } tp_solve_options;
 
 tp_solve_options tp_solve_options_default(void);

@@ -47,16 +47,29 @@ typedef struct tp_message {
 } tp_message;
 
 /* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
- * truth is outside the range of a double. */
+ * truth is outside the range of a double. `digits`, where more digits were asked for than a double
+ * holds, is the truth in decimals, all of them certain, and belongs to what holds the number. */
 typedef struct tp_bounded {
   double value;
   double error;
+  const char *digits;
 } tp_bounded;
 
 typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
 
-/* The arithmetic that a result took: double with a bound, balls, exact rationals. */
-typedef enum tp_level { TP_LEVEL_DOUBLE, TP_LEVEL_BALL, TP_LEVEL_EXACT } tp_level;
+/* The arithmetic of the moment sums, by rising price: double with a proven bound, compensated
+ * double, balls, exact integers. */
+typedef enum tp_level {
+  TP_LEVEL_DOUBLE,
+  TP_LEVEL_COMPENSATED,
+  TP_LEVEL_BALL,
+  TP_LEVEL_EXACT
+} tp_level;
+enum { TP_LEVELS = TP_LEVEL_EXACT + 1 };
+
+/* double, compensated, ball or exact; false for another name. */
+bool tp_level_read(tp_level *level, const char *name);
+const char *tp_level_name(tp_level level);
 
 typedef enum tp_mechanism {
   TP_STANDS,

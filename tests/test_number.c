@@ -224,16 +224,24 @@ static tp_status fails(void *context, tp_rung rung, bool *certain) {
 }
 
 /* The ladder stops at the first rung that is certain, says undecided past the last, passes failures
- * on. */
+ * on; no rung lies above the level allowed, and the last has twice the bits that the digits
+ * take. */
 START_TEST(ladder) {
   tp_rung reached;
   for (tp_level level = TP_LEVEL_DOUBLE; level <= TP_LEVEL_EXACT; level++) {
-    ck_assert_int_eq(tp_ladder_climb(certain_at, &level, &reached), TP_OK);
+    ck_assert_int_eq(tp_ladder_climb(certain_at, &level, TP_LEVEL_EXACT, 9, &reached), TP_OK);
     ck_assert_int_eq(reached.level, level);
   }
-  long bits = 0;
-  ck_assert_int_eq(tp_ladder_climb(never_certain, &bits, &reached), TP_UNDECIDED);
-  ck_assert_int_eq(tp_ladder_climb(fails, NULL, &reached), TP_OUT_OF_MEMORY);
+  for (tp_level highest = TP_LEVEL_DOUBLE; highest <= TP_LEVEL_EXACT; highest++) {
+    for (int digits = 1; digits <= TP_DIGITS_MAX; digits += 111) {
+      long bits = 0;
+      ck_assert_int_eq(tp_ladder_climb(never_certain, &bits, highest, digits, &reached),
+                       TP_UNDECIDED);
+      ck_assert_int_eq(reached.level, highest);
+      ck_assert(highest < TP_LEVEL_BALL || (double)bits > 2 * 3.32 * digits);
+    }
+  }
+  ck_assert_int_eq(tp_ladder_climb(fails, NULL, TP_LEVEL_EXACT, 9, &reached), TP_OUT_OF_MEMORY);
 }
 END_TEST
 

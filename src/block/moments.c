@@ -71,6 +71,7 @@ void tp_moments_evaluate(tp_moments *moments, const tp_section *section, const t
     const long first = lattice->start[r], count = lattice->start[r + 1] - first;
     switch (rung.level) {
     case TP_LEVEL_DOUBLE:
+    case TP_LEVEL_COMPENSATED:
       ring_in_double(ring, lattice, first, count);
       break;
     case TP_LEVEL_BALL:

@@ -16,11 +16,13 @@ typedef struct arguments {
   int scene_count;
   const char *figure; /* file to draw into; NULL: none */
   bool json, elements, table;
+  int digits;
+  tp_level level;
   bool has_target, has_low, has_high;
   tp_find_options find; /* key NULL: nothing is to be found */
 } arguments;
 
-enum { KEY_FIGURE = 256, KEY_FIND, KEY_FOR, KEY_FROM, KEY_TO };
+enum { KEY_FIGURE = 256, KEY_LEVEL, KEY_FIND, KEY_FOR, KEY_FROM, KEY_TO };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the solution as JSON", 0},
@@ -28,6 +30,11 @@ static const struct argp_option options[] = {
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
+    {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
+    {"level", KEY_LEVEL, "LEVEL", 0,
+     "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
+     "given); exit status 4 where it is not enough",
+     0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos has the "
@@ -44,6 +51,15 @@ static double read_number(const char *text, struct argp_state *state) {
     argp_error(state, "'%s' is no number", text);
   }
   return value;
+}
+
+static int read_digits(const char *text, struct argp_state *state) {
+  const double digits = read_number(text, state);
+  if (!(digits >= 1 && digits <= TP_DIGITS_MAX && digits == floor(digits))) {
+    argp_error(state, "--digits takes a whole number from 1 to %d, not '%s'", TP_DIGITS_MAX, text);
+    return 1;
+  }
+  return (int)digits;
 }
 
 /* RESULT=VALUE */
@@ -92,6 +108,14 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 't':
     a->table = true;
+    return 0;
+  case 'd':
+    a->digits = read_digits(argument, state);
+    return 0;
+  case KEY_LEVEL:
+    if (!tp_level_read(&a->level, argument)) {
+      argp_error(state, "--level takes double, compensated, ball or exact, not '%s'", argument);
+    }
     return 0;
   case KEY_FIGURE:
     read_figure(a, argument, state);
@@ -175,6 +199,8 @@ static tp_status solve_scene(tp_solution **solution, const char *path, const arg
   tp_scene *scene = NULL;
   tp_solve_options solve = tp_solve_options_default();
   solve.elements = a->elements;
+  solve.digits = a->digits;
+  solve.level = a->level;
   tp_status status = tp_scene_read(&scene, path, message);
   if (status == TP_OK) status = tp_solve(solution, scene, &solve, message);
   if (status == TP_OK && a->figure != NULL) {
@@ -214,7 +240,8 @@ static tp_status print_one(const arguments *a, int *written, tp_message *message
 }
 
 int tp_cli_solve(int argc, char **argv) {
-  arguments a = {0};
+  const tp_solve_options unless_given = tp_solve_options_default();
+  arguments a = {.digits = unless_given.digits, .level = unless_given.level};
   argp_err_exit_status = TP_EXIT_USAGE;
   argp_program_version = "topple " TP_VERSION;
   if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;

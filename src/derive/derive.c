@@ -106,7 +106,7 @@ static tp_bounded angle_at_values(const work *w, const fmpz_mpoly_q_t x_arm,
   arb_init(sine);
   arb_init(cosine);
   arb_init(angle);
-  tp_bounded result = {0, INFINITY};
+  tp_bounded result = {.error = INFINITY};
   if (tp_field_evaluate(x, x_arm, &w->model.symbols.field) &&
       tp_field_evaluate(y, y_arm, &w->model.symbols.field)) {
     arb_set_fmpq(sine, x, 128);

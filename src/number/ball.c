@@ -7,10 +7,10 @@
 #include <math.h>
 
 tp_bounded tp_ball_bounded(const arb_t ball) {
-  if (!arb_is_finite(ball)) return (tp_bounded){0.0, INFINITY};
-  tp_bounded result = {arf_get_d(arb_midref(ball), ARF_RND_NEAR), 0.0};
+  if (!arb_is_finite(ball)) return (tp_bounded){.error = INFINITY};
+  tp_bounded result = {.value = arf_get_d(arb_midref(ball), ARF_RND_NEAR)};
   if (!isfinite(result.value)) {
-    return (tp_bounded){copysign(DBL_MAX, result.value), INFINITY};
+    return (tp_bounded){.value = copysign(DBL_MAX, result.value), .error = INFINITY};
   }
   arf_t rest;
   mag_t error;

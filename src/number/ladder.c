@@ -3,30 +3,57 @@
 
 #include "number/ladder.h"
 
-static const tp_rung rungs[] = {
-    {TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_BALL, 160},   {TP_LEVEL_EXACT, 320},
-    {TP_LEVEL_EXACT, 1280}, {TP_LEVEL_EXACT, 5120},
-};
+#include <string.h>
 
-tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_rung *reached) {
-  for (size_t k = 0; k < sizeof rungs / sizeof rungs[0]; k++) {
+static const tp_rung rungs[] = {{TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_COMPENSATED, 128},
+                                {TP_LEVEL_BALL, 160},   {TP_LEVEL_EXACT, 320},
+                                {TP_LEVEL_EXACT, 1280}, {TP_LEVEL_EXACT, 5120},
+                                {TP_LEVEL_EXACT, 20480}};
+enum { RUNGS = sizeof rungs / sizeof rungs[0], MOST_BITS = 5120 };
+
+/* 10^digits < 2^(3.33 digits); some more for what follows the sums. */
+static long bits_for(int digits) {
+  return (long)(3.33 * digits) + 32;
+}
+
+long tp_ladder_most_bits(int digits) {
+  const long ample = 8 * bits_for(digits);
+  return ample > MOST_BITS ? ample : MOST_BITS;
+}
+
+/* Doubles have a rung of their own; balls may have any number of bits. */
+static bool is_allowed(tp_rung rung, tp_level highest, int digits) {
+  if (rung.level > highest && highest < TP_LEVEL_BALL) return false;
+  return rung.bits <= tp_ladder_most_bits(digits);
+}
+
+tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_level highest, int digits,
+                          tp_rung *reached) {
+  for (int k = 0; k < RUNGS; k++) {
+    const bool last = k + 1 == RUNGS || !is_allowed(rungs[k + 1], highest, digits);
+    if (rungs[k].bits < bits_for(digits) && !last) continue;
     bool certain = false;
     *reached = rungs[k];
-    const tp_status status = step(context, rungs[k], &certain);
+    if (reached->level > highest) reached->level = highest;
+    const tp_status status = step(context, *reached, &certain);
     if (status != TP_OK) return status;
     if (certain) return TP_OK;
+    if (last) return TP_UNDECIDED;
   }
   return TP_UNDECIDED;
 }
 
+static const char *const names[TP_LEVELS] = {"double", "compensated", "ball", "exact"};
+
 const char *tp_level_name(tp_level level) {
-  switch (level) {
-  case TP_LEVEL_DOUBLE:
-    return "double";
-  case TP_LEVEL_BALL:
-    return "ball";
-  case TP_LEVEL_EXACT:
-    return "exact";
+  return names[level];
+}
+
+bool tp_level_read(tp_level *level, const char *name) {
+  for (int k = 0; k < TP_LEVELS; k++) {
+    if (strcmp(name, names[k]) != 0) continue;
+    *level = (tp_level)k;
+    return true;
   }
-  return "unknown";
+  return false;
 }

@@ -3,9 +3,9 @@
 
 /* The ladder: one computation at rising prices, climbed only as far as the answer needs.
  *
- * A rung names the arithmetic of the moment sums (double with a bound, balls, exact integers) and
- * the working precision of what follows. The computation says after each rung whether all its
- * numbers and decisions are certain. */
+ * A rung names the arithmetic of the moment sums (double with a bound, compensated double, balls,
+ * exact integers) and the working precision of what follows. The computation says after each rung
+ * whether all its numbers and decisions are certain. */
 
 #ifndef TP_LADDER_H
 #define TP_LADDER_H
@@ -21,10 +21,13 @@ typedef struct tp_rung {
  * the climb. */
 typedef tp_status (*tp_ladder_step)(void *context, tp_rung rung, bool *certain);
 
-/* Climb until a step is certain. TP_UNDECIDED when the last rung was not enough: the results of the
+/* Climb until a step is certain, from the first rung whose bits may do for `digits` decimal digits,
+ * at levels up to `highest`. TP_UNDECIDED when the last rung was not enough: the results of the
  * last step stand, enclosures all of them. `*reached` is the last rung tried. */
-TP_MUST_USE tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_rung *reached);
+TP_MUST_USE tp_status tp_ladder_climb(tp_ladder_step step, void *context, tp_level highest,
+                                      int digits, tp_rung *reached);
 
-const char *tp_level_name(tp_level level);
+/* No rung for so many digits has more bits. */
+long tp_ladder_most_bits(int digits);
 
 #endif

@@ -44,10 +44,10 @@ static void take_reactions(tp_state *state, const tp_figure *figure) {
   if (state->kind != TP_STATE_LIMIT) return;
   for (size_t k = 0; k < limit->reaction_count; k++) {
     const tp_reaction *r = limit->reactions + k;
-    const tp_force force = {
-        tp_shape_of_metres(&figure->shape, r->x_m, r->y_m),
-        {r->share_x.value, r->share_y.value},
-        {hypot(r->share_x.value, r->share_y.value), r->share_x.error + r->share_y.error}};
+    const tp_force force = {tp_shape_of_metres(&figure->shape, r->x_m, r->y_m),
+                            {r->share_x.value, r->share_y.value},
+                            {.value = hypot(r->share_x.value, r->share_y.value),
+                             .error = r->share_x.error + r->share_y.error}};
     tp_force *first = state->reactions;
     if (state->reaction_count == 1 && same(first->at, force.at)) {
       first->share = (tp_spot){first->share.x + force.share.x, first->share.y + force.share.y};

@@ -9,7 +9,9 @@ void tp_json_number(tp_text *t, const char *key, tp_bounded number) {
   if (!isfinite(number.error)) {
     tp_text_add(t, "\"%s\": null", key);
   } else {
-    tp_text_add(t, "\"%s\": {\"value\": %.17g, \"error\": %.17g}", key, number.value, number.error);
+    tp_text_add(t, "\"%s\": {\"value\": %.17g, \"error\": %.17g", key, number.value, number.error);
+    if (number.digits != NULL) tp_text_add(t, ", \"digits\": \"%s\"", number.digits);
+    tp_text_add(t, "}");
   }
 }
 

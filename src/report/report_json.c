@@ -3,7 +3,6 @@
 
 /* A solution as JSON: the contract of the program with other programs. */
 
-#include "number/ladder.h"
 #include "report/json.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"

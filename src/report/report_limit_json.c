@@ -64,7 +64,8 @@ static void add_holds_from(tp_text *t, const tp_limit *back) {
     tp_text_add(t, "\"holds_from_deg\": null");
     return;
   }
-  const tp_bounded from = {0 - back->critical_angle_deg.value, back->critical_angle_deg.error};
+  const tp_bounded from = {.value = 0 - back->critical_angle_deg.value,
+                           .error = back->critical_angle_deg.error};
   tp_json_number(t, "holds_from_deg", from);
 }
 

@@ -3,7 +3,7 @@
 
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
-#include "number/ladder.h"
+#include "report/report_digits.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
 
@@ -154,8 +154,8 @@ static void add_verdict(tp_page *p, const tp_case *c) {
   tp_page_degrees(n[0], s->tilt_angle_deg);
   tp_text_add(&p->text, "\n  ");
   if (c->falls_backwards && c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
-    const tp_bounded from = {0 - c->limit_back.critical_angle_deg.value,
-                             c->limit_back.critical_angle_deg.error};
+    const tp_bounded from = {.value = 0 - c->limit_back.critical_angle_deg.value,
+                             .error = c->limit_back.critical_angle_deg.error};
     tp_text_add(&p->text, "Lets go up-dip already %s%s%s: below %s° it %s.\n",
                 s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
                 s->has_tilt_angle ? "°" : "", tp_text_fixed(n[1], from, 3),
@@ -305,7 +305,7 @@ static void add_effects(tp_page *p) {
   const tp_solution *s = p->solution;
   tp_text_add(&p->text,
               "\nCertain to every digit printed, by %s arithmetic, in %.2g ms. What ran:\n",
-              s->level == TP_LEVEL_DOUBLE ? "double" : tp_level_name(s->level), 1e3 * seconds(s));
+              tp_level_name(s->level), 1e3 * seconds(s));
   for (size_t k = 0; k < s->effect_count; k++) {
     tp_text_add(&p->text, "  %-9s %8.3f ms   for %s\n", s->effects[k].name,
                 1e3 * s->effects[k].seconds, s->effects[k].called_for_by);
@@ -319,6 +319,7 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
   add_block(&p);
   add_base(&p);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
+  tp_page_add_digits(&p);
   add_effects(&p);
   return tp_text_finish(&p.text, text);
 }

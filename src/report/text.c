@@ -82,7 +82,8 @@ const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int
 tp_bounded tp_text_over(tp_bounded number, double divisor) {
   /* The divisor and the quotient are rounded once each. */
   const double value = number.value / divisor;
-  return (tp_bounded){value, 1.01 * number.error / divisor + 2 * DBL_EPSILON * fabs(value)};
+  return (tp_bounded){.value = value,
+                      .error = 1.01 * number.error / divisor + 2 * DBL_EPSILON * fabs(value)};
 }
 
 const char *tp_text_pivot_kind(tp_pivot_kind kind) {

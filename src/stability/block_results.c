@@ -166,7 +166,7 @@ static void nominal_length(const tp_problem *problem, arb_t length) {
 /* Weight over length times thickness; a contact in points alone has no area. */
 static tp_bounded pressure(tp_evaluation *e, const tp_bounded length_m, const arb_t length,
                            const arb_t newton) {
-  if (length_m.value <= 0) return (tp_bounded){0, INFINITY};
+  if (length_m.value <= 0) return (tp_bounded){.error = INFINITY};
   const long bits = e->rung.bits;
   fmpq_t width;
   arb_t value;

@@ -16,14 +16,27 @@ bool tp_evaluation_is_zero_width(const tp_evaluation *e, const arb_t ball, doubl
          mag_get_d_log2_approx(arb_radref(ball)) < log2_scale - 0.5 * (double)e->rung.bits;
 }
 
+tp_bounded tp_evaluation_bounded(const tp_evaluation *e, const arb_t ball) {
+  tp_bounded result = tp_ball_bounded(ball);
+  if (e->decimals != NULL) result.digits = tp_decimals_keep(e->decimals, ball);
+  return result;
+}
+
+/* With a few digits to spare, so that those asked for round alike over all of the ball. */
+static bool is_certain(const tp_evaluation *e, const arb_t ball) {
+  enum { SPARE = 3 };
+  return tp_ball_certain(ball, e->decimals != NULL ? e->digits + SPARE : e->digits);
+}
+
 tp_bounded tp_evaluation_result_scaled(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_scale) {
   const bool zero =
       arb_contains_zero(ball) && tp_evaluation_is_zero_width(evaluation, ball, log2_scale);
-  if (!zero && !tp_ball_certain(ball, evaluation->digits)) {
+  if (!zero && !is_certain(evaluation, ball)) {
     evaluation->certain = false;
+    return tp_ball_bounded(ball);
   }
-  return tp_ball_bounded(ball);
+  return tp_evaluation_bounded(evaluation, ball);
 }
 
 tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball) {
@@ -33,11 +46,12 @@ tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball) {
 tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_size) {
   const double asked = log2_size - 3.33 * evaluation->digits; /* 10^-digits > 2^(-3.33 digits) */
-  if (!tp_ball_certain(ball, evaluation->digits) &&
+  if (!is_certain(evaluation, ball) &&
       !(arb_is_finite(ball) && mag_get_d_log2_approx(arb_radref(ball)) < asked)) {
     evaluation->certain = false;
+    return tp_ball_bounded(ball);
   }
-  return tp_ball_bounded(ball);
+  return tp_evaluation_bounded(evaluation, ball);
 }
 
 tp_bounded tp_evaluation_rational(const fmpq_t value) {

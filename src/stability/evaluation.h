@@ -7,12 +7,14 @@
 #define TP_EVALUATION_H
 
 #include "block/moments.h"
+#include "number/decimals.h"
 #include "stability/problem.h"
 
 typedef struct tp_evaluation {
   const tp_problem *problem;
   tp_rung rung;
   int digits;
+  tp_decimals *decimals; /* where more digits are asked for than a double holds; else NULL */
   bool reduces_strength; /* for the factor of safety of the limit */
   tp_moments moments;
   tp_bounded weight_per_area_pa; /* on the mean plane, level, where the block has a weight */
@@ -37,6 +39,9 @@ void tp_evaluate_admissible(tp_evaluation *evaluation, bool *admissible, tp_dire
 /* Precision of the arithmetic before functions are taken: sums and products of exact integers stay
  * exact on the last rungs. */
 long tp_evaluation_bits(const tp_evaluation *evaluation);
+
+/* The ball as a result, certain or not. */
+tp_bounded tp_evaluation_bounded(const tp_evaluation *evaluation, const arb_t ball);
 
 /* The ball as a result; notes where it is not certain enough. Where no rung is exact, a ball about
  * zero that is far narrower than the scale of the quantity, 2^log2_scale (1 for

@@ -128,7 +128,7 @@ static tp_status add_solution(tp_found *found, double low, double high) {
   found->solutions = all;
   const double middle = low + (high - low) / 2;
   const double error = (high - low) / 2 + fabs(middle) * 0x1p-51; /* decimal text, and rounding */
-  found->solutions[found->count++] = (tp_bounded){middle, error};
+  found->solutions[found->count++] = (tp_bounded){.value = middle, .error = error};
   return TP_OK;
 }
 

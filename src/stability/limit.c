@@ -14,7 +14,10 @@
 
 #include <math.h>
 
-enum { LAST_BITS = 5120 }; /* of the ladder: what is open then stays undecided */
+/* No rung of the ladder has more: what is open then stays undecided. */
+static bool is_last_rung(const tp_evaluation *e) {
+  return 4 * e->rung.bits > tp_ladder_most_bits(e->digits);
+}
 
 /* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
  * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
@@ -117,7 +120,7 @@ static void find_limit(tp_limit *result, asking *a) {
     tp_friction_at(friction, a->e, tilt);
     (void)limit_of(tilt, a, friction, false);
   }
-  result->friction_angle_deg = tp_ball_bounded(friction);
+  result->friction_angle_deg = tp_evaluation_bounded(a->e, friction);
   arb_clear(friction);
   arb_clear(tilt);
 }
@@ -143,9 +146,9 @@ static void reduce_strength(tp_limit *result, asking *a) {
   a->outcome = tp_reduction_find(&kind, factor, a->question, a->cones, tilt, e->digits);
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
-    if (e->rung.bits < LAST_BITS) e->certain = false;
+    if (!is_last_rung(e)) e->certain = false;
   } else if (kind == TP_REDUCTION_FACTOR) {
-    result->fos = (tp_fos){TP_FOS_NUMBER, tp_ball_bounded(factor)};
+    result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_bounded(e, factor)};
   } else {
     result->fos.state = kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
   }
@@ -160,7 +163,7 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->kind = TP_LIMIT_UNDECIDED;
     result->mechanism = TP_MECHANISM_UNDECIDED;
-    if (e->rung.bits < LAST_BITS) e->certain = false;
+    if (!is_last_rung(e)) e->certain = false;
     return;
   }
   tp_limit_describe(result, e, a->question, a->answer, towards);

@@ -133,8 +133,8 @@ static void set_reactions(const telling *t) {
       arb_div(column.of + row, column.of + row, weight, bits);
     }
     if (t->towards == TP_TOWARDS_RIGHT) arb_neg(column.of, column.of);
-    reaction->share_x = tp_ball_bounded(column.of);
-    reaction->share_y = tp_ball_bounded(column.of + 1);
+    reaction->share_x = tp_evaluation_bounded(t->e, column.of);
+    reaction->share_y = tp_evaluation_bounded(t->e, column.of + 1);
     set_point(&reaction->x_m, &reaction->y_m, t, cones->x + point, cones->y + point);
   }
   tp_vector_clear(&column);

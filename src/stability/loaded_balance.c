@@ -38,7 +38,7 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   if (b->account == NULL) return;
   tp_load_result *own = b->account->loads + b->account->load_count++;
   *own = (tp_load_result){.name = name, .side = side};
-  own->moment_nm = tp_ball_bounded(moment);
+  own->moment_nm = tp_evaluation_bounded(b->evaluation, moment);
   tp_place_text(own->called_for_by, sizeof own->called_for_by, place);
 }
 

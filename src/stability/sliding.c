@@ -180,7 +180,7 @@ static void describe(tp_evaluation *e, tp_case *result, const tp_sliding_facet *
   arb_init(friction);
   describe_facet(e, s, best, angle);
   const bool slides = find_start(friction, &own);
-  s->friction_angle_deg = tp_ball_bounded(friction);
+  s->friction_angle_deg = tp_evaluation_bounded(e, friction);
   if (e->loaded != NULL) {
     s->fos_strength = (tp_fos){.state = TP_FOS_NOT_ASKED};
     s->never = best->blocked || !slides;

@@ -13,7 +13,7 @@
 
 tp_solve_options tp_solve_options_default(void) {
   return (tp_solve_options){
-      .elements = false, .limit = true, .strength_reduction = true, .digits = 9};
+      .limit = true, .strength_reduction = true, .digits = 9, .level = TP_LEVEL_EXACT};
 }
 
 void tp_solution_free(tp_solution *solution) {
@@ -24,6 +24,7 @@ void tp_solution_free(tp_solution *solution) {
     free(solution->cases[k].loads);
     free(solution->cases[k].limits);
   }
+  tp_decimals_free(solution->decimals);
   free(solution->title);
   free(solution);
 }
@@ -206,6 +207,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_evaluation evaluation = {.problem = c->problem,
                               .rung = rung,
                               .digits = c->options->digits,
+                              .decimals = c->solution->decimals,
                               .reduces_strength = c->options->strength_reduction,
                               .certain = true,
                               .settled = {c->settled[0], c->settled[1]},
@@ -229,7 +231,8 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   }
   tp_moments_clear(&evaluation.moments);
   *certain = evaluation.certain;
-  return done ? TP_OK : tp_fail_memory(c->message, "the loads and the limit");
+  done = done && (evaluation.decimals == NULL || !tp_decimals_failed(evaluation.decimals));
+  return done ? TP_OK : tp_fail_memory(c->message, "the loads, the limit or the digits");
 }
 
 /* What was computed on the ladder was computed at the level that it reached. */
@@ -267,13 +270,15 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
       c.admissible[1] == NULL) {
     status = tp_fail_memory(message, "the pivots");
   } else {
-    status = tp_ladder_climb(step, &c, &reached);
+    status = tp_ladder_climb(step, &c, options->level, options->digits, &reached);
     note_level(solution, reached);
   }
   if (status == TP_UNDECIDED) {
     (void)tp_fail(message, TP_UNDECIDED, (tp_place){problem->scene->path, 0, 0},
-                  "undecided at %ld bits: a number is not certain to %d digits", reached.bits,
-                  options->digits);
+                  "undecided at %ld bits%s%s: a number is not certain to %d digit%s", reached.bits,
+                  options->level < TP_LEVEL_EXACT ? " of level " : "",
+                  options->level < TP_LEVEL_EXACT ? tp_level_name(options->level) : "",
+                  options->digits, options->digits == 1 ? "" : "s");
   }
   for (int d = 0; d < 2; d++) {
     free(c.settled[d]);
@@ -289,6 +294,11 @@ tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
   tp_status status = describe_scene(solution, problem->scene, message);
   describe_teeth(solution, problem->scene);
   solution->loaded = problem->loaded;
+  solution->digits = options->digits;
+  if (status == TP_OK && options->digits > TP_DECIMALS_OF_DOUBLE) {
+    solution->decimals = tp_decimals_new(options->digits);
+    if (solution->decimals == NULL) status = tp_fail_memory(message, "the digits");
+  }
   if (status == TP_OK) status = make_cases(solution, problem, options->elements, message);
   if (status == TP_OK) status = climb_ladder(problem, options, solution, message);
   return status;
@@ -306,8 +316,12 @@ static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_sol
 
 tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve_options *options,
                    tp_message *message) {
-  if (options->digits < 1 || options->digits > 15) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and 15");
+  if (options->digits < 1 || options->digits > TP_DIGITS_MAX) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and %d",
+                   TP_DIGITS_MAX);
+  }
+  if ((int)options->level < 0 || (int)options->level >= TP_LEVELS) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such level of arithmetic");
   }
   tp_solution *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the solution");

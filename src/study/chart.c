@@ -9,7 +9,7 @@
 #include <string.h>
 
 tp_bounded tp_chart_exactly(double value) {
-  return (tp_bounded){value, 0};
+  return (tp_bounded){.value = value};
 }
 
 static char *copy(tp_chart *chart, const char *text) {

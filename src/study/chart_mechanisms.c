@@ -135,7 +135,8 @@ static void add_dynamics(const drawing *d) {
     const double delta = friction * k / (POINTS - 1);
     const double angle = tp_dynamic_border_deg(delta, rectangle_kappa, friction);
     const double error = 0x1p-48 * angle;
-    tp_chart_add_point(d->chart, tp_chart_exactly(tan(delta / degree)), (tp_bounded){angle, error});
+    tp_chart_add_point(d->chart, tp_chart_exactly(tan(delta / degree)),
+                       (tp_bounded){.value = angle, .error = error});
   }
   tp_chart_add_place(d->chart, tan(friction / degree), d->y_most);
 }

@@ -40,7 +40,8 @@ typedef struct drawing {
 
 static tp_bounded difference(tp_bounded a, tp_bounded b) {
   const double value = a.value - b.value;
-  return (tp_bounded){value, a.error + b.error + 0x1p-52 * (value < 0 ? -value : value)};
+  return (tp_bounded){.value = value,
+                      .error = a.error + b.error + 0x1p-52 * (value < 0 ? -value : value)};
 }
 
 /* The angle at an amplitude; less that of N = 2 when `less_even`. */
@@ -56,7 +57,7 @@ static tp_status add_point(const drawing *d, size_t sub_blocks, tp_toe_kind toe,
   }
   if (status == TP_OK) {
     const double percent = 100 * amplitude;
-    tp_chart_add_point(d->chart, (tp_bounded){percent, percent * 0x1p-52}, angle);
+    tp_chart_add_point(d->chart, (tp_bounded){.value = percent, .error = percent * 0x1p-52}, angle);
   }
   return status;
 }

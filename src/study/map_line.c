@@ -142,7 +142,8 @@ static void add_borders(const line *l) {
     const tp_look *low = l->looks + k, *high = low + 1;
     if (low->regime == high->regime) continue;
     const double half = (high->values[0] - low->values[0]) / 2;
-    const tp_bounded root = {low->values[0] + half, half + fabs(low->values[0]) * 0x1p-52};
+    const tp_bounded root = {.value = low->values[0] + half,
+                             .error = half + fabs(low->values[0]) * 0x1p-52};
     const tp_look *limited = tp_look_has_limit(low) ? low : high;
     const bool both = tp_look_has_limit(low) && tp_look_has_limit(high);
     char name[80];
@@ -166,7 +167,7 @@ static bool read_sliding(tp_bounded *value, const tp_look *look) {
 }
 
 static bool read_dynamic(tp_bounded *value, const tp_look *look) {
-  *value = (tp_bounded){look->dynamic_deg, 0x1p-40 * look->dynamic_deg};
+  *value = (tp_bounded){.value = look->dynamic_deg, .error = 0x1p-40 * look->dynamic_deg};
   return look->has_dynamic;
 }
 

@@ -172,8 +172,8 @@ static void add_curves(plane *p, const tp_field *field, tp_chart_style style, co
     tp_map_begin(p->map, style, series, name);
     for (size_t k = 0; k < count; k++) {
       const tp_place_2d *at = p->places + k;
-      tp_chart_add_point(p->map->chart, (tp_bounded){at->x, at->x_error},
-                         (tp_bounded){at->y, at->y_error});
+      tp_chart_add_point(p->map->chart, (tp_bounded){.value = at->x, .error = at->x_error},
+                         (tp_bounded){.value = at->y, .error = at->y_error});
     }
     if (levels) add_level(p, count);
   }

@@ -51,7 +51,8 @@ tp_bounded tp_toothed_tangent(const tp_toothed *block, tp_toe_kind toe) {
   const double x = block->inverse_slenderness, a = block->amplitude;
   const double sign = toe == TP_TOE_PEAK ? -1 : 1;
   const double below = toe == TP_TOE_PLANAR ? 1 : 1 + sign * a - a * a / 12;
-  return tp_quotient((tp_bounded){x, 0}, (tp_bounded){below, 4 * DBL_EPSILON});
+  return tp_quotient((tp_bounded){.value = x},
+                     (tp_bounded){.value = below, .error = 4 * DBL_EPSILON});
 }
 
 /* d tan / d angle = 1 + tan^2; the conversion to radians is off by at most two roundings, the
@@ -62,11 +63,12 @@ tp_bounded tp_tangent_deg(tp_bounded degrees) {
   const double value = tan(angle), slope = 1 + value * value;
   const double moved = fabs(degrees.error * radian) + 2 * DBL_EPSILON * fabs(angle);
   /* over so small a move the slope at most doubles */
-  return (tp_bounded){value, 2 * slope * moved + DBL_EPSILON * fabs(value)};
+  return (tp_bounded){.value = value, .error = 2 * slope * moved + DBL_EPSILON * fabs(value)};
 }
 
 tp_bounded tp_quotient(tp_bounded n, tp_bounded d) {
   const double value = n.value / d.value, least = fabs(d.value) - d.error;
-  return (tp_bounded){value,
-                      1.01 * (n.error + fabs(value) * d.error) / least + DBL_EPSILON * fabs(value)};
+  return (tp_bounded){.value = value,
+                      .error = 1.01 * (n.error + fabs(value) * d.error) / least +
+                               DBL_EPSILON * fabs(value)};
 }
