@@ -37,12 +37,12 @@ static void reduction_clear(reduction *r) {
   arb_clear(r->friction);
 }
 
-static void divide_by(const reduction *r, double factor) {
+static void divide_by(const reduction *r, const arf_t factor) {
   tp_cones *cones = r->cones;
   const long bits = r->question->judge.bits;
   arb_t divisor;
   arb_init(divisor);
-  arb_set_d(divisor, factor);
+  arb_set_arf(divisor, factor);
   arb_div(cones->friction, r->friction, divisor, bits);
   for (long k = 0; k < cones->allowance_count; k++) {
     arb_div(cones->allowances[k].shear, r->bounds + 2 * k, divisor, bits);
@@ -94,46 +94,131 @@ static double solve(reduction *r, double low, double high, double at_low, double
   return low + (high - low) / 2;
 }
 
-/* Proven: 1 where the block holds beyond the tilt at this factor, -1 where not up to it, 0 open. */
-static tp_limit_outcome prove_side(int *side, reduction *r, double factor, const arb_t degrees) {
+/* The limit at a factor, in degrees, and on which side of the tilt it is proven to lie: 1 where the
+ * block holds beyond the tilt, -1 where not up to it, 0 open. */
+typedef struct limit_at {
+  int side;
+  arb_t degrees; /* where there is one */
+} limit_at;
+
+static tp_limit_outcome find_at(limit_at *at, reduction *r, const arf_t factor,
+                                const arb_t degrees) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
   divide_by(r, factor);
-  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count, factor);
+  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count,
+                            arf_get_d(factor, ARF_RND_NEAR));
   tp_limit_question question = *r->question;
   question.sketch = &r->reduced;
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
-  *side = 0;
+  at->side = 0;
+  arb_indeterminate(at->degrees);
   if (outcome == TP_LIMIT_PROVEN) {
-    if (answer.kind == TP_LIMIT_INTERLOCKED) *side = 1;
-    if (answer.kind == TP_LIMIT_NOWHERE) *side = -1;
-    if (answer.kind == TP_LIMIT_AT_ANGLE && arb_gt(answer.degrees, degrees)) *side = 1;
-    if (answer.kind == TP_LIMIT_AT_ANGLE && arb_lt(answer.degrees, degrees)) *side = -1;
+    if (answer.kind == TP_LIMIT_INTERLOCKED) at->side = 1;
+    if (answer.kind == TP_LIMIT_NOWHERE) at->side = -1;
+    if (answer.kind == TP_LIMIT_AT_ANGLE) {
+      arb_set(at->degrees, answer.degrees);
+      if (arb_gt(answer.degrees, degrees)) at->side = 1;
+      if (arb_lt(answer.degrees, degrees)) at->side = -1;
+    }
   }
   tp_limit_answer_clear(&answer);
   return outcome;
 }
 
+/* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew.
+ * Search alone: the proof comes after it. */
+static tp_limit_outcome refine(arf_t factor, reduction *r, const arb_t degrees, int digits) {
+  enum { MOST_STEPS = 64 };
+  const long bits = r->question->judge.bits;
+  const slong enough = -(slong)(3.33 * digits);
+  arf_t step, value, value_before, slope;
+  limit_at at;
+  arf_init(step);
+  arf_init(value);
+  arf_init(value_before);
+  arf_init(slope);
+  arb_init(at.degrees);
+  arf_mul_2exp_si(step, factor, -30);
+  tp_limit_outcome outcome = TP_LIMIT_PROVEN;
+  for (int k = 0; k < MOST_STEPS && outcome == TP_LIMIT_PROVEN; k++) {
+    outcome = find_at(&at, r, factor, degrees);
+    if (!arb_is_finite(at.degrees)) break;
+    arf_set(value_before, value);
+    arf_sub(value, arb_midref(at.degrees), arb_midref(degrees), bits, ARF_RND_NEAR);
+    if (k > 0) { /* the next step is - value (last step) / (value - value_before) */
+      arf_sub(slope, value, value_before, bits, ARF_RND_NEAR);
+      if (arf_is_zero(slope)) break;
+      arf_mul(step, step, value, bits, ARF_RND_NEAR);
+      arf_div(step, step, slope, bits, ARF_RND_NEAR);
+      arf_neg(step, step);
+    }
+    if (arf_is_zero(step) ||
+        arf_cmpabs_2exp_si(step, arf_abs_bound_lt_2exp_si(factor) + enough) < 0)
+      break;
+    arf_add(factor, factor, step, bits, ARF_RND_NEAR);
+  }
+  arf_clear(step);
+  arf_clear(value);
+  arf_clear(value_before);
+  arf_clear(slope);
+  arb_clear(at.degrees);
+  return outcome;
+}
+
+/* Is the factor within 2^-places of its size of the estimate? Proven by the limits at both ends. */
+static tp_limit_outcome prove_about(arb_t factor, bool *proven, reduction *r, const arf_t estimate,
+                                    slong places, const arb_t degrees) {
+  const long bits = r->question->judge.bits;
+  arf_t width, end;
+  limit_at at;
+  arf_init(width);
+  arf_init(end);
+  arb_init(at.degrees);
+  arf_mul_2exp_si(width, estimate, -places);
+  arf_sub(end, estimate, width, bits, ARF_RND_DOWN);
+  tp_limit_outcome outcome = find_at(&at, r, end, degrees);
+  *proven = outcome == TP_LIMIT_PROVEN && at.side > 0;
+  if (*proven) {
+    arf_add(end, estimate, width, bits, ARF_RND_UP);
+    outcome = find_at(&at, r, end, degrees);
+    *proven = outcome == TP_LIMIT_PROVEN && at.side < 0;
+  }
+  if (*proven) {
+    arb_set_arf(factor, estimate);
+    arf_mul_2exp_si(width, width, 1); /* the rounded ends lie within */
+    arf_get_mag(arb_radref(factor), width);
+  }
+  arf_clear(width);
+  arf_clear(end);
+  arb_clear(at.degrees);
+  return outcome;
+}
+
 /* Widen about the estimate until both sides are proven: from what doubles tell apart to what is
- * asked for, or a little more. */
+ * asked for, or, for more digits than that, from some more than are asked for. */
 static tp_limit_outcome enclose(arb_t factor, reduction *r, double estimate, const arb_t degrees,
                                 int digits) {
-  enum { NARROWEST = 13 }; /* 10^-13 */
-  const int widest = digits + 1 < NARROWEST - 1 ? digits + 1 : NARROWEST - 1;
-  for (int place = NARROWEST; place >= widest; place--) {
-    const double width = pow(10, -place);
-    int low = 0, high = 0;
-    tp_limit_outcome outcome = prove_side(&low, r, estimate * (1 - width), degrees);
-    if (outcome == TP_LIMIT_PROVEN) {
-      outcome = prove_side(&high, r, estimate * (1 + width), degrees);
-    }
-    if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) return outcome;
-    if (low <= 0 || high >= 0) continue;
-    arb_set_d(factor, estimate);
-    mag_set_d(arb_radref(factor), 1.001 * width * estimate); /* the rounded ends lie within */
-    return TP_LIMIT_PROVEN;
+  enum { NARROWEST = 43, SPARE = 5 }; /* 2^-43 is about 10^-13 */
+  const double place = 3.33;          /* bits to a decimal place, a little more than it takes */
+  arf_t about;
+  arf_init(about);
+  arf_set_d(about, estimate);
+  const slong widest = (slong)(place * (digits + 1)) + 1;
+  slong places = NARROWEST;
+  tp_limit_outcome outcome = TP_LIMIT_PROVEN;
+  if (widest >= NARROWEST) {
+    places = widest + (slong)(place * SPARE);
+    outcome = refine(about, r, degrees, digits + 2 * SPARE);
   }
-  return TP_LIMIT_OPEN;
+  bool proven = false;
+  for (; places >= widest && !proven; places -= 3) {
+    if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) break;
+    outcome = prove_about(factor, &proven, r, about, places, degrees);
+  }
+  arf_clear(about);
+  if (proven) return TP_LIMIT_PROVEN;
+  return outcome == TP_LIMIT_PROVEN ? TP_LIMIT_OPEN : outcome;
 }
 
 static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
@@ -145,11 +230,16 @@ static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r
     return enclose(factor, r, exp(solve(r, low, high, at_low, at_high)), degrees, digits);
   }
   *kind = at_low > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
-  int side = 0;
-  const tp_limit_outcome outcome =
-      prove_side(&side, r, at_low > 0 ? most_factor : least_factor, degrees);
+  limit_at at;
+  arf_t end;
+  arb_init(at.degrees);
+  arf_init(end);
+  arf_set_d(end, at_low > 0 ? most_factor : least_factor);
+  const tp_limit_outcome outcome = find_at(&at, r, end, degrees);
+  arf_clear(end);
+  arb_clear(at.degrees);
   if (outcome != TP_LIMIT_PROVEN) return outcome;
-  return side == (at_low > 0 ? 1 : -1) ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
+  return at.side == (at_low > 0 ? 1 : -1) ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
 }
 
 tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,

@@ -19,7 +19,7 @@ typedef enum tp_reduction_kind {
 } tp_reduction_kind;
 
 /* The question's cones are scaled for it and left as they were. `degrees` is the tilt; `factor` is
- * known to 10^-digits of its size, or 1e-12. */
+ * known to 10^-digits of its size. */
 tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
                                    const tp_limit_question *question, tp_cones *cones,
                                    const arb_t degrees, int digits);

@@ -156,22 +156,71 @@ static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limi
   return found;
 }
 
+/* From doubles to 10^-digits degrees, by secants of image less tilt. Search alone: the proof comes
+ * after it. */
+static void refine(arf_t tilt, const tp_evaluation *e, tp_friction_limit limit, void *context,
+                   bool back, int digits) {
+  enum { MOST_STEPS = 64 };
+  const long bits = e->rung.bits;
+  arb_t angle, image;
+  arf_t step, value, before;
+  arb_init(angle);
+  arb_init(image);
+  arf_init(step);
+  arf_init(value);
+  arf_init(before);
+  for (int k = 0; k < MOST_STEPS; k++) {
+    arb_set_arf(image, tilt);
+    if (back) arb_neg(image, image);
+    tp_friction_at(angle, e, image);
+    if (!limit(image, context, angle, false)) break;
+    arf_swap(before, value);
+    arf_sub(value, arb_midref(image), tilt, bits, ARF_RND_NEAR);
+    if (k == 0) {
+      arf_set(step, value);
+    } else { /* - value (last step) / (value - before) */
+      arf_sub(before, before, value, bits, ARF_RND_NEAR);
+      if (arf_is_zero(before)) break;
+      arf_mul(step, step, value, bits, ARF_RND_NEAR);
+      arf_div(step, step, before, bits, ARF_RND_NEAR);
+    }
+    if (arf_cmpabs_2exp_si(step, -(slong)(3.33 * digits)) < 0) break;
+    arf_add(tilt, tilt, step, bits, ARF_RND_NEAR);
+  }
+  arb_clear(angle);
+  arb_clear(image);
+  arf_clear(step);
+  arf_clear(value);
+  arf_clear(before);
+}
+
+/* Widths in degrees to either side of the estimate: from what doubles tell apart to 10^-9, or, for
+ * more digits than that, from some more than are asked for. */
 bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit limit, void *context,
                       bool back) {
-  static const double narrowest = 1e-14, widest = 1e-9; /* degrees to either side */
-  double estimate = 0;
-  if (!iterate(&estimate, e, limit, context, back)) return false;
+  enum { NARROWEST = 46, WIDEST = 30, DIGITS_OF_DOUBLE = 11, SPARE = 5 }; /* 2^-46 is 1.4e-14 */
+  double start = 0;
+  if (!iterate(&start, e, limit, context, back)) return false;
+  const bool many = e->digits > DIGITS_OF_DOUBLE;
+  const slong widest = many ? (slong)(3.33 * (e->digits + SPARE)) : WIDEST;
+  const slong narrowest = many ? widest + (slong)(3.33 * SPARE) : NARROWEST;
+  arf_t estimate;
   arb_t interval, image;
+  arf_init(estimate);
   arb_init(interval);
   arb_init(image);
+  arf_set_d(estimate, start);
+  if (many) refine(estimate, e, limit, context, back, e->digits + 3 * SPARE);
   bool found = false;
-  for (double width = narrowest; width <= widest && !found; width *= 10) {
-    arb_set_d(interval, back ? -estimate : estimate);
-    mag_set_d(arb_radref(interval), width);
+  for (slong places = narrowest; places >= widest && !found; places -= 3) {
+    arb_set_arf(interval, estimate);
+    if (back) arb_neg(interval, interval);
+    mag_set_ui_2exp_si(arb_radref(interval), 1, -places);
     tp_friction_at(degrees, e, interval);
     if (back) arb_neg(interval, interval);
     found = limit(image, context, degrees, false) && arb_contains(interval, image);
   }
+  arf_clear(estimate);
   arb_clear(interval);
   arb_clear(image);
   return found;

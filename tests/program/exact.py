@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """An independent route to Topple's numbers: rationals of Python's fractions, functions of its
-decimal at 60 digits. Written from the mechanics, sharing no code and no library with Topple."""
+decimal at 60 digits or as many as asked. Written from the mechanics, sharing no code and no library with Topple."""
 
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
 getcontext().prec = 60
 GUARD = Decimal(10) ** -58
+
+
+def set_digits(digits):
+    """Compute with so many digits from here on."""
+    global GUARD, PI
+    getcontext().prec = digits
+    GUARD = Decimal(10) ** (2 - digits)
+    PI = 4 * atan(Decimal(1))
 
 
 def decimal(value):
