@@ -104,13 +104,19 @@ static bool whole_basis(tp_basis *basis, const tp_limit_question *q, const tp_pr
  * the data. */
 static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q,
                              const tp_program *p, tp_sketch *sketch) {
-  const tp_simplex_answer sketched = tp_program_solve(p, sketch);
-  tp_basis basis = tp_basis_of(&sketched);
+  tp_basis basis;
+  tp_answer done = TP_OPEN;
   answer->violated = -1;
-  tp_answer done = judge_basis(answer, q, p, sketch, &basis);
-  if (done == TP_NO && q->cones->allowance_count == 0) done = repair(answer, q, p, sketch, &basis);
+  if (!q->without_doubles) {
+    const tp_simplex_answer sketched = tp_program_solve(p, sketch);
+    basis = tp_basis_of(&sketched);
+    done = judge_basis(answer, q, p, sketch, &basis);
+    if (done == TP_NO && q->cones->allowance_count == 0)
+      done = repair(answer, q, p, sketch, &basis);
+  }
   /* with fewer bits, doubling them is cheaper */
-  if (done != TP_YES && q->judge.bits >= LEAST_BITS && sketch->count <= WHOLE_PROGRAM) {
+  const bool whole = q->judge.bits >= LEAST_BITS && sketch->count <= WHOLE_PROGRAM;
+  if (done != TP_YES && (whole || q->without_doubles)) {
     if (!whole_basis(&basis, q, p)) return TP_LIMIT_FAILED;
     done = judge_basis(answer, q, p, sketch, &basis);
   }

@@ -20,6 +20,7 @@ typedef struct tp_limit_question {
   const tp_wrench *load;
   arb_srcptr range;
   tp_judge judge;
+  bool without_doubles; /* by the exact program of all columns from the start */
 } tp_limit_question;
 
 typedef struct tp_limit_answer {

@@ -84,6 +84,10 @@ void tp_direction_ball_clear(tp_direction_ball *angle);
 int tp_evaluation_compare(tp_evaluation *evaluation, const tp_direction_ball *a,
                           const tp_direction_ball *b);
 
+/* The moments of the block as it is, with arcs and rounded corners: into `moments`. Sums at the
+ * rung's level, or exactly where that is allowed by it and cheaper. */
+void tp_evaluate_moments(tp_evaluation *evaluation);
+
 /* The block, its teeth and its contact. */
 void tp_evaluate_block(tp_evaluation *evaluation, tp_solution *solution);
 void tp_evaluate_contact(tp_evaluation *evaluation, tp_solution *solution);
@@ -91,6 +95,10 @@ void tp_evaluate_contact(tp_evaluation *evaluation, tp_solution *solution);
 /* Pivots of one direction of tilt; the critical angle of the governing one is left in `toppling`,
  * where there is one. */
 void tp_evaluate_pivots(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *toppling);
+
+/* Critical angle of turning about one lattice point. */
+void tp_evaluate_turning(tp_evaluation *evaluation, tp_direction towards, long point,
+                         tp_direction_ball *angle);
 
 /* Critical angle of the governing pivot alone; false where no pivot is admissible. */
 bool tp_evaluate_toppling(tp_evaluation *evaluation, tp_direction towards,

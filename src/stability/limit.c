@@ -8,6 +8,7 @@
 #include "limit/reduction.h"
 #include "number/ball.h"
 #include "stability/friction.h"
+#include "stability/limit_asked.h"
 #include "stability/limit_cones.h"
 #include "stability/limit_result.h"
 #include "stability/loaded.h"
@@ -52,25 +53,6 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_clear(x);
   arb_clear(y);
   arb_clear(angle);
-}
-
-/* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
- * with (X6, Y6) = 3 A2 times the centroid. */
-static void set_weight(tp_wrench *load, const tp_evaluation *e, bool mirrored) {
-  const arb_struct *sums = e->moments.weighted;
-  const long bits = tp_evaluation_bits(e);
-  arb_mul_si(load->x.of + TP_SIN, sums + TP_A2, -3, bits);
-  arb_set(load->y.of + TP_COS, load->x.of + TP_SIN);
-  arb_neg(load->moment.of + TP_COS, sums + TP_X6);
-  if (mirrored) arb_neg(load->moment.of + TP_COS, load->moment.of + TP_COS);
-  arb_set(load->moment.of + TP_SIN, sums + TP_Y6);
-}
-
-/* From here on, what the bits do not tell from zero is zero: a tie of mechanisms then is one. */
-static bool is_settled(const tp_evaluation *e) {
-  enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160 };
-  return e->rung.bits >=
-         (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS);
 }
 
 /* One question about a case, and the answer that is being found. */
@@ -175,23 +157,6 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
   angle->exact_direction = e->loaded == NULL && !a->answer->tie;
 }
 
-/* The loads as functions of the tilt turned back: sines change their sign. */
-static void turn_back(tp_wrench *load) {
-  tp_trig *parts[] = {&load->x, &load->y, &load->moment};
-  for (int k = 0; k < 3; k++) arb_neg(parts[k]->of + TP_SIN, parts[k]->of + TP_SIN);
-}
-
-static void set_load(tp_wrench *load, const tp_evaluation *e, tp_direction towards, bool back) {
-  if (e->loaded == NULL) {
-    set_weight(load, e, towards == TP_TOWARDS_RIGHT);
-  } else {
-    tp_trig_add(&load->x, &e->loaded->sum.x, e->rung.bits);
-    tp_trig_add(&load->y, &e->loaded->sum.y, e->rung.bits);
-    tp_trig_add(&load->moment, &e->loaded->sum.moment, e->rung.bits);
-  }
-  if (back) turn_back(load);
-}
-
 /* What several questions about one contact share. */
 typedef struct contact_forces {
   tp_cones cones;
@@ -224,28 +189,17 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, co
                 tp_direction towards, variant v) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, &c->cones)) return false;
-  tp_wrench load;
-  arb_t range;
-  tp_wrench_init(&load);
-  arb_init(range);
-  set_load(&load, e, towards, v.back);
-  if (e->loaded != NULL) arb_set(range, e->loaded->limit);
-  tp_limit_question question = {
-      .cones = &c->cones,
-      .load = &load,
-      .range = range,
-      .judge = {.bits = e->rung.bits,
-                .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
-                .settled = is_settled(e)}};
-  asking a = {e, &c->cones, &question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
-  if (share_sketch(c, &question, e)) {
+  tp_limit_asked asked;
+  tp_limit_asked_init(&asked, &c->cones, e, towards, v.back);
+  tp_limit_question *question = &asked.question;
+  asking a = {e, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
+  if (share_sketch(c, question, e)) {
     a.outcome = TP_LIMIT_PROVEN;
     find_limit(result, &a);
     describe(result, angle, &a, towards);
   }
   if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) reduce_strength(result, &a);
-  tp_wrench_clear(&load);
-  arb_clear(range);
+  tp_limit_asked_clear(&asked);
   tp_limit_answer_clear(&answer);
   return a.outcome != TP_LIMIT_OUT_OF_MEMORY;
 }

@@ -23,7 +23,8 @@ static void loaded_angle(tp_evaluation *e, long point, tp_direction_ball *angle,
 
 /* Lever arms of the weight about a lattice point, times 3 A2 > 0: the direction of the critical
  * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
-static void arms(tp_evaluation *e, tp_direction towards, long point, tp_direction_ball *angle) {
+void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long point,
+                         tp_direction_ball *angle) {
   const long exact = tp_evaluation_bits(e);
   if (e->loaded != NULL) {
     tp_roots roots;
@@ -123,7 +124,7 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   *tie = false;
   for (long k = 0; k < contact->point_count; k++) {
     if (!e->admissible[towards][k]) continue;
-    arms(e, towards, contact->points[k].point, &angle);
+    tp_evaluate_turning(e, towards, contact->points[k].point, &angle);
     const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
     if (side == 0) *tie = e->loaded == NULL || !arb_is_exact(angle.degrees); /* both never */
     if (side >= 0) continue;
@@ -174,7 +175,7 @@ static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *piv
     tp_loaded_pivot(pivot, e->loaded, e, point, angle->degrees, &roots);
     tp_roots_clear(&roots);
   } else {
-    arms(e, towards, point, angle);
+    tp_evaluate_turning(e, towards, point, angle);
     pivot->fos_resultant = resultant_form(e, angle, t);
     pivot->fos_elements = elements_form(e, towards, point, t);
   }

@@ -186,22 +186,18 @@ static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   return done;
 }
 
-/* Rounded corners have no exact moments: balls of the rung's precision stand in. */
-static void evaluate_corners(tp_evaluation *e, const climb *c) {
-  const tp_problem *problem = c->problem;
+/* Where the axes of rounded corners lie decides which of them may govern. */
+static void find_admissible(tp_evaluation *e, const climb *c) {
   const double began = tp_effects_now();
-  tp_corners_take_off(&e->moments, &problem->corners, &problem->section, &problem->lattice,
-                      e->rung.bits);
   for (int d = 0; d < 2; d++) {
     tp_evaluate_admissible(e, c->admissible[d], d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT);
     e->admissible[d] = c->admissible[d];
   }
-  tp_effects_note(c->solution, "rounding", problem->scene->block.rounded.place, "", began);
+  tp_effects_note(c->solution, "rounding", c->problem->scene->block.rounded.place, "", began);
 }
 
 static tp_status step(void *context, tp_rung rung, bool *certain) {
   const climb *c = context;
-  const bool rounded = c->problem->corners.count > 0;
   if (tp_problem_is_enclosed(c->problem) && rung.level == TP_LEVEL_EXACT)
     rung.level = TP_LEVEL_BALL;
   tp_evaluation evaluation = {.problem = c->problem,
@@ -214,13 +210,8 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .admissible = {c->problem->admissible[0], c->problem->admissible[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
-  tp_moments_evaluate(&evaluation.moments, &c->problem->section, &c->problem->lattice,
-                      c->problem->scene->metres_per_unit, rung);
-  if (c->problem->section.arc_tips.count > 0) {
-    tp_arcs_take_off(&evaluation.moments, &c->problem->section, &c->problem->lattice,
-                     c->problem->scene->metres_per_unit, rung.bits);
-  }
-  if (rounded) evaluate_corners(&evaluation, c);
+  tp_evaluate_moments(&evaluation);
+  if (c->problem->corners.count > 0) find_admissible(&evaluation, c);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
   evaluation.weight_per_area_pa = c->solution->contact.weight_per_nominal_area_pa;

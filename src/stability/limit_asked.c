@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/limit_asked.h"
+
+#include "stability/loaded.h"
+
+/* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
+ * with (X6, Y6) = 3 A2 times the centroid. */
+static void set_weight(tp_wrench *load, const tp_evaluation *e, bool mirrored) {
+  const arb_struct *sums = e->moments.weighted;
+  const long bits = tp_evaluation_bits(e);
+  arb_mul_si(load->x.of + TP_SIN, sums + TP_A2, -3, bits);
+  arb_set(load->y.of + TP_COS, load->x.of + TP_SIN);
+  arb_neg(load->moment.of + TP_COS, sums + TP_X6);
+  if (mirrored) arb_neg(load->moment.of + TP_COS, load->moment.of + TP_COS);
+  arb_set(load->moment.of + TP_SIN, sums + TP_Y6);
+}
+
+/* The loads as functions of the tilt turned back: sines change their sign. */
+static void turn_back(tp_wrench *load) {
+  tp_trig *parts[] = {&load->x, &load->y, &load->moment};
+  for (int k = 0; k < 3; k++) arb_neg(parts[k]->of + TP_SIN, parts[k]->of + TP_SIN);
+}
+
+/* From here on, what the bits do not tell from zero is zero: a tie of mechanisms then is one. */
+static bool is_settled(const tp_evaluation *e) {
+  enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160 };
+  return e->rung.bits >=
+         (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS);
+}
+
+void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_evaluation *e,
+                         tp_direction towards, bool back) {
+  tp_wrench *load = &asked->load;
+  tp_wrench_init(load);
+  arb_init(asked->range);
+  if (e->loaded == NULL) {
+    set_weight(load, e, towards == TP_TOWARDS_RIGHT);
+  } else {
+    tp_trig_add(&load->x, &e->loaded->sum.x, e->rung.bits);
+    tp_trig_add(&load->y, &e->loaded->sum.y, e->rung.bits);
+    tp_trig_add(&load->moment, &e->loaded->sum.moment, e->rung.bits);
+    arb_set(asked->range, e->loaded->limit);
+  }
+  if (back) turn_back(load);
+  asked->question = (tp_limit_question){
+      .cones = cones,
+      .load = load,
+      .range = asked->range,
+      .judge = {.bits = e->rung.bits,
+                .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
+                .settled = is_settled(e)}};
+}
+
+void tp_limit_asked_clear(tp_limit_asked *asked) {
+  tp_wrench_clear(&asked->load);
+  arb_clear(asked->range);
+}
