@@ -251,6 +251,7 @@ TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *sol
 }
 #endif
 
+#include "topple_accuracy.h"
 #include "topple_chart.h"
 #include "topple_derive.h"
 #include "topple_figure.h"

@@ -11,6 +11,7 @@
 enum { TP_EXIT_REFUTED = 1, TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 
 /* argv[0] is the program's name followed by the command's. Returns the exit status. */
+int tp_cli_accuracy(int argc, char **argv);
 int tp_cli_chart(int argc, char **argv);
 int tp_cli_solve(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);

@@ -18,6 +18,7 @@ static const struct command {
     {"solve", "Does the block of a scene stand, slide or topple, and at which tilt?", tp_cli_solve},
     {"derive", "The closed formulas behind that, in the scene's parameters", tp_cli_derive},
     {"verify", "Verdicts on printed formulas and numbers, each proven", tp_cli_verify},
+    {"accuracy", "What accuracy costs: time, bound and true error by price", tp_cli_accuracy},
     {"chart", "Factors of safety and mechanism maps as figures", tp_cli_chart},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };

@@ -161,6 +161,7 @@ static void add_style(tp_text *t, const tp_chart_style *style) {
 }
 
 static void add_axis(tp_text *t, const tp_panel_axis *axis, char name) {
+  tp_text_add(t, "%s logscale %c\n", axis->logarithmic ? "set" : "unset", name);
   tp_text_add(t, "set %crange [%.12g:%.12g]\n", name, axis->range.from, axis->range.to);
   if (axis->tick > 0) {
     tp_text_add(t, "set %ctics %.12g\n", name, axis->tick);

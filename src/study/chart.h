@@ -59,6 +59,7 @@ typedef struct tp_panel_axis {
   bool plain;        /* a user's text: no markup */
   tp_chart_range range;
   double tick; /* 0: as it comes */
+  bool logarithmic;
 } tp_panel_axis;
 
 typedef struct tp_chart_panel {

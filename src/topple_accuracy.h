@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The public library's account of what accuracy costs. Included by topple.h. */
+
+#ifndef TOPPLE_ACCURACY_H
+#define TOPPLE_ACCURACY_H
+
+#include "topple_chart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Ways to a number. */
+typedef enum tp_accuracy_method {
+  TP_ACCURACY_BOUNDARY,      /* critical angle of the sharp block, by sums along its boundary */
+  TP_ACCURACY_TRIANGLES,     /* the same by sums over its triangles, triangulating included */
+  TP_ACCURACY_ROUNDED_PAPER, /* with rounded corners: axis moved, mass kept (Appendix B) */
+  TP_ACCURACY_ROUNDED_EXACT, /* with rounded corners, their tips taken off */
+  TP_ACCURACY_LIMIT          /* static limit: in doubles, certified in balls, or exactly */
+} tp_accuracy_method;
+enum { TP_ACCURACY_METHODS = TP_ACCURACY_LIMIT + 1 };
+
+const char *tp_accuracy_method_name(tp_accuracy_method method);
+
+/* One way at one price. Angles are in degrees; logarithms serve where doubles underflow, and are
+ * -INFINITY for 0. */
+typedef struct tp_accuracy_run {
+  tp_accuracy_method method;
+  tp_level level; /* of the sums; of a limit: double unproven, ball certified, exact program */
+  long bits;      /* working precision of what follows the sums */
+  size_t vertices;
+  double seconds;                      /* of one evaluation: median of several */
+  bool has_bound;                      /* a limit in doubles alone has none */
+  double bound, log10_bound;           /* proven, rounded up */
+  double true_error, log10_true_error; /* against the exact value */
+} tp_accuracy_run;
+
+/* What the ways of one method come to, at every price within its bound. */
+typedef struct tp_accuracy_value {
+  tp_accuracy_method method;
+  size_t vertices;
+  tp_bounded angle_deg;
+} tp_accuracy_value;
+
+typedef struct tp_accuracy {
+  char *title; /* of the scene, or NULL */
+  bool sweep;  /* over sizes, not of one scene */
+  tp_direction towards;
+  size_t run_count, value_count;
+  tp_accuracy_run *runs;
+  tp_accuracy_value *values;
+} tp_accuracy;
+
+/* Measure every method that the scene calls for, in the first direction in which it tilts. The
+ * exact value is one at 6144 bits. TP_NO_ANSWER where the scene has neither a critical angle nor a
+ * limit. */
+TP_MUST_USE tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene,
+                                           tp_message *message);
+
+/* The same for blocks on rough bases of `least` to `most` vertices (10 to 10^7), in steps of ten.
+ * What costs more than some seconds is left out: triangles beyond 10^6 vertices, the limit beyond
+ * 10^5. */
+TP_MUST_USE tp_status tp_accuracy_sweep(tp_accuracy **accuracy, size_t least, size_t most,
+                                        tp_message *message);
+void tp_accuracy_free(tp_accuracy *accuracy);
+
+TP_MUST_USE tp_status tp_report_accuracy(char **text, const tp_accuracy *accuracy);
+TP_MUST_USE tp_status tp_report_accuracy_json(char **text, const tp_accuracy *accuracy);
+
+/* Time against digits; or of a sweep, time and bound against size. */
+TP_MUST_USE tp_status tp_chart_accuracy(tp_chart **chart, const tp_accuracy *accuracy,
+                                        tp_message *message);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
