@@ -127,7 +127,8 @@ static double upwards(const mag_t size) {
 
 static double log10_of(const mag_t size) {
   static const double log10_of_2 = 0.30102999566398120;
-  return mag_is_zero(size) ? -INFINITY : log10_of_2 * mag_get_d_log2_approx(size);
+  if (mag_is_zero(size)) return -INFINITY;
+  return log10_of_2 * (log2((double)MAG_MAN(size)) - MAG_BITS + fmpz_get_d(MAG_EXPREF(size)));
 }
 
 static void judge(tp_accuracy_run *run, const arb_t degrees, const arb_t truth) {
