@@ -238,6 +238,9 @@ TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
                                const tp_solve_options *options, tp_message *message);
 void tp_solution_free(tp_solution *solution);
 
+/* Did the precision allowed leave a mechanism open? Every number given is certain all the same. */
+bool tp_solution_is_undecided(const tp_solution *solution);
+
 /* Reports: `*text` is allocated with malloc and is the caller's to free. */
 TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);

@@ -7,6 +7,7 @@
 
 #include <argp.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -167,6 +168,14 @@ static const struct argp parser = {
            "number is certain to all digits printed; --json gives each with its proven error "
            "bound. Exit status: 0 done, 2 wrong usage, 3 bad input, 4 undecided, 5 system failed."};
 
+/* After the report: what it leaves open is a failure of its own. */
+static int end_undecided(const tp_solution *solution, const char *scene, int written) {
+  if (written != 0 || !tp_solution_is_undecided(solution)) return written;
+  fprintf(stderr, "topple: %s: undecided at %ld bits: the mechanism, by contact forces\n", scene,
+          solution->bits);
+  return tp_status_exit(TP_UNDECIDED);
+}
+
 static tp_status print_solution(const tp_solution *solution, const arguments *a, int *written) {
   char *report = NULL, *account = NULL;
   tp_status status =
@@ -174,6 +183,7 @@ static tp_status print_solution(const tp_solution *solution, const arguments *a,
   if (status == TP_OK && a->elements && !a->json) status = tp_report_elements(&account, solution);
   if (status == TP_OK) *written = tp_cli_print(report);
   if (status == TP_OK && *written == 0 && account != NULL) *written = tp_cli_print(account);
+  if (status == TP_OK) *written = end_undecided(solution, a->scene, *written);
   free(report);
   free(account);
   return status;
@@ -222,6 +232,9 @@ static tp_status print_table(const arguments *a, int *written, tp_message *messa
     status = tp_report_table(&report, (const tp_solution *const *)solutions, count);
   }
   if (status == TP_OK) *written = tp_cli_print(report);
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    *written = end_undecided(solutions[k], a->scenes[k], *written);
+  }
   free(report);
   for (size_t k = 0; solutions != NULL && k < count; k++) tp_solution_free(solutions[k]);
   free(solutions);

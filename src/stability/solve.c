@@ -7,6 +7,7 @@
 #include "number/ladder.h"
 #include "stability/effects.h"
 #include "stability/loaded.h"
+#include "stability/solution.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,110 +15,6 @@
 tp_solve_options tp_solve_options_default(void) {
   return (tp_solve_options){
       .limit = true, .strength_reduction = true, .digits = 9, .level = TP_LEVEL_EXACT};
-}
-
-void tp_solution_free(tp_solution *solution) {
-  if (solution == NULL) return;
-  for (size_t k = 0; k < solution->case_count; k++) {
-    free(solution->cases[k].pivots);
-    free(solution->cases[k].account.elements);
-    free(solution->cases[k].loads);
-    free(solution->cases[k].limits);
-  }
-  tp_decimals_free(solution->decimals);
-  free(solution->title);
-  free(solution);
-}
-
-static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp_message *message) {
-  solution->length_unit = scene->length_unit;
-  solution->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
-  solution->has_tilt_angle = scene->tilt_angle_deg.given;
-  solution->tilt_angle_deg = tp_evaluation_rational(scene->tilt_angle_deg.value);
-  solution->has_friction = scene->friction_angle_deg.given;
-  solution->friction_angle_deg = tp_evaluation_rational(scene->friction_angle_deg.value);
-  solution->friction_is_residual = scene->friction.load_dependent;
-  if (scene->title == NULL) return TP_OK;
-  solution->title = strdup(scene->title);
-  return solution->title != NULL ? TP_OK : tp_fail_memory(message, "the solution");
-}
-
-static tp_bounded teeth_length(const tp_scene *scene, const fmpq_t value, long numerator,
-                               const fmpq_t added, unsigned long denominator) {
-  fmpq_t length;
-  fmpz_t factor;
-  fmpq_init(length);
-  fmpz_init_set_si(factor, numerator);
-  fmpq_mul_fmpz(length, value, factor);
-  if (added != NULL) {
-    fmpz_set_ui(factor, denominator);
-    fmpq_t part;
-    fmpq_init(part);
-    fmpq_div_fmpz(part, added, factor);
-    fmpq_add(length, length, part);
-    fmpq_clear(part);
-  }
-  fmpq_mul(length, length, scene->metres_per_unit);
-  const tp_bounded result = tp_evaluation_rational(length);
-  fmpq_clear(length);
-  fmpz_clear(factor);
-  return result;
-}
-
-/* Both descriptions of a toothed block (section 5.1 of the paper): dx = N a, y = b + c / 2, A = c,
- * lambda = 2 a. */
-static void describe_teeth(tp_solution *solution, const tp_scene *scene) {
-  tp_teeth_result *result = &solution->teeth;
-  const tp_teeth *teeth = &scene->block.teeth;
-  result->known = scene->block.form == TP_OUTLINE_TEETH;
-  if (!result->known) return;
-  result->count = (size_t)teeth->count;
-  result->width_m = teeth_length(scene, teeth->width, 1, NULL, 1);
-  result->height_m = teeth_length(scene, teeth->height, 1, NULL, 1);
-  result->depth_m = result->amplitude_m = teeth_length(scene, teeth->depth, 1, NULL, 1);
-  result->block_width_m = teeth_length(scene, teeth->width, teeth->count, NULL, 1);
-  result->mean_height_m = teeth_length(scene, teeth->height, 1, teeth->depth, 2);
-  result->wavelength_m = teeth_length(scene, teeth->width, 2, NULL, 1);
-  const bool right_valley = (teeth->count % 2 == 0) == teeth->left_end_valley;
-  result->left_end = teeth->left_end_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
-  result->right_end = right_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
-}
-
-/* What is exact about the pivots, once for all rungs. */
-static void describe_pivots(tp_case *own, const tp_problem *problem) {
-  for (size_t k = 0; k < own->pivot_count; k++) {
-    const tp_contact_point *p = problem->contact.points + k;
-    own->pivots[k] = (tp_pivot){.kind = p->kind,
-                                .x_m = tp_evaluation_x(problem, p->point),
-                                .y_m = tp_evaluation_y(problem, p->point)};
-  }
-}
-
-static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bool account,
-                            tp_message *message) {
-  const bool asked[2] = {problem->scene->towards_left, problem->scene->towards_right};
-  for (int d = 0; d < 2; d++) {
-    if (!asked[d]) continue;
-    tp_case *own = solution->cases + solution->case_count++;
-    own->towards = d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-    own->pivot_count = (size_t)problem->contact.point_count;
-    own->pivots = calloc(own->pivot_count, sizeof *own->pivots);
-    if (own->pivots == NULL) return tp_fail_memory(message, "the pivots");
-    describe_pivots(own, problem);
-    if (problem->loaded) {
-      own->loads = calloc((size_t)tp_loaded_account_count(problem->scene), sizeof *own->loads);
-      own->limits = calloc(own->pivot_count * TP_ROOTS_MAX, sizeof *own->limits);
-      if (own->loads == NULL || own->limits == NULL) return tp_fail_memory(message, "the loads");
-      for (size_t k = 0; k < own->pivot_count; k++) {
-        own->pivots[k].limits_deg = own->limits + k * TP_ROOTS_MAX;
-      }
-    }
-    if (!account) continue;
-    own->account.elements =
-        calloc((size_t)problem->elements.count + 1, sizeof *own->account.elements);
-    if (own->account.elements == NULL) return tp_fail_memory(message, "the elements");
-  }
-  return TP_OK;
 }
 
 /* A limit that a lower rung made certain, its mechanism included. */
@@ -282,17 +179,8 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
 
 tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
                            const tp_solve_options *options, tp_message *message) {
-  tp_status status = describe_scene(solution, problem->scene, message);
-  describe_teeth(solution, problem->scene);
-  solution->loaded = problem->loaded;
-  solution->digits = options->digits;
-  if (status == TP_OK && options->digits > TP_DECIMALS_OF_DOUBLE) {
-    solution->decimals = tp_decimals_new(options->digits);
-    if (solution->decimals == NULL) status = tp_fail_memory(message, "the digits");
-  }
-  if (status == TP_OK) status = make_cases(solution, problem, options->elements, message);
-  if (status == TP_OK) status = climb_ladder(problem, options, solution, message);
-  return status;
+  const tp_status status = tp_solution_describe(solution, problem, options, message);
+  return status == TP_OK ? climb_ladder(problem, options, solution, message) : status;
 }
 
 static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
