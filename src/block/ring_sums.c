@@ -41,11 +41,20 @@ const tp_degree tp_sum_degree[TP_SUM_COUNT] = {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {
 #define ADD_PRODUCT(r, a, b) arb_addmul(r, a, b, bits)
 #include "block/ring_sums_in.h"
 
+void tp_ring_sums_exact_first(fmpz *sums, const fmpz *x, const fmpz *y, long count, int sum_count) {
+  exact_sums(sums, x, y, count, 0, sum_count);
+}
+
 void tp_ring_sums_exact(fmpz sums[TP_SUM_COUNT], const fmpz *x, const fmpz *y, long count) {
-  exact_sums(sums, x, y, count, 0);
+  exact_sums(sums, x, y, count, 0, TP_SUM_COUNT);
+}
+
+void tp_ring_sums_ball_first(arb_struct *sums, const fmpz *x, const fmpz *y, long count, long bits,
+                             int sum_count) {
+  ball_sums(sums, x, y, count, bits, sum_count);
 }
 
 void tp_ring_sums_ball(arb_struct sums[TP_SUM_COUNT], const fmpz *x, const fmpz *y, long count,
                        long bits) {
-  ball_sums(sums, x, y, count, bits);
+  ball_sums(sums, x, y, count, bits, TP_SUM_COUNT);
 }

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moment sums over the boundary of a ring, in three arithmetics.
+/* Moment sums over the boundary of a ring, in four arithmetics.
  *
  * With c = x_k y_{k+1} - x_{k+1} y_k over the edges of a counter-clockwise ring (Green's theorem;
  * mechanics section 2), each sum is a ring expression without division:
  *     A2 = sum c = 2 int dA,                X6 = sum (x_k + x_{k+1}) c = 6 int x dA,   Y6 likewise,
  *     XX12 = sum (x_k^2 + x_k x_{k+1} + x_{k+1}^2) c = 12 int x^2 dA,                YY12 likewise,
  *     XY24 = sum (x_k y_{k+1} + x_{k+1} y_k + 2 x_k y_k + 2 x_{k+1} y_{k+1}) c = 24 int x y dA.
- * Cost per vertex: double about 2 ns, exact some 100 ns, balls some 300 ns. */
+ * Each entry has a `_first` form for the first `sum_count` of them alone: TP_AREA_SUM_COUNT, which
+ * give area and centroid, or TP_SUM_COUNT. */
 
 #ifndef TP_RING_SUMS_H
 #define TP_RING_SUMS_H
@@ -18,6 +19,7 @@
 #include <stdbool.h>
 
 enum { TP_A2, TP_X6, TP_Y6, TP_XX12, TP_YY12, TP_XY24, TP_SUM_COUNT };
+enum { TP_AREA_SUM_COUNT = TP_Y6 + 1 };
 
 /* Degree of each sum in x and in y. */
 typedef struct tp_degree {
@@ -27,10 +29,33 @@ extern const tp_degree tp_sum_degree[TP_SUM_COUNT];
 
 /* Exactly. The sums must be initialised. */
 void tp_ring_sums_exact(fmpz sums[TP_SUM_COUNT], const fmpz *x, const fmpz *y, long count);
+void tp_ring_sums_exact_first(fmpz *sums, const fmpz *x, const fmpz *y, long count, int sum_count);
 
 /* In balls of `bits` bits. */
 void tp_ring_sums_ball(arb_struct sums[TP_SUM_COUNT], const fmpz *x, const fmpz *y, long count,
                        long bits);
+void tp_ring_sums_ball_first(arb_struct *sums, const fmpz *x, const fmpz *y, long count, long bits,
+                             int sum_count);
+
+/* Which of the instruction sets of this machine; every one gives the same bits. */
+typedef enum tp_instructions {
+  TP_INSTRUCTIONS_BEST,
+  TP_INSTRUCTIONS_BASELINE,
+  TP_INSTRUCTIONS_AVX2, /* with FMA */
+  TP_INSTRUCTIONS_AVX512,
+  TP_INSTRUCTIONS_COUNT
+} tp_instructions;
+
+/* Can this machine run them? */
+bool tp_instructions_present(tp_instructions set);
+
+/* How the two forms in double go about their work; the result does not depend on `instructions`
+ * and `threads`. Only sets that are present may be asked for. */
+typedef struct tp_sums_plan {
+  int sum_count; /* TP_AREA_SUM_COUNT or TP_SUM_COUNT */
+  tp_instructions instructions;
+  int threads; /* at most 16; 0: as many as the machine has cores, where the ring has 2^20 edges */
+} tp_sums_plan;
 
 /* In double with a proven bound: |sums[k] - truth| <= bounds[k], for coordinates that are exact
  * or (`exact` false) integers times a power of two rounded to nearest, the largest of each axis at
@@ -38,5 +63,19 @@ void tp_ring_sums_ball(arb_struct sums[TP_SUM_COUNT], const fmpz *x, const fmpz 
  * every machine. */
 void tp_ring_sums_double(double sums[TP_SUM_COUNT], double bounds[TP_SUM_COUNT], const double *u,
                          const double *v, long count, bool exact);
+void tp_ring_sums_double_first(double *sums, double *bounds, const double *u, const double *v,
+                               long count, bool exact, tp_sums_plan plan);
+
+/* The unevaluated sum high + low, |low| at most half a unit in the last place of `high`. */
+typedef struct tp_double_pair {
+  double high, low;
+} tp_double_pair;
+
+/* In pairs of doubles with a proven bound: |high + low - truth| <= bound, for coordinates that are
+ * integers of magnitude up to 2^53. The same bits on every machine. */
+void tp_ring_sums_compensated(tp_double_pair sums[TP_SUM_COUNT], double bounds[TP_SUM_COUNT],
+                              const double *u, const double *v, long count);
+void tp_ring_sums_compensated_first(tp_double_pair *sums, double *bounds, const double *u,
+                                    const double *v, long count, tp_sums_plan plan);
 
 #endif

@@ -6,12 +6,13 @@
  * ADD, SUBTRACT, MULTIPLY and ADD_PRODUCT on pointers to NUMBER. No include guard: that is meant.
  */
 
-static void FUNCTION(NUMBER *sums, const fmpz *x, const fmpz *y, long count, long bits) {
+static void FUNCTION(NUMBER *sums, const fmpz *x, const fmpz *y, long count, long bits,
+                     int sum_count) {
   (void)bits;
   enum { X0, Y0, X1, Y1, C, T, Q, REGISTERS };
   NUMBER r[REGISTERS];
   for (int k = 0; k < REGISTERS; k++) INIT(r + k);
-  for (int k = 0; k < TP_SUM_COUNT; k++) ZERO(sums + k);
+  for (int k = 0; k < sum_count; k++) ZERO(sums + k);
   if (count > 0) {
     SET_INTEGER(r + X0, x + count - 1);
     SET_INTEGER(r + Y0, y + count - 1);
@@ -21,21 +22,25 @@ static void FUNCTION(NUMBER *sums, const fmpz *x, const fmpz *y, long count, lon
     SET_INTEGER(r + Y1, y + k);
     MULTIPLY(r + C, r + X0, r + Y1); /* c */
     MULTIPLY(r + T, r + X1, r + Y0);
-    ADD(r + Q, r + C, r + T); /* x0 y1 + x1 y0, for XY24 */
+    if (sum_count == TP_SUM_COUNT) ADD(r + Q, r + C, r + T); /* x0 y1 + x1 y0, for XY24 */
     SUBTRACT(r + C, r + C, r + T);
     ADD(sums + TP_A2, sums + TP_A2, r + C);
-    MULTIPLY(r + T, r + X0, r + Y0);
-    ADD_PRODUCT(r + T, r + X1, r + Y1);
-    ADD(r + T, r + T, r + T);
-    ADD(r + Q, r + Q, r + T);
-    ADD_PRODUCT(sums + TP_XY24, r + Q, r + C);
+    if (sum_count == TP_SUM_COUNT) {
+      MULTIPLY(r + T, r + X0, r + Y0);
+      ADD_PRODUCT(r + T, r + X1, r + Y1);
+      ADD(r + T, r + T, r + T);
+      ADD(r + Q, r + Q, r + T);
+      ADD_PRODUCT(sums + TP_XY24, r + Q, r + C);
+    }
     for (int axis = 0; axis < 2; axis++) {
       NUMBER *from = r + (axis == 0 ? X0 : Y0), *to = r + (axis == 0 ? X1 : Y1);
       ADD(r + T, from, to);
       ADD_PRODUCT(sums + (axis == 0 ? TP_X6 : TP_Y6), r + T, r + C);
-      MULTIPLY(r + T, r + T, to); /* x1 (x0 + x1) + x0^2 */
-      ADD_PRODUCT(r + T, from, from);
-      ADD_PRODUCT(sums + (axis == 0 ? TP_XX12 : TP_YY12), r + T, r + C);
+      if (sum_count == TP_SUM_COUNT) {
+        MULTIPLY(r + T, r + T, to); /* x1 (x0 + x1) + x0^2 */
+        ADD_PRODUCT(r + T, from, from);
+        ADD_PRODUCT(sums + (axis == 0 ? TP_XX12 : TP_YY12), r + T, r + C);
+      }
       const NUMBER held = *from;
       *from = *to;
       *to = held;

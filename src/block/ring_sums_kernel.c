@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The kernels of the fast sums, from one source for every instruction set, and which one runs.
+ *
+ * Each set has registers of its own width and the same operations in the same order on every lane.
+ * What differs is exact: the larger of two numbers, and the error of a product. */
+
+#include "block/ring_sums_kernel.h"
+
+#include <float.h>
+#include <string.h>
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+/* The error-free transformations, and the same bits everywhere, need double to be double. */
+_Static_assert(FLT_EVAL_METHOD == 0, "double arithmetic is done in another precision");
+
+enum { BLOCK_LEVELS = 10 };
+_Static_assert(TP_BLOCK_EDGES / TP_CHUNK_EDGES == 1 << (BLOCK_LEVELS - 1), "levels of a block");
+
+/* What is gathered, lane by lane. */
+typedef struct lane_rows {
+  _Alignas(64) double row[TP_ROW_COUNT][TP_LANES];
+} lane_rows;
+
+/* `count` edges; of the first `whole`, a multiple of TP_LANES, the second ends follow in memory. */
+typedef struct span {
+  const double *u, *v;
+  long count, whole;
+  double end_u, end_v;       /* where the last edge of the ring ends */
+  double before_u, before_v; /* where the edge before the first begins */
+} span;
+
+static inline span span_of(const tp_ring *ring, long first, long count) {
+  const bool closes = first + count == ring->count;
+  const long before = (first > 0 ? first : ring->count) - 1;
+  return (span){.u = ring->u + first,
+                .v = ring->v + first,
+                .count = count,
+                .whole = (closes ? count - 1 : count) / TP_LANES * TP_LANES,
+                .end_u = ring->u[0],
+                .end_v = ring->v[0],
+                .before_u = ring->u[before],
+                .before_v = ring->v[before]};
+}
+
+/* Two lanes at a time, as every machine can. */
+typedef double couple __attribute__((vector_size(16)));
+
+static inline couple load_couple(const double *values) {
+  couple c;
+  memcpy(&c, values, sizeof c);
+  return c;
+}
+
+static inline void join_couple(couple high[1], couple low[1], couple other, couple other_low) {
+  const couple sum = *high + other, of_other = sum - *high;
+  const couple lost = (*high - (sum - of_other)) + (other - of_other);
+  *high = sum;
+  *low += lost + other_low;
+}
+
+/* Lanes k and k + 4, then k and k + 2, then the last two. */
+static inline double joined_sum(const double *lanes) {
+  const couple even = load_couple(lanes) + load_couple(lanes + 4),
+               odd = load_couple(lanes + 2) + load_couple(lanes + 6), all = even + odd;
+  return all[0] + all[1];
+}
+
+static inline double larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+static inline double joined_largest(const double *l) {
+  const double even = larger(larger(l[0], l[4]), larger(l[2], l[6])),
+               odd = larger(larger(l[1], l[5]), larger(l[3], l[7]));
+  return larger(even, odd);
+}
+
+/* The same for pairs, whose low parts are the next row. */
+static inline void join_pairs(double rows[2], const double *lanes) {
+  const double *const lower = lanes + TP_LANES;
+  couple a = load_couple(lanes), a_low = load_couple(lower), b = load_couple(lanes + 2),
+         b_low = load_couple(lower + 2);
+  join_couple(&a, &a_low, load_couple(lanes + 4), load_couple(lower + 4));
+  join_couple(&b, &b_low, load_couple(lanes + 6), load_couple(lower + 6));
+  join_couple(&a, &a_low, b, b_low);
+  join_couple(&a, &a_low, (couple){a[1], 0}, (couple){a_low[1], 0});
+  rows[0] = a[0];
+  rows[1] = a_low[0];
+}
+
+static inline __attribute__((always_inline)) void
+join_lanes(double rows[TP_ROW_COUNT], const lane_rows *lanes, int sum_count, bool pairs) {
+  for (int k = TP_ROW_MOST_U; k <= TP_ROW_MOST_V; k++) rows[k] = joined_largest(lanes->row[k]);
+  for (int k = TP_ROW_MEASURES; k < TP_ROW_SUMS; k++) rows[k] = joined_sum(lanes->row[k]);
+  for (int sum = 0; sum < sum_count; sum++) {
+    if (pairs) {
+      join_pairs(rows + TP_ROW_SUMS + 2 * sum, lanes->row[TP_ROW_SUMS + 2 * sum]);
+    } else {
+      rows[TP_ROW_SUMS + sum] = joined_sum(lanes->row[TP_ROW_SUMS + sum]);
+    }
+  }
+}
+
+#ifdef __x86_64__
+#define KERNEL(name) avx512_##name
+#define TARGET __attribute__((target("avx512f")))
+#define WIDTH 8
+#define INDEX 0, 1, 2, 3, 4, 5, 6, 7
+#define LARGER(a, b) ((VECTOR)_mm512_max_pd(a, b))
+#define LOAD_FIRST(values, count)                                                                  \
+  ((VECTOR)_mm512_maskz_loadu_pd((__mmask8)((1U << (count)) - 1), values))
+#define PRODUCT_LESS(a, b, p) ((VECTOR)_mm512_fmsub_pd(a, b, p))
+#include "block/ring_sums_block_in.h"
+#undef KERNEL
+#undef TARGET
+#undef WIDTH
+#undef INDEX
+#undef LARGER
+#undef LOAD_FIRST
+#undef PRODUCT_LESS
+
+#define KERNEL(name) avx2_##name
+#define TARGET __attribute__((target("avx2,fma")))
+#define WIDTH 4
+#define INDEX 0, 1, 2, 3
+#define LARGER(a, b) ((VECTOR)_mm256_max_pd(a, b))
+#define LOAD_FIRST(values, count)                                                                  \
+  ((VECTOR)_mm256_maskload_pd(values, (__m256i)((BITS){INDEX} < (count))))
+#define PRODUCT_LESS(a, b, p) ((VECTOR)_mm256_fmsub_pd(a, b, p))
+#include "block/ring_sums_block_in.h"
+#undef KERNEL
+#undef TARGET
+#undef WIDTH
+#undef INDEX
+#undef LARGER
+#undef LOAD_FIRST
+#undef PRODUCT_LESS
+#endif
+
+/* What every machine has: two lanes, fused products only where the whole build may use them. */
+#define KERNEL(name) baseline_##name
+#define TARGET
+#define WIDTH 2
+#define INDEX 0, 1
+#ifdef __x86_64__
+#define LARGER(a, b) ((VECTOR)_mm_max_pd(a, b))
+#else
+#define LARGER(a, b) ((VECTOR)(((BITS)(a) & ((a) > (b))) | ((BITS)(b) & ~((a) > (b)))))
+#endif
+#define LOAD_FIRST(values, count)                                                                  \
+  ((VECTOR){(count) > 0 ? (values)[0] : 0, (count) > 1 ? (values)[1] : 0})
+#ifdef __FP_FAST_FMA
+#define PRODUCT_LESS(a, b, p)                                                                      \
+  ((VECTOR){__builtin_fma((a)[0], (b)[0], -(p)[0]), __builtin_fma((a)[1], (b)[1], -(p)[1])})
+#endif
+#include "block/ring_sums_block_in.h"
+
+bool tp_instructions_present(tp_instructions set) {
+  switch (set) {
+  case TP_INSTRUCTIONS_BASELINE:
+    return true;
+#ifdef __x86_64__
+  case TP_INSTRUCTIONS_AVX2:
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  case TP_INSTRUCTIONS_AVX512:
+    return __builtin_cpu_supports("avx512f");
+#endif
+  default:
+    return false;
+  }
+}
+
+static tp_instructions best_instructions(void) {
+  if (tp_instructions_present(TP_INSTRUCTIONS_AVX512)) return TP_INSTRUCTIONS_AVX512;
+  if (tp_instructions_present(TP_INSTRUCTIONS_AVX2)) return TP_INSTRUCTIONS_AVX2;
+  return TP_INSTRUCTIONS_BASELINE;
+}
+
+tp_ring_kernel tp_ring_kernel_choose(tp_sums_plan plan, bool pairs) {
+  static const tp_ring_kernel kernels[][2][2] = {
+      [TP_INSTRUCTIONS_BASELINE] = {{baseline_plain_area, baseline_plain_all},
+                                    {baseline_pair_area, baseline_pair_all}},
+#ifdef __x86_64__
+      [TP_INSTRUCTIONS_AVX2] = {{avx2_plain_area, avx2_plain_all}, {avx2_pair_area, avx2_pair_all}},
+      [TP_INSTRUCTIONS_AVX512] = {{avx512_plain_area, avx512_plain_all},
+                                  {avx512_pair_area, avx512_pair_all}},
+#endif
+  };
+  const tp_instructions set =
+      plan.instructions != TP_INSTRUCTIONS_BEST ? plan.instructions : best_instructions();
+  return kernels[set][pairs][plan.sum_count == TP_SUM_COUNT];
+}
