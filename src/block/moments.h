@@ -20,9 +20,10 @@ typedef struct tp_moments {
 void tp_moments_init(tp_moments *moments);
 void tp_moments_clear(tp_moments *moments);
 
-/* Sums at one rung of the ladder; exact integers at TP_LEVEL_EXACT. The first chains of the lattice
- * are the rings of the section. */
+/* The first `sum_count` of the sums, TP_AREA_SUM_COUNT or TP_SUM_COUNT, at one rung of the ladder;
+ * exact integers at TP_LEVEL_EXACT. The first chains of the lattice are the rings of the section.
+ */
 void tp_moments_evaluate(tp_moments *moments, const tp_section *section, const tp_lattice *lattice,
-                         const fmpq_t metres_per_unit, tp_rung rung);
+                         const fmpq_t metres_per_unit, tp_rung rung, int sum_count);
 
 #endif

@@ -14,7 +14,8 @@ void tp_evaluate_moments(tp_evaluation *e) {
   if (rung.level == TP_LEVEL_BALL && problem->lattice.bits <= EXACT_IS_CHEAPER) {
     rung.level = TP_LEVEL_EXACT;
   }
-  tp_moments_evaluate(&e->moments, &problem->section, &problem->lattice, metres_per_unit, rung);
+  tp_moments_evaluate(&e->moments, &problem->section, &problem->lattice, metres_per_unit, rung,
+                      TP_SUM_COUNT);
   if (problem->section.arc_tips.count > 0) {
     tp_arcs_take_off(&e->moments, &problem->section, &problem->lattice, metres_per_unit, rung.bits);
   }

@@ -95,18 +95,15 @@ static void add_row(tp_chart *chart, const tp_accuracy *a, size_t from, size_t c
   }
 }
 
-/* Prices by name, beside the runs of the first method. */
+/* The prices that the legend does not tell. */
 static void add_names(tp_chart *chart, const tp_accuracy *a) {
-  for (size_t k = 0; k < a->run_count && a->runs[k].method == a->runs[0].method; k++) {
+  for (size_t k = 0; k < a->run_count; k++) {
     const tp_accuracy_run *run = a->runs + k;
+    const bool named = run->method == TP_ACCURACY_BOUNDARY && run->level < TP_LEVEL_BALL;
     const double x = digits(a, run);
-    char text[40];
-    if (!isfinite(x) || (run->level == TP_LEVEL_EXACT && run->bits < 4096)) continue;
-    if (run->level == TP_LEVEL_BALL && run->bits != 512 && run->bits != 4096) continue;
-    snprintf(text, sizeof text, run->level == TP_LEVEL_BALL ? "%s, %ld bits" : "%s",
-             tp_level_name(run->level), run->bits);
-    const bool above = run->level == TP_LEVEL_BALL;
-    tp_chart_add_label(chart, x, 1e6 * run->seconds, above ? TP_LABEL_LEFT : TP_LABEL_BELOW, text);
+    if (!isfinite(x) || (run->has_bound && !named)) continue;
+    tp_chart_add_label(chart, x, 1e6 * run->seconds, TP_LABEL_BELOW,
+                       run->has_bound ? tp_level_name(run->level) : "limit in doubles, not proven");
   }
 }
 
@@ -221,8 +218,8 @@ static void draw_sweep(tp_chart *chart, const tp_accuracy *a) {
   for (size_t k = 0; k < a->run_count; k++) {
     char text[80];
     if (!is_first(a, k)) continue;
-    snprintf(text, sizeof text, "%s, %s", tp_accuracy_method_name(a->runs[k].method),
-             tp_level_name(a->runs[k].level));
+    snprintf(text, sizeof text, "%s, %s%s", tp_accuracy_method_name(a->runs[k].method),
+             tp_level_name(a->runs[k].level), a->runs[k].has_bound ? "" : " (not proven)");
     tp_chart_add_legend(chart, text, sweep_style(a->runs + k));
   }
 }

@@ -46,7 +46,8 @@ tp_status tp_accuracy_by_boundary(arb_t degrees, bool *found, const void *subjec
   tp_evaluation e = evaluation_of(s, rung);
   const tp_problem *p = &s->problem;
   tp_moments_init(&e.moments);
-  tp_moments_evaluate(&e.moments, &p->section, &p->lattice, s->scene.metres_per_unit, rung);
+  tp_moments_evaluate(&e.moments, &p->section, &p->lattice, s->scene.metres_per_unit, rung,
+                      TP_AREA_SUM_COUNT);
   if (p->section.arc_tips.count > 0) {
     tp_arcs_take_off(&e.moments, &p->section, &p->lattice, s->scene.metres_per_unit, rung.bits);
   }

@@ -120,7 +120,7 @@ static void work_init(work *w, const char *path) {
   w->evaluation = (tp_evaluation){.problem = &w->problem, .rung = {TP_LEVEL_DOUBLE, BITS}};
   tp_moments_init(&w->evaluation.moments);
   tp_moments_evaluate(&w->evaluation.moments, &w->problem.section, &w->problem.lattice,
-                      w->scene->metres_per_unit, w->evaluation.rung);
+                      w->scene->metres_per_unit, w->evaluation.rung, TP_SUM_COUNT);
   if (!tp_limit_cones_init(&w->cones, &w->evaluation, TP_TOWARDS_LEFT, false)) {
     fail("out of memory");
   }

@@ -74,7 +74,8 @@ static tp_status find_contact(work *w) {
 static tp_status evaluate_moments(work *w, tp_rung rung) {
   tp_moments moments;
   tp_moments_init(&moments);
-  tp_moments_evaluate(&moments, &w->section, &w->lattice, w->scene->metres_per_unit, rung);
+  tp_moments_evaluate(&moments, &w->section, &w->lattice, w->scene->metres_per_unit, rung,
+                      TP_SUM_COUNT);
   tp_moments_clear(&moments);
   return TP_OK;
 }
