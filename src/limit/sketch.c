@@ -47,14 +47,59 @@ static void set_moment(arb_t moment, const tp_sketch *s, const tp_vector *of) {
   arb_clear(product);
 }
 
+/* Exact doubles: where a sketch's moments are about, and the friction rounded. With them the edges
+ * of cones at exact places take no balls. */
+typedef struct doubles {
+  bool known;
+  double x, y, friction;
+} doubles;
+
+static bool to_double(double *value, const arb_t ball) {
+  if (!arb_is_exact(ball) || arf_bits(arb_midref(ball)) > DBL_MANT_DIG ||
+      arf_cmpabs_2exp_si(arb_midref(ball), DBL_MANT_DIG) > 0) {
+    return false;
+  }
+  *value = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+  return true;
+}
+
+/* Friction known to half a unit in its last place and a little more. */
+static doubles doubles_of(const tp_sketch *s, const tp_cones *cones) {
+  enum { BITS_OF_FRICTION = 60 };
+  doubles d = {.known = false};
+  d.known =
+      to_double(&d.x, s->x) && to_double(&d.y, s->y) &&
+      (arb_is_zero(cones->friction) || arb_rel_accuracy_bits(cones->friction) >= BITS_OF_FRICTION);
+  d.friction = arf_get_d(arb_midref(cones->friction), ARF_RND_NEAR);
+  d.known = d.known && isfinite(d.friction);
+  return d;
+}
+
+/* From where moments are about to a point: each rounded once. */
+static bool away_in_double(double *dx, double *dy, const doubles *d, const tp_cones *cones,
+                           long point) {
+  if (!d->known || !to_double(dx, cones->x + point) || !to_double(dy, cones->y + point)) {
+    return false;
+  }
+  *dx -= d->x;
+  *dy -= d->y;
+  return true;
+}
+
 /* Largest distance of a contact point, or arm of the loads, from where moments are about. */
-static long length_exponent(const tp_sketch *s, const tp_cones *cones, double arm) {
+static long length_exponent(const tp_sketch *s, const tp_cones *cones, const doubles *d,
+                            double arm) {
+  double farthest = 0, dx = 0, dy = 0;
   mag_t most, own;
   arb_t away;
   arb_init(away);
   mag_init(most);
   mag_init(own);
   for (long k = 0; k < cones->count; k++) {
+    if (away_in_double(&dx, &dy, d, cones, k)) {
+      farthest = fmax(farthest, fmax(fabs(dx), fabs(dy)));
+      continue;
+    }
     arb_sub(away, cones->x + k, s->x, s->bits);
     arb_get_mag(own, away);
     mag_max(most, most, own);
@@ -62,6 +107,8 @@ static long length_exponent(const tp_sketch *s, const tp_cones *cones, double ar
     arb_get_mag(own, away);
     mag_max(most, most, own);
   }
+  mag_set_d(own, farthest); /* an upper bound */
+  mag_max(most, most, own);
   const long exponent = exponent_of(fmax(log2_of(most), arm));
   mag_clear(most);
   mag_clear(own);
@@ -109,6 +156,34 @@ static void set_column(tp_sketch *s, const tp_cones *cones, long k, tp_vector *e
   s->most[k] = scaled(entries->of, s->force_exponent - exponent);
 }
 
+/* Both edges of a cone, where its place and its facet are small whole numbers. In units of the
+ * force, which is at least |t| max(1, tan(phi)), and with w = 2^-53: tan(phi) t errs by 2 w, that
+ * and n together, at most 2, by 5 w with the rounding of the friction; a moment, of arms at most 1
+ * that err by w, by 2 (5 + 2 + 2) + 4 = 22 w. */
+static bool set_edges_in_double(tp_sketch *s, const tp_cones *cones, long point, const doubles *d) {
+  static const double error = 22 * (DBL_EPSILON / 2);
+  static const slong most = 1L << DBL_MANT_DIG;
+  const fmpz *x = cones->tx + point, *y = cones->ty + point;
+  double dx = 0, dy = 0;
+  if (!away_in_double(&dx, &dy, d, cones, point)) return false;
+  if (fmpz_cmp_si(x, most) > 0 || fmpz_cmp_si(x, -most) < 0) return false;
+  if (fmpz_cmp_si(y, most) > 0 || fmpz_cmp_si(y, -most) < 0) return false;
+  const double unit = ldexp(1, (int)-column_exponent(cones, 2 * point, NULL));
+  const double length = ldexp(1, (int)-s->length_exponent);
+  const double tx = (double)fmpz_get_si(x) * unit, ty = (double)fmpz_get_si(y) * unit;
+  for (int against = 0; against < 2; against++) {
+    const double friction = against ? -d->friction : d->friction;
+    double *own = s->columns[2 * point + against];
+    own[0] = friction * tx - ty;
+    own[1] = friction * ty + tx;
+    own[2] = dx * length * own[1] - dy * length * own[0];
+    for (int row = 0; row < 3; row++) s->largest[row] = fmax(s->largest[row], fabs(own[row]));
+    if (s->most != NULL) s->most[2 * point + against] = INFINITY;
+  }
+  s->error = fmax(s->error, error + DBL_MIN);
+  return true;
+}
+
 bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *size, long bits) {
   memset(sketch, 0, sizeof *sketch);
   const long count = tp_cones_column_count(cones);
@@ -140,9 +215,15 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   set_moment(entries.of + 2, sketch, size);
   arb_get_mag(moment, entries.of + 2);
   sketch->force_exponent = exponent_of(force);
-  sketch->length_exponent = length_exponent(sketch, cones, log2_of(moment) - force);
+  const doubles d = doubles_of(sketch, cones);
+  sketch->length_exponent = length_exponent(sketch, cones, &d, log2_of(moment) - force);
   mag_clear(moment);
-  for (long k = 0; k < count; k++) set_column(sketch, cones, k, &entries, bits);
+  for (long point = 0; point < cones->count; point++) {
+    if (set_edges_in_double(sketch, cones, point, &d)) continue;
+    for (int edge = 0; edge < 2; edge++)
+      set_column(sketch, cones, 2 * point + edge, &entries, bits);
+  }
+  for (long k = 2 * cones->count; k < count; k++) set_column(sketch, cones, k, &entries, bits);
   tp_vector_clear(&entries);
   return true;
 }
