@@ -27,6 +27,11 @@ tp_bounded tp_ball_bounded(const arb_t ball) {
   return result;
 }
 
+double tp_mag_log2(const mag_t size) {
+  if (mag_is_zero(size)) return -INFINITY;
+  return log2((double)MAG_MAN(size)) - MAG_BITS + fmpz_get_d(MAG_EXPREF(size));
+}
+
 bool tp_ball_certain(const arb_t ball, int digits) {
   if (arb_is_exact(ball)) return arb_is_finite(ball);
   /* 10^digits < 2^(3.33 digits); arb_rel_accuracy_bits is -log2 of twice the relative radius. */

@@ -19,6 +19,9 @@
 /* Enclosure of the ball by a double and a double bound, both rounded the safe way. */
 tp_bounded tp_ball_bounded(const arb_t ball);
 
+/* log2 of a magnitude, to some 1e-8; -INFINITY of 0. */
+double tp_mag_log2(const mag_t size);
+
 /* Is the truth known to 10^-digits of its size? An exact zero is. */
 bool tp_ball_certain(const arb_t ball, int digits);
 

@@ -10,8 +10,8 @@
 #include <float.h>
 #include <math.h>
 
-/* value = coefficient * lattice quantity * step^degree, as a result. */
-static tp_bounded in_metres(tp_evaluation *e, arb_t value, int degree) {
+/* value * step^degree */
+static void scale(arb_t value, const tp_evaluation *e, int degree) {
   const long bits = e->rung.bits;
   arb_t step;
   arb_init(step);
@@ -19,9 +19,36 @@ static tp_bounded in_metres(tp_evaluation *e, arb_t value, int degree) {
   arb_pow_ui(step, step, (ulong)degree, bits);
   arb_mul(value, value, step, bits);
   arb_clear(step);
+}
+
+/* value = coefficient * lattice quantity * step^degree, as a result. */
+static tp_bounded in_metres(tp_evaluation *e, arb_t value, int degree) {
+  scale(value, e, degree);
   const double step_m = fmpq_get_d(e->problem->lattice.step_m);
   const double log2_size = (double)e->problem->lattice.bits + log2(step_m > 0 ? step_m : DBL_MIN);
   return tp_evaluation_result_scaled(e, value, degree * log2_size);
+}
+
+/* Of the least that the ball's size may be. */
+static double log2_of(const arb_t ball) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag_lower(size, ball);
+  const double log2_value = tp_mag_log2(size);
+  mag_clear(size);
+  return log2_value;
+}
+
+/* Of the block's size in metres, the root of its area: on symmetric blocks a coordinate of the
+ * centroid is zero, which is not known to any share of itself but exactly. */
+static double log2_size(const tp_evaluation *e) {
+  arb_t area;
+  arb_init(area);
+  arb_mul_2exp_si(area, e->moments.area2, -1);
+  scale(area, e, 2);
+  const double size = log2_of(area) / 2;
+  arb_clear(area);
+  return size;
 }
 
 /* Coordinate of the centroid: S6 / (3 A2), moved back by the local origin. */
@@ -35,7 +62,8 @@ static tp_bounded centroid(tp_evaluation *e, const arb_t first_moment, const fmp
   arb_add(value, value, first_moment, exact);
   arb_div(value, value, e->moments.weighted + TP_A2, bits);
   arb_div_ui(value, value, 3, bits);
-  const tp_bounded result = in_metres(e, value, 1);
+  scale(value, e, 1);
+  const tp_bounded result = tp_evaluation_result_within(e, value, log2_size(e));
   arb_clear(value);
   return result;
 }
@@ -43,12 +71,11 @@ static tp_bounded centroid(tp_evaluation *e, const arb_t first_moment, const fmp
 /* (M / m - f g / (18 A2)) area2 / A2, the moment about the centroid weighted by the relative
  * density; M / m the second moment about the origin, f and g first moments times six. As a single
  * fraction over 72 A2^2 it cancels exactly on exact rungs. */
-static tp_bounded second_moment(tp_evaluation *e, const arb_t second, unsigned long m,
-                                const arb_t first, const arb_t other) {
+static void second_moment(arb_t value, const tp_evaluation *e, const arb_t second, unsigned long m,
+                          const arb_t first, const arb_t other) {
   const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
   const arb_struct *area2 = e->moments.weighted + TP_A2;
-  arb_t value, product;
-  arb_init(value);
+  arb_t product;
   arb_init(product);
   arb_mul(value, second, area2, exact);
   arb_mul_ui(value, value, 72 / m, exact);
@@ -59,10 +86,27 @@ static tp_bounded second_moment(tp_evaluation *e, const arb_t second, unsigned l
   arb_mul(product, area2, area2, exact);
   arb_mul_ui(product, product, 72, exact);
   arb_div(value, value, product, bits);
-  const tp_bounded result = in_metres(e, value, 4);
-  arb_clear(value);
+  scale(value, e, 4);
   arb_clear(product);
-  return result;
+}
+
+/* The mixed one is zero on symmetric blocks, which is not known to any share of itself but exactly:
+ * it counts against the root of the others' product, which it cannot exceed (Cauchy, Schwarz). */
+static void second_moments(tp_evaluation *e, tp_block_result *block) {
+  const arb_struct *sums = e->moments.weighted;
+  arb_t xx, yy, xy;
+  arb_init(xx);
+  arb_init(yy);
+  arb_init(xy);
+  second_moment(xx, e, sums + TP_XX12, 12, sums + TP_X6, sums + TP_X6);
+  second_moment(yy, e, sums + TP_YY12, 12, sums + TP_Y6, sums + TP_Y6);
+  second_moment(xy, e, sums + TP_XY24, 24, sums + TP_X6, sums + TP_Y6);
+  block->second_moment_xx_m4 = tp_evaluation_result(e, xx);
+  block->second_moment_yy_m4 = tp_evaluation_result(e, yy);
+  block->second_moment_xy_m4 = tp_evaluation_result_within(e, xy, (log2_of(xx) + log2_of(yy)) / 2);
+  arb_clear(xx);
+  arb_clear(yy);
+  arb_clear(xy);
 }
 
 /* Weight in newton. */
@@ -87,9 +131,7 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
   block->area_m2 = in_metres(e, value, 2);
   block->centroid_x_m = centroid(e, sums + TP_X6, problem->lattice.origin_x);
   block->centroid_y_m = centroid(e, sums + TP_Y6, problem->lattice.origin_y);
-  block->second_moment_xx_m4 = second_moment(e, sums + TP_XX12, 12, sums + TP_X6, sums + TP_X6);
-  block->second_moment_yy_m4 = second_moment(e, sums + TP_YY12, 12, sums + TP_Y6, sums + TP_Y6);
-  block->second_moment_xy_m4 = second_moment(e, sums + TP_XY24, 24, sums + TP_X6, sums + TP_Y6);
+  second_moments(e, block);
   tp_problem_thickness(thickness, problem);
   block->thickness_m = tp_evaluation_rational(thickness);
   block->has_weight = problem->scene->block.unit_weight_kn_m3.given;

@@ -47,7 +47,7 @@ tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ba
                                        double log2_size) {
   const double asked = log2_size - 3.33 * evaluation->digits; /* 10^-digits > 2^(-3.33 digits) */
   if (!is_certain(evaluation, ball) &&
-      !(arb_is_finite(ball) && mag_get_d_log2_approx(arb_radref(ball)) < asked)) {
+      !(arb_is_finite(ball) && tp_mag_log2(arb_radref(ball)) < asked)) {
     evaluation->certain = false;
     return tp_ball_bounded(ball);
   }

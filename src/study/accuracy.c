@@ -127,8 +127,7 @@ static double upwards(const mag_t size) {
 
 static double log10_of(const mag_t size) {
   static const double log10_of_2 = 0.30102999566398120;
-  if (mag_is_zero(size)) return -INFINITY;
-  return log10_of_2 * (log2((double)MAG_MAN(size)) - MAG_BITS + fmpz_get_d(MAG_EXPREF(size)));
+  return log10_of_2 * tp_mag_log2(size);
 }
 
 static void judge(tp_accuracy_run *run, const arb_t degrees, const arb_t truth) {
