@@ -54,7 +54,7 @@ bool tp_instructions_present(tp_instructions set);
 typedef struct tp_sums_plan {
   int sum_count; /* TP_AREA_SUM_COUNT or TP_SUM_COUNT */
   tp_instructions instructions;
-  int threads; /* at most 16; 0: as many as the machine has cores, where the ring has 2^20 edges */
+  int threads; /* at most 16; 0: one, or from 4 blocks of 2^18 edges on as many as there are cores */
 } tp_sums_plan;
 
 /* In double with a proven bound: |sums[k] - truth| <= bounds[k], for coordinates that are exact
