@@ -9,12 +9,13 @@
 // on both axes. Methods: a plain loop; Topple's sums in double, in pairs and exactly;
 // Boost.Geometry; CGAL's Polygon_2 with double and with rational coordinates (area alone); GEOS
 // where it is installed. Every library holds the polygon in its own container before the clock
-// starts, and each method returns doubles. To be read: ns_per_vertex is the median of 9 samples,
-// the methods in turn; ratio_to_read sets it beside a sum over the coordinates, which does nothing
-// but read them. The error of the area is relative; that of the centroid is its distance from the
-// truth over the square root of the area. A double near 10^9 cannot say where a centroid is more
-// closely than 6e-8, which that error contains. The truth is rational. Rational arithmetic is left
-// out beyond 10^5 vertices.
+// starts, and each method returns doubles.
+// To be read: ns_per_vertex is time of the processor, the median of 9 samples, the methods in turn;
+// ratio_to_read sets it beside a sum over the coordinates, which does nothing but read them.
+// Topple's times contain the proven bounds. The error of the area is relative; that of the centroid
+// is its distance from the truth over the square root of the area. A double near 10^9 cannot say
+// where a centroid is more closely than 6e-8, which that error contains. The truth is rational.
+// Rational arithmetic is left out beyond 10^5 vertices.
 
 #include "peers_libraries.hpp"
 
@@ -126,9 +127,9 @@ std::vector<Named> methods_for(const Polygon &p) {
 volatile double sink; // what the compiler must not leave out
 
 double seconds_of(const Method &method, long repeats) {
-  const double began = bench_now();
+  const double began = bench_computed();
   for (long k = 0; k < repeats; k++) sink = method().x;
-  return bench_now() - began;
+  return bench_computed() - began;
 }
 
 // Median nanoseconds per vertex of every method, each sample at least 5 ms.
