@@ -8,6 +8,11 @@
  *     A2 = sum c = 2 int dA,                X6 = sum (x_k + x_{k+1}) c = 6 int x dA,   Y6 likewise,
  *     XX12 = sum (x_k^2 + x_k x_{k+1} + x_{k+1}^2) c = 12 int x^2 dA,                YY12 likewise,
  *     XY24 = sum (x_k y_{k+1} + x_{k+1} y_k + 2 x_k y_k + 2 x_{k+1} y_{k+1}) c = 24 int x y dA.
+ * Nanoseconds per vertex in cache, measured on a Xeon of 2.6 GHz, area and centroid or all six:
+ *     double 0.5 or 0.8 with AVX-512, 0.7 or 1.1 with AVX2, 1.1 or 2.0 with SSE2;
+ *     pairs of doubles 1.3 or 3.6, 1.7 or 4.9, 5.7 or 17; exactly 26 or 85; balls 280 for all six;
+ * but a call takes some 30 ns in double and 60 in pairs even for a few vertices. Beyond the caches
+ * memory is the limit.
  * Each entry has a `_first` form for the first `sum_count` of them alone: TP_AREA_SUM_COUNT, which
  * give area and centroid, or TP_SUM_COUNT. */
 
@@ -54,7 +59,7 @@ bool tp_instructions_present(tp_instructions set);
 typedef struct tp_sums_plan {
   int sum_count; /* TP_AREA_SUM_COUNT or TP_SUM_COUNT */
   tp_instructions instructions;
-  int threads; /* at most 16; 0: as many as the machine has cores, where the ring has 2^20 edges */
+  int threads; /* at most 16; 0: as many as there are cores, one up to 3 * 2^18 edges */
 } tp_sums_plan;
 
 /* In double with a proven bound: |sums[k] - truth| <= bounds[k], for coordinates that are exact

@@ -6,7 +6,7 @@
  * Problem: the sums of ring_sums.h over n vertices (u_k, v_k), |u| <= U, |v| <= V.
  * Method: c = u_k (v_{k+1} - v_k) - v_k (u_{k+1} - u_k), whose rounding error is proportional to
  * the edge and not to the distance from the origin; added in the order of ring_sums_kernel.h, where
- * a term passes at most D additions (tp_ring_additions: 4 for a triangle, 88 at most up to 10^9).
+ * a term passes at most D additions (tp_ring_additions: 4 for a triangle, 89 at most up to 10^9).
  *
  * Bound (unit roundoff w = 2^-53, standard model; Higham, Accuracy and Stability, 2nd ed., ch. 3
  * and 4). With the edge measure e_k = U |dv_k| + V |du_k|, |c_k| <= e_k:
