@@ -10,6 +10,8 @@
 
 #include "bench.h"
 
+#include "study/rough_outline.h"
+
 #include "block/moments.h"
 #include "limit/search.h"
 #include "number/ball.h"
@@ -176,7 +178,7 @@ static void measure_rough(void) {
   snprintf(csv, sizeof csv, "%s/outline.csv", folder);
   snprintf(yaml, sizeof yaml, "%s/scene.yaml", folder);
   static double x[ROUGH_VERTICES], y[ROUGH_VERTICES];
-  bench_outline(x, y, ROUGH_VERTICES);
+  tp_rough_outline(x, y, ROUGH_VERTICES);
   FILE *file = fopen(csv, "w");
   if (file == NULL) fail("no temporary file");
   fprintf(file, "x,y\n");

@@ -15,6 +15,8 @@
 
 #include "bench.h"
 
+#include "study/rough_outline.h"
+
 #include "base/contact.h"
 #include "block/check.h"
 #include "block/moments.h"
@@ -200,7 +202,7 @@ static bool write_csv(const work *w) {
   double *x = calloc((size_t)w->count, sizeof *x), *y = calloc((size_t)w->count, sizeof *y);
   bool done = file != NULL && x != NULL && y != NULL;
   if (done) {
-    bench_outline(x, y, w->count);
+    tp_rough_outline(x, y, w->count);
     fprintf(file, "x,y\n");
     for (long k = 0; k < w->count; k++) fprintf(file, "%.4f,%.4f\n", x[k] / 1e4, y[k] / 1e4);
     done = ferror(file) == 0;

@@ -5,7 +5,7 @@
  *
  *     bench_sums [MOST_VERTICES]
  *
- * Measured, on the rough outline of bench.h: a sum over both arrays, which reads every byte of them
+ * Measured, on the rough outline of study/: a sum over both arrays, which reads every byte of them
  * and does next to nothing else; a plain loop for area and centroid, without any bound; area and
  * centroid (3 sums) and all six with their bounds in double, in pairs, exactly and in balls of 128
  * bits. Medians of 9 samples, the methods in turn, each sample repeated to last 5 ms.
@@ -16,6 +16,8 @@
  * vertices. */
 
 #include "bench.h"
+
+#include "study/rough_outline.h"
 
 #include "block/ring_sums.h"
 
@@ -153,7 +155,7 @@ static void input_clear(input *in) {
 
 /* Centred, as tp_lattice_init leaves the coordinates. */
 static void fill(input *in) {
-  bench_outline(in->u, in->v, in->count);
+  tp_rough_outline(in->u, in->v, in->count);
   const double middle_u = (double)(long)(in->u[in->count - 2] / 2);
   const double middle_v = (double)(long)(in->v[in->count - 2] / 2);
   for (long k = 0; k < in->count; k++) {

@@ -12,10 +12,10 @@ set datafile separator ','
 set datafile missing NaN
 
 # The last two find no centroid.
-methods = "'Topple double' 'Topple pairs' 'Topple exact' 'plain loop' 'Boost.Geometry' 'GEOS' 'CGAL double' 'CGAL rational'"
-located = "'Topple double' 'Topple pairs' 'Topple exact' 'plain loop' 'Boost.Geometry' 'GEOS'"
-colours = "#b2182b #f4a582 #67001f #888888 #2166ac #762a83 #5aae61 #1b7837"
-symbols = "7 5 9 2 6 12 4 8"
+methods = "'Topple double' 'Topple centred' 'Topple pairs' 'Topple exact' 'plain loop' 'Boost.Geometry' 'GEOS' 'CGAL double' 'CGAL rational'"
+located = "'Topple double' 'Topple centred' 'Topple pairs' 'Topple exact' 'plain loop' 'Boost.Geometry' 'GEOS'"
+colours = "#b2182b #e7298a #f4a582 #67001f #888888 #2166ac #762a83 #5aae61 #1b7837"
+symbols = "7 13 5 9 2 6 12 4 8"
 
 of(name, offset, value) = (strcol(3) eq name && column(1) == offset) ? value : NaN
 drawn(error) = error < 1e-17 ? 1e-17 : error
