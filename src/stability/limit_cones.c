@@ -22,13 +22,25 @@ bool tp_limit_base_beyond_toe(const tp_problem *problem, tp_direction towards) {
   return fmpz_cmp(l->x + ring + problem->base.edge_count, l->x + toe) > 0;
 }
 
-/* Does the facet restrain the toe alone, by an edge of the base that lies wholly past it? */
+/* The corner of the base, or where the base is straight there the next one towards `step`. */
+static long past_straight(const tp_problem *problem, long corner, long step) {
+  const tp_lattice *l = &problem->lattice;
+  const long ring = l->start[problem->section.ring_count];
+  const bool inner = corner > ring && corner < ring + problem->base.edge_count;
+  const bool straight = inner && tp_facet_cross(l, corner - 1, corner, corner, corner + 1) == 0;
+  return straight ? corner + step : corner;
+}
+
+/* Does the facet restrain the toe alone, by an edge of the base that lies wholly past it? An edge
+ * that goes on straight below the block does not, nor does an edge of the block itself. */
 static bool lies_beyond(const tp_problem *problem, const tp_facet *f, tp_direction towards) {
   const tp_lattice *l = &problem->lattice;
   const long toe = toe_point(problem, towards);
   if (f->q0 != f->q1 || !tp_facet_same_point(l, f->q0, toe)) return false;
-  return towards == TP_TOWARDS_LEFT ? fmpz_cmp(l->x + f->t1, l->x + toe) <= 0
-                                    : fmpz_cmp(l->x + f->t0, l->x + toe) >= 0;
+  if (f->t0 < l->start[problem->section.ring_count]) return false;
+  return towards == TP_TOWARDS_LEFT
+             ? fmpz_cmp(l->x + past_straight(problem, f->t1, 1), l->x + toe) <= 0
+             : fmpz_cmp(l->x + past_straight(problem, f->t0, -1), l->x + toe) >= 0;
 }
 
 static bool restrains(const tp_facet *f) {

@@ -145,6 +145,24 @@ class Cases(unittest.TestCase):
         self.holds(plain["critical_angle_deg"], 25)
         self.assertEqual(plain["critical_angle_deg"], seamed["critical_angle_deg"])
 
+    def test_straight_corners_at_the_toe(self):
+        """Vertices on a straight edge of a block that stands on two corners of its base, and on a straight
+        base below two corners of a block: what the base does past the toe matters no more than without
+        them, towards either side."""
+        corners = "profile: [[-1, -1], [1, 0], [2, -1], [3, 0], [5, -1]]"
+        feet = "outline: [[1, 0], [2, 1], [3, 0], [4, 4], [0, 4]]"
+        pairs = (("outline: [[0, 0], [4, 0], [4, 4], [0, 4]]", corners,
+                  "outline: [[0, 0], [1, 0], [3, 0], [4, 0], [4, 4], [0, 4]]", corners),
+                 (feet, "profile: [[0, 0], [4, 0]]", feet, "profile: [[0, 0], [1, 0], [3, 0], [4, 0]]"))
+        for block, base, block_with, base_with in pairs:
+            for towards in ("left", "right"):
+                plain = self.limit(block, base, 30, towards)
+                other = self.limit(block_with, base_with, 30, towards)
+                self.assertFalse(plain["base_matters"])
+                self.assertFalse(other["base_matters"])
+                for key in ("mechanism", "critical_angle_deg", "base_beyond_toe"):
+                    self.assertEqual(plain[key], other[key])
+
     def test_interlocked_in_a_notch(self):
         """A foot in a steep notch with much friction: forces of either flank hold it upright and beyond."""
         case = self.solve("outline: [[0, 0], [1, 10], [8, 10], [8, 14], [-7, 14], [-7, 10], [-1, 10]]",
