@@ -29,7 +29,7 @@ bool tp_ball_certain(const arb_t ball, int digits);
 void tp_ball_set_bounded(arb_t ball, double value, double error);
 
 /* atan2(y, x) in degrees, in (-180, 180]; exact where y and x are exact and the angle is a multiple
- * of 45 degrees. (0, 0) gives an indeterminate ball. */
+ * of 45 degrees. (0, 0), exactly, gives 0. */
 void tp_ball_atan2_degrees(arb_t angle, const arb_t y, const arb_t x, long bits);
 
 /* Sine and cosine of a rational angle in degrees; exact where they are 0 or 1. */
