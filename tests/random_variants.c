@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "random_variants.h"
+
+/* Far off on one axis or both: by up to 10^40 lengths, or many digits of one. */
+static bool move(random_scene *s, relation *r, uint64_t *state) {
+  fmpq_t by;
+  fmpq_init(by);
+  for (int axis = 0; axis < 2; axis++) {
+    fmpz_ui_pow_ui(fmpq_numref(by), 10, (ulong)draw_below(state, 41));
+    fmpz_set_ui(fmpq_denref(by), 1 + draw(state) % 1000);
+    fmpq_canonicalise(by);
+    fmpq_mul_si(by, by, draw_signed(state, 9));
+    fmpq_add(s->numbers + MOVE_X + axis, s->numbers + MOVE_X + axis, by);
+    fmpq_mul(r->numbers + SHIFT_X + axis, by, &random_units[s->unit].metres);
+  }
+  fmpq_clear(by);
+  return true;
+}
+
+static void multiply_lengths(random_scene *s, const fmpq *factor) {
+  for (int k = 0; k < MAP_NUMBERS; k++) fmpq_mul(s->numbers + k, s->numbers + k, factor);
+  for (int k = BEYOND_LEFT; k <= BEYOND_RIGHT; k++) {
+    fmpq_mul(s->numbers + k, s->numbers + k, factor);
+  }
+}
+
+void random_scene_make_even(random_scene *s) {
+  for (int k = BEYOND_LEFT; k <= BEYOND_RIGHT; k++) {
+    fmpq_div(s->numbers + k, s->numbers + k, s->numbers + XX);
+  }
+  for (int k = XX; k < MAP_NUMBERS; k++) {
+    fmpq_set_si(s->numbers + k, k == XX || k == YY ? 1 : 0, 1);
+  }
+  random_scene_double(s, 1);
+}
+
+void random_scene_double(random_scene *s, int power) {
+  fmpq_t factor;
+  fmpq_init(factor);
+  fmpq_set_si(factor, 1, 1);
+  fmpq_mul_2exp(factor, factor, (ulong)power);
+  multiply_lengths(s, factor);
+  fmpq_clear(factor);
+}
+
+static bool scale_by(random_scene *s, relation *r, const fmpq *factor) {
+  multiply_lengths(s, factor);
+  fmpq_set(r->numbers + MAP_XX, factor);
+  fmpq_set(r->numbers + MAP_YY, factor);
+  fmpq_set(r->numbers + LENGTH, factor);
+  return true;
+}
+
+static bool scale(random_scene *s, relation *r, uint64_t *state) {
+  fmpq_t factor;
+  fmpq_init(factor);
+  fmpq_set_si(factor, 1 + draw_below(state, 1000000), (ulong)(1 + draw_below(state, 1000000)));
+  (void)scale_by(s, r, factor);
+  fmpq_clear(factor);
+  return true;
+}
+
+static bool scale_by_ten(random_scene *s, relation *r, uint64_t *state) {
+  fmpq_t factor;
+  fmpq_init(factor);
+  fmpz_one(fmpq_denref(factor));
+  fmpz_ui_pow_ui(fmpq_numref(factor), 10, (ulong)draw_below(state, 30));
+  if (draw_once_in(state, 2)) fmpq_inv(factor, factor);
+  (void)scale_by(s, r, factor);
+  fmpq_clear(factor);
+  return true;
+}
+
+static bool scale_by_two(random_scene *s, relation *r, uint64_t *state) {
+  fmpq_t factor;
+  fmpq_init(factor);
+  fmpq_set_si(factor, 1, 1);
+  fmpq_mul_2exp(factor, factor, (ulong)draw_below(state, 100));
+  if (draw_once_in(state, 2)) fmpq_inv(factor, factor);
+  (void)scale_by(s, r, factor);
+  fmpq_clear(factor);
+  return true;
+}
+
+/* The same lengths, in another unit. */
+static bool change_unit(random_scene *s, relation *r, uint64_t *state) {
+  (void)r;
+  fmpq_t factor;
+  fmpq_init(factor);
+  const int unit = (s->unit + 1 + (int)draw_below(state, UNITS - 1)) % UNITS;
+  fmpq_div(factor, &random_units[s->unit].metres, &random_units[unit].metres);
+  multiply_lengths(s, factor);
+  s->unit = unit;
+  fmpq_clear(factor);
+  return true;
+}
+
+static void reverse(polygon *p) {
+  for (long k = 0; k < p->count / 2; k++) {
+    const long other = p->count - 1 - k, x = p->x[k], y = p->y[k];
+    p->x[k] = p->x[other];
+    p->y[k] = p->y[other];
+    p->x[other] = x;
+    p->y[other] = y;
+  }
+}
+
+/* Left for right. The outline is then clockwise. */
+static bool mirror(random_scene *s, relation *r, uint64_t *state) {
+  (void)state;
+  static const int mirrored[] = {XX, XY, MOVE_X};
+  for (size_t k = 0; k < sizeof mirrored / sizeof *mirrored; k++) {
+    fmpq_neg(s->numbers + mirrored[k], s->numbers + mirrored[k]);
+  }
+  fmpq_swap(s->numbers + BEYOND_LEFT, s->numbers + BEYOND_RIGHT);
+  reverse(&s->profile);
+  fmpq_set_si(r->numbers + MAP_XX, -1, 1);
+  r->mirrored = true;
+  return true;
+}
+
+static bool renumber(random_scene *s, relation *r, uint64_t *state) {
+  (void)r;
+  polygon *rings[] = {&s->outline, &s->hole, &s->part};
+  for (size_t i = 0; i < sizeof rings / sizeof *rings; i++) {
+    const polygon old = *rings[i];
+    const long first = old.count > 0 ? draw_below(state, old.count) : 0;
+    for (long k = 0; k < old.count; k++) {
+      rings[i]->x[k] = old.x[(first + k) % old.count];
+      rings[i]->y[k] = old.y[(first + k) % old.count];
+    }
+    if (draw_once_in(state, 2)) reverse(rings[i]);
+  }
+  return true;
+}
+
+/* Twice as large before a map of half the size, with the middles of some edges as vertices. */
+static void subdivide(polygon *p, bool closed, uint64_t *state) {
+  const polygon old = *p;
+  p->count = 0;
+  for (long k = 0; k < old.count; k++) {
+    const long next = (k + 1) % old.count;
+    polygon_add(p, 2 * old.x[k], 2 * old.y[k]);
+    if (draw_once_in(state, 2) && (closed || next > 0)) {
+      polygon_add(p, old.x[k] + old.x[next], old.y[k] + old.y[next]);
+    }
+  }
+}
+
+static bool add_vertices(random_scene *s, relation *r, uint64_t *state) {
+  subdivide(&s->outline, true, state);
+  subdivide(&s->hole, true, state);
+  subdivide(&s->part, true, state);
+  subdivide(&s->profile, false, state);
+  for (int k = XX; k <= YY; k++) fmpq_div_2exp(s->numbers + k, s->numbers + k, 1);
+  r->more_vertices = true;
+  return true;
+}
+
+/* (b - a) x ((x, y) - a) */
+static __int128 cross(const polygon *p, long a, long b, long x, long y) {
+  return (__int128)(p->x[b] - p->x[a]) * (y - p->y[a]) -
+         (__int128)(p->y[b] - p->y[a]) * (x - p->x[a]);
+}
+
+/* Is the triangle of three vertices that follow each other inside, with no other vertex in it? */
+static bool is_ear(const polygon *p, const long corner[3]) {
+  if (cross(p, corner[0], corner[1], p->x[corner[2]], p->y[corner[2]]) <= 0) return false;
+  for (long k = 0; k < p->count; k++) {
+    bool inside = true, is_corner = false;
+    for (int i = 0; i < 3; i++) {
+      inside = inside && cross(p, corner[i], corner[(i + 1) % 3], p->x[k], p->y[k]) >= 0;
+      is_corner = is_corner || k == corner[i];
+    }
+    if (inside && !is_corner) return false;
+  }
+  return true;
+}
+
+/* A part of the block's own density: an ear of the outline. */
+static bool part_out(random_scene *s, relation *r, uint64_t *state) {
+  (void)r;
+  const polygon *o = &s->outline;
+  if (s->part.count > 0 || s->hole.count > 0) return false;
+  const long first = draw_below(state, o->count);
+  for (long k = 0; k < o->count; k++) {
+    const long corner[3] = {(first + k) % o->count, (first + k + 1) % o->count,
+                            (first + k + 2) % o->count};
+    if (!is_ear(o, corner)) continue;
+    for (int i = 0; i < 3; i++) polygon_add(&s->part, o->x[corner[i]], o->y[corner[i]]);
+    s->part_weight = BLOCK_WEIGHT;
+    return true;
+  }
+  return false;
+}
+
+/* A profile must go from left to right, and the turned base, upright below its ends, must stay
+ * clear of the block as the first one does: no vertex of the block may lie below the lower end. */
+static bool still_a_base(const random_scene *s, const long leg[2]) {
+  const polygon *p = &s->profile, *o = &s->outline;
+  for (long k = 0; k + 1 < p->count; k++) {
+    const long dx = p->x[k + 1] - p->x[k], dy = p->y[k + 1] - p->y[k];
+    if (leg[0] * dx - leg[1] * dy <= 0) return false;
+  }
+  for (int end = 0; end < 2; end++) {
+    const long at = end == 0 ? 0 : p->count - 1;
+    for (long k = 0; k < o->count; k++) {
+      const long dx = o->x[k] - p->x[at], dy = o->y[k] - p->y[at];
+      const long out = (end == 0 ? -1 : 1) * (leg[0] * dx - leg[1] * dy);
+      if (out > 0 && leg[1] * dx + leg[0] * dy < 0) return false;
+    }
+  }
+  return true;
+}
+
+/* Block and base together, counter-clockwise where the leg is positive, by a Pythagorean angle. */
+static bool turn(random_scene *s, relation *r, uint64_t *state) {
+  static const long triples[][3] = {
+      {4, 3, 5}, {12, 5, 13}, {24, 7, 25}, {15, -8, 17}, {40, -9, 41}};
+  const long *t = triples[draw_below(state, 5)];
+  if (s->profile.count == 0 || !fmpq_is_zero(s->numbers + YX) || !still_a_base(s, t)) return false;
+  fmpq old[MAP_NUMBERS];
+  for (int k = 0; k < MAP_NUMBERS; k++) {
+    fmpq_init(old + k);
+    fmpq_set(old + k, s->numbers + k);
+  }
+  const long rows[2][2] = {{t[0], -t[1]}, {t[1], t[0]}};
+  fmpq_t cosine_part, sine_part;
+  fmpq_init(cosine_part);
+  fmpq_init(sine_part);
+  static const int from[3][2] = {{XX, YX}, {XY, YY}, {MOVE_X, MOVE_Y}};
+  for (int row = 0; row < 2; row++) {
+    for (int k = 0; k < 3; k++) {
+      fmpq *result = s->numbers + from[k][row];
+      fmpq_mul_si(cosine_part, old + from[k][0], rows[row][0]);
+      fmpq_mul_si(sine_part, old + from[k][1], rows[row][1]);
+      fmpq_add(result, cosine_part, sine_part);
+      fmpz_mul_si(fmpq_denref(result), fmpq_denref(result), t[2]);
+      fmpq_canonicalise(result);
+    }
+    fmpq_set_si(r->numbers + MAP_XX + 2 * row, rows[row][0], (ulong)t[2]);
+    fmpq_set_si(r->numbers + MAP_XY + 2 * row, rows[row][1], (ulong)t[2]);
+  }
+  for (int k = 0; k < MAP_NUMBERS; k++) fmpq_clear(old + k);
+  fmpq_clear(cosine_part);
+  fmpq_clear(sine_part);
+  arb_t pi, ratio;
+  arb_init(pi);
+  arb_init(ratio);
+  arb_set_si(ratio, t[1]);
+  arb_div_si(ratio, ratio, t[0], 256);
+  arb_atan(r->turn_deg, ratio, 256);
+  arb_const_pi(pi, 256);
+  arb_div(r->turn_deg, r->turn_deg, pi, 256);
+  arb_mul_ui(r->turn_deg, r->turn_deg, 180, 256);
+  r->turned = true;
+  arb_clear(pi);
+  arb_clear(ratio);
+  return true;
+}
+
+const random_variant random_variants[VARIANTS] = {
+    {"moved", move},
+    {"scaled", scale},
+    {"scaled by a power of ten", scale_by_ten},
+    {"scaled by a power of two", scale_by_two},
+    {"in another unit", change_unit},
+    {"mirrored", mirror},
+    {"renumbered", renumber},
+    {"with vertices on its edges", add_vertices},
+    {"with a part of the same density", part_out},
+    {"turned with its base", turn},
+};
