@@ -60,10 +60,13 @@ static void restore(const reduction *r) {
   }
 }
 
-/* Limit less tilt in doubles, by the logarithm of the factor: it falls. */
+/* Limit less tilt in doubles, by the logarithm of the factor: it falls. Where forces hold the block
+ * at every tilt, at 90 degrees as well, the limit counts as 180. */
 static double margin(reduction *r, double log_factor) {
+  const double upright = 90, beyond = 180;
   tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count, exp(log_factor));
-  return tp_program_estimate(&r->reduced, r->question) - r->degrees;
+  const double limit = tp_program_estimate(&r->reduced, r->question);
+  return (limit < upright ? limit : beyond) - r->degrees;
 }
 
 /* A zero of the margin between two logarithms by regula falsi, the end that stays halved

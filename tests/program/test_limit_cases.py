@@ -163,6 +163,14 @@ class Cases(unittest.TestCase):
                 for key in ("mechanism", "critical_angle_deg", "base_beyond_toe"):
                     self.assertEqual(plain[key], other[key])
 
+    def test_strength_on_an_upright_table(self):
+        """Teeth of slope 2/3 under 18 degrees of friction, the table upright: the block slides along a flank,
+        and would hold on to it with an angle of friction of 90 degrees less the slope."""
+        block = "outline: [[0, 4], [6, 0], [12, 4], [18, 0], [18, 6], [0, 6]]"
+        limit = self.solve(block, "mated: true", 18, "left, angle_deg: 90")["limit"]
+        self.assertEqual(limit["mechanism"], "slides")
+        self.holds(limit["fos"], math.tan(math.radians(18)) / 1.5)
+
     def test_interlocked_in_a_notch(self):
         """A foot in a steep notch with much friction: forces of either flank hold it upright and beyond."""
         case = self.solve("outline: [[0, 0], [1, 10], [8, 10], [8, 14], [-7, 14], [-7, 10], [-1, 10]]",
