@@ -237,8 +237,14 @@ static bool find_otherwise(tp_case *result, tp_evaluation *e) {
   return done;
 }
 
+/* Of two that tie either may be named first. */
+static bool share_mechanism(const tp_limit *a, const tp_limit *b) {
+  return a->mechanism == b->mechanism || (a->tie && a->tied_with == b->mechanism) ||
+         (b->tie && b->tied_with == a->mechanism);
+}
+
 static bool differ(const tp_limit *a, const tp_limit *b) {
-  if (a->kind != b->kind || a->mechanism != b->mechanism) return true;
+  if (a->kind != b->kind || !share_mechanism(a, b)) return true;
   const double error = a->critical_angle_deg.error + b->critical_angle_deg.error;
   return a->kind == TP_LIMIT_AT_ANGLE &&
          fabs(a->critical_angle_deg.value - b->critical_angle_deg.value) > error;
