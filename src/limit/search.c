@@ -150,19 +150,20 @@ static double beaten_until(const double twist[3], double held, const loads *l, d
 }
 
 /* A tilt that holds between two that do not: the mechanism in the middle rules out a stretch about
- * it, and what is left on either side is looked at likewise. */
+ * it, and what is left on either side is looked at likewise. Where doubles are too short for the
+ * scene a mechanism may rule out nothing: `looks` bounds how often it is tried. */
 static bool find_between(double *found, tp_sketch *sketch, const loads *l, double low, double high,
-                         int depth) {
+                         int *looks) {
   const double middle = (low + high) / 2;
   const tp_simplex_answer answer = look(sketch, l, middle);
   *found = middle;
   if (answer.outcome == TP_SIMPLEX_OPTIMAL) return true;
-  if (answer.outcome != TP_SIMPLEX_INFEASIBLE || depth == 0) return false;
+  if (answer.outcome != TP_SIMPLEX_INFEASIBLE || --*looks <= 0) return false;
   const double held = held_against(sketch, answer.dual);
   const double left = beaten_until(answer.dual, held, l, middle, low);
   const double right = beaten_until(answer.dual, held, l, middle, high);
-  return (left > low && find_between(found, sketch, l, low, left, depth - 1)) ||
-         (right < high && find_between(found, sketch, l, right, high, depth - 1));
+  return (left > low && find_between(found, sketch, l, low, left, looks)) ||
+         (right < high && find_between(found, sketch, l, right, high, looks));
 }
 
 static double halve(tp_sketch *sketch, const loads *l, double low, double high) {
@@ -178,13 +179,14 @@ static double halve(tp_sketch *sketch, const loads *l, double low, double high) 
 
 /* The first tilt at which the base holds, in steps from `from`; at a step or between two. */
 static bool find_held(double *found, tp_sketch *sketch, const loads *l, double from, double step) {
-  enum { DEPTH = 40 };
+  enum { MOST_LOOKS = 100 };
   for (int k = 0; k <= STEPS; k++) {
+    int looks = MOST_LOOKS;
     *found = from + k * step;
     if (holds(sketch, l, *found)) return true;
     const double before = from + (k - 1) * step;
     if (k > 0 && find_between(found, sketch, l, fmin(before, from + k * step),
-                              fmax(before, from + k * step), DEPTH)) {
+                              fmax(before, from + k * step), &looks)) {
       return true;
     }
   }
