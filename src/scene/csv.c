@@ -183,6 +183,7 @@ tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_messa
   FILE *file = fopen(path, "rb");
   if (file == NULL) {
     *line = (tp_polyline){.file = path};
+    if (errno == ENOMEM) return tp_fail_memory(message, "an outline");
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
                    strerror(errno));
   }
