@@ -15,7 +15,9 @@ static void solve(const tp_scene *scene, fuzz_bytes *b) {
   options.elements = (asked & 1) != 0;
   options.limit = (asked & 2) == 0;
   options.strength_reduction = (asked & 4) == 0;
-  if (fuzz_pick(b, 2) != 0) options.digits = (int)fuzz_pick(b, 18) - 1;
+  /* more than fifty digits take longer, not other ways */
+  if (fuzz_pick(b, 2) != 0) options.digits = (int)fuzz_pick(b, 52) - 1;
+  if (fuzz_pick(b, 4) == 3) options.level = (tp_level)fuzz_pick(b, TP_LEVEL_EXACT + 1);
   const tp_status status = tp_solve(&solution, scene, &options, &message);
   fuzz_judge(status, solution, &message);
   if (status == TP_OK) fuzz_report(solution);

@@ -81,6 +81,13 @@ class OutOfMemory(unittest.TestCase):
     def test_solve_outline_of_file(self):
         self.every(20, "solve", EXAMPLES / "boulder.yaml")
 
+    def test_solve_to_many_digits(self):
+        self.every(20, "solve", "--digits", "40", EXAMPLES / "block_e_valley.yaml")
+
+    def test_accuracy(self):
+        """To a file, as the times differ from run to run."""
+        self.every(3, "accuracy", "--output", "out.csv", EXAMPLES / "slab.yaml")
+
     def test_table(self):
         self.every(30, "solve", "--table", EXAMPLES / "block_f.yaml", EXAMPLES / "slab.yaml")
 
