@@ -22,12 +22,9 @@ using Small = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Large = CGAL::Exact_predicates_exact_constructions_kernel;
 
 inline Large::FT exact_integer(const fmpz *value) {
-  mpz_t integer;
-  mpz_init(integer);
-  fmpz_get_mpz(integer, value);
-  CGAL::Gmpz copy(integer);
-  mpz_clear(integer);
-  return Large::FT(Large::Exact_kernel::FT(CGAL::Gmpq(copy).mpq()));
+  CGAL::Gmpz integer;
+  fmpz_get_mpz(integer.mpz(), value);
+  return Large::FT(Large::Exact_kernel::FT(CGAL::Gmpq(integer).mpq()));
 }
 
 template <class Kernel> typename Kernel::Point_2 point(const tp_geom_rings &rings, size_t k);

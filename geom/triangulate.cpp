@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <deque>
 #include <map>
+#include <memory>
 #include <numeric>
 
 namespace {
@@ -172,10 +173,9 @@ tp_geom_status triangulate_one(tp_geom_triangulation *result, const tp_geom_ring
 }
 
 template <class Kernel>
-tp_geom_status triangulate_several(tp_geom_triangulation *result, const tp_geom_rings &rings,
-                                   const int *layer) {
+tp_geom_status walk_several(tp_geom_triangulation *result, const tp_geom_rings &rings,
+                            const int *layer, typename Types<Kernel>::Hierarchy &t) {
   using Triangulation = typename Types<Kernel>::Hierarchy;
-  Triangulation t;
   std::map<typename Triangulation::Constraint_id, size_t> ring_of;
   const auto vertex = insert<Kernel>(t, rings);
   for (size_t r = 0; r < rings.count; r++) {
@@ -209,6 +209,20 @@ tp_geom_status triangulate_several(tp_geom_triangulation *result, const tp_geom_
     return TP_GEOM_OK;
   }
   return collect(t, result);
+}
+
+/* Where memory runs out while CGAL adds a constraint its hierarchy is left such that taking it down
+ * crashes (5.5): it is abandoned then. */
+template <class Kernel>
+tp_geom_status triangulate_several(tp_geom_triangulation *result, const tp_geom_rings &rings,
+                                   const int *layer) {
+  auto t = std::make_unique<typename Types<Kernel>::Hierarchy>();
+  try {
+    return walk_several<Kernel>(result, rings, layer, *t);
+  } catch (const std::bad_alloc &) {
+    static_cast<void>(t.release());
+    throw;
+  }
 }
 
 } // namespace

@@ -20,8 +20,12 @@
  * Frame: x along the mean plane of the base, up-dip to the right; y normal to it, up. Tilting
  * towards the left lowers the side x -> -infinity. SI units; angles in degrees where the name
  * says so. Every computed number is a tp_bounded: the truth lies within `error` of `value`.
- * The library never prints, exits or aborts by itself and keeps no mutable globals; FLINT and GMP
- * abort the process when memory is exhausted, so sizes are bounded before they are called. */
+ * The library never prints, exits or aborts by itself and keeps no mutable globals. Where memory is
+ * exhausted its own requests, libyaml's and CGAL's end a call with TP_OUT_OF_MEMORY; FLINT and GMP
+ * print and abort the process, so sizes are bounded before they are called. A program that wants
+ * another end gives them functions that do not return without memory, before its first call:
+ * __flint_set_memory_functions and mp_set_memory_functions, as src/cli/memory.c does. What FLINT
+ * keeps for the next call is given back by flint_cleanup(). */
 
 #ifndef TOPPLE_H
 #define TOPPLE_H

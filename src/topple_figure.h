@@ -19,7 +19,8 @@ bool tp_figure_is_file_name(const char *path);
 /* Draw the solution of the scene into the file `path`, of the kind that its ending names; a file of
  * that name is replaced, and stays as it was where the drawing fails. The triangles of the account
  * by elements are drawn where the solution has one. The colours are legible to the colour-blind.
- * The same program draws the same bytes each time it is run. */
+ * The same program draws the same bytes each time it is run. Fontconfig, which finds the letters,
+ * crashes where memory is exhausted: a program that must not is to draw in a process of its own. */
 TP_MUST_USE tp_status tp_report_figure(const char *path, const tp_scene *scene,
                                        const tp_solution *solution, tp_message *message);
 

@@ -53,6 +53,10 @@ typedef struct tp_verification {
 /* Verdicts on the claims of a file. */
 TP_MUST_USE tp_status tp_verify(tp_verification **verification, const char *path,
                                 tp_message *message);
+/* The same from text in memory; `name` is what messages call it, and the scenes that the claims
+ * name are looked for beside a file of that name. */
+TP_MUST_USE tp_status tp_verify_text(tp_verification **verification, const char *text,
+                                     const char *name, tp_message *message);
 void tp_verification_free(tp_verification *verification);
 
 /* Is anything refuted, or does it disagree? */

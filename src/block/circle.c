@@ -88,14 +88,31 @@ bool tp_circle_arc_set_centre(tp_circle_arc *a, const tp_point *m) {
   return outwards;
 }
 
-/* The angle of the arc, in (0, 2 pi), for the choice of points on it alone. */
+/* The angle of the arc, in (0, 2 pi), for the choice of points on it alone. Its sine and cosine are
+ * exact before they are rounded: they are doubles whatever the size of the circle. */
 double tp_circle_arc_angle(const tp_circle_arc *a) {
-  const double px = fmpq_get_d(a->p.x) - fmpq_get_d(a->centre.x);
-  const double py = fmpq_get_d(a->p.y) - fmpq_get_d(a->centre.y);
-  const double qx = fmpq_get_d(a->q.x) - fmpq_get_d(a->centre.x);
-  const double qy = fmpq_get_d(a->q.y) - fmpq_get_d(a->centre.y);
-  const double turn = atan2(px * qy - py * qx, px * qx + py * qy);
-  return turn > 0 ? turn : turn + 2 * M_PI;
+  tp_point u, v;
+  fmpq_t square, sine, cosine;
+  tp_point_init(&u);
+  tp_point_init(&v);
+  fmpq_init(square);
+  fmpq_init(sine);
+  fmpq_init(cosine);
+  tp_point_difference(&u, &a->p, &a->centre);
+  tp_point_difference(&v, &a->q, &a->centre);
+  dot(square, &u, &u);
+  cross(sine, &u, &v);
+  dot(cosine, &u, &v);
+  fmpq_div(sine, sine, square);
+  fmpq_div(cosine, cosine, square);
+  const bool more_than_half = fmpq_sgn(sine) < 0; /* of a turn, however little */
+  const double turn = atan2(fmpq_get_d(sine), fmpq_get_d(cosine));
+  tp_point_clear(&u);
+  tp_point_clear(&v);
+  fmpq_clear(square);
+  fmpq_clear(sine);
+  fmpq_clear(cosine);
+  return more_than_half ? turn + 2 * M_PI : turn;
 }
 
 /* A point of the circle: p turned about the centre by the angle whose half has the tangent t. */

@@ -113,9 +113,8 @@ static tp_status print(const tp_accuracy *accuracy, const arguments *a, int *wri
 
 int tp_cli_accuracy(int argc, char **argv) {
   arguments a = {.least = 10, .most = 10000000};
-  argp_err_exit_status = TP_EXIT_USAGE;
-  argp_program_version = "topple " TP_VERSION;
-  if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
+  const int refused = tp_cli_parse(&parser, argc, argv, &a);
+  if (refused != 0) return refused;
   tp_accuracy *accuracy = NULL;
   tp_message message = {""};
   int written = 0;

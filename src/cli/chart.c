@@ -36,9 +36,8 @@ int tp_cli_chart(int argc, char **argv) {
   tp_chart_arguments a = {.fos = tp_chart_fos_options_default(),
                           .mechanisms = tp_chart_mechanisms_options_default(),
                           .map = {.y = {"tilt", {0, 90}}}};
-  argp_err_exit_status = TP_EXIT_USAGE;
-  argp_program_version = "topple " TP_VERSION;
-  if (argp_parse(&tp_chart_parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
+  const int refused = tp_cli_parse(&tp_chart_parser, argc, argv, &a);
+  if (refused != 0) return refused;
   tp_chart *chart = NULL;
   tp_message message = {""};
   int written = 0;

@@ -64,9 +64,12 @@ static void read_list(tp_chart_list *list, const char *text, struct argp_state *
 static void read_range(tp_chart_range *range, const char *text, struct argp_state *state) {
   const char *at = text;
   range->from = read_number(&at, state);
-  if (*at++ != ':') argp_error(state, "'%s' is no range, as 10:60", text);
-  range->to = read_number(&at, state);
-  if (*at != '\0') argp_error(state, "'%s' is no range, as 10:60", text);
+  const bool two = *at == ':';
+  if (two) {
+    at++;
+    range->to = read_number(&at, state);
+  }
+  if (!two || *at != '\0') argp_error(state, "'%s' is no range, as 10:60", text);
   if (!(range->from < range->to)) {
     argp_error(state, "the range '%s' must rise: write the lesser end first", text);
   }

@@ -8,6 +8,8 @@
 
 #include "topple.h"
 
+#include <argp.h>
+
 enum { TP_EXIT_REFUTED = 1, TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 
 /* argv[0] is the program's name followed by the command's. Returns the exit status. */
@@ -16,6 +18,12 @@ int tp_cli_chart(int argc, char **argv);
 int tp_cli_solve(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
 int tp_cli_verify(int argc, char **argv);
+
+/* Where FLINT and GMP run out of memory the program ends with a message and TP_EXIT_SYSTEM. */
+void tp_cli_guard_memory(void);
+
+/* Read the words of a command: 0, or the exit status, complained about. */
+int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments);
 
 /* tp_report_figure, from the library that draws. */
 TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,

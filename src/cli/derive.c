@@ -106,9 +106,8 @@ static tp_status report_family(char **report, const tp_scene *scene, const argum
 
 int tp_cli_derive(int argc, char **argv) {
   arguments a = {.derive = tp_derive_options_default()};
-  argp_err_exit_status = TP_EXIT_USAGE;
-  argp_program_version = "topple " TP_VERSION;
-  if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
+  const int refused = tp_cli_parse(&parser, argc, argv, &a);
+  if (refused != 0) return refused;
   tp_scene *scene = NULL;
   tp_message message = {""};
   char *report = NULL;

@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Figures: Cairo is loaded when one is asked for, not at every start. */
+/* Figures: Cairo is loaded when one is asked for, not at every start. They are drawn in a process
+ * of their own, as Fontconfig crashes where memory runs out: the program then says so and ends
+ * well. */
 
 #include "cli/cli.h"
 
 #include <dlfcn.h>
+#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #define LIBRARY "libtopple-figure.so"
@@ -30,8 +35,14 @@ static void *load_library(void) {
   return dlopen(TP_LIBRARY_FOLDER "/" LIBRARY, RTLD_NOW);
 }
 
-tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
-                      tp_message *message) {
+/* What the process that draws has to tell. */
+typedef struct outcome {
+  tp_status status;
+  tp_message message;
+} outcome;
+
+static tp_status draw_here(const char *path, const tp_scene *scene, const tp_solution *solution,
+                           tp_message *message) {
   void *library = load_library();
   draw_function draw = NULL;
   if (library != NULL) *(void **)&draw = dlsym(library, "tp_report_figure");
@@ -42,4 +53,59 @@ tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution
            "other files",
            why != NULL ? why : "no reason is given");
   return TP_DEPENDENCY_FAILED;
+}
+
+/* True when all of it came; it is less than what a pipe takes at once. */
+static bool receive(outcome *told, int from) {
+  size_t got = 0;
+  while (got < sizeof *told) {
+    const ssize_t more = read(from, (char *)told + got, sizeof *told - got);
+    if (more < 0 && errno == EINTR) continue;
+    if (more <= 0) break;
+    got += (size_t)more;
+  }
+  return got == sizeof *told;
+}
+
+static tp_status fail(tp_message *message, tp_status status, const char *what) {
+  snprintf(message->text, sizeof message->text, "the figure cannot be drawn: %s", what);
+  return status;
+}
+
+/* What the other process came to. */
+static tp_status await(pid_t process, int from, tp_message *message) {
+  outcome told = {TP_OK, {""}};
+  const bool complete = receive(&told, from);
+  int ended = 0;
+  while (waitpid(process, &ended, 0) < 0) {
+    if (errno != EINTR) return fail(message, TP_SYSTEM_FAILED, strerror(errno));
+  }
+  if (complete && WIFEXITED(ended) && WEXITSTATUS(ended) == 0) {
+    *message = told.message;
+    return told.status;
+  }
+  if (WIFEXITED(ended)) return fail(message, TP_OUT_OF_MEMORY, "its process gave up");
+  return fail(message, TP_DEPENDENCY_FAILED,
+              "Cairo or Fontconfig crashed, as they do where memory is short");
+}
+
+tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
+                      tp_message *message) {
+  int ends[2];
+  if (fflush(NULL) != 0 || pipe(ends) != 0) {
+    return fail(message, TP_SYSTEM_FAILED, strerror(errno));
+  }
+  const pid_t process = fork();
+  if (process == 0) {
+    outcome own = {TP_OK, {""}};
+    close(ends[0]);
+    own.status = draw_here(path, scene, solution, &own.message);
+    exit(write(ends[1], &own, sizeof own) == sizeof own ? 0 : TP_EXIT_SYSTEM);
+  }
+  const int why = errno;
+  close(ends[1]);
+  const tp_status status = process > 0 ? await(process, ends[0], message)
+                                       : fail(message, TP_SYSTEM_FAILED, strerror(why));
+  close(ends[0]);
+  return status;
 }

@@ -29,6 +29,16 @@ int tp_cli_print(const char *text) {
   return TP_EXIT_SYSTEM;
 }
 
+int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments) {
+  argp_err_exit_status = TP_EXIT_USAGE;
+  argp_program_version = "topple " TP_VERSION;
+  const error_t failed = argp_parse(parser, argc, argv, 0, NULL, arguments);
+  if (failed == 0) return 0;
+  fprintf(stderr, "topple: the options cannot be read: %s\n",
+          failed == ENOMEM ? "out of memory" : strerror(failed));
+  return TP_EXIT_SYSTEM;
+}
+
 int tp_cli_end(tp_status status, const tp_message *message, int written) {
   if (status == TP_OK) return written;
   fprintf(stderr, "topple: %s\n",
@@ -62,6 +72,7 @@ static int has_suffix(const char *text, const char *suffix) {
 }
 
 int main(int argc, char **argv) {
+  tp_cli_guard_memory();
   if (argc < 2) {
     print_help(stderr);
     return TP_EXIT_USAGE;

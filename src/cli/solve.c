@@ -255,9 +255,8 @@ static tp_status print_one(const arguments *a, int *written, tp_message *message
 int tp_cli_solve(int argc, char **argv) {
   const tp_solve_options unless_given = tp_solve_options_default();
   arguments a = {.digits = unless_given.digits, .level = unless_given.level};
-  argp_err_exit_status = TP_EXIT_USAGE;
-  argp_program_version = "topple " TP_VERSION;
-  if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
+  const int refused = tp_cli_parse(&parser, argc, argv, &a);
+  if (refused != 0) return refused;
   tp_message message = {""};
   int written = 0;
   const tp_status status =

@@ -56,9 +56,8 @@ static const struct argp parser = {
 
 int tp_cli_verify(int argc, char **argv) {
   arguments a = {0};
-  argp_err_exit_status = TP_EXIT_USAGE;
-  argp_program_version = "topple " TP_VERSION;
-  if (argp_parse(&parser, argc, argv, 0, NULL, &a) != 0) return TP_EXIT_USAGE;
+  const int refused = tp_cli_parse(&parser, argc, argv, &a);
+  if (refused != 0) return refused;
   tp_verification *verification = NULL;
   tp_message message = {""};
   char *report = NULL;

@@ -21,7 +21,10 @@ void tp_symbolic_chain_clear(tp_symbolic_chain *chain, const fmpz_mpoly_ctx_t ri
 static bool init_chain(tp_symbolic_chain *chain, long count, const fmpz_mpoly_ctx_t ring) {
   chain->x = calloc((size_t)count + 1, sizeof *chain->x);
   chain->y = calloc((size_t)count + 1, sizeof *chain->y);
-  if (chain->x == NULL || chain->y == NULL) return false;
+  if (chain->x == NULL || chain->y == NULL) {
+    tp_symbolic_chain_clear(chain, ring);
+    return false;
+  }
   for (long k = 0; k < count; k++) {
     fmpz_mpoly_q_init(chain->x + k, ring);
     fmpz_mpoly_q_init(chain->y + k, ring);

@@ -18,8 +18,16 @@ tp_basis tp_basis_of(const tp_simplex_answer *answer) {
   return basis;
 }
 
-static void set_middles(fmpq *entries, const tp_vector *of) {
-  for (int row = 0; row < 3; row++) arf_get_fmpq(entries + row, arb_midref(of->of + row));
+static bool set_middle(fmpq *entry, const arb_t of) {
+  const bool finite = arf_is_finite(arb_midref(of)) != 0;
+  if (finite) arf_get_fmpq(entry, arb_midref(of));
+  return finite;
+}
+
+static bool set_middles(fmpq *entries, const tp_vector *of) {
+  bool finite = true;
+  for (int row = 0; row < 3 && finite; row++) finite = set_middle(entries + row, of->of + row);
+  return finite;
 }
 
 /* The program in rationals. */
@@ -47,30 +55,27 @@ static void exact_clear(exact_program *p) {
   free(p->most);
 }
 
-static void exact_fill(exact_program *p, const tp_cones *cones, const long *columns, long bits) {
+/* False where a column is not finite. */
+static bool exact_fill(exact_program *p, const tp_cones *cones, const long *columns, long bits) {
   tp_vector entries;
   tp_vector_init(&entries);
-  for (long k = 0; k < p->count; k++) {
+  bool finite = true;
+  for (long k = 0; k < p->count && finite; k++) {
     tp_cones_column(entries.of, cones, columns[k], bits);
-    set_middles(p->entries + 3 * k, &entries);
+    finite = set_middles(p->entries + 3 * k, &entries);
     if (tp_cones_is_edge(cones, columns[k])) continue;
     tp_cones_bound(entries.of, cones, columns[k]);
-    arf_get_fmpq(p->bounds + k, arb_midref(entries.of));
+    finite = finite && set_middle(p->bounds + k, entries.of);
     p->most[k] = p->bounds + k;
   }
   tp_vector_clear(&entries);
+  return finite;
 }
 
-bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
-                    const tp_vector *direction, const tp_vector *target, long bits) {
-  exact_program p;
-  if (!exact_init(&p, count)) return false;
-  exact_fill(&p, cones, columns, bits);
-  set_middles(p.ends, direction);
-  set_middles(p.ends + 3, target);
+static bool exact_solve(tp_basis *basis, exact_program *p, const long *columns) {
   fmpq_t value;
   fmpq_init(value);
-  const tp_geom_program program = {(size_t)count, p.entries, p.ends, p.ends + 3, p.most};
+  const tp_geom_program program = {(size_t)p->count, p->entries, p->ends, p->ends + 3, p->most};
   tp_geom_maximum maximum = {.value = value};
   const bool done = tp_geom_maximise(&maximum, &program) == TP_GEOM_OK;
   *basis = (tp_basis){.outcome = maximum.outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
@@ -80,6 +85,17 @@ bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns,
                       .columns = {-1, -1, -1}};
   for (int k = 0; k < maximum.basis_count; k++) basis->columns[k] = columns[maximum.basis[k]];
   fmpq_clear(value);
+  return done;
+}
+
+bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
+                    const tp_vector *direction, const tp_vector *target, long bits) {
+  exact_program p;
+  if (!exact_init(&p, count)) return false;
+  const bool finite = exact_fill(&p, cones, columns, bits) && set_middles(p.ends, direction) &&
+                      set_middles(p.ends + 3, target);
+  *basis = (tp_basis){.outcome = TP_SIMPLEX_STUCK, .columns = {-1, -1, -1}};
+  const bool done = !finite || exact_solve(basis, &p, columns);
   exact_clear(&p);
   return done;
 }

@@ -21,7 +21,8 @@ typedef struct tp_basis {
 
 tp_basis tp_basis_of(const tp_simplex_answer *answer);
 
-/* The exact one of some columns, `count` of them; false where the solver or memory fails. */
+/* The exact one of some columns, `count` of them, TP_SIMPLEX_STUCK where data are not finite at
+ * this precision; false where the solver or memory fails. */
 bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
                     const tp_vector *direction, const tp_vector *target, long bits);
 

@@ -132,6 +132,8 @@ static tp_limit_outcome find_near(tp_limit_answer *answer, const tp_limit_questi
   case TP_SEARCH_HOLDS_NEVER:
     answer->kind = TP_LIMIT_NOWHERE;
     return TP_LIMIT_PROVEN;
+  case TP_SEARCH_OPEN:
+    return TP_LIMIT_OPEN;
   case TP_SEARCH_TILT:
     break;
   }
@@ -139,7 +141,18 @@ static tp_limit_outcome find_near(tp_limit_answer *answer, const tp_limit_questi
   return find(answer, q, p, sketch);
 }
 
+static bool is_finite(const tp_trig *f) {
+  for (int basis = 0; basis < TP_BASIS; basis++) {
+    if (!arb_is_finite(f->of + basis)) return false;
+  }
+  return true;
+}
+
 tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question *q) {
+  /* a weight that is not told from none at this precision has no arm */
+  if (!is_finite(&q->load->x) || !is_finite(&q->load->y) || !is_finite(&q->load->moment)) {
+    return TP_LIMIT_OPEN;
+  }
   if (q->cones->count == 0) { /* a corner on a corner alone presses on nothing */
     answer->kind = TP_LIMIT_NOWHERE;
     return TP_LIMIT_PROVEN;

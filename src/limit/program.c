@@ -96,6 +96,7 @@ double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *q) {
   case TP_SEARCH_HOLDS_NEVER:
     return -90;
   case TP_SEARCH_TILT:
+  case TP_SEARCH_OPEN: /* level, for want of better */
     break;
   }
   return degrees;

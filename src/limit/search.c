@@ -150,19 +150,20 @@ static double beaten_until(const double twist[3], double held, const loads *l, d
 }
 
 /* A tilt that holds between two that do not: the mechanism in the middle rules out a stretch about
- * it, and what is left on either side is looked at likewise. */
+ * it, and what is left on either side is looked at likewise. Where doubles are too short for the
+ * scene a mechanism may rule out nothing: `looks` bounds how often it is tried. */
 static bool find_between(double *found, tp_sketch *sketch, const loads *l, double low, double high,
-                         int depth) {
+                         int *looks) {
   const double middle = (low + high) / 2;
   const tp_simplex_answer answer = look(sketch, l, middle);
   *found = middle;
   if (answer.outcome == TP_SIMPLEX_OPTIMAL) return true;
-  if (answer.outcome != TP_SIMPLEX_INFEASIBLE || depth == 0) return false;
+  if (answer.outcome != TP_SIMPLEX_INFEASIBLE || --*looks <= 0) return false;
   const double held = held_against(sketch, answer.dual);
   const double left = beaten_until(answer.dual, held, l, middle, low);
   const double right = beaten_until(answer.dual, held, l, middle, high);
-  return (left > low && find_between(found, sketch, l, low, left, depth - 1)) ||
-         (right < high && find_between(found, sketch, l, right, high, depth - 1));
+  return (left > low && find_between(found, sketch, l, low, left, looks)) ||
+         (right < high && find_between(found, sketch, l, right, high, looks));
 }
 
 static double halve(tp_sketch *sketch, const loads *l, double low, double high) {
@@ -177,18 +178,22 @@ static double halve(tp_sketch *sketch, const loads *l, double low, double high) 
 }
 
 /* The first tilt at which the base holds, in steps from `from`; at a step or between two. */
-static bool find_held(double *found, tp_sketch *sketch, const loads *l, double from, double step) {
-  enum { DEPTH = 40 };
+static tp_search_found find_held(double *found, tp_sketch *sketch, const loads *l, double from,
+                                 double step) {
+  enum { MOST_LOOKS = 100 };
+  bool open = false;
   for (int k = 0; k <= STEPS; k++) {
+    int looks = MOST_LOOKS;
     *found = from + k * step;
-    if (holds(sketch, l, *found)) return true;
+    if (holds(sketch, l, *found)) return TP_SEARCH_TILT;
     const double before = from + (k - 1) * step;
     if (k > 0 && find_between(found, sketch, l, fmin(before, from + k * step),
-                              fmax(before, from + k * step), DEPTH)) {
-      return true;
+                              fmax(before, from + k * step), &looks)) {
+      return TP_SEARCH_TILT;
     }
+    open = open || looks <= 0;
   }
-  return false;
+  return open ? TP_SEARCH_OPEN : TP_SEARCH_HOLDS_NEVER;
 }
 
 tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limit_question *q) {
@@ -203,8 +208,10 @@ tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limi
   const double range = arf_get_d(arb_midref(q->range), ARF_RND_DOWN) * (180 / M_PI);
   const double step = range / STEPS;
   double held = 0;
-  if (!find_held(&held, sketch, &l, 0, step) && !find_held(&held, sketch, &l, 0, -step)) {
-    return TP_SEARCH_HOLDS_NEVER;
+  const tp_search_found above = find_held(&held, sketch, &l, 0, step);
+  if (above != TP_SEARCH_TILT) {
+    const tp_search_found below = find_held(&held, sketch, &l, 0, -step);
+    if (below != TP_SEARCH_TILT) return above == TP_SEARCH_OPEN ? above : below;
   }
   while (held < range) {
     const double next = fmin(held + step, range);

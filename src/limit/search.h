@@ -28,7 +28,8 @@ tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face,
 typedef enum tp_search_found {
   TP_SEARCH_TILT,
   TP_SEARCH_HOLDS_ALWAYS,
-  TP_SEARCH_HOLDS_NEVER
+  TP_SEARCH_HOLDS_NEVER,
+  TP_SEARCH_OPEN /* doubles are too short for this scene */
 } tp_search_found;
 
 tp_search_found tp_search_near(double *degrees, tp_sketch *sketch,

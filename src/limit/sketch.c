@@ -28,8 +28,9 @@ static double error_of(const arb_t ball, long exponent) {
   return error + fabs(scaled(ball, exponent)) * DBL_EPSILON + DBL_MIN;
 }
 
-/* log2, -infinity for 0 */
+/* log2; an infinity for 0 and for infinity, which FLINT takes for 2^(2^62) */
 static double log2_of(const mag_t size) {
+  if (mag_is_inf(size)) return INFINITY;
   return mag_is_zero(size) ? -INFINITY : mag_get_d_log2_approx(size);
 }
 

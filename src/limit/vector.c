@@ -37,7 +37,7 @@ double tp_vector_log2_size(const tp_vector *v) {
   double most = -INFINITY;
   for (int k = 0; k < 3; k++) {
     arb_get_mag(size, v->of + k);
-    most = fmax(most, mag_get_d_log2_approx(size));
+    most = fmax(most, mag_is_inf(size) ? INFINITY : mag_get_d_log2_approx(size));
   }
   mag_clear(size);
   return most;

@@ -162,9 +162,12 @@ static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
   arb_clear(radians);
 }
 
-/* Zeros in a box: none, one, or halves of it. */
+/* Zeros in a box: none, one, or halves of it. Where one box stays open to the last nothing is
+ * certain any more, and the others are not looked at: with bounds too wide for this precision they
+ * would all stay open, 2^60 of them. */
 static void isolate(tp_roots *roots, const tp_trig *f, box *b, int depth, long bits) {
   enum { MOST_DEPTH = 60 };
+  if (!roots->certain) return;
   arb_t x, value;
   arb_init(x);
   arb_init(value);

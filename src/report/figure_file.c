@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A figure into a file: written under a name of its own beside it, then renamed, so that the file
- * is whole or as it was. */
+/* A figure into a file. It is drawn into memory and written when all of it is there, under a name
+ * of its own beside the file, which is then renamed: the file is whole or as it was, and nothing is
+ * left where the drawing ends the process. */
 
 #include "message.h"
 #include "report/figure.h"
@@ -12,22 +13,32 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #define PNG_DOTS_PER_POINT (300.0 / 72) /* 300 to the inch */
 
-/* A file, and how writing to it went: Cairo does not hand every error on. */
+/* What is drawn so far; Cairo does not hand every error on. */
 typedef struct sink {
-  tp_file file;
-  tp_status status;
-  tp_message *message;
+  char *bytes;
+  size_t length, capacity;
+  bool failed; /* memory was exhausted */
 } sink;
 
 static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int length) {
   sink *s = closure;
-  if (s->status == TP_OK) {
-    s->status = tp_file_write(&s->file, (const char *)data, length, s->message);
+  if (s->failed) return CAIRO_STATUS_NO_MEMORY;
+  if (length > s->capacity - s->length) {
+    const size_t capacity = 2 * (s->capacity + length);
+    char *bytes = realloc(s->bytes, capacity);
+    s->failed = bytes == NULL;
+    if (s->failed) return CAIRO_STATUS_NO_MEMORY;
+    s->bytes = bytes;
+    s->capacity = capacity;
   }
-  return s->status == TP_OK ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+  memcpy(s->bytes + s->length, data, length);
+  s->length += length;
+  return CAIRO_STATUS_SUCCESS;
 }
 
 /* Letters measure alike on every kind of page: no fitting of them to its dots. */
@@ -95,16 +106,25 @@ static cairo_status_t write_figure(tp_figure_kind kind, sink *s, const tp_figure
   return status;
 }
 
-tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message *message) {
-  sink s = {.message = message};
-  const tp_status status = tp_file_open(&s.file, path, message);
+static tp_status write_file(const char *path, const sink *s, tp_message *message) {
+  tp_file file;
+  const tp_status status = tp_file_open(&file, path, message);
   if (status != TP_OK) return status;
+  return tp_file_close(&file, tp_file_write(&file, s->bytes, s->length, message), message);
+}
+
+tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message *message) {
+  sink s = {0};
   const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
-  if (s.status == TP_OK && drawn == CAIRO_STATUS_NO_MEMORY) {
-    s.status = tp_fail_memory(message, "the figure");
-  } else if (s.status == TP_OK && drawn != CAIRO_STATUS_SUCCESS) {
-    s.status = tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
-                       "the figure cannot be drawn: %s", cairo_status_to_string(drawn));
+  tp_status status = TP_OK;
+  if (s.failed || drawn == CAIRO_STATUS_NO_MEMORY) {
+    status = tp_fail_memory(message, "the figure");
+  } else if (drawn != CAIRO_STATUS_SUCCESS) {
+    status = tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
+                     "the figure cannot be drawn: %s", cairo_status_to_string(drawn));
+  } else {
+    status = write_file(path, &s, message);
   }
-  return tp_file_close(&s.file, s.status, message);
+  free(s.bytes);
+  return status;
 }

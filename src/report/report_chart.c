@@ -11,13 +11,15 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 bool tp_chart_format_read(tp_chart_format *format, const char *path) {
   static const char *const endings[] = {".svg", ".pdf", ".png", ".csv"};
   const char *ending = strrchr(path, '.');
-  for (int k = 0; ending != NULL && k < 4; k++) {
-    if (strcmp(ending, endings[k]) != 0) continue;
+  const bool ends = ending != NULL && ending != path && ending[-1] != '/'; /* .svg is a name */
+  for (int k = 0; ends && k < 4; k++) {
+    if (strcasecmp(ending, endings[k]) != 0) continue;
     *format = (tp_chart_format)k;
     return true;
   }

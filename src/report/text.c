@@ -16,6 +16,7 @@ void tp_text_add(tp_text *text, const char *format, ...) {
   va_copy(again, arguments);
   const int added = vsnprintf(NULL, 0, format, arguments);
   va_end(arguments);
+  if (added < 0) text->failed = true; /* some numbers take memory to print */
   const size_t needed = text->length + (size_t)(added > 0 ? added : 0) + 1;
   if (!text->failed && needed > text->capacity) {
     const size_t capacity = needed < 4096 ? 4096 : 2 * needed;

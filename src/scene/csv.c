@@ -158,13 +158,11 @@ static void drop_closing_point(tp_polyline *line) {
   line->count--;
 }
 
-tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_message *message) {
+/* Closes the file. */
+static tp_status read_file(tp_polyline *line, FILE *file, const char *path, bool closed,
+                           tp_message *message) {
   *line = (tp_polyline){.file = path};
-  reader r = {.path = path, .points = line, .message = message, .file = fopen(path, "rb")};
-  if (r.file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  reader r = {.path = path, .points = line, .message = message, .file = file};
   r.buffer = calloc(1, LONGEST_LINE);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
@@ -179,4 +177,25 @@ tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_messa
     drop_closing_point(line);
   }
   return status;
+}
+
+tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_message *message) {
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) {
+    *line = (tp_polyline){.file = path};
+    if (errno == ENOMEM) return tp_fail_memory(message, "an outline");
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
+                   strerror(errno));
+  }
+  return read_file(line, file, path, closed, message);
+}
+
+tp_status tp_csv_read_text(tp_polyline *line, const char *text, const char *name, bool closed,
+                           tp_message *message) {
+  FILE *file = fmemopen((void *)text, strlen(text), "rb"); /* it only reads */
+  if (file == NULL) {
+    *line = (tp_polyline){.file = name};
+    return tp_fail_memory(message, "an outline");
+  }
+  return read_file(line, file, name, closed, message);
 }

@@ -14,5 +14,8 @@
 /* `path` must outlive the line, whose places refer to it. `line` is left empty on failure. */
 TP_MUST_USE tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed,
                                   tp_message *message);
+/* The same from text in memory; `name` is what places refer to, and must outlive the line. */
+TP_MUST_USE tp_status tp_csv_read_text(tp_polyline *line, const char *text, const char *name,
+                                       bool closed, tp_message *message);
 
 #endif

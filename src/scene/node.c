@@ -228,6 +228,7 @@ static tp_status read_file(tp_node **root, FILE *file, const char *path, tp_mess
 
 tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
   FILE *file = fopen(path, "rb");
+  if (file == NULL && errno == ENOMEM) return tp_fail_memory(message, "the scene");
   if (file == NULL) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
                    strerror(errno));

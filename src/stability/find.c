@@ -95,7 +95,9 @@ static sample look(search *s, double x) {
     /* the difference is rounded once */
     at.gap.error += fabs(at.gap.value) * 0x1p-52;
   }
-  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) s->status = status;
+  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
+    s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
+  }
   tp_solution_free(solution);
   return at;
 }
@@ -122,9 +124,9 @@ static sample domain_edge(search *s, sample inside, sample outside) {
   return inside;
 }
 
-static tp_status add_solution(tp_found *found, double low, double high) {
+static tp_status add_solution(const search *s, tp_found *found, double low, double high) {
   tp_bounded *all = realloc(found->solutions, (found->count + 1) * sizeof *all);
-  if (all == NULL) return TP_OUT_OF_MEMORY;
+  if (all == NULL) return tp_fail_memory(s->message, "the solutions");
   found->solutions = all;
   const double middle = low + (high - low) / 2;
   const double error = (high - low) / 2 + fabs(middle) * 0x1p-51; /* decimal text, and rounding */
@@ -148,7 +150,7 @@ static void bisect(search *s, tp_found *found, sample low, sample high) {
   const double width = (high.x - low.x) / (fabs(high.x) + fabs(low.x));
   const double gap = fabs(high.gap.value - low.gap.value);
   if (s->status != TP_OK || (width < 1e-12 && gap > 1e-6)) return; /* it jumps there */
-  s->status = add_solution(found, low.x, high.x);
+  s->status = add_solution(s, found, low.x, high.x);
 }
 
 /* A point that is not told apart from the wanted value: the nearest ones that are, on either side.
@@ -159,7 +161,7 @@ static void bracket_about(search *s, tp_found *found, const sample *at, double s
     const sample low = look(s, at->x - h), high = look(s, at->x + h);
     if (!low.known || !high.known) break;
     if (side(&low) * side(&high) < 0) {
-      s->status = add_solution(found, low.x, high.x);
+      s->status = add_solution(s, found, low.x, high.x);
       return;
     }
   }

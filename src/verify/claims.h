@@ -40,8 +40,10 @@ typedef struct tp_claims {
   tp_claim *claims;
 } tp_claims;
 
-/* On failure `claims` is cleared. */
-TP_MUST_USE tp_status tp_claims_read(tp_claims *claims, const char *path, tp_message *message);
+/* From the file `path`, or from `text` where that is not NULL; `path` is then its name. On failure
+ * `claims` is cleared. */
+TP_MUST_USE tp_status tp_claims_read(tp_claims *claims, const char *path, const char *text,
+                                     tp_message *message);
 void tp_claims_clear(tp_claims *claims);
 
 /* The claims under `claims:`, by claims_list.c. */

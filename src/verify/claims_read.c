@@ -203,11 +203,13 @@ static tp_status read_root(tp_claims *claims, tp_message *message) {
   return tp_claims_read_list(claims, list, message);
 }
 
-tp_status tp_claims_read(tp_claims *claims, const char *path, tp_message *message) {
+tp_status tp_claims_read(tp_claims *claims, const char *path, const char *text,
+                         tp_message *message) {
   memset(claims, 0, sizeof *claims);
   claims->path = strdup(path);
   if (claims->path == NULL) return tp_fail_memory(message, "the claims");
-  tp_status status = tp_node_read(&claims->root, claims->path, message);
+  tp_status status = text != NULL ? tp_node_read_text(&claims->root, text, claims->path, message)
+                                  : tp_node_read(&claims->root, claims->path, message);
   if (status == TP_OK) status = read_root(claims, message);
   if (status != TP_OK) tp_claims_clear(claims);
   return status;

@@ -31,17 +31,17 @@ static bool may_be_identity(const char *text, search *s) {
   const tp_question *q = s->question;
   tp_formula formula;
   tp_message ignored;
-  if (tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored) != TP_OK) {
-    return false;
-  }
+  tp_status status = tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored);
+  s->failed = s->failed || status == TP_OUT_OF_MEMORY;
+  if (status != TP_OK) return false;
   arb_t value;
   arb_init(value);
-  const tp_status status =
-      tp_evaluate_ball(value, &formula, q->subject, q->sample, false, BITS, &ignored);
+  status = tp_evaluate_ball(value, &formula, q->subject, q->sample, false, BITS, &ignored);
   const bool differs =
       arb_is_finite(value) && arb_is_finite(s->derived) && !arb_overlaps(value, s->derived);
   arb_clear(value);
   tp_formula_clear(&formula);
+  s->failed = s->failed || status == TP_OUT_OF_MEMORY;
   return status == TP_OK && !differs;
 }
 
@@ -50,8 +50,8 @@ static bool is_identity(const char *text, search *s) {
   if (!may_be_identity(text, s)) return false;
   fmpz_mpoly_q_t difference;
   fmpz_mpoly_q_init(difference, ring);
-  const bool zero =
-      tp_mend_difference(difference, text, s->question) && fmpz_mpoly_q_is_zero(difference, ring);
+  const bool zero = tp_mend_difference(difference, &s->failed, text, s->question) &&
+                    fmpz_mpoly_q_is_zero(difference, ring);
   fmpz_mpoly_q_clear(difference, ring);
   return zero;
 }

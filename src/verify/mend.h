@@ -14,8 +14,10 @@
 /* The text of a formula with [begin, end) replaced; NULL when memory is exhausted. */
 char *tp_mend_replaced(const tp_formula *formula, int begin, int end, const char *by);
 
-/* Printed minus derived for another text; false where it cannot be formed. */
-bool tp_mend_difference(fmpz_mpoly_q_t difference, const char *text, const tp_question *question);
+/* Printed minus derived for another text; false where it cannot be formed, with `*failed` set if
+ * that is for want of memory, else untouched. */
+bool tp_mend_difference(fmpz_mpoly_q_t difference, bool *failed, const char *text,
+                        const tp_question *question);
 
 /* The rational numbers for which a text with the unknown in it may be an identity: new memory, the
  * caller clears and frees it. -1 when memory is exhausted. */

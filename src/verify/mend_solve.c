@@ -23,20 +23,21 @@ char *tp_mend_replaced(const tp_formula *f, int begin, int end, const char *by) 
 }
 
 /* Printed minus derived for another text; false where it cannot be formed. */
-bool tp_mend_difference(fmpz_mpoly_q_t difference, const char *text, const tp_question *q) {
+bool tp_mend_difference(fmpz_mpoly_q_t difference, bool *failed, const char *text,
+                        const tp_question *q) {
   tp_formula formula;
   tp_message ignored;
   tp_question other = *q;
   other.message = &ignored;
-  if (tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored) != TP_OK) {
-    return false;
-  }
+  tp_status status = tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored);
+  if (status == TP_OUT_OF_MEMORY) *failed = true;
+  if (status != TP_OK) return false;
   other.printed = &formula;
   bool rational = false, tangents = false;
-  const bool done =
-      tp_decide_difference(difference, NULL, &rational, &tangents, &other) == TP_OK && rational;
+  status = tp_decide_difference(difference, NULL, &rational, &tangents, &other);
+  if (status == TP_OUT_OF_MEMORY) *failed = true;
   tp_formula_clear(&formula);
-  return done;
+  return status == TP_OK && rational;
 }
 
 /* A polynomial in the unknown alone: its other symbols take whole values. */
@@ -88,12 +89,14 @@ long tp_mend_solve(fmpq **roots, const char *text, const tp_question *q) {
   fmpz_poly_init(polynomial);
   *roots = NULL;
   long count = 0;
-  if (tp_mend_difference(difference, text, q) &&
+  bool failed = false;
+  if (tp_mend_difference(difference, &failed, text, q) &&
       fmpz_mpoly_degree_si(fmpz_mpoly_q_numref(difference), s->mend, s->field->ring) > 0) {
     to_univariate(polynomial, fmpz_mpoly_q_numref(difference), s);
   }
   const slong degree = fmpz_poly_degree(polynomial);
   if (degree > 0 && degree <= MOST_DEGREE) count = collect_roots(roots, polynomial);
+  if (failed) count = -1; /* no roots were asked for */
   fmpz_poly_clear(polynomial);
   fmpz_mpoly_q_clear(difference, s->field->ring);
   return count;

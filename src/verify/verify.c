@@ -182,8 +182,8 @@ static tp_status decide_all(work *w, tp_verification *v) {
   return status;
 }
 
-static tp_status verify(tp_verification *v, work *w, const char *path) {
-  tp_status status = tp_claims_read(&w->claims, path, w->message);
+static tp_status verify(tp_verification *v, work *w, const char *path, const char *text) {
+  tp_status status = tp_claims_read(&w->claims, path, text, w->message);
   if (status != TP_OK) return status;
   const size_t count = (size_t)w->claims.geometry_count + 1;
   w->subjects = calloc(count, sizeof *w->subjects);
@@ -199,15 +199,25 @@ static tp_status verify(tp_verification *v, work *w, const char *path) {
   return status;
 }
 
-tp_status tp_verify(tp_verification **verification, const char *path, tp_message *message) {
+static tp_status start(tp_verification **verification, const char *path, const char *text,
+                       tp_message *message) {
   tp_verification *v = calloc(1, sizeof *v);
   if (v == NULL) return tp_fail_memory(message, "the verdicts");
   work w = {.message = message};
-  const tp_status status = verify(v, &w, path);
+  const tp_status status = verify(v, &w, path, text);
   if (status == TP_OK) {
     *verification = v;
   } else {
     tp_verification_free(v);
   }
   return status;
+}
+
+tp_status tp_verify(tp_verification **verification, const char *path, tp_message *message) {
+  return start(verification, path, NULL, message);
+}
+
+tp_status tp_verify_text(tp_verification **verification, const char *text, const char *name,
+                         tp_message *message) {
+  return start(verification, name, text, message);
 }

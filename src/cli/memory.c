@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Memory for FLINT and GMP, which end the process by an abort where there is none. The library's
+ * own requests fail with a status; within FLINT and GMP, which know of none, the program ends here:
+ * with a message, and with nothing half-written, as reports and files are written when all that
+ * belongs to them is computed. */
+
+#include "cli/cli.h"
+
+#include <flint/flint.h>
+#include <gmp.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Without stdio, which takes memory. */
+_Noreturn static void end(const char *complaint) {
+  const ssize_t written = write(STDERR_FILENO, complaint, strlen(complaint));
+  _exit(written < 0 ? TP_EXIT_SYSTEM : tp_status_exit(TP_OUT_OF_MEMORY));
+}
+
+static void *given(void *memory) {
+  if (memory == NULL) {
+    end("topple: out of memory while computing; a scene with fewer vertices or a less exact "
+        "question needs less\n");
+  }
+  return memory;
+}
+
+/* No bytes are a pointer to none for some allocators. */
+static size_t some(size_t size) {
+  return size > 0 ? size : 1;
+}
+
+static void *take(size_t size) {
+  return given(malloc(some(size)));
+}
+
+static void *take_zeros(size_t count, size_t size) {
+  return given(calloc(some(count), some(size)));
+}
+
+static void *resize(void *memory, size_t size) {
+  return given(realloc(memory, some(size)));
+}
+
+static void *resize_known(void *memory, size_t size_before, size_t size) {
+  (void)size_before;
+  return resize(memory, size);
+}
+
+static void give_back(void *memory, size_t size) {
+  (void)size;
+  free(memory);
+}
+
+_Noreturn static void give_up(void) {
+  end("topple: FLINT, a library that Topple builds on, gave up; please report the scene\n");
+}
+
+void tp_cli_guard_memory(void) {
+  __flint_set_memory_functions(take, take_zeros, resize, free);
+  flint_set_abort(give_up);
+  mp_set_memory_functions(take, resize_known, give_back);
+}

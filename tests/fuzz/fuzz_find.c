@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Back-analysis and charts: drawn scenes, keys and numbers, wrong ones among them. */
+
+#define _GNU_SOURCE
+#include "fuzz.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+/* These calls read a file: one in memory. */
+static int make_file(char path[64], const char *text) {
+  const int file = memfd_create("scene", 0);
+  const size_t length = strlen(text);
+  FUZZ_EXPECT(file >= 0 && write(file, text, length) == (ssize_t)length);
+  snprintf(path, 64, "/proc/self/fd/%d", file);
+  return file;
+}
+
+static double draw_number(fuzz_bytes *b) {
+  static const double odd[] = {0, -1, 90, 1e300, -1e300, 1e-300, NAN, INFINITY};
+  const unsigned drawn = fuzz_pick(b, 256);
+  return drawn >= 248 ? odd[drawn - 248] : drawn / 4.0;
+}
+
+static const char *draw_key(fuzz_bytes *b) {
+  static const char *const keys[] = {"a",
+                                     "block.slab.width",
+                                     "block.slab.height",
+                                     "block.teeth.count",
+                                     "block.teeth.depth",
+                                     "block.ellipse.flat",
+                                     "block.outline.2.1",
+                                     "block.rounded.corners.1.radius",
+                                     "friction_angle_deg",
+                                     "friction.jrc",
+                                     "tilt.angle_deg",
+                                     "tilt",
+                                     "loads.water.height",
+                                     "loads.seismic.horizontal",
+                                     "base.beyond.left",
+                                     "block",
+                                     "length_unit",
+                                     "block.outline.0.1",
+                                     "..",
+                                     ""};
+  return keys[fuzz_pick(b, sizeof keys / sizeof keys[0])];
+}
+
+static void find(const char *scene, fuzz_bytes *b) {
+  tp_found *found = NULL;
+  char *text = NULL;
+  tp_message message = {""};
+  const tp_find_options options = {.key = draw_key(b),
+                                   .target = (tp_find_target)fuzz_pick(b, TP_FIND_LIMIT_FOS + 1),
+                                   .value = draw_number(b),
+                                   .has_range = fuzz_pick(b, 2) != 0,
+                                   .low = draw_number(b),
+                                   .high = draw_number(b)};
+  const tp_status status = tp_find(&found, scene, &options, &message);
+  fuzz_judge(status, found, &message);
+  if (status == TP_OK) {
+    FUZZ_EXPECT(tp_report_found(&text, found, &options) == TP_OK);
+    for (size_t k = 0; k < found->count; k++) FUZZ_EXPECT(found->solutions[k].error >= 0);
+  }
+  free(text);
+  tp_found_free(found);
+}
+
+static void draw_list(tp_chart_list *list, fuzz_bytes *b) {
+  list->count = fuzz_pick(b, TP_CHART_LIST_MAX + 1);
+  for (size_t k = 0; k < list->count; k++) list->values[k] = draw_number(b);
+}
+
+static tp_status chart_fos(tp_chart **chart, fuzz_bytes *b, tp_message *message) {
+  tp_chart_fos_options options = tp_chart_fos_options_default();
+  if (fuzz_pick(b, 2) != 0) draw_list(&options.inverse_slenderness, b);
+  if (fuzz_pick(b, 2) != 0) draw_list(&options.amplitude, b);
+  if (fuzz_pick(b, 2) != 0) draw_list(&options.sub_blocks, b);
+  if (fuzz_pick(b, 2) != 0) options.tilt_deg = (tp_chart_range){draw_number(b), draw_number(b)};
+  return tp_chart_fos(chart, &options, message);
+}
+
+static tp_status chart_mechanisms(tp_chart **chart, fuzz_bytes *b, tp_message *message) {
+  const tp_chart_mechanisms_options options = {.friction_deg = draw_number(b),
+                                               .roughness_angle_deg = draw_number(b),
+                                               .amplitude = draw_number(b) / 100};
+  return tp_chart_mechanisms(chart, &options, message);
+}
+
+/* Along one scalar against the tilt: a grid of two other numbers takes seconds. */
+static tp_status chart_map(tp_chart **chart, const char *scene, fuzz_bytes *b,
+                           tp_message *message) {
+  tp_chart_map_options options = {.scene = scene};
+  options.x = (tp_chart_axis){draw_key(b), {draw_number(b), draw_number(b)}};
+  options.y = (tp_chart_axis){"tilt", {draw_number(b), draw_number(b)}};
+  return tp_chart_map(chart, &options, message);
+}
+
+static void report(const tp_chart *chart) {
+  char *text = NULL;
+  FUZZ_EXPECT(tp_report_chart_csv(&text, chart) == TP_OK);
+  free(text);
+  FUZZ_EXPECT(tp_report_chart_json(&text, chart) == TP_OK);
+  free(text);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz_bytes bytes = {data, data + size};
+  const unsigned call = fuzz_pick(&bytes, 8);
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  char path[64], *scene = fuzz_scene(&bytes);
+  const int file = make_file(path, scene);
+  if (call < 4) {
+    find(path, &bytes);
+  } else {
+    const tp_status status = call == 4   ? chart_fos(&chart, &bytes, &message)
+                             : call == 5 ? chart_mechanisms(&chart, &bytes, &message)
+                                         : chart_map(&chart, path, &bytes, &message);
+    fuzz_judge(status, chart, &message);
+    if (status == TP_OK) report(chart);
+  }
+  tp_chart_free(chart);
+  close(file);
+  free(scene);
+  return 0;
+}

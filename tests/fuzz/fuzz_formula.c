@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Formulas as papers print them: a tree whose parts lie within the text. */
+
+#include "fuzz.h"
+#include "verify/formula.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const names[] = {"alpha", "a", "b", "sigma_n", "dx"};
+enum { NAMES = sizeof names / sizeof names[0] };
+
+static long find(const void *context, const char *name, size_t length) {
+  (void)context;
+  for (long k = 0; k < NAMES; k++) {
+    if (strlen(names[k]) == length && memcmp(names[k], name, length) == 0) return k;
+  }
+  return -1;
+}
+
+static bool is_angle(const void *context, long name) {
+  (void)context;
+  return name == 0;
+}
+
+static void check_tree(const tp_formula *formula, size_t size) {
+  FUZZ_EXPECT(formula->count > 0);
+  for (long k = 0; k < formula->count; k++) {
+    const tp_formula_node *node = formula->nodes + k;
+    FUZZ_EXPECT(node->left < k && node->right < k && node->left >= -1 && node->right >= -1);
+    FUZZ_EXPECT(0 <= node->begin && node->begin < node->end && (size_t)node->end <= size);
+    FUZZ_EXPECT(0 <= node->at && node->length >= 0 && (size_t)(node->at + node->length) <= size);
+    FUZZ_EXPECT(node->kind != TP_FORMULA_NAME || (node->name >= 0 && node->name < NAMES));
+    FUZZ_EXPECT(node->kind != TP_FORMULA_NUMBER || fmpq_is_canonical(&node->value));
+  }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  const tp_vocabulary vocabulary = {find, is_angle, NULL};
+  char *text = fuzz_text(data, size);
+  tp_formula formula;
+  tp_message message = {""};
+  const tp_status status =
+      tp_formula_read(&formula, text, (tp_place){"text", 1, 1}, &vocabulary, &message);
+  if (status == TP_OK) {
+    check_tree(&formula, strlen(text));
+  } else {
+    FUZZ_EXPECT(message.text[0] != '\0' && formula.count == 0);
+  }
+  tp_formula_clear(&formula);
+  free(text);
+  return 0;
+}
