@@ -11,11 +11,13 @@
     #: undecided                     even the dearest arithmetic leaves something open; see the story
     #: find KEY RESULT=VALUE LOW HIGH
     #: file NAME = GENERATOR(…)      one of those below
-    #: big                           at every price only where TOPPLE_HARD=all
+    #: text NAME = GENERATOR(…)      put into the scene where NAME stands
+    #: big                           only where TOPPLE_HARD=all
 
 Formulas are those of truth.py; they know `outline`, `holes`, `profile` and the parameters of the
 scene, as its text gives them."""
 
+import io
 import re
 
 from truth import Formula, read
@@ -34,7 +36,20 @@ def teeth(file, count, depth):
     file.write(f"{count}, {count}\n0, {count}\n")
 
 
-GENERATORS = {f.__name__: f for f in (collinear, teeth)}
+def grid(file, columns, rows):
+    """Square holes of half a unit, one in the middle of every unit of a grid."""
+    file.write("[" + ", ".join(
+        f"[[{x}.25, {y}.25], [{x}.75, {y}.25], [{x}.75, {y}.75], [{x}.25, {y}.75]]"
+        for x in range(int(columns)) for y in range(int(rows))) + "]")
+
+
+GENERATORS = {f.__name__: f for f in (collinear, teeth, grid)}
+
+
+def generate(file, generator, arguments):
+    GENERATORS[generator](file, *(a.strip() for a in arguments.split(",")))
+
+
 DIRECTIVE = re.compile(r"#: (.*)")
 
 
@@ -56,7 +71,7 @@ class Case:
     def __init__(self, path):
         self.path, self.text = path, path.read_text(encoding="utf-8")
         self.story, self.how = self.comment("Hard"), self.comment("Truth")
-        self.lets, self.truths, self.files, self.options = [], [], [], []
+        self.lets, self.truths, self.files, self.inserts, self.options = [], [], [], [], []
         self.refusal, self.undecided, self.big = None, False, False
         for line in self.text.splitlines():
             found = DIRECTIVE.match(line)
@@ -78,8 +93,9 @@ class Case:
             self.refusal = rest
         elif word in ("undecided", "big"):
             setattr(self, word, True)
-        elif word == "file":
-            self.files.append(re.fullmatch(r"(\S+) = (\w+)\((.*)\)", rest).groups())
+        elif word in ("file", "text"):
+            own = re.fullmatch(r"(\S+) = (\w+)\((.*)\)", rest).groups()
+            (self.files if word == "file" else self.inserts).append(own)
         elif word == "find":
             key, target, low, high = rest.split()
             self.options = ["--find", key, "--for", target, "--from", low, "--to", high]
@@ -89,10 +105,15 @@ class Case:
 
     def write(self, folder):
         """The scene, and the files that it names, into a folder."""
-        (folder / self.path.name).write_text(self.text, encoding="utf-8")
+        scene = self.text
+        for name, generator, arguments in self.inserts:
+            text = io.StringIO()
+            generate(text, generator, arguments)
+            scene = scene.replace(name, text.getvalue())
+        (folder / self.path.name).write_text(scene, encoding="utf-8")
         for name, generator, arguments in self.files:
             with open(folder / name, "w", encoding="utf-8") as file:
-                GENERATORS[generator](file, *(a.strip() for a in arguments.split(",")))
+                generate(file, generator, arguments)
 
     def names(self):
         """The parameters, lists of vertices and lets of the case."""

@@ -6,8 +6,8 @@ A scene says in its comments why it is hard and how its truth is known, and give
 (hard_case.py reads them, truth.py computes them exactly). At each level, and on the climb through
 all of them, the truth lies within every bound, or the program says that it is undecided; nothing
 else is let pass: no wrong verdict, no NaN, no signal. What comes out stands in docs/hard.md, which
-this test compares; TOPPLE_HARD=write writes it anew, TOPPLE_HARD=all runs the big cases at every
-price too."""
+this test compares. TOPPLE_HARD=all runs the big cases too (five minutes of CPU and 4 GB of memory,
+for reports of 300 MB), TOPPLE_HARD=write does so and writes the page anew."""
 
 import json
 import os
@@ -127,12 +127,13 @@ class Hard(unittest.TestCase):
 
     def run_case(self, path):
         case = hard_case.Case(path)
+        if case.big and not MODE:
+            self.skipTest("big; TOPPLE_HARD=all runs it")
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             case.write(folder)
-            ways = WAYS if MODE == "all" or not case.big else WAYS[:2]
-            reports = {way: self.check(case, way, folder) for way in ways}
-            if not case.refusal and not case.options:
+            reports = {way: self.check(case, way, folder) for way in (WAYS if not case.big else WAYS[:2])}
+            if not case.refusal and not case.options and not case.big:
                 status, out, err = run("solve", folder / path.name)
                 self.assertIn(status, (0, 4) if case.undecided else (0,), err)
                 self.assertIsNone(re.search(r"\b(nan|inf)\b", out))
@@ -154,12 +155,14 @@ def add_cases():
         setattr(Hard, f"test_{path.stem}", lambda self, path=path: self.run_case(path))
 
     def check_page(self):
-        """docs/hard.md tells of every case what comes out today."""
-        self.assertGreaterEqual(len(Hard.outcomes), 60)
+        """docs/hard.md tells of every case what comes out today, of the big ones if they ran."""
         fresh = page(Hard.outcomes)
         if MODE == "write":
             PAGE.write_text(fresh, encoding="utf-8")
-        self.assertEqual(PAGE.read_text(encoding="utf-8"), fresh, "TOPPLE_HARD=write writes it anew")
+        skipped = {p.stem for p in HARD.glob("*.yaml")} - set(Hard.outcomes)
+        lines = [line for line in PAGE.read_text(encoding="utf-8").splitlines(keepends=True)
+                 if not any(line.startswith(f"| `{stem}` |") for stem in skipped)]
+        self.assertEqual("".join(lines), fresh, "TOPPLE_HARD=write writes it anew")
 
     setattr(Hard, "test_~page", check_page)  # after all others
 

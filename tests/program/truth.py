@@ -64,6 +64,11 @@ def centroid(outline, *holes):
     return list(exact.centroid(exact.block_moments(outline, holes)))
 
 
+def mixed_centroid(outline, part, ratio):
+    """Of a block with one part that is `ratio` times as heavy."""
+    return list(exact.centroid(exact.block_moments(outline, (), [(part, ratio)])))
+
+
 def critical(outline, pivot, towards="left"):
     """The angle of the moments about a pivot, of a block without holes."""
     x, y = centroid(outline)
@@ -100,7 +105,7 @@ FUNCTIONS = {
     "tan": tan, "sin": lambda a: sine_cosine(a)[0], "cos": lambda a: sine_cosine(a)[1],
     "atan2": atan2, "atan": lambda t: atan2(t, 1), "asin": asin, "acos": lambda v: 90 - asin(v),
     "root": root, "log10": lambda v: number(v).log10(), "pi": lambda: exact.PI, "min": min, "max": max,
-    "area": area, "centroid": centroid, "critical": critical, "limit_angle": limit_angle,
+    "area": area, "centroid": centroid, "mixed_centroid": mixed_centroid, "critical": critical, "limit_angle": limit_angle,
     "limit_tangent": limit_tangent, "between": Enclosure,
 }
 OPERATORS = {
