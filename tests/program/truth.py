@@ -90,7 +90,14 @@ def limit_tangent(outline, profile, friction, towards="left"):
 
 
 def limit_angle(outline, profile, friction, towards="left"):
-    low, high = (atan2(t, 1) for t in limit_tangent(outline, profile, friction, towards))
+    return angle_or_none(limit_tangent(outline, profile, friction, towards))
+
+
+def angle_or_none(tangents):
+    """Of a pair of tangents that enclose one; None as it is."""
+    if tangents is None:
+        return None
+    low, high = (atan2(t, 1) for t in tangents)
     return low if low == high else Enclosure(low, high)
 
 
@@ -106,7 +113,7 @@ FUNCTIONS = {
     "atan2": atan2, "atan": lambda t: atan2(t, 1), "asin": asin, "acos": lambda v: 90 - asin(v),
     "root": root, "log10": lambda v: number(v).log10(), "pi": lambda: exact.PI, "min": min, "max": max,
     "area": area, "centroid": centroid, "mixed_centroid": mixed_centroid, "critical": critical, "limit_angle": limit_angle,
-    "limit_tangent": limit_tangent, "between": Enclosure,
+    "between": Enclosure,
 }
 OPERATORS = {
     ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
