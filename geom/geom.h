@@ -96,7 +96,8 @@ typedef enum tp_geom_outcome {
 typedef struct tp_geom_maximum {
   tp_geom_outcome outcome;
   fmpq *value;     /* t, initialised by the caller; set where optimal */
-  int basis_count; /* columns in an optimal basis, at most three */
+  int basis_count; /* columns in an optimal basis, at most three; where unbounded, those that grow
+                    */
   long basis[3];
 } tp_geom_maximum;
 

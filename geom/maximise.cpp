@@ -37,6 +37,16 @@ static Program program_of(const tp_geom_program &given) {
   return program;
 }
 
+/* The columns that grow with t without end; of a simplex method's ray at most three. */
+static void take_ray(tp_geom_maximum &maximum,
+                     const CGAL::Quadratic_program_solution<CGAL::Gmpq> &of,
+                     const tp_geom_program &given) {
+  const auto ray = of.unboundedness_certificate_begin();
+  for (long k = 0; k < static_cast<long>(given.count) && maximum.basis_count < 3; k++) {
+    if (*(ray + k) != CGAL::Gmpq(0)) maximum.basis[maximum.basis_count++] = k;
+  }
+}
+
 tp_geom_status tp_geom_maximise(tp_geom_maximum *maximum, const tp_geom_program *given) {
   return tp::guard([&] {
     const Program program = program_of(*given);
@@ -45,6 +55,7 @@ tp_geom_status tp_geom_maximise(tp_geom_maximum *maximum, const tp_geom_program 
                        : solution.is_unbounded() ? TP_GEOM_UNBOUNDED
                                                  : TP_GEOM_INFEASIBLE;
     maximum->basis_count = 0;
+    if (solution.is_unbounded()) take_ray(*maximum, solution, *given);
     if (!solution.is_optimal()) return TP_GEOM_OK;
     for (auto at = solution.basic_variable_indices_begin();
          at != solution.basic_variable_indices_end(); ++at) {

@@ -171,8 +171,9 @@ static const struct argp parser = {
 /* After the report: what it leaves open is a failure of its own. */
 static int end_undecided(const tp_solution *solution, const char *scene, int written) {
   if (written != 0 || !tp_solution_is_undecided(solution)) return written;
-  fprintf(stderr, "topple: %s: undecided at %ld bits: the mechanism, by contact forces\n", scene,
-          solution->bits);
+  fprintf(stderr,
+          "topple: %s: undecided at %ld bits: the mechanism, or a factor by contact forces\n",
+          scene, solution->bits);
   return tp_status_exit(TP_UNDECIDED);
 }
 

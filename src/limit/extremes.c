@@ -55,7 +55,8 @@ static void complete(tp_basis *basis, const tp_sketch *sketch) {
   }
 }
 
-tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch) {
+tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch,
+                                  const tp_basis *growing) {
   static const double nowhere[3] = {0, 0, 0};
   if (!tp_search_is_linear(q)) return TP_YES; /* the search looked at every degree */
   tp_vector upright;
@@ -67,9 +68,14 @@ tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch)
   const tp_simplex_answer found = tp_sketch_solve(sketch, nowhere, target);
   tp_basis basis = tp_basis_of(&found);
   complete(&basis, sketch);
-  const tp_answer answer = found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 3
-                               ? balance(basis.columns, &upright, q)
-                               : TP_OPEN;
+  tp_answer answer = found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 3
+                         ? balance(basis.columns, &upright, q)
+                         : TP_OPEN;
+  if (answer != TP_YES) {
+    basis = *growing;
+    complete(&basis, sketch);
+    if (basis.count == 3) answer = balance(basis.columns, &upright, q);
+  }
   tp_vector_clear(&upright);
   return answer;
 }

@@ -9,8 +9,10 @@
 #include "limit/basis.h"
 
 /* Do three forces hold the block upright, tilted by 90 degrees? The set of wrenches that the base
- * balances is convex, so one that holds level and upright holds between. */
-tp_answer tp_extremes_interlocked(const tp_limit_question *question, tp_sketch *sketch);
+ * balances is convex, so one that holds level and upright holds between. Those that the doubles of
+ * the sketch find are tried, then the columns that grow without end in an exact program. */
+tp_answer tp_extremes_interlocked(const tp_limit_question *question, tp_sketch *sketch,
+                                  const tp_basis *growing);
 
 /* Is there a twist that no contact resists and on which the loads do the same work, above zero, at
  * every tilt (but for the factor cos)? Under the weight alone one that sinks straight down, or

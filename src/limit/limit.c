@@ -41,7 +41,7 @@ static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q
     return tp_prove_limit(answer, q, sketch, basis, &p->direction, p->near_degrees);
   case TP_SIMPLEX_UNBOUNDED:
     answer->kind = TP_LIMIT_INTERLOCKED;
-    return tp_extremes_interlocked(q, sketch);
+    return tp_extremes_interlocked(q, sketch, basis);
   case TP_SIMPLEX_INFEASIBLE:
     answer->kind = TP_LIMIT_NOWHERE;
     return tp_extremes_nowhere(q, sketch);

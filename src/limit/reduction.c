@@ -224,25 +224,60 @@ static tp_limit_outcome enclose(arb_t factor, reduction *r, double estimate, con
   return outcome == TP_LIMIT_PROVEN ? TP_LIMIT_OPEN : outcome;
 }
 
-static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
-                             const arb_t degrees, int digits) {
-  const double low = log(least_factor), high = log(most_factor);
-  const double at_low = margin(r, low), at_high = margin(r, high);
-  if (at_low > 0 && at_high < 0) {
-    *kind = TP_REDUCTION_FACTOR;
-    return enclose(factor, r, exp(solve(r, low, high, at_low, at_high)), degrees, digits);
-  }
-  *kind = at_low > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
+static tp_limit_outcome side_of(int *side, reduction *r, double factor, const arb_t degrees) {
   limit_at at;
   arf_t end;
   arb_init(at.degrees);
   arf_init(end);
-  arf_set_d(end, at_low > 0 ? most_factor : least_factor);
+  arf_set_d(end, factor);
   const tp_limit_outcome outcome = find_at(&at, r, end, degrees);
+  *side = at.side;
   arf_clear(end);
   arb_clear(at.degrees);
+  return outcome;
+}
+
+/* The zero between two logarithms by halving on proven sides alone, for limits too fine for the
+ * simplex method in doubles. */
+static tp_limit_outcome halve(double *log_factor, reduction *r, double low, double high,
+                              const arb_t degrees) {
+  tp_limit_outcome outcome = TP_LIMIT_PROVEN;
+  int side = 1;
+  while (outcome == TP_LIMIT_PROVEN && side != 0 && high - low > 4e-16 * fmax(1, fabs(low))) {
+    const double middle = low + (high - low) / 2;
+    if (!(middle > low && middle < high)) break;
+    outcome = side_of(&side, r, exp(middle), degrees);
+    if (side > 0) low = middle;
+    if (side < 0) high = middle;
+    if (side == 0) low = high = middle; /* as near as the rung can tell */
+  }
+  *log_factor = low + (high - low) / 2;
+  return outcome;
+}
+
+/* The limits at both ends tell what kind of answer there is; doubles only say where to look. */
+static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
+                             const arb_t degrees, int digits) {
+  double low = log(least_factor);
+  const double high = log(most_factor), at_low = margin(r, low), at_high = margin(r, high);
+  tp_limit_outcome outcome = TP_LIMIT_OPEN;
+  *kind = TP_REDUCTION_FACTOR;
+  if (at_low > 0 && at_high < 0) {
+    outcome = enclose(factor, r, exp(solve(r, low, high, at_low, at_high)), degrees, digits);
+    if (outcome != TP_LIMIT_OPEN) return outcome;
+  }
+  int strong = 0, weak = 0;
+  outcome = side_of(&weak, r, most_factor, degrees);
+  if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
+    outcome = side_of(&strong, r, least_factor, degrees);
+  }
   if (outcome != TP_LIMIT_PROVEN) return outcome;
-  return at.side == (at_low > 0 ? 1 : -1) ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
+  if (strong > 0 && weak < 0) {
+    outcome = halve(&low, r, low, high, degrees);
+    return outcome == TP_LIMIT_PROVEN ? enclose(factor, r, exp(low), degrees, digits) : outcome;
+  }
+  *kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
+  return weak > 0 || strong < 0 ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
 }
 
 tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,

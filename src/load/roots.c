@@ -226,10 +226,30 @@ void tp_roots_find(tp_roots *roots, const tp_trig *f, const arb_t limit, long bi
   arf_clear(all.high);
 }
 
+/* The zero that may be level ground itself: its index where it is the only one and rising, else -1.
+ * If what is level is stable by less than its ball tells, it is the first zero above; if not, the
+ * last one below; if it is just in balance, it is level: in all cases the one within the ball. */
+static long zero_at_level(const tp_roots *roots) {
+  long found = -1;
+  for (long k = 0; k < roots->count; k++) {
+    if (!arb_contains_zero(roots->degrees + k)) continue;
+    if (found >= 0 || !roots->rising[k]) return -1;
+    found = k;
+  }
+  return found;
+}
+
 bool tp_roots_critical(arb_t degrees, bool *always, tp_roots *roots, const arb_t level) {
   const bool stable = arb_is_negative(level) != 0;
-  if (!stable && !arb_is_positive(level)) roots->certain = false;
   *always = !stable;
+  if (!stable && !arb_is_positive(level)) {
+    const long at = zero_at_level(roots);
+    if (at >= 0) {
+      arb_set(degrees, roots->degrees + at);
+      return true;
+    }
+    roots->certain = false;
+  }
   bool found = false;
   for (long k = 0; k < roots->count; k++) {
     const bool above = arf_sgn(arb_midref(roots->degrees + k)) > 0;

@@ -100,6 +100,8 @@ static void add_fos(tp_page *p, tp_fos fos) {
     tp_text_add(&p->text, ",\n  and at this tilt no strength would hold it");
     break;
   case TP_FOS_UNDECIDED:
+    tp_text_add(&p->text, ",\n  FoS by strength reduction undecided");
+    break;
   case TP_FOS_NO_TILT:
   case TP_FOS_NOT_ASKED:
     break;

@@ -198,7 +198,12 @@ static void add_verdict(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, " at %s°.\n", n[1]);
     return;
   }
-  if (!c->has_margin) {
+  if (!c->has_margin || c->mechanism == TP_MECHANISM_UNDECIDED) {
+    if (c->mechanism == TP_MECHANISM_UNDECIDED) {
+      tp_text_add(&p->text, "Whether it stands %s%s%s is undecided. ",
+                  s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
+                  s->has_tilt_angle ? "°" : "");
+    }
     tp_text_add(&p->text, "As the table is tilted, it\n  ");
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[1]);

@@ -9,6 +9,10 @@ long tp_evaluation_bits(const tp_evaluation *evaluation) {
   return evaluation->rung.level == TP_LEVEL_EXACT ? ARF_PREC_EXACT : evaluation->rung.bits;
 }
 
+bool tp_evaluation_is_last_rung(const tp_evaluation *evaluation) {
+  return 4 * evaluation->rung.bits > tp_ladder_most_bits(evaluation->digits);
+}
+
 bool tp_evaluation_is_zero_width(const tp_evaluation *e, const arb_t ball, double log2_scale) {
   enum { LEAST_BITS = 160 };
   if (!tp_problem_is_enclosed(e->problem) || e->rung.bits < LEAST_BITS) return false;

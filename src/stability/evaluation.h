@@ -40,6 +40,9 @@ void tp_evaluate_admissible(tp_evaluation *evaluation, bool *admissible, tp_dire
  * exact on the last rungs. */
 long tp_evaluation_bits(const tp_evaluation *evaluation);
 
+/* Has no rung of the ladder more bits? A verdict that is open there stays undecided. */
+bool tp_evaluation_is_last_rung(const tp_evaluation *evaluation);
+
 /* The ball as a result, certain or not. */
 tp_bounded tp_evaluation_bounded(const tp_evaluation *evaluation, const arb_t ball);
 

@@ -15,11 +15,6 @@
 
 #include <math.h>
 
-/* No rung of the ladder has more: what is open then stays undecided. */
-static bool is_last_rung(const tp_evaluation *e) {
-  return 4 * e->rung.bits > tp_ladder_most_bits(e->digits);
-}
-
 /* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
  * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
 static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e,
@@ -128,7 +123,7 @@ static void reduce_strength(tp_limit *result, asking *a) {
   a->outcome = tp_reduction_find(&kind, factor, a->question, a->cones, tilt, e->digits);
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
-    if (!is_last_rung(e)) e->certain = false;
+    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
   } else if (kind == TP_REDUCTION_FACTOR) {
     result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_bounded(e, factor)};
   } else {
@@ -145,7 +140,7 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->kind = TP_LIMIT_UNDECIDED;
     result->mechanism = TP_MECHANISM_UNDECIDED;
-    if (!is_last_rung(e)) e->certain = false;
+    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
     return;
   }
   tp_limit_describe(result, e, a->question, a->answer, towards);

@@ -54,8 +54,8 @@ void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *ev
 long tp_loaded_account_count(const tp_scene *scene);
 void tp_loaded_account(tp_case *result, const tp_loaded *loaded, tp_evaluation *evaluation);
 
-/* Does it turn up-dip at the scene's tilt? */
-bool tp_loaded_falls_backwards(const tp_loaded *loaded, tp_evaluation *evaluation,
+/* Does it turn up-dip at the scene's tilt? `*open` where that is not known. */
+bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluation *evaluation,
                                const bool *admissible);
 
 /* Sliding down along a facet, (run, rise) as in stability/sliding.c, with a friction angle in

@@ -159,20 +159,23 @@ static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluatio
   arb_clear(held);
 }
 
-bool tp_loaded_falls_backwards(const tp_loaded *loaded, tp_evaluation *e, const bool *admissible) {
+bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluation *e,
+                               const bool *admissible) {
   const tp_problem *problem = e->problem;
   arb_t sine, cosine, value;
   arb_init(sine);
   arb_init(cosine);
   arb_init(value);
   tp_ball_sin_cos_degrees(sine, cosine, problem->scene->tilt_angle_deg.value, e->rung.bits);
-  bool falls = false;
+  bool falls = false, balances = false;
   for (long k = 0; k < problem->contact.point_count && !falls; k++) {
     if (!admissible[k]) continue;
     moment_back(value, loaded, e, problem->contact.points[k].point, sine, cosine);
     falls = arb_is_negative(value);
-    if (!falls && !arb_is_positive(value)) e->certain = false;
+    if (!falls && !arb_is_positive(value)) balances = true;
   }
+  *open = balances && !falls;
+  if (*open && !tp_evaluation_is_last_rung(e)) e->certain = false;
   arb_clear(sine);
   arb_clear(cosine);
   arb_clear(value);

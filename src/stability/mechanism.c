@@ -82,10 +82,11 @@ static void judge_up_dip(tp_evaluation *e, tp_case *result, const tp_direction_b
   if (result->falls_backwards) result->mechanism = l->tie ? TP_SLIDES_AND_TOPPLES : l->mechanism;
 }
 
-/* By moments: is the centroid past the up-dip end of the contact? */
-static bool topples_up_dip(tp_evaluation *e, tp_direction towards, const arb_t tilt) {
+/* By moments: is the centroid past the up-dip end of the contact? Under loads the last rung may
+ * leave it open. */
+static bool topples_up_dip(bool *open, tp_evaluation *e, tp_direction towards, const arb_t tilt) {
   const tp_direction other = towards == TP_TOWARDS_LEFT ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT;
-  if (e->loaded != NULL) return tp_loaded_falls_backwards(e->loaded, e, e->admissible[other]);
+  if (e->loaded != NULL) return tp_loaded_falls_backwards(open, e->loaded, e, e->admissible[other]);
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
   size_t pivot = 0;
@@ -127,7 +128,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
     if (arb_is_positive(margin)) {
       result->mechanism = TP_STANDS;
     } else if (!arb_is_nonpositive(margin)) {
-      e->certain = false;
+      if (!tp_evaluation_is_last_rung(e)) e->certain = false;
       result->mechanism = TP_MECHANISM_UNDECIDED;
     }
     result->margin_deg = tp_evaluation_result(e, margin);
@@ -135,8 +136,10 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   if (result->limit.kind == TP_LIMIT_AT_ANGLE || result->limit.kind == TP_LIMIT_INTERLOCKED) {
     judge_up_dip(e, result, back, angle);
   } else {
-    result->falls_backwards = topples_up_dip(e, result->towards, angle);
+    bool open = false;
+    result->falls_backwards = topples_up_dip(&open, e, result->towards, angle);
     if (result->falls_backwards) result->mechanism = TP_TOPPLES;
+    if (open) result->mechanism = TP_MECHANISM_UNDECIDED;
   }
   /* more friction would hold what slips up-dip, but that is not what the factor is about */
   if (result->falls_backwards) result->limit.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
