@@ -117,6 +117,8 @@ class Hard(unittest.TestCase):
         if case.refusal:
             return "refused at its line and column"
         climbed = reports[CLIMB]
+        if climbed is None:
+            return "undecided at every price"
         said = []
         for c in climbed["cases"]:
             angle = (c.get("limit") or c["toppling"] or {}).get("critical_angle_deg")
