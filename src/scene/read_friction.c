@@ -54,6 +54,19 @@ static tp_status read_patton(const tp_reader *reader, const tp_node *node) {
   return tp_read_fail(reader, node, "basic_angle_deg + roughness_angle_deg must lie below 90°");
 }
 
+/* Eq. (9) divides by log10(JCS / sigma): a test at JCS has no answer, one above it a negative JRC.
+ */
+static tp_status expect_stress_below_strength(const tp_reader *reader, const tp_node *test) {
+  const tp_friction_description *f = &reader->scene->friction;
+  fmpq_t strength;
+  fmpq_init(strength);
+  fmpq_mul_ui(strength, f->jcs_mpa.value, 1000);
+  const bool below = fmpq_cmp(f->test_stress_kpa.value, strength) < 0;
+  fmpq_clear(strength);
+  if (below) return TP_OK;
+  return tp_read_fail(reader, test, "the normal stress of a tilt test must be below jcs_mpa");
+}
+
 /* JRC by itself, from a tilt test by Eq. (9), or from the roughness angle by Eq. (10). */
 static tp_status read_roughness(const tp_reader *reader, const tp_node *node) {
   static const char *const test_keys[] = {"angle_deg", "normal_stress_kpa", NULL};
@@ -88,6 +101,7 @@ static tp_status read_roughness(const tp_reader *reader, const tp_node *node) {
       fmpq_cmp(f->test_angle_deg.value, reader->scene->friction_angle_deg.value) < 0) {
     status = tp_read_fail(reader, test, "a tilt test slides at residual_angle_deg or above");
   }
+  if (status == TP_OK) status = expect_stress_below_strength(reader, test);
   return status;
 }
 

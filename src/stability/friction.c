@@ -100,6 +100,10 @@ static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
   } else {
     arb_set(degrees, end);
   }
+  if (!arb_is_finite(degrees)) { /* a JRC over log10(1): all that is known is the range */
+    arb_set_ui(degrees, MOST_DEGREES / 2);
+    mag_set_ui(arb_radref(degrees), MOST_DEGREES / 2);
+  }
   arb_clear(roughness);
   arb_clear(log);
   arb_clear(end);
