@@ -33,8 +33,8 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
     tp_solution_free(s->noted);
     return status;
   }
-  const tp_case *own = s->noted->cases;
-  s->has_pivot = own->has_governing;
+  const tp_case *own = s->noted != NULL ? s->noted->cases : NULL;
+  s->has_pivot = own != NULL && own->has_governing;
   if (s->has_pivot) s->point = s->problem.contact.points[own->governing].point;
   return TP_OK;
 }

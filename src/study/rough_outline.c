@@ -23,5 +23,6 @@ void tp_rough_outline(double *x, double *y, long count) {
   }
   x[foot] = x[foot - 1];
   x[foot + 1] = x[0];
-  y[foot] = y[foot + 1] = 4096 + (double)(along / 5 * 2);
+  const long top = 4096 + along / 5 * 2;
+  y[foot] = y[foot + 1] = (double)top;
 }
