@@ -140,7 +140,7 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
     block->weight_n = tp_evaluation_result(e, value);
   }
   const bool curved = problem->section.ellipse != NULL;
-  block->vertices = curved ? 0 : (size_t)problem->lattice.start[problem->section.ring_count];
+  block->vertices = curved ? 0 : (size_t)tp_problem_vertex_count(problem);
   block->holes = (size_t)problem->section.hole_count;
   block->parts = (size_t)problem->section.part_count;
   block->triangles = curved ? 0 : problem->triangle_count;

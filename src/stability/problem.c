@@ -48,6 +48,10 @@ static tp_status find_pivots(tp_problem *problem, tp_message *message) {
   return TP_OK;
 }
 
+long tp_problem_vertex_count(const tp_problem *problem) {
+  return problem->lattice.start[problem->section.ring_count];
+}
+
 bool tp_problem_is_enclosed(const tp_problem *problem) {
   return problem->corners.count > 0 || problem->loaded || problem->section.ellipse != NULL ||
          problem->section.arc_tips.count > 0;
@@ -59,7 +63,7 @@ static bool wants_elements(const tp_problem *problem, const tp_solve_options *op
   if (tp_problem_is_enclosed(problem)) return false;
   if (options->elements) return true;
   return problem->scene->tilt_angle_deg.given &&
-         problem->lattice.start[problem->section.ring_count] <= TP_ELEMENTS_UNASKED;
+         tp_problem_vertex_count(problem) <= TP_ELEMENTS_UNASKED;
 }
 
 static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *triangulation,

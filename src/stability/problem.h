@@ -37,6 +37,9 @@ void tp_problem_clear(tp_problem *problem);
 /* Do rounded corners or loads rule out exact arithmetic? */
 bool tp_problem_is_enclosed(const tp_problem *problem);
 
+/* Vertices of all rings of the section. */
+long tp_problem_vertex_count(const tp_problem *problem);
+
 /* Thickness of the section in metres. */
 void tp_problem_thickness(fmpq_t metres, const tp_problem *problem);
 

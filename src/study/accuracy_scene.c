@@ -88,13 +88,12 @@ static tp_status add_way(tp_accuracy *accuracy, const asked *way, const tp_scene
   tp_status status = subject_init(&s, scene, way->as, message);
   if (status != TP_OK) return status;
   if (s.has_pivot || way->method == TP_ACCURACY_LIMIT) {
-    const tp_accuracy_way measured = {
-        .method = way->method,
-        .evaluate = way->evaluate,
-        .subject = &s,
-        .truth_level = way->truth_level,
-        .vertices = (size_t)s.problem.lattice.start[s.problem.section.ring_count],
-        .prices = affordable(way, &s, few)};
+    const tp_accuracy_way measured = {.method = way->method,
+                                      .evaluate = way->evaluate,
+                                      .subject = &s,
+                                      .truth_level = way->truth_level,
+                                      .vertices = (size_t)tp_problem_vertex_count(&s.problem),
+                                      .prices = affordable(way, &s, few)};
     accuracy->towards = s.towards;
     status = tp_accuracy_measure(accuracy, &measured);
     if (status != TP_OK)
