@@ -9,6 +9,7 @@
 
 /* Factors looked at: beyond these, strength does not matter. */
 static const double least_factor = 1e-6, most_factor = 1e6;
+static const double place = 3.33; /* bits to a decimal place, a little more than it takes */
 
 /* The strength as given, to be divided. */
 typedef struct reduction {
@@ -198,86 +199,119 @@ static tp_limit_outcome prove_about(arb_t factor, bool *proven, reduction *r, co
   return outcome;
 }
 
-/* Widen about the estimate until both sides are proven: from what doubles tell apart to what is
- * asked for, or, for more digits than that, from some more than are asked for. */
-static tp_limit_outcome enclose(arb_t factor, reduction *r, double estimate, const arb_t degrees,
-                                int digits) {
-  enum { NARROWEST = 43, SPARE = 5 }; /* 2^-43 is about 10^-13 */
-  const double place = 3.33;          /* bits to a decimal place, a little more than it takes */
-  arf_t about;
-  arf_init(about);
-  arf_set_d(about, estimate);
+/* Widen about the estimate from so many places until both sides are proven, to what is asked for.
+ */
+static tp_limit_outcome enclose(arb_t factor, reduction *r, const arf_t about, slong places,
+                                const arb_t degrees, int digits) {
   const slong widest = (slong)(place * (digits + 1)) + 1;
-  slong places = NARROWEST;
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
-  if (widest >= NARROWEST) {
-    places = widest + (slong)(place * SPARE);
-    outcome = refine(about, r, degrees, digits + 2 * SPARE);
-  }
   bool proven = false;
   for (; places >= widest && !proven; places -= 3) {
     if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) break;
     outcome = prove_about(factor, &proven, r, about, places, degrees);
   }
-  arf_clear(about);
   if (proven) return TP_LIMIT_PROVEN;
   return outcome == TP_LIMIT_PROVEN ? TP_LIMIT_OPEN : outcome;
 }
 
-static tp_limit_outcome side_of(int *side, reduction *r, double factor, const arb_t degrees) {
+/* From what doubles tell apart to what is asked for, or, for more digits than that, from some more
+ * than are asked for. */
+static slong narrowest(int digits) {
+  enum { NARROWEST = 43, SPARE = 5 }; /* 2^-43 is about 10^-13 */
+  const slong asked = (slong)(place * (digits + 1)) + 1;
+  return asked < NARROWEST ? NARROWEST : asked + (slong)(place * SPARE);
+}
+
+static tp_limit_outcome side_of(int *side, reduction *r, const arf_t factor, const arb_t degrees) {
   limit_at at;
-  arf_t end;
   arb_init(at.degrees);
-  arf_init(end);
-  arf_set_d(end, factor);
-  const tp_limit_outcome outcome = find_at(&at, r, end, degrees);
+  const tp_limit_outcome outcome = find_at(&at, r, factor, degrees);
   *side = at.side;
-  arf_clear(end);
   arb_clear(at.degrees);
   return outcome;
 }
 
-/* The zero between two logarithms by halving on proven sides alone, for limits too fine for the
- * simplex method in doubles. */
-static tp_limit_outcome halve(double *log_factor, reduction *r, double low, double high,
-                              const arb_t degrees) {
+/* Halve between two factors on proven sides alone, to 10^-digits of the factor and some places
+ * more: for limits too fine for doubles, and flat ones, on which secants go astray. */
+static tp_limit_outcome halve(arf_t factor, reduction *r, double least, double most,
+                              const arb_t degrees, int digits) {
+  enum { LEAST_PLACES = 52, SPARE = 20 };
+  const long bits = r->question->judge.bits;
+  const long asked = (long)(3.33 * digits) + SPARE;
+  const slong places = asked > LEAST_PLACES ? asked : LEAST_PLACES;
+  arf_t low, high, width;
+  arf_init(low);
+  arf_init(high);
+  arf_init(width);
+  arf_set_d(low, least);
+  arf_set_d(high, most);
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   int side = 1;
-  while (outcome == TP_LIMIT_PROVEN && side != 0 && high - low > 4e-16 * fmax(1, fabs(low))) {
-    const double middle = low + (high - low) / 2;
-    if (!(middle > low && middle < high)) break;
-    outcome = side_of(&side, r, exp(middle), degrees);
-    if (side > 0) low = middle;
-    if (side < 0) high = middle;
-    if (side == 0) low = high = middle; /* as near as the rung can tell */
+  while (outcome == TP_LIMIT_PROVEN && side != 0) { /* 0: as near as the rung can tell */
+    arf_add(factor, low, high, bits, ARF_RND_NEAR);
+    arf_mul_2exp_si(factor, factor, -1);
+    arf_sub(width, high, low, bits, ARF_RND_UP);
+    arf_mul_2exp_si(width, width, places);
+    if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
+      break;
+    }
+    outcome = side_of(&side, r, factor, degrees);
+    arf_set(side > 0 ? low : high, factor);
   }
-  *log_factor = low + (high - low) / 2;
+  arf_clear(low);
+  arf_clear(high);
+  arf_clear(width);
   return outcome;
 }
 
-/* The limits at both ends tell what kind of answer there is; doubles only say where to look. */
-static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
-                             const arb_t degrees, int digits) {
-  double low = log(least_factor);
-  const double high = log(most_factor), at_low = margin(r, low), at_high = margin(r, high);
-  tp_limit_outcome outcome = TP_LIMIT_OPEN;
-  *kind = TP_REDUCTION_FACTOR;
-  if (at_low > 0 && at_high < 0) {
-    outcome = enclose(factor, r, exp(solve(r, low, high, at_low, at_high)), degrees, digits);
-    if (outcome != TP_LIMIT_OPEN) return outcome;
-  }
+/* By doubles, and for many digits by secants from there. */
+static tp_limit_outcome find_quickly(arb_t factor, reduction *r, double low, double high,
+                                     const arb_t degrees, int digits) {
+  enum { OF_DOUBLES = 11, SPARE = 10 };
+  const double at_low = margin(r, log(low)), at_high = margin(r, log(high));
+  if (!(at_low > 0 && at_high < 0)) return TP_LIMIT_OPEN;
+  arf_t about;
+  arf_init(about);
+  arf_set_d(about, exp(solve(r, log(low), log(high), at_low, at_high)));
+  if (digits > OF_DOUBLES) (void)refine(about, r, degrees, digits + SPARE);
+  const tp_limit_outcome outcome = enclose(factor, r, about, narrowest(digits), degrees, digits);
+  arf_clear(about);
+  return outcome;
+}
+
+/* On proven limits alone: those at both ends tell what kind of answer there is. */
+static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, reduction *r, double low,
+                                    double high, const arb_t degrees, int digits) {
   int strong = 0, weak = 0;
-  outcome = side_of(&weak, r, most_factor, degrees);
+  arf_t about;
+  arf_init(about);
+  arf_set_d(about, high);
+  tp_limit_outcome outcome = side_of(&weak, r, about, degrees);
   if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
-    outcome = side_of(&strong, r, least_factor, degrees);
-  }
-  if (outcome != TP_LIMIT_PROVEN) return outcome;
-  if (strong > 0 && weak < 0) {
-    outcome = halve(&low, r, low, high, degrees);
-    return outcome == TP_LIMIT_PROVEN ? enclose(factor, r, exp(low), degrees, digits) : outcome;
+    arf_set_d(about, low);
+    outcome = side_of(&strong, r, about, degrees);
   }
   *kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
-  return weak > 0 || strong < 0 ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
+  if (strong > 0 && weak < 0) {
+    *kind = TP_REDUCTION_FACTOR;
+    outcome = halve(about, r, low, high, degrees, digits);
+    if (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN) {
+      outcome = enclose(factor, r, about, narrowest(digits), degrees, digits);
+    }
+  } else if (outcome == TP_LIMIT_PROVEN && weak <= 0 && strong >= 0) {
+    outcome = TP_LIMIT_OPEN;
+  }
+  arf_clear(about);
+  return outcome;
+}
+
+static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
+                             const arb_t degrees, int digits) {
+  *kind = TP_REDUCTION_FACTOR;
+  const tp_limit_outcome quick =
+      find_quickly(factor, r, least_factor, most_factor, degrees, digits);
+  if (quick != TP_LIMIT_OPEN) return quick;
+  return find_surely(kind, factor, r, least_factor, most_factor, degrees, digits);
 }
 
 tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
