@@ -4,6 +4,7 @@
 #include "limit/reduction.h"
 
 #include "limit/program.h"
+#include "limit/reduced.h"
 
 #include <math.h>
 
@@ -11,68 +12,9 @@
 static const double least_factor = 1e-6, most_factor = 1e6;
 static const double place = 3.33; /* bits to a decimal place, a little more than it takes */
 
-/* The strength as given, to be divided. */
-typedef struct reduction {
-  const tp_limit_question *question;
-  tp_cones *cones;
-  arb_t friction; /* as given */
-  arb_ptr bounds; /* shear and pull of each allowance, as given */
-  const tp_sketch *given;
-  tp_sketch reduced;
-  double degrees;
-} reduction;
-
-static void reduction_init(reduction *r) {
-  const tp_cones *cones = r->cones;
-  arb_init(r->friction);
-  arb_set(r->friction, cones->friction);
-  r->bounds = _arb_vec_init(2 * cones->allowance_count);
-  for (long k = 0; k < cones->allowance_count; k++) {
-    arb_set(r->bounds + 2 * k, cones->allowances[k].shear);
-    arb_set(r->bounds + 2 * k + 1, cones->allowances[k].pull);
-  }
-}
-
-static void reduction_clear(reduction *r) {
-  _arb_vec_clear(r->bounds, 2 * r->cones->allowance_count);
-  arb_clear(r->friction);
-}
-
-static void divide_by(const reduction *r, const arf_t factor) {
-  tp_cones *cones = r->cones;
-  const long bits = r->question->judge.bits;
-  arb_t divisor;
-  arb_init(divisor);
-  arb_set_arf(divisor, factor);
-  arb_div(cones->friction, r->friction, divisor, bits);
-  for (long k = 0; k < cones->allowance_count; k++) {
-    arb_div(cones->allowances[k].shear, r->bounds + 2 * k, divisor, bits);
-    arb_div(cones->allowances[k].pull, r->bounds + 2 * k + 1, divisor, bits);
-  }
-  arb_clear(divisor);
-}
-
-static void restore(const reduction *r) {
-  tp_cones *cones = r->cones;
-  arb_set(cones->friction, r->friction);
-  for (long k = 0; k < cones->allowance_count; k++) {
-    arb_set(cones->allowances[k].shear, r->bounds + 2 * k);
-    arb_set(cones->allowances[k].pull, r->bounds + 2 * k + 1);
-  }
-}
-
-/* Limit less tilt in doubles, by the logarithm of the factor: it falls. Where forces hold the block
- * at every tilt, at 90 degrees as well, the limit counts as 180. */
-static double margin(reduction *r, double log_factor) {
-  const double upright = 90, beyond = 180;
-  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count, exp(log_factor));
-  const double limit = tp_program_estimate(&r->reduced, r->question);
-  return (limit < upright ? limit : beyond) - r->degrees;
-}
-
 /* A zero of the margin between two logarithms by regula falsi, the end that stays halved
  * (Illinois), and by halving where that is slow. */
-static double solve(reduction *r, double low, double high, double at_low, double at_high) {
+static double solve(tp_reduced *r, double low, double high, double at_low, double at_high) {
   enum { MOST_STEPS = 200 };
   int kept = 0;
   for (int step = 0; step < MOST_STEPS && high - low > 4e-16 * fmax(1, fabs(low)); step++) {
@@ -81,7 +23,7 @@ static double solve(reduction *r, double low, double high, double at_low, double
         halves ? low + (high - low) / 2 : low + (high - low) * (at_low / (at_low - at_high));
     if (!(middle > low && middle < high)) middle = low + (high - low) / 2;
     if (!(middle > low && middle < high)) break;
-    const double own = margin(r, middle);
+    const double own = tp_reduced_margin(r, middle);
     if (own == 0) return middle;
     if (own > 0) {
       low = middle;
@@ -98,46 +40,14 @@ static double solve(reduction *r, double low, double high, double at_low, double
   return low + (high - low) / 2;
 }
 
-/* The limit at a factor, in degrees, and on which side of the tilt it is proven to lie: 1 where the
- * block holds beyond the tilt, -1 where not up to it, 0 open. */
-typedef struct limit_at {
-  int side;
-  arb_t degrees; /* where there is one */
-} limit_at;
-
-static tp_limit_outcome find_at(limit_at *at, reduction *r, const arf_t factor,
-                                const arb_t degrees) {
-  tp_limit_answer answer;
-  if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
-  divide_by(r, factor);
-  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count,
-                            arf_get_d(factor, ARF_RND_NEAR));
-  tp_limit_question question = *r->question;
-  question.sketch = &r->reduced;
-  const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
-  at->side = 0;
-  arb_indeterminate(at->degrees);
-  if (outcome == TP_LIMIT_PROVEN) {
-    if (answer.kind == TP_LIMIT_INTERLOCKED) at->side = 1;
-    if (answer.kind == TP_LIMIT_NOWHERE) at->side = -1;
-    if (answer.kind == TP_LIMIT_AT_ANGLE) {
-      arb_set(at->degrees, answer.degrees);
-      if (arb_gt(answer.degrees, degrees)) at->side = 1;
-      if (arb_lt(answer.degrees, degrees)) at->side = -1;
-    }
-  }
-  tp_limit_answer_clear(&answer);
-  return outcome;
-}
-
 /* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew.
  * Search alone: the proof comes after it. */
-static tp_limit_outcome refine(arf_t factor, reduction *r, const arb_t degrees, int digits) {
+static tp_limit_outcome refine(arf_t factor, tp_reduced *r, const arb_t degrees, int digits) {
   enum { MOST_STEPS = 64 };
   const long bits = r->question->judge.bits;
   const slong enough = -(slong)(3.33 * digits);
   arf_t step, value, value_before, slope;
-  limit_at at;
+  tp_reduced_limit at;
   arf_init(step);
   arf_init(value);
   arf_init(value_before);
@@ -146,7 +56,7 @@ static tp_limit_outcome refine(arf_t factor, reduction *r, const arb_t degrees, 
   arf_mul_2exp_si(step, factor, -30);
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   for (int k = 0; k < MOST_STEPS && outcome == TP_LIMIT_PROVEN; k++) {
-    outcome = find_at(&at, r, factor, degrees);
+    outcome = tp_reduced_find(&at, r, factor, degrees);
     if (!arb_is_finite(at.degrees)) break;
     arf_set(value_before, value);
     arf_sub(value, arb_midref(at.degrees), arb_midref(degrees), bits, ARF_RND_NEAR);
@@ -171,21 +81,21 @@ static tp_limit_outcome refine(arf_t factor, reduction *r, const arb_t degrees, 
 }
 
 /* Is the factor within 2^-places of its size of the estimate? Proven by the limits at both ends. */
-static tp_limit_outcome prove_about(arb_t factor, bool *proven, reduction *r, const arf_t estimate,
+static tp_limit_outcome prove_about(arb_t factor, bool *proven, tp_reduced *r, const arf_t estimate,
                                     slong places, const arb_t degrees) {
   const long bits = r->question->judge.bits;
   arf_t width, end;
-  limit_at at;
+  tp_reduced_limit at;
   arf_init(width);
   arf_init(end);
   arb_init(at.degrees);
   arf_mul_2exp_si(width, estimate, -places);
   arf_sub(end, estimate, width, bits, ARF_RND_DOWN);
-  tp_limit_outcome outcome = find_at(&at, r, end, degrees);
+  tp_limit_outcome outcome = tp_reduced_find(&at, r, end, degrees);
   *proven = outcome == TP_LIMIT_PROVEN && at.side > 0;
   if (*proven) {
     arf_add(end, estimate, width, bits, ARF_RND_UP);
-    outcome = find_at(&at, r, end, degrees);
+    outcome = tp_reduced_find(&at, r, end, degrees);
     *proven = outcome == TP_LIMIT_PROVEN && at.side < 0;
   }
   if (*proven) {
@@ -201,7 +111,7 @@ static tp_limit_outcome prove_about(arb_t factor, bool *proven, reduction *r, co
 
 /* Widen about the estimate from so many places until both sides are proven, to what is asked for.
  */
-static tp_limit_outcome enclose(arb_t factor, reduction *r, const arf_t about, slong places,
+static tp_limit_outcome enclose(arb_t factor, tp_reduced *r, const arf_t about, slong places,
                                 const arb_t degrees, int digits) {
   const slong widest = (slong)(place * (digits + 1)) + 1;
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
@@ -222,18 +132,9 @@ static slong narrowest(int digits) {
   return asked < NARROWEST ? NARROWEST : asked + (slong)(place * SPARE);
 }
 
-static tp_limit_outcome side_of(int *side, reduction *r, const arf_t factor, const arb_t degrees) {
-  limit_at at;
-  arb_init(at.degrees);
-  const tp_limit_outcome outcome = find_at(&at, r, factor, degrees);
-  *side = at.side;
-  arb_clear(at.degrees);
-  return outcome;
-}
-
 /* Halve between two factors on proven sides alone, to 10^-digits of the factor and some places
  * more: for limits too fine for doubles, and flat ones, on which secants go astray. */
-static tp_limit_outcome halve(arf_t factor, reduction *r, double least, double most,
+static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double most,
                               const arb_t degrees, int digits) {
   enum { LEAST_PLACES = 52, SPARE = 20 };
   const long bits = r->question->judge.bits;
@@ -255,7 +156,7 @@ static tp_limit_outcome halve(arf_t factor, reduction *r, double least, double m
     if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
       break;
     }
-    outcome = side_of(&side, r, factor, degrees);
+    outcome = tp_reduced_side(&side, r, factor, degrees);
     arf_set(side > 0 ? low : high, factor);
   }
   arf_clear(low);
@@ -265,10 +166,10 @@ static tp_limit_outcome halve(arf_t factor, reduction *r, double least, double m
 }
 
 /* By doubles, and for many digits by secants from there. */
-static tp_limit_outcome find_quickly(arb_t factor, reduction *r, double low, double high,
+static tp_limit_outcome find_quickly(arb_t factor, tp_reduced *r, double low, double high,
                                      const arb_t degrees, int digits) {
   enum { OF_DOUBLES = 11, SPARE = 10 };
-  const double at_low = margin(r, log(low)), at_high = margin(r, log(high));
+  const double at_low = tp_reduced_margin(r, log(low)), at_high = tp_reduced_margin(r, log(high));
   if (!(at_low > 0 && at_high < 0)) return TP_LIMIT_OPEN;
   arf_t about;
   arf_init(about);
@@ -280,16 +181,16 @@ static tp_limit_outcome find_quickly(arb_t factor, reduction *r, double low, dou
 }
 
 /* On proven limits alone: those at both ends tell what kind of answer there is. */
-static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, reduction *r, double low,
-                                    double high, const arb_t degrees, int digits) {
+static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, tp_reduced *r,
+                                    double low, double high, const arb_t degrees, int digits) {
   int strong = 0, weak = 0;
   arf_t about;
   arf_init(about);
   arf_set_d(about, high);
-  tp_limit_outcome outcome = side_of(&weak, r, about, degrees);
+  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about, degrees);
   if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
     arf_set_d(about, low);
-    outcome = side_of(&strong, r, about, degrees);
+    outcome = tp_reduced_side(&strong, r, about, degrees);
   }
   *kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
   if (strong > 0 && weak < 0) {
@@ -305,7 +206,7 @@ static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, reduc
   return outcome;
 }
 
-static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r,
+static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, tp_reduced *r,
                              const arb_t degrees, int digits) {
   *kind = TP_REDUCTION_FACTOR;
   const tp_limit_outcome quick =
@@ -317,9 +218,9 @@ static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, reduction *r
 tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
                                    const tp_limit_question *question, tp_cones *cones,
                                    const arb_t degrees, int digits) {
-  reduction r = {.question = question,
-                 .cones = cones,
-                 .degrees = arf_get_d(arb_midref(degrees), ARF_RND_NEAR)};
+  tp_reduced r = {.question = question,
+                  .cones = cones,
+                  .degrees = arf_get_d(arb_midref(degrees), ARF_RND_NEAR)};
   tp_sketch own;
   if (question->sketch == NULL && !tp_program_sketch(&own, question)) {
     return TP_LIMIT_OUT_OF_MEMORY;
@@ -327,10 +228,9 @@ tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
   r.given = question->sketch != NULL ? question->sketch : &own;
   tp_limit_outcome outcome = TP_LIMIT_OUT_OF_MEMORY;
   if (tp_sketch_copy(&r.reduced, r.given)) {
-    reduction_init(&r);
+    tp_reduced_init(&r);
     outcome = find(kind, factor, &r, degrees, digits);
-    restore(&r);
-    reduction_clear(&r);
+    tp_reduced_clear(&r);
     tp_sketch_clear(&r.reduced);
   }
   if (r.given == &own) tp_sketch_clear(&own);

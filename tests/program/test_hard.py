@@ -16,6 +16,7 @@ import re
 import tempfile
 import unittest
 from decimal import Decimal
+from fractions import Fraction
 
 import exact
 import hard_case
@@ -69,6 +70,7 @@ class Hard(unittest.TestCase):
             for one, other in zip(said, truth):
                 self.holds(one, other, where)
         elif isinstance(said, dict):
+            self.assertIsInstance(truth, (int, Fraction, Decimal), where)
             truth = number(truth)
             self.assertLessEqual(abs(Decimal(said["value"]) - truth), Decimal(said["error"]) + rounding() * abs(truth), where)
             if "digits" in said:
@@ -140,6 +142,18 @@ class Hard(unittest.TestCase):
                 self.assertIn(status, (0, 4) if case.undecided else (0,), err)
                 self.assertIsNone(re.search(r"\b(nan|inf)\b", out))
         Hard.outcomes[path.stem] = (case, self.words(case, reports))
+
+    def test_a_wrong_truth_is_seen(self):
+        """A truth that is off by 1e-11 degrees, or one wrong word, fails at every price that decides."""
+        case = hard_case.Case(HARD / "far_map_coordinates.yaml")
+        for wrong in ("toppling.critical_angle_deg = atan2(2, 5) + 1e-11", 'mechanism = "topples"',
+                      "toppling.fos = None", "toppling.critical_angle_deg = between(21.81, 21.82)"):
+            case.truths = []
+            case.direct(wrong)
+            with tempfile.TemporaryDirectory() as name:
+                case.write(pathlib.Path(name))
+                with self.assertRaises(AssertionError, msg=wrong):
+                    self.check(case, CLIMB, pathlib.Path(name))
 
 
 def page(outcomes):
