@@ -33,13 +33,18 @@ typedef struct tp_find_options {
 } tp_find_options;
 
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
- * each it is certain to lie on different sides. Between 512 points of the range that were looked at
- * a pair of solutions closer than two points may be missed. */
+ * each it is certain to lie on different sides. `touching`: numbers within whose bounds the target
+ * comes so close to the value that its own bound does not tell whether it reaches it, and at whose
+ * ends it is certain to lie on the same side: a double solution, or none. Of a target that turns
+ * more than once between two of the 512 points of the range that were looked at, solutions may be
+ * missed. */
 typedef struct tp_found {
   char *key;
   double low, high; /* the range, cut to where the scene has an answer */
   size_t count;     /* 0: none in the range */
   tp_bounded *solutions;
+  size_t touching_count;
+  tp_bounded *touching;
 } tp_found;
 
 /* `scene` is the path of a scene that tilts in one direction. */

@@ -17,7 +17,13 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
     tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
                 f->solutions[k].error);
   }
-  if (f->count == 0) tp_text_add(&t, "  none in range\n");
+  for (size_t k = 0; k < f->touching_count; k++) {
+    tp_text_add(&t,
+                "  %s  (within %.2g): comes up to the value and turns back; it may touch it, which "
+                "no bound decides\n",
+                tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
+  }
+  if (f->count + f->touching_count == 0) tp_text_add(&t, "  none in range\n");
   tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
   return tp_text_finish(&t, text);
 }
@@ -35,6 +41,11 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
                 f->solutions[k].value, f->solutions[k].error);
+  }
+  tp_text_add(&t, "],\n    \"touching\": [");
+  for (size_t k = 0; k < f->touching_count; k++) {
+    tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
+                f->touching[k].value, f->touching[k].error);
   }
   tp_text_add(&t, "]}\n}\n");
   free(solved);

@@ -6,7 +6,7 @@
     # Truth: how it is known
     #: let NAME = FORMULA
     #: PATH = FORMULA                of the JSON: left.toppling.critical_angle_deg; both directions
-                                     where it names none; found: the solutions of `find`
+                                     where it names none; found, touching: the numbers of `find`
     #: refused LINE:COLUMN: MESSAGE  instead
     #: undecided                     even the dearest arithmetic leaves something open; see the story
     #: find KEY RESULT=VALUE LOW HIGH

@@ -106,8 +106,8 @@ class Hard(unittest.TestCase):
 
     def chosen(self, report, path):
         """What the report says at a path, which begins with the direction if it is one's alone."""
-        if path[0] == "found":
-            return [report["find"]["solutions"]]
+        if path[0] in ("found", "touching"):
+            return [report["find"]["solutions" if path[0] == "found" else "touching"]]
         cases = report["cases"]
         if path[0] in ("left", "right"):
             cases, path = [c for c in cases if c["towards"] == path[0]], path[1:]
@@ -126,7 +126,8 @@ class Hard(unittest.TestCase):
             angle = (c.get("limit") or c["toppling"] or {}).get("critical_angle_deg")
             said.append(c["mechanism"] + (f" {angle['value']:.9g}°" if angle else ""))
         if "find" in climbed:
-            said = [f"found {', '.join('%.9g' % s['value'] for s in climbed['find']['solutions']) or 'nothing'}"]
+            found, touching = (", ".join("%.9g" % s["value"] for s in climbed["find"][key]) for key in ("solutions", "touching"))
+            said = [f"found {found}" if found else f"may touch at {touching}" if touching else "found nothing"]
         return f"{' / '.join(dict.fromkeys(said))}; by {climbed['level']}"
 
     def run_case(self, path):
