@@ -15,6 +15,7 @@
 #include <flint/fmpz.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,6 +57,7 @@ tp_geom_status tp_geom_find_meetings(const tp_geom_rings *rings, long between,
                                      tp_geom_visitor visitor, void *context);
 
 enum { TP_GEOM_LAYERS = 4 };
+#define TP_GEOM_NONE SIZE_MAX
 
 /* A triangle, counter-clockwise, and for each layer of rings the ring that it lies in, counted from
  * 1; 0: in none. */
@@ -67,6 +69,8 @@ typedef struct tp_geom_triangle {
 typedef struct tp_geom_triangulation {
   size_t count;
   tp_geom_triangle *triangles; /* those that lie in some ring */
+  size_t *across;              /* across[3 k + c]: the triangle that shares the side of triangle k
+                                  opposite its corner c, or TP_GEOM_NONE; NULL for a single ring */
   bool conflict;               /* two rings of one layer overlap */
   size_t conflict_a, conflict_b;
 } tp_geom_triangulation;

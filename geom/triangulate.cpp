@@ -31,6 +31,7 @@ using Rings = std::array<int, TP_GEOM_LAYERS>;
 
 struct FaceInfo {
   bool seen = false;
+  size_t index = TP_GEOM_NONE; /* among the triangles that are handed out */
   Rings ring_in_layer{};
 };
 
@@ -135,24 +136,41 @@ private:
 };
 
 template <class Triangulation>
-tp_geom_status collect(const Triangulation &t, tp_geom_triangulation *result) {
+tp_geom_status collect(Triangulation &t, tp_geom_triangulation *result) {
   size_t count = 0;
   for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f) {
-    count += f->info().ring_in_layer != Rings{};
+    if (f->info().ring_in_layer != Rings{}) f->info().index = count++;
   }
   auto *triangles = static_cast<tp_geom_triangle *>(calloc(count + 1, sizeof *result->triangles));
   if (triangles == nullptr) return TP_GEOM_OUT_OF_MEMORY;
-  size_t k = 0;
   for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f) {
-    if (f->info().ring_in_layer == Rings{}) continue;
+    const size_t k = f->info().index;
+    if (k == TP_GEOM_NONE) continue;
     for (int c = 0; c < 3; c++) triangles[k].corner[c] = f->vertex(c)->info();
     for (int l = 0; l < TP_GEOM_LAYERS; l++) {
       triangles[k].ring_in_layer[l] = f->info().ring_in_layer[static_cast<size_t>(l)];
     }
-    k++;
   }
   result->count = count;
   result->triangles = triangles;
+  return TP_GEOM_OK;
+}
+
+/* Which of the collected triangles share their sides. */
+template <class Triangulation>
+tp_geom_status collect_neighbours(Triangulation &t, tp_geom_triangulation *result) {
+  result->across = static_cast<size_t *>(calloc(3 * result->count + 1, sizeof *result->across));
+  if (result->across == nullptr) {
+    tp_geom_triangulation_clear(result);
+    return TP_GEOM_OUT_OF_MEMORY;
+  }
+  for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f) {
+    const size_t k = f->info().index;
+    if (k == TP_GEOM_NONE) continue;
+    for (int c = 0; c < 3; c++) {
+      result->across[3 * k + static_cast<size_t>(c)] = f->neighbor(c)->info().index;
+    }
+  }
   return TP_GEOM_OK;
 }
 
@@ -208,7 +226,8 @@ tp_geom_status walk_several(tp_geom_triangulation *result, const tp_geom_rings &
     result->conflict_b = conflict[1];
     return TP_GEOM_OK;
   }
-  return collect(t, result);
+  const tp_geom_status status = collect(t, result);
+  return status == TP_GEOM_OK ? collect_neighbours(t, result) : status;
 }
 
 /* Where memory runs out while CGAL adds a constraint its hierarchy is left such that taking it down
@@ -243,5 +262,6 @@ tp_geom_status tp_geom_triangulate(tp_geom_triangulation *result, const tp_geom_
 
 void tp_geom_triangulation_clear(tp_geom_triangulation *result) {
   free(result->triangles);
+  free(result->across);
   *result = {};
 }

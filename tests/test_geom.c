@@ -211,6 +211,23 @@ static wide area2(const tp_geom_triangulation *t, const figure *f, int in, int a
   return sum;
 }
 
+/* Every side of a triangle has its two ends in common with the triangle across, run the other way;
+ * the sides without one, which are on the outline, are as many as the edges of `ring`. */
+static void check_neighbours(const tp_geom_triangulation *t, const figure *f, size_t ring) {
+  size_t alone = 0;
+  for (size_t k = 0; k < 3 * t->count; k++) {
+    const size_t next = t->across[k];
+    const size_t *c = t->triangles[k / 3].corner;
+    const size_t from = c[(k + 1) % 3], to = c[(k + 2) % 3];
+    alone += next == TP_GEOM_NONE;
+    if (next == TP_GEOM_NONE) continue;
+    const size_t *d = t->triangles[next].corner;
+    ck_assert((d[0] == to && d[1] == from) || (d[1] == to && d[2] == from) ||
+              (d[2] == to && d[0] == from));
+  }
+  ck_assert_uint_eq(alone, f->start[ring + 1] - f->start[ring]);
+}
+
 static const long side[8][2] = {{0, 0}, {1, 0}, {3, 0}, {6, 0}, {6, 6}, {5, 6}, {0, 6}, {0, 3}};
 
 /* Guards what moments rest on: n + 2 h - 2 triangles (Euler) that fill an outline but its h holes,
@@ -236,6 +253,7 @@ START_TEST(test_outline_is_filled_and_holes_are_not) {
     }
     ck_assert(!t.conflict && area2(&t, &f, 1, 0, &count) == block);
     ck_assert_uint_eq(count, f.count + 2 * holes - 2);
+    if (holes > 0) check_neighbours(&t, &f, 0);
     tp_geom_triangulation_clear(&t);
   }
 }

@@ -97,6 +97,8 @@ static void keep_block(tp_geom_triangulation *t) {
     if (in[0] != 0 && in[1] == 0) t->triangles[kept++] = t->triangles[k];
   }
   t->count = kept;
+  free(t->across); /* it told of the others too */
+  t->across = NULL;
 }
 
 tp_status tp_check_triangulate(tp_geom_triangulation *triangulation, const tp_section *section,
@@ -113,6 +115,7 @@ tp_status tp_check_triangulate(tp_geom_triangulation *triangulation, const tp_se
     status = tp_check_geometry(tp_geom_triangulate(triangulation, &rings, layer),
                                "the triangulation", message);
     if (status == TP_OK) status = check_layers(triangulation, section, message);
+    if (status == TP_OK) status = tp_check_in_one_piece(triangulation, section, message);
     if (status == TP_OK) keep_block(triangulation);
   }
   free(start);

@@ -39,6 +39,11 @@ const char *tp_check_verb(tp_geom_meeting_kind kind);
 TP_MUST_USE tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,
                                     const char *name, tp_message *message);
 
+/* Refuse holes that cut the block: all of its triangles, with those of its holes, whose layers are
+ * checked. */
+TP_MUST_USE tp_status tp_check_in_one_piece(const tp_geom_triangulation *triangulation,
+                                            const tp_section *section, tp_message *message);
+
 /* Check all rings of the section, which are the first chains of the lattice. A section of several
  * rings has to be triangulated for that: the triangles of the block are left in `triangulation`,
  * layers 0 outline, 1 holes, 2 parts, for the caller to clear. */

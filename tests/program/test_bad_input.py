@@ -56,6 +56,21 @@ class BadInput(unittest.TestCase):
             status, _, err = run("solve", scene)
             self.assertEqual((status, err), (0, ""))
 
+    def test_holes_that_touch_but_do_not_cut(self):
+        """The counterpart of hole_cuts.yaml and its like: holes that hang on the outline or on each
+        other in one point, and ten in a row from the outline on, leave the block in one piece."""
+        chain = [[[k, 2], [k + 1, 1], [k + 1, 2]] for k in range(10)]
+        chains = {"": chain, "touches both sides": chain + [[[10, 2], [10.5, 1], [11, 2]]]}
+        for cut, holes in chains.items():
+            text = f"""topple: 1\nlength_unit: m
+block: {{outline: [[0, 0], [11, 0], [11, 4], [0, 4]], holes: {holes}}}\n"""
+            with self.subTest(cut), tempfile.TemporaryDirectory() as folder:
+                scene = pathlib.Path(folder) / "scene.yaml"
+                scene.write_text(text)
+                status, out, err = run("solve", scene)
+                self.assertEqual(status, 3 if cut else 0, err)
+                self.assertIn("2 pieces" if cut else "area 39 m²", err if cut else out)
+
     def test_files_that_cannot_be_read(self):
         """Missing, a folder, without permission, empty, only comments."""
         self.refuse("nowhere.yaml", "nowhere.yaml: cannot be opened: No such file")
