@@ -177,6 +177,7 @@ typedef struct tp_contact_result {
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
   tp_bounded beyond_left_m, beyond_right_m; /* how far the base goes on past the block */
   size_t facets, points;       /* facets of positive length; contacts in a single point */
+  size_t corner_points;        /* of the points: a corner on a corner, which restrains nothing */
   tp_bounded length_m;         /* along the facets */
   tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
   tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */

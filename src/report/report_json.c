@@ -60,8 +60,9 @@ static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight)
   tp_text_add(
       t,
       "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
-      "\"points\": %zu,\n        ",
-      tp_json_truth(c->mated), tp_json_truth(c->beyond_stated), c->facets, c->points);
+      "\"points\": %zu, \"corner_points\": %zu,\n        ",
+      tp_json_truth(c->mated), tp_json_truth(c->beyond_stated), c->facets, c->points,
+      c->corner_points);
   if (c->mated) {
     tp_json_number(t, "beyond_left_m", c->beyond_left_m);
     tp_text_add(t, ",\n        ");

@@ -77,6 +77,14 @@ static void add_ends(tp_page *p, const tp_contact_result *c) {
   }
 }
 
+static void add_corner_points(tp_page *p, const tp_contact_result *c) {
+  if (c->corner_points == 0) return;
+  tp_text_add(&p->text,
+              ";\n         %zu of the points %s a corner on a corner, which counts as no support:\n"
+              "         neither has a face there for a force to be normal to",
+              c->corner_points, c->corner_points == 1 ? "is" : "are");
+}
+
 static void add_base(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
@@ -104,6 +112,7 @@ static void add_base(tp_page *p) {
     tp_text_add(&p->text, ", per area of the mean plane ");
     tp_page_add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
   }
+  add_corner_points(p, c);
   tp_text_add(&p->text, "\n");
 }
 
@@ -163,7 +172,10 @@ static void add_verdict(tp_page *p, const tp_case *c) {
     return;
   }
   if (c->limit.kind == TP_LIMIT_NOWHERE) {
-    tp_text_add(&p->text, "Does not stand: no forces of the base hold it at any tilt.\n");
+    tp_text_add(&p->text, "Does not stand: no forces of the base hold it at any tilt%s.\n",
+                s->contact.corner_points > 0
+                    ? ";\n  its contacts of a corner on a corner count as no support"
+                    : "");
     return;
   }
   if (c->limit.kind == TP_LIMIT_UNDECIDED) {

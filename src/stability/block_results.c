@@ -241,13 +241,14 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
   contact->beyond_stated = !base->mated || base->beyond_left.given;
   contact->beyond_left_m = length_in_metres(e, &base->beyond_left);
   contact->beyond_right_m = length_in_metres(e, &base->beyond_right);
-  contact->facets = contact->points = 0;
+  contact->facets = contact->points = contact->corner_points = 0;
   for (long k = 0; k < problem->contact.facet_count; k++) {
     const tp_facet *f = problem->contact.facets + k;
     if (f->q0 != f->q1) {
       contact->facets++;
     } else {
       contact->points++;
+      contact->corner_points += f->t0 == f->t1;
     }
   }
   arb_t length, newton, lost, lost_along_plane;

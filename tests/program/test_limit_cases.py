@@ -132,6 +132,24 @@ class Cases(unittest.TestCase):
         self.assertEqual(case["limit"]["mechanism"], "holds nowhere")
         self.assertNotIn(case["mechanism"], ("stands", "interlocked"))
 
+    def test_two_apexes(self):
+        """A block on two apexes that straddle its centroid, on two of its base: nothing holds it, and the
+        report says why. Blunted to a flat of 1e-30, it stands; and corners in notches are no such points."""
+        base = "profile: [[-1, -1], [0, 0], [1/2, -1], [1, 0], [2, -1]]"
+        sharp = "outline: [[0, 0], [1/2, 1], [1, 0], [1, 2], [0, 2]]"
+        status, out, err = self.run_solve(sharp, base, 30)
+        contact = json.loads(out)["cases"][0]["contact"]
+        self.assertEqual((status, contact["points"], contact["corner_points"]), (0, 2, 2), err)
+        text = run("solve", self.path)[1]
+        self.assertIn("2 of the points are a corner on a corner, which counts as no support", text)
+        self.assertIn("its contacts of a corner on a corner count as no support", text)
+        blunt = "profile: [[-1, -1], [0, 0], [1e-30, 0], [1/2, -1], [1 - 1e-30, 0], [1, 0], [2, -1]]"
+        out = self.run_solve(
+            "outline: [[0, 0], [1e-30, 0], [1/2, 1], [1 - 1e-30, 0], [1, 0], [1, 2], [0, 2]]", blunt, 30)[1]
+        contact = json.loads(out)["cases"][0]["contact"]
+        self.assertEqual((contact["facets"], contact["corner_points"]), (2, 0))
+        self.holds(json.loads(out)["cases"][0]["limit"]["critical_angle_deg"], math.degrees(math.atan(9 / 22)))
+
     def test_redundant_vertices_change_nothing(self):
         """A vertex in the middle of a straight edge, of the block or of the base, over or under a corner of
         the other: the corner presses on the edge, with the vertex as without it."""
