@@ -29,6 +29,17 @@ static void need_fos(const comparison *c, tp_fos one, tp_fos other, const char *
   if (one.state == TP_FOS_NUMBER) need_scaled(c, one.value, other.value, 0, what);
 }
 
+static void compare_limits(const comparison *c, const tp_limit *one, const tp_limit *other) {
+  need(c, one->kind == other->kind, "kind of limit");
+  if (one->kind != TP_LIMIT_AT_ANGLE || one->kind != other->kind) return;
+  need(c, one->mechanism == other->mechanism && one->tie == other->tie, "mechanism of the limit");
+  need_scaled(c, one->critical_angle_deg, other->critical_angle_deg, 0, "limit");
+  need_fos(c, one->fos, other->fos, "factor of the limit");
+  if (!one->has_centre || !other->has_centre) return;
+  need_scaled(c, one->centre_x_m, other->centre_x_m, 1, "centre of the limit");
+  need_scaled(c, one->centre_y_m, other->centre_y_m, 1, "centre of the limit");
+}
+
 static void compare_cases(const comparison *c, const tp_case *one, const tp_case *other) {
   need(c, one->pivot_count == other->pivot_count, "pivots");
   for (size_t k = 0; k < one->pivot_count && c->why[0] == '\0'; k++) {
@@ -46,6 +57,7 @@ static void compare_cases(const comparison *c, const tp_case *one, const tp_case
        "governing pivot");
   need(c, one->mechanism == other->mechanism && one->first == other->first, "mechanism");
   need_scaled(c, one->first_angle_deg, other->first_angle_deg, 0, "first angle");
+  compare_limits(c, &one->limit, &other->limit);
   if (one->has_margin) need_scaled(c, one->margin_deg, other->margin_deg, 0, "margin");
 }
 

@@ -76,7 +76,6 @@ static void claim_powers_of_two(random_scene *scene, uint64_t *state) {
   char why[256], *texts[2] = {NULL, NULL};
   const bool beyond = draw_once_in(state, 2) || is_large(&scene->outline);
   random_scene_make_even(scene);
-  scene->has_friction = false;
   if (beyond) random_scene_double(scene, 60);
   tp_solution *one = solve(scene, texts);
   const int power = (int)draw_below(state, beyond ? 100 : 30);

@@ -16,7 +16,7 @@ int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale) {
   if (arb_is_positive(ball)) return 1;
   if (arb_is_negative(ball)) return -1;
   if (!judge->settled || !arb_is_finite(ball)) return OPEN_SIGN;
-  const double width = mag_get_d_log2_approx(arb_radref(ball));
+  const double width = tp_log2_above(arb_radref(ball));
   return width < log2_scale - 0.5 * (double)judge->bits ? 0 : OPEN_SIGN;
 }
 
@@ -125,7 +125,7 @@ static double log2_size(const arb_t ball) {
   mag_t size;
   mag_init(size);
   arb_get_mag(size, ball);
-  const double log2_size = mag_get_d_log2_approx(size);
+  const double log2_size = tp_log2_above(size);
   mag_clear(size);
   return log2_size;
 }

@@ -74,7 +74,7 @@ static double force_scale(const tp_limit_answer *a, const tp_cones *cones, int k
     scale += (j == k ? -1 : 1) * tp_vector_log2_size(&column);
   }
   arb_get_mag(size, a->forces + (1 - k));
-  scale += mag_get_d_log2_approx(size);
+  scale += tp_log2_above(size);
   tp_vector_clear(&column);
   mag_clear(size);
   return scale;

@@ -28,12 +28,6 @@ static double error_of(const arb_t ball, long exponent) {
   return error + fabs(scaled(ball, exponent)) * DBL_EPSILON + DBL_MIN;
 }
 
-/* log2; an infinity for 0 and for infinity, which FLINT takes for 2^(2^62) */
-static double log2_of(const mag_t size) {
-  if (mag_is_inf(size)) return INFINITY;
-  return mag_is_zero(size) ? -INFINITY : mag_get_d_log2_approx(size);
-}
-
 static long exponent_of(double log2_size) {
   return isfinite(log2_size) ? (long)ceil(log2_size) : 0;
 }
@@ -110,7 +104,7 @@ static long length_exponent(const tp_sketch *s, const tp_cones *cones, const dou
   }
   mag_set_d(own, farthest); /* an upper bound */
   mag_max(most, most, own);
-  const long exponent = exponent_of(fmax(log2_of(most), arm));
+  const long exponent = exponent_of(fmax(tp_log2_above(most), arm));
   mag_clear(most);
   mag_clear(own);
   arb_clear(away);
@@ -125,16 +119,16 @@ static long column_exponent(const tp_cones *cones, long k, const tp_vector *entr
     mag_t friction;
     mag_init(friction);
     arb_get_mag(friction, cones->friction);
-    const double factor = log2_of(friction);
+    const double factor = tp_log2_above(friction);
     mag_clear(friction);
     return exponent_of(along + fmax(factor, 0));
   }
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
-  const double along = log2_of(size);
+  const double along = tp_log2_above(size);
   arb_get_mag(size, entries->of + 1);
-  const long exponent = exponent_of(fmax(along, log2_of(size)));
+  const long exponent = exponent_of(fmax(along, tp_log2_above(size)));
   mag_clear(size);
   return exponent;
 }
@@ -217,7 +211,7 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   arb_get_mag(moment, entries.of + 2);
   sketch->force_exponent = exponent_of(force);
   const doubles d = doubles_of(sketch, cones);
-  sketch->length_exponent = length_exponent(sketch, cones, &d, log2_of(moment) - force);
+  sketch->length_exponent = length_exponent(sketch, cones, &d, tp_log2_above(moment) - force);
   mag_clear(moment);
   for (long point = 0; point < cones->count; point++) {
     if (set_edges_in_double(sketch, cones, point, &d)) continue;
