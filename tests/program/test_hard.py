@@ -10,6 +10,7 @@ this test compares. TOPPLE_HARD=all runs the big cases too (five minutes of CPU 
 for reports of 300 MB), TOPPLE_HARD=write does so and writes the page anew."""
 
 import json
+import math
 import os
 import pathlib
 import re
@@ -96,6 +97,8 @@ class Hard(unittest.TestCase):
         report = json.loads(out, parse_constant=no_constant)
         for said in numbers(report):
             self.assertGreaterEqual(said["error"], 0, where)
+            # 1e400 is JSON, and an infinity when read
+            self.assertTrue(math.isfinite(float(said["value"])) and math.isfinite(float(said["error"])), where)
         names = case.names()
         for path, formula in case.truths:
             truth = formula.value(names)
