@@ -115,7 +115,8 @@ static double extent(const double *a, const double *b, const double *c) {
 }
 
 static void complete(tp_basis *basis, const tp_sketch *sketch) {
-  while (basis->count > 0 && basis->count < 3) {
+  if (basis->count == 0 || sketch->columns == NULL) return;
+  while (basis->count < 3) {
     const double *a = sketch->columns[basis->columns[0]];
     const double *b = basis->count == 2 ? sketch->columns[basis->columns[1]] : NULL;
     double most = 0;
