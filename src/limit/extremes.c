@@ -3,62 +3,14 @@
 
 #include "limit/extremes.h"
 
+#include "limit/balance.h"
 #include "limit/search.h"
 
 #include <math.h>
 
-/* R = sum f_k c_k by Cramer's rule. */
-static tp_answer balance(const long basis[3], const tp_vector *wrench, const tp_limit_question *q) {
-  const long bits = q->judge.precision;
-  tp_vector columns[3], cross;
-  arb_t volume, share;
-  tp_vector_init(&cross);
-  arb_init(volume);
-  arb_init(share);
-  for (int k = 0; k < 3; k++) {
-    tp_vector_init(columns + k);
-    tp_cones_column(columns[k].of, q->cones, basis[k], bits);
-  }
-  tp_vector_cross(&cross, columns + 1, columns + 2, bits);
-  tp_vector_dot(volume, columns, &cross, bits);
-  tp_answer answer = arb_contains_zero(volume) ? TP_OPEN : TP_YES;
-  for (int k = 0; k < 3 && answer == TP_YES; k++) {
-    tp_vector_cross(&cross, columns + (k + 1) % 3, columns + (k + 2) % 3, bits);
-    tp_vector_dot(share, wrench, &cross, bits);
-    const double size = tp_vector_log2_size(wrench) + tp_vector_log2_size(&cross);
-    const int sign = tp_judge_sign(&q->judge, share, size);
-    if (sign > 1) answer = TP_OPEN;
-    if (sign == 1 || sign == -1) answer = (sign > 0) == arb_is_positive(volume) ? TP_NO : TP_YES;
-  }
-  for (int k = 0; k < 3; k++) tp_vector_clear(columns + k);
-  tp_vector_clear(&cross);
-  arb_clear(volume);
-  arb_clear(share);
-  return answer;
-}
-
-/* Where two columns do already, any third that spans with them, with a share of nothing. */
-static void complete(tp_basis *basis, const tp_sketch *sketch) {
-  if (basis->count != 2) return;
-  const double *a = sketch->columns[basis->columns[0]], *b = sketch->columns[basis->columns[1]];
-  double most = 0;
-  for (long k = 0; k < sketch->count; k++) {
-    double volume = 0;
-    for (int row = 0; row < 3; row++) {
-      const int next = (row + 1) % 3, last = (row + 2) % 3;
-      volume += sketch->columns[k][row] * (a[next] * b[last] - a[last] * b[next]);
-    }
-    if (fabs(volume) <= most) continue;
-    most = fabs(volume);
-    basis->columns[2] = k;
-    basis->count = 3;
-  }
-}
-
 tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch,
                                   const tp_basis *growing) {
   static const double nowhere[3] = {0, 0, 0};
-  if (!tp_search_is_linear(q)) return TP_YES; /* the search looked at every degree */
   tp_vector upright;
   double wrench[3], target[3];
   tp_vector_init(&upright);
@@ -67,14 +19,11 @@ tp_answer tp_extremes_interlocked(const tp_limit_question *q, tp_sketch *sketch,
   for (int row = 0; row < 3; row++) target[row] = -wrench[row];
   const tp_simplex_answer found = tp_sketch_solve(sketch, nowhere, target);
   tp_basis basis = tp_basis_of(&found);
-  complete(&basis, sketch);
-  tp_answer answer = found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 3
-                         ? balance(basis.columns, &upright, q)
-                         : TP_OPEN;
+  tp_answer answer = TP_OPEN;
+  if (found.outcome == TP_SIMPLEX_OPTIMAL) answer = tp_balance_of(&basis, q, sketch, &upright);
   if (answer != TP_YES) {
     basis = *growing;
-    complete(&basis, sketch);
-    if (basis.count == 3) answer = balance(basis.columns, &upright, q);
+    answer = tp_balance_of(&basis, q, sketch, &upright);
   }
   tp_vector_clear(&upright);
   return answer;
@@ -169,7 +118,6 @@ static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_sketc
 }
 
 tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_sketch *sketch) {
-  if (!tp_search_is_linear(q)) return TP_YES; /* the search looked at every degree */
   tp_face face;
   if (!tp_face_init(&face, q->cones)) return TP_OPEN;
   tp_vector down, across;

@@ -89,8 +89,8 @@ static double linear_degrees(tp_sketch *sketch, const tp_limit_question *q) {
 
 double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *q) {
   if (tp_search_is_linear(q)) return linear_degrees(sketch, q);
-  double degrees = 0;
-  switch (tp_search_near(&degrees, sketch, q)) {
+  tp_search_tilts tilts = {.lets_go = 0};
+  switch (tp_search_near(&tilts, sketch, q)) {
   case TP_SEARCH_HOLDS_ALWAYS:
     return 90;
   case TP_SEARCH_HOLDS_NEVER:
@@ -99,5 +99,5 @@ double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *q) {
   case TP_SEARCH_OPEN: /* level, for want of better */
     break;
   }
-  return degrees;
+  return tilts.lets_go;
 }

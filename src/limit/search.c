@@ -30,8 +30,7 @@ void tp_search_load_at(tp_vector *wrench, const tp_wrench *load, const arb_t sin
   tp_trig_evaluate(wrench->of + 2, &load->moment, sine, cosine, bits);
 }
 
-/* v . F - K as a function of the tilt. */
-static void set_excess(tp_trig *excess, const tp_face *face, const tp_limit_question *q) {
+void tp_search_excess(tp_trig *excess, const tp_face *face, const tp_limit_question *q) {
   tp_vector term;
   tp_vector_init(&term);
   for (int basis = 0; basis < TP_BASIS; basis++) {
@@ -82,7 +81,7 @@ tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face, const tp_
                          double near_degrees) {
   tp_trig excess;
   tp_trig_init(&excess);
-  set_excess(&excess, face, q);
+  tp_search_excess(&excess, face, q);
   const tp_answer found = tp_search_is_linear(q) ? linear_tilt(answer, &excess, q->judge.bits)
                                                  : nearest_root(answer, &excess, q, near_degrees);
   tp_trig_clear(&excess);
@@ -177,18 +176,18 @@ static double halve(tp_sketch *sketch, const loads *l, double low, double high) 
   return low;
 }
 
-/* The first tilt at which the base holds, in steps from `from`; at a step or between two. */
-static tp_search_found find_held(double *found, tp_sketch *sketch, const loads *l, double from,
+/* The first tilt at which the base holds, in steps from level; at a step or between two. */
+static tp_search_found find_held(tp_search_tilts *found, tp_sketch *sketch, const loads *l,
                                  double step) {
   enum { MOST_LOOKS = 100 };
   bool open = false;
   for (int k = 0; k <= STEPS; k++) {
     int looks = MOST_LOOKS;
-    *found = from + k * step;
-    if (holds(sketch, l, *found)) return TP_SEARCH_TILT;
-    const double before = from + (k - 1) * step;
-    if (k > 0 && find_between(found, sketch, l, fmin(before, from + k * step),
-                              fmax(before, from + k * step), &looks)) {
+    found->held = k * step;
+    found->before = k > 0 ? (k - 1) * step : 0;
+    if (holds(sketch, l, found->held)) return TP_SEARCH_TILT;
+    if (k > 0 && find_between(&found->held, sketch, l, fmin(found->before, k * step),
+                              fmax(found->before, k * step), &looks)) {
       return TP_SEARCH_TILT;
     }
     open = open || looks <= 0;
@@ -196,30 +195,41 @@ static tp_search_found find_held(double *found, tp_sketch *sketch, const loads *
   return open ? TP_SEARCH_OPEN : TP_SEARCH_HOLDS_NEVER;
 }
 
-tp_search_found tp_search_near(double *degrees, tp_sketch *sketch, const tp_limit_question *q) {
-  loads l;
+static void set_loads(loads *l, const tp_sketch *sketch, const tp_limit_question *q) {
   tp_vector term;
   tp_vector_init(&term);
   for (int basis = 0; basis < TP_BASIS; basis++) {
     tp_search_load_term(&term, q->load, basis);
-    tp_sketch_wrench(l.of[basis], sketch, &term);
+    tp_sketch_wrench(l->of[basis], sketch, &term);
   }
   tp_vector_clear(&term);
+}
+
+tp_search_found tp_search_near(tp_search_tilts *tilts, tp_sketch *sketch,
+                               const tp_limit_question *q) {
+  loads l;
+  set_loads(&l, sketch, q);
   const double range = arf_get_d(arb_midref(q->range), ARF_RND_DOWN) * (180 / M_PI);
   const double step = range / STEPS;
-  double held = 0;
-  const tp_search_found above = find_held(&held, sketch, &l, 0, step);
+  const tp_search_found above = find_held(tilts, sketch, &l, step);
   if (above != TP_SEARCH_TILT) {
-    const tp_search_found below = find_held(&held, sketch, &l, 0, -step);
+    const tp_search_found below = find_held(tilts, sketch, &l, -step);
     if (below != TP_SEARCH_TILT) return above == TP_SEARCH_OPEN ? above : below;
   }
+  double held = tilts->held;
   while (held < range) {
     const double next = fmin(held + step, range);
     if (!holds(sketch, &l, next)) {
-      *degrees = halve(sketch, &l, held, next);
+      tilts->lets_go = halve(sketch, &l, held, next);
       return TP_SEARCH_TILT;
     }
     held = next;
   }
   return TP_SEARCH_HOLDS_ALWAYS;
+}
+
+double tp_search_between(tp_sketch *sketch, const tp_limit_question *q, double held, double fails) {
+  loads l;
+  set_loads(&l, sketch, q);
+  return halve(sketch, &l, held, fails);
 }

@@ -17,6 +17,9 @@ void tp_search_load_term(tp_vector *term, const tp_wrench *load, int basis);
 void tp_search_load_at(tp_vector *wrench, const tp_wrench *load, const arb_t sine,
                        const arb_t cosine, long bits);
 
+/* v . F - K as a function of the tilt. */
+void tp_search_excess(tp_trig *excess, const tp_face *face, const tp_limit_question *question);
+
 /* The tilt at which the loads begin to do more work on the face's twist than is held: into the
  * answer's sine, cosine and degrees. Of several the one nearest to `near_degrees`. */
 tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face,
@@ -24,7 +27,7 @@ tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face,
 
 /* In doubles: the first tilt from level at which nothing holds the block any more, looking at every
  * degree and halving between two; where level ground does not do, after the first tilt that does;
- * and where none above does, from level backwards. */
+ * and where none above does, from level backwards. Unproven (certify.h). */
 typedef enum tp_search_found {
   TP_SEARCH_TILT,
   TP_SEARCH_HOLDS_ALWAYS,
@@ -32,7 +35,17 @@ typedef enum tp_search_found {
   TP_SEARCH_OPEN /* doubles are too short for this scene */
 } tp_search_found;
 
-tp_search_found tp_search_near(double *degrees, tp_sketch *sketch,
+typedef struct tp_search_tilts {
+  double before, held; /* the first tilt that was found to hold, and one before it that does not:
+                          both 0 where level ground holds */
+  double lets_go;      /* where it does */
+} tp_search_tilts;
+
+tp_search_found tp_search_near(tp_search_tilts *tilts, tp_sketch *sketch,
                                const tp_limit_question *question);
+
+/* By halving, where the block lets go between a tilt that holds and one that does not. */
+double tp_search_between(tp_sketch *sketch, const tp_limit_question *question, double holds,
+                         double fails);
 
 #endif

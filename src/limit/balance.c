@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "limit/balance.h"
+
+#include <math.h>
+
+/* Three columns that balance a wrench, and how much each may bear: most < 0 for without bound. */
+typedef struct triple {
+  tp_vector columns[3], rest; /* the wrench and the allowances at their bound */
+  arb_struct most[3];
+  double log2_size; /* of the terms of the rest */
+} triple;
+
+static void triple_init(triple *t, const tp_vector *wrench) {
+  tp_vector_init(&t->rest);
+  for (int k = 0; k < 3; k++) {
+    tp_vector_init(t->columns + k);
+    arb_init(t->most + k);
+    arb_set_si(t->most + k, -1);
+    arb_set(t->rest.of + k, wrench->of + k);
+  }
+  t->log2_size = tp_vector_log2_size(wrench);
+}
+
+static void triple_clear(triple *t) {
+  tp_vector_clear(&t->rest);
+  for (int k = 0; k < 3; k++) {
+    tp_vector_clear(t->columns + k);
+    arb_clear(t->most + k);
+  }
+}
+
+static void triple_set(triple *t, int at, const tp_cones *cones, long column, long bits) {
+  tp_cones_column(t->columns[at].of, cones, column, bits);
+  if (!tp_cones_is_edge(cones, column)) tp_cones_bound(t->most + at, cones, column);
+}
+
+static void add_full(triple *t, const tp_limit_question *q, const tp_sketch *sketch,
+                     const tp_basis *basis) {
+  if (sketch->at_most == NULL) return;
+  tp_vector column;
+  arb_t most;
+  tp_vector_init(&column);
+  arb_init(most);
+  for (long k = 2 * q->cones->count; k < sketch->count; k++) {
+    const long *own = basis->columns;
+    if (!sketch->at_most[k] || k == own[0] || k == own[1] || k == own[2]) continue;
+    tp_cones_column(column.of, q->cones, k, q->judge.precision);
+    tp_cones_bound(most, q->cones, k);
+    for (int row = 0; row < 3; row++) {
+      arb_mul(column.of + row, column.of + row, most, q->judge.bits);
+      arb_add(t->rest.of + row, t->rest.of + row, column.of + row, q->judge.bits);
+    }
+    t->log2_size = fmax(t->log2_size, tp_vector_log2_size(&column));
+  }
+  tp_vector_clear(&column);
+  arb_clear(most);
+}
+
+static double log2_of(const arb_t ball) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, ball);
+  const double log2_size = mag_is_zero(size) ? -INFINITY : mag_get_d_log2_approx(size);
+  mag_clear(size);
+  return log2_size;
+}
+
+/* f = -share / volume with share = rest . cross: is it in 0 ... most? */
+static tp_answer judge_share(arb_t share, const triple *t, int k, const tp_vector *cross,
+                             const arb_t volume, const tp_judge *judge) {
+  const bool up = arb_is_positive(volume) != 0;
+  double size = t->log2_size + tp_vector_log2_size(cross);
+  int sign = tp_judge_sign(judge, share, size);
+  if (sign > 1) return TP_OPEN;
+  if (sign != 0 && (sign > 0) == up) return TP_NO;
+  if (arb_is_negative(t->most + k)) return TP_YES;
+  size = fmax(size, log2_of(t->most + k) + log2_of(volume));
+  arb_addmul(share, t->most + k, volume, judge->precision);
+  sign = tp_judge_sign(judge, share, size);
+  if (sign > 1) return TP_OPEN;
+  return sign == 0 || (sign > 0) == up ? TP_YES : TP_NO;
+}
+
+/* R = -sum f_k c_k by Cramer's rule. */
+static tp_answer triple_judge(const triple *t, const tp_judge *judge) {
+  tp_vector cross;
+  arb_t volume, share;
+  tp_vector_init(&cross);
+  arb_init(volume);
+  arb_init(share);
+  tp_vector_cross(&cross, t->columns + 1, t->columns + 2, judge->precision);
+  tp_vector_dot(volume, t->columns, &cross, judge->precision);
+  tp_answer answer = arb_contains_zero(volume) ? TP_OPEN : TP_YES;
+  for (int k = 0; k < 3 && answer == TP_YES; k++) {
+    tp_vector_cross(&cross, t->columns + (k + 1) % 3, t->columns + (k + 2) % 3, judge->precision);
+    tp_vector_dot(share, &t->rest, &cross, judge->precision);
+    answer = judge_share(share, t, k, &cross, volume, judge);
+  }
+  tp_vector_clear(&cross);
+  arb_clear(volume);
+  arb_clear(share);
+  return answer;
+}
+
+/* Of two columns the area, of three the volume. */
+static double extent(const double *a, const double *b, const double *c) {
+  double cross[3];
+  for (int k = 0; k < 3; k++) {
+    cross[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+  }
+  if (c == NULL) return fabs(cross[0]) + fabs(cross[1]) + fabs(cross[2]);
+  return fabs(cross[0] * c[0] + cross[1] * c[1] + cross[2] * c[2]);
+}
+
+static void complete(tp_basis *basis, const tp_sketch *sketch) {
+  if (basis->count == 0 || sketch->columns == NULL) return;
+  while (basis->count < 3) {
+    const double *a = sketch->columns[basis->columns[0]];
+    const double *b = basis->count == 2 ? sketch->columns[basis->columns[1]] : NULL;
+    double most = 0;
+    long widest = -1;
+    for (long k = 0; k < sketch->count; k++) {
+      if (sketch->at_most != NULL && sketch->at_most[k]) continue;
+      const double own =
+          b == NULL ? extent(a, sketch->columns[k], NULL) : extent(a, b, sketch->columns[k]);
+      if (own <= most) continue;
+      most = own;
+      widest = k;
+    }
+    if (widest < 0) return;
+    basis->columns[basis->count++] = widest;
+  }
+}
+
+tp_answer tp_balance_of(tp_basis *basis, const tp_limit_question *q, const tp_sketch *sketch,
+                        const tp_vector *wrench) {
+  complete(basis, sketch);
+  if (basis->count != 3) return TP_OPEN;
+  triple t;
+  triple_init(&t, wrench);
+  for (int k = 0; k < 3; k++) triple_set(&t, k, q->cones, basis->columns[k], q->judge.precision);
+  add_full(&t, q, sketch, basis);
+  const tp_answer answer = triple_judge(&t, &q->judge);
+  triple_clear(&t);
+  return answer;
+}
+
+void tp_balance_push(tp_vector *push, const tp_limit_question *q, const tp_sketch *sketch) {
+  static const double weights[4] = {1, 1.3125, 1.6875, 2.125};
+  const long last = 2 * q->cones->count - 2;
+  tp_vector column, force;
+  arb_t factor;
+  tp_vector_init(&column);
+  tp_vector_init(&force);
+  arb_init(factor);
+  for (int row = 0; row < 3; row++) arb_zero(push->of + row);
+  for (int k = 0; k < 4; k++) {
+    tp_cones_column(column.of, q->cones, k < 2 ? k : last + k - 2, q->judge.precision);
+    arb_get_mid_arb(force.of, column.of);
+    arb_get_mid_arb(force.of + 1, column.of + 1);
+    const double size = tp_vector_log2_size(&force);
+    arb_set_d(factor, weights[k]);
+    arb_mul_2exp_si(factor, factor, sketch->force_exponent - (isfinite(size) ? (slong)size : 0));
+    for (int row = 0; row < 3; row++) {
+      arb_addmul(push->of + row, column.of + row, factor, q->judge.precision);
+    }
+  }
+  tp_vector_clear(&column);
+  tp_vector_clear(&force);
+  arb_clear(factor);
+}
+
+/* With a share of the push. */
+static tp_answer bears_with(const tp_basis *basis, const tp_limit_question *q,
+                            const tp_sketch *sketch, const tp_vector *push,
+                            const tp_vector *wrench) {
+  triple t;
+  triple_init(&t, wrench);
+  for (int k = 0; k < 2; k++) triple_set(&t, k, q->cones, basis->columns[k], q->judge.precision);
+  for (int row = 0; row < 3; row++) arb_set(t.columns[2].of + row, push->of + row);
+  add_full(&t, q, sketch, basis);
+  const tp_answer answer = triple_judge(&t, &q->judge);
+  triple_clear(&t);
+  return answer;
+}
+
+tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
+                           const tp_vector *wrench) {
+  static const double none[3] = {0, 0, 0};
+  double direction[3], target[3];
+  tp_sketch_wrench(direction, sketch, push);
+  tp_sketch_wrench(target, sketch, wrench);
+  for (int row = 0; row < 3; row++) target[row] = -target[row];
+  tp_simplex_answer found = tp_sketch_solve(sketch, direction, target);
+  tp_basis basis = tp_basis_of(&found);
+  if (found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 2 && found.t > 0 &&
+      bears_with(&basis, q, sketch, push, wrench) == TP_YES) {
+    return TP_YES;
+  }
+  found = tp_sketch_solve(sketch, none, target);
+  if (found.outcome == TP_SIMPLEX_INFEASIBLE) return TP_NO;
+  if (found.outcome != TP_SIMPLEX_OPTIMAL) return TP_OPEN;
+  basis = tp_basis_of(&found);
+  return tp_balance_of(&basis, q, sketch, wrench) == TP_YES ? TP_YES : TP_OPEN;
+}

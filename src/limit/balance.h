@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The proof that the base bears a wrench: factors on its columns, found in doubles and enclosed in
+ * balls, that balance it. */
+
+#ifndef TP_BALANCE_H
+#define TP_BALANCE_H
+
+#include "limit/basis.h"
+
+/* Do the basis and the allowances that the sketch has at their bound balance the wrench? Fewer than
+ * three columns are completed by others, with a share of nothing. */
+tp_answer tp_balance_of(tp_basis *basis, const tp_limit_question *question, const tp_sketch *sketch,
+                        const tp_vector *wrench);
+
+/* A push from within the cone of all forces: a sum of the edges at the first and the last point,
+ * weighted unevenly so that no symmetry of the block makes a tie, in units of the sketch's force.
+ */
+void tp_balance_push(tp_vector *push, const tp_limit_question *question, const tp_sketch *sketch);
+
+/* Does the base bear the wrench? Of all that balance it, a share of the push as large as can be and
+ * two columns are tried first: the share is above zero wherever the wrench lies inside what the
+ * base bears. TP_NO is what doubles say, and proves nothing. */
+tp_answer tp_balance_bears(const tp_limit_question *question, tp_sketch *sketch,
+                           const tp_vector *push, const tp_vector *wrench);
+
+#endif

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "limit/search.h"
+#include "limit/stretch.h"
+#include "load/roots.h"
+
+#include <math.h>
+
+enum { MOST_LOOKS = 128 };
+
+/* Where there is but one column or the rest is artificial, the one that spans the widest face. */
+static bool span(long columns[2], const tp_simplex_answer *found, const tp_sketch *sketch) {
+  const tp_basis basis = tp_basis_of(found);
+  if (basis.count == 0) return false;
+  columns[0] = basis.columns[0];
+  columns[1] = basis.columns[1];
+  if (basis.count > 1) return true;
+  const double *a = sketch->columns[columns[0]];
+  double most = 0;
+  for (long k = 0; k < sketch->count; k++) {
+    const double *b = sketch->columns[k];
+    const double own = fabs(a[1] * b[2] - a[2] * b[1]) + fabs(a[2] * b[0] - a[0] * b[2]) +
+                       fabs(a[0] * b[1] - a[1] * b[0]);
+    if (own <= most) continue;
+    most = own;
+    columns[1] = k;
+  }
+  return most > 0;
+}
+
+/* The face through which the loads leave what the base bears, seen from the push. */
+static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_sketch *sketch,
+                           const tp_vector *push, const tp_vector *load) {
+  double direction[3], target[3];
+  tp_sketch_wrench(direction, sketch, push);
+  tp_sketch_wrench(target, sketch, load);
+  for (int row = 0; row < 3; row++) target[row] = -target[row];
+  const tp_simplex_answer found = tp_sketch_solve(sketch, direction, target);
+  long columns[2], violated = -1;
+  if (!span(columns, &found, sketch)) return TP_OPEN;
+  tp_answer answer = tp_face_span(face, q->cones, columns[0], columns[1], load, &q->judge);
+  if (answer == TP_YES) answer = tp_face_admit(face, q->cones, sketch, &q->judge, &violated);
+  return answer;
+}
+
+/* The zeros of v . F - K about a tilt at which it is above zero: between them it stays so. */
+typedef struct zeros {
+  bool has_before, has_after;
+  arb_t before, after;
+} zeros;
+
+static void zeros_init(zeros *z) {
+  z->has_before = z->has_after = false;
+  arb_init(z->before);
+  arb_init(z->after);
+}
+
+static void zeros_clear(zeros *z) {
+  arb_clear(z->before);
+  arb_clear(z->after);
+}
+
+/* About `at`, in which `own` zeros lie. False where not all is certain. */
+static bool find_zeros(zeros *z, const tp_trig *excess, const tp_limit_question *q, const arb_t at,
+                       int own) {
+  tp_roots roots;
+  tp_roots_init(&roots);
+  tp_roots_find(&roots, excess, q->range, q->judge.bits);
+  for (long k = 0; k < roots.count; k++) {
+    const arb_struct *zero = roots.degrees + k;
+    if (arb_lt(zero, at)) {
+      z->has_before = true;
+      arb_set(z->before, zero);
+    } else if (!arb_gt(zero, at)) {
+      own--;
+    } else if (!z->has_after) {
+      z->has_after = true;
+      arb_set(z->after, zero);
+    }
+  }
+  const bool certain = roots.certain && own == 0;
+  tp_roots_clear(&roots);
+  return certain;
+}
+
+/* About `at`, the work of the loads being above what is held there. */
+static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *sketch,
+                              const tp_vector *push, const arb_t at) {
+  tp_face face;
+  if (!tp_face_init(&face, q->cones)) return TP_OPEN;
+  tp_vector load;
+  tp_trig excess;
+  arb_t turn, sine, cosine, above;
+  tp_vector_init(&load);
+  tp_trig_init(&excess);
+  arb_init(turn);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(above);
+  arb_div_ui(turn, at, 180, q->judge.bits);
+  arb_sin_cos_pi(sine, cosine, turn, q->judge.bits);
+  tp_search_load_at(&load, q->load, sine, cosine, q->judge.precision);
+  tp_answer answer = find_face(&face, q, sketch, push, &load);
+  if (answer == TP_YES) {
+    tp_search_excess(&excess, &face, q);
+    tp_trig_evaluate(above, &excess, sine, cosine, q->judge.bits);
+    const bool beaten = arb_is_positive(above) && find_zeros(z, &excess, q, at, 0);
+    answer = beaten ? TP_YES : TP_OPEN;
+  }
+  tp_vector_clear(&load);
+  tp_trig_clear(&excess);
+  tp_face_clear(&face);
+  arb_clear(turn);
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(above);
+  return answer;
+}
+
+typedef struct walk {
+  const tp_limit_question *q;
+  tp_sketch *sketch;
+  const tp_vector *push;
+  int looks;
+} walk;
+
+static tp_answer beat(walk *w, const arb_t low, const arb_t high) {
+  if (--w->looks < 0) return TP_OPEN;
+  zeros z;
+  arb_t middle;
+  zeros_init(&z);
+  arb_init(middle);
+  arb_add(middle, low, high, w->q->judge.bits);
+  arb_mul_2exp_si(middle, middle, -1);
+  arb_get_mid_arb(middle, middle);
+  tp_answer answer = beaten_about(&z, w->q, w->sketch, w->push, middle);
+  if (answer == TP_YES && z.has_before && !arb_lt(z.before, low)) answer = beat(w, low, z.before);
+  if (answer == TP_YES && z.has_after && !arb_gt(z.after, high)) answer = beat(w, z.after, high);
+  zeros_clear(&z);
+  arb_clear(middle);
+  return answer;
+}
+
+tp_answer tp_stretch_is_beaten(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
+                               const arb_t low, const arb_t high) {
+  walk w = {q, sketch, push, MOST_LOOKS};
+  return beat(&w, low, high);
+}
+
+tp_answer tp_stretch_is_beaten_after(const tp_face *face, const tp_limit_question *q,
+                                     tp_sketch *sketch, const tp_vector *push, const arb_t degrees,
+                                     const arb_t high) {
+  tp_trig excess;
+  zeros z;
+  tp_trig_init(&excess);
+  zeros_init(&z);
+  tp_search_excess(&excess, face, q);
+  tp_answer answer = find_zeros(&z, &excess, q, degrees, 1) ? TP_YES : TP_OPEN;
+  if (answer == TP_YES && z.has_after && !arb_gt(z.after, high)) {
+    answer = tp_stretch_is_beaten(q, sketch, push, z.after, high);
+  }
+  tp_trig_clear(&excess);
+  zeros_clear(&z);
+  return answer;
+}

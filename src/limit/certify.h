@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a search in doubles leaves open where the loads do not all turn with the tilt: that a limit
+ * is the first from level, that the block holds at every tilt or at none. Proven over stretches of
+ * tilts (stretch.h), or open. */
+
+#ifndef TP_CERTIFY_H
+#define TP_CERTIFY_H
+
+#include "limit/search.h"
+#include "limit/stretch.h"
+
+/* Does the base bear the loads from `start` up to the limit of the answer, or with NULL for it up
+ * to the end of the range? `start` NULL is level; otherwise they are borne there, as they are at
+ * the limit. TP_NO: doubles found a tilt where not, and `tilts` has the limit before it. */
+tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *question,
+                           tp_sketch *sketch, const arb_t start, const tp_limit_answer *limit);
+
+/* Does nothing hold the block beyond the limit of the answer, to the end of the range or, if
+ * `to_level`, to level ground? */
+tp_answer tp_certify_beaten(const tp_limit_question *question, tp_sketch *sketch,
+                            const tp_limit_answer *limit, bool to_level);
+
+/* Does nothing hold it at any tilt of the range? */
+tp_answer tp_certify_never(const tp_limit_question *question, tp_sketch *sketch);
+
+#endif
