@@ -32,9 +32,9 @@ static const tp_rung triangles[] = {{TP_LEVEL_DOUBLE, 64}, BALLS, {TP_LEVEL_EXAC
 static const tp_rung few_triangles[] = {
     {TP_LEVEL_DOUBLE, 64}, {TP_LEVEL_BALL, 128}, {TP_LEVEL_EXACT, 320}};
 static const tp_rung balls[] = {BALLS};
-static const tp_rung limits[] = {{TP_LEVEL_DOUBLE, 53}, BALLS, EXACT};
+static const tp_rung limits[] = {{TP_LEVEL_DOUBLE, 64}, BALLS, EXACT};
 static const tp_rung few_limits[] = {
-    {TP_LEVEL_DOUBLE, 53}, {TP_LEVEL_BALL, 128}, {TP_LEVEL_EXACT, 320}};
+    {TP_LEVEL_DOUBLE, 64}, {TP_LEVEL_BALL, 128}, {TP_LEVEL_EXACT, 320}};
 
 #define PRICES(list) ((tp_accuracy_prices){list, sizeof(list) / sizeof *(list)})
 

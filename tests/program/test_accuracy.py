@@ -101,7 +101,7 @@ class Accuracy(unittest.TestCase):
     def test_page(self):
         status, out, err = run("accuracy", WORN)
         self.assertEqual((status, err), (0, ""))
-        self.assertIn("limit analysis           double          53", out)
+        self.assertIn("limit analysis           double          64", out)
         self.assertRegex(out, r"boundary sums            ball          4096 +[0-9.]+ µs  [0-9.]+e-12[0-9]{2}  [0-9.]+e-12[0-9]{2}\n")
         self.assertIn("rounding, paper's model  23.503265325340", out)
         self.assertTrue(all(len(line) <= 81 for line in out.splitlines()))
