@@ -3,6 +3,8 @@
 
 #include "limit/balance.h"
 
+#include "number/ball.h"
+
 #include <math.h>
 
 /* Three columns that balance a wrench, and how much each may bear: most < 0 for without bound. */
@@ -58,15 +60,6 @@ static void add_full(triple *t, const tp_limit_question *q, const tp_sketch *ske
   arb_clear(most);
 }
 
-static double log2_of(const arb_t ball) {
-  mag_t size;
-  mag_init(size);
-  arb_get_mag(size, ball);
-  const double log2_size = mag_is_zero(size) ? -INFINITY : mag_get_d_log2_approx(size);
-  mag_clear(size);
-  return log2_size;
-}
-
 /* f = -share / volume with share = rest . cross: is it in 0 ... most? */
 static tp_answer judge_share(arb_t share, const triple *t, int k, const tp_vector *cross,
                              const arb_t volume, const tp_judge *judge) {
@@ -76,7 +69,7 @@ static tp_answer judge_share(arb_t share, const triple *t, int k, const tp_vecto
   if (sign > 1) return TP_OPEN;
   if (sign != 0 && (sign > 0) == up) return TP_NO;
   if (arb_is_negative(t->most + k)) return TP_YES;
-  size = fmax(size, log2_of(t->most + k) + log2_of(volume));
+  size = fmax(size, tp_ball_log2_above(t->most + k) + tp_ball_log2_above(volume));
   arb_addmul(share, t->most + k, volume, judge->precision);
   sign = tp_judge_sign(judge, share, size);
   if (sign > 1) return TP_OPEN;

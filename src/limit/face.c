@@ -4,6 +4,7 @@
 #include "limit/face.h"
 
 #include "limit/filter.h"
+#include "number/ball.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +17,7 @@ int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale) {
   if (arb_is_positive(ball)) return 1;
   if (arb_is_negative(ball)) return -1;
   if (!judge->settled || !arb_is_finite(ball)) return OPEN_SIGN;
-  const double width = tp_log2_above(arb_radref(ball));
+  const double width = tp_mag_log2_above(arb_radref(ball));
   return width < log2_scale - 0.5 * (double)judge->bits ? 0 : OPEN_SIGN;
 }
 
@@ -121,20 +122,13 @@ static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
   return false;
 }
 
-static double log2_size(const arb_t ball) {
-  mag_t size;
-  mag_init(size);
-  arb_get_mag(size, ball);
-  const double log2_size = tp_log2_above(size);
-  mag_clear(size);
-  return log2_size;
-}
-
 /* What the velocity of a point is made of: v and omega (-y, x), which may cancel. */
 static double log2_of_velocity(const tp_face *face, const tp_cones *cones, long point) {
   const arb_struct *v = face->twist.of;
-  const double arm = fmax(log2_size(cones->x + point), log2_size(cones->y + point));
-  return fmax(fmax(log2_size(v), log2_size(v + 1)), log2_size(v + 2) + arm);
+  const double arm =
+      fmax(tp_ball_log2_above(cones->x + point), tp_ball_log2_above(cones->y + point));
+  return fmax(fmax(tp_ball_log2_above(v), tp_ball_log2_above(v + 1)),
+              tp_ball_log2_above(v + 2) + arm);
 }
 
 /* What the powers at a point are made of: its velocity times t. */

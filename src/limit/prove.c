@@ -4,6 +4,7 @@
 #include "limit/prove.h"
 
 #include "limit/search.h"
+#include "number/ball.h"
 
 typedef struct proof {
   tp_limit_answer *answer;
@@ -66,17 +67,13 @@ static tp_answer find_tie(const proof *p, int idle) {
 static double force_scale(const tp_limit_answer *a, const tp_cones *cones, int k, long bits) {
   double scale = 0;
   tp_vector column;
-  mag_t size;
   tp_vector_init(&column);
-  mag_init(size);
   for (int j = 0; j < 2; j++) {
     tp_cones_column(column.of, cones, a->face.columns[j], bits);
     scale += (j == k ? -1 : 1) * tp_vector_log2_size(&column);
   }
-  arb_get_mag(size, a->forces + (1 - k));
-  scale += tp_log2_above(size);
+  scale += tp_ball_log2_above(a->forces + (1 - k));
   tp_vector_clear(&column);
-  mag_clear(size);
   return scale;
 }
 

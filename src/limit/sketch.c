@@ -3,6 +3,8 @@
 
 #include "limit/sketch.h"
 
+#include "number/ball.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -104,7 +106,7 @@ static long length_exponent(const tp_sketch *s, const tp_cones *cones, const dou
   }
   mag_set_d(own, farthest); /* an upper bound */
   mag_max(most, most, own);
-  const long exponent = exponent_of(fmax(tp_log2_above(most), arm));
+  const long exponent = exponent_of(fmax(tp_mag_log2_above(most), arm));
   mag_clear(most);
   mag_clear(own);
   arb_clear(away);
@@ -119,16 +121,16 @@ static long column_exponent(const tp_cones *cones, long k, const tp_vector *entr
     mag_t friction;
     mag_init(friction);
     arb_get_mag(friction, cones->friction);
-    const double factor = tp_log2_above(friction);
+    const double factor = tp_mag_log2_above(friction);
     mag_clear(friction);
     return exponent_of(along + fmax(factor, 0));
   }
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
-  const double along = tp_log2_above(size);
+  const double along = tp_mag_log2_above(size);
   arb_get_mag(size, entries->of + 1);
-  const long exponent = exponent_of(fmax(along, tp_log2_above(size)));
+  const long exponent = exponent_of(fmax(along, tp_mag_log2_above(size)));
   mag_clear(size);
   return exponent;
 }
@@ -211,7 +213,7 @@ bool tp_sketch_init(tp_sketch *sketch, const tp_cones *cones, const tp_vector *s
   arb_get_mag(moment, entries.of + 2);
   sketch->force_exponent = exponent_of(force);
   const doubles d = doubles_of(sketch, cones);
-  sketch->length_exponent = length_exponent(sketch, cones, &d, tp_log2_above(moment) - force);
+  sketch->length_exponent = length_exponent(sketch, cones, &d, tp_mag_log2_above(moment) - force);
   mag_clear(moment);
   for (long point = 0; point < cones->count; point++) {
     if (set_edges_in_double(sketch, cones, point, &d)) continue;

@@ -3,6 +3,8 @@
 
 #include "limit/vector.h"
 
+#include "number/ball.h"
+
 #include <math.h>
 
 void tp_vector_init(tp_vector *v) {
@@ -31,19 +33,8 @@ void tp_vector_neg(tp_vector *v) {
   for (int k = 0; k < 3; k++) arb_neg(v->of + k, v->of + k);
 }
 
-double tp_log2_above(const mag_t size) {
-  if (mag_is_inf(size)) return INFINITY;
-  return mag_is_zero(size) ? -INFINITY : fmpz_get_d(MAG_EXPREF(size));
-}
-
 double tp_vector_log2_size(const tp_vector *v) {
-  mag_t size;
-  mag_init(size);
   double most = -INFINITY;
-  for (int k = 0; k < 3; k++) {
-    arb_get_mag(size, v->of + k);
-    most = fmax(most, tp_log2_above(size));
-  }
-  mag_clear(size);
+  for (int k = 0; k < 3; k++) most = fmax(most, tp_ball_log2_above(v->of + k));
   return most;
 }

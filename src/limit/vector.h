@@ -19,10 +19,6 @@ void tp_vector_cross(tp_vector *product, const tp_vector *a, const tp_vector *b,
 void tp_vector_dot(arb_t product, const tp_vector *a, const tp_vector *b, long bits);
 void tp_vector_neg(tp_vector *v);
 
-/* The least whole log2 above a size: exact, hence the same under a scaling by a power of two but
- * for that power. An infinity for 0 and for infinity, which FLINT takes for 2^(2^62). */
-double tp_log2_above(const mag_t size);
-
 /* An upper bound of log2 of the largest entry. */
 double tp_vector_log2_size(const tp_vector *v);
 

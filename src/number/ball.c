@@ -32,6 +32,20 @@ double tp_mag_log2(const mag_t size) {
   return log2((double)MAG_MAN(size)) - MAG_BITS + fmpz_get_d(MAG_EXPREF(size));
 }
 
+double tp_mag_log2_above(const mag_t size) {
+  if (mag_is_inf(size)) return INFINITY;
+  return mag_is_zero(size) ? -INFINITY : fmpz_get_d(MAG_EXPREF(size));
+}
+
+double tp_ball_log2_above(const arb_t ball) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, ball);
+  const double log2_size = tp_mag_log2_above(size);
+  mag_clear(size);
+  return log2_size;
+}
+
 bool tp_ball_certain(const arb_t ball, int digits) {
   if (arb_is_exact(ball)) return arb_is_finite(ball);
   /* 10^digits < 2^(3.33 digits); arb_rel_accuracy_bits is -log2 of twice the relative radius. */

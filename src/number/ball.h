@@ -22,6 +22,13 @@ tp_bounded tp_ball_bounded(const arb_t ball);
 /* log2 of a magnitude, to some 1e-8; -INFINITY of 0. */
 double tp_mag_log2(const mag_t size);
 
+/* The least whole log2 above a size: exact, hence the same under a scaling by a power of two but
+ * for that power. An infinity for 0 and for infinity, which FLINT takes for 2^(2^62). */
+double tp_mag_log2_above(const mag_t size);
+
+/* Likewise above the size of all of a ball. */
+double tp_ball_log2_above(const arb_t ball);
+
 /* Is the truth known to 10^-digits of its size? An exact zero is. */
 bool tp_ball_certain(const arb_t ball, int digits);
 
