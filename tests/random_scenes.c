@@ -11,10 +11,6 @@ const random_unit random_units[UNITS] = {{"m", {1, 1}},       {"mm", {1, 1000}},
                                          {"cm", {1, 100}},    {"km", {1000, 1}},
                                          {"in", {127, 5000}}, {"ft", {381, 1250}}};
 
-/* Whole numbers of a scene before its map are multiples of this, so that shares of its sizes are
- * whole. */
-enum { GRAIN = 8 };
-
 static void draw_star_block(random_scene *s, uint64_t *state) {
   const double radius = draw_once_in(state, 2) ? 4 : 1000;
   const long count = 3 + draw_below(state, radius < 5 ? 4 : 22);
@@ -178,7 +174,8 @@ static void draw_angle(fmpq_t angle, long most, uint64_t *state) {
 
 void random_scene_draw(random_scene *s, uint64_t *state) {
   memset(s, 0, sizeof *s);
-  for (int k = 0; k < NUMBERS; k++) fmpz_one(fmpq_denref(s->numbers + k));
+  for (int k = 0; k < NUMBERS; k++) fmpq_init(s->numbers + k);
+  for (int k = 0; k < EFFECT_NUMBERS; k++) fmpq_init(s->effects.numbers + k);
   const long kind = draw_below(state, 8);
   if (kind == 0) draw_star_block(s, state);
   if (kind == 1) draw_overhang(s, state);
@@ -206,10 +203,15 @@ void random_scene_copy(random_scene *copy, const random_scene *s) {
     fmpq_init(copy->numbers + k);
     fmpq_set(copy->numbers + k, s->numbers + k);
   }
+  for (int k = 0; k < EFFECT_NUMBERS; k++) {
+    fmpq_init(copy->effects.numbers + k);
+    fmpq_set(copy->effects.numbers + k, s->effects.numbers + k);
+  }
 }
 
 void random_scene_clear(random_scene *s) {
   for (int k = 0; k < NUMBERS; k++) fmpq_clear(s->numbers + k);
+  for (int k = 0; k < EFFECT_NUMBERS; k++) fmpq_clear(s->effects.numbers + k);
 }
 
 static void map_row(fmpq_t result, const fmpq *by_x, const fmpq *by_y, const fmpq *move, long x,
@@ -223,13 +225,17 @@ static void map_row(fmpq_t result, const fmpq *by_x, const fmpq *by_y, const fmp
   fmpq_clear(term);
 }
 
-void random_scene_vertex(fmpq_t x, fmpq_t y, const random_scene *s, const polygon *ring, long k) {
+void random_scene_map(fmpq_t x, fmpq_t y, const random_scene *s, long from_x, long from_y) {
   const fmpq *n = s->numbers;
-  map_row(x, n + XX, n + XY, n + MOVE_X, ring->x[k], ring->y[k]);
-  map_row(y, n + YX, n + YY, n + MOVE_Y, ring->x[k], ring->y[k]);
+  map_row(x, n + XX, n + XY, n + MOVE_X, from_x, from_y);
+  map_row(y, n + YX, n + YY, n + MOVE_Y, from_x, from_y);
 }
 
-static void write_number(FILE *file, const char *before, const fmpq *value, const char *after) {
+void random_scene_vertex(fmpq_t x, fmpq_t y, const random_scene *s, const polygon *ring, long k) {
+  random_scene_map(x, y, s, ring->x[k], ring->y[k]);
+}
+
+void random_scene_number(FILE *file, const char *before, const fmpq *value, const char *after) {
   char *text = fmpq_get_str(NULL, 10, value);
   fprintf(file, "%s%s%s", before, text, after);
   flint_free(text);
@@ -241,21 +247,40 @@ static void write_ring(FILE *file, const random_scene *s, const polygon *ring) {
   fmpq_init(y);
   for (long k = 0; k < ring->count; k++) {
     random_scene_vertex(x, y, s, ring, k);
-    write_number(file, k == 0 ? "[[" : ", [", x, ", ");
-    write_number(file, "", y, "]");
+    random_scene_number(file, k == 0 ? "[[" : ", [", x, ", ");
+    random_scene_number(file, "", y, "]");
   }
   fputs("]", file);
   fmpq_clear(x);
   fmpq_clear(y);
 }
 
+static void write_base(FILE *file, const random_scene *s) {
+  const fmpq *n = s->numbers;
+  if (s->profile.count > 0) {
+    fputs("\nbase:\n  profile: ", file);
+    write_ring(file, s, &s->profile);
+    return;
+  }
+  if (!s->beyond_stated && !s->effects.has_between) return;
+  fputs("\nbase:\n  mated: true", file);
+  random_effects_write_between(file, s);
+  if (!s->beyond_stated) return;
+  random_scene_number(file, "\n  beyond: {left: ", n + BEYOND_LEFT, "");
+  random_scene_number(file, ", right: ", n + BEYOND_RIGHT, "}");
+}
+
 char *random_scene_text(const random_scene *s) {
   char *text = NULL;
   size_t size = 0;
   FILE *file = open_memstream(&text, &size);
-  fprintf(file, "topple: 1\nlength_unit: %s\nblock:\n  unit_weight_kn_m3: %d\n  outline: ",
+  fprintf(file, "topple: 1\nlength_unit: %s\nblock:\n  unit_weight_kn_m3: %d",
           random_units[s->unit].name, BLOCK_WEIGHT);
-  write_ring(file, s, &s->outline);
+  if (!s->effects.ellipse) {
+    fputs("\n  outline: ", file);
+    write_ring(file, s, &s->outline);
+  }
+  random_effects_write_block(file, s);
   if (s->hole.count > 0) {
     fputs("\n  holes:\n  - ", file);
     write_ring(file, s, &s->hole);
@@ -264,15 +289,10 @@ char *random_scene_text(const random_scene *s) {
     fprintf(file, "\n  parts:\n  - unit_weight_kn_m3: %ld\n    outline: ", s->part_weight);
     write_ring(file, s, &s->part);
   }
-  if (s->profile.count > 0) {
-    fputs("\nbase:\n  profile: ", file);
-    write_ring(file, s, &s->profile);
-  } else if (s->beyond_stated) {
-    write_number(file, "\nbase:\n  mated: true\n  beyond: {left: ", s->numbers + BEYOND_LEFT, "");
-    write_number(file, ", right: ", s->numbers + BEYOND_RIGHT, "}");
-  }
-  if (s->has_friction) write_number(file, "\nfriction_angle_deg: ", s->numbers + FRICTION, "");
-  if (s->has_tilt) write_number(file, "\ntilt: {angle_deg: ", s->numbers + TILT, "}");
+  write_base(file, s);
+  random_effects_write_loads(file, s);
+  if (s->has_friction) random_effects_write_friction(file, s);
+  random_effects_write_tilt(file, s);
   fputs("\n", file);
   fclose(file);
   return text;

@@ -6,6 +6,7 @@
 #ifndef TP_TEST_RANDOM_SCENES_H
 #define TP_TEST_RANDOM_SCENES_H
 
+#include "random_effects.h"
 #include "random_polygons.h"
 #include "topple.h"
 
@@ -23,9 +24,14 @@ typedef struct random_scene {
   bool beyond_stated, has_friction, has_tilt;
   int unit;
   fmpq numbers[NUMBERS];
+  random_effects effects; /* none where drawn by random_scene_draw alone */
 } random_scene;
 
 enum { BLOCK_WEIGHT = 26 }; /* kN/m3 */
+
+/* Whole numbers of a scene before its map are multiples of this, so that shares of its sizes are
+ * whole. */
+enum { GRAIN = 8 };
 
 /* Blocks of three kinds (stars; teeth and rough undersides below upright or leaning bodies; with
  * overhangs) on bases that are mated or touch here and there, some of them degenerate on purpose:
@@ -37,6 +43,10 @@ void random_scene_copy(random_scene *copy, const random_scene *scene);
 void random_scene_vertex(fmpq_t x, fmpq_t y, const random_scene *scene, const polygon *ring,
                          long k);
 void random_scene_clear(random_scene *scene);
+
+/* The scene's map. */
+void random_scene_map(fmpq_t x, fmpq_t y, const random_scene *scene, long from_x, long from_y);
+void random_scene_number(FILE *file, const char *before, const fmpq *value, const char *after);
 
 enum { UNITS = 6 };
 typedef struct random_unit {

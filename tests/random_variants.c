@@ -3,8 +3,24 @@
 
 #include "random_variants.h"
 
+/* By less than the scene's size, to where doubles hold no coordinate. */
+static bool nudge(random_scene *s, relation *r, uint64_t *state) {
+  if (s->effects.ellipse) return false;
+  fmpq_t by;
+  fmpq_init(by);
+  for (int axis = 0; axis < 2; axis++) {
+    fmpq_set_si(by, draw_signed(state, 30), 3 + 4 * (ulong)draw_below(state, 2));
+    fmpq_mul(by, by, s->numbers + YY);
+    fmpq_add(s->numbers + MOVE_X + axis, s->numbers + MOVE_X + axis, by);
+    fmpq_mul(r->numbers + SHIFT_X + axis, by, &random_units[s->unit].metres);
+  }
+  fmpq_clear(by);
+  return true;
+}
+
 /* Far off on one axis or both: by up to 10^40 lengths, or many digits of one. */
 static bool move(random_scene *s, relation *r, uint64_t *state) {
+  if (s->effects.ellipse) return false;
   fmpq_t by;
   fmpq_init(by);
   for (int axis = 0; axis < 2; axis++) {
@@ -24,6 +40,7 @@ static void multiply_lengths(random_scene *s, const fmpq *factor) {
   for (int k = BEYOND_LEFT; k <= BEYOND_RIGHT; k++) {
     fmpq_mul(s->numbers + k, s->numbers + k, factor);
   }
+  random_effects_lengthen(&s->effects, factor);
 }
 
 void random_scene_make_even(random_scene *s) {
@@ -47,6 +64,7 @@ void random_scene_double(random_scene *s, int power) {
 
 static bool scale_by(random_scene *s, relation *r, const fmpq *factor) {
   multiply_lengths(s, factor);
+  random_effects_load_more(&s->effects, factor);
   fmpq_set(r->numbers + MAP_XX, factor);
   fmpq_set(r->numbers + MAP_YY, factor);
   fmpq_set(r->numbers + LENGTH, factor);
@@ -92,6 +110,7 @@ static bool change_unit(random_scene *s, relation *r, uint64_t *state) {
   const int unit = (s->unit + 1 + (int)draw_below(state, UNITS - 1)) % UNITS;
   fmpq_div(factor, &random_units[s->unit].metres, &random_units[unit].metres);
   multiply_lengths(s, factor);
+  fmpq_mul(s->effects.numbers + THICKNESS, s->effects.numbers + THICKNESS, factor);
   s->unit = unit;
   fmpq_clear(factor);
   return true;
@@ -116,6 +135,7 @@ static bool mirror(random_scene *s, relation *r, uint64_t *state) {
   }
   fmpq_swap(s->numbers + BEYOND_LEFT, s->numbers + BEYOND_RIGHT);
   reverse(&s->profile);
+  random_effects_mirror(&s->effects);
   fmpq_set_si(r->numbers + MAP_XX, -1, 1);
   r->mirrored = true;
   return true;
@@ -137,23 +157,31 @@ static bool renumber(random_scene *s, relation *r, uint64_t *state) {
 }
 
 /* Twice as large before a map of half the size, with the middles of some edges as vertices. */
-static void subdivide(polygon *p, bool closed, uint64_t *state) {
+static void subdivide(polygon *p, const random_effects *e, bool closed, uint64_t *state) {
   const polygon old = *p;
   p->count = 0;
   for (long k = 0; k < old.count; k++) {
     const long next = (k + 1) % old.count;
     polygon_add(p, 2 * old.x[k], 2 * old.y[k]);
-    if (draw_once_in(state, 2) && (closed || next > 0)) {
+    if (draw_once_in(state, 2) && (closed || next > 0) &&
+        !random_effects_need_edge(e, (const long[]){old.x[k], old.y[k]},
+                                  (const long[]){old.x[next], old.y[next]})) {
       polygon_add(p, old.x[k] + old.x[next], old.y[k] + old.y[next]);
     }
   }
 }
 
 static bool add_vertices(random_scene *s, relation *r, uint64_t *state) {
-  subdivide(&s->outline, true, state);
-  subdivide(&s->hole, true, state);
-  subdivide(&s->part, true, state);
-  subdivide(&s->profile, false, state);
+  random_effects *e = &s->effects;
+  if (e->ellipse || e->corners > 0) return false; /* a rounding must fit the pieces of its edges */
+  subdivide(&s->outline, e, true, state);
+  subdivide(&s->hole, e, true, state);
+  subdivide(&s->part, e, true, state);
+  subdivide(&s->profile, e, false, state);
+  for (int k = 0; k < EFFECT_POINTS; k++) {
+    e->x[k] *= 2;
+    e->y[k] *= 2;
+  }
   for (int k = XX; k <= YY; k++) fmpq_div_2exp(s->numbers + k, s->numbers + k, 1);
   r->more_vertices = true;
   return true;
@@ -183,7 +211,10 @@ static bool is_ear(const polygon *p, const long corner[3]) {
 static bool part_out(random_scene *s, relation *r, uint64_t *state) {
   (void)r;
   const polygon *o = &s->outline;
-  if (s->part.count > 0 || s->hole.count > 0) return false;
+  if (s->part.count > 0 || s->hole.count > 0 || s->effects.ellipse || s->effects.arcs > 0 ||
+      s->effects.corners > 0) {
+    return false;
+  }
   const long first = draw_below(state, o->count);
   for (long k = 0; k < o->count; k++) {
     const long corner[3] = {(first + k) % o->count, (first + k + 1) % o->count,
@@ -220,6 +251,7 @@ static bool turn(random_scene *s, relation *r, uint64_t *state) {
   static const long triples[][3] = {
       {4, 3, 5}, {12, 5, 13}, {24, 7, 25}, {15, -8, 17}, {40, -9, 41}};
   const long *t = triples[draw_below(state, 5)];
+  if (!random_effects_turn(&s->effects)) return false;
   if (s->profile.count == 0 || !fmpq_is_zero(s->numbers + YX) || !still_a_base(s, t)) return false;
   fmpq old[MAP_NUMBERS];
   for (int k = 0; k < MAP_NUMBERS; k++) {
@@ -263,6 +295,7 @@ static bool turn(random_scene *s, relation *r, uint64_t *state) {
 
 const random_variant random_variants[VARIANTS] = {
     {"moved", move},
+    {"nudged", nudge},
     {"scaled", scale},
     {"scaled by a power of ten", scale_by_ten},
     {"scaled by a power of two", scale_by_two},

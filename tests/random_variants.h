@@ -16,7 +16,7 @@ typedef struct random_variant {
   bool (*change)(random_scene *scene, relation *r, uint64_t *state);
 } random_variant;
 
-enum { VARIANTS = 10 };
+enum { VARIANTS = 11 };
 extern const random_variant random_variants[VARIANTS];
 
 /* Give the scene whole and even vertices and no move; then all its lengths times 2^power. What the

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Random scenes that combine effects: rounded corners, arcs, ellipses, holes, parts, profiles with
+ * notches and walls, bases that go on, kinks, all loads and all laws of friction. Whatever is true
+ * of a block is true of its mirror image, of the same block elsewhere, larger, in another unit,
+ * written otherwise, tilted towards one side at a time, by another arithmetic and to other digits.
+ * This is the test that finds what no list of cases does: each wrong answer of one of these
+ * programs was at odds with one of them. TOPPLE_RANDOM_SCENES above 10 000 holds each scene against
+ * one property drawn for it, else against all. */
+
+#include "random_variants.h"
+#include "runner.h"
+
+#include <string.h>
+#include <time.h>
+
+enum { SHOWN = 20 };
+
+static uint64_t seed; /* of the scene in hand */
+static long failed;   /* claims that did not hold: a long run goes on to find more than one kind */
+
+static void claim(bool condition, const char *what, const char *why, const char *text) {
+  if (condition || failed++ >= SHOWN) return;
+  printf("%s: %s: TOPPLE_RANDOM_SEED=%lu TOPPLE_RANDOM_SCENES=1\n%s\n", what, why, (ulong)seed,
+         text);
+}
+
+typedef struct result {
+  char *text;
+  tp_status status; /* TP_OK, TP_BAD_INPUT, TP_NO_ANSWER or TP_UNDECIDED */
+  tp_message message;
+  tp_solution *solution; /* NULL where there is none */
+  double seconds;
+} result;
+
+enum { SECONDS_MOST = 5 }; /* for a scene of few lines, to 9 digits */
+
+static result solve(const random_scene *drawn, const tp_solve_options *options) {
+  result r = {.text = random_scene_text(drawn)};
+  tp_scene *scene = NULL;
+  const clock_t start = clock();
+  r.status = tp_scene_read_text(&scene, r.text, "random.yaml", &r.message);
+  if (r.status == TP_OK) r.status = tp_solve(&r.solution, scene, options, &r.message);
+  r.seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+  claim(r.status != TP_OUT_OF_MEMORY && r.status != TP_SYSTEM_FAILED &&
+            r.status != TP_DEPENDENCY_FAILED,
+        "solved, refused or undecided", r.message.text, r.text);
+  tp_scene_free(scene);
+  return r;
+}
+
+static void clear(result *r) {
+  tp_solution_free(r->solution);
+  free(r->text);
+}
+
+static bool is_refused(const result *r) {
+  return r->status == TP_BAD_INPUT || r->status == TP_NO_ANSWER;
+}
+
+enum { DIRECTIONS_APART = VARIANTS, OTHER_DIGITS, CHEAPER_LEVEL, PROPERTIES };
+
+typedef struct counts {
+  long scenes, refused, undecided, compared[PROPERTIES];
+} counts;
+
+/* The changed scene is refused where the first one is, and otherwise tells the same. */
+static void claim_same(counts *seen, const result *one, const random_scene *changed,
+                       const relation *r, const tp_solve_options *options, int property,
+                       const char *name) {
+  char why[256];
+  result other = solve(changed, options);
+  claim(other.seconds < SECONDS_MOST, name, "too slow", other.text);
+  if (is_refused(one) != is_refused(&other)) {
+    claim(false, name, is_refused(one) ? "no longer refused" : other.message.text, other.text);
+  }
+  if (one->solution != NULL && other.solution != NULL) {
+    claim(solutions_agree(why, one->solution, other.solution, r), name, why, other.text);
+    seen->compared[property]++;
+  }
+  clear(&other);
+}
+
+static void claim_variant(counts *seen, const random_scene *scene, const result *one, int variant,
+                          uint64_t *state) {
+  const tp_solve_options options = tp_solve_options_default();
+  random_scene changed;
+  relation r;
+  random_scene_copy(&changed, scene);
+  relation_init(&r);
+  r.allowances = random_effects_allow(&scene->effects);
+  if (random_variants[variant].change(&changed, &r, state)) {
+    claim_same(seen, one, &changed, &r, &options, variant, random_variants[variant].name);
+  }
+  relation_clear(&r);
+  random_scene_clear(&changed);
+}
+
+/* Both directions are those of each by itself. */
+static void claim_direction(counts *seen, const random_scene *scene, const result *one,
+                            uint64_t *state) {
+  if (scene->effects.towards != TOWARDS_BOTH) return;
+  const tp_solve_options options = tp_solve_options_default();
+  random_scene changed;
+  relation r;
+  char why[256];
+  random_scene_copy(&changed, scene);
+  relation_init(&r);
+  r.allowances = random_effects_allow(&scene->effects);
+  const int side = (int)draw_below(state, 2);
+  changed.effects.towards = side == 0 ? TOWARDS_LEFT : TOWARDS_RIGHT;
+  result other = solve(&changed, &options);
+  claim(is_refused(one) || !is_refused(&other), "one direction", other.message.text, other.text);
+  if (one->solution != NULL && other.solution != NULL) {
+    tp_solution half = *one->solution;
+    half.case_count = 1;
+    half.cases[0] = one->solution->cases[side];
+    claim(solutions_agree(why, &half, other.solution, &r), "one direction", why, other.text);
+    seen->compared[DIRECTIONS_APART]++;
+  }
+  clear(&other);
+  relation_clear(&r);
+  random_scene_clear(&changed);
+}
+
+static void claim_options(counts *seen, const random_scene *scene, const result *one, int property,
+                          uint64_t *state) {
+  static const int digits[] = {1, 3, 6, 12, 15, 20, 30};
+  tp_solve_options options = tp_solve_options_default();
+  relation r;
+  relation_init(&r);
+  r.allowances = random_effects_allow(&scene->effects);
+  if (property == OTHER_DIGITS) options.digits = digits[draw_below(state, 7)];
+  if (property == CHEAPER_LEVEL) options.level = (tp_level)draw_below(state, TP_LEVEL_EXACT);
+  r.uncertain = property == CHEAPER_LEVEL;
+  char name[64];
+  snprintf(name, sizeof name, "to %d digits by %s", options.digits, tp_level_name(options.level));
+  claim_same(seen, one, scene, &r, &options, property, name);
+  relation_clear(&r);
+}
+
+static void claim_property(counts *seen, const random_scene *scene, const result *one, int property,
+                           uint64_t *state) {
+  if (property < VARIANTS) claim_variant(seen, scene, one, property, state);
+  if (property == DIRECTIONS_APART) claim_direction(seen, scene, one, state);
+  if (property > DIRECTIONS_APART) claim_options(seen, scene, one, property, state);
+}
+
+enum { ALL_PROPERTIES_UP_TO = 10000, ENOUGH = 200 };
+
+static void claim_scene(counts *seen, long count) {
+  const tp_solve_options options = tp_solve_options_default();
+  uint64_t state = seed;
+  random_scene scene;
+  random_scene_draw(&scene, &state);
+  random_effects_draw(&scene, &state);
+  result one = solve(&scene, &options);
+  claim(one.seconds < SECONDS_MOST, "within its budget", "too slow", one.text);
+  seen->scenes++;
+  seen->refused += is_refused(&one);
+  seen->undecided += one.solution != NULL && tp_solution_is_undecided(one.solution);
+  if (count > ALL_PROPERTIES_UP_TO) {
+    claim_property(seen, &scene, &one, (int)draw_below(&state, PROPERTIES), &state);
+  } else {
+    for (int p = 0; p < PROPERTIES; p++) claim_property(seen, &scene, &one, p, &state);
+  }
+  clear(&one);
+  random_scene_clear(&scene);
+}
+
+START_TEST(test_effects_of_random_scenes) {
+  const uint64_t first = random_seed();
+  const long count = random_scenes();
+  counts seen = {0};
+  for (long k = 0; k < count; k++) {
+    seed = first + (uint64_t)k;
+    claim_scene(&seen, count);
+  }
+  ck_assert_int_eq(failed, 0);
+  printf("%ld scenes: %ld refused, %ld undecided\n", seen.scenes, seen.refused, seen.undecided);
+  if (count < ENOUGH) return;
+  ck_assert_int_lt(seen.refused, count / 3);
+  ck_assert_int_lt(seen.undecided, count / 100 + 1);
+  for (int p = 0; p < PROPERTIES; p++) ck_assert_int_gt(seen.compared[p], count / 200);
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("random effects");
+  TCase *cases = tcase_create("random effects");
+  tcase_set_timeout(cases, 0);
+  tcase_add_test(cases, test_effects_of_random_scenes);
+  suite_add_tcase(suite, cases);
+  return run_suite(suite);
+}
