@@ -57,24 +57,22 @@ static void draw_kinks(random_scene *s, uint64_t *state) {
   }
 }
 
-/* Rock past an end of the profile that rises beside the block, upright or leaning off. */
+/* Rock past an end of the profile that rises beside the block, upright or leaning off, and goes on
+ * level above. */
 static void draw_wall(random_scene *s, uint64_t *state) {
   polygon *p = &s->profile;
-  if (p->count == 0 || p->count + 1 >= POLYGON_MOST) return;
+  if (p->count == 0 || p->count + 2 >= POLYGON_MOST) return;
   const long off = GRAIN * draw_below(state, 4), up = GRAIN * (1 + draw_below(state, 12));
-  const bool left = draw_once_in(state, 2);
-  polygon_add(p, 0, 0);
-  if (left) {
-    for (long k = p->count - 1; k > 0; k--) {
-      p->x[k] = p->x[k - 1];
-      p->y[k] = p->y[k - 1];
-    }
-    p->x[0] = p->x[1] - off;
-    p->y[0] = p->y[1] + up;
-  } else {
-    p->x[p->count - 1] = p->x[p->count - 2] + off;
-    p->y[p->count - 1] = p->y[p->count - 2] + up;
+  if (draw_once_in(state, 2)) {
+    polygon_add(p, p->x[p->count - 1] + off, p->y[p->count - 1] + up);
+    polygon_add(p, p->x[p->count - 1] + GRAIN, p->y[p->count - 1]);
+    return;
   }
+  const polygon old = *p;
+  p->count = 0;
+  polygon_add(p, old.x[0] - off - GRAIN, old.y[0] + up);
+  polygon_add(p, old.x[0] - off, old.y[0] + up);
+  for (long k = 0; k < old.count; k++) polygon_add(p, old.x[k], old.y[k]);
 }
 
 static double edge_length(const polygon *o, long k) {
