@@ -7,8 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Integers of a lattice may take at most this many bits in all (2 GiB). */
+/* Integers of a lattice may take at most this many bits in all (2 GiB) ... */
 static const double most_bits = 1.7e10;
+
+/* ... and what is computed with them this much: a product of b bits costs about b^1.5, and each
+ * point takes some. Two thousand vertices whose denominators of 15 digits have no common factor
+ * come up to it, in some seconds; a million of 300 digits each do not. */
+static const double most_work = 5e11;
 
 void tp_lattice_clear(tp_lattice *lattice) {
   for (long k = 0; k < lattice->count; k++) {
@@ -34,10 +39,13 @@ static tp_status common_denominator(fmpz_t denominator, const tp_polyline *const
       const fmpq *value = k % 2 == 0 ? chains[c]->x + k / 2 : chains[c]->y + k / 2;
       if (fmpz_divisible(denominator, fmpq_denref(value))) continue;
       fmpz_lcm(denominator, denominator, fmpq_denref(value));
-      if ((double)fmpz_bits(denominator) * (double)point_count * 2 > most_bits) {
+      const double bits = (double)fmpz_bits(denominator), integers = 2 * (double)point_count;
+      if (bits * integers > most_bits || bits * sqrt(bits) * integers > most_work) {
         return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(chains[c], k / 2),
-                       "the coordinates have too many different denominators to be held exactly; "
-                       "write them as decimals, or round the fractions");
+                       "up to here the denominators of the coordinates have a common multiple of "
+                       "%.0f digits, too many to compute with exactly; write the coordinates as "
+                       "decimals, or round the fractions",
+                       bits * log10(2));
       }
     }
   }
@@ -163,6 +171,11 @@ tp_status tp_lattice_init(tp_lattice *lattice, const tp_polyline *const *chains,
   }
   fmpz_clear(denominator);
   return status;
+}
+
+double tp_lattice_work(const tp_lattice *lattice) {
+  const double bits = (double)lattice->bits;
+  return 2 * (double)lattice->count * bits * sqrt(bits);
 }
 
 static void metres(fmpq_t result, const fmpz_t value, const fmpz_t origin, const fmpq_t step) {

@@ -32,7 +32,7 @@ typedef struct tp_lattice {
 } tp_lattice;
 
 /* Put `count` chains on one lattice. Fails for points so unlike in denominators that the integers
- * would not fit in memory. On failure `lattice` is cleared. */
+ * would not fit in memory, or take minutes. On failure `lattice` is cleared. */
 TP_MUST_USE tp_status tp_lattice_init(tp_lattice *lattice, const tp_polyline *const *chains,
                                       long count, const fmpq_t metres_per_unit,
                                       tp_message *message);
@@ -40,6 +40,9 @@ void tp_lattice_clear(tp_lattice *lattice);
 
 /* Are u and v the coordinates themselves? */
 bool tp_lattice_is_exact(const tp_lattice *lattice);
+
+/* What one product of each coordinate costs, about, in units of one of one bit. */
+double tp_lattice_work(const tp_lattice *lattice);
 
 /* The coordinate in metres, exactly. */
 void tp_lattice_metres_x(fmpq_t metres, const tp_lattice *lattice, const fmpz_t x);

@@ -9,6 +9,7 @@
 #include "stability/admissible.h"
 #include "stability/effects.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,13 +58,18 @@ bool tp_problem_is_enclosed(const tp_problem *problem) {
          problem->section.arc_tips.count > 0;
 }
 
+/* Products of lattice integers that sorting and summing elements may cost: half a second unasked,
+ * some seconds where they are asked for (tp_lattice_work). */
+static const double most_work_unasked = 2e9, most_work = 2e10;
+
 /* Are the elements called for: by the option, or by a tilt angle of a block of moderate size? With
  * rounded corners or loads there is no form by elements. */
 static bool wants_elements(const tp_problem *problem, const tp_solve_options *options) {
   if (tp_problem_is_enclosed(problem)) return false;
   if (options->elements) return true;
   return problem->scene->tilt_angle_deg.given &&
-         tp_problem_vertex_count(problem) <= TP_ELEMENTS_UNASKED;
+         tp_problem_vertex_count(problem) <= TP_ELEMENTS_UNASKED &&
+         tp_lattice_work(&problem->lattice) <= most_work_unasked;
 }
 
 static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *triangulation,
@@ -72,6 +78,13 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
   const tp_section *section = &problem->section;
   const double began = tp_effects_now();
   tp_status status = TP_OK;
+  if (tp_lattice_work(&problem->lattice) > most_work) {
+    return tp_fail(
+        message, TP_BAD_INPUT, (tp_place){0},
+        "over their common denominator the coordinates have %.0f digits, too many for an "
+        "account by elements; leave out --elements, or round the coordinates",
+        (double)problem->lattice.bits * log10(2));
+  }
   if (triangulation->count == 0 && !tp_elements_are_given(section)) {
     status = tp_check_triangulate(triangulation, section, &problem->lattice, message);
   }
