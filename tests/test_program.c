@@ -200,7 +200,8 @@ START_TEST(doubles_against_exact) {
   for (int round = 0; round < 20000; round++) {
     program p;
     tp_geom_maximum maximum = {.basis_count = 0};
-    bool at_most[MOST];
+    bool at_most[MOST]; /* where it starts does not matter */
+    for (int k = 0; k < MOST; k++) at_most[k] = draw_below(&state, 3) == 0;
     fmpq_t value;
     fmpq_init(value);
     program_init(&p, 1 + draw_below(&state, MOST), round % 2 == 1);
