@@ -4,6 +4,7 @@
 /* Linear programs of three rows: the exact solver against all bases, the simplex method in doubles
  * against the exact solver. */
 
+#include "limit/precise_step.h"
 #include "limit/simplex.h"
 #include "random_numbers.h"
 #include "runner.h"
@@ -13,6 +14,7 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include <string.h>
 
 enum { MOST = 12 };
 
@@ -194,13 +196,48 @@ START_TEST(exact_against_all_bases) {
 }
 END_TEST
 
+/* The steps in floating point of 128 bits on the same numbers. */
+static tp_simplex_outcome solve_precisely(double *t, const tp_simplex_program *given,
+                                          bool *at_most) {
+  arf_struct columns[3 * MOST], most[MOST], scratch[TP_PRECISE_SCRATCH];
+  for (long k = 0; k < TP_PRECISE_SCRATCH; k++) arf_init(scratch + k);
+  for (long k = 0; k < given->count; k++) {
+    for (int row = 0; row < 3; row++) {
+      arf_init(columns + 3 * k + row);
+      arf_set_d(columns + 3 * k + row, given->columns[k][row]);
+    }
+    arf_init(most + k);
+    arf_set_d(most + k, given->most != NULL ? given->most[k] : INFINITY);
+  }
+  tp_precise p = {.count = given->count,
+                  .bits = 128,
+                  .columns = columns,
+                  .most = most,
+                  .at_most = given->most != NULL ? at_most : NULL,
+                  .scratch = scratch};
+  tp_precise_share(&p);
+  for (int row = 0; row < 3; row++) {
+    arf_set_d(p.direction + row, given->direction[row]);
+    arf_set_d(p.target + row, given->target[row]);
+  }
+  const tp_simplex_outcome outcome = tp_precise_run(&p);
+  for (int r = 0; r < 3; r++) {
+    if (p.basis[r] == TP_SIMPLEX_T) *t = arf_get_d(p.values + r, ARF_RND_NEAR);
+  }
+  for (long k = 0; k < 3 * given->count; k++) arf_clear(columns + k);
+  for (long k = 0; k < given->count; k++) arf_clear(most + k);
+  for (long k = 0; k < TP_PRECISE_SCRATCH; k++) arf_clear(scratch + k);
+  return outcome;
+}
+
 START_TEST(doubles_against_exact) {
   state = 42;
   int seen[3] = {0};
   for (int round = 0; round < 20000; round++) {
     program p;
     tp_geom_maximum maximum = {.basis_count = 0};
-    bool at_most[MOST];
+    bool at_most[MOST]; /* where it starts does not matter */
+    for (int k = 0; k < MOST; k++) at_most[k] = draw_below(&state, 3) == 0;
     fmpq_t value;
     fmpq_init(value);
     program_init(&p, 1 + draw_below(&state, MOST), round % 2 == 1);
@@ -212,16 +249,22 @@ START_TEST(doubles_against_exact) {
       given.direction[row] = p.direction[row];
       given.target[row] = p.target[row];
     }
+    bool flags[MOST];
+    memcpy(flags, at_most, sizeof flags);
+    double precise = 0;
+    const tp_simplex_outcome precisely = solve_precisely(&precise, &given, flags);
     const tp_simplex_answer answer = tp_simplex_solve(&given, at_most);
     const tp_simplex_outcome expected = outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
                                         : outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
                                                                        : TP_SIMPLEX_INFEASIBLE;
     ck_assert_msg(answer.outcome == expected, "round %d: %d, not %d", round, answer.outcome,
                   expected);
+    ck_assert_msg(precisely == expected, "round %d: %d, not %d", round, precisely, expected);
     if (outcome == TP_GEOM_OPTIMAL) {
       const double truth = fmpq_get_d(value);
       /* eighths: pivots are no smaller than 8^-3, their products of three rows amplify 2^-53 */
       ck_assert_double_le(fabs(answer.t - truth), 1e-10 * (1 + fabs(truth)));
+      ck_assert_double_le(fabs(precise - truth), 1e-15 * (1 + fabs(truth)));
     }
     seen[outcome]++;
     program_clear(&p);

@@ -3,6 +3,7 @@
 
 #include "limit/balance.h"
 
+#include "limit/precise.h"
 #include "number/ball.h"
 
 #include <math.h>
@@ -179,22 +180,52 @@ static tp_answer bears_with(const tp_basis *basis, const tp_limit_question *q,
   return answer;
 }
 
-tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
-                           const tp_vector *wrench) {
-  static const double none[3] = {0, 0, 0};
+tp_simplex_answer tp_balance_solve(tp_sketch *sketch, const tp_vector *push,
+                                   const tp_vector *wrench) {
   double direction[3], target[3];
   tp_sketch_wrench(direction, sketch, push);
   tp_sketch_wrench(target, sketch, wrench);
   for (int row = 0; row < 3; row++) target[row] = -target[row];
-  tp_simplex_answer found = tp_sketch_solve(sketch, direction, target);
-  tp_basis basis = tp_basis_of(&found);
-  if (found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 2 && found.t > 0 &&
-      bears_with(&basis, q, sketch, push, wrench) == TP_YES) {
-    return TP_YES;
-  }
-  found = tp_sketch_solve(sketch, none, target);
+  return tp_sketch_solve(sketch, direction, target);
+}
+
+tp_simplex_answer tp_balance_solve_precisely(const tp_limit_question *q, tp_sketch *sketch,
+                                             const tp_vector *push, const tp_vector *wrench) {
+  if (q->judge.bits < TP_PRECISE_BITS) return (tp_simplex_answer){.outcome = TP_SIMPLEX_STUCK};
+  tp_vector target;
+  tp_vector_init(&target);
+  for (int row = 0; row < 3; row++) arb_neg(target.of + row, wrench->of + row);
+  const tp_simplex_answer found =
+      tp_precise_solve(sketch, q->cones, push, &target, q->judge.bits);
+  tp_vector_clear(&target);
+  return found;
+}
+
+/* Without a push: any three columns that balance it. */
+static tp_answer bears_without(const tp_limit_question *q, tp_sketch *sketch,
+                               const tp_vector *wrench) {
+  static const double none[3] = {0, 0, 0};
+  double target[3];
+  tp_sketch_wrench(target, sketch, wrench);
+  for (int row = 0; row < 3; row++) target[row] = -target[row];
+  const tp_simplex_answer found = tp_sketch_solve(sketch, none, target);
   if (found.outcome == TP_SIMPLEX_INFEASIBLE) return TP_NO;
   if (found.outcome != TP_SIMPLEX_OPTIMAL) return TP_OPEN;
-  basis = tp_basis_of(&found);
+  tp_basis basis = tp_basis_of(&found);
   return tp_balance_of(&basis, q, sketch, wrench) == TP_YES ? TP_YES : TP_OPEN;
+}
+
+tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
+                           const tp_vector *wrench) {
+  for (int engine = 0; engine < 2; engine++) {
+    const tp_simplex_answer found =
+        engine == 0 ? tp_balance_solve(sketch, push, wrench)
+                    : tp_balance_solve_precisely(q, sketch, push, wrench);
+    const tp_basis basis = tp_basis_of(&found);
+    if (found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 2 && found.t > 0 &&
+        bears_with(&basis, q, sketch, push, wrench) == TP_YES) {
+      return TP_YES;
+    }
+  }
+  return bears_without(q, sketch, wrench);
 }

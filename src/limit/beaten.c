@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+#include "limit/relax.h"
 #include "limit/search.h"
 #include "limit/stretch.h"
 #include "load/roots.h"
@@ -32,16 +33,18 @@ static bool span(long columns[2], const tp_simplex_answer *found, const tp_sketc
 /* The face through which the loads leave what the base bears, seen from the push. */
 static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_sketch *sketch,
                            const tp_vector *push, const tp_vector *load) {
-  double direction[3], target[3];
-  tp_sketch_wrench(direction, sketch, push);
-  tp_sketch_wrench(target, sketch, load);
-  for (int row = 0; row < 3; row++) target[row] = -target[row];
-  const tp_simplex_answer found = tp_sketch_solve(sketch, direction, target);
-  long columns[2], violated = -1;
-  if (!span(columns, &found, sketch)) return TP_OPEN;
-  tp_answer answer = tp_face_span(face, q->cones, columns[0], columns[1], load, &q->judge);
-  if (answer == TP_YES) answer = tp_face_admit(face, q->cones, sketch, &q->judge, &violated);
-  return answer;
+  tp_answer answer = TP_OPEN;
+  for (int engine = 0; engine < 2 && answer != TP_YES; engine++) {
+    const tp_simplex_answer found =
+        engine == 0 ? tp_balance_solve(sketch, push, load)
+                    : tp_balance_solve_precisely(q, sketch, push, load);
+    long columns[2], violated = -1;
+    if (!span(columns, &found, sketch)) continue;
+    answer = tp_face_span(face, q->cones, columns[0], columns[1], load, &q->judge);
+    if (answer == TP_YES) answer = tp_face_admit(face, q->cones, sketch, &q->judge, &violated);
+    if (answer == TP_OPEN) answer = tp_relax(face, q, sketch);
+  }
+  return answer == TP_YES ? TP_YES : TP_OPEN;
 }
 
 /* The zeros of v . F - K about a tilt at which it is above zero: between them it stays so. */
@@ -84,7 +87,7 @@ static bool find_zeros(zeros *z, const tp_trig *excess, const tp_limit_question 
   return certain;
 }
 
-/* About `at`, the work of the loads being above what is held there. */
+/* About `at`, the work of the loads being above what is held there; `z` NULL: there alone. */
 static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *sketch,
                               const tp_vector *push, const arb_t at) {
   tp_face face;
@@ -105,7 +108,8 @@ static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *s
   if (answer == TP_YES) {
     tp_search_excess(&excess, &face, q);
     tp_trig_evaluate(above, &excess, sine, cosine, q->judge.bits);
-    const bool beaten = arb_is_positive(above) && find_zeros(z, &excess, q, at, 0);
+    const bool beaten =
+        arb_is_positive(above) && (z == NULL || find_zeros(z, &excess, q, at, 0));
     answer = beaten ? TP_YES : TP_OPEN;
   }
   tp_vector_clear(&load);
@@ -116,6 +120,11 @@ static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *s
   arb_clear(cosine);
   arb_clear(above);
   return answer;
+}
+
+tp_answer tp_stretch_is_beaten_at(const tp_limit_question *q, tp_sketch *sketch,
+                                  const tp_vector *push, const arb_t degrees) {
+  return beaten_about(NULL, q, sketch, push, degrees);
 }
 
 typedef struct walk {

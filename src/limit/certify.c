@@ -3,6 +3,13 @@
 
 #include "limit/certify.h"
 
+/* A proof takes nothing for zero that only is so as far as the bits tell. */
+static tp_limit_question without_zeros(const tp_limit_question *question) {
+  tp_limit_question strict = *question;
+  strict.judge.settled = false;
+  return strict;
+}
+
 static void set_range(arb_t degrees, const tp_limit_question *q) {
   arb_t pi;
   arb_init(pi);
@@ -12,11 +19,27 @@ static void set_range(arb_t degrees, const tp_limit_question *q) {
   arb_clear(pi);
 }
 
+/* Of a bracket m +- r, exactly: m - r, where the loads are borne, or m + r, where not. */
+static void set_end_of_bracket(arb_t end, const tp_limit_answer *limit, bool held) {
+  arf_t radius;
+  arf_init(radius);
+  arf_set_mag(radius, arb_radref(limit->degrees));
+  if (held) arf_neg(radius, radius);
+  arf_add(arb_midref(end), arb_midref(limit->degrees), radius, ARF_PREC_EXACT, ARF_RND_DOWN);
+  mag_zero(arb_radref(end));
+  arf_clear(radius);
+}
+
+void tp_certify_held_end(arb_t end, const tp_limit_answer *limit) {
+  arb_set(end, limit->degrees);
+  if (limit->bracketed) set_end_of_bracket(end, limit, true);
+}
+
 /* The end of what is to hold; the range's own is to be borne itself. */
 static tp_answer set_end(arb_t end, const tp_limit_question *q, tp_sketch *sketch,
                          const tp_vector *push, const tp_limit_answer *limit) {
   if (limit != NULL) {
-    arb_set(end, limit->degrees);
+    tp_certify_held_end(end, limit);
     return TP_YES;
   }
   set_range(end, q);
@@ -29,8 +52,9 @@ static bool is_level(const arb_t start, const arb_t end, const tp_limit_question
   return start == NULL && arb_contains_zero(end) && q->judge.settled;
 }
 
-tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *q, tp_sketch *sketch,
-                           const arb_t start, const tp_limit_answer *limit) {
+tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *question,
+                           tp_sketch *sketch, const arb_t start, const tp_limit_answer *limit) {
+  const tp_limit_question strict = without_zeros(question), *q = &strict;
   tp_vector push;
   arb_t low, high;
   double held = 0, lost = 0;
@@ -39,7 +63,7 @@ tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *q, t
   arb_init(high);
   tp_balance_push(&push, q, sketch);
   tp_answer answer = set_end(high, q, sketch, &push, limit);
-  if (answer == TP_YES && !is_level(start, high, q)) {
+  if (answer == TP_YES && !is_level(start, high, question)) {
     if (start != NULL) {
       arb_set(low, start);
     } else if (tp_stretch_bears_at(q, sketch, &push, low) != TP_YES) {
@@ -57,22 +81,29 @@ tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *q, t
   return answer;
 }
 
-tp_answer tp_certify_beaten(const tp_limit_question *q, tp_sketch *sketch,
+tp_answer tp_certify_beaten(const tp_limit_question *question, tp_sketch *sketch,
                             const tp_limit_answer *limit, bool to_level) {
+  const tp_limit_question strict = without_zeros(question), *q = &strict;
   tp_vector push;
-  arb_t end;
+  arb_t start, end;
   tp_vector_init(&push);
+  arb_init(start);
   arb_init(end);
   tp_balance_push(&push, q, sketch);
   if (!to_level) set_range(end, q);
+  if (limit->bracketed) set_end_of_bracket(start, limit, false);
   const tp_answer answer =
-      tp_stretch_is_beaten_after(&limit->face, q, sketch, &push, limit->degrees, end);
+      limit->bracketed
+          ? tp_stretch_is_beaten(q, sketch, &push, start, end)
+          : tp_stretch_is_beaten_after(&limit->face, q, sketch, &push, limit->degrees, end);
   tp_vector_clear(&push);
+  arb_clear(start);
   arb_clear(end);
   return answer;
 }
 
-tp_answer tp_certify_never(const tp_limit_question *q, tp_sketch *sketch) {
+tp_answer tp_certify_never(const tp_limit_question *question, tp_sketch *sketch) {
+  const tp_limit_question strict = without_zeros(question), *q = &strict;
   tp_vector push;
   arb_t low, high;
   tp_vector_init(&push);

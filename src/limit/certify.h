@@ -11,6 +11,9 @@
 #include "limit/search.h"
 #include "limit/stretch.h"
 
+/* A tilt at which the loads are borne: the limit, or the lower end of the bracket about it. */
+void tp_certify_held_end(arb_t end, const tp_limit_answer *limit);
+
 /* Does the base bear the loads from `start` up to the limit of the answer, or with NULL for it up
  * to the end of the range? `start` NULL is level; otherwise they are borne there, as they are at
  * the limit. TP_NO: doubles found a tilt where not, and `tilts` has the limit before it. */

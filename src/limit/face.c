@@ -185,7 +185,7 @@ static bool in_no_face(const tp_face *face, long column) {
 
 /* K: what cohesion and bonds hold against the twist, each at its bound where the motion works
  * against it. */
-static void find_held(tp_face *face, const tp_cones *cones, const tp_judge *judge) {
+void tp_face_find_held(tp_face *face, const tp_cones *cones, const tp_judge *judge) {
   tp_vector column;
   arb_t power, most, zero;
   tp_vector_init(&column);
@@ -232,7 +232,7 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_sketch *s
   arb_clear(p.along);
   arb_clear(p.edge);
   if (answer == TP_YES && face->motion == TP_MOTION_TURN_AT_SITE) turn_about_site(face, cones);
-  if (answer == TP_YES) find_held(face, cones, judge);
+  if (answer == TP_YES) tp_face_find_held(face, cones, judge);
   return answer;
 }
 

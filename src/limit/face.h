@@ -50,6 +50,9 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
 tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_sketch *sketch,
                         const tp_judge *judge, long *violated);
 
+/* K and `full` alone. */
+void tp_face_find_held(tp_face *face, const tp_cones *cones, const tp_judge *judge);
+
 /* Allowances that do no work may count or not: those that the sketch has at their bound do. */
 void tp_face_take_idle(tp_face *face, const tp_cones *cones, const bool *at_most,
                        const tp_judge *judge);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "limit/certify.h"
 #include "limit/extremes.h"
+#include "limit/near.h"
 #include "limit/program.h"
 #include "limit/prove.h"
+#include "limit/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -36,10 +37,9 @@ void tp_limit_answer_clear(tp_limit_answer *answer) {
 
 static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q,
                              const tp_program *p, tp_sketch *sketch, const tp_basis *basis) {
-  if (basis->outcome != TP_SIMPLEX_OPTIMAL && !tp_search_is_linear(q)) return TP_NO;
   switch (basis->outcome) {
   case TP_SIMPLEX_OPTIMAL:
-    return tp_prove_limit(answer, q, sketch, basis, &p->direction, p->near_degrees);
+    return tp_prove_limit(answer, q, sketch, basis, &p->direction, 0);
   case TP_SIMPLEX_UNBOUNDED:
     answer->kind = TP_LIMIT_INTERLOCKED;
     return tp_extremes_interlocked(q, sketch, basis);
@@ -112,8 +112,7 @@ static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q
     const tp_simplex_answer sketched = tp_program_solve(p, sketch);
     basis = tp_basis_of(&sketched);
     done = judge_basis(answer, q, p, sketch, &basis);
-    if (done == TP_NO && q->cones->allowance_count == 0)
-      done = repair(answer, q, p, sketch, &basis);
+    if (done == TP_NO) done = repair(answer, q, p, sketch, &basis);
   }
   /* with fewer bits, doubling them is cheaper */
   const bool whole = q->judge.bits >= LEAST_BITS && sketch->count <= WHOLE_PROGRAM;
@@ -122,99 +121,6 @@ static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q
     done = judge_basis(answer, q, p, sketch, &basis);
   }
   return done == TP_YES ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
-}
-
-static tp_limit_outcome find_at(tp_limit_answer *answer, const tp_limit_question *q,
-                                double near_degrees, tp_sketch *sketch) {
-  tp_program p;
-  tp_program_init(&p);
-  p.near_degrees = near_degrees;
-  tp_program_set_near(&p, q);
-  const tp_limit_outcome outcome = find(answer, q, &p, sketch);
-  tp_program_clear(&p);
-  return outcome;
-}
-
-/* The question as the tilt falls: sines change their sign. */
-static void set_mirrored(tp_wrench *load, const tp_wrench *of, long bits) {
-  const tp_trig *given[3] = {&of->x, &of->y, &of->moment};
-  tp_trig *own[3] = {&load->x, &load->y, &load->moment};
-  for (int k = 0; k < 3; k++) {
-    tp_trig_add(own[k], given[k], bits);
-    arb_neg(own[k]->of + TP_SIN, own[k]->of + TP_SIN);
-  }
-}
-
-/* Between a tilt that does not hold and one above that does lies where forces begin to hold: the
- * limit as the tilt falls. Nothing holds from there down to level ground. */
-static tp_limit_outcome find_entry(arb_t degrees, const tp_limit_question *q,
-                                   const tp_search_tilts *tilts, tp_sketch *sketch) {
-  tp_limit_answer entry;
-  if (!tp_limit_answer_init(&entry, q->cones)) return TP_LIMIT_OUT_OF_MEMORY;
-  tp_wrench load;
-  tp_wrench_init(&load);
-  set_mirrored(&load, q->load, q->judge.precision);
-  tp_limit_question mirrored = *q;
-  mirrored.load = &load;
-  const double near = tp_search_between(sketch, &mirrored, -tilts->held, -tilts->before);
-  tp_limit_outcome outcome = find_at(&entry, &mirrored, near, sketch);
-  if (outcome == TP_LIMIT_PROVEN && tp_certify_beaten(&mirrored, sketch, &entry, true) != TP_YES) {
-    outcome = TP_LIMIT_OPEN;
-  }
-  arb_neg(degrees, entry.degrees);
-  tp_wrench_clear(&load);
-  tp_limit_answer_clear(&entry);
-  return outcome;
-}
-
-static tp_limit_outcome outcome_of(tp_answer answer) {
-  return answer == TP_YES ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
-}
-
-/* The limit that doubles found, or an earlier one that its proof came upon. `start` NULL: level. */
-static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_question *q,
-                                   tp_search_tilts *tilts, bool always, const arb_t start,
-                                   tp_sketch *sketch) {
-  enum { MOST_ROUNDS = 8 };
-  for (int round = 0; round < MOST_ROUNDS; round++) {
-    answer->kind = TP_LIMIT_INTERLOCKED;
-    if (!always) {
-      const tp_limit_outcome outcome = find_at(answer, q, tilts->lets_go, sketch);
-      if (outcome != TP_LIMIT_PROVEN) return outcome;
-    }
-    const tp_answer done = tp_certify_holds(tilts, q, sketch, start, always ? NULL : answer);
-    if (done != TP_NO) return outcome_of(done);
-    always = false;
-  }
-  return TP_LIMIT_OPEN;
-}
-
-static tp_limit_outcome find_near(tp_limit_answer *answer, const tp_limit_question *q,
-                                  tp_sketch *sketch) {
-  tp_search_tilts tilts = {.held = 0};
-  const tp_search_found found = tp_search_near(&tilts, sketch, q);
-  if (found == TP_SEARCH_OPEN) return TP_LIMIT_OPEN;
-  if (found == TP_SEARCH_HOLDS_NEVER) {
-    answer->kind = TP_LIMIT_NOWHERE;
-    return outcome_of(tp_certify_never(q, sketch));
-  }
-  if (tilts.held == 0) {
-    return find_first(answer, q, &tilts, found == TP_SEARCH_HOLDS_ALWAYS, NULL, sketch);
-  }
-  if (tilts.held < 0) {
-    if (found != TP_SEARCH_TILT) return TP_LIMIT_OPEN; /* level ground is between */
-    const tp_limit_outcome outcome = find_at(answer, q, tilts.lets_go, sketch);
-    if (outcome != TP_LIMIT_PROVEN) return outcome;
-    return outcome_of(tp_certify_beaten(q, sketch, answer, false));
-  }
-  arb_t start;
-  arb_init(start);
-  tp_limit_outcome outcome = find_entry(start, q, &tilts, sketch);
-  if (outcome == TP_LIMIT_PROVEN) {
-    outcome = find_first(answer, q, &tilts, found == TP_SEARCH_HOLDS_ALWAYS, start, sketch);
-  }
-  arb_clear(start);
-  return outcome;
 }
 
 static bool is_finite(const tp_trig *f) {
@@ -246,7 +152,7 @@ tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question 
     outcome = find(answer, q, &p, sketch);
     tp_program_clear(&p);
   } else {
-    outcome = find_near(answer, q, sketch);
+    outcome = tp_near_find(answer, q, sketch);
   }
   if (sketch == &own) tp_sketch_clear(&own);
   return outcome;

@@ -20,13 +20,14 @@ typedef struct tp_limit_question {
   const tp_wrench *load;
   arb_srcptr range;
   tp_judge judge;
-  bool without_doubles; /* by the exact program of all columns from the start */
+  bool without_doubles; /* by a program of all columns at full precision from the start */
 } tp_limit_question;
 
 typedef struct tp_limit_answer {
   tp_limit_kind kind;
   arb_t sine, cosine; /* of the limit, times any positive factor where no load is fixed */
   arb_t degrees;
+  bool bracketed; /* proven as held at the lower end of `degrees` and not at the upper one */
   bool adds_friction; /* `degrees` is this inclination and the friction angle added: */
   arb_t inclination;
   tp_face face;

@@ -3,12 +3,12 @@
 
 #include "limit/program.h"
 
+#include "limit/precise.h"
 #include "limit/search.h"
 
 #include <math.h>
 
 void tp_program_init(tp_program *p) {
-  p->near_degrees = 0;
   tp_vector_init(&p->direction);
   tp_vector_init(&p->target);
 }
@@ -25,29 +25,34 @@ void tp_program_set_linear(tp_program *p, const tp_limit_question *q) {
 }
 
 /* F' by a short step back and forth: it only has to point the right way. */
-void tp_program_set_near(tp_program *p, const tp_limit_question *q) {
-  static const double step = 1e-5; /* degrees */
+void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t near) {
   const long bits = q->judge.bits;
-  tp_vector ends[2];
+  tp_vector *const parts[3] = {&p->target, &p->direction, &p->direction};
+  tp_vector load;
   arb_t turn, sine, cosine;
+  tp_vector_init(&load);
   arb_init(turn);
   arb_init(sine);
   arb_init(cosine);
-  for (int k = 0; k < 2; k++) {
-    tp_vector_init(ends + k);
-    arb_set_d(turn, p->near_degrees + (k == 0 ? -step : step));
+  for (int k = 0; k < 3; k++) {
+    arb_one(turn);
+    arb_mul_2exp_si(turn, turn, -17);
+    arb_mul_si(turn, turn, k == 0 ? 0 : k == 1 ? -1 : 1, bits);
+    arb_add(turn, near, turn, bits);
     arb_div_ui(turn, turn, 180, bits);
     arb_sin_cos_pi(sine, cosine, turn, bits);
-    tp_search_load_at(ends + k, q->load, sine, cosine, bits);
-  }
-  for (int row = 0; row < 3; row++) {
-    arb_add(p->target.of + row, ends[0].of + row, ends[1].of + row, bits);
-    arb_mul_2exp_si(p->target.of + row, p->target.of + row, -1);
-    arb_sub(p->direction.of + row, ends[1].of + row, ends[0].of + row, bits);
-    arb_mul_2exp_si(p->direction.of + row, p->direction.of + row, 16);
+    tp_search_load_at(&load, q->load, sine, cosine, bits);
+    for (int row = 0; row < 3; row++) {
+      if (k == 2) {
+        arb_sub(parts[k]->of + row, load.of + row, parts[k]->of + row, bits);
+        arb_mul_2exp_si(parts[k]->of + row, parts[k]->of + row, 16);
+      } else {
+        arb_set(parts[k]->of + row, load.of + row);
+      }
+    }
   }
   tp_vector_neg(&p->target);
-  for (int k = 0; k < 2; k++) tp_vector_clear(ends + k);
+  tp_vector_clear(&load);
   arb_clear(turn);
   arb_clear(sine);
   arb_clear(cosine);
@@ -67,6 +72,11 @@ tp_simplex_answer tp_program_solve(const tp_program *p, tp_sketch *sketch) {
   tp_sketch_wrench(direction, sketch, &p->direction);
   tp_sketch_wrench(target, sketch, &p->target);
   return tp_sketch_solve(sketch, direction, target);
+}
+
+tp_simplex_answer tp_program_solve_precisely(const tp_program *p, tp_sketch *sketch,
+                                             const tp_limit_question *q) {
+  return tp_precise_solve(sketch, q->cones, &p->direction, &p->target, q->judge.bits);
 }
 
 static double linear_degrees(tp_sketch *sketch, const tp_limit_question *q) {

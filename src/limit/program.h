@@ -15,20 +15,23 @@
 
 typedef struct tp_program {
   tp_vector direction, target;
-  double near_degrees;
 } tp_program;
 
 void tp_program_init(tp_program *program);
 void tp_program_clear(tp_program *program);
 void tp_program_set_linear(tp_program *program, const tp_limit_question *question);
 
-/* At near_degrees. */
-void tp_program_set_near(tp_program *program, const tp_limit_question *question);
+/* At a tilt near the limit, in degrees. */
+void tp_program_set_near(tp_program *program, const tp_limit_question *question, const arb_t near);
 
 /* The question's cones in doubles; false when memory is exhausted. */
 TP_MUST_USE bool tp_program_sketch(tp_sketch *sketch, const tp_limit_question *question);
 
 tp_simplex_answer tp_program_solve(const tp_program *program, tp_sketch *sketch);
+
+/* At the question's bits (precise.h), still unproven. */
+tp_simplex_answer tp_program_solve_precisely(const tp_program *program, tp_sketch *sketch,
+                                             const tp_limit_question *question);
 
 /* In doubles, unproven: the limit in degrees, 90 where interlocked, -90 where nothing holds. */
 double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *question);

@@ -6,6 +6,8 @@
 #include "limit/search.h"
 #include "number/ball.h"
 
+#include <math.h>
+
 typedef struct proof {
   tp_limit_answer *answer;
   const tp_limit_question *question;
@@ -87,6 +89,21 @@ static void find_forces(const proof *p) {
   tp_vector_clear(&wrench);
 }
 
+/* Does column k of the face, an allowance, bear no more than its bound? */
+static tp_answer is_within(const proof *p, int k, double scale) {
+  const tp_limit_question *q = p->question;
+  const long column = p->answer->face.columns[k];
+  if (tp_cones_is_edge(q->cones, column)) return TP_YES;
+  arb_t rest;
+  arb_init(rest);
+  tp_cones_bound(rest, q->cones, column);
+  scale = fmax(scale, tp_ball_log2_above(rest));
+  arb_sub(rest, rest, p->answer->forces + k, q->judge.bits);
+  const int sign = tp_judge_sign(&q->judge, rest, scale);
+  arb_clear(rest);
+  return sign < 0 ? TP_NO : sign > 1 ? TP_OPEN : TP_YES;
+}
+
 static tp_answer check_forces(const proof *p) {
   const tp_limit_question *q = p->question;
   int idle = -1;
@@ -96,6 +113,8 @@ static tp_answer check_forces(const proof *p) {
     if (sign < 0) return TP_NO;
     if (sign > 1) return TP_OPEN;
     if (sign == 0) idle = k;
+    const tp_answer within = is_within(p, k, scale);
+    if (within != TP_YES) return within;
   }
   return idle < 0 ? TP_YES : find_tie(p, idle);
 }

@@ -4,19 +4,21 @@
 #include "limit/simplex.h"
 
 #include <math.h>
-#include <string.h>
+#include <stddef.h>
 
 enum { ARTIFICIAL = TP_SIMPLEX_NONE, MOST_STEPS = 1000 };
 
 typedef struct tableau {
   const tp_simplex_program *program;
   bool *at_most;
+  long first_bounded;   /* no column before it is */
   bool first_phase;     /* minimise the sum of the artificial variables */
   bool has_t;           /* false: no direction is given, it is asked for any solution */
   double sign[3];       /* artificial column r is sign[r] times the r-th unit vector */
   long basis[3];        /* ARTIFICIAL - r: the artificial variable of row r */
   double inverse[3][3]; /* of the basis matrix */
   double values[3];
+  double size; /* of what the values are sums of */
 } tableau;
 
 static bool is_artificial(long variable) {
@@ -118,25 +120,16 @@ static void replace(tableau *s, int row, long entering, const double step[3], do
   s->values[row] = value;
 }
 
-/* One step; false at the end, with the outcome. */
-static bool advance(tableau *s, tp_simplex_outcome *outcome) {
+/* Move the entering variable; false where nothing stops it. */
+static bool enter(tableau *s, long entering, double way) {
   const tp_simplex_program *p = s->program;
-  double y[3], step[3], way = 1;
-  prices(s, y);
-  const long entering = find_entering(s, y, &way);
-  if (entering == ARTIFICIAL) {
-    *outcome = TP_SIMPLEX_OPTIMAL;
-    return false;
-  }
+  double step[3];
   const double *column = entering == TP_SIMPLEX_T ? p->direction : p->columns[entering];
   for (int r = 0; r < 3; r++) step[r] = dot(s->inverse[r], column);
   int leaving = -1;
   bool to_bound = false;
   const double far = find_leaving(s, step, way, bound(s, entering), &leaving, &to_bound);
-  if (!isfinite(far)) {
-    *outcome = TP_SIMPLEX_UNBOUNDED;
-    return false;
-  }
+  if (!isfinite(far)) return false;
   for (int r = 0; r < 3; r++) s->values[r] -= way * far * step[r];
   const bool was_high = way < 0 && entering >= 0;
   if (leaving < 0) { /* which only a bounded column can */
@@ -150,15 +143,76 @@ static bool advance(tableau *s, tp_simplex_outcome *outcome) {
   return true;
 }
 
-static void begin(tableau *s) {
+/* What is left of the target for the basis, columns at their bound taken off; with the sum of what
+ * was rounded away (Neumaier), since thousands may be. */
+static void find_rest(tableau *s, double rest[3]) {
+  const tp_simplex_program *p = s->program;
+  double low[3] = {0, 0, 0};
+  s->size = 0;
   for (int r = 0; r < 3; r++) {
-    const double own = s->program->target[r];
-    s->sign[r] = own < 0 ? -1 : 1;
+    rest[r] = p->target[r];
+    s->size += fabs(rest[r]);
+  }
+  for (long k = s->first_bounded; k < p->count; k++) {
+    if (!s->at_most[k]) continue;
+    for (int r = 0; r < 3; r++) {
+      const double own = -p->most[k] * p->columns[k][r], sum = rest[r] + own;
+      low[r] += fabs(rest[r]) >= fabs(own) ? (rest[r] - sum) + own : (own - sum) + rest[r];
+      rest[r] = sum;
+      s->size = fmax(s->size, fabs(own));
+    }
+  }
+  for (int r = 0; r < 3; r++) rest[r] += low[r];
+}
+
+/* One sweep over the bounded columns: each moves as soon as it gains, most of them from bound to
+ * bound, which leaves the prices as they are. Thousands of them cost a sweep or two instead of a
+ * look at all columns each. */
+static bool sweep(tableau *s) {
+  static const double rounding = 1e-13;
+  const tp_simplex_program *p = s->program;
+  double y[3], rest[3];
+  prices(s, y);
+  for (long k = s->first_bounded; k < p->count; k++) {
+    const double power = dot(y, p->columns[k]), gain = s->at_most[k] ? -power : power;
+    if (gain <= rounding * (fabs(y[0]) + fabs(y[1]) + fabs(y[2])) || in_basis(s, k)) continue;
+    if (!isfinite(p->most[k])) continue;
+    if (!enter(s, k, s->at_most[k] ? -1 : 1)) return false;
+    prices(s, y);
+  }
+  find_rest(s, rest);
+  for (int r = 0; r < 3; r++) s->values[r] = dot(s->inverse[r], rest);
+  return true;
+}
+
+/* One step; false at the end, with the outcome. */
+static bool advance(tableau *s, tp_simplex_outcome *outcome) {
+  double y[3], way = 1;
+  prices(s, y);
+  const long entering = find_entering(s, y, &way);
+  *outcome = entering == ARTIFICIAL ? TP_SIMPLEX_OPTIMAL : TP_SIMPLEX_UNBOUNDED;
+  if (entering == ARTIFICIAL || !enter(s, entering, way)) return false;
+  return entering < 0 || !isfinite(bound(s, entering)) || sweep(s);
+}
+
+static void begin(tableau *s) {
+  const tp_simplex_program *p = s->program;
+  double rest[3];
+  s->first_bounded = p->count;
+  for (long k = p->count - 1; k >= 0 && s->at_most != NULL; k--) {
+    if (isfinite(p->most[k])) {
+      s->first_bounded = k;
+    } else {
+      s->at_most[k] = false;
+    }
+  }
+  find_rest(s, rest);
+  for (int r = 0; r < 3; r++) {
+    s->sign[r] = rest[r] < 0 ? -1 : 1;
     s->basis[r] = ARTIFICIAL - r;
     s->inverse[r][r] = s->sign[r];
-    s->values[r] = fabs(own);
+    s->values[r] = fabs(rest[r]);
   }
-  if (s->at_most != NULL) memset(s->at_most, 0, (size_t)s->program->count * sizeof *s->at_most);
 }
 
 static double infeasibility(const tableau *s) {
@@ -177,9 +231,7 @@ tp_simplex_answer tp_simplex_solve(const tp_simplex_program *program, bool *at_m
   begin(&s);
   int steps = 0;
   while (steps < MOST_STEPS && advance(&s, &answer.outcome)) steps++;
-  const double size =
-      fabs(program->target[0]) + fabs(program->target[1]) + fabs(program->target[2]);
-  const bool feasible = infeasibility(&s) <= rounding * size;
+  const bool feasible = infeasibility(&s) <= rounding * s.size;
   if (steps < MOST_STEPS && feasible) {
     s.first_phase = false;
     while (steps < MOST_STEPS && advance(&s, &answer.outcome)) steps++;

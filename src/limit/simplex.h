@@ -6,8 +6,8 @@
  *     maximise t subject to  sum_k f_k column_k + t direction = target,  0 <= f_k <= most_k.
  *
  * With a direction of zeros any solution will do. The bounded simplex method with the basis inverse
- * at hand (3 x 3), the column of the most negative reduced cost entering; a handful of passes over
- * the columns. Nothing here is certain: the answer is a basis that a certificate then judges.
+ * at hand (3 x 3), the column of the most negative reduced cost entering, or where that is bounded
+ * every bounded one that gains, in turn; a handful of passes over the columns. Nothing here is certain: the answer is a basis that a certificate then judges.
  * Columns are best scaled to size one. */
 
 #ifndef TP_SIMPLEX_H
@@ -41,7 +41,8 @@ typedef struct tp_simplex_answer {
   double values[3], dual[3];
 } tp_simplex_answer;
 
-/* `at_most` has room for a flag a column, where there are bounds: set for those at their bound. */
+/* `at_most` has room for a flag a column, where there are bounds: set for those at their bound. As
+ * given they are where the search starts: those of a program much like this one save most of it. */
 tp_simplex_answer tp_simplex_solve(const tp_simplex_program *program, bool *at_most);
 
 #endif

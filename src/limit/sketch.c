@@ -299,6 +299,24 @@ void tp_sketch_wrench(double wrench[3], const tp_sketch *sketch, const tp_vector
   arb_clear(moment);
 }
 
+void tp_sketch_twist(tp_vector *own, const tp_sketch *s, const tp_vector *twist) {
+  const arb_struct *v = twist->of;
+  arb_mul(own->of, v + 2, s->y, s->bits);
+  arb_sub(own->of, v, own->of, s->bits);
+  arb_mul(own->of + 1, v + 2, s->x, s->bits);
+  arb_add(own->of + 1, v + 1, own->of + 1, s->bits);
+  arb_mul_2exp_si(own->of + 2, v + 2, s->length_exponent);
+}
+
+void tp_sketch_untwist(tp_vector *twist, const tp_sketch *s, const tp_vector *own) {
+  arb_struct *v = twist->of;
+  arb_mul_2exp_si(v + 2, own->of + 2, -s->length_exponent);
+  arb_mul(v, v + 2, s->y, s->bits);
+  arb_add(v, v, own->of, s->bits);
+  arb_mul(v + 1, v + 2, s->x, s->bits);
+  arb_sub(v + 1, own->of + 1, v + 1, s->bits);
+}
+
 tp_simplex_answer tp_sketch_solve(tp_sketch *sketch, const double direction[3],
                                   const double target[3]) {
   tp_simplex_program program = {

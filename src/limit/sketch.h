@@ -37,6 +37,10 @@ void tp_sketch_divide_strength(tp_sketch *sketch, const tp_sketch *given, long e
 /* A wrench in the sketch's units. */
 void tp_sketch_wrench(double wrench[3], const tp_sketch *sketch, const tp_vector *of);
 
+/* A twist about the point of the sketch's moments, lengths by its unit; and back. */
+void tp_sketch_twist(tp_vector *own, const tp_sketch *sketch, const tp_vector *twist);
+void tp_sketch_untwist(tp_vector *twist, const tp_sketch *sketch, const tp_vector *own);
+
 /* Maximise t subject to sum f c + t direction = target. */
 tp_simplex_answer tp_sketch_solve(tp_sketch *sketch, const double direction[3],
                                   const double target[3]);

@@ -36,6 +36,10 @@ tp_answer tp_stretch_holds(double *held, double *lost, const tp_limit_question *
                            tp_sketch *sketch, const tp_vector *push, const arb_t low,
                            const arb_t high);
 
+/* Is there no equilibrium at the tilt? */
+tp_answer tp_stretch_is_beaten_at(const tp_limit_question *question, tp_sketch *sketch,
+                                  const tp_vector *push, const arb_t degrees);
+
 /* Is there no equilibrium from the tilt `low` to `high`, both included? Admissible twists that
  * doubles find, each for the tilts between two zeros of v . F - K. */
 tp_answer tp_stretch_is_beaten(const tp_limit_question *question, tp_sketch *sketch,

@@ -142,12 +142,48 @@ static int sign_at(const tp_trig *f, const arf_t at, long bits) {
   return sign;
 }
 
-/* Narrow a box over which f is monotone and changes its sign. */
+/* Interval Newton over a box on which f' has no zero: the zero lies in m - f(m) / f'(box) too. */
+static void newton(box *b, const tp_trig *f, const arf_t middle, long bits) {
+  arb_t x, value, slope;
+  arf_t end;
+  arb_init(x);
+  arb_init(value);
+  arb_init(slope);
+  arf_init(end);
+  box_ball(x, b, bits);
+  slope_at(slope, f, x, bits);
+  arb_set_arf(x, middle);
+  value_at(value, f, x, bits);
+  arb_div(value, value, slope, bits);
+  arb_sub(x, x, value, bits);
+  if (arb_is_finite(x)) {
+    arb_get_lbound_arf(end, x, bits);
+    if (arf_cmp(end, b->low) > 0 && arf_cmp(end, b->high) <= 0) arf_set(b->low, end);
+    arb_get_ubound_arf(end, x, bits);
+    if (arf_cmp(end, b->high) < 0 && arf_cmp(end, b->low) >= 0) arf_set(b->high, end);
+  }
+  arb_clear(x);
+  arb_clear(value);
+  arb_clear(slope);
+  arf_clear(end);
+}
+
+/* Narrow a box over which f is monotone and changes its sign: by Newton, and by halving where that
+ * does not do as much. */
 static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
   const int low = sign_at(f, b->low, bits);
-  arf_t middle;
+  arf_t middle, width, before;
   arf_init(middle);
+  arf_init(width);
+  arf_init(before);
   for (long k = 0; k < bits; k++) {
+    arf_sub(before, b->high, b->low, bits, ARF_RND_UP);
+    arf_add(middle, b->low, b->high, bits, ARF_RND_NEAR);
+    arf_mul_2exp_si(middle, middle, -1);
+    newton(b, f, middle, bits);
+    arf_sub(width, b->high, b->low, bits, ARF_RND_UP);
+    arf_mul_2exp_si(width, width, 1);
+    if (arf_cmp(width, before) <= 0) continue;
     arf_add(middle, b->low, b->high, bits, ARF_RND_NEAR);
     arf_mul_2exp_si(middle, middle, -1);
     const int own = sign_at(f, middle, bits);
@@ -155,6 +191,8 @@ static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
     arf_set(own == low ? b->low : b->high, middle);
   }
   arf_clear(middle);
+  arf_clear(width);
+  arf_clear(before);
   arb_t radians;
   arb_init(radians);
   box_ball(radians, b, bits);
@@ -162,12 +200,18 @@ static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
   arb_clear(radians);
 }
 
+/* Bits to tell zeros apart with, and to know them to. */
+typedef struct precision {
+  long isolating, narrowing;
+} precision;
+
 /* Zeros in a box: none, one, or halves of it. Where one box stays open to the last nothing is
  * certain any more, and the others are not looked at: with bounds too wide for this precision they
  * would all stay open, 2^60 of them. */
-static void isolate(tp_roots *roots, const tp_trig *f, box *b, int depth, long bits) {
+static void isolate(tp_roots *roots, const tp_trig *f, box *b, int depth, precision p) {
   enum { MOST_DEPTH = 60 };
   if (!roots->certain) return;
+  const long bits = p.isolating;
   arb_t x, value;
   arb_init(x);
   arb_init(value);
@@ -179,7 +223,7 @@ static void isolate(tp_roots *roots, const tp_trig *f, box *b, int depth, long b
     const int low = sign_at(f, b->low, bits), high = sign_at(f, b->high, bits);
     if (arb_is_finite(value) && !arb_contains_zero(value) && low != 0 && high != 0) {
       settled = true;
-      if (low != high) bracket(roots, f, b, bits);
+      if (low != high) bracket(roots, f, b, p.narrowing);
     }
   }
   arb_clear(x);
@@ -203,7 +247,7 @@ static void isolate(tp_roots *roots, const tp_trig *f, box *b, int depth, long b
   arf_add(half[0].high, half[0].high, b->low, bits, ARF_RND_NEAR);
   arf_set(half[1].low, half[0].high);
   for (int k = 0; k < 2; k++) {
-    isolate(roots, f, half + k, depth + 1, bits);
+    isolate(roots, f, half + k, depth + 1, p);
     arf_clear(half[k].low);
     arf_clear(half[k].high);
   }
@@ -221,7 +265,13 @@ void tp_roots_find(tp_roots *roots, const tp_trig *f, const arb_t limit, long bi
   arf_init(all.high);
   arb_get_lbound_arf(all.high, limit, bits);
   arf_neg(all.low, all.high);
-  isolate(roots, f, &all, 0, bits);
+  enum { FEW_BITS = 128 }; /* tell most zeros apart */
+  isolate(roots, f, &all, 0, (precision){bits < FEW_BITS ? bits : FEW_BITS, bits});
+  if (!roots->certain && bits > FEW_BITS) {
+    roots->count = 0;
+    roots->certain = true;
+    isolate(roots, f, &all, 0, (precision){bits, bits});
+  }
   arf_clear(all.low);
   arf_clear(all.high);
 }

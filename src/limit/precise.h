@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The linear program of simplex.h on the midpoints of the data at any number of bits, where doubles
+ * do not tell facets apart: the same steps, from the bounds at which the sketch's last one ended.
+ * Nothing here is certain either. */
+
+#ifndef TP_PRECISE_H
+#define TP_PRECISE_H
+
+#include "limit/cones.h"
+#include "limit/sketch.h"
+#include "limit/vector.h"
+
+/* With fewer bits it is no better than doubles. */
+enum { TP_PRECISE_BITS = 128 };
+
+/* In the sketch's units, its flags of what is at its bound included; the dual is not given.
+ * TP_SIMPLEX_STUCK where data are not finite, or memory is exhausted. */
+tp_simplex_answer tp_precise_solve(tp_sketch *sketch, const tp_cones *cones,
+                                   const tp_vector *direction, const tp_vector *target, long bits);
+
+#endif

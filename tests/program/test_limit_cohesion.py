@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The limit with cohesion on facets that all but lie in one line, against every twist at 130 digits
+(limit_twists.py): kinks from 1e-3 down to 1e-14 of the block's size, shifted by thirds and sevenths,
+towards either side. A number beyond its bound by anything is a failure; so is a wrong mechanism.
+TOPPLE_RANDOM_SCENES says how many scenes."""
+
+import json
+import os
+import pathlib
+import random
+import tempfile
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+import exact
+from harness import main, run
+from limit_twists import Contact, wrench
+
+SCENES = int(os.environ.get("TOPPLE_RANDOM_SCENES", "300"))
+SEED = int(os.environ.get("TOPPLE_RANDOM_SEED", "120"))
+GAMMA = 26
+
+
+def mirrored(points):
+    return [(-x, y) for x, y in points[::-1]]
+
+
+class Scene:
+    """A block on a nearly flat underside, everything rational."""
+
+    def __init__(self, draw):
+        count = draw.randint(1, 4)
+        width = Fraction(draw.randint(5, 300), draw.choice([1, 3, 7, 10]))
+        size = Fraction(draw.randint(1, 99), 10) * Fraction(1, 10 ** draw.randint(3, 14)) * width
+        xs = sorted({Fraction(0), width, *(width * Fraction(draw.randint(1, 16), 20)
+                                           for _ in range(count - 1))})
+        under = [(x, size * draw.randint(-9, 9) / 10) for x in xs]
+        height = width * Fraction(draw.randint(2, 60), 20)
+        top = draw.choice([[(width, height), (Fraction(0), height)], [(Fraction(0), height)],
+                           [(width * 2 / 3, height), (width / 5, height)]])
+        dx, dy = (draw.choice([Fraction(0), Fraction(1, 3), Fraction(-22, 7), Fraction(10**6, 3)])
+                  for _ in range(2))
+        under, outline = ([(x + dx, y + dy) for x, y in points] for points in (under, under + top))
+        self.under, self.outline = under, outline
+        self.area, sx, sy = exact.ring_moments(outline)[:3]
+        self.centroid = sx / self.area, sy / self.area
+        stress = GAMMA * self.area / width
+        self.cohesion = round(stress * Fraction(draw.choice([0, draw.randint(1, 300)]), 200), 6)
+        self.bond = round(stress * Fraction(draw.choice([0, 0, draw.randint(1, 100)]), 200), 6)
+        self.friction = draw.choice([20, 30, 45, 60, 74, draw.randint(1, 80)])
+        self.anchor = draw.choice([None, None, (outline[-1], draw.choice([0, 90, 180, -90]),
+                                                round(GAMMA * self.area * draw.randint(1, 60) / 100, 3))])
+        self.towards = draw.choice(["left", "right"])
+
+    def text(self):
+        points = ", ".join(f"[{x}, {y}]" for x, y in self.outline)
+        loads = [f"cohesion_kpa: {self.cohesion}, bond_kpa: {self.bond}"]
+        if self.anchor:
+            (x, y), direction, force = self.anchor
+            loads.append(f"anchors: [{{at: [{x}, {y}], direction_deg: {direction}, force_kn: {force}}}]")
+        return (f"topple: 1\nlength_unit: m\nblock:\n  outline: [{points}]\n"
+                f"  unit_weight_kn_m3: {GAMMA}\nbase: {{mated: true, beyond: {{left: 0, right: 0}}}}\n"
+                f"loads: {{{', '.join(loads)}}}\nfriction_angle_deg: {self.friction}\n"
+                f"tilt: {{towards: {self.towards}}}\n")
+
+    def truth(self, towards):
+        """As Contact.limit has it."""
+        under, (gx, gy) = self.under, self.centroid
+        sign = 1 if towards == "left" else -1
+        if sign < 0:
+            under, gx = mirrored(under), -gx
+        weight = GAMMA * self.area
+        fixed = (Fraction(0),) * 3
+        if self.anchor:
+            (x, y), direction, force = self.anchor
+            along = {0: (1, 0), 90: (0, 1), 180: (-1, 0), -90: (0, -1)}[direction]
+            fixed = wrench((sign * x, y), (sign * along[0] * force, along[1] * force))
+        loads = (wrench((gx, gy), (0, -weight)), wrench((gx, gy), (-weight, 0)), fixed)
+        loads = tuple(tuple(exact.decimal(x) for x in part) for part in loads)
+        return Contact(list(zip(under, under[1:])), self.friction, self.cohesion, self.bond).limit(loads)
+
+
+class LimitWithCohesion(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name) / "scene.yaml"
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def solve(self, text, *options):
+        self.path.write_text(text)
+        _, out, err = run("solve", "--json", *options, self.path)
+        self.assertTrue(out, err)
+        return json.loads(out)["cases"][0]["limit"]
+
+    def compare(self, limit, truth):
+        """True where the limit is decided."""
+        if limit["mechanism"] == "undecided":
+            return False
+        if truth is None:  # level ground does not hold
+            value = limit["critical_angle_deg"]
+            self.assertTrue(value is None or value["value"] != 0)
+            return True
+        degrees, names = truth
+        if degrees is None:
+            self.assertEqual(limit["mechanism"], "interlocked")
+            return True
+        value = limit["critical_angle_deg"]
+        self.assertIsNotNone(value, limit["mechanism"])
+        off = abs(Decimal(value["value"]) - degrees)
+        self.assertLessEqual(off, Decimal(value["error"]), (degrees, names))
+        self.assertLess(value["error"], 1e-7)
+        self.assertIn(limit["mechanism"], names)
+        return True
+
+    def test_random(self):
+        """The limit as tilted on, and that of tilting back, from which forces hold."""
+        decided = 0
+        for seed in range(SEED, SEED + SCENES):
+            scene = Scene(random.Random(seed))
+            with self.subTest(seed=seed, scene=scene.text()):
+                limit = self.solve(scene.text())
+                decided += self.compare(limit, scene.truth(scene.towards))
+                back = scene.truth("right" if scene.towards == "left" else "left")
+                if limit["holds_from_deg"] is not None and back and back[0] is not None:
+                    value = limit["holds_from_deg"]
+                    off = abs(Decimal(value["value"]) + back[0])
+                    self.assertLessEqual(off, Decimal(value["error"]))
+        self.assertGreaterEqual(decided, 0.98 * SCENES)
+
+
+if __name__ == "__main__":
+    main()
