@@ -39,16 +39,31 @@ static tp_pivot_kind kind_alone(const tp_lattice *l, long point, long outline_co
                       has_after ? compare_heights(l, after, point) : 0, has_before, has_after);
 }
 
-static void add_point(tp_contact *contact, const tp_lattice *l, long point, long left, long right) {
+tp_outline_point tp_contact_place(const tp_contact_point *point) {
+  return (tp_outline_point){point->point, point->cut, point->after};
+}
+
+static void add_point(tp_contact *contact, const tp_lattice *l, tp_outline_point at, long left,
+                      long right) {
   for (long k = contact->point_count - 1; k >= 0 && k >= contact->point_count - 2; k--) {
     tp_contact_point *known = contact->points + k;
-    if (!tp_facet_same_point(l, known->point, point)) continue;
+    if (!tp_outline_point_is_same(l, tp_contact_place(known), at)) continue;
     if (left >= 0) known->left = left;
     if (right >= 0) known->right = right;
     return;
   }
-  contact->points[contact->point_count++] =
-      (tp_contact_point){.point = point, .left = left, .right = right};
+  contact->points[contact->point_count++] = (tp_contact_point){
+      .point = at.point, .cut = at.cut, .after = at.after, .left = left, .right = right};
+}
+
+/* Heights of the facets' far ends relative to the point: facets run along their direction. */
+static tp_pivot_kind kind_on_facets(const tp_contact *contact, const tp_lattice *l,
+                                    const tp_contact_point *p) {
+  const tp_facet *left = p->left >= 0 ? contact->facets + p->left : NULL;
+  const tp_facet *right = p->right >= 0 ? contact->facets + p->right : NULL;
+  return kind_between(left != NULL ? compare_heights(l, left->t0, left->t1) : 0,
+                      right != NULL ? compare_heights(l, right->t1, right->t0) : 0, left != NULL,
+                      right != NULL);
 }
 
 static void collect_points(tp_contact *contact, const tp_base *base, const tp_lattice *l,
@@ -56,34 +71,36 @@ static void collect_points(tp_contact *contact, const tp_base *base, const tp_la
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
     const bool single = f->q0 == f->q1;
-    add_point(contact, l, f->q0, -1, single ? -1 : k);
-    if (!single) add_point(contact, l, f->q1, k, -1);
+    add_point(contact, l, tp_facet_begin(f), -1, single ? -1 : k);
+    if (!single) add_point(contact, l, tp_facet_end(f), k, -1);
   }
   for (long k = 0; k < contact->point_count; k++) {
     tp_contact_point *p = contact->points + k;
-    if (p->left < 0 && p->right < 0) {
-      p->kind = kind_alone(l, p->point, l->start[1], ring, base->edge_count);
-    } else {
-      const long left = p->left >= 0 ? contact->facets[p->left].q0 : p->point;
-      const long right = p->right >= 0 ? contact->facets[p->right].q1 : p->point;
-      p->kind = kind_between(compare_heights(l, left, p->point),
-                             compare_heights(l, right, p->point), p->left >= 0, p->right >= 0);
-    }
+    p->kind = p->left < 0 && p->right < 0
+                  ? kind_alone(l, p->point, l->start[1], ring, base->edge_count)
+                  : kind_on_facets(contact, l, p);
   }
 }
 
-tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const tp_base *base,
-                          const tp_lattice *lattice, tp_message *message) {
+/* What to do where nothing touches: rounding may have taken it all. */
+static tp_status fail_apart(bool cut, const tp_base *base, tp_message *message) {
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
+                 cut ? "the block would touch its base with corners alone that are rounded off; "
+                       "let it rest on what rounding leaves of its edges"
+                     : "the block does not touch its base anywhere; both are given in the same "
+                       "coordinates, and contact is exact: give them the same vertices");
+}
+
+tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const tp_corners *corners,
+                          const tp_base *base, const tp_lattice *lattice, tp_message *message) {
   memset(contact, 0, sizeof *contact);
   tp_facets facets = {0};
   const long ring = lattice->start[section->ring_count];
   tp_status status = base->mated ? tp_facets_of_mated(&facets, section, base, lattice, message)
                                  : tp_facets_of_profile(&facets, section, base, lattice, message);
-  if (status == TP_OK && facets.count == 0) {
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
-                     "the block does not touch its base anywhere; both are given in the same "
-                     "coordinates, and contact is exact: give them the same vertices");
-  }
+  const bool touches = facets.count > 0;
+  tp_facets_cut(&facets, corners, lattice, lattice->start[1]);
+  if (status == TP_OK && facets.count == 0) status = fail_apart(touches, base, message);
   contact->facets = facets.items;
   contact->facet_count = facets.count;
   if (status == TP_OK) {

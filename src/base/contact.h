@@ -7,7 +7,8 @@
  * vertices of one of them, so nothing is rounded. Where a vertex touches only in a point, the edge
  * that it would press into is a facet without length: the other's edge, or both edges of a notch
  * (in the base, or in the block). A corner on a corner presses into neither and restrains
- * nothing to first order. */
+ * nothing to first order. The upright faces at which the rock ends are rock too. A rounded block
+ * touches where the sharp one does and its outline still is (base/facets_cut.c). */
 
 #ifndef TP_CONTACT_H
 #define TP_CONTACT_H
@@ -16,7 +17,9 @@
 
 /* A vertex of the contact: candidate pivot. */
 typedef struct tp_contact_point {
-  long point;       /* of the lattice */
+  long point;           /* of the lattice; without rounding, where a corner is cut off */
+  const tp_corner *cut; /* the corner whose tangent point it is, on the edge after it or before */
+  bool after;
   long left, right; /* facets of positive length that end, and begin, here; -1 for none */
   tp_pivot_kind kind;
 } tp_contact_point;
@@ -28,12 +31,16 @@ typedef struct tp_contact {
   tp_contact_point *points;
 } tp_contact;
 
-/* The contact of a checked section with its base, whose ring is the chain after the section's rings
- * in the lattice. A base that cuts into the block, and a block that touches it nowhere, are bad
- * input. On failure `contact` is cleared. */
+/* The contact of a checked section, its corners rounded (NULL: sharp), with its base, whose ring is
+ * the chain after the section's rings in the lattice. A base that cuts into the block, and a block
+ * that touches it nowhere, are bad input. On failure `contact` is cleared; it borrows the corners.
+ */
 TP_MUST_USE tp_status tp_contact_init(tp_contact *contact, const tp_section *section,
-                                      const tp_base *base, const tp_lattice *lattice,
-                                      tp_message *message);
+                                      const tp_corners *corners, const tp_base *base,
+                                      const tp_lattice *lattice, tp_message *message);
 void tp_contact_clear(tp_contact *contact);
+
+/* Where on the outline it lies. */
+tp_outline_point tp_contact_place(const tp_contact_point *point);
 
 #endif

@@ -57,11 +57,24 @@ bool tp_facet_same_point(const tp_lattice *lattice, long a, long b) {
          (fmpz_equal(lattice->x + a, lattice->x + b) && fmpz_equal(lattice->y + a, lattice->y + b));
 }
 
-bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point) {
-  return tp_facet_same_point(lattice, facet->q0, point) ||
-         tp_facet_same_point(lattice, facet->q1, point);
+tp_outline_point tp_facet_begin(const tp_facet *facet) {
+  return (tp_outline_point){facet->q0, facet->cut0, true};
 }
 
-int tp_facet_side(const tp_lattice *lattice, const tp_facet *facet, long p, long q) {
-  return tp_facet_dot(lattice, p, q, facet->t0, facet->t1);
+tp_outline_point tp_facet_end(const tp_facet *facet) {
+  if (facet->q0 == facet->q1) return tp_facet_begin(facet);
+  return (tp_outline_point){facet->q1, facet->cut1, false};
+}
+
+bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point point) {
+  return tp_outline_point_is_same(lattice, tp_facet_begin(facet), point) ||
+         tp_outline_point_is_same(lattice, tp_facet_end(facet), point);
+}
+
+int tp_facet_side(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point p,
+                  tp_outline_point q) {
+  if (p.cut == NULL && q.cut == NULL) {
+    return tp_facet_dot(lattice, p.point, q.point, facet->t0, facet->t1);
+  }
+  return tp_outline_point_along(lattice, p, q, facet->t0, facet->t1);
 }

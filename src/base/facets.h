@@ -7,12 +7,16 @@
 #define TP_FACETS_H
 
 #include "base/profile.h"
+#include "block/tangents.h"
 
-/* Ends and direction by points of the lattice; the block lies on the left of the direction. */
+/* Ends and direction by points of the lattice; the block lies on the left of the direction. Where a
+ * rounded corner has cut the block off, the facet begins at that corner's tangent point on the edge
+ * after it, or ends at the one before it; q0 and q1 are then the ends without rounding. */
 typedef struct tp_facet {
   long q0, q1; /* from left to right; equal for a contact in a point */
   long t0, t1; /* direction from t0 to t1; equal: restrains nothing */
-  long base_edge;
+  long base_edge; /* of the profile; -1 and edge_count: the upright end faces of the base */
+  const tp_corner *cut0, *cut1; /* NULL where the end is q0, q1; cut1 of a point is NULL */
 } tp_facet;
 
 /* A growing list of facets. */
@@ -22,6 +26,14 @@ typedef struct tp_facets {
 } tp_facets;
 
 TP_MUST_USE bool tp_facets_append(tp_facets *facets, tp_facet facet);
+
+/* From facets of the sharp outline to those of the rounded one. */
+void tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattice *lattice,
+                   long outline_count);
+
+/* Where a facet begins and ends. */
+tp_outline_point tp_facet_begin(const tp_facet *facet);
+tp_outline_point tp_facet_end(const tp_facet *facet);
 
 /* Facets of a mated base: the shared edges one by one, and the notches at its two ends. */
 TP_MUST_USE tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section,
@@ -40,10 +52,11 @@ int tp_facet_dot(const tp_lattice *lattice, long a, long b, long c, long d);
 bool tp_facet_same_point(const tp_lattice *lattice, long a, long b);
 
 /* Does the facet begin or end in the point? */
-bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, long point);
+bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point point);
 
 /* Sign of (q - p) . t, t the direction of the facet: below zero where turning about p towards the
  * left presses q through it (mechanics section 3). */
-int tp_facet_side(const tp_lattice *lattice, const tp_facet *facet, long p, long q);
+int tp_facet_side(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point p,
+                  tp_outline_point q);
 
 #endif

@@ -25,6 +25,15 @@ typedef struct search {
   tp_geom_meeting cut;
 } search;
 
+/* Points between which an edge of the base runs; of the end faces too. */
+static long base_from(const search *s, long edge) {
+  return s->ring + (edge < 0 ? s->base->edge_count + 2 : edge);
+}
+
+static long base_to(const search *s, long edge) {
+  return s->ring + edge + 1;
+}
+
 static long next_of_outline(const search *s, long edge) {
   return edge + 1 == s->outline + s->outline_count ? s->outline : edge + 1;
 }
@@ -40,16 +49,19 @@ static bool on_segment(const tp_lattice *l, long p, long a, long b) {
 }
 
 /* The common piece of two edges on one line. */
-static bool add_overlap(search *s, long a0, long a1, long b0, long b1) {
+static bool add_overlap(search *s, long a0, long a1, long base_edge) {
   const tp_lattice *l = s->lattice;
+  const long b0 = base_from(s, base_edge), b1 = base_to(s, base_edge);
   if (tp_facet_dot(l, a0, a1, b0, b1) < 0) return true; /* back to back: the overlap check's */
   const long q0 = tp_facet_dot(l, a0, b0, a0, a1) > 0 ? b0 : a0;
   const long q1 = tp_facet_dot(l, a1, b1, a1, a0) > 0 ? b1 : a1;
-  return tp_facets_append(s->facets, (tp_facet){q0, q1, a0, a1, b0 - s->ring});
+  return tp_facets_append(
+      s->facets, (tp_facet){.q0 = q0, .q1 = q1, .t0 = a0, .t1 = a1, .base_edge = base_edge});
 }
 
-static bool add_touch(search *s, long a0, long a1, long b0, long b1) {
+static bool add_touch(search *s, long a0, long a1, long base_edge) {
   const tp_lattice *l = s->lattice;
+  const long b0 = base_from(s, base_edge), b1 = base_to(s, base_edge);
   long q = b1;
   if (on_segment(l, a0, b0, b1)) {
     q = a0;
@@ -58,7 +70,8 @@ static bool add_touch(search *s, long a0, long a1, long b0, long b1) {
   } else if (on_segment(l, b0, a0, a1)) {
     q = b0;
   }
-  return tp_facets_append(&s->touches, (tp_facet){q, q, a0, a1, b0 - s->ring});
+  return tp_facets_append(
+      &s->touches, (tp_facet){.q0 = q, .q1 = q, .t0 = a0, .t1 = a1, .base_edge = base_edge});
 }
 
 static bool take_meeting(void *context, tp_geom_meeting meeting) {
@@ -72,10 +85,10 @@ static bool take_meeting(void *context, tp_geom_meeting meeting) {
     s->cuts = true;
     return true;
   }
-  if (b0 - s->ring >= s->base->edge_count) return true; /* the rock's own faces below the profile */
-  const long a1 = next_of_outline(s, a0), b1 = b0 + 1;
-  const bool done = meeting.kind == TP_GEOM_OVERLAP ? add_overlap(s, a0, a1, b0, b1)
-                                                    : add_touch(s, a0, a1, b0, b1);
+  const long a1 = next_of_outline(s, a0), last = s->base->edge_count + 2;
+  const long base_edge = b0 - s->ring == last ? -1 : b0 - s->ring; /* left of all: its left face */
+  const bool done = meeting.kind == TP_GEOM_OVERLAP ? add_overlap(s, a0, a1, base_edge)
+                                                    : add_touch(s, a0, a1, base_edge);
   s->out_of_memory = !done;
   return done;
 }
@@ -101,7 +114,7 @@ static tp_status fail_cut(const search *s, tp_message *message) {
 static int compare_places(const search *s, long edge_p, long p, long edge_q, long q) {
   if (edge_p != edge_q) return edge_p < edge_q ? -1 : 1;
   if (tp_facet_same_point(s->lattice, p, q)) return 0;
-  return tp_facet_dot(s->lattice, p, q, s->ring + edge_p, s->ring + edge_p + 1) > 0 ? -1 : 1;
+  return tp_facet_dot(s->lattice, p, q, base_from(s, edge_p), base_to(s, edge_p)) > 0 ? -1 : 1;
 }
 
 /* Does a facet of positive length end in the point q: in any direction, or in that of t0 -> t1?
@@ -120,7 +133,7 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
   }
   for (long k = low > 2 ? low - 2 : 0; k < s->facets->count && k < low + 2; k++) {
     const tp_facet *f = s->facets->items + k;
-    if (!tp_facet_ends_in(l, f, q)) continue;
+    if (!tp_facet_ends_in(l, f, (tp_outline_point){.point = q})) continue;
     if (t0 == t1 || (tp_facet_cross(l, f->t0, f->t1, t0, t1) == 0 &&
                      tp_facet_dot(l, f->t0, f->t1, t0, t1) > 0)) {
       return true;
@@ -131,7 +144,8 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
 
 static bool add_point(search *s, long q, long t0, long t1, long base_edge) {
   if (facet_ends_in(s, q, base_edge, t0, t1)) return true;
-  return tp_facets_append(&s->points, (tp_facet){q, q, t0, t1, base_edge});
+  return tp_facets_append(
+      &s->points, (tp_facet){.q0 = q, .q1 = q, .t0 = t0, .t1 = t1, .base_edge = base_edge});
 }
 
 /* A vertex of the outline in a vertex of the profile: a notch of either restrains by both its
@@ -140,8 +154,8 @@ static bool add_point(search *s, long q, long t0, long t1, long base_edge) {
 static bool add_corner(search *s, long vertex, long corner, long base_edge) {
   const tp_lattice *l = s->lattice;
   const long before = before_in_outline(s, vertex), after = next_of_outline(s, vertex);
-  const bool inner = corner > s->ring && corner < s->ring + s->base->edge_count;
-  const int up = inner ? tp_facet_cross(l, corner - 1, corner, corner, corner + 1) : -1;
+  const long base_before = base_from(s, corner - s->ring - 1);
+  const int up = tp_facet_cross(l, base_before, corner, corner, corner + 1);
   const int down = tp_facet_cross(l, before, vertex, vertex, after);
   if (up > 0) {
     return add_point(s, vertex, corner - 1, corner, corner - 1 - s->ring) &&
@@ -199,7 +213,7 @@ static long vertex_in(const tp_lattice *l, long q, long from, long to) {
 static bool resolve_touches(search *s) {
   for (long k = 0; k < s->touches.count; k++) {
     const tp_facet *touch = s->touches.items + k;
-    const long b0 = s->ring + touch->base_edge, b1 = b0 + 1;
+    const long b0 = base_from(s, touch->base_edge), b1 = base_to(s, touch->base_edge);
     const long vertex = vertex_in(s->lattice, touch->q0, touch->t0, touch->t1);
     const long corner = vertex_in(s->lattice, touch->q0, b0, b1);
     bool done = true;

@@ -193,14 +193,18 @@ void tp_arcs_take_off(tp_moments *moments, const tp_section *section, const tp_l
   tp_ball_point_clear(&vertex);
 }
 
-const tp_corner *tp_corners_find(const tp_corners *corners, const tp_lattice *l, long point) {
-  for (long k = 0; k < corners->count; k++) {
-    const long vertex = corners->items[k].vertex;
-    if (fmpz_equal(l->x + vertex, l->x + point) && fmpz_equal(l->y + vertex, l->y + point)) {
-      return corners->items + k;
+const tp_corner *tp_corners_at(const tp_corners *corners, long vertex) {
+  long low = 0, high = corners->count;
+  while (low < high) {
+    const long middle = low + (high - low) / 2;
+    if (corners->items[middle].vertex < vertex) {
+      low = middle + 1;
+    } else {
+      high = middle;
     }
   }
-  return NULL;
+  const bool found = low < corners->count && corners->items[low].vertex == vertex;
+  return found ? corners->items + low : NULL;
 }
 
 void tp_corners_clear(tp_corners *corners) {

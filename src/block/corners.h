@@ -23,12 +23,12 @@ typedef struct tp_corner {
 typedef struct tp_corners {
   long count; /* of radius above zero */
   bool keeps_mass;
-  tp_corner *items;
+  tp_corner *items; /* in the order of their vertices */
 } tp_corners;
 
 /* The scene's rounded corners on the outline, the first chain of the lattice. Reflex corners, radii
- * that do not fit their edges and roundings that overlap are bad input. On failure `corners` is
- * cleared. */
+ * that do not fit their edges, roundings that overlap, and arcs that a hole or another part of the
+ * outline reaches across are bad input. On failure `corners` is cleared. */
 TP_MUST_USE tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block,
                                       const tp_section *section, const tp_lattice *lattice,
                                       const fmpq_t metres_per_unit, tp_message *message);
@@ -61,7 +61,7 @@ TP_MUST_USE tp_status tp_arcs_check(const tp_section *section, const tp_lattice 
                                     const tp_block_description *block, const fmpq_t metres_per_unit,
                                     tp_message *message);
 
-/* The corner at a point of the lattice, or NULL. */
-const tp_corner *tp_corners_find(const tp_corners *corners, const tp_lattice *lattice, long point);
+/* The corner at a vertex of the outline, by its point of the lattice, or NULL. */
+const tp_corner *tp_corners_at(const tp_corners *corners, long vertex);
 
 #endif

@@ -6,13 +6,14 @@
 #include "block/corners.h"
 
 #include "block/check.h"
+#include "block/tangents.h"
 #include "number/ratio.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_BITS = 128, MOST_BITS = 8192 };
+enum { BITS = 128 };
 
 /* The end of the underside: the leftmost or rightmost vertex, of several the lowest. */
 static long find_end(const tp_lattice *l, long count, bool left) {
@@ -33,6 +34,27 @@ static long find_vertex(const tp_polyline *outline, const tp_corner_description 
   return -1;
 }
 
+/* Sign of (b - a) x (p - a). */
+static int turn(const tp_lattice *l, long a, long b, long p) {
+  fmpz_t dx, dy, ex, ey;
+  fmpz_init(dx);
+  fmpz_init(dy);
+  fmpz_init(ex);
+  fmpz_init(ey);
+  fmpz_sub(dx, l->x + b, l->x + a);
+  fmpz_sub(dy, l->y + b, l->y + a);
+  fmpz_sub(ex, l->x + p, l->x + a);
+  fmpz_sub(ey, l->y + p, l->y + a);
+  fmpz_mul(dx, dx, ey);
+  fmpz_submul(dx, dy, ex);
+  const int sign = fmpz_sgn(dx);
+  fmpz_clear(dx);
+  fmpz_clear(dy);
+  fmpz_clear(ex);
+  fmpz_clear(ey);
+  return sign;
+}
+
 static void name_corner(char *text, size_t size, const tp_section *section, long vertex) {
   char x[80], y[80];
   tp_ratio_text(x, sizeof x, section->rings[0].x + vertex);
@@ -50,69 +72,23 @@ static tp_status locate(tp_corner *corner, const tp_corner_description *c,
   }
   corner->before = (corner->vertex + count - 1) % count;
   corner->after = (corner->vertex + 1) % count;
-  fmpz_t a, b, c0, d;
-  fmpz_init(a);
-  fmpz_init(b);
-  fmpz_init(c0);
-  fmpz_init(d);
-  fmpz_sub(a, l->x + corner->after, l->x + corner->vertex);
-  fmpz_sub(b, l->y + corner->after, l->y + corner->vertex);
-  fmpz_sub(c0, l->x + corner->before, l->x + corner->vertex);
-  fmpz_sub(d, l->y + corner->before, l->y + corner->vertex);
-  fmpz_mul(a, a, d);
-  fmpz_submul(a, b, c0);
-  const int turn = fmpz_sgn(a);
-  fmpz_clear(a);
-  fmpz_clear(b);
-  fmpz_clear(c0);
-  fmpz_clear(d);
-  if (turn > 0) return TP_OK;
+  const int turns = turn(l, corner->before, corner->vertex, corner->after);
+  if (turns > 0) return TP_OK;
   char name[100];
   name_corner(name, sizeof name, section, corner->vertex);
   return tp_fail(message, TP_BAD_INPUT, c->place,
                  "the corner at %s is %s; only convex corners are rounded", name,
-                 turn < 0 ? "reflex" : "straight");
-}
-
-/* Is a sum of lengths longer than the edge from a to b: 1, 0, or -1 when it is not known? */
-static int exceeds(const arb_t sum, const tp_lattice *l, long a, long b, long bits) {
-  fmpz_t dx, dy;
-  arb_t length;
-  fmpz_init(dx);
-  fmpz_init(dy);
-  arb_init(length);
-  fmpz_sub(dx, l->x + b, l->x + a);
-  fmpz_sub(dy, l->y + b, l->y + a);
-  fmpz_mul(dx, dx, dx);
-  fmpz_addmul(dx, dy, dy);
-  arb_sqrt_fmpz(length, dx, bits);
-  const int answer = arb_gt(sum, length) ? 1 : arb_le(sum, length) ? 0 : -1;
-  fmpz_clear(dx);
-  fmpz_clear(dy);
-  arb_clear(length);
-  return answer;
+                 turns < 0 ? "reflex" : "straight");
 }
 
 /* Does a corner, with the one at the end `to` of its edge where that is rounded too, take up more
- * than the edge? A radius that fits to the last of many digits is taken for one that fits. */
+ * than the edge? */
 static bool overlaps(const tp_corners *corners, const tp_corner *corner, long to,
                      const tp_lattice *l) {
-  const tp_corner *other = tp_corners_find(corners, l, to);
-  tp_corner_ball own, next;
-  tp_corner_ball_init(&own);
-  tp_corner_ball_init(&next);
-  int answer = -1;
-  for (long bits = FIRST_BITS; bits <= MOST_BITS && answer < 0; bits *= 4) {
-    tp_corner_evaluate(&own, corner, l, bits);
-    if (other != NULL) {
-      tp_corner_evaluate(&next, other, l, bits);
-      arb_add(own.length, own.length, next.length, bits);
-    }
-    answer = exceeds(own.length, l, corner->vertex, to, bits);
-  }
-  tp_corner_ball_clear(&own);
-  tp_corner_ball_clear(&next);
-  return answer == 1;
+  const tp_corner *other = tp_corners_at(corners, to);
+  const int room = to == corner->after ? tp_tangents_room(corner, other, l)
+                                       : tp_tangents_room(other, corner, l);
+  return room < 0;
 }
 
 static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
@@ -125,7 +101,7 @@ static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
     tp_check_edge_text(edge, sizeof edge, section->rings, k == 0 ? corner->before : corner->vertex);
     return tp_fail(message, TP_BAD_INPUT, corner->radius_place,
                    "the radius at %s is too large: rounding %s take up more than %s", name,
-                   tp_corners_find(corners, l, ends[k]) != NULL ? "it and the next corner would"
+                   tp_corners_at(corners, ends[k]) != NULL ? "it and the next corner would"
                                                                 : "it would",
                    edge);
   }
@@ -152,8 +128,8 @@ static void set_cross(arb_t cross, const tp_ball_point *p, const tp_ball_point *
   arb_clear(vy);
 }
 
-/* Does a point inside the outline lie in the tip: beyond the chord, and not within a radius of the
- * centre? */
+/* Does a point that lies between the two edges of a corner lie in its tip: beyond the chord, and not
+ * within a radius of the centre? */
 static bool in_tip(const tp_corner_ball *c, const tp_lattice *l, long point, long bits) {
   arb_t side, x, y;
   arb_init(side);
@@ -170,23 +146,27 @@ static bool in_tip(const tp_corner_ball *c, const tp_lattice *l, long point, lon
   return inside;
 }
 
-/* A hole reaches into a tip only with a vertex: an edge cannot enter and leave it by its chord. */
-static tp_status check_holes(const tp_corner_ball *c, const tp_section *section,
-                             const tp_lattice *l, tp_place place, tp_message *message) {
+/* A ring reaches into the tip of a vertex only with one of its points, from `first` on: an edge
+ * cannot enter and leave it by its arc. */
+static tp_status check_reach(const tp_corner_ball *c, const tp_corner *corner, long first,
+                             const tp_section *section, const tp_lattice *l, tp_message *message) {
   bool reaches = false;
-  for (long k = l->start[1]; k < l->start[1 + section->hole_count] && !reaches; k++) {
-    reaches = in_tip(c, l, k, FIRST_BITS);
+  for (long k = first; k < l->start[1 + section->hole_count] && !reaches; k++) {
+    if (k == corner->vertex || k == corner->before || k == corner->after) continue;
+    reaches = turn(l, corner->vertex, corner->after, k) >= 0 &&
+              turn(l, corner->before, corner->vertex, k) >= 0 && in_tip(c, l, k, BITS);
   }
   if (!reaches) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, place, "a hole reaches across this arc");
+  return tp_fail(message, TP_BAD_INPUT, corner->radius_place, "%s reaches across this arc",
+                 first == 0 ? "a hole, or another part of the outline," : "a hole");
 }
 
-static tp_status check_corner_holes(const tp_corner *corner, const tp_section *section,
+static tp_status check_corner_reach(const tp_corner *corner, const tp_section *section,
                                     const tp_lattice *l, tp_message *message) {
   tp_corner_ball c;
   tp_corner_ball_init(&c);
-  tp_corner_evaluate(&c, corner, l, FIRST_BITS);
-  const tp_status status = check_holes(&c, section, l, corner->radius_place, message);
+  tp_corner_evaluate(&c, corner, l, BITS);
+  const tp_status status = check_reach(&c, corner, 0, section, l, message);
   tp_corner_ball_clear(&c);
   return status;
 }
@@ -221,21 +201,16 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
       break;
     }
     if (tip->inwards) continue;
-    tp_arc_tip_evaluate(&c, tip, l, metres_per_unit, FIRST_BITS);
-    status = check_holes(&c, section, l, block->arcs[0].place, message);
+    tp_arc_tip_evaluate(&c, tip, l, metres_per_unit, BITS);
+    const long count = section->rings[0].count;
+    const tp_corner corner = {.radius_place = block->arcs[0].place,
+                              .vertex = tip->vertex,
+                              .before = (tip->vertex + count - 1) % count,
+                              .after = (tip->vertex + 1) % count};
+    status = check_reach(&c, &corner, l->start[1], section, l, message);
   }
   tp_corner_ball_clear(&c);
   return status;
-}
-
-/* Does the edge from a vertex to the next one stand for a piece of an arc? */
-static bool is_arc_edge(const tp_section *section, long vertex) {
-  const long next = vertex + 1 == section->rings[0].count ? 0 : vertex + 1;
-  for (long k = 0; k < section->arc_tips.count; k++) {
-    const tp_arc_tip *tip = section->arc_tips.items + k;
-    if (tip->vertex == vertex || (!tip->inwards && tip->vertex == next)) return true;
-  }
-  return false;
 }
 
 /* Add the corner of a description; one of radius zero is none. */
@@ -245,10 +220,12 @@ static tp_status add(tp_corners *corners, const tp_corner_description *descripti
   tp_corner corner = {.radius_place = description->radius.place};
   const tp_status status = locate(&corner, description, section, l, message);
   if (status != TP_OK || fmpq_is_zero(description->radius.value)) return status;
-  if (tp_corners_find(corners, l, corner.vertex) != NULL) {
-    return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
+  for (long k = 0; k < corners->count; k++) {
+    if (corners->items[k].vertex == corner.vertex) {
+      return tp_fail(message, TP_BAD_INPUT, description->place, "this corner is rounded twice");
+    }
   }
-  if (is_arc_edge(section, corner.before) || is_arc_edge(section, corner.vertex)) {
+  if (tp_section_is_arc(section, corner.before) || tp_section_is_arc(section, corner.vertex)) {
     return tp_fail(message, TP_BAD_INPUT, description->place,
                    "a corner where an arc ends is not rounded: let the arc run into the edge");
   }
@@ -258,6 +235,11 @@ static tp_status add(tp_corners *corners, const tp_corner_description *descripti
   fmpq_mul(own->radius, description->radius.value, metres_per_unit);
   fmpq_div(own->radius, own->radius, l->step_m);
   return TP_OK;
+}
+
+static int compare_vertices(const void *a, const void *b) {
+  const tp_corner *one = a, *other = b;
+  return one->vertex < other->vertex ? -1 : one->vertex > other->vertex;
 }
 
 tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block,
@@ -273,9 +255,10 @@ tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block
   for (long k = 0; k < rounded->count && status == TP_OK; k++) {
     status = add(corners, rounded->corners + k, section, lattice, metres_per_unit, message);
   }
+  qsort(corners->items, (size_t)corners->count, sizeof *corners->items, compare_vertices);
   for (long k = 0; k < corners->count && status == TP_OK; k++) {
     status = check_fit(corners, corners->items + k, section, lattice, message);
-    if (status == TP_OK) status = check_corner_holes(corners->items + k, section, lattice, message);
+    if (status == TP_OK) status = check_corner_reach(corners->items + k, section, lattice, message);
   }
   if (status == TP_OK && corners->count > 0 && !corners->keeps_mass && block->part_count > 0) {
     status =

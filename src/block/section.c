@@ -140,3 +140,13 @@ tp_status tp_section_init(tp_section *section, const tp_block_description *block
   }
   return status;
 }
+
+bool tp_section_is_arc(const tp_section *section, long vertex) {
+  if (section->ellipse != NULL) return true;
+  const long next = vertex + 1 == section->rings[0].count ? 0 : vertex + 1;
+  for (long k = 0; k < section->arc_tips.count; k++) {
+    const tp_arc_tip *tip = section->arc_tips.items + k;
+    if (tip->vertex == vertex || (!tip->inwards && tip->vertex == next)) return true;
+  }
+  return false;
+}

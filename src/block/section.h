@@ -37,4 +37,7 @@ void tp_section_clear(tp_section *section);
 /* Name of a ring in messages: "the outline", "hole 2", "part 1". */
 void tp_section_ring_name(char *text, size_t size, const tp_section *section, long ring);
 
+/* Does the edge from a vertex of the outline to the next one stand for a piece of a curve? */
+bool tp_section_is_arc(const tp_section *section, long vertex);
+
 #endif

@@ -166,8 +166,7 @@ static bool add_outline(tp_shape *shape, const tp_problem *problem) {
   bool done = true;
   long tip = 0; /* in the order of the ring */
   for (long k = 0; k < l->start[1] && done; k++) {
-    const tp_corner *corner =
-        problem->corners.count > 0 ? tp_corners_find(&problem->corners, l, k) : NULL;
+    const tp_corner *corner = tp_corners_at(&problem->corners, k);
     if (tip < tips->count && tips->items[tip].vertex == k) {
       done = add_tip(chain, shape, problem, tips->items + tip++);
     } else if (corner != NULL) {
@@ -180,14 +179,10 @@ static bool add_outline(tp_shape *shape, const tp_problem *problem) {
   return done;
 }
 
-/* The end of a facet, moved along it to where a rounded corner leaves it. */
-static tp_spot facet_end(const tp_shape *shape, const tp_problem *problem, long point, bool left) {
-  const tp_corner *corner = problem->corners.count > 0
-                                ? tp_corners_find(&problem->corners, &problem->lattice, point)
-                                : NULL;
-  if (corner == NULL) return spot(shape, &problem->lattice, point);
-  const round_corner c = find_round(shape, &problem->lattice, corner);
-  return left ? c.after : c.before;
+static tp_spot contact_spot(const tp_shape *shape, const tp_problem *problem, tp_outline_point at) {
+  if (at.cut == NULL) return spot(shape, &problem->lattice, at.point);
+  const round_corner c = find_round(shape, &problem->lattice, at.cut);
+  return at.after ? c.after : c.before;
 }
 
 static bool add_contact(tp_shape *shape, const tp_problem *problem) {
@@ -196,12 +191,12 @@ static bool add_contact(tp_shape *shape, const tp_problem *problem) {
   for (long k = 0; k < problem->contact.facet_count && done; k++) {
     const tp_facet *f = problem->contact.facets + k;
     if (f->q0 == f->q1) continue;
-    const tp_spot from = facet_end(shape, problem, f->q0, true);
+    const tp_spot from = contact_spot(shape, problem, tp_facet_begin(f));
     const tp_spot *last = chain->count > 0 ? &chain->nodes[chain->count - 1].at : NULL;
     if (last == NULL || last->x != from.x || last->y != from.y) {
       done = tp_chain_add(chain, TP_STEP_JUMP, from);
     }
-    done = done && tp_chain_add(chain, TP_STEP_LINE, facet_end(shape, problem, f->q1, false));
+    done = done && tp_chain_add(chain, TP_STEP_LINE, contact_spot(shape, problem, tp_facet_end(f)));
   }
   return done;
 }

@@ -3,10 +3,11 @@
 
 #include "stability/admissible.h"
 
-static bool opens(const tp_lattice *lattice, const tp_facet *facet, long p,
+static bool opens(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point p,
                   tp_direction direction) {
-  return direction == TP_TOWARDS_LEFT ? tp_facet_side(lattice, facet, p, facet->q0) >= 0
-                                      : tp_facet_side(lattice, facet, facet->q1, p) >= 0;
+  return direction == TP_TOWARDS_LEFT
+             ? tp_facet_side(lattice, facet, p, tp_facet_begin(facet)) >= 0
+             : tp_facet_side(lattice, facet, tp_facet_end(facet), p) >= 0;
 }
 
 void tp_admissible_find(bool *admissible, const tp_contact *contact, const tp_lattice *lattice,
@@ -18,10 +19,11 @@ void tp_admissible_find(bool *admissible, const tp_contact *contact, const tp_la
     const tp_contact_point *p = contact->points + k;
     admissible[k] = false;
     if ((left ? p->left : p->right) >= 0) continue; /* presses its own facet down */
-    bool clear = opens(lattice, contact->facets + obstacle, p->point, direction);
+    const tp_outline_point place = tp_contact_place(p);
+    bool clear = opens(lattice, contact->facets + obstacle, place, direction);
     for (long step = 0; step < count && clear; step++) {
       const long f = left ? step : count - 1 - step;
-      clear = opens(lattice, contact->facets + f, p->point, direction);
+      clear = opens(lattice, contact->facets + f, place, direction);
       if (!clear) obstacle = f;
     }
     admissible[k] = clear;

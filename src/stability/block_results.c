@@ -150,17 +150,12 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
 
 /* Sum of the lengths of the facets in balls, in lattice units. */
 static void contact_length_ball(tp_evaluation *e, arb_t length) {
-  const tp_lattice *l = &e->problem->lattice;
   arb_t dx, dy;
   arb_init(dx);
   arb_init(dy);
   arb_zero(length);
   for (long k = 0; k < e->problem->contact.facet_count; k++) {
-    const tp_facet *f = e->problem->contact.facets + k;
-    arb_set_fmpz(dx, l->x + f->q1);
-    arb_sub_fmpz(dx, dx, l->x + f->q0, ARF_PREC_EXACT);
-    arb_set_fmpz(dy, l->y + f->q1);
-    arb_sub_fmpz(dy, dy, l->y + f->q0, ARF_PREC_EXACT);
+    tp_evaluation_facet(dx, dy, e, e->problem->contact.facets + k);
     arb_hypot(dx, dx, dy, e->rung.bits);
     arb_add(length, length, dx, e->rung.bits);
   }
@@ -189,20 +184,35 @@ static void contact_length_double(tp_evaluation *e, arb_t length) {
   tp_ball_set_bounded(length, total, 1.01 * roundings * DBL_EPSILON / 2 * total);
 }
 
-/* Length of the contact along the mean plane. */
-static void nominal_length(const tp_problem *problem, arb_t length) {
+/* Length of the contact along the mean plane: what ends in points of the lattice exactly. */
+static void nominal_length(const tp_evaluation *e, arb_t length) {
+  const tp_problem *problem = e->problem;
   fmpz_t sum, dx;
+  arb_t cut, cut_dx, cut_dy;
   fmpz_init(sum);
   fmpz_init(dx);
+  arb_init(cut);
+  arb_init(cut_dx);
+  arb_init(cut_dy);
   for (long k = 0; k < problem->contact.facet_count; k++) {
     const tp_facet *f = problem->contact.facets + k;
+    if (f->cut0 != NULL || f->cut1 != NULL) {
+      tp_evaluation_facet(cut_dx, cut_dy, e, f);
+      arb_abs(cut_dx, cut_dx);
+      arb_add(cut, cut, cut_dx, e->rung.bits);
+      continue;
+    }
     fmpz_sub(dx, problem->lattice.x + f->q1, problem->lattice.x + f->q0);
     fmpz_abs(dx, dx);
     fmpz_add(sum, sum, dx);
   }
   arb_set_fmpz(length, sum);
+  if (problem->corners.count > 0) arb_add(length, length, cut, e->rung.bits);
   fmpz_clear(sum);
   fmpz_clear(dx);
+  arb_clear(cut);
+  arb_clear(cut_dx);
+  arb_clear(cut_dy);
 }
 
 /* Weight over length times thickness; a contact in points alone has no area. */
@@ -251,31 +261,25 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
       contact->corner_points += f->t0 == f->t1;
     }
   }
-  arb_t length, newton, lost, lost_along_plane;
+  arb_t length, newton;
   arb_init(length);
   arb_init(newton);
-  arb_init(lost);
-  arb_init(lost_along_plane);
-  if (problem->corners.count > 0) tp_evaluation_contact_loss(lost, lost_along_plane, e);
   weight(e, newton);
-  if (e->rung.level == TP_LEVEL_DOUBLE && tp_lattice_is_exact(&problem->lattice)) {
+  if (e->rung.level == TP_LEVEL_DOUBLE && tp_lattice_is_exact(&problem->lattice) &&
+      problem->corners.count == 0) {
     contact_length_double(e, length);
   } else {
     contact_length_ball(e, length);
   }
-  if (problem->corners.count > 0) arb_sub(length, length, lost, e->rung.bits);
   contact->length_m = in_metres(e, length, 1);
   if (solution->block.has_weight) {
     contact->weight_per_contact_area_pa = pressure(e, contact->length_m, length, newton);
   }
-  nominal_length(problem, length);
-  if (problem->corners.count > 0) arb_sub(length, length, lost_along_plane, e->rung.bits);
+  nominal_length(e, length);
   contact->nominal_length_m = in_metres(e, length, 1);
   if (solution->block.has_weight) {
     contact->weight_per_nominal_area_pa = pressure(e, contact->nominal_length_m, length, newton);
   }
   arb_clear(length);
   arb_clear(newton);
-  arb_clear(lost);
-  arb_clear(lost_along_plane);
 }

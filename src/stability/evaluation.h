@@ -20,21 +20,22 @@ typedef struct tp_evaluation {
   tp_bounded weight_per_area_pa; /* on the mean plane, level, where the block has a weight */
   bool certain;                  /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
-  const bool *admissible[2];      /* by direction, for each contact point */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
 } tp_evaluation;
 
-/* The axis that turning about a contact point towards one side has, in lattice units: the point, or
- * where the corner there is rounded its tangent point up-dip. */
-void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *evaluation, long point,
-                        tp_direction towards);
+/* A point of the outline in lattice units. */
+void tp_evaluation_place(arb_t x, arb_t y, const tp_evaluation *evaluation, tp_outline_point at);
 
-/* The length of contact that rounded corners take away, in lattice units. */
-void tp_evaluation_contact_loss(arb_t along_facets, arb_t along_plane,
-                                const tp_evaluation *evaluation);
+/* The axis of turning about the k-th contact point likewise. */
+void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *evaluation, long k);
 
-/* Which contact points are admissible pivots with rounded corners, into one array a direction. */
-void tp_evaluate_admissible(tp_evaluation *evaluation, bool *admissible, tp_direction towards);
+/* A point of the outline in metres of the scene. */
+void tp_evaluation_place_metres(tp_bounded *x_m, tp_bounded *y_m, tp_evaluation *evaluation,
+                                tp_outline_point at);
+
+/* From one end of a facet to the other, in lattice units. */
+void tp_evaluation_facet(arb_t dx, arb_t dy, const tp_evaluation *evaluation,
+                         const tp_facet *facet);
 
 /* Precision of the arithmetic before functions are taken: sums and products of exact integers stay
  * exact on the last rungs. */
@@ -99,8 +100,8 @@ void tp_evaluate_contact(tp_evaluation *evaluation, tp_solution *solution);
  * where there is one. */
 void tp_evaluate_pivots(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *toppling);
 
-/* Critical angle of turning about one lattice point. */
-void tp_evaluate_turning(tp_evaluation *evaluation, tp_direction towards, long point,
+/* Critical angle of turning about the k-th contact point. */
+void tp_evaluate_turning(tp_evaluation *evaluation, tp_direction towards, long k,
                          tp_direction_ball *angle);
 
 /* Critical angle of the governing pivot alone; false where no pivot is admissible. */

@@ -250,7 +250,9 @@ bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *lim
   bool done = find_own(result, limit, back, e);
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
-  if (done && tp_limit_base_matters(e->problem, result->towards)) done = find_otherwise(result, e);
+  bool matters = false;
+  done = done && tp_limit_base_matters(&matters, e->problem, result->towards);
+  if (done && matters) done = find_otherwise(result, e);
   result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   result->base_matters = differ(&result->limit, &result->limit_otherwise);
   return done;

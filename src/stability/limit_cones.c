@@ -7,21 +7,6 @@
 
 #include <stdlib.h>
 
-static long toe_index(const tp_problem *problem, tp_direction towards) {
-  return towards == TP_TOWARDS_LEFT ? 0 : problem->contact.point_count - 1;
-}
-
-static long toe_point(const tp_problem *problem, tp_direction towards) {
-  return problem->contact.points[toe_index(problem, towards)].point;
-}
-
-bool tp_limit_base_beyond_toe(const tp_problem *problem, tp_direction towards) {
-  const tp_lattice *l = &problem->lattice;
-  const long ring = l->start[problem->section.ring_count], toe = toe_point(problem, towards);
-  if (towards == TP_TOWARDS_LEFT) return fmpz_cmp(l->x + ring, l->x + toe) < 0;
-  return fmpz_cmp(l->x + ring + problem->base.edge_count, l->x + toe) > 0;
-}
-
 /* The corner of the base, or where the base is straight there the next one towards `step`. */
 static long past_straight(const tp_problem *problem, long corner, long step) {
   const tp_lattice *l = &problem->lattice;
@@ -35,63 +20,33 @@ static long past_straight(const tp_problem *problem, long corner, long step) {
  * that goes on straight below the block does not, nor does an edge of the block itself. */
 static bool lies_beyond(const tp_problem *problem, const tp_facet *f, tp_direction towards) {
   const tp_lattice *l = &problem->lattice;
-  const long toe = toe_point(problem, towards);
-  if (f->q0 != f->q1 || !tp_facet_same_point(l, f->q0, toe)) return false;
+  const tp_outline_point place = tp_contact_place(tp_limit_toe(problem, towards));
+  if (f->q0 != f->q1 || !tp_outline_point_is_same(l, tp_facet_begin(f), place)) return false;
   if (f->t0 < l->start[problem->section.ring_count]) return false;
   return towards == TP_TOWARDS_LEFT
-             ? fmpz_cmp(l->x + past_straight(problem, f->t1, 1), l->x + toe) <= 0
-             : fmpz_cmp(l->x + past_straight(problem, f->t0, -1), l->x + toe) >= 0;
+             ? fmpz_cmp(l->x + past_straight(problem, f->t1, 1), l->x + place.point) <= 0
+             : fmpz_cmp(l->x + past_straight(problem, f->t0, -1), l->x + place.point) >= 0;
 }
 
 static bool restrains(const tp_facet *f) {
   return f->t0 != f->t1;
 }
 
-/* t of a facet, up-dip. */
-static void set_direction(fmpz_t tx, fmpz_t ty, const tp_lattice *l, const tp_facet *f,
-                          bool mirrored) {
-  fmpz_sub(tx, l->x + f->t1, l->x + f->t0);
-  fmpz_sub(ty, l->y + f->t1, l->y + f->t0);
-  if (mirrored) fmpz_neg(ty, ty);
-}
-
-/* The direction of the base past a toe at which it ends: the next flank of a toothed base, level
- * ground otherwise. False where it turns away from the facet at the toe, and so bears nothing. */
-static bool beyond_direction(fmpz_t tx, fmpz_t ty, const tp_problem *problem,
-                             tp_direction towards) {
+bool tp_limit_base_matters(bool *matters, const tp_problem *problem, tp_direction towards) {
   const tp_contact *contact = &problem->contact;
-  const tp_contact_point *toe = contact->points + toe_index(problem, towards);
-  const long facet = towards == TP_TOWARDS_LEFT ? toe->right : toe->left;
-  if (facet < 0) return false;
-  set_direction(tx, ty, &problem->lattice, contact->facets + facet, towards == TP_TOWARDS_RIGHT);
-  const bool rises = fmpz_sgn(ty) > 0;
-  const tp_scene *scene = problem->scene;
-  if (scene->block.form == TP_OUTLINE_TEETH && scene->base.mated &&
-      scene->base.between.count == 0) {
-    fmpz_neg(ty, ty);
-  } else {
-    fmpz_one(tx);
-    fmpz_zero(ty);
-  }
-  return rises;
-}
-
-bool tp_limit_base_matters(const tp_problem *problem, tp_direction towards) {
-  const tp_contact *contact = &problem->contact;
+  *matters = false;
   if (tp_limit_base_beyond_toe(problem, towards)) {
-    for (long k = 0; k < contact->facet_count; k++) {
+    for (long k = 0; k < contact->facet_count && !*matters; k++) {
       const tp_facet *f = contact->facets + k;
-      if (restrains(f) && lies_beyond(problem, f, towards)) return true;
+      *matters = restrains(f) && lies_beyond(problem, f, towards);
     }
-    return false;
+    return true;
   }
-  fmpz_t tx, ty;
-  fmpz_init(tx);
-  fmpz_init(ty);
-  const bool matters = beyond_direction(tx, ty, problem, towards);
-  fmpz_clear(tx);
-  fmpz_clear(ty);
-  return matters;
+  tp_limit_beyond beyond;
+  if (!tp_limit_beyond_init(&beyond, problem, towards)) return false;
+  *matters = beyond.rises || beyond.sole.count > 0;
+  tp_limit_beyond_clear(&beyond);
+  return true;
 }
 
 /* What is filled in, point after point. */
@@ -99,55 +54,82 @@ typedef struct filling {
   tp_cones *cones;
   const tp_evaluation *e;
   tp_direction towards;
-  bool mirrored;
   long next, cursor; /* of the cones' points, of the contact's points */
 } filling;
 
 /* Contact points come in the order of the facets' ends. */
-static long contact_point_of(filling *f, long point) {
+static long contact_point_of(filling *f, tp_outline_point at) {
   const tp_contact *contact = &f->e->problem->contact;
   const tp_lattice *l = &f->e->problem->lattice;
   long k = f->cursor > 2 ? f->cursor - 2 : 0;
-  while (k < contact->point_count - 1 && !tp_facet_same_point(l, contact->points[k].point, point)) {
+  while (k < contact->point_count - 1 &&
+         !tp_outline_point_is_same(l, tp_contact_place(contact->points + k), at)) {
     k++;
   }
   f->cursor = k;
   return k;
 }
 
-/* One end of a facet: with rounded corners the tangent point on the facet's side. */
-static long add_point(filling *f, long point, bool on_the_right, long facet) {
-  const tp_problem *problem = f->e->problem;
-  const long own = f->next++, index = contact_point_of(f, point);
-  const tp_direction side = on_the_right ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+/* A point of the cones; the direction is left to the caller. */
+static long add_point(filling *f, tp_outline_point at, long site, long facet) {
+  const long own = f->next++;
   arb_ptr x = f->cones->x + own, y = f->cones->y + own;
-  tp_evaluation_axis(x, y, f->e, point, side);
-  if (f->e->loaded != NULL) {
-    tp_loaded_metres(x, y, f->e);
-  }
-  if (f->mirrored) arb_neg(x, x);
-  const bool rounded = problem->corners.count > 0 &&
-                       tp_corners_find(&problem->corners, &problem->lattice, point) != NULL;
-  f->cones->points[own] =
-      (tp_cone_point){.site = 2 * index + (rounded && on_the_right ? 1 : 0), .facet = facet};
+  tp_evaluation_place(x, y, f->e, at);
+  if (f->e->loaded != NULL) tp_loaded_metres(x, y, f->e);
+  if (f->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
+  f->cones->points[own] = (tp_cone_point){.site = site, .facet = facet};
   return own;
 }
 
+static void set_direction(filling *f, long own, const tp_facet *facet) {
+  tp_limit_direction(f->cones->tx + own, f->cones->ty + own, &f->e->problem->lattice, facet,
+                     f->towards);
+}
+
 static void add_facet(filling *f, long k) {
-  const tp_problem *problem = f->e->problem;
-  const tp_facet *facet = problem->contact.facets + k;
-  const long ends = facet->q0 == facet->q1 ? 1 : 2;
-  for (long end = 0; end < ends; end++) {
-    const long own = add_point(f, end == 0 ? facet->q0 : facet->q1, end == 0, k);
-    set_direction(f->cones->tx + own, f->cones->ty + own, &problem->lattice, facet, f->mirrored);
+  const tp_facet *facet = f->e->problem->contact.facets + k;
+  const tp_outline_point ends[2] = {tp_facet_begin(facet), tp_facet_end(facet)};
+  for (long end = 0; end < (facet->q0 == facet->q1 ? 1 : 2); end++) {
+    set_direction(f, add_point(f, ends[end], contact_point_of(f, ends[end]), k), facet);
   }
 }
 
-static void add_beyond(filling *f) {
+/* The site of a point past the toe: the toe's, that of a point before it there, or a new one. */
+static long site_beyond(filling *f, tp_outline_point at, const tp_limit_beyond *beyond, long ends) {
   const tp_problem *problem = f->e->problem;
-  f->cursor = 0;
-  const long own = add_point(f, toe_point(problem, f->towards), !f->mirrored, -1);
-  (void)beyond_direction(f->cones->tx + own, f->cones->ty + own, problem, f->towards);
+  const tp_contact_point *toe = tp_limit_toe(problem, f->towards);
+  const tp_lattice *l = &problem->lattice;
+  if (tp_outline_point_is_same(l, at, tp_contact_place(toe))) return toe - problem->contact.points;
+  for (long k = 0; k < ends; k++) {
+    const tp_facet *facet = beyond->sole.items + k / 2;
+    const tp_outline_point other = k % 2 == 0 ? tp_facet_begin(facet) : tp_facet_end(facet);
+    if (tp_outline_point_is_same(l, at, other)) return problem->contact.point_count + k;
+  }
+  return problem->contact.point_count + ends;
+}
+
+static void add_beyond(filling *f, const tp_limit_beyond *beyond) {
+  for (long k = 0; k < beyond->sole.count; k++) {
+    const tp_facet *facet = beyond->sole.items + k;
+    const tp_outline_point ends[2] = {tp_facet_begin(facet), tp_facet_end(facet)};
+    for (long end = 0; end < (facet->q0 == facet->q1 ? 1 : 2); end++) {
+      const long site = site_beyond(f, ends[end], beyond, 2 * k + end);
+      set_direction(f, add_point(f, ends[end], site, -1), facet);
+    }
+  }
+  if (!beyond->rises) return;
+  const long site = site_beyond(f, beyond->at, beyond, 2 * beyond->sole.count);
+  const long own = add_point(f, beyond->at, site, -1);
+  fmpz_set(f->cones->tx + own, beyond->tx);
+  fmpz_set(f->cones->ty + own, beyond->ty);
+}
+
+static long count_beyond(const tp_limit_beyond *beyond) {
+  long count = beyond->rises ? 1 : 0;
+  for (long k = 0; k < beyond->sole.count; k++) {
+    count += beyond->sole.items[k].q0 == beyond->sole.items[k].q1 ? 1 : 2;
+  }
+  return count;
 }
 
 /* Length of the facet of two points, over the length of its t. */
@@ -197,29 +179,39 @@ static void fill_allowances(tp_cones *cones, const tp_evaluation *e) {
   arb_clear(length);
 }
 
-bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
-                         bool otherwise) {
+/* The facets of the contact, less those that a base that ends at the toe has not, and what one that
+ * goes on adds. */
+static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, bool ends,
+                 const tp_limit_beyond *beyond) {
   const tp_problem *problem = e->problem;
   const tp_contact *contact = &problem->contact;
   const tp_loads_description *loads = &problem->scene->loads;
-  const bool goes_on = tp_limit_base_beyond_toe(problem, towards);
   const bool strong = e->loaded != NULL && (loads->cohesion_kpa.given || loads->bond_kpa.given);
-  long count = otherwise && !goes_on ? 1 : 0, lengths = 0;
+  long count = beyond != NULL ? count_beyond(beyond) : 0, lengths = 0;
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
-    const bool dropped = otherwise && goes_on && lies_beyond(problem, f, towards);
-    if (!restrains(f) || dropped) continue;
+    if (!restrains(f) || (ends && lies_beyond(problem, f, towards))) continue;
     count += f->q0 == f->q1 ? 1 : 2;
     if (f->q0 != f->q1) lengths++;
   }
   if (!tp_cones_init(cones, count, strong ? lengths : 0)) return false;
-  filling f = {.cones = cones, .e = e, .towards = towards, .mirrored = towards == TP_TOWARDS_RIGHT};
+  filling f = {.cones = cones, .e = e, .towards = towards};
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
-    const bool dropped = otherwise && goes_on && lies_beyond(problem, facet, towards);
-    if (restrains(facet) && !dropped) add_facet(&f, k);
+    if (restrains(facet) && !(ends && lies_beyond(problem, facet, towards))) add_facet(&f, k);
   }
-  if (otherwise && !goes_on) add_beyond(&f);
+  if (beyond != NULL) add_beyond(&f, beyond);
   fill_allowances(cones, e);
   return true;
+}
+
+bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
+                         bool otherwise) {
+  const bool goes_on = tp_limit_base_beyond_toe(e->problem, towards);
+  if (!otherwise || goes_on) return fill(cones, e, towards, otherwise, NULL);
+  tp_limit_beyond beyond;
+  if (!tp_limit_beyond_init(&beyond, e->problem, towards)) return false;
+  const bool done = fill(cones, e, towards, false, &beyond);
+  tp_limit_beyond_clear(&beyond);
+  return done;
 }

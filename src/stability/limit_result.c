@@ -76,7 +76,6 @@ static void set_centre(const telling *t) {
 /* The facet of the larger force. */
 static void set_facet(const telling *t) {
   tp_limit *r = t->result;
-  const tp_problem *problem = t->e->problem;
   if (t->answer->face.motion != TP_MOTION_SLIDE) return;
   const arb_struct *f = t->answer->forces;
   const int larger = arf_cmp(arb_midref(f), arb_midref(f + 1)) >= 0 ? 0 : 1;
@@ -84,11 +83,9 @@ static void set_facet(const telling *t) {
   const long facet = cones->points[tp_cones_point_of(cones, t->answer->face.columns[larger])].facet;
   r->has_facet = facet >= 0;
   if (!r->has_facet) return;
-  const tp_facet *own = problem->contact.facets + facet;
-  r->facet_x0_m = tp_evaluation_x(problem, own->q0);
-  r->facet_y0_m = tp_evaluation_y(problem, own->q0);
-  r->facet_x1_m = tp_evaluation_x(problem, own->q1);
-  r->facet_y1_m = tp_evaluation_y(problem, own->q1);
+  const tp_facet *own = t->e->problem->contact.facets + facet;
+  tp_evaluation_place_metres(&r->facet_x0_m, &r->facet_y0_m, t->e, tp_facet_begin(own));
+  tp_evaluation_place_metres(&r->facet_x1_m, &r->facet_y1_m, t->e, tp_facet_end(own));
 }
 
 /* Of the weight: that of the force of gravity at the tilt, whose direction may come times any

@@ -123,8 +123,8 @@ void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *e) {
   to_metres(y, e->problem->lattice.origin_y, e);
 }
 
-void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *e, long point) {
-  tp_evaluation_axis(x, y, e, point, loaded->mirrored ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT);
+void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *e, long k) {
+  tp_evaluation_axis(x, y, e, k);
   tp_loaded_metres(x, y, e);
   if (loaded->mirrored) arb_neg(x, x);
 }
@@ -133,19 +133,16 @@ void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluati
  * or back: strength times thickness times the distance along the facet, summed over its length. */
 static void facet_bond(arb_t sum, const tp_facet *f, const arb_t px, const arb_t py, bool back,
                        const tp_loaded *loaded, const tp_evaluation *e) {
-  const tp_lattice *l = &e->problem->lattice;
   const long bits = e->rung.bits;
   arb_t x[2], y[2], dot, part;
   arb_init(dot);
   arb_init(part);
   for (int k = 0; k < 2; k++) {
-    const long end = (k == 0) != loaded->mirrored ? f->q0 : f->q1;
+    const bool begins = (k == 0) != loaded->mirrored;
     arb_init(x[k]);
     arb_init(y[k]);
-    arb_set_fmpz(x[k], l->x + end);
-    arb_set_fmpz(y[k], l->y + end);
-    to_metres(x[k], l->origin_x, e);
-    to_metres(y[k], l->origin_y, e);
+    tp_evaluation_place(x[k], y[k], e, begins ? tp_facet_begin(f) : tp_facet_end(f));
+    tp_loaded_metres(x[k], y[k], e);
     if (loaded->mirrored) arb_neg(x[k], x[k]);
   }
   /* (middle - P) . (q1 - q0): the mean distance times the length */
@@ -187,12 +184,12 @@ void tp_loaded_bond(arb_t moment, const arb_t px, const arb_t py, bool back,
 }
 
 void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *e,
-                      long point) {
+                      long k) {
   arb_t x, y, held;
   arb_init(x);
   arb_init(y);
   arb_init(held);
-  tp_loaded_axis(x, y, loaded, e, point);
+  tp_loaded_axis(x, y, loaded, e, k);
   tp_wrench_moment(moment, &loaded->sum, x, y, e->rung.bits);
   tp_loaded_bond(held, x, y, false, loaded, e);
   arb_sub(moment->of + TP_ONE, moment->of + TP_ONE, held, e->rung.bits);
@@ -202,14 +199,14 @@ void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluat
 }
 
 void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded, tp_evaluation *e,
-                        long point) {
+                        long k) {
   tp_trig moment;
   arb_t level, sine, cosine;
   tp_trig_init(&moment);
   arb_init(level);
   arb_init(sine);
   arb_init(cosine);
-  tp_loaded_moment(&moment, loaded, e, point);
+  tp_loaded_moment(&moment, loaded, e, k);
   tp_roots_find(roots, &moment, loaded->limit, e->rung.bits);
   arb_one(cosine);
   tp_trig_evaluate(level, &moment, sine, cosine, e->rung.bits);

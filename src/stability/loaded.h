@@ -25,9 +25,9 @@ TP_MUST_USE bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *evaluati
                                 tp_direction towards, tp_solution *solution);
 void tp_loaded_clear(tp_loaded *loaded);
 
-/* The axis about a contact point, in metres and in the frame of the loads. */
+/* The axis about the k-th contact point, in metres and in the frame of the loads. */
 void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *evaluation,
-                    long point);
+                    long k);
 
 /* A point of the lattice in metres. */
 void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *evaluation);
@@ -39,16 +39,16 @@ void tp_loaded_bond(arb_t moment, const arb_t x, const arb_t y, bool back, const
 
 /* The moment of all loads about the axis at a contact point, the bond of the contact included. */
 void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *evaluation,
-                      long point);
+                      long k);
 
 /* Its zeros, and the critical angle in degrees: 180 where it never topples, -180 where it never
  * stands. */
 void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
-                        tp_evaluation *evaluation, long point);
+                        tp_evaluation *evaluation, long k);
 
 /* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
 void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
-                     long point, const arb_t degrees, const tp_roots *roots);
+                     long k, const arb_t degrees, const tp_roots *roots);
 
 /* The account of loads about the governing pivot; room for tp_loaded_account_count. */
 long tp_loaded_account_count(const tp_scene *scene);

@@ -49,7 +49,7 @@ static tp_load_side side_of(const arb_t moment, bool active) {
 }
 
 /* The weight by its two components, as in Eq. (2); then each load; then the bond. */
-static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t sine,
+static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t sine,
                   const arb_t cosine) {
   tp_evaluation *e = b->evaluation;
   const long bits = e->rung.bits;
@@ -59,7 +59,7 @@ static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t s
   arb_init(x);
   arb_init(y);
   arb_init(moment);
-  tp_loaded_axis(x, y, loaded, e, point);
+  tp_loaded_axis(x, y, loaded, e, pivot);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *own = loaded->items + k;
     tp_wrench_moment(&about, &own->wrench, x, y, bits);
@@ -84,7 +84,7 @@ static void weigh(balance *b, const tp_loaded *loaded, long point, const arb_t s
   arb_clear(moment);
 }
 
-static void balance_at(balance *b, const tp_loaded *loaded, tp_evaluation *e, long point) {
+static void balance_at(balance *b, const tp_loaded *loaded, tp_evaluation *e, long pivot) {
   arb_t sine, cosine;
   arb_init(sine);
   arb_init(cosine);
@@ -92,7 +92,7 @@ static void balance_at(balance *b, const tp_loaded *loaded, tp_evaluation *e, lo
   arb_init(b->overturning);
   b->evaluation = e;
   tp_ball_sin_cos_degrees(sine, cosine, e->problem->scene->tilt_angle_deg.value, e->rung.bits);
-  weigh(b, loaded, point, sine, cosine);
+  weigh(b, loaded, pivot, sine, cosine);
   arb_clear(sine);
   arb_clear(cosine);
 }
@@ -135,12 +135,12 @@ void tp_loaded_account(tp_case *result, const tp_loaded *loaded, tp_evaluation *
   result->load_count = 0;
   if (!result->has_governing || !e->problem->scene->tilt_angle_deg.given) return;
   balance b = {.account = result};
-  balance_at(&b, loaded, e, e->problem->contact.points[result->governing].point);
+  balance_at(&b, loaded, e, (long)result->governing);
   balance_clear(&b);
 }
 
 /* The moment about a contact point at a tilt, the bond holding back against turning up-dip. */
-static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluation *e, long point,
+static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluation *e, long pivot,
                         const arb_t sine, const arb_t cosine) {
   tp_trig moment;
   arb_t x, y, held;
@@ -148,7 +148,7 @@ static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluatio
   arb_init(x);
   arb_init(y);
   arb_init(held);
-  tp_loaded_axis(x, y, loaded, e, point);
+  tp_loaded_axis(x, y, loaded, e, pivot);
   tp_wrench_moment(&moment, &loaded->sum, x, y, e->rung.bits);
   tp_trig_evaluate(value, &moment, sine, cosine, e->rung.bits);
   tp_loaded_bond(held, x, y, true, loaded, e);
@@ -170,7 +170,7 @@ bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluatio
   bool falls = false, balances = false;
   for (long k = 0; k < problem->contact.point_count && !falls; k++) {
     if (!admissible[k]) continue;
-    moment_back(value, loaded, e, problem->contact.points[k].point, sine, cosine);
+    moment_back(value, loaded, e, k, sine, cosine);
     falls = arb_is_negative(value);
     if (!falls && !arb_is_positive(value)) balances = true;
   }

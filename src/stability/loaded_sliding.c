@@ -20,7 +20,6 @@ typedef struct facet_frame {
 /* Cohesion times the length of the contact and the thickness, N. */
 static void set_cohesion(arb_t force, const tp_evaluation *e) {
   const tp_problem *problem = e->problem;
-  const tp_lattice *l = &problem->lattice;
   const long bits = e->rung.bits;
   fmpq_t factor;
   arb_t dx, dy;
@@ -29,16 +28,12 @@ static void set_cohesion(arb_t force, const tp_evaluation *e) {
   arb_init(dy);
   arb_zero(force);
   for (long k = 0; k < problem->contact.facet_count; k++) {
-    const tp_facet *f = problem->contact.facets + k;
-    arb_set_fmpz(dx, l->x + f->q1);
-    arb_sub_fmpz(dx, dx, l->x + f->q0, bits);
-    arb_set_fmpz(dy, l->y + f->q1);
-    arb_sub_fmpz(dy, dy, l->y + f->q0, bits);
+    tp_evaluation_facet(dx, dy, e, problem->contact.facets + k);
     arb_hypot(dx, dx, dy, bits);
     arb_add(force, force, dx, bits);
   }
   tp_problem_thickness(factor, problem);
-  fmpq_mul(factor, factor, l->step_m);
+  fmpq_mul(factor, factor, problem->lattice.step_m);
   fmpq_mul(factor, factor, problem->scene->loads.cohesion_kpa.value);
   fmpq_mul_ui(factor, factor, 1000);
   arb_mul_fmpz(force, force, fmpq_numref(factor), bits);

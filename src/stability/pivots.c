@@ -8,28 +8,26 @@
 
 #include "number/ball.h"
 
-#include <math.h>
-
 /* The critical angle under loads, with its direction for what compares angles by it. */
-static void loaded_angle(tp_evaluation *e, long point, tp_direction_ball *angle, tp_roots *roots) {
+static void loaded_angle(tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots) {
   arb_t turn;
   arb_init(turn);
-  tp_loaded_critical(angle->degrees, roots, e->loaded, e, point);
+  tp_loaded_critical(angle->degrees, roots, e->loaded, e, k);
   arb_div_ui(turn, angle->degrees, 180, e->rung.bits);
   arb_sin_cos_pi(angle->sine, angle->cosine, turn, e->rung.bits);
   angle->exact_direction = false;
   arb_clear(turn);
 }
 
-/* Lever arms of the weight about a lattice point, times 3 A2 > 0: the direction of the critical
+/* Lever arms of the weight about the k-th contact point, times 3 A2 > 0: the direction of the critical
  * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
-void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long point,
+void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long k,
                          tp_direction_ball *angle) {
   const long exact = tp_evaluation_bits(e);
   if (e->loaded != NULL) {
     tp_roots roots;
     tp_roots_init(&roots);
-    loaded_angle(e, point, angle, &roots);
+    loaded_angle(e, k, angle, &roots);
     tp_roots_clear(&roots);
     return;
   }
@@ -37,7 +35,7 @@ void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long point,
   arb_t x, y;
   arb_init(x);
   arb_init(y);
-  tp_evaluation_axis(x, y, e, point, towards);
+  tp_evaluation_axis(x, y, e, k);
   arb_mul(angle->sine, sums + TP_A2, x, exact);
   arb_mul_ui(angle->sine, angle->sine, 3, exact);
   arb_sub(angle->sine, sums + TP_X6, angle->sine, exact);
@@ -123,8 +121,8 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   bool found = false;
   *tie = false;
   for (long k = 0; k < contact->point_count; k++) {
-    if (!e->admissible[towards][k]) continue;
-    tp_evaluate_turning(e, towards, contact->points[k].point, &angle);
+    if (!e->problem->admissible[towards][k]) continue;
+    tp_evaluate_turning(e, towards, k, &angle);
     const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
     if (side == 0) *tie = e->loaded == NULL || !arb_is_exact(angle.degrees); /* both never */
     if (side >= 0) continue;
@@ -139,45 +137,26 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   return found;
 }
 
-/* Where the axis of a rounded corner lies, in metres. */
-static void describe_rounded(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long point) {
-  const tp_lattice *l = &e->problem->lattice;
-  if (tp_corners_find(&e->problem->corners, l, point) == NULL) return;
-  arb_t x, y, step;
-  arb_init(x);
-  arb_init(y);
-  arb_init(step);
-  tp_evaluation_axis(x, y, e, point, towards);
-  arb_set_fmpq(step, l->step_m, e->rung.bits);
-  arb_add_fmpz(x, x, l->origin_x, e->rung.bits);
-  arb_add_fmpz(y, y, l->origin_y, e->rung.bits);
-  arb_mul(x, x, step, e->rung.bits);
-  arb_mul(y, y, step, e->rung.bits);
-  pivot->rounded = true;
-  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
-  pivot->x_m = tp_evaluation_result_scaled(e, x, log2_size);
-  pivot->y_m = tp_evaluation_result_scaled(e, y, log2_size);
-  arb_clear(x);
-  arb_clear(y);
-  arb_clear(step);
-}
-
 /* All numbers of one pivot; are they certain? */
-static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long point,
+static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long k,
                            tp_direction_ball *angle, const tilt *t) {
+  const tp_contact_point *point = e->problem->contact.points + k;
   const bool certain_before = e->certain;
   e->certain = true;
-  if (e->problem->corners.count > 0) describe_rounded(e, towards, pivot, point);
+  pivot->rounded = point->cut != NULL;
+  if (pivot->rounded) {
+    tp_evaluation_place_metres(&pivot->x_m, &pivot->y_m, e, tp_contact_place(point));
+  }
   if (e->loaded != NULL) {
     tp_roots roots;
     tp_roots_init(&roots);
-    loaded_angle(e, point, angle, &roots);
-    tp_loaded_pivot(pivot, e->loaded, e, point, angle->degrees, &roots);
+    loaded_angle(e, k, angle, &roots);
+    tp_loaded_pivot(pivot, e->loaded, e, k, angle->degrees, &roots);
     tp_roots_clear(&roots);
   } else {
-    tp_evaluate_turning(e, towards, point, angle);
+    tp_evaluate_turning(e, towards, k, angle);
     pivot->fos_resultant = resultant_form(e, angle, t);
-    pivot->fos_elements = elements_form(e, towards, point, t);
+    pivot->fos_elements = elements_form(e, towards, point->point, t);
   }
   pivot->critical_angle_deg = tp_evaluation_result(e, angle->degrees);
   const bool certain = e->certain;
@@ -186,7 +165,6 @@ static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *piv
 }
 
 void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *toppling) {
-  const tp_contact *contact = &e->problem->contact;
   const tp_quantity *angle = &e->problem->scene->tilt_angle_deg;
   bool *settled = e->settled[result->towards];
   tilt t = {.given = angle->given};
@@ -196,10 +174,10 @@ void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *to
   arb_init(t.cosine);
   if (t.given) tp_ball_sin_cos_degrees(t.sine, t.cosine, angle->value, e->rung.bits);
   for (size_t k = 0; k < result->pivot_count; k++) {
-    result->pivots[k].admissible = e->admissible[result->towards][k];
+    result->pivots[k].admissible = e->problem->admissible[result->towards][k];
     if (settled[k]) continue;
-    settled[k] = evaluate_pivot(e, result->towards, result->pivots + k, contact->points[k].point,
-                                &critical, &t);
+    settled[k] =
+        evaluate_pivot(e, result->towards, result->pivots + k, (long)k, &critical, &t);
   }
   result->has_governing = tp_evaluate_toppling(e, result->towards, toppling, &result->governing,
                                                &result->governing_tie);

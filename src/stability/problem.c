@@ -202,8 +202,8 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   }
 
   began = tp_effects_now();
-  status = tp_contact_init(&problem->contact, &problem->section, &problem->base, &problem->lattice,
-                           message);
+  status = tp_contact_init(&problem->contact, &problem->section, &problem->corners, &problem->base,
+                           &problem->lattice, message);
   if (status == TP_OK) status = find_pivots(problem, message);
   if (status == TP_OK && scene->block.arc_count > 0) status = check_arcs_clear(problem, message);
   if (status == TP_OK && tp_loads_are_called_for(&scene->loads)) {

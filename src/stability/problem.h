@@ -20,7 +20,7 @@ typedef struct tp_problem {
   tp_base base;
   tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */
   tp_contact contact;
-  bool *admissible[2]; /* by direction of tilt, for each contact point, with sharp corners */
+  bool *admissible[2]; /* by direction of tilt, for each contact point */
   tp_corners corners;  /* rounded ones */
   bool loaded;         /* the scene calls for loads besides the weight */
   bool has_elements;

@@ -149,10 +149,10 @@ void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_b
   result->rolls = TP_ROLLS_NOT;
   result->rests = false;
   if (!result->has_governing || e->loaded != NULL) return;
-  const tp_corner *corner = tp_corners_find(&problem->corners, &problem->lattice,
-                                            problem->contact.points[result->governing].point);
-  if (corner == NULL) return;
   const bool left = result->towards == TP_TOWARDS_LEFT;
+  const tp_contact_point *toe = problem->contact.points + result->governing;
+  const tp_corner *corner = toe->cut;
+  if (corner == NULL || toe->after != left) return; /* the arc lies up-dip */
   arb_t angle;
   arb_init(angle);
   arb_set_fmpq(angle, tilt->value, e->rung.bits);

@@ -163,10 +163,8 @@ static void describe_facet(tp_evaluation *e, tp_sliding *s, const tp_sliding_fac
   arb_set_fmpz(run, best->run);
   tp_ball_atan2_degrees(angle, rise, run, e->rung.bits);
   s->facet_angle_deg = tp_evaluation_result(e, angle);
-  s->facet_x0_m = tp_evaluation_x(e->problem, facet->q0);
-  s->facet_y0_m = tp_evaluation_y(e->problem, facet->q0);
-  s->facet_x1_m = tp_evaluation_x(e->problem, facet->q1);
-  s->facet_y1_m = tp_evaluation_y(e->problem, facet->q1);
+  tp_evaluation_place_metres(&s->facet_x0_m, &s->facet_y0_m, e, tp_facet_begin(facet));
+  tp_evaluation_place_metres(&s->facet_x1_m, &s->facet_y1_m, e, tp_facet_end(facet));
   arb_clear(rise);
   arb_clear(run);
 }
@@ -231,7 +229,7 @@ void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball 
   const tp_contact *contact = &e->problem->contact;
   result->toe = (tp_toe){0};
   if (!result->has_governing || e->loaded != NULL) return; /* the reaction is not the weight's */
-  const long toe = contact->points[result->governing].point;
+  const tp_outline_point toe = tp_contact_place(contact->points + result->governing);
   tp_sliding_facet best;
   tp_sliding_facet_init(&best);
   for (long k = 0; k < contact->facet_count; k++) {

@@ -9,6 +9,7 @@
  * centroid, one above `high` right of it; equal on exact rungs but for the exact position. */
 typedef struct foot {
   fmpz_t low, high;
+  arb_t position; /* where a facet ends in a tangent point */
   bool settled; /* a facet that ends within the bracket ends at the centroid, as far as can be told
                  */
 } foot;
@@ -17,6 +18,8 @@ static void find_foot(const tp_evaluation *e, foot *f) {
   const long bits = tp_evaluation_bits(e);
   const arb_struct *sums = e->moments.weighted;
   f->settled = e->rung.level == TP_LEVEL_EXACT;
+  arb_div(f->position, sums + TP_X6, sums + TP_A2, e->rung.bits);
+  arb_div_ui(f->position, f->position, 3, e->rung.bits);
   if (f->settled) {
     fmpz_t divisor, moment;
     fmpz_init(divisor);
@@ -30,29 +33,42 @@ static void find_foot(const tp_evaluation *e, foot *f) {
     fmpz_clear(moment);
     return;
   }
-  arb_t position;
   arf_t end;
-  arb_init(position);
   arf_init(end);
-  arb_div(position, sums + TP_X6, sums + TP_A2, bits);
-  arb_div_ui(position, position, 3, bits);
-  f->settled = tp_evaluation_is_zero_width(e, position, (double)e->problem->lattice.bits);
-  if (arb_is_finite(position)) {
-    arb_get_lbound_arf(end, position, bits);
+  f->settled = tp_evaluation_is_zero_width(e, f->position, (double)e->problem->lattice.bits);
+  if (arb_is_finite(f->position)) {
+    arb_get_lbound_arf(end, f->position, bits);
     arf_get_fmpz(f->low, end, ARF_RND_CEIL);
-    arb_get_ubound_arf(end, position, bits);
+    arb_get_ubound_arf(end, f->position, bits);
     arf_get_fmpz(f->high, end, ARF_RND_FLOOR);
   }
-  arb_clear(position);
   arf_clear(end);
+}
+
+/* Sign of the abscissa of a tangent point less the centroid's; 0 where it is not known. */
+static int beside(const tp_evaluation *e, tp_outline_point at, const foot *f) {
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  tp_evaluation_place(x, y, e, at);
+  const int side = arb_lt(x, f->position) ? -1 : arb_gt(x, f->position) ? 1 : 0;
+  arb_clear(x);
+  arb_clear(y);
+  return side;
 }
 
 /* Does the facet reach down-dip of the centroid? */
 static bool counts(tp_evaluation *e, const tp_facet *facet, const foot *f, tp_direction towards) {
   const tp_lattice *l = &e->problem->lattice;
-  const fmpz *end = l->x + (towards == TP_TOWARDS_LEFT ? facet->q0 : facet->q1);
-  const int to_low = fmpz_cmp(end, f->low), to_high = fmpz_cmp(end, f->high);
-  const bool left = to_low<0, right = to_high> 0;
+  const tp_outline_point end =
+      towards == TP_TOWARDS_LEFT ? tp_facet_begin(facet) : tp_facet_end(facet);
+  bool left = fmpz_cmp(l->x + end.point, f->low) < 0;
+  bool right = fmpz_cmp(l->x + end.point, f->high) > 0;
+  if (end.cut != NULL) {
+    const int side = beside(e, end, f);
+    left = side < 0;
+    right = side > 0;
+  }
   if (!left && !right && !f->settled) e->certain = false;
   return towards == TP_TOWARDS_LEFT ? left : right;
 }
@@ -113,6 +129,7 @@ void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_directio
   foot f;
   fmpz_init(f.low);
   fmpz_init(f.high);
+  arb_init(f.position);
   if (!all) find_foot(e, &f);
   for (long k = 0; k < contact->facet_count; k++) {
     if (all || counts(e, contact->facets + k, &f, towards)) {
@@ -121,4 +138,5 @@ void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_directio
   }
   fmpz_clear(f.low);
   fmpz_clear(f.high);
+  arb_clear(f.position);
 }

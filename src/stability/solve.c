@@ -28,7 +28,6 @@ typedef struct climb {
   const tp_solve_options *options;
   tp_solution *solution;
   bool *settled[2];
-  bool *admissible[2]; /* with rounded corners, at the present rung */
   tp_message *message;
   kept_limit *kept; /* by direction */
 } climb;
@@ -83,16 +82,6 @@ static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   return done;
 }
 
-/* Where the axes of rounded corners lie decides which of them may govern. */
-static void find_admissible(tp_evaluation *e, const climb *c) {
-  const double began = tp_effects_now();
-  for (int d = 0; d < 2; d++) {
-    tp_evaluate_admissible(e, c->admissible[d], d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT);
-    e->admissible[d] = c->admissible[d];
-  }
-  tp_effects_note(c->solution, "rounding", c->problem->scene->block.rounded.place, "", began);
-}
-
 static tp_status step(void *context, tp_rung rung, bool *certain) {
   const climb *c = context;
   if (tp_problem_is_enclosed(c->problem) && rung.level == TP_LEVEL_EXACT)
@@ -103,12 +92,10 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .decimals = c->solution->decimals,
                               .reduces_strength = c->options->strength_reduction,
                               .certain = true,
-                              .settled = {c->settled[0], c->settled[1]},
-                              .admissible = {c->problem->admissible[0], c->problem->admissible[1]}};
+                              .settled = {c->settled[0], c->settled[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
   tp_evaluate_moments(&evaluation);
-  if (c->problem->corners.count > 0) find_admissible(&evaluation, c);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
   evaluation.weight_per_area_pa = c->solution->contact.weight_per_nominal_area_pa;
@@ -127,7 +114,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
 static void note_level(tp_solution *solution, tp_rung reached) {
   solution->level = reached.level;
   solution->bits = reached.bits;
-  static const char *const climbing[] = {"moments", "toppling", "sliding", "limit", "rounding"};
+  static const char *const climbing[] = {"moments", "toppling", "sliding", "limit"};
   for (size_t k = 0; k < solution->effect_count; k++) {
     for (size_t c = 0; c < sizeof climbing / sizeof climbing[0]; c++) {
       if (strcmp(solution->effects[k].name, climbing[c]) == 0) {
@@ -149,13 +136,11 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
              options,
              solution,
              {calloc(points, 1), calloc(points, 1)},
-             {calloc(points, 1), calloc(points, 1)},
              message,
              kept};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
-  if (c.settled[0] == NULL || c.settled[1] == NULL || c.admissible[0] == NULL ||
-      c.admissible[1] == NULL) {
+  if (c.settled[0] == NULL || c.settled[1] == NULL) {
     status = tp_fail_memory(message, "the pivots");
   } else {
     status = tp_ladder_climb(step, &c, options->level, options->digits, &reached);
@@ -170,7 +155,6 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
   }
   for (int d = 0; d < 2; d++) {
     free(c.settled[d]);
-    free(c.admissible[d]);
     tp_direction_ball_clear(&kept[d].limit);
     tp_direction_ball_clear(&kept[d].back);
   }

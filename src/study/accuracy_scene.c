@@ -35,7 +35,7 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
   }
   const tp_case *own = s->noted != NULL ? s->noted->cases : NULL;
   s->has_pivot = own != NULL && own->has_governing;
-  if (s->has_pivot) s->point = s->problem.contact.points[own->governing].point;
+  if (s->has_pivot) s->point = (long)own->governing;
   return TP_OK;
 }
 

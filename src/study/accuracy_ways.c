@@ -12,8 +12,7 @@ static tp_evaluation evaluation_of(const tp_accuracy_subject *s, tp_rung rung) {
   return (tp_evaluation){.problem = &s->problem,
                          .rung = rung,
                          .digits = 1,
-                         .certain = true,
-                         .admissible = {s->problem.admissible[0], s->problem.admissible[1]}};
+                         .certain = true};
 }
 
 /* Under its loads, where the scene calls for some. */

@@ -16,7 +16,7 @@ typedef struct tp_accuracy_subject {
   tp_solution *noted; /* where the loads note that they ran */
   tp_direction towards;
   bool has_pivot;
-  long point; /* of the lattice */
+  long point; /* of the contact */
 } tp_accuracy_subject;
 
 /* Critical angle about the pivot by sums at the rung's own level, never at a cheaper one; by sums

@@ -70,7 +70,7 @@ static tp_status check_section(work *w) {
 }
 
 static tp_status find_contact(work *w) {
-  return tp_contact_init(&w->made.contact, &w->section, &w->base, &w->lattice, &w->message);
+  return tp_contact_init(&w->made.contact, &w->section, NULL, &w->base, &w->lattice, &w->message);
 }
 
 static tp_status evaluate_moments(work *w, tp_rung rung) {
