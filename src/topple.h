@@ -150,6 +150,8 @@ typedef struct tp_case {
   tp_bounded *limits; /* of all pivots, with loads */
   size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */
   tp_load_result *loads;
+  bool water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
+  tp_bounded water_overtops_deg; /* its face, whose pressure is reckoned as if the face went on */
 } tp_case;
 
 typedef struct tp_block_result {

@@ -17,7 +17,7 @@ struct tp_loaded {
   long count;
   tp_load *items;
   tp_wrench sum;
-  arb_t limit; /* radians up to which water that stays level stays below the top of its face */
+  arb_t range; /* radians up to which a static limit is looked for */
 };
 
 /* False when memory is exhausted. */
@@ -49,6 +49,9 @@ void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
 /* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
 void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
                      long point, const arb_t degrees, const tp_roots *roots);
+
+/* The tilt beyond which water that stays level would stand above the top of its face. */
+void tp_loaded_overtops(tp_case *result, tp_evaluation *evaluation);
 
 /* The account of loads about the governing pivot; room for tp_loaded_account_count. */
 long tp_loaded_account_count(const tp_scene *scene);

@@ -79,6 +79,7 @@ static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   evaluation->loaded = &loaded;
   const bool done = evaluate_motions(evaluation, own, c);
   tp_loaded_account(own, &loaded, evaluation);
+  tp_loaded_overtops(own, evaluation);
   tp_loaded_clear(&loaded);
   return done;
 }
