@@ -122,10 +122,11 @@ tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
   const bool above = fmpq_cmp(water->height.value, top) > 0;
   fmpq_clear(top);
   if (!above) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, water->height.place,
-                 "the water stands above the top of the block when it is tilted towards the %s: its "
-                 "height counts from the up-dip end of the contact; lower it, or tilt the other way",
-                 towards);
+  return tp_fail(
+      message, TP_BAD_INPUT, water->height.place,
+      "the water stands above the top of the block when it is tilted towards the %s: its "
+      "height counts from the up-dip end of the contact; lower it, or tilt the other way",
+      towards);
 }
 
 tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, tp_message *message) {

@@ -150,9 +150,9 @@ static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
   arb_clear(radians);
 }
 
-/* Zeros in a box: none, one, which is narrowed with so many `bits`, or halves of it. Where one box stays open to the last nothing is
- * certain any more, and the others are not looked at: with bounds too wide for this precision they
- * would all stay open. */
+/* Zeros in a box: none, one, which is narrowed with so many `bits`, or halves of it. Where one box
+ * stays open to the last nothing is certain any more, and the others are not looked at: with bounds
+ * too wide for this precision they would all stay open. */
 static void isolate(tp_roots *roots, const bounded *g, box *b, long depth, long bits) {
   if (!roots->certain) return;
   arb_t x, value;

@@ -20,16 +20,18 @@ typedef struct sample {
 static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target target) {
   const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
   const bool slides = own->sliding.known && !own->sliding.never;
+  const bool has_angle = slides && !own->sliding.always;
   switch (target) {
   case TP_FIND_CRITICAL_ANGLE:
-    if (pivot != NULL) *value = pivot->critical_angle_deg;
-    return pivot != NULL;
+    if (pivot == NULL || pivot->never || pivot->always) return false;
+    *value = pivot->critical_angle_deg;
+    return true;
   case TP_FIND_FOS:
     if (pivot != NULL) *value = pivot->fos_resultant.value;
     return pivot != NULL && pivot->fos_resultant.state == TP_FOS_NUMBER;
   case TP_FIND_SLIDING_ANGLE:
-    if (slides) *value = own->sliding.critical_angle_deg;
-    return slides;
+    if (has_angle) *value = own->sliding.critical_angle_deg;
+    return has_angle;
   case TP_FIND_SLIDING_FOS:
     if (slides) *value = own->sliding.fos.value;
     return slides && own->sliding.fos.state == TP_FOS_NUMBER;

@@ -46,6 +46,11 @@ void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluat
 void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
                         tp_evaluation *evaluation, long point);
 
+/* The factor of safety about a contact point at the scene's tilt, where the state says that it is a
+ * number. */
+tp_fos_state tp_loaded_factor(arb_t factor, const tp_loaded *loaded, tp_evaluation *evaluation,
+                              long point);
+
 /* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
 void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
                      long point, const arb_t degrees, const tp_roots *roots);
@@ -62,8 +67,8 @@ bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluatio
                                const bool *admissible);
 
 /* Sliding down along a facet, (run, rise) as in stability/sliding.c, with a friction angle in
- * degrees and the cohesion of the contact: the critical angle in degrees, or false where it never
- * slides; the factor of safety is with the friction at the scene's tilt. */
+ * degrees and the cohesion of the contact: the critical angle in degrees, -180 where it slides at
+ * every tilt, or false where it never does; the factor of safety is with the friction at the scene's tilt. */
 bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded,
                        tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise,
                        const arb_t friction);
