@@ -86,8 +86,9 @@ typedef struct tp_account {
  * the others the one that rises most steeply down-dip governs. Where that would slide on level
  * ground, the block wedges itself between its facets, and all of them count. */
 typedef struct tp_sliding {
-  bool known;                    /* the scene gives a friction angle */
-  bool never;                    /* phi_b + i reaches 90 degrees */
+  bool known;  /* the scene gives a friction angle */
+  bool never;  /* at no tilt: phi_b + i reaches 90 degrees */
+  bool always; /* at every tilt: its loads push it down-dip harder than it resists at any */
   tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
@@ -141,8 +142,8 @@ typedef struct tp_case {
                           loads: at tilts below minus its angle the block lets go up-dip */
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */
   tp_mechanism first;     /* what happens first as the table is tilted from level */
-  tp_bounded first_angle_deg; /* where `first` happens; unset for TP_INTERLOCKED and
-                                 where no forces hold at any tilt */
+  bool has_first_angle;   /* not where it is interlocked, or holds at no tilt, or undecided */
+  tp_bounded first_angle_deg; /* where `first` happens */
   bool has_margin;
   tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
   bool falls_backwards;  /* at this tilt it topples or slides the other way, up-dip */
@@ -150,6 +151,9 @@ typedef struct tp_case {
   tp_bounded *limits; /* of all pivots, with loads */
   size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */
   tp_load_result *loads;
+  bool
+      water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
+  tp_bounded water_overtops_deg; /* its face, whose pressure is reckoned as if the face went on */
 } tp_case;
 
 typedef struct tp_block_result {

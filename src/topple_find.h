@@ -32,12 +32,20 @@ typedef struct tp_find_options {
   double low, high; /* else 0 to ten times the scene's own value */
 } tp_find_options;
 
+/* A stretch of solutions: the target has the same value, to 30 digits, at 11 numbers spread over it
+ * up to its ends, and its bound holds the wanted one. Each end is bisected between a number where
+ * that is so and one where it is not, or is an end of the range. What lies between the numbers that
+ * were looked at is not proven. */
+typedef struct tp_found_interval {
+  tp_bounded low, high;
+} tp_found_interval;
+
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
  * each it is certain to lie on different sides. `touching`: numbers within whose bounds the target
  * comes so close to the value that its own bound does not tell whether it reaches it, and at whose
- * ends it is certain to lie on the same side: a double solution, or none. Of a target that turns
- * more than once between two of the 512 points of the range that were looked at, solutions may be
- * missed. */
+ * ends it is certain to lie on the same side: a double solution, or none; or beyond which, at an
+ * end of the range, the scene has no answer. Of a target that turns more than once between two of
+ * the 512 points of the range that were looked at, solutions may be missed. */
 typedef struct tp_found {
   char *key;
   double low, high; /* the range, cut to where the scene has an answer */
@@ -45,6 +53,8 @@ typedef struct tp_found {
   tp_bounded *solutions;
   size_t touching_count;
   tp_bounded *touching;
+  size_t interval_count;
+  tp_found_interval *intervals;
 } tp_found;
 
 /* `scene` is the path of a scene that tilts in one direction. */

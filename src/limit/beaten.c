@@ -69,7 +69,7 @@ static bool find_zeros(zeros *z, const tp_trig *excess, const tp_limit_question 
                        int own) {
   tp_roots roots;
   tp_roots_init(&roots);
-  tp_roots_find(&roots, excess, q->range, q->judge.bits);
+  tp_roots_find(&roots, excess, q->judge.bits);
   for (long k = 0; k < roots.count; k++) {
     const arb_struct *zero = roots.degrees + k;
     if (arb_lt(zero, at)) {

@@ -55,7 +55,7 @@ static tp_answer nearest_root(tp_limit_answer *a, const tp_trig *excess, const t
   static const double near_enough = 1e-3; /* degrees; what doubles find is far nearer */
   tp_roots roots;
   tp_roots_init(&roots);
-  tp_roots_find(&roots, excess, q->range, q->judge.bits);
+  tp_roots_find(&roots, excess, q->judge.bits);
   double least = near_enough;
   long nearest = -1;
   for (long k = 0; k < roots.count; k++) {

@@ -107,9 +107,10 @@ static tp_status check_sense(const tp_line_load *loads, long count, const tp_pol
   return TP_OK;
 }
 
-static tp_status check_water(const tp_scene *scene, const tp_polyline *ring, const fmpq_t heel_y,
-                             tp_message *message) {
+tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
+                               const fmpq_t heel_y, const char *towards, tp_message *message) {
   const tp_water_description *water = &scene->loads.water;
+  const tp_polyline *ring = section->rings;
   if (!water->given) return TP_OK;
   fmpq_t top;
   fmpq_init(top);
@@ -121,12 +122,14 @@ static tp_status check_water(const tp_scene *scene, const tp_polyline *ring, con
   const bool above = fmpq_cmp(water->height.value, top) > 0;
   fmpq_clear(top);
   if (!above) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, water->height.place,
-                 "the water stands above the top of the block");
+  return tp_fail(
+      message, TP_BAD_INPUT, water->height.place,
+      "the water stands above the top of the block when it is tilted towards the %s: its "
+      "height counts from the up-dip end of the contact; lower it, or tilt the other way",
+      towards);
 }
 
-tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, const fmpq_t heel_y,
-                         tp_message *message) {
+tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, tp_message *message) {
   const tp_loads_description *loads = &scene->loads;
   const tp_polyline *ring = section->rings;
   tp_status status =
@@ -142,5 +145,5 @@ tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, const
                      "this anchor does not hold the block: 'at' "
                      "lies outside its outline");
   }
-  return status == TP_OK ? check_water(scene, ring, heel_y, message) : status;
+  return status;
 }

@@ -8,10 +8,15 @@
 
 #include "block/section.h"
 
-/* Refuse anchors outside the block, pressures and surcharges on lines that are no part of its
- * outline, and water that stands above its top. `heel_y` is the height of the up-dip end of the
- * contact, in scene lengths. */
+/* Refuse anchors outside the block, and pressures and surcharges on lines that are no part of its
+ * outline. */
 TP_MUST_USE tp_status tp_loads_check(const tp_scene *scene, const tp_section *section,
-                                     const fmpq_t heel_y, tp_message *message);
+                                     tp_message *message);
+
+/* Refuse water that stands above the block's top already on level ground. `heel_y` is the height of
+ * the up-dip end of the contact, in scene lengths, when the table is tilted `towards` a side. */
+TP_MUST_USE tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
+                                           const fmpq_t heel_y, const char *towards,
+                                           tp_message *message);
 
 #endif

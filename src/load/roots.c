@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "load/roots.h"
+#include "load/isolate.h"
 
 #include "number/ball.h"
 
@@ -24,8 +24,7 @@ static void to_degrees(arb_t degrees, const arb_t radians, long bits) {
   arb_clear(pi);
 }
 
-/* Keep a zero, in its place. */
-static void keep(tp_roots *roots, const arb_t radians, bool rising, long bits) {
+void tp_roots_keep(tp_roots *roots, const arb_t radians, bool rising, long bits) {
   if (roots->count == TP_ROOTS_MAX) {
     roots->certain = false;
     return;
@@ -53,7 +52,7 @@ static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bi
   arb_sin_cos(sine, cosine, angle, bits);
   if (arb_is_positive(cosine)) {
     arb_atan2(radians, sine, cosine, bits);
-    keep(roots, radians, rising, bits);
+    tp_roots_keep(roots, radians, rising, bits);
   } else if (!arb_is_negative(cosine) &&
              mag_get_d_log2_approx(arb_radref(cosine)) > -0.5 * (double)bits) {
     roots->certain = false;
@@ -91,189 +90,14 @@ static void closed_form(tp_roots *roots, const tp_trig *f, long bits) {
   arb_clear(angle);
 }
 
-static void value_at(arb_t value, const tp_trig *f, const arb_t angle, long bits) {
-  arb_t sine, cosine;
-  arb_init(sine);
-  arb_init(cosine);
-  arb_sin_cos(sine, cosine, angle, bits);
-  tp_trig_evaluate(value, f, sine, cosine, bits);
-  arb_clear(sine);
-  arb_clear(cosine);
-}
-
-/* f' = -A sin + B cos + (D + 2 E / cos) sin / cos^2 */
-static void slope_at(arb_t slope, const tp_trig *f, const arb_t angle, long bits) {
-  arb_t sine, cosine, term;
-  arb_init(sine);
-  arb_init(cosine);
-  arb_init(term);
-  arb_sin_cos(sine, cosine, angle, bits);
-  arb_mul_2exp_si(term, f->of + TP_SEC2, 1);
-  arb_div(term, term, cosine, bits);
-  arb_add(term, term, f->of + TP_SEC, bits);
-  arb_div(term, term, cosine, bits);
-  arb_div(term, term, cosine, bits);
-  arb_sub(term, term, f->of + TP_COS, bits);
-  arb_mul(slope, term, sine, bits);
-  arb_addmul(slope, f->of + TP_SIN, cosine, bits);
-  arb_clear(sine);
-  arb_clear(cosine);
-  arb_clear(term);
-}
-
-/* An interval with ends of machine precision at first. */
-typedef struct box {
-  arf_t low, high;
-} box;
-
-static void box_ball(arb_t ball, const box *b, long bits) {
-  arb_set_interval_arf(ball, b->low, b->high, bits);
-}
-
-static int sign_at(const tp_trig *f, const arf_t at, long bits) {
-  arb_t x, value;
-  arb_init(x);
-  arb_init(value);
-  arb_set_arf(x, at);
-  value_at(value, f, x, bits);
-  const int sign = arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
-  arb_clear(x);
-  arb_clear(value);
-  return sign;
-}
-
-/* Interval Newton over a box on which f' has no zero: the zero lies in m - f(m) / f'(box) too. */
-static void newton(box *b, const tp_trig *f, const arf_t middle, long bits) {
-  arb_t x, value, slope;
-  arf_t end;
-  arb_init(x);
-  arb_init(value);
-  arb_init(slope);
-  arf_init(end);
-  box_ball(x, b, bits);
-  slope_at(slope, f, x, bits);
-  arb_set_arf(x, middle);
-  value_at(value, f, x, bits);
-  arb_div(value, value, slope, bits);
-  arb_sub(x, x, value, bits);
-  if (arb_is_finite(x)) {
-    arb_get_lbound_arf(end, x, bits);
-    if (arf_cmp(end, b->low) > 0 && arf_cmp(end, b->high) <= 0) arf_set(b->low, end);
-    arb_get_ubound_arf(end, x, bits);
-    if (arf_cmp(end, b->high) < 0 && arf_cmp(end, b->low) >= 0) arf_set(b->high, end);
-  }
-  arb_clear(x);
-  arb_clear(value);
-  arb_clear(slope);
-  arf_clear(end);
-}
-
-/* Narrow a box over which f is monotone and changes its sign: by Newton, and by halving where that
- * does not do as much. */
-static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
-  const int low = sign_at(f, b->low, bits);
-  arf_t middle, width, before;
-  arf_init(middle);
-  arf_init(width);
-  arf_init(before);
-  for (long k = 0; k < bits; k++) {
-    arf_sub(before, b->high, b->low, bits, ARF_RND_UP);
-    arf_add(middle, b->low, b->high, bits, ARF_RND_NEAR);
-    arf_mul_2exp_si(middle, middle, -1);
-    newton(b, f, middle, bits);
-    arf_sub(width, b->high, b->low, bits, ARF_RND_UP);
-    arf_mul_2exp_si(width, width, 1);
-    if (arf_cmp(width, before) <= 0) continue;
-    arf_add(middle, b->low, b->high, bits, ARF_RND_NEAR);
-    arf_mul_2exp_si(middle, middle, -1);
-    const int own = sign_at(f, middle, bits);
-    if (own == 0) break;
-    arf_set(own == low ? b->low : b->high, middle);
-  }
-  arf_clear(middle);
-  arf_clear(width);
-  arf_clear(before);
-  arb_t radians;
-  arb_init(radians);
-  box_ball(radians, b, bits);
-  keep(roots, radians, low < 0, bits);
-  arb_clear(radians);
-}
-
-/* Bits to tell zeros apart with, and to know them to. */
-typedef struct precision {
-  long isolating, narrowing;
-} precision;
-
-/* Zeros in a box: none, one, or halves of it. Where one box stays open to the last nothing is
- * certain any more, and the others are not looked at: with bounds too wide for this precision they
- * would all stay open, 2^60 of them. */
-static void isolate(tp_roots *roots, const tp_trig *f, box *b, int depth, precision p) {
-  enum { MOST_DEPTH = 60 };
-  if (!roots->certain) return;
-  const long bits = p.isolating;
-  arb_t x, value;
-  arb_init(x);
-  arb_init(value);
-  box_ball(x, b, bits);
-  value_at(value, f, x, bits);
-  bool settled = arb_is_finite(value) && !arb_contains_zero(value);
-  if (!settled) {
-    slope_at(value, f, x, bits);
-    const int low = sign_at(f, b->low, bits), high = sign_at(f, b->high, bits);
-    if (arb_is_finite(value) && !arb_contains_zero(value) && low != 0 && high != 0) {
-      settled = true;
-      if (low != high) bracket(roots, f, b, p.narrowing);
-    }
-  }
-  arb_clear(x);
-  arb_clear(value);
-  if (settled) return;
-  if (depth == MOST_DEPTH) {
-    roots->certain = false;
-    return;
-  }
-  box half[2];
-  for (int k = 0; k < 2; k++) {
-    arf_init(half[k].low);
-    arf_init(half[k].high);
-    arf_set(half[k].low, b->low);
-    arf_set(half[k].high, b->high);
-  }
-  /* not quite in the middle, so that zeros at round angles fall inside */
-  arf_sub(half[0].high, b->high, b->low, bits, ARF_RND_NEAR);
-  arf_mul_ui(half[0].high, half[0].high, 517, bits, ARF_RND_NEAR);
-  arf_mul_2exp_si(half[0].high, half[0].high, -10);
-  arf_add(half[0].high, half[0].high, b->low, bits, ARF_RND_NEAR);
-  arf_set(half[1].low, half[0].high);
-  for (int k = 0; k < 2; k++) {
-    isolate(roots, f, half + k, depth + 1, p);
-    arf_clear(half[k].low);
-    arf_clear(half[k].high);
-  }
-}
-
-void tp_roots_find(tp_roots *roots, const tp_trig *f, const arb_t limit, long bits) {
+void tp_roots_find(tp_roots *roots, const tp_trig *f, long bits) {
   roots->count = 0;
   roots->certain = true;
   if (arb_is_zero(f->of + TP_SEC) && arb_is_zero(f->of + TP_SEC2)) {
     closed_form(roots, f, bits);
-    return;
+  } else {
+    tp_roots_isolate(roots, f, bits);
   }
-  box all;
-  arf_init(all.low);
-  arf_init(all.high);
-  arb_get_lbound_arf(all.high, limit, bits);
-  arf_neg(all.low, all.high);
-  enum { FEW_BITS = 128 }; /* tell most zeros apart */
-  isolate(roots, f, &all, 0, (precision){bits < FEW_BITS ? bits : FEW_BITS, bits});
-  if (!roots->certain && bits > FEW_BITS) {
-    roots->count = 0;
-    roots->certain = true;
-    isolate(roots, f, &all, 0, (precision){bits, bits});
-  }
-  arf_clear(all.low);
-  arf_clear(all.high);
 }
 
 /* The zero that may be level ground itself: its index where it is the only one and rising, else -1.

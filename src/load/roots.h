@@ -4,8 +4,9 @@
 /* The tilts at which a moment or a force vanishes.
  *
  * A cos a + B sin a + C = R cos(a - psi) + C has its zeros at psi +- acos(-C / R), in closed form.
- * With terms in 1 / cos a the zeros are isolated by interval bisection: a box over which the
- * function or its derivative has no zero is settled, any other is halved; then each is bracketed.
+ * With terms in 1 / cos a the function is taken times cos^2 a, which is bounded, and its zeros are
+ * isolated by interval bisection: a box over which it or its derivative has no zero is settled, any
+ * other is halved; then each is narrowed by Newton's steps in intervals.
  */
 
 #ifndef TP_ROOTS_H
@@ -27,9 +28,8 @@ typedef struct tp_roots {
 void tp_roots_init(tp_roots *roots);
 void tp_roots_clear(tp_roots *roots);
 
-/* The zeros between -limit and limit, where limit is a ball of radians below pi / 2 for functions
- * with terms in 1 / cos a, and does not matter for others. */
-void tp_roots_find(tp_roots *roots, const tp_trig *f, const arb_t limit, long bits);
+/* The zeros between -90 and 90 degrees. */
+void tp_roots_find(tp_roots *roots, const tp_trig *f, long bits);
 
 /* The tilt at which what is stable below zero first lets go as the table is tilted from level: the
  * first rising zero above level; where it is not stable level, the last one below. False where

@@ -47,4 +47,6 @@ void tp_json_fos(tp_text *t, const char *key, tp_fos fos) {
   } else {
     tp_text_add(t, "\"%s\": null", key);
   }
+  const char *why = tp_text_fos(fos);
+  if (why != NULL) tp_text_add(t, ", \"%s_is\": \"%s\"", key, why);
 }

@@ -12,7 +12,8 @@
  * double. */
 void tp_json_number(tp_text *text, const char *key, tp_bounded number);
 
-/* A factor of safety; null where it is no number. */
+/* A factor of safety; null where it is no number, and `"key_is"` says in words what it is then, as
+ * it does of one below zero. */
 void tp_json_fos(tp_text *text, const char *key, tp_fos fos);
 
 /* `"key": {"numerator": n, "denominator": d}` */

@@ -14,7 +14,7 @@ static void add(tp_page *p, const char *name, const char *unit, tp_bounded numbe
 }
 
 static void add_fos(tp_page *p, const char *name, tp_fos fos) {
-  if (fos.state == TP_FOS_NUMBER) add(p, name, "", fos.value);
+  if (fos.state == TP_FOS_NUMBER && tp_text_fos(fos) == NULL) add(p, name, "", fos.value);
 }
 
 static void add_limit(tp_page *p, const tp_limit *limit) {
@@ -35,7 +35,7 @@ static void add_case(tp_page *p, const tp_case *c) {
     add_fos(p, "factor of safety", pivot->fos_resultant);
     add_fos(p, "  by elements", pivot->fos_elements);
   }
-  if (c->sliding.known && !c->sliding.never) {
+  if (c->sliding.known && !c->sliding.never && !c->sliding.always) {
     add(p, "sliding", "°", c->sliding.critical_angle_deg);
     add_fos(p, "  its factor of safety", c->sliding.fos);
   }

@@ -23,7 +23,16 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                 "no bound decides\n",
                 tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
   }
-  if (f->count + f->touching_count == 0) tp_text_add(&t, "  none in range\n");
+  for (size_t k = 0; k < f->interval_count; k++) {
+    char end[TP_NUMBER_SIZE];
+    tp_text_add(&t,
+                "  every number from %s to %s  (within %.2g and %.2g): the\n"
+                "  result stays at the value, the same to 30 digits wherever it was looked at\n",
+                tp_text_significant(number, f->intervals[k].low, 12),
+                tp_text_significant(end, f->intervals[k].high, 12), f->intervals[k].low.error,
+                f->intervals[k].high.error);
+  }
+  if (f->count + f->touching_count + f->interval_count == 0) tp_text_add(&t, "  none in range\n");
   tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
   return tp_text_finish(&t, text);
 }
@@ -46,6 +55,14 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   for (size_t k = 0; k < f->touching_count; k++) {
     tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
                 f->touching[k].value, f->touching[k].error);
+  }
+  tp_text_add(&t, "],\n    \"intervals\": [");
+  for (size_t k = 0; k < f->interval_count; k++) {
+    tp_text_add(&t, "%s{", k > 0 ? ", " : "");
+    tp_json_number(&t, "from", f->intervals[k].low);
+    tp_text_add(&t, ", ");
+    tp_json_number(&t, "to", f->intervals[k].high);
+    tp_text_add(&t, "}");
   }
   tp_text_add(&t, "]}\n}\n");
   free(solved);

@@ -84,7 +84,8 @@ static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight)
 /* null where loads leave it none. */
 static void add_critical_angle(tp_text *t, const tp_pivot *p) {
   if (p->never || p->always) {
-    tp_text_add(t, "\"critical_angle_deg\": null");
+    tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"%s\"",
+                p->never ? "never" : "always");
   } else {
     tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
   }
@@ -132,10 +133,15 @@ static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded) {
   tp_text_add(t, "      \"sliding\": {\"method\": \"%s\", ",
               loaded ? "forces along and across the facet" : "Patton, phi_b + i");
   if (s->never) {
-    tp_text_add(t, "\"critical_angle_deg\": null, \"fos\": null},\n");
+    tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"never\", "
+                   "\"fos\": null},\n");
     return;
   }
-  tp_json_number(t, "critical_angle_deg", s->critical_angle_deg);
+  if (s->always) {
+    tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"always\"");
+  } else {
+    tp_json_number(t, "critical_angle_deg", s->critical_angle_deg);
+  }
   tp_text_add(t, ", ");
   tp_json_fos(t, "fos", s->fos);
   tp_text_add(t, ", ");
@@ -194,12 +200,11 @@ static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
 static void add_mechanism(tp_text *t, const tp_case *c) {
   tp_text_add(t, "      \"mechanism\": \"%s\",\n      \"first\": {\"mechanism\": \"%s\", ",
               tp_text_mechanism(c->mechanism), tp_text_mechanism(c->first));
-  if (c->first == TP_INTERLOCKED || c->first == TP_STANDS || c->limit.kind == TP_LIMIT_NOWHERE ||
-      c->limit.kind == TP_LIMIT_UNDECIDED) {
-    tp_text_add(t, "\"critical_angle_deg\": null, ");
-  } else {
+  if (c->has_first_angle) {
     tp_json_number(t, "critical_angle_deg", c->first_angle_deg);
     tp_text_add(t, ", ");
+  } else {
+    tp_text_add(t, "\"critical_angle_deg\": null, ");
   }
   if (c->has_margin) {
     tp_json_number(t, "margin_deg", c->margin_deg);

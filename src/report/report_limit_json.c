@@ -61,7 +61,11 @@ static void add_reactions(tp_text *t, const tp_limit *l) {
 /* The least tilt at which forces hold it; null where they hold however far it is tilted back. */
 static void add_holds_from(tp_text *t, const tp_limit *back) {
   if (back->kind != TP_LIMIT_AT_ANGLE) {
-    tp_text_add(t, "\"holds_from_deg\": null");
+    const bool nowhere = back->kind == TP_LIMIT_NOWHERE;
+    tp_text_add(t, "\"holds_from_deg\": null, \"holds_from_is\": \"%s\"",
+                back->kind == TP_LIMIT_UNDECIDED ? "undecided"
+                : nowhere                        ? "at no tilt"
+                                                 : "however far it is tilted back");
     return;
   }
   const tp_bounded from = {.value = 0 - back->critical_angle_deg.value,

@@ -31,8 +31,33 @@ static void add_limits(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, ": between them it\n  lets go or holds again.\n");
 }
 
+static bool is_beyond(tp_bounded angle, tp_bounded other) {
+  return angle.value + angle.error > other.value - other.error;
+}
+
+/* Is anything said of tilts at which level water would run over the top of its face? */
+static bool speaks_beyond_the_face(const tp_page *p, const tp_case *c) {
+  const tp_bounded top = c->water_overtops_deg;
+  if (p->solution->has_tilt_angle && is_beyond(p->solution->tilt_angle_deg, top)) return true;
+  if (c->limit.kind != TP_LIMIT_AT_ANGLE || is_beyond(c->limit.critical_angle_deg, top))
+    return true;
+  const tp_sliding *s = &c->sliding;
+  return s->known && !s->never && !s->always && is_beyond(s->critical_angle_deg, top);
+}
+
+static void add_overtopping(tp_page *p, const tp_case *c) {
+  char n[TP_NUMBER_SIZE];
+  if (!c->water_overtops || !speaks_beyond_the_face(p, c)) return;
+  tp_text_add(&p->text,
+              "  Caution: beyond %s° the level of the water is above the top of its face. There\n"
+              "  its pressure is reckoned as if the face went on: more than it can exert.\n",
+              tp_text_fixed(n, c->water_overtops_deg, 3));
+}
+
 void tp_page_add_loads(tp_page *p, const tp_case *c) {
-  if (!p->solution->loaded || !c->has_governing) return;
+  if (!p->solution->loaded) return;
+  add_overtopping(p, c);
+  if (!c->has_governing) return;
   add_limits(p, c);
   if (c->load_count == 0) return;
   tp_text_add(&p->text, "\n  Moments about the governing pivot, overturning positive\n");
@@ -46,6 +71,11 @@ void tp_page_add_loads(tp_page *p, const tp_case *c) {
 }
 
 void tp_json_loads(tp_text *t, const tp_case *c) {
+  if (c->water_overtops) {
+    tp_text_add(t, "      ");
+    tp_json_number(t, "water_overtops_deg", c->water_overtops_deg);
+    tp_text_add(t, ",\n");
+  }
   if (c->load_count == 0) return;
   tp_text_add(t, "      \"loads\": [");
   for (size_t k = 0; k < c->load_count; k++) {

@@ -35,7 +35,8 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
               pivot != NULL ? tp_text_pivot_kind(pivot->kind) : "-");
   add_angle(t, pivot != NULL && !pivot->never && !pivot->always,
             pivot != NULL ? pivot->critical_angle_deg : (tp_bounded){0});
-  add_angle(t, c->sliding.known && !c->sliding.never, c->sliding.critical_angle_deg);
+  add_angle(t, c->sliding.known && !c->sliding.never && !c->sliding.always,
+            c->sliding.critical_angle_deg);
   add_limit(t, goes_on ? &c->limit_otherwise : &c->limit);
   add_limit(t, goes_on ? &c->limit : &c->limit_otherwise);
   tp_text_add(t, " |\n");

@@ -158,6 +158,12 @@ static void add_pivots(tp_page *p, const tp_case *c) {
   }
 }
 
+/* One that is a number; "none" of one below zero. */
+static void add_factor(tp_page *p, const char *name, tp_fos fos) {
+  char n[TP_NUMBER_SIZE];
+  if (fos.state == TP_FOS_NUMBER) tp_text_add(&p->text, "%s%s", name, tp_page_fos(n, fos));
+}
+
 static void add_sliding(tp_page *p, const tp_case *c) {
   const tp_sliding *s = &c->sliding;
   char n[8][TP_NUMBER_SIZE];
@@ -166,6 +172,12 @@ static void add_sliding(tp_page *p, const tp_case *c) {
     return;
   }
   if (!s->known) return;
+  if (p->solution->loaded && (s->never || s->always)) {
+    tp_text_add(&p->text, "  Sliding under the loads: at %s tilt", s->never ? "no" : "every");
+    if (s->always) add_factor(p, ", FoS ", s->fos);
+    tp_text_add(&p->text, ".\n");
+    return;
+  }
   if (s->never) {
     tp_text_add(&p->text,
                 "  Sliding by Patton's φ_b + i: never, a facet stands too steep in the way.\n");
@@ -174,9 +186,7 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   if (p->solution->loaded) {
     tp_text_add(&p->text, "  Sliding under the loads: %s°",
                 tp_text_fixed(n[0], s->critical_angle_deg, 3));
-    if (s->fos.state == TP_FOS_NUMBER) {
-      tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[1], s->fos.value, 3));
-    }
+    add_factor(p, ", FoS ", s->fos);
     tp_text_add(&p->text, ",\n  by the forces along and across the facet\n");
     return;
   }
@@ -186,9 +196,7 @@ static void add_sliding(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  Sliding by Patton's φ_b %s i = %s° %s %s° = %s°", climbs ? "+" : "-",
               tp_page_degrees(n[0], s->friction_angle_deg), climbs ? "+" : "-",
               tp_page_degrees(n[1], i), tp_text_fixed(n[2], s->critical_angle_deg, 3));
-  if (s->fos.state == TP_FOS_NUMBER) {
-    tp_text_add(&p->text, ", FoS %s", tp_text_fixed(n[3], s->fos.value, 3));
-  }
+  add_factor(p, ", FoS ", s->fos);
   if (s->fos_strength.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, ",\n  %s by strength reduction",
                 tp_text_fixed(n[4], s->fos_strength.value, 3));

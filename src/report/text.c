@@ -49,6 +49,19 @@ static void drop_minus_of_zero(char *number) {
   if (number[0] == '-' && strtod(number, NULL) == 0) memmove(number, number + 1, strlen(number));
 }
 
+/* Where no digit is certain: a value and a bound, both short, that hold what the number does. */
+static const char *with_bound(char out[TP_NUMBER_SIZE], tp_bounded number) {
+  char value[16];
+  snprintf(value, sizeof value, "%.3g", fabs(number.value) > number.error ? number.value : 0.0);
+  const double off = fabs(number.value - strtod(value, NULL)) + number.error;
+  /* one digit, rounded up: 0.95 of the last place is more than half of it and the roundings above
+   */
+  double place = pow(10, floor(log10(off)));
+  if (!(place > 0 && isfinite(place))) place = off;
+  snprintf(out, TP_NUMBER_SIZE, "%s ± %.1g", value, off + 0.95 * place);
+  return out;
+}
+
 static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digits, int least,
                            const char *format) {
   char low[TP_NUMBER_SIZE], high[TP_NUMBER_SIZE];
@@ -67,7 +80,8 @@ static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digi
     drop_minus_of_zero(high);
     if (strcmp(low, high) == 0) break;
   }
-  snprintf(out, TP_NUMBER_SIZE, digits >= least ? "%s" : "uncertain", low);
+  if (digits < least) return with_bound(out, number);
+  snprintf(out, TP_NUMBER_SIZE, "%s", low);
   return out;
 }
 
@@ -85,6 +99,23 @@ tp_bounded tp_text_over(tp_bounded number, double divisor) {
   const double value = number.value / divisor;
   return (tp_bounded){.value = value,
                       .error = 1.01 * number.error / divisor + 2 * DBL_EPSILON * fabs(value)};
+}
+
+const char *tp_text_fos(tp_fos fos) {
+  switch (fos.state) {
+  case TP_FOS_NUMBER:
+    return fos.value.value < -fos.value.error ? "none: what should hold it drives it" : NULL;
+  case TP_FOS_NO_OVERTURNING:
+    return "unbounded: nothing drives it";
+  case TP_FOS_UNDEFINED:
+    return "none: no strength would hold it";
+  case TP_FOS_UNDECIDED:
+    return "undecided";
+  case TP_FOS_NO_TILT:
+  case TP_FOS_NOT_ASKED:
+    break;
+  }
+  return NULL;
 }
 
 const char *tp_text_pivot_kind(tp_pivot_kind kind) {

@@ -29,6 +29,10 @@ const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int
 /* The number over a positive divisor that is a double rounded to nearest (a unit). */
 tp_bounded tp_text_over(tp_bounded number, double divisor);
 
+/* What a factor of safety is that is no number above zero; NULL of one that is, and of one that was
+ * not asked for. */
+const char *tp_text_fos(tp_fos fos);
+
 const char *tp_text_pivot_kind(tp_pivot_kind kind);
 const char *tp_text_mechanism(tp_mechanism mechanism);
 const char *tp_text_direction(tp_direction direction);

@@ -216,22 +216,21 @@ static void nominal_length(const tp_evaluation *e, arb_t length) {
 }
 
 /* Weight over length times thickness; a contact in points alone has no area. */
-static tp_bounded pressure(tp_evaluation *e, const tp_bounded length_m, const arb_t length,
-                           const arb_t newton) {
-  if (length_m.value <= 0) return (tp_bounded){.error = INFINITY};
+static tp_bounded pressure(arb_t value, tp_evaluation *e, const tp_bounded length_m,
+                           const arb_t length, const arb_t newton) {
+  if (length_m.value <= 0) {
+    arb_indeterminate(value);
+    return (tp_bounded){.error = INFINITY};
+  }
   const long bits = e->rung.bits;
   fmpq_t width;
-  arb_t value;
   fmpq_init(width);
-  arb_init(value);
   tp_problem_thickness(width, e->problem);
   arb_div(value, newton, length, bits);
   arb_div_fmpz(value, value, fmpq_numref(width), bits);
   arb_mul_fmpz(value, value, fmpq_denref(width), bits);
-  const tp_bounded result = tp_evaluation_result(e, value);
-  arb_clear(value);
   fmpq_clear(width);
-  return result;
+  return tp_evaluation_result(e, value);
 }
 
 static tp_bounded length_in_metres(tp_evaluation *e, const tp_quantity *quantity) {
@@ -261,7 +260,8 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
       contact->corner_points += f->t0 == f->t1;
     }
   }
-  arb_t length, newton;
+  arb_t length, newton, value;
+  arb_init(value);
   arb_init(length);
   arb_init(newton);
   weight(e, newton);
@@ -273,13 +273,15 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
   }
   contact->length_m = in_metres(e, length, 1);
   if (solution->block.has_weight) {
-    contact->weight_per_contact_area_pa = pressure(e, contact->length_m, length, newton);
+    contact->weight_per_contact_area_pa = pressure(value, e, contact->length_m, length, newton);
   }
   nominal_length(e, length);
   contact->nominal_length_m = in_metres(e, length, 1);
   if (solution->block.has_weight) {
-    contact->weight_per_nominal_area_pa = pressure(e, contact->nominal_length_m, length, newton);
+    contact->weight_per_nominal_area_pa =
+        pressure(e->weight_per_area_pa, e, contact->nominal_length_m, length, newton);
   }
   arb_clear(length);
   arb_clear(newton);
+  arb_clear(value);
 }

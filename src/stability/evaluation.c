@@ -20,6 +20,11 @@ bool tp_evaluation_is_zero_width(const tp_evaluation *e, const arb_t ball, doubl
          mag_get_d_log2_approx(arb_radref(ball)) < log2_scale - 0.5 * (double)e->rung.bits;
 }
 
+bool tp_evaluation_is_settled(const tp_evaluation *e, const arb_t ball) {
+  enum { SETTLING_BITS = 1280 };
+  return e->rung.bits >= SETTLING_BITS && tp_evaluation_is_zero_width(e, ball, 0);
+}
+
 tp_bounded tp_evaluation_bounded(const tp_evaluation *e, const arb_t ball) {
   tp_bounded result = tp_ball_bounded(ball);
   if (e->decimals != NULL) result.digits = tp_decimals_keep(e->decimals, ball);
@@ -122,6 +127,9 @@ int tp_evaluation_compare(tp_evaluation *evaluation, const tp_direction_ball *a,
       cross_sign(a, b, &sign)) {
     return sign;
   }
-  evaluation->certain = false;
+  if (!tp_evaluation_is_settled(evaluation, a->degrees) ||
+      !tp_evaluation_is_settled(evaluation, b->degrees)) {
+    evaluation->certain = false;
+  }
   return 0;
 }

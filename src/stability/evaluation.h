@@ -17,7 +17,7 @@ typedef struct tp_evaluation {
   tp_decimals *decimals; /* where more digits are asked for than a double holds; else NULL */
   bool reduces_strength; /* for the factor of safety of the limit */
   tp_moments moments;
-  tp_bounded weight_per_area_pa; /* on the mean plane, level, where the block has a weight */
+  arb_t weight_per_area_pa; /* on the mean plane, level; zero where the block has no weight */
   bool certain;                  /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
@@ -64,6 +64,9 @@ tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ba
 bool tp_evaluation_is_zero_width(const tp_evaluation *evaluation, const arb_t ball,
                                  double log2_scale);
 
+/* Likewise with a scale of 1 and from a higher rung on: for what decides which of two is named. */
+bool tp_evaluation_is_settled(const tp_evaluation *evaluation, const arb_t ball);
+
 /* An exact rational as a result. */
 tp_bounded tp_evaluation_rational(const fmpq_t value);
 
@@ -104,7 +107,9 @@ void tp_evaluate_pivots(tp_evaluation *evaluation, tp_case *result, tp_direction
 void tp_evaluate_turning(tp_evaluation *evaluation, tp_direction towards, long k,
                          tp_direction_ball *angle);
 
-/* Critical angle of the governing pivot alone; false where no pivot is admissible. */
+/* Critical angle of the governing pivot alone; false where no pivot is admissible. Of those with the
+ * same angle, or with none, the least safe at the scene's tilt governs; of those alike in that too,
+ * the one furthest down-dip. `*tie`: another one has the same angle. */
 bool tp_evaluate_toppling(tp_evaluation *evaluation, tp_direction towards,
                           tp_direction_ball *toppling, size_t *governing, bool *tie);
 

@@ -10,7 +10,8 @@
  * bound does not reach the wanted value. A bracket over which the result jumps is no solution.
  * Where of three points in a row on one side the middle one is nearest to the wanted value, the
  * nearest between them is looked for: it may lie beyond the value, which gives two solutions, or
- * come so close that the bound does not tell whether it touches it: a double solution, or none. */
+ * come so close that the bound does not tell whether it touches it: a double solution, or none.
+ * Where the result stays at the value, the ends of that stretch are bisected (find_level.c). */
 
 #include "scene/key.h"
 #include "stability/find_search.h"
@@ -40,6 +41,7 @@ void tp_found_free(tp_found *found) {
   free(found->key);
   free(found->solutions);
   free(found->touching);
+  free(found->intervals);
   free(found);
 }
 
@@ -93,7 +95,8 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
     s.status = tp_key_find(s.scene.numbers, s.scene.root, options->key, scene, message);
     if (s.status == TP_OK) s.status = check_target(&s);
     if (s.status == TP_OK) s.status = set_range(&s, own);
-    if (s.status == TP_OK) tp_search_scan(&s, own);
+    s.found = own;
+    if (s.status == TP_OK) tp_search_scan(&s);
     tp_node_free(s.scene.root);
   }
   if (s.status == TP_OK) {

@@ -25,11 +25,6 @@ static void log_strength(arb_t value, const arb_t sigma, const tp_evaluation *e)
   arb_clear(ten);
 }
 
-/* On level ground, under the weight alone. */
-static void level_stress(arb_t sigma, const tp_evaluation *e) {
-  tp_ball_set_bounded(sigma, e->weight_per_area_pa.value, e->weight_per_area_pa.error);
-}
-
 /* Given, by Eq. (9), or by Eq. (10) at the stress on level ground. */
 static void set_jrc(arb_t jrc, const tp_evaluation *e) {
   const tp_scene *scene = e->problem->scene;
@@ -43,7 +38,7 @@ static void set_jrc(arb_t jrc, const tp_evaluation *e) {
   arb_init(sigma);
   arb_init(divisor);
   if (f->roughness_angle_deg.given) {
-    level_stress(sigma, e);
+    arb_set(sigma, e->weight_per_area_pa);
     arb_set_fmpq(jrc, f->roughness_angle_deg.value, bits);
   } else {
     fmpq_t angle;
@@ -118,9 +113,8 @@ void tp_friction_at(arb_t degrees, const tp_evaluation *e, const arb_t tilt) {
   arb_t sigma, ratio;
   arb_init(sigma);
   arb_init(ratio);
-  level_stress(sigma, e);
   stress_ratio(ratio, e, tilt);
-  arb_mul(sigma, sigma, ratio, bits);
+  arb_mul(sigma, e->weight_per_area_pa, ratio, bits);
   barton(degrees, sigma, e);
   arb_clear(sigma);
   arb_clear(ratio);

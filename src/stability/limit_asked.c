@@ -41,7 +41,7 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
     tp_trig_add(&load->x, &e->loaded->sum.x, e->rung.bits);
     tp_trig_add(&load->y, &e->loaded->sum.y, e->rung.bits);
     tp_trig_add(&load->moment, &e->loaded->sum.moment, e->rung.bits);
-    arb_set(asked->range, e->loaded->limit);
+    arb_set(asked->range, e->loaded->range);
   }
   if (back) turn_back(load);
   asked->question = (tp_limit_question){

@@ -54,29 +54,54 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
   set_contact_end(s->heel_x, s->heel_y, e, s->mirrored ? 0 : last, s->mirrored);
 }
 
-/* acos(height / face), the face reaching from the heel to the top of the block. */
-static void set_limit(arb_t limit, const tp_load_setting *s, const tp_evaluation *e) {
+/* How far the table is tilted in search of a limit: to upright, or where 1 / cos grows beyond all
+ * bounds to all but a millionth of that. */
+static void set_range(arb_t range, const tp_water_description *water, long bits) {
+  enum { NEAR_UPRIGHT = 20 };
+  arb_const_pi(range, bits);
+  arb_mul_2exp_si(range, range, -1);
+  if (!water->given || !water->stays_level || fmpq_is_zero(water->height.value)) return;
+  arb_t off;
+  arb_init(off);
+  arb_mul_2exp_si(off, range, -NEAR_UPRIGHT);
+  arb_sub(range, range, off, bits);
+  arb_clear(off);
+}
+
+void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
   const tp_water_description *water = &e->problem->scene->loads.water;
   const tp_lattice *l = &e->problem->lattice;
-  arb_const_pi(limit, s->bits);
-  arb_mul_2exp_si(limit, limit, -1);
-  if (!water->given || !water->stays_level) return;
+  const tp_contact *contact = &e->problem->contact;
+  const bool left = result->towards == TP_TOWARDS_LEFT;
+  const long heel = contact->points[left ? contact->point_count - 1 : 0].point;
+  result->water_overtops = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
+  if (!result->water_overtops) return;
   long top = 0;
   for (long k = 1; k < l->start[1]; k++) {
     if (fmpz_cmp(l->y + k, l->y + top) > 0) top = k;
   }
-  arb_t face, height;
-  arb_init(face);
-  arb_init(height);
-  arb_set_fmpz(face, l->y + top);
-  to_metres(face, l->origin_y, e);
-  arb_sub(face, face, s->heel_y, s->bits);
-  tp_load_metres(height, water->height.value, s);
-  arb_div(face, height, face, s->bits);
-  arb_acos(face, face, s->bits);
-  if (arb_is_finite(face)) arb_set(limit, face);
-  arb_clear(face);
-  arb_clear(height);
+  fmpq_t face, height;
+  arb_t cosine, angle;
+  fmpq_init(face);
+  fmpq_init(height);
+  arb_init(cosine);
+  arb_init(angle);
+  fmpz_sub(fmpq_numref(face), l->y + top, l->y + heel);
+  fmpq_mul(face, face, l->step_m);
+  fmpq_mul(height, water->height.value, e->problem->scene->metres_per_unit);
+  fmpq_div(height, height, face); /* the face is as high as the water at least */
+  if (!fmpq_is_one(height)) {
+    arb_set_fmpq(cosine, height, e->rung.bits);
+    arb_acos(angle, cosine, e->rung.bits);
+    arb_const_pi(cosine, e->rung.bits);
+    arb_mul_ui(angle, angle, 180, e->rung.bits);
+    arb_div(angle, angle, cosine, e->rung.bits);
+  }
+  result->water_overtops_deg = tp_evaluation_result(e, angle);
+  fmpq_clear(face);
+  fmpq_clear(height);
+  arb_clear(cosine);
+  arb_clear(angle);
 }
 
 bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towards,
@@ -89,12 +114,12 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   loaded->count = tp_loads_count(&scene->loads);
   for (long k = 0; k < loaded->count; k++) tp_wrench_init(&loaded->items[k].wrench);
   tp_wrench_init(&loaded->sum);
-  arb_init(loaded->limit);
+  arb_init(loaded->range);
   tp_load_setting setting;
   tp_load_setting_init(&setting, scene, loaded->mirrored, e->rung.bits);
   fill_setting(&setting, e);
   tp_loads_evaluate(loaded->items, &setting);
-  set_limit(loaded->limit, &setting, e);
+  set_range(loaded->range, &scene->loads.water, e->rung.bits);
   tp_load_setting_clear(&setting);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *own = loaded->items + k;
@@ -115,7 +140,7 @@ void tp_loaded_clear(tp_loaded *loaded) {
   for (long k = 0; k < loaded->count; k++) tp_wrench_clear(&loaded->items[k].wrench);
   free(loaded->items);
   tp_wrench_clear(&loaded->sum);
-  arb_clear(loaded->limit);
+  arb_clear(loaded->range);
 }
 
 void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *e) {
@@ -207,7 +232,7 @@ void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
   arb_init(sine);
   arb_init(cosine);
   tp_loaded_moment(&moment, loaded, e, k);
-  tp_roots_find(roots, &moment, loaded->limit, e->rung.bits);
+  tp_roots_find(roots, &moment, e->rung.bits);
   arb_one(cosine);
   tp_trig_evaluate(level, &moment, sine, cosine, e->rung.bits);
   bool always = false;

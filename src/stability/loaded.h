@@ -17,7 +17,7 @@ struct tp_loaded {
   long count;
   tp_load *items;
   tp_wrench sum;
-  arb_t limit; /* radians up to which water that stays level stays below the top of its face */
+  arb_t range; /* radians up to which a static limit is looked for */
 };
 
 /* False when memory is exhausted. */
@@ -46,9 +46,17 @@ void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluat
 void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
                         tp_evaluation *evaluation, long k);
 
+/* The factor of safety about a contact point at the scene's tilt, where the state says that it is a
+ * number. */
+tp_fos_state tp_loaded_factor(arb_t factor, const tp_loaded *loaded, tp_evaluation *evaluation,
+                              long k);
+
 /* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
 void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
                      long k, const arb_t degrees, const tp_roots *roots);
+
+/* The tilt beyond which water that stays level would stand above the top of its face. */
+void tp_loaded_overtops(tp_case *result, tp_evaluation *evaluation);
 
 /* The account of loads about the governing pivot; room for tp_loaded_account_count. */
 long tp_loaded_account_count(const tp_scene *scene);
@@ -59,8 +67,8 @@ bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluatio
                                const bool *admissible);
 
 /* Sliding down along a facet, (run, rise) as in stability/sliding.c, with a friction angle in
- * degrees and the cohesion of the contact: the critical angle in degrees, or false where it never
- * slides; the factor of safety is with the friction at the scene's tilt. */
+ * degrees and the cohesion of the contact: the critical angle in degrees, -180 where it slides at
+ * every tilt, or false where it never does; the factor of safety is with the friction at the scene's tilt. */
 bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded,
                        tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise,
                        const arb_t friction);

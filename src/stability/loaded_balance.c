@@ -102,6 +102,21 @@ static void balance_clear(balance *b) {
   arb_clear(b->overturning);
 }
 
+tp_fos_state tp_loaded_factor(arb_t factor, const tp_loaded *loaded, tp_evaluation *e, long k) {
+  if (!e->problem->scene->tilt_angle_deg.given) return TP_FOS_NO_TILT;
+  tp_fos_state state = TP_FOS_NO_OVERTURNING;
+  balance b = {.account = NULL};
+  balance_at(&b, loaded, e, k);
+  if (arb_is_positive(b.overturning)) {
+    arb_div(factor, b.stabilising, b.overturning, e->rung.bits);
+    state = TP_FOS_NUMBER;
+  } else if (!arb_is_nonpositive(b.overturning)) {
+    e->certain = false;
+  }
+  balance_clear(&b);
+  return state;
+}
+
 void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *e, long point,
                      const arb_t degrees, const tp_roots *roots) {
   pivot->never = arb_equal_si(degrees, 180) != 0;
@@ -112,19 +127,13 @@ void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *e,
     pivot->limits_deg[pivot->limit_count++] = tp_evaluation_result(e, roots->degrees + k);
   }
   pivot->fos_elements = (tp_fos){.state = TP_FOS_NOT_ASKED};
-  pivot->fos_resultant = (tp_fos){.state = TP_FOS_NO_TILT};
-  if (!e->problem->scene->tilt_angle_deg.given) return;
-  balance b = {.account = NULL};
-  balance_at(&b, loaded, e, point);
-  pivot->fos_resultant.state = TP_FOS_NO_OVERTURNING;
-  if (arb_is_positive(b.overturning)) {
-    arb_div(b.stabilising, b.stabilising, b.overturning, e->rung.bits);
-    pivot->fos_resultant.state = TP_FOS_NUMBER;
-    pivot->fos_resultant.value = tp_evaluation_result(e, b.stabilising);
-  } else if (!arb_is_nonpositive(b.overturning)) {
-    e->certain = false;
+  arb_t factor;
+  arb_init(factor);
+  pivot->fos_resultant = (tp_fos){.state = tp_loaded_factor(factor, loaded, e, point)};
+  if (pivot->fos_resultant.state == TP_FOS_NUMBER) {
+    pivot->fos_resultant.value = tp_evaluation_result(e, factor);
   }
-  balance_clear(&b);
+  arb_clear(factor);
 }
 
 long tp_loaded_account_count(const tp_scene *scene) {

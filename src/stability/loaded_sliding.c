@@ -148,7 +148,7 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_e
   resolve(&excess, &normal, &loaded->sum, &f, bits);
   tp_trig_submul(&excess, &normal, f.friction, bits);
   arb_sub(excess.of + TP_ONE, excess.of + TP_ONE, f.cohesion, bits);
-  tp_roots_find(&roots, &excess, loaded->limit, bits);
+  tp_roots_find(&roots, &excess, bits);
   arb_one(cosine);
   tp_trig_evaluate(level, &excess, sine, cosine, bits);
   bool always = false;

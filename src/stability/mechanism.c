@@ -26,6 +26,14 @@ static const tp_direction_ball *first_by_formula(tp_evaluation *e, tp_case *resu
                                                  const tp_direction_ball *sliding) {
   const bool topples = result->has_governing && against_upright(e, toppling) < 0;
   const bool slides = result->sliding.known && !result->sliding.never;
+  const bool topples_always = topples && result->pivots[result->governing].always;
+  const bool slides_always = slides && result->sliding.always;
+  if (topples_always || slides_always) {
+    result->first = !slides_always    ? TP_TOPPLES
+                    : !topples_always ? TP_SLIDES
+                                      : TP_SLIDES_AND_TOPPLES;
+    return NULL;
+  }
   if (topples && slides) {
     const int side = tp_evaluation_compare(e, toppling, sliding);
     result->first = side < 0 ? TP_TOPPLES : side > 0 ? TP_SLIDES : TP_SLIDES_AND_TOPPLES;
@@ -123,6 +131,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   arb_set_fmpq(angle, tilt->value, e->rung.bits); /* 0 where not given */
   result->mechanism = result->first;
   result->has_margin = first != NULL && tilt->given;
+  result->has_first_angle = first != NULL;
   if (first != NULL) result->first_angle_deg = tp_evaluation_result(e, first->degrees);
   if (result->has_margin) {
     set_margin(margin, e, first);

@@ -113,6 +113,39 @@ static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, 
   return fos;
 }
 
+/* From the least safe on. */
+static int rank(tp_fos_state state) {
+  return state == TP_FOS_NUMBER ? 0 : 1;
+}
+
+/* At the scene's tilt, of two contact points about which it lets go at the same angle, or at none.
+ * By the weight alone they have the same factor. */
+static bool is_less_safe(tp_evaluation *e, long k, long than) {
+  if (e->loaded == NULL || !e->problem->scene->tilt_angle_deg.given) return false;
+  arb_t own, other;
+  arb_init(own);
+  arb_init(other);
+  const tp_fos_state state = tp_loaded_factor(own, e->loaded, e, k);
+  const tp_fos_state held = tp_loaded_factor(other, e->loaded, e, than);
+  bool less = rank(state) < rank(held);
+  if (state == TP_FOS_NUMBER && held == TP_FOS_NUMBER) {
+    less = arb_lt(own, other);
+    const bool open = arb_overlaps(own, other) && !(arb_is_exact(own) && arb_is_exact(other));
+    if (open && !(tp_evaluation_is_settled(e, own) && tp_evaluation_is_settled(e, other))) {
+      e->certain = false;
+    }
+  }
+  arb_clear(own);
+  arb_clear(other);
+  return less;
+}
+
+/* Loads may leave a pivot no critical angle. */
+static bool has_angle(const tp_evaluation *e, const tp_direction_ball *angle) {
+  return e->loaded == NULL ||
+         !(arb_equal_si(angle->degrees, 180) || arb_equal_si(angle->degrees, -180));
+}
+
 bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_ball *toppling,
                           size_t *governing, bool *tie) {
   const tp_contact *contact = &e->problem->contact;
@@ -120,17 +153,20 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   tp_direction_ball_init(&angle);
   bool found = false;
   *tie = false;
-  for (long k = 0; k < contact->point_count; k++) {
+  for (long step = 0; step < contact->point_count; step++) {
+    const long k = towards == TP_TOWARDS_LEFT ? step : contact->point_count - 1 - step;
     if (!e->problem->admissible[towards][k]) continue;
     tp_evaluate_turning(e, towards, k, &angle);
     const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
-    if (side == 0) *tie = e->loaded == NULL || !arb_is_exact(angle.degrees); /* both never */
-    if (side >= 0) continue;
+    const bool ties = side == 0 && has_angle(e, &angle);
+    const bool governs =
+        side < 0 || (side == 0 && is_less_safe(e, k, (long)*governing));
+    *tie = side < 0 ? false : *tie || ties;
+    if (!governs) continue;
     const tp_direction_ball held = *toppling;
     *toppling = angle;
     angle = held;
     *governing = (size_t)k;
-    *tie = false;
     found = true;
   }
   tp_direction_ball_clear(&angle);

@@ -146,6 +146,20 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
   return TP_OK;
 }
 
+/* By the up-dip end of the contact. */
+static tp_status check_water(const tp_problem *problem, long heel, const char *towards,
+                             tp_message *message) {
+  const tp_lattice *l = &problem->lattice;
+  fmpq_t y;
+  fmpq_init(y);
+  tp_lattice_metres_y(y, l, l->y + problem->contact.points[heel].point);
+  fmpq_div(y, y, problem->scene->metres_per_unit);
+  const tp_status status =
+      tp_loads_check_water(problem->scene, &problem->section, y, towards, message);
+  fmpq_clear(y);
+  return status;
+}
+
 static tp_status check_loads(tp_problem *problem, const tp_solve_options *options,
                              tp_message *message) {
   const tp_scene *scene = problem->scene;
@@ -166,13 +180,11 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
     return tp_fail(message, TP_BAD_INPUT, glued->place,
                    "the block touches its base in points alone: there is no contact to hold");
   }
-  fmpq_t heel_y;
-  fmpq_init(heel_y);
-  const long last = scene->towards_left ? contact->point_count - 1 : 0;
-  tp_lattice_metres_y(heel_y, &problem->lattice, problem->lattice.y + contact->points[last].point);
-  fmpq_div(heel_y, heel_y, scene->metres_per_unit);
-  const tp_status status = tp_loads_check(scene, &problem->section, heel_y, message);
-  fmpq_clear(heel_y);
+  tp_status status = tp_loads_check(scene, &problem->section, message);
+  if (status == TP_OK && scene->towards_left) {
+    status = check_water(problem, contact->point_count - 1, "left", message);
+  }
+  if (status == TP_OK && scene->towards_right) status = check_water(problem, 0, "right", message);
   return status;
 }
 

@@ -182,7 +182,8 @@ static void describe(tp_evaluation *e, tp_case *result, const tp_sliding_facet *
   if (e->loaded != NULL) {
     s->fos_strength = (tp_fos){.state = TP_FOS_NOT_ASKED};
     s->never = best->blocked || !slides;
-    if (!s->never) s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
+    s->always = !s->never && arb_equal_si(sliding->degrees, -180);
+    if (!s->never && !s->always) s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
   } else {
     s->fos_strength = strength_factor(e, angle);
     arb_set_ui(angle, 90);

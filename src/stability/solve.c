@@ -78,6 +78,7 @@ static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
   evaluation->loaded = &loaded;
   const bool done = evaluate_motions(evaluation, own, c);
   tp_loaded_account(own, &loaded, evaluation);
+  tp_loaded_overtops(own, evaluation);
   tp_loaded_clear(&loaded);
   return done;
 }
@@ -95,16 +96,17 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .settled = {c->settled[0], c->settled[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
+  arb_init(evaluation.weight_per_area_pa);
   tp_evaluate_moments(&evaluation);
   tp_evaluate_block(&evaluation, c->solution);
   tp_evaluate_contact(&evaluation, c->solution);
-  evaluation.weight_per_area_pa = c->solution->contact.weight_per_nominal_area_pa;
   tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
   bool done = true;
   for (size_t k = 0; k < c->solution->case_count && done; k++) {
     done = evaluate_case(&evaluation, c->solution->cases + k, c);
   }
   tp_moments_clear(&evaluation.moments);
+  arb_clear(evaluation.weight_per_area_pa);
   *certain = evaluation.certain;
   done = done && (evaluation.decimals == NULL || !tp_decimals_failed(evaluation.decimals));
   return done ? TP_OK : tp_fail_memory(c->message, "the loads, the limit or the digits");

@@ -72,7 +72,7 @@ static void take(tp_look *look, const tp_solution *solution) {
                        !own->pivots[own->governing].always;
   look->governing = own->governing;
   if (look->has_toppling) look->toppling_deg = own->pivots[own->governing].critical_angle_deg;
-  look->has_sliding = own->sliding.known && !own->sliding.never;
+  look->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
   if (look->has_sliding) look->sliding_deg = own->sliding.critical_angle_deg;
   look->has_dynamic = tp_dynamic_border_of(&delta, &kappa, solution, own) &&
                       delta <= own->limit.friction_angle_deg.value;
