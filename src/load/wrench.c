@@ -3,6 +3,10 @@
 
 #include "load/wrench.h"
 
+#include "number/ball.h"
+
+#include <math.h>
+
 void tp_trig_init(tp_trig *f) {
   for (int k = 0; k < TP_BASIS; k++) arb_init(f->of + k);
 }
@@ -67,4 +71,15 @@ void tp_wrench_moment(tp_trig *moment, const tp_wrench *wrench, const arb_t x, c
   for (int k = 0; k < TP_BASIS; k++) arb_set(moment->of + k, wrench->moment.of + k);
   tp_trig_submul(moment, &wrench->y, x, bits);
   tp_trig_addmul(moment, &wrench->x, y, bits);
+}
+
+double tp_wrench_moment_log2(const tp_wrench *w, const arb_t x, const arb_t y) {
+  const double along = tp_ball_log2_above(x), up = tp_ball_log2_above(y);
+  double most = -INFINITY;
+  for (int k = 0; k < TP_BASIS; k++) {
+    most = fmax(most, tp_ball_log2_above(w->moment.of + k));
+    most = fmax(
+        most, fmax(along + tp_ball_log2_above(w->y.of + k), up + tp_ball_log2_above(w->x.of + k)));
+  }
+  return most;
 }

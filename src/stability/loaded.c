@@ -154,14 +154,11 @@ void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluati
   if (loaded->mirrored) arb_neg(x, x);
 }
 
-/* The moment of a tensile bond on a facet that opens as the block turns about the axis, overturning
- * or back: strength times thickness times the distance along the facet, summed over its length. */
-static void facet_bond(arb_t sum, const tp_facet *f, const arb_t px, const arb_t py, bool back,
-                       const tp_loaded *loaded, const tp_evaluation *e) {
+/* (q - P) . t for both ends q of a facet and t = q1 - q0 not normalised; its square length. */
+static void along_facet(arb_t ends[2], arb_t square, const tp_facet *f, const arb_t px,
+                        const arb_t py, const tp_loaded *loaded, const tp_evaluation *e) {
   const long bits = e->rung.bits;
-  arb_t x[2], y[2], dot, part;
-  arb_init(dot);
-  arb_init(part);
+  arb_t x[2], y[2];
   for (int k = 0; k < 2; k++) {
     const bool begins = (k == 0) != loaded->mirrored;
     arb_init(x[k]);
@@ -169,26 +166,53 @@ static void facet_bond(arb_t sum, const tp_facet *f, const arb_t px, const arb_t
     tp_evaluation_place(x[k], y[k], e, begins ? tp_facet_begin(f) : tp_facet_end(f));
     tp_loaded_metres(x[k], y[k], e);
     if (loaded->mirrored) arb_neg(x[k], x[k]);
+    arb_sub(x[k], x[k], px, bits);
+    arb_sub(y[k], y[k], py, bits);
   }
-  /* (middle - P) . (q1 - q0): the mean distance times the length */
-  arb_add(part, x[0], x[1], bits);
-  arb_mul_2exp_si(part, part, -1);
-  arb_sub(part, part, px, bits);
-  arb_sub(dot, x[1], x[0], bits);
-  arb_mul(dot, dot, part, bits);
-  arb_add(part, y[0], y[1], bits);
-  arb_mul_2exp_si(part, part, -1);
-  arb_sub(part, part, py, bits);
-  arb_sub(y[1], y[1], y[0], bits);
-  arb_addmul(dot, part, y[1], bits);
-  if (back) arb_neg(dot, dot);
-  if (!arb_is_nonpositive(dot)) arb_add(sum, sum, dot, bits);
+  arb_t dx, dy;
+  arb_init(dx);
+  arb_init(dy);
+  arb_sub(dx, x[1], x[0], bits);
+  arb_sub(dy, y[1], y[0], bits);
+  arb_mul(square, dx, dx, bits);
+  arb_addmul(square, dy, dy, bits);
   for (int k = 0; k < 2; k++) {
+    arb_mul(ends[k], x[k], dx, bits);
+    arb_addmul(ends[k], y[k], dy, bits);
     arb_clear(x[k]);
     arb_clear(y[k]);
   }
-  arb_clear(dot);
-  arb_clear(part);
+  arb_clear(dx);
+  arb_clear(dy);
+}
+
+/* The moment of a tensile bond of strength 1 on the part of a facet that opens as the block turns
+ * about P, overturning or back. With s the distance (q - P) . t / |t| along the facet it opens
+ * where s > 0: the integral of s is (s1^2 - s0^2) / 2 with s0 and s1 not below 0. However the facet
+ * is divided, the sum is the same. */
+static void facet_bond(arb_t sum, const tp_facet *f, const arb_t px, const arb_t py, bool back,
+                       const tp_loaded *loaded, const tp_evaluation *e) {
+  const long bits = e->rung.bits;
+  arb_t ends[2], square, zero;
+  arb_init(ends[0]);
+  arb_init(ends[1]);
+  arb_init(square);
+  arb_init(zero);
+  along_facet(ends, square, f, px, py, loaded, e);
+  for (int k = 0; k < 2; k++) {
+    if (back) arb_neg(ends[k], ends[k]);
+    arb_max(ends[k], ends[k], zero, bits);
+    arb_mul(ends[k], ends[k], ends[k], bits);
+  }
+  arb_sub(ends[0], ends[1], ends[0], bits);
+  if (back) arb_neg(ends[0], ends[0]);
+  arb_div(ends[0], ends[0], square, bits);
+  arb_mul_2exp_si(ends[0], ends[0], -1);
+  arb_add(sum, sum, ends[0], bits);
+  arb_clear(ends[0]);
+  arb_clear(ends[1]);
+  arb_clear(square);
+  arb_clear(zero);
 }
 
 void tp_loaded_bond(arb_t moment, const arb_t px, const arb_t py, bool back,
@@ -208,8 +232,7 @@ void tp_loaded_bond(arb_t moment, const arb_t px, const arb_t py, bool back,
   fmpq_clear(factor);
 }
 
-void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *e,
-                      long k) {
+void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *e, long k) {
   arb_t x, y, held;
   arb_init(x);
   arb_init(y);

@@ -42,10 +42,16 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   tp_place_text(own->called_for_by, sizeof own->called_for_by, place);
 }
 
-/* By the sign of the moment; but what an active load holds back is taken from what overturns. */
-static tp_load_side side_of(const arb_t moment, bool active) {
-  if (arf_sgn(arb_midref(moment)) > 0) return TP_OVERTURNS;
-  return active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
+/* By the sign of the moment about the pivot; but what an active load holds back is taken from what
+ * overturns. A load whose line passes through the pivot overturns nothing. */
+static tp_load_side side_of(tp_evaluation *e, const tp_load *load, const arb_t moment,
+                            const arb_t x, const arb_t y) {
+  if (arb_contains_zero(moment) && !arb_is_zero(moment) &&
+      !tp_evaluation_is_zero_width(e, moment, tp_wrench_moment_log2(&load->wrench, x, y))) {
+    e->certain = false;
+  }
+  if (arb_is_positive(moment)) return TP_OVERTURNS;
+  return load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
 }
 
 /* The weight by its two components, as in Eq. (2); then each load; then the bond. */
@@ -65,13 +71,13 @@ static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t s
     tp_wrench_moment(&about, &own->wrench, x, y, bits);
     if (own->kind == TP_LOAD_WEIGHT) {
       arb_mul(moment, about.of + TP_COS, cosine, bits);
-      add_to(b, "weight, normal", own->place, moment, side_of(moment, false));
+      add_to(b, "weight, normal", own->place, moment, side_of(e, own, moment, x, y));
       arb_mul(moment, about.of + TP_SIN, sine, bits);
-      add_to(b, "weight, parallel", own->place, moment, side_of(moment, false));
+      add_to(b, "weight, parallel", own->place, moment, side_of(e, own, moment, x, y));
       continue;
     }
     tp_trig_evaluate(moment, &about, sine, cosine, bits);
-    add_to(b, tp_load_name(own->kind), own->place, moment, side_of(moment, own->active));
+    add_to(b, tp_load_name(own->kind), own->place, moment, side_of(e, own, moment, x, y));
   }
   if (e->problem->scene->loads.bond_kpa.given) {
     tp_loaded_bond(moment, x, y, false, loaded, e);
