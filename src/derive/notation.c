@@ -4,6 +4,8 @@
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include "derive/notation.h"
 
+#include "derive/field_work.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,10 +64,10 @@ static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp
   } else if (negative) {
     fputs("-", out);
   }
+  slong *exponents = flint_malloc((size_t)field->symbol_count * sizeof *exponents);
+  fmpz_mpoly_get_term_exp_si(exponents, polynomial, t, field->ring);
   bool constant = true;
-  for (long k = 0; k < field->symbol_count; k++) {
-    constant = constant && fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring) == 0;
-  }
+  for (long k = 0; k < field->symbol_count; k++) constant = constant && exponents[k] == 0;
   bool first = fmpz_is_one(coefficient) && !constant;
   if (!first) {
     char *digits = fmpz_get_str(NULL, 10, coefficient);
@@ -73,11 +75,11 @@ static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp
     flint_free(digits);
   }
   for (long k = 0; k < field->symbol_count; k++) {
-    const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
-    if (exponent == 0) continue;
-    add_factor(out, field->names[k], exponent, first, notation);
+    if (exponents[k] == 0) continue;
+    add_factor(out, field->names[k], exponents[k], first, notation);
     first = false;
   }
+  flint_free(exponents);
   fmpz_clear(coefficient);
 }
 
@@ -124,8 +126,18 @@ static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_fiel
 
 enum part { NUMERATOR, DENOMINATOR, WHOLE };
 
+/* What writing takes; where there is no room for it the text is empty, and never read. */
+static double writing_units(const fmpz_mpoly_struct *p, const tp_field *field) {
+  return 0.3 * (double)p->length * (1 + (double)labs(fmpz_mpoly_max_bits(p)) / 64) *
+         (1 + (double)field->symbol_count / 64);
+}
+
 static char *part_text(const fmpz_mpoly_q_t fraction, enum part part, const tp_field *field,
                        tp_notation notation) {
+  if (!tp_field_spend(field, writing_units(fmpz_mpoly_q_numref(fraction), field) +
+                                 writing_units(fmpz_mpoly_q_denref(fraction), field))) {
+    return strdup("");
+  }
   char *text = NULL;
   size_t length = 0;
   FILE *out = open_memstream(&text, &length);
@@ -167,7 +179,7 @@ tp_fraction tp_notation_write_quotient(const fmpz_mpoly_q_t top, const fmpz_mpol
   }
   fmpz_mpoly_q_t value;
   fmpz_mpoly_q_init(value, field->ring);
-  fmpz_mpoly_q_div(value, top, below, field->ring);
+  tp_field_div(value, top, below, field);
   f = tp_notation_write(value, field, notation, failed);
   fmpz_mpoly_q_clear(value, field->ring);
   return f;

@@ -11,6 +11,7 @@
 
 #include "verify/decide.h"
 
+#include "derive/field_work.h"
 #include "number/ball.h"
 
 #include <math.h>
@@ -22,7 +23,8 @@ enum { POINTS = 24, BITS = 256 };
 tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *derived,
                                bool *rational, bool *tangents, const tp_question *q) {
   tp_subject *s = q->subject;
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t value;
   fmpz_mpoly_q_init(value, ring);
   bool both = false;
@@ -38,13 +40,12 @@ tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *d
   }
   *rational = *rational && both;
   if (status == TP_OK && *rational) {
-    const char *problem = tp_field_too_large(difference, value, s->field);
+    tp_field_sub(difference, difference, value, field);
+    tp_subject_reduce(difference, s);
+    if (derived != NULL) fmpz_mpoly_q_swap(derived, value, field->ring);
+    const char *problem = tp_field_problem(field);
     if (problem != NULL) {
       status = tp_formula_fail(q->printed, tp_formula_root(q->printed), q->message, problem);
-    } else {
-      fmpz_mpoly_q_sub(difference, difference, value, ring);
-      tp_subject_reduce(difference, s);
-      if (derived != NULL) fmpz_mpoly_q_swap(derived, value, ring);
     }
   }
   fmpz_mpoly_q_clear(value, ring);

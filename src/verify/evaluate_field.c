@@ -5,6 +5,8 @@
 
 #include "verify/evaluate.h"
 
+#include "derive/field_work.h"
+
 #include <stdlib.h>
 
 /* What becomes of a node. */
@@ -24,6 +26,10 @@ typedef struct evaluation {
 
 static const fmpz_mpoly_ctx_struct *ring_of(const evaluation *e) {
   return e->subject->field->ring;
+}
+
+static const tp_field *field_of(const evaluation *e) {
+  return e->subject->field;
 }
 
 static outcome fail(evaluation *e, const tp_formula_node *node, const char *problem) {
@@ -158,28 +164,28 @@ static outcome call(evaluation *e, fmpz_mpoly_q_t value, const tp_formula_node *
 /* left = left op right */
 static outcome combine(evaluation *e, fmpz_mpoly_q_t left, const fmpz_mpoly_q_t right,
                        const tp_formula_node *node) {
-  const fmpz_mpoly_ctx_struct *ring = ring_of(e);
+  const tp_field *field = field_of(e);
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   if (node->kind == TP_FORMULA_POWER) return power(e, left, right, node);
-  const char *problem = tp_field_too_large(left, right, e->subject->field);
-  if (problem != NULL) return fail(e, node, problem);
   switch (node->kind) {
   case TP_FORMULA_ADD:
-    fmpz_mpoly_q_add(left, left, right, ring);
+    tp_field_add(left, left, right, field);
     break;
   case TP_FORMULA_SUBTRACT:
-    fmpz_mpoly_q_sub(left, left, right, ring);
+    tp_field_sub(left, left, right, field);
     break;
   case TP_FORMULA_MULTIPLY:
-    fmpz_mpoly_q_mul(left, left, right, ring);
+    tp_field_mul(left, left, right, field);
     break;
   default:
     if (fmpz_mpoly_q_is_zero(right, ring)) {
       return fail(e, node, "division by zero, whatever the values");
     }
-    fmpz_mpoly_q_div(left, left, right, ring);
+    tp_field_div(left, left, right, field);
     break;
   }
-  return RATIONAL;
+  const char *problem = tp_field_problem(field);
+  return problem == NULL ? RATIONAL : fail(e, node, problem);
 }
 
 /* The value of a node from those of its operands, which it may take over. */
@@ -250,7 +256,8 @@ tp_status tp_evaluate_field(fmpz_mpoly_q_t value, bool *rational, const tp_formu
 /* The tangent of a name: of a direction, of an angle, of what it is defined by. */
 static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long index,
                                  tp_subject *subject, tp_message *message) {
-  const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
+  const tp_field *field = subject->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const tp_name *name = NULL;
   const tp_status status = tp_subject_name(&name, subject, index, message);
   *rational = false;
@@ -259,7 +266,7 @@ static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long inde
     return tp_evaluate_tangent(value, rational, &name->definition, subject, message);
   }
   if (name->kind == TP_NAME_DIRECTION && !fmpz_mpoly_q_is_zero(name->run, ring)) {
-    fmpz_mpoly_q_div(value, name->value, name->run, ring);
+    tp_field_div(value, name->value, name->run, field);
     tp_subject_reduce(value, subject);
     *rational = true;
   }
@@ -268,7 +275,7 @@ static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long inde
     fmpz_mpoly_q_init(cosine, ring);
     fmpz_mpoly_q_gen(value, subject->angles[name->angle].sine, ring);
     fmpz_mpoly_q_gen(cosine, subject->angles[name->angle].cosine, ring);
-    fmpz_mpoly_q_div(value, value, cosine, ring);
+    tp_field_div(value, value, cosine, field);
     fmpz_mpoly_q_clear(cosine, ring);
     *rational = true;
   }
