@@ -152,7 +152,13 @@ static tp_status exact_value(fmpq_t x, bool *exact, const tp_question *q) {
   if (used == NULL) return tp_fail_memory(q->message, "a number");
   fmpz_mpoly_q_t formula;
   fmpz_mpoly_q_init(formula, s->field->ring);
+  tp_branches here;
+  tp_branches_init(&here, q->subject, q->sample);
+  here.only_sample = true;
+  tp_branches_use(&here, q->subject);
   const tp_status status = tp_evaluate_field(formula, exact, q->quantity, q->subject, q->message);
+  tp_branches_use(NULL, q->subject);
+  tp_branches_clear(&here);
   if (status == TP_OK && *exact) {
     fmpz_mpoly_q_used_vars(used, formula, s->field->ring);
     for (long k = 0; k < s->angle_count; k++) {

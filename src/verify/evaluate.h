@@ -45,8 +45,8 @@ void tp_sample_clear(tp_sample *sample);
 TP_MUST_USE tp_status tp_sample_set(tp_sample *sample, const tp_subject *subject, const char *name,
                                     const fmpq_t value, tp_place place, tp_message *message);
 
-/* Move every value by up to 15 %, by a fixed sequence of numbers. */
-void tp_sample_scatter(tp_sample *sample, const tp_subject *subject, unsigned seed);
+/* The field's symbol that a name of a sample's value is; -1: none. */
+long tp_sample_symbol(const tp_subject *subject, const char *name);
 
 /* The field's symbols in balls; the caller clears the vector of sample->count. The angle i is that
  * of the facet at the pivot unless it is given. */
