@@ -21,7 +21,7 @@ static const char too_large[] =
     "100000 bits; give numbers for some of the parameters, or have fewer different divisors";
 static const char too_dear[] =
     "the formulas take more work than is allowed; give numbers, or expressions in other "
-    "parameters, for some of the parameters, or have fewer different divisors";
+    "parameters, for some of the parameters, have fewer different divisors, or put claims into files of their own";
 
 typedef struct size {
   double terms, bits, degree;

@@ -10,6 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum {
+  MOST_FACTORS = 8,  /* a power in C is written out up to here */
+  DOUBLE_BITS = 1000 /* whole numbers below 2^1000 are constants that a double holds */
+};
+
 /* sin(i) and the like are symbols too. */
 static void add_latex_name(FILE *out, const char *name) {
   const char *bracket = strchr(name, '(');
@@ -47,13 +52,42 @@ static void add_factor(FILE *out, const char *name, slong exponent, bool first,
     if (exponent > 1) fprintf(out, "^{%ld}", (long)exponent);
     break;
   case TP_NOTATION_C:
+    if (exponent > MOST_FACTORS) {
+      fprintf(out, "%spow(%s, %ld.0)", first ? "" : "*", name, (long)exponent);
+      break;
+    }
     for (slong k = 0; k < exponent; k++) fprintf(out, "%s%s", first && k == 0 ? "" : "*", name);
     break;
   }
 }
 
+/* A positive whole number; in C a floating constant of its value over 2^shift. */
+static void write_coefficient(FILE *out, const fmpz_t number, long shift, tp_notation notation) {
+  if (notation == TP_NOTATION_C && shift > 0) {
+    arf_t value;
+    arf_init(value);
+    arf_set_fmpz(value, number);
+    arf_mul_2exp_si(value, value, -shift);
+    fprintf(out, "%.17e", arf_get_d(value, ARF_RND_NEAR));
+    arf_clear(value);
+    return;
+  }
+  char *digits = fmpz_get_str(NULL, 10, number);
+  fprintf(out, "%s%s", digits, notation == TP_NOTATION_C ? ".0" : "");
+  flint_free(digits);
+}
+
+/* In C numerator and denominator are both divided by a power of two where their numbers are larger
+ * than a double holds. */
+static long shift_of(const fmpz_mpoly_q_t fraction) {
+  const long top = labs(fmpz_mpoly_max_bits(fmpz_mpoly_q_numref(fraction)));
+  const long below = labs(fmpz_mpoly_max_bits(fmpz_mpoly_q_denref(fraction)));
+  const long most = top > below ? top : below;
+  return most > DOUBLE_BITS ? most - DOUBLE_BITS : 0;
+}
+
 static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp_field *field,
-                     tp_notation notation) {
+                     tp_notation notation, long shift) {
   fmpz_t coefficient;
   fmpz_init(coefficient);
   fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, t, field->ring);
@@ -68,11 +102,9 @@ static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp
   fmpz_mpoly_get_term_exp_si(exponents, polynomial, t, field->ring);
   bool constant = true;
   for (long k = 0; k < field->symbol_count; k++) constant = constant && exponents[k] == 0;
-  bool first = fmpz_is_one(coefficient) && !constant;
+  bool first = fmpz_is_one(coefficient) && !constant && shift == 0;
   if (!first) {
-    char *digits = fmpz_get_str(NULL, 10, coefficient);
-    fprintf(out, "%s%s", digits, notation == TP_NOTATION_C ? ".0" : "");
-    flint_free(digits);
+    write_coefficient(out, coefficient, shift, notation);
   }
   for (long k = 0; k < field->symbol_count; k++) {
     if (exponents[k] == 0) continue;
@@ -84,10 +116,10 @@ static void add_term(FILE *out, const fmpz_mpoly_t polynomial, slong t, const tp
 }
 
 static void add_polynomial(FILE *out, const fmpz_mpoly_t polynomial, const tp_field *field,
-                           tp_notation notation) {
+                           tp_notation notation, long shift) {
   const slong terms = fmpz_mpoly_length(polynomial, field->ring);
   if (terms == 0) fputs(notation == TP_NOTATION_C ? "0.0" : "0", out);
-  for (slong t = 0; t < terms; t++) add_term(out, polynomial, t, field, notation);
+  for (slong t = 0; t < terms; t++) add_term(out, polynomial, t, field, notation, shift);
 }
 
 static bool is_symbol(const fmpz_mpoly_t polynomial, const tp_field *field) {
@@ -102,25 +134,26 @@ static void add_fraction(FILE *out, const fmpz_mpoly_q_t fraction, const tp_fiel
                          tp_notation notation) {
   const fmpz_mpoly_struct *top = fmpz_mpoly_q_numref(fraction);
   const fmpz_mpoly_struct *below = fmpz_mpoly_q_denref(fraction);
-  if (fmpz_mpoly_is_one(below, field->ring)) {
-    add_polynomial(out, top, field, notation);
+  const long shift = notation == TP_NOTATION_C ? shift_of(fraction) : 0;
+  if (fmpz_mpoly_is_one(below, field->ring) && shift == 0) {
+    add_polynomial(out, top, field, notation, shift);
     return;
   }
   if (notation == TP_NOTATION_LATEX) {
     fputs("\\frac{", out);
-    add_polynomial(out, top, field, notation);
+    add_polynomial(out, top, field, notation, 0);
     fputs("}{", out);
-    add_polynomial(out, below, field, notation);
+    add_polynomial(out, below, field, notation, shift);
     fputs("}", out);
     return;
   }
   const bool sum = fmpz_mpoly_length(top, field->ring) > 1;
   const bool bare = fmpz_mpoly_is_fmpz(below, field->ring) || is_symbol(below, field);
   fputs(sum ? "(" : "", out);
-  add_polynomial(out, top, field, notation);
+  add_polynomial(out, top, field, notation, shift);
   fputs(sum ? ")" : "", out);
   fputs(bare ? "/" : "/(", out);
-  add_polynomial(out, below, field, notation);
+  add_polynomial(out, below, field, notation, shift);
   fputs(bare ? "" : ")", out);
 }
 
@@ -144,10 +177,10 @@ static char *part_text(const fmpz_mpoly_q_t fraction, enum part part, const tp_f
   if (out == NULL) return NULL;
   switch (part) {
   case NUMERATOR:
-    add_polynomial(out, fmpz_mpoly_q_numref(fraction), field, notation);
+    add_polynomial(out, fmpz_mpoly_q_numref(fraction), field, notation, 0);
     break;
   case DENOMINATOR:
-    add_polynomial(out, fmpz_mpoly_q_denref(fraction), field, notation);
+    add_polynomial(out, fmpz_mpoly_q_denref(fraction), field, notation, 0);
     break;
   case WHOLE:
     add_fraction(out, fraction, field, notation);

@@ -3,6 +3,9 @@
 
 #include "verify/branches.h"
 
+#include "derive/field_work.h"
+
+#include <flint/fmpz_mpoly_factor.h>
 #include <string.h>
 
 static const fmpz_mpoly_ctx_struct *ring_of(const tp_branches *b) {
@@ -54,17 +57,12 @@ static int add(tp_branches *b, const fmpz_mpoly_q_t of) {
   return own->sign;
 }
 
-int tp_branches_sign(const fmpz_mpoly_q_t of, tp_subject *s) {
+/* The sign of one factor: known on the domain, chosen before, or to be chosen from now on. */
+static int sign_of_factor(const fmpz_mpoly_q_t of, tp_subject *s) {
   const fmpz_mpoly_ctx_struct *ring = s->field->ring;
   tp_branches *b = s->branches;
-  if (fmpz_mpoly_q_is_zero(of, ring)) return 1;
-  if (b != NULL && b->only_sample) {
-    bool zero = false;
-    const int sign = sign_at_sample(of, b, &zero);
-    return zero ? 1 : sign;
-  }
-  const int known = s->domain != NULL ? tp_domain_sign(of, s->domain, false) : 0;
-  if (known != 0 || b == NULL) return known;
+  const int known = tp_domain_sign(of, s->domain, false);
+  if (known != 0) return known;
   fmpz_mpoly_q_t negative;
   fmpz_mpoly_q_init(negative, ring);
   fmpz_mpoly_q_neg(negative, of, ring);
@@ -75,6 +73,43 @@ int tp_branches_sign(const fmpz_mpoly_q_t of, tp_subject *s) {
   }
   fmpz_mpoly_q_clear(negative, ring);
   return sign != 0 ? sign : add(b, of);
+}
+
+/* The sign of a polynomial from those of its irreducible factors, which are independent. */
+static int sign_of_factors(const fmpz_mpoly_t p, tp_subject *s) {
+  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  fmpz_mpoly_factor_t factors;
+  fmpz_mpoly_q_t factor;
+  fmpz_mpoly_factor_init(factors, ring);
+  fmpz_mpoly_q_init(factor, ring);
+  int sign = 0;
+  if (tp_field_spend(s->field, tp_field_factor_units(p, s->field)) &&
+      fmpz_mpoly_factor(factors, p, ring) != 0) {
+    sign = fmpz_sgn(factors->constant);
+    for (slong k = 0; k < factors->num && sign != 0; k++) {
+      if (fmpz_is_even(factors->exp + k)) continue;
+      fmpz_mpoly_set(fmpz_mpoly_q_numref(factor), factors->poly + k, ring);
+      sign *= sign_of_factor(factor, s);
+    }
+  }
+  fmpz_mpoly_q_clear(factor, ring);
+  fmpz_mpoly_factor_clear(factors, ring);
+  return sign;
+}
+
+int tp_branches_sign(const fmpz_mpoly_q_t of, tp_subject *s) {
+  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  tp_branches *b = s->branches;
+  if (fmpz_mpoly_q_is_zero(of, ring)) return 1;
+  if (b != NULL && b->only_sample) {
+    bool zero = false;
+    const int sign = sign_at_sample(of, b, &zero);
+    return zero ? 1 : sign;
+  }
+  const int known = s->domain != NULL ? tp_domain_sign(of, s->domain, false) : 0;
+  if (known != 0 || b == NULL || s->domain == NULL) return known;
+  const int top = sign_of_factors(fmpz_mpoly_q_numref(of), s);
+  return top == 0 ? 0 : top * sign_of_factors(fmpz_mpoly_q_denref(of), s);
 }
 
 void tp_branches_divide(const fmpz_mpoly_q_t by, tp_subject *s) {

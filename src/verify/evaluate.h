@@ -66,6 +66,9 @@ TP_MUST_USE tp_status tp_evaluate_ball(arb_t value, const tp_formula *formula, t
                                        const tp_sample *sample, bool strict, long bits,
                                        tp_message *message);
 
+/* Units of work (derive/field_work.h) that enclosing a formula takes, definitions included. */
+double tp_evaluate_units(const tp_formula *formula, const tp_subject *subject, long bits);
+
 /* Mark the field's symbols that a formula depends on. */
 TP_MUST_USE tp_status tp_evaluate_used(int *used, const tp_formula *formula, tp_subject *subject,
                                        tp_message *message);

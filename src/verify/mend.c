@@ -13,12 +13,14 @@
 #include "derive/field_work.h"
 #include "number/ratio.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 64, NODE_UNITS = 3 };
-static const double most_units = 1000000; /* for one claim, at most half of what is left */
+enum { BITS = 64, NODE_UNITS = 1 };
+static const double most_units = 2500000; /* for one claim */
+static const double share = 0.6;          /* of the budget; the rest is for proofs */
 
 typedef struct search {
   const tp_question *question;
@@ -280,8 +282,9 @@ static tp_status find(search *s) {
                                             multiply_terms, change_names};
   const tp_question *q = s->question;
   tp_field_work *work = q->subject->field->work;
-  const double whole = work->budget, half = (whole - work->spent) / 2;
-  work->budget = work->spent + (half < most_units ? half : most_units);
+  const double whole = work->budget;
+  const double half = fmax(0, share * whole - work->spent) / 2;
+  work->budget = work->spent + fmin(half, most_units);
   for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
     if (s->result->mend == NULL) kinds[k](s);
   }

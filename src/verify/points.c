@@ -104,7 +104,8 @@ static void find_directions(tp_points *points, bool *seen, const tp_formula *for
 tp_status tp_points_init(tp_points *points, const tp_question *q, const tp_branches *branches) {
   memset(points, 0, sizeof *points);
   points->question = q;
-  points->units = 5 * (double)(q->printed->count + q->quantity->count);
+  points->units = tp_evaluate_units(q->printed, q->subject, BITS) +
+                  tp_evaluate_units(q->quantity, q->subject, BITS);
   bool *seen = calloc((size_t)q->subject->name_count, sizeof *seen);
   if (seen == NULL) return tp_fail_memory(q->message, "a claim");
   find_directions(points, seen, q->printed);
