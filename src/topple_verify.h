@@ -37,7 +37,9 @@ typedef struct tp_claim_result {
   bool is_tangent;  /* derived and difference are of tangents of angles */
   char *mend;       /* the printed formula, mended by one change; NULL: none found */
   char *change;     /* what the change is */
-  bool has_values;  /* numbers at `values`: what is printed, and what is derived */
+  char
+      *condition; /* what keeps the verdict from being more, or where a formula holds; NULL: none */
+  bool has_values; /* numbers at `values`: what is printed, and what is derived */
   char *values;
   tp_bounded printed_value, computed;
   int digits, points; /* of a formula that agrees in numbers */

@@ -5,6 +5,7 @@
 
 #include "derive/derive_limit.h"
 #include "derive/derive_rounding.h"
+#include "derive/field_work.h"
 #include "derive/notation.h"
 #include "number/ball.h"
 
@@ -141,7 +142,7 @@ static tp_status derive_elements_form(work *w, tp_derived_pivot *p,
       p->fos_cot = write_quotient(w, sides.a, sides.d);
       p->fos_constant = write_quotient(w, sides.b, sides.d);
     }
-  } else {
+  } else if (tp_field_problem(field) == NULL) {
     status = tp_fail(w->message, TP_NO_ANSWER, m->problem.scene->block.place,
                      "the triangles of this block hold only at these values of the parameters: "
                      "corners of different rings meet by chance; derive without --elements");
@@ -243,7 +244,11 @@ static tp_status fill(work *w, const tp_derive_options *options) {
   out->symbol_count = tp_field_list_symbols(&out->symbols, &w->model.symbols.field);
   if (title != NULL) out->title = strdup(title);
   if (out->symbols == NULL || (title != NULL && out->title == NULL)) w->failed = true;
-  const tp_status status = derive_pivots(w, options);
+  tp_status status = derive_pivots(w, options);
+  if (status == TP_OK) {
+    status =
+        tp_field_check(&w->model.symbols.field, w->model.problem.scene->block.place, w->message);
+  }
   return status == TP_OK && w->failed ? tp_fail_memory(w->message, "the formulas") : status;
 }
 

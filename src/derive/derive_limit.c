@@ -4,6 +4,7 @@
 #include "derive/derive_limit.h"
 
 #include "derive/conditions.h"
+#include "derive/field_work.h"
 #include "derive/notation.h"
 #include "number/ball.h"
 
@@ -159,7 +160,7 @@ static tp_bounded angle_at_values(const writing *w) {
   arb_init(one);
   fmpz_mpoly_q_t quotient;
   fmpz_mpoly_q_init(quotient, w->field->ring);
-  fmpz_mpoly_q_div(quotient, f->sine, f->cosine, w->field->ring);
+  tp_field_div(quotient, f->sine, f->cosine, w->field);
   tp_field_evaluate_ball(tangent, quotient, w->values, w->field, BITS);
   arb_one(one);
   tp_ball_atan2_degrees(tangent, tangent, one, BITS);

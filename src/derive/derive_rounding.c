@@ -3,6 +3,7 @@
 
 #include "derive/derive_rounding.h"
 
+#include "derive/field_work.h"
 #include "derive/notation.h"
 
 #include <string.h>
@@ -42,10 +43,10 @@ static void write_tangent(tp_derived_rounding *out, const tp_rounding *r, const 
   fmpz_mpoly_q_init(along, field->ring);
   fmpz_mpoly_q_init(up, field->ring);
   tp_rounding_shift(along, up, r, field);
-  fmpz_mpoly_q_mul(along, along, weight, field->ring);
-  fmpz_mpoly_q_mul(up, up, weight, field->ring);
-  fmpz_mpoly_q_sub(along, x, along, field->ring);
-  fmpz_mpoly_q_sub(up, y, up, field->ring);
+  tp_field_mul(along, along, weight, field);
+  tp_field_mul(up, up, weight, field);
+  tp_field_sub(along, x, along, field);
+  tp_field_sub(up, y, up, field);
   out->tangent = tp_notation_write_quotient(along, up, field, notation, failed);
   fmpz_mpoly_q_clear(along, field->ring);
   fmpz_mpoly_q_clear(up, field->ring);
@@ -61,7 +62,7 @@ static void write_length(tp_derived_rounding *out, const tp_rounding *r, const f
   fmpz_mpoly_q_gen(sine, tp_field_added(field, TANGENT), field->ring);
   fmpz_mpoly_q_one(cosine, field->ring); /* the quotient is the same for any multiple of both */
   tp_rounding_critical_length(length, r, x, y, sine, cosine, field);
-  fmpz_mpoly_q_div(length, length, weight, field->ring);
+  tp_field_div(length, length, weight, field);
   out->length = tp_notation_write(length, field, notation, failed);
   out->has_radius = r->upright_side;
   if (out->has_radius) {

@@ -5,6 +5,8 @@
 
 #include "derive/formulas.h"
 
+#include "derive/field_work.h"
+
 void tp_element_formulas_init(tp_element_formulas *e, const tp_field *field) {
   fmpz_mpoly_q_init(e->area, field->ring);
   fmpz_mpoly_q_init(e->normal_arm, field->ring);
@@ -50,27 +52,28 @@ static bool is_negative(const fmpz_mpoly_q_t formula, const tp_field *field) {
  * the determinant and the mean of the corners. */
 static void set_shape(tp_element_formulas *e, const tp_exact_element *exact,
                       const tp_symbols *symbols, const tp_problem *problem) {
-  const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
+  const tp_field *field = &symbols->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const bool slab = exact->kind == TP_ELEMENT_SLAB;
   tp_symbolic_point p[3] = {{0}};
   for (int k = 0; k < (slab ? 2 : 3); k++) {
     (void)tp_formulas_point(p + k, symbols, problem, exact->corner[k]); /* all are the block's */
   }
-  fmpz_mpoly_q_add(e->normal_arm, p[0].x, p[1].x, ring);
-  fmpz_mpoly_q_add(e->parallel_arm, p[0].y, p[1].y, ring);
+  tp_field_add(e->normal_arm, p[0].x, p[1].x, field);
+  tp_field_add(e->parallel_arm, p[0].y, p[1].y, field);
   fmpz_mpoly_q_t dx, dy;
   fmpz_mpoly_q_init(dx, ring);
   fmpz_mpoly_q_init(dy, ring);
-  fmpz_mpoly_q_sub(dx, p[1].x, p[0].x, ring);
-  fmpz_mpoly_q_sub(dy, slab ? p[1].y : p[2].y, p[0].y, ring);
-  fmpz_mpoly_q_mul(e->area, dx, dy, ring);
+  tp_field_sub(dx, p[1].x, p[0].x, field);
+  tp_field_sub(dy, slab ? p[1].y : p[2].y, p[0].y, field);
+  tp_field_mul(e->area, dx, dy, field);
   if (!slab) {
-    fmpz_mpoly_q_add(e->normal_arm, e->normal_arm, p[2].x, ring);
-    fmpz_mpoly_q_add(e->parallel_arm, e->parallel_arm, p[2].y, ring);
-    fmpz_mpoly_q_sub(dx, p[2].x, p[0].x, ring);
-    fmpz_mpoly_q_sub(dy, p[1].y, p[0].y, ring);
-    fmpz_mpoly_q_mul(dx, dx, dy, ring);
-    fmpz_mpoly_q_sub(e->area, e->area, dx, ring);
+    tp_field_add(e->normal_arm, e->normal_arm, p[2].x, field);
+    tp_field_add(e->parallel_arm, e->parallel_arm, p[2].y, field);
+    tp_field_sub(dx, p[2].x, p[0].x, field);
+    tp_field_sub(dy, p[1].y, p[0].y, field);
+    tp_field_mul(dx, dx, dy, field);
+    tp_field_sub(e->area, e->area, dx, field);
     divide(e->area, 2, ring);
   }
   divide(e->normal_arm, slab ? 2 : 3, ring);
@@ -83,7 +86,8 @@ static void set_shape(tp_element_formulas *e, const tp_exact_element *exact,
 void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
                              const tp_problem *problem, long index, const tp_symbolic_point *pivot,
                              tp_direction towards) {
-  const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
+  const tp_field *field = &symbols->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const tp_exact_element *exact = problem->elements.items + index;
   set_shape(e, exact, symbols, problem);
   fmpq_t density;
@@ -92,8 +96,8 @@ void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
   fmpq_div_fmpz(density, density, problem->section.density_weights);
   fmpz_mpoly_q_mul_fmpq(e->area, e->area, density, ring);
   fmpq_clear(density);
-  fmpz_mpoly_q_sub(e->normal_arm, e->normal_arm, pivot->x, ring);
-  fmpz_mpoly_q_sub(e->parallel_arm, e->parallel_arm, pivot->y, ring);
+  tp_field_sub(e->normal_arm, e->normal_arm, pivot->x, field);
+  tp_field_sub(e->parallel_arm, e->parallel_arm, pivot->y, field);
   if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(e->normal_arm, e->normal_arm, ring);
   e->normal_stabilises = !is_negative(e->normal_arm, &symbols->field);
   e->parallel_overturns = !is_negative(e->parallel_arm, &symbols->field);
@@ -101,25 +105,26 @@ void tp_element_formulas_set(tp_element_formulas *e, const tp_symbols *symbols,
 
 /* One element's two moments onto their sides, each taken positive. */
 static void add_sides(tp_side_formulas *s, const tp_element_formulas *e, fmpz_mpoly_q_t scratch,
-                      const fmpz_mpoly_ctx_t ring) {
-  fmpz_mpoly_q_mul(scratch, e->area, e->normal_arm, ring);
+                      const tp_field *field) {
+  tp_field_mul(scratch, e->area, e->normal_arm, field);
   if (e->normal_stabilises) {
-    fmpz_mpoly_q_add(s->a, s->a, scratch, ring);
+    tp_field_add(s->a, s->a, scratch, field);
   } else {
-    fmpz_mpoly_q_sub(s->c, s->c, scratch, ring);
+    tp_field_sub(s->c, s->c, scratch, field);
   }
-  fmpz_mpoly_q_mul(scratch, e->area, e->parallel_arm, ring);
+  tp_field_mul(scratch, e->area, e->parallel_arm, field);
   if (e->parallel_overturns) {
-    fmpz_mpoly_q_add(s->d, s->d, scratch, ring);
+    tp_field_add(s->d, s->d, scratch, field);
   } else {
-    fmpz_mpoly_q_sub(s->b, s->b, scratch, ring);
+    tp_field_sub(s->b, s->b, scratch, field);
   }
 }
 
 bool tp_side_formulas_sum(tp_side_formulas *s, const tp_formulas *formulas,
                           const tp_symbols *symbols, const tp_problem *problem,
                           const tp_symbolic_point *pivot, tp_direction towards) {
-  const fmpz_mpoly_ctx_struct *ring = symbols->field.ring;
+  const tp_field *field = &symbols->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   tp_element_formulas element;
   fmpz_mpoly_q_t scratch, area;
   tp_element_formulas_init(&element, &symbols->field);
@@ -127,10 +132,10 @@ bool tp_side_formulas_sum(tp_side_formulas *s, const tp_formulas *formulas,
   fmpz_mpoly_q_init(area, ring);
   for (long k = 0; k < problem->elements.count; k++) {
     tp_element_formulas_set(&element, symbols, problem, k, pivot, towards);
-    fmpz_mpoly_q_add(area, area, element.area, ring);
-    add_sides(s, &element, scratch, ring);
+    tp_field_add(area, area, element.area, field);
+    add_sides(s, &element, scratch, field);
   }
-  fmpz_mpoly_q_add(area, area, area, ring);
+  tp_field_add(area, area, area, field);
   const bool whole = fmpz_mpoly_q_equal(area, formulas->weighted2, ring) != 0;
   tp_element_formulas_clear(&element, &symbols->field);
   fmpz_mpoly_q_clear(scratch, ring);

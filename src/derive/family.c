@@ -13,6 +13,7 @@
  * lambda (section 5.1). */
 
 #include "derive/family.h"
+#include "derive/field_work.h"
 #include "derive/notation.h"
 
 #include <stdlib.h>
@@ -91,11 +92,11 @@ static void interpolate(fmpz_mpoly_q_t value, const members *m, int sum, const f
       if (j == i) continue;
       fmpz_set_si(integer, m->count[j]);
       fmpz_mpoly_q_sub_fmpz(factor, at, integer, ring);
-      fmpz_mpoly_q_mul(term, term, factor, ring);
+      tp_field_mul(term, term, factor, field);
       fmpz_set_si(integer, m->count[i] - m->count[j]);
       fmpz_mpoly_q_div_fmpz(term, term, integer, ring);
     }
-    fmpz_mpoly_q_add(value, value, term, ring);
+    tp_field_add(value, value, term, field);
   }
   fmpz_mpoly_q_clear(term, ring);
   fmpz_mpoly_q_clear(factor, ring);
@@ -144,7 +145,7 @@ void tp_family_arms(fmpz_mpoly_q_t x_arm, fmpz_mpoly_q_t y_arm, const tp_family_
   fmpz_mpoly_q_t x, y;
   fmpz_mpoly_q_init(x, ring);
   fmpz_mpoly_q_init(y, ring);
-  if (!left) fmpz_mpoly_q_mul(x, f->count, f->a, ring);
+  if (!left) tp_field_mul(x, f->count, f->a, field);
   if (kind == TP_PIVOT_PEAK) fmpz_mpoly_q_set(y, f->c, ring);
   tp_formulas_arm(x_arm, sums->of[1], sums->of[0], x, field);
   tp_formulas_arm(y_arm, sums->of[2], sums->of[0], y, field);
@@ -182,14 +183,15 @@ tp_status tp_family_sums_derive(tp_family_sums *sums, bool even, const tp_teeth_
     m.count[k] = member_count(k, even);
     failed = failed || !sum_member(&m, k, f, scene, field);
   }
-  tp_status status = failed ? tp_fail_memory(message, "the family of formulas") : TP_OK;
-  if (!failed && !members_agree(&m, field)) {
+  tp_status status = failed ? tp_fail_memory(message, "the family of formulas")
+                            : tp_field_check(field, scene->block.place, message);
+  if (status == TP_OK && !members_agree(&m, field) && tp_field_problem(field) == NULL) {
     status = tp_fail(message, TP_DEPENDENCY_FAILED, scene->block.place,
                      "the formula for all counts fails on a further count; please report this");
   }
   for (int s = 0; s < SUMS; s++) interpolate(sums->of[s], &m, s, f->count, field);
   members_clear(&m, field);
-  return status;
+  return status == TP_OK ? tp_field_check(field, scene->block.place, message) : status;
 }
 
 static tp_status derive_parity(tp_family *family, bool even, const tp_teeth_formulas *f,
@@ -210,6 +212,7 @@ static tp_status derive_parity(tp_family *family, bool even, const tp_teeth_form
     write_toe(own, &sums, f, field, family->notation, &failed);
   }
   tp_family_sums_clear(&sums, field);
+  if (status == TP_OK) status = tp_field_check(field, scene->block.place, message);
   if (status == TP_OK && failed) status = tp_fail_memory(message, "the family of formulas");
   return status;
 }

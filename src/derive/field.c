@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "derive/field.h"
+#include "derive/field_work.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_POWER = 1000, MOST_BITS = 100000, MOST_DEGREE = 100000 };
-static const char too_large[] = "the formula grows beyond what can be derived here";
+enum { MOST_POWER = 1000 };
 
 static const fmpz_mpoly_ctx_struct *ring(const void *context) {
   const tp_field *field = context;
@@ -42,33 +41,6 @@ static void negate(void *value, const void *context) {
   fmpz_mpoly_q_neg(value, value, ring(context));
 }
 
-/* Terms, bits of the largest coefficient and degree of both halves. */
-typedef struct extent {
-  double terms, bits, degree;
-} extent;
-
-static extent measure(const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) {
-  const fmpz_mpoly_struct *halves[2] = {fmpz_mpoly_q_numref(f), fmpz_mpoly_q_denref(f)};
-  extent e = {0, 0, 0};
-  for (int k = 0; k < 2; k++) {
-    if (fmpz_mpoly_is_zero(halves[k], ctx)) continue;
-    e.terms += (double)fmpz_mpoly_length(halves[k], ctx);
-    e.bits += (double)labs(fmpz_mpoly_max_bits(halves[k]));
-    if (halves[k]->bits > 16) { /* exponents in fewer bits are below the bound without a count */
-      e.degree += (double)fmpz_mpoly_total_degree_si(halves[k], ctx);
-    }
-  }
-  return e;
-}
-
-const char *tp_field_too_large(const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
-                               const tp_field *field) {
-  const extent one = measure(a, field->ring), other = measure(b, field->ring);
-  const bool fits = one.terms * other.terms <= TP_FIELD_TERMS &&
-                    one.bits + other.bits <= MOST_BITS && one.degree + other.degree <= MOST_DEGREE;
-  return fits ? NULL : too_large;
-}
-
 /* The whole number that a constant formula is; false for any other. */
 static bool whole_number(slong *number, const fmpz_mpoly_q_struct *f, const fmpz_mpoly_ctx_t ctx) {
   if (!fmpz_mpoly_is_one(fmpz_mpoly_q_denref(f), ctx) ||
@@ -96,13 +68,11 @@ const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *f
   fmpz_mpoly_q_set(factor, base, ctx);
   if (exponent < 0) fmpz_mpoly_q_inv(factor, factor, ctx);
   fmpz_mpoly_q_one(base, ctx);
-  const char *problem = NULL;
-  for (long k = 0; k < labs(exponent) && problem == NULL; k++) {
-    problem = tp_field_too_large(base, factor, field);
-    if (problem == NULL) fmpz_mpoly_q_mul(base, base, factor, ctx);
+  for (long k = 0; k < labs(exponent) && tp_field_problem(field) == NULL; k++) {
+    tp_field_mul(base, base, factor, field);
   }
   fmpz_mpoly_q_clear(factor, ctx);
-  return problem;
+  return tp_field_problem(field);
 }
 
 static const char *combine(void *value, char op, const void *other, const void *context) {
@@ -115,23 +85,21 @@ static const char *combine(void *value, char op, const void *other, const void *
   if (op == '/' && fmpz_mpoly_q_is_zero(other, ctx)) {
     return "division by zero, whatever the parameters";
   }
-  const char *problem = tp_field_too_large(value, other, context);
-  if (problem != NULL) return problem;
   switch (op) {
   case '+':
-    fmpz_mpoly_q_add(value, value, other, ctx);
+    tp_field_add(value, value, other, context);
     break;
   case '-':
-    fmpz_mpoly_q_sub(value, value, other, ctx);
+    tp_field_sub(value, value, other, context);
     break;
   case '*':
-    fmpz_mpoly_q_mul(value, value, other, ctx);
+    tp_field_mul(value, value, other, context);
     break;
   default:
-    fmpz_mpoly_q_div(value, value, other, ctx);
+    tp_field_div(value, value, other, context);
     break;
   }
-  return NULL;
+  return tp_field_problem(context);
 }
 
 static const tp_algebra field_algebra = {init, clear, set_number, set_name, negate, combine};
@@ -142,7 +110,9 @@ tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_no
   place.column += node->text_offset;
   const tp_status status =
       tp_expression_read(value, &field_algebra, field, node->text, place, message);
-  if (status == TP_OK && measure(value, field->ring).terms > TP_FIELD_COORDINATE_TERMS + 1) {
+  const slong terms = fmpz_mpoly_length(fmpz_mpoly_q_numref(value), field->ring) +
+                      fmpz_mpoly_length(fmpz_mpoly_q_denref(value), field->ring);
+  if (status == TP_OK && terms > TP_FIELD_COORDINATE_TERMS + 1) {
     return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, scene->path),
                    "more than %d terms in one number; formulas are derived for shorter ones",
                    TP_FIELD_COORDINATE_TERMS);
@@ -156,6 +126,7 @@ void tp_field_clear(tp_field *field) {
   }
   free(field->values);
   free(field->names);
+  free(field->work);
   fmpz_mpoly_ctx_clear(field->ring);
 }
 
@@ -218,10 +189,12 @@ tp_status tp_field_init(tp_field *field, const tp_scene *scene, const tp_symbol_
   field->symbol_count = count + 1 + (more != NULL ? more->count : 0);
   fmpz_mpoly_ctx_init(field->ring, field->symbol_count, ORD_LEX);
   field->values = calloc((size_t)count + 1, sizeof *field->values);
-  if (field->values == NULL || !name_symbols(field, more)) {
+  field->work = calloc(1, sizeof *field->work);
+  if (field->values == NULL || field->work == NULL || !name_symbols(field, more)) {
     tp_field_clear(field);
     return tp_fail_memory(message, "the field of formulas");
   }
+  field->work->budget = TP_FIELD_BUDGET;
   for (long k = 0; k < count; k++) fmpz_mpoly_q_init(field->values + k, field->ring);
   tp_status status = TP_OK;
   const tp_node *source = scene != NULL ? tp_node_get(scene->source, "parameters") : NULL;

@@ -16,6 +16,8 @@
 #include <arb.h>
 #include <calcium/fmpz_mpoly_q.h>
 
+typedef struct tp_field_work tp_field_work; /* field_work.h */
+
 typedef struct tp_field {
   fmpz_mpoly_ctx_t ring;
   const tp_parameters *parameters; /* of the scene: names and values */
@@ -23,10 +25,11 @@ typedef struct tp_field {
   const char **names;              /* of the symbols; the count is N, or n where N is taken */
   long known;                      /* parameters read so far */
   fmpz_mpoly_q_struct *values;     /* symbol or expression of each */
+  tp_field_work *work;             /* what its arithmetic has cost, and may cost */
 } tp_field;
 
-/* Products of more terms than this are not formed; a coordinate may have fewer still. */
-enum { TP_FIELD_TERMS = 200000, TP_FIELD_COORDINATE_TERMS = 64 };
+/* A coordinate may have so many terms. */
+enum { TP_FIELD_COORDINATE_TERMS = 64 };
 
 /* Names of symbols that a caller adds; they must outlive the field. */
 typedef struct tp_symbol_names {
@@ -47,11 +50,6 @@ TP_MUST_USE tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field,
 /* Names of the parameters that are symbols, allocated with malloc like each of them; their number.
  * NULL when memory is exhausted. */
 size_t tp_field_list_symbols(char ***names, const tp_field *field);
-
-/* What keeps a product from being formed: too many terms, digits or powers; NULL where nothing
- * does. Sums, differences and quotients take the same work. */
-const char *tp_field_too_large(const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
-                               const tp_field *field);
 
 /* base = base^exponent for a whole exponent; NULL, or what is wrong as a static string. */
 const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *field);

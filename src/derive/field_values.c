@@ -3,32 +3,55 @@
 
 /* Values of formulas: exact at the scene's parameters, or in balls. */
 
-#include "derive/field.h"
+#include "derive/field_work.h"
+
+/* Bits that powers of the values may have. */
+static const double most_bits = 2e6;
+
+/* A bound of the bits of a term at the values. */
+static double term_bits(const fmpz_mpoly_t polynomial, const fmpq *values, long count,
+                        const tp_field *field) {
+  double bits = 0;
+  for (long k = 0; k < count; k++) {
+    const double height =
+        (double)fmpz_bits(fmpq_numref(values + k)) + (double)fmpz_bits(fmpq_denref(values + k));
+    if (fmpz_mpoly_is_zero(polynomial, field->ring)) continue;
+    bits += height * (double)fmpz_mpoly_degree_si(polynomial, k, field->ring);
+  }
+  return bits;
+}
 
 /* The first `count` symbols take values; others are taken for 1. */
 static void evaluate_polynomial(fmpq_t value, const fmpz_mpoly_t polynomial, const fmpq *values,
                                 long count, const tp_field *field) {
   fmpq_t term, factor;
+  slong *exponents = flint_malloc((size_t)field->symbol_count * sizeof *exponents);
   fmpq_init(term);
   fmpq_init(factor);
   fmpq_zero(value);
   for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
     fmpq_one(term);
     fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), polynomial, t, field->ring);
+    fmpz_mpoly_get_term_exp_si(exponents, polynomial, t, field->ring);
     for (long k = 0; k < count; k++) {
-      const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
-      if (exponent == 0) continue;
-      fmpq_pow_si(factor, values + k, exponent);
+      if (exponents[k] == 0) continue;
+      fmpq_pow_si(factor, values + k, exponents[k]);
       fmpq_mul(term, term, factor);
     }
     fmpq_add(value, value, term);
   }
+  flint_free(exponents);
   fmpq_clear(term);
   fmpq_clear(factor);
 }
 
 static bool evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const fmpq *values, long count,
                      const tp_field *field) {
+  const double bits = term_bits(fmpz_mpoly_q_numref(formula), values, count, field) +
+                      term_bits(fmpz_mpoly_q_denref(formula), values, count, field);
+  const double terms = (double)fmpz_mpoly_length(fmpz_mpoly_q_numref(formula), field->ring) +
+                       (double)fmpz_mpoly_length(fmpz_mpoly_q_denref(formula), field->ring);
+  if (bits > most_bits || !tp_field_spend(field, 0.1 * terms * (1 + bits / 64))) return false;
   fmpq_t below;
   fmpq_init(below);
   evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), values, count, field);
@@ -52,6 +75,7 @@ static void evaluate_polynomial_ball(arb_t value, const fmpz_mpoly_t polynomial,
                                      const tp_field *field, long bits) {
   arb_t term, factor;
   fmpz_t coefficient;
+  slong *exponents = flint_malloc((size_t)field->symbol_count * sizeof *exponents);
   arb_init(term);
   arb_init(factor);
   fmpz_init(coefficient);
@@ -59,14 +83,15 @@ static void evaluate_polynomial_ball(arb_t value, const fmpz_mpoly_t polynomial,
   for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring); t++) {
     fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, t, field->ring);
     arb_set_fmpz(term, coefficient);
+    fmpz_mpoly_get_term_exp_si(exponents, polynomial, t, field->ring);
     for (long k = 0; k < field->symbol_count; k++) {
-      const slong exponent = fmpz_mpoly_get_term_var_exp_si(polynomial, t, k, field->ring);
-      if (exponent == 0) continue;
-      arb_pow_ui(factor, symbols + k, (ulong)exponent, bits);
+      if (exponents[k] == 0) continue;
+      arb_pow_ui(factor, symbols + k, (ulong)exponents[k], bits);
       arb_mul(term, term, factor, bits);
     }
     arb_add(value, value, term, bits);
   }
+  flint_free(exponents);
   arb_clear(term);
   arb_clear(factor);
   fmpz_clear(coefficient);

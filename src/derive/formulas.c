@@ -3,6 +3,8 @@
 
 #include "derive/formulas.h"
 
+#include "derive/field_work.h"
+
 void tp_formulas_init(tp_formulas *f, const tp_field *field) {
   fmpz_mpoly_q_init(f->area2, field->ring);
   fmpz_mpoly_q_init(f->weighted2, field->ring);
@@ -20,11 +22,11 @@ void tp_formulas_clear(tp_formulas *f, const tp_field *field) {
 /* sum += (p + q) c weight */
 static void add_moment(fmpz_mpoly_q_t sum, const fmpz_mpoly_q_t p, const fmpz_mpoly_q_t q,
                        const fmpz_mpoly_q_t c, const fmpq_t weight, fmpz_mpoly_q_t scratch,
-                       const fmpz_mpoly_ctx_t ring) {
-  fmpz_mpoly_q_add(scratch, p, q, ring);
-  fmpz_mpoly_q_mul(scratch, scratch, c, ring);
-  fmpz_mpoly_q_mul_fmpq(scratch, scratch, weight, ring);
-  fmpz_mpoly_q_add(sum, sum, scratch, ring);
+                       const tp_field *field) {
+  tp_field_add(scratch, p, q, field);
+  tp_field_mul(scratch, scratch, c, field);
+  fmpz_mpoly_q_mul_fmpq(scratch, scratch, weight, field->ring);
+  tp_field_add(sum, sum, scratch, field);
 }
 
 void tp_formulas_add_chain(tp_formulas *f, const tp_symbolic_chain *chain, const fmpq_t weight,
@@ -37,15 +39,15 @@ void tp_formulas_add_chain(tp_formulas *f, const tp_symbolic_chain *chain, const
     const long next = k + 1 == chain->count ? 0 : k + 1;
     const fmpz_mpoly_q_struct *x0 = chain->x + k, *x1 = chain->x + next;
     const fmpz_mpoly_q_struct *y0 = chain->y + k, *y1 = chain->y + next;
-    fmpz_mpoly_q_mul(c, x0, y1, ring);
-    fmpz_mpoly_q_mul(scratch, x1, y0, ring);
-    fmpz_mpoly_q_sub(c, c, scratch, ring);
-    if (sign > 0) fmpz_mpoly_q_add(f->area2, f->area2, c, ring);
-    if (sign < 0) fmpz_mpoly_q_sub(f->area2, f->area2, c, ring);
+    tp_field_mul(c, x0, y1, field);
+    tp_field_mul(scratch, x1, y0, field);
+    tp_field_sub(c, c, scratch, field);
+    if (sign > 0) tp_field_add(f->area2, f->area2, c, field);
+    if (sign < 0) tp_field_sub(f->area2, f->area2, c, field);
     fmpz_mpoly_q_mul_fmpq(scratch, c, weight, ring);
-    fmpz_mpoly_q_add(f->weighted2, f->weighted2, scratch, ring);
-    add_moment(f->x6, x0, x1, c, weight, scratch, ring);
-    add_moment(f->y6, y0, y1, c, weight, scratch, ring);
+    tp_field_add(f->weighted2, f->weighted2, scratch, field);
+    add_moment(f->x6, x0, x1, c, weight, scratch, field);
+    add_moment(f->y6, y0, y1, c, weight, scratch, field);
   }
   fmpz_mpoly_q_clear(c, ring);
   fmpz_mpoly_q_clear(scratch, ring);
@@ -68,9 +70,9 @@ void tp_formulas_arm(fmpz_mpoly_q_t arm, const fmpz_mpoly_q_t moment6,
                      const tp_field *field) {
   fmpz_t three;
   fmpz_init_set_si(three, 3);
-  fmpz_mpoly_q_mul(arm, weighted2, pivot, field->ring);
+  tp_field_mul(arm, weighted2, pivot, field);
   fmpz_mpoly_q_mul_fmpz(arm, arm, three, field->ring);
-  fmpz_mpoly_q_sub(arm, moment6, arm, field->ring);
+  tp_field_sub(arm, moment6, arm, field);
   fmpz_clear(three);
 }
 

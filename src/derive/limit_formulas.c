@@ -3,12 +3,12 @@
 
 #include "derive/limit_formulas.h"
 
+#include "derive/field_work.h"
+
 #include <string.h>
 
-typedef const fmpz_mpoly_ctx_struct *ring_pointer;
-
-static ring_pointer ring_of(const tp_limit_formulas *f) {
-  return f->model->symbols.field.ring;
+static const tp_field *field_of(const tp_limit_formulas *f) {
+  return &f->model->symbols.field;
 }
 
 void tp_force_formulas_init(tp_force_formulas *force, const tp_field *field) {
@@ -30,8 +30,8 @@ static bool difference(fmpz_mpoly_q_t dx, fmpz_mpoly_q_t dy, const tp_model *m, 
       !tp_formulas_point(&q, &m->symbols, &m->problem, to)) {
     return false;
   }
-  fmpz_mpoly_q_sub(dx, q.x, p.x, m->symbols.field.ring);
-  fmpz_mpoly_q_sub(dy, q.y, p.y, m->symbols.field.ring);
+  tp_field_sub(dx, q.x, p.x, &m->symbols.field);
+  tp_field_sub(dy, q.y, p.y, &m->symbols.field);
   return true;
 }
 
@@ -61,7 +61,8 @@ static bool beyond_direction(fmpz_mpoly_q_t tx, fmpz_mpoly_q_t ty, const tp_mode
 bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
                            const tp_cone_edge *edge) {
   const tp_model *m = f->model;
-  const fmpz_mpoly_ctx_struct *ring = ring_of(f);
+  const tp_field *field = field_of(f);
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const tp_facet *facet = m->problem.contact.facets + edge->facet;
   const bool mirrored = f->towards == TP_TOWARDS_RIGHT;
   fmpz_mpoly_q_t tx, ty, friction;
@@ -77,14 +78,14 @@ bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
     if (mirrored) fmpz_mpoly_q_neg(ty, ty, ring);
     fmpz_mpoly_q_gen(friction, f->friction, ring);
     if (!edge->against_slip) fmpz_mpoly_q_neg(friction, friction, ring);
-    fmpz_mpoly_q_mul(force->x, tx, friction, ring);
-    fmpz_mpoly_q_sub(force->x, force->x, ty, ring);
-    fmpz_mpoly_q_mul(force->y, ty, friction, ring);
-    fmpz_mpoly_q_add(force->y, force->y, tx, ring);
-    fmpz_mpoly_q_mul(force->moment, point.x, force->y, ring);
+    tp_field_mul(force->x, tx, friction, field);
+    tp_field_sub(force->x, force->x, ty, field);
+    tp_field_mul(force->y, ty, friction, field);
+    tp_field_add(force->y, force->y, tx, field);
+    tp_field_mul(force->moment, point.x, force->y, field);
     if (mirrored) fmpz_mpoly_q_neg(force->moment, force->moment, ring);
-    fmpz_mpoly_q_mul(friction, point.y, force->x, ring);
-    fmpz_mpoly_q_sub(force->moment, force->moment, friction, ring);
+    tp_field_mul(friction, point.y, force->x, field);
+    tp_field_sub(force->moment, force->moment, friction, field);
   }
   fmpz_mpoly_q_clear(tx, ring);
   fmpz_mpoly_q_clear(ty, ring);
@@ -94,20 +95,20 @@ bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
 
 /* a d - b c */
 static void determinant(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
-                        const fmpz_mpoly_q_t c, const fmpz_mpoly_q_t d, ring_pointer ring) {
+                        const fmpz_mpoly_q_t c, const fmpz_mpoly_q_t d, const tp_field *field) {
   fmpz_mpoly_q_t other;
-  fmpz_mpoly_q_init(other, ring);
-  fmpz_mpoly_q_mul(value, a, d, ring);
-  fmpz_mpoly_q_mul(other, b, c, ring);
-  fmpz_mpoly_q_sub(value, value, other, ring);
-  fmpz_mpoly_q_clear(other, ring);
+  fmpz_mpoly_q_init(other, field->ring);
+  tp_field_mul(value, a, d, field);
+  tp_field_mul(other, b, c, field);
+  tp_field_sub(value, value, other, field);
+  fmpz_mpoly_q_clear(other, field->ring);
 }
 
 static void set_twist(tp_limit_formulas *f) {
   const tp_force_formulas *a = f->basis, *b = f->basis + 1;
-  determinant(f->twist[0], a->y, a->moment, b->y, b->moment, ring_of(f));
-  determinant(f->twist[1], a->moment, a->x, b->moment, b->x, ring_of(f));
-  determinant(f->twist[2], a->x, a->y, b->x, b->y, ring_of(f));
+  determinant(f->twist[0], a->y, a->moment, b->y, b->moment, field_of(f));
+  determinant(f->twist[1], a->moment, a->x, b->moment, b->x, field_of(f));
+  determinant(f->twist[2], a->x, a->y, b->x, b->y, field_of(f));
 }
 
 /* With S = 3 (2 A) G, the power of the weight on the twist is -sin (3 (2 A) v_x - S_y omega) - cos
@@ -115,20 +116,21 @@ static void set_twist(tp_limit_formulas *f) {
  */
 static void set_tilt(tp_limit_formulas *f) {
   const tp_formulas *sums = &f->model->formulas;
-  ring_pointer ring = ring_of(f);
+  const tp_field *field = field_of(f);
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t weight, term;
   fmpz_t three;
   fmpz_mpoly_q_init(weight, ring);
   fmpz_mpoly_q_init(term, ring);
   fmpz_init_set_ui(three, 3);
   fmpz_mpoly_q_mul_fmpz(weight, sums->weighted2, three, ring);
-  fmpz_mpoly_q_mul(term, sums->x6, f->twist[2], ring);
+  tp_field_mul(term, sums->x6, f->twist[2], field);
   if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(term, term, ring);
-  fmpz_mpoly_q_mul(f->sine, weight, f->twist[1], ring);
-  fmpz_mpoly_q_add(f->sine, f->sine, term, ring);
-  fmpz_mpoly_q_mul(term, sums->y6, f->twist[2], ring);
-  fmpz_mpoly_q_mul(f->cosine, weight, f->twist[0], ring);
-  fmpz_mpoly_q_sub(f->cosine, term, f->cosine, ring);
+  tp_field_mul(f->sine, weight, f->twist[1], field);
+  tp_field_add(f->sine, f->sine, term, field);
+  tp_field_mul(term, sums->y6, f->twist[2], field);
+  tp_field_mul(f->cosine, weight, f->twist[0], field);
+  tp_field_sub(f->cosine, term, f->cosine, field);
   fmpz_mpoly_q_clear(weight, ring);
   fmpz_mpoly_q_clear(term, ring);
   fmpz_clear(three);
@@ -169,14 +171,15 @@ void tp_limit_formulas_clear(tp_limit_formulas *f) {
  * callers settle the sign there. */
 void tp_limit_formulas_power(fmpz_mpoly_q_t power, const tp_limit_formulas *f,
                              const tp_force_formulas *force) {
-  ring_pointer ring = ring_of(f);
+  const tp_field *field = field_of(f);
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t term;
   fmpz_mpoly_q_init(term, ring);
-  fmpz_mpoly_q_mul(power, f->twist[0], force->x, ring);
-  fmpz_mpoly_q_mul(term, f->twist[1], force->y, ring);
-  fmpz_mpoly_q_add(power, power, term, ring);
-  fmpz_mpoly_q_mul(term, f->twist[2], force->moment, ring);
-  fmpz_mpoly_q_add(power, power, term, ring);
+  tp_field_mul(power, f->twist[0], force->x, field);
+  tp_field_mul(term, f->twist[1], force->y, field);
+  tp_field_add(power, power, term, field);
+  tp_field_mul(term, f->twist[2], force->moment, field);
+  tp_field_add(power, power, term, field);
   fmpz_mpoly_q_clear(term, ring);
 }
 
@@ -184,7 +187,8 @@ void tp_limit_formulas_power(fmpz_mpoly_q_t power, const tp_limit_formulas *f,
  * of parallel forces, which slide it, by the moment row instead of that along x: with G the lever
  * of the weight, G_x - G_y tan. */
 void tp_limit_formulas_factors(fmpz_mpoly_q_t factors[2], const tp_limit_formulas *f) {
-  ring_pointer ring = ring_of(f);
+  const tp_field *field = field_of(f);
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const tp_formulas *sums = &f->model->formulas;
   fmpz_mpoly_q_t along, up, first, second, below;
   fmpz_t three;
@@ -196,23 +200,23 @@ void tp_limit_formulas_factors(fmpz_mpoly_q_t factors[2], const tp_limit_formula
   fmpz_init_set_ui(three, 3);
   const tp_force_formulas *a = f->basis, *b = f->basis + 1;
   const bool slides = fmpz_mpoly_q_is_zero(f->twist[2], ring);
-  fmpz_mpoly_q_div(along, f->sine, f->cosine, ring);
+  tp_field_div(along, f->sine, f->cosine, field);
   fmpz_mpoly_q_one(up, ring);
   if (slides) { /* moment of the reaction: G_x - G_y tan */
-    fmpz_mpoly_q_mul(first, sums->y6, along, ring);
+    tp_field_mul(first, sums->y6, along, field);
     fmpz_mpoly_q_set(along, sums->x6, ring);
     if (f->towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(along, along, ring);
-    fmpz_mpoly_q_sub(along, along, first, ring);
+    tp_field_sub(along, along, first, field);
     fmpz_mpoly_q_mul_fmpz(up, sums->weighted2, three, ring);
-    fmpz_mpoly_q_div(along, along, up, ring);
+    tp_field_div(along, along, up, field);
     fmpz_mpoly_q_one(up, ring);
   }
   const fmpz_mpoly_q_struct *a_row = slides ? a->moment : a->x, *b_row = slides ? b->moment : b->x;
-  determinant(below, a_row, a->y, b_row, b->y, ring);
-  determinant(first, along, up, b_row, b->y, ring);
-  determinant(second, a_row, a->y, along, up, ring);
-  fmpz_mpoly_q_div(factors[0], first, below, ring);
-  fmpz_mpoly_q_div(factors[1], second, below, ring);
+  determinant(below, a_row, a->y, b_row, b->y, field);
+  determinant(first, along, up, b_row, b->y, field);
+  determinant(second, a_row, a->y, along, up, field);
+  tp_field_div(factors[0], first, below, field);
+  tp_field_div(factors[1], second, below, field);
   fmpz_mpoly_q_clear(along, ring);
   fmpz_mpoly_q_clear(up, ring);
   fmpz_mpoly_q_clear(first, ring);

@@ -3,6 +3,7 @@
 
 #include "derive/model.h"
 
+#include "derive/field_work.h"
 #include "load/loads.h"
 #include "stability/solve.h"
 
@@ -63,7 +64,9 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
   }
   tp_formulas_init(&model->formulas, &model->symbols.field);
   tp_formulas_sum(&model->formulas, &model->symbols, &model->problem.section);
-  return TP_OK;
+  status = tp_field_check(&model->symbols.field, scene->block.place, message);
+  if (status != TP_OK) tp_model_clear(model);
+  return status;
 }
 
 tp_status tp_model_pivot(tp_symbolic_point *pivot, const tp_model *model, size_t k,

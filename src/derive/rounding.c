@@ -3,6 +3,8 @@
 
 #include "derive/rounding.h"
 
+#include "derive/field_work.h"
+
 #include <string.h>
 
 static int compare(const fmpz *values, long a, long b) {
@@ -29,7 +31,8 @@ static void set_symbol(fmpz_mpoly_q_t value, long symbol, const tp_field *field)
 static bool set_facet(tp_rounding *r, const tp_model *model, long from, long to,
                       tp_direction towards) {
   const tp_lattice *lattice = &model->problem.lattice;
-  const fmpz_mpoly_ctx_struct *ring = model->symbols.field.ring;
+  const tp_field *field = &model->symbols.field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   tp_symbolic_point p, q;
   if (!tp_formulas_point(&p, &model->symbols, &model->problem, from) ||
       !tp_formulas_point(&q, &model->symbols, &model->problem, to)) {
@@ -37,8 +40,8 @@ static bool set_facet(tp_rounding *r, const tp_model *model, long from, long to,
   }
   r->slope = compare(lattice->y, to, from);
   r->slope = (r->slope > 0) - (r->slope < 0);
-  fmpz_mpoly_q_sub(r->rise, q.y, p.y, ring);
-  fmpz_mpoly_q_sub(r->run, q.x, p.x, ring);
+  tp_field_sub(r->rise, q.y, p.y, field);
+  tp_field_sub(r->run, q.x, p.x, field);
   if (r->slope < 0) fmpz_mpoly_q_neg(r->rise, r->rise, ring);
   if (towards == TP_TOWARDS_RIGHT) fmpz_mpoly_q_neg(r->run, r->run, ring);
   return true;
@@ -87,8 +90,8 @@ void tp_rounding_clear(tp_rounding *r, const tp_field *field) {
 
 void tp_rounding_shift(fmpz_mpoly_q_t along, fmpz_mpoly_q_t up, const tp_rounding *r,
                        const tp_field *field) {
-  fmpz_mpoly_q_mul(along, r->length, r->cosine, field->ring);
-  fmpz_mpoly_q_mul(up, r->length, r->sine, field->ring);
+  tp_field_mul(along, r->length, r->cosine, field);
+  tp_field_mul(up, r->length, r->sine, field);
   if (r->slope < 0) fmpz_mpoly_q_neg(up, up, field->ring);
 }
 
@@ -99,17 +102,17 @@ void tp_rounding_critical_length(fmpz_mpoly_q_t value, const tp_rounding *r, con
   fmpz_mpoly_q_t below, term;
   fmpz_mpoly_q_init(below, ring);
   fmpz_mpoly_q_init(term, ring);
-  fmpz_mpoly_q_mul(below, r->cosine, cosine, ring);
-  fmpz_mpoly_q_mul(term, r->sine, sine, ring);
+  tp_field_mul(below, r->cosine, cosine, field);
+  tp_field_mul(term, r->sine, sine, field);
   if (r->slope < 0) {
-    fmpz_mpoly_q_add(below, below, term, ring);
+    tp_field_add(below, below, term, field);
   } else {
-    fmpz_mpoly_q_sub(below, below, term, ring);
+    tp_field_sub(below, below, term, field);
   }
-  fmpz_mpoly_q_mul(value, x, cosine, ring);
-  fmpz_mpoly_q_mul(term, y, sine, ring);
-  fmpz_mpoly_q_sub(value, value, term, ring);
-  fmpz_mpoly_q_div(value, value, below, ring);
+  tp_field_mul(value, x, cosine, field);
+  tp_field_mul(term, y, sine, field);
+  tp_field_sub(value, value, term, field);
+  tp_field_div(value, value, below, field);
   fmpz_mpoly_q_clear(below, ring);
   fmpz_mpoly_q_clear(term, ring);
 }
@@ -122,11 +125,11 @@ void tp_rounding_radius(fmpz_mpoly_q_t radius, const tp_rounding *r, const fmpz_
   fmpz_mpoly_q_init(factor, ring);
   fmpz_mpoly_q_one(factor, ring);
   if (r->slope < 0) {
-    fmpz_mpoly_q_add(factor, factor, r->sine, ring);
+    tp_field_add(factor, factor, r->sine, field);
   } else {
-    fmpz_mpoly_q_sub(factor, factor, r->sine, ring);
+    tp_field_sub(factor, factor, r->sine, field);
   }
-  fmpz_mpoly_q_div(factor, factor, r->cosine, ring);
-  fmpz_mpoly_q_mul(radius, length, factor, ring);
+  tp_field_div(factor, factor, r->cosine, field);
+  tp_field_mul(radius, length, factor, field);
   fmpz_mpoly_q_clear(factor, ring);
 }

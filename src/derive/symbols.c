@@ -4,6 +4,7 @@
 #include "derive/symbols.h"
 
 #include "block/outline.h"
+#include "derive/field_work.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -106,10 +107,10 @@ static void set_general(tp_teeth_formulas *f, const tp_field *field) {
   fmpq_init(value);
   fmpq_set_si(value, 1, 2);
   fmpz_mpoly_q_set_fmpq(half, value, field->ring);
-  fmpz_mpoly_q_mul(f->a, f->a, half, field->ring);
-  fmpz_mpoly_q_mul(half, half, f->c, field->ring);
-  fmpz_mpoly_q_sub(f->b, f->b, half, field->ring);
-  fmpz_mpoly_q_div(f->count, f->count, f->a, field->ring);
+  tp_field_mul(f->a, f->a, half, field);
+  tp_field_mul(half, half, f->c, field);
+  tp_field_sub(f->b, f->b, half, field);
+  tp_field_div(f->count, f->count, f->a, field);
   fmpz_mpoly_q_clear(half, field->ring);
   fmpq_clear(value);
 }
@@ -153,8 +154,8 @@ bool tp_teeth_formulas_outline(tp_symbolic_chain *outline, const tp_teeth_formul
   for (long k = 0; k < outline->count; k++) {
     const tp_teeth_point p = tp_outline_teeth_point(teeth, k);
     set_multiple(outline->x + k, f->a, p.x_a, field->ring);
-    if (p.y_b != 0) fmpz_mpoly_q_add(outline->y + k, outline->y + k, f->b, field->ring);
-    if (p.y_c != 0) fmpz_mpoly_q_add(outline->y + k, outline->y + k, f->c, field->ring);
+    if (p.y_b != 0) tp_field_add(outline->y + k, outline->y + k, f->b, field);
+    if (p.y_c != 0) tp_field_add(outline->y + k, outline->y + k, f->c, field);
   }
   return true;
 }
@@ -166,7 +167,7 @@ static bool set_corners(tp_symbolic_chain *corners, const tp_teeth_formulas *f,
   for (long k = 0; k < corners->count; k++) {
     set_multiple(corners->x + k, f->a, k / 2, field->ring);
     fmpz_mpoly_q_set(corners->y + k, f->c, field->ring);
-    if (k % 2 == 1) fmpz_mpoly_q_add(corners->y + k, corners->y + k, f->b, field->ring);
+    if (k % 2 == 1) tp_field_add(corners->y + k, corners->y + k, f->b, field);
   }
   return true;
 }

@@ -55,6 +55,7 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
   tp_text_add(t, "%-11s%-24s %-10s ", tp_verdict_name(c->verdict), c->id, c->where);
   tp_claim_add_outcome(t, c);
   tp_text_add(t, "\n");
+  add_detail(t, "", c->condition);
   if (!tp_claim_objects(c)) return;
   if (c->is_formula) {
     char one[TP_NUMBER_SIZE], other[TP_NUMBER_SIZE];

@@ -49,6 +49,10 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
     tp_json_number(t, "computed_there", c->computed);
   }
   if (c->points > 0) tp_text_add(t, ", \"digits\": %d, \"points\": %d", c->digits, c->points);
+  if (c->condition != NULL) {
+    tp_text_add(t, ",\n     ");
+    add_text(t, "condition", c->condition);
+  }
   if (c->note != NULL) {
     tp_text_add(t, ",\n     ");
     add_text(t, "note", c->note);

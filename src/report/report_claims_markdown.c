@@ -44,6 +44,11 @@ static void add_objection(tp_text *t, const tp_claim_result *c) {
     tp_text_add(t, "\n");
     add_formula(t, "quantity", c->quantity);
   }
+  if (c->condition != NULL) {
+    tp_text_add(t, "- ");
+    add_cell(t, c->condition);
+    tp_text_add(t, "\n");
+  }
   if (c->note != NULL) {
     tp_text_add(t, "- note: ");
     add_cell(t, c->note);
@@ -61,6 +66,10 @@ static void add_row(tp_text *t, const tp_claim_result *c) {
   if (c->is_formula) {
     tp_text_add(t, "`%s`", c->printed);
     if (c->points > 0) tp_text_add(t, ", to %d digits at %d points", c->digits, c->points);
+    if (c->condition != NULL) {
+      tp_text_add(t, "; ");
+      add_cell(t, c->condition);
+    }
   } else {
     tp_claim_add_outcome(t, c);
   }

@@ -10,6 +10,8 @@
 
 #include "verify/evaluate.h"
 
+#include "derive/field_work.h"
+
 #include <stdlib.h>
 
 enum { MOST_MULTIPLE = 40 };
@@ -30,17 +32,18 @@ static void complex_clear(complex_formula *z, const fmpz_mpoly_ctx_t ring) {
 
 /* z = z w, in normal form. */
 static void complex_multiply(complex_formula *z, const complex_formula *w, const tp_subject *s) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   complex_formula product;
   fmpz_mpoly_q_t term;
   complex_init(&product, ring);
   fmpz_mpoly_q_init(term, ring);
-  fmpz_mpoly_q_mul(product.re, z->re, w->re, ring);
-  fmpz_mpoly_q_mul(term, z->im, w->im, ring);
-  fmpz_mpoly_q_sub(product.re, product.re, term, ring);
-  fmpz_mpoly_q_mul(product.im, z->re, w->im, ring);
-  fmpz_mpoly_q_mul(term, z->im, w->re, ring);
-  fmpz_mpoly_q_add(product.im, product.im, term, ring);
+  tp_field_mul(product.re, z->re, w->re, field);
+  tp_field_mul(term, z->im, w->im, field);
+  tp_field_sub(product.re, product.re, term, field);
+  tp_field_mul(product.im, z->re, w->im, field);
+  tp_field_mul(term, z->im, w->re, field);
+  tp_field_add(product.im, product.im, term, field);
   tp_subject_reduce(product.re, s);
   tp_subject_reduce(product.im, s);
   fmpz_mpoly_q_swap(z->re, product.re, ring);
@@ -124,7 +127,8 @@ bool tp_angle_sine_cosine(fmpz_mpoly_q_t sine, fmpz_mpoly_q_t cosine, const fmpz
 
 bool tp_angle_tangent(fmpz_mpoly_q_t tangent, bool *infinite, const fmpz_mpoly_q_t angle,
                       const tp_subject *s) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t cosine;
   fmpz_mpoly_q_init(cosine, ring);
   bool known = multiple(tangent, cosine, angle, 1, s);
@@ -134,7 +138,7 @@ bool tp_angle_tangent(fmpz_mpoly_q_t tangent, bool *infinite, const fmpz_mpoly_q
   }
   *infinite = known && fmpz_mpoly_q_is_zero(cosine, ring) != 0;
   if (known && !*infinite) {
-    fmpz_mpoly_q_div(tangent, tangent, cosine, ring);
+    tp_field_div(tangent, tangent, cosine, field);
     tp_subject_reduce(tangent, s);
   }
   fmpz_mpoly_q_clear(cosine, ring);

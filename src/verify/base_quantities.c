@@ -6,6 +6,8 @@
 
 #include "verify/quantities.h"
 
+#include "derive/field_work.h"
+
 /* a, c and N a of a toothed block for all N. */
 static tp_status read_teeth(fmpz_mpoly_q_t width, fmpz_mpoly_q_t a, fmpz_mpoly_q_t c,
                             const tp_subject *s, tp_message *message) {
@@ -13,7 +15,7 @@ static tp_status read_teeth(fmpz_mpoly_q_t width, fmpz_mpoly_q_t a, fmpz_mpoly_q
   tp_teeth_formulas_init(&f, s->field);
   const tp_status status = tp_teeth_formulas_read(&f, &s->own, s->scene, message);
   if (status == TP_OK) {
-    fmpz_mpoly_q_mul(width, f.count, f.a, s->field->ring);
+    tp_field_mul(width, f.count, f.a, s->field);
     fmpz_mpoly_q_set(a, f.a, s->field->ring);
     fmpz_mpoly_q_set(c, f.c, s->field->ring);
   }
@@ -57,7 +59,8 @@ static bool ends(tp_symbolic_point *p, tp_symbolic_point *q, const tp_subject *s
 /* Sums over the facets of dy^2 / dx, and of dx. */
 static tp_status sum_slopes(fmpz_mpoly_q_t squares, fmpz_mpoly_q_t length, fmpz_mpoly_q_t dx,
                             fmpz_mpoly_q_t dy, const tp_subject *s, tp_message *message) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const tp_contact *contact = &s->model.problem.contact;
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
@@ -67,25 +70,26 @@ static tp_status sum_slopes(fmpz_mpoly_q_t squares, fmpz_mpoly_q_t length, fmpz_
       return tp_quantity_fail(s, message,
                               "the contact ends on the base, which has no formula there");
     }
-    fmpz_mpoly_q_sub(dx, q.x, p.x, ring);
-    fmpz_mpoly_q_sub(dy, q.y, p.y, ring);
+    tp_field_sub(dx, q.x, p.x, field);
+    tp_field_sub(dy, q.y, p.y, field);
     if (fmpz_mpoly_q_is_zero(dx, ring)) {
       return tp_quantity_fail(s, message, "a facet stands upright: its slope is not finite");
     }
-    fmpz_mpoly_q_add(length, length, dx, ring);
-    fmpz_mpoly_q_mul(dy, dy, dy, ring);
-    fmpz_mpoly_q_div(dy, dy, dx, ring);
-    fmpz_mpoly_q_add(squares, squares, dy, ring);
+    tp_field_add(length, length, dx, field);
+    tp_field_mul(dy, dy, dy, field);
+    tp_field_div(dy, dy, dx, field);
+    tp_field_add(squares, squares, dy, field);
   }
   return TP_OK;
 }
 
 TP_QUANTITY_RULE(tp_quantity_mean_square_slope) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   if (!s->has_model) {
     const tp_status status = teeth_value(value, run, s, false, message);
-    if (status == TP_OK) fmpz_mpoly_q_div(value, value, run, ring);
-    fmpz_mpoly_q_mul(value, value, value, ring);
+    if (status == TP_OK) tp_field_div(value, value, run, field);
+    tp_field_mul(value, value, value, field);
     return status;
   }
   fmpz_mpoly_q_t dx, dy;
@@ -97,7 +101,7 @@ TP_QUANTITY_RULE(tp_quantity_mean_square_slope) {
   if (status == TP_OK && fmpz_mpoly_q_is_zero(run, ring)) {
     status = tp_quantity_fail(s, message, "the block touches its base in points alone");
   }
-  if (status == TP_OK) fmpz_mpoly_q_div(value, value, run, ring);
+  if (status == TP_OK) tp_field_div(value, value, run, field);
   fmpz_mpoly_q_clear(dx, ring);
   fmpz_mpoly_q_clear(dy, ring);
   return status;
@@ -111,7 +115,7 @@ TP_QUANTITY_RULE(tp_quantity_block_width) {
   if (!ends(&p, &q, s, contact->points[0].point, contact->points[contact->point_count - 1].point)) {
     return tp_quantity_fail(s, message, "the contact ends on the base, which has no formula there");
   }
-  fmpz_mpoly_q_sub(value, q.x, p.x, s->field->ring);
+  tp_field_sub(value, q.x, p.x, s->field);
   return TP_OK;
 }
 
@@ -130,6 +134,6 @@ TP_QUANTITY_RULE(tp_quantity_amplitude) {
   if (!ends(&p, &q, s, low, high)) {
     return tp_quantity_fail(s, message, "the contact ends on the base, which has no formula there");
   }
-  fmpz_mpoly_q_sub(value, q.y, p.y, s->field->ring);
+  tp_field_sub(value, q.y, p.y, s->field);
   return TP_OK;
 }

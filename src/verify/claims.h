@@ -6,7 +6,7 @@
 #ifndef TP_CLAIMS_H
 #define TP_CLAIMS_H
 
-#include "verify/subject.h"
+#include "verify/evaluate.h"
 
 /* A block that claims are about. */
 typedef struct tp_geometry {
@@ -23,7 +23,7 @@ typedef struct tp_claim {
   const char *where, *unit, *note; /* NULL: none */
   const tp_geometry *geometry;     /* NULL: none */
   const tp_node *printed, *quantity;
-  const tp_node *with[2], *at[2];
+  const tp_node *with[2], *at[2], *domain[2];
 } tp_claim;
 
 typedef struct tp_claims {
@@ -33,7 +33,7 @@ typedef struct tp_claims {
   long declared_count;
   tp_declared *declared;
   fmpq *declared_values;
-  const tp_node *with; /* for all claims; NULL: none */
+  const tp_node *with, *domain; /* for all claims; NULL: none */
   long geometry_count;
   tp_geometry *geometries;
   long claim_count, claim_capacity;
@@ -49,6 +49,13 @@ void tp_claims_clear(tp_claims *claims);
 /* The claims under `claims:`, by claims_list.c. */
 TP_MUST_USE tp_status tp_claims_read_list(tp_claims *claims, const tp_node *list,
                                           tp_message *message);
+
+/* Bound a domain as a `domain` says, NULL: nothing; names that the subject does not have are left
+ * out unless `all_names` are to be known. */
+TP_MUST_USE tp_status tp_claims_read_domain(tp_domain *domain, const tp_claims *claims,
+                                            const tp_node *node, bool all_names,
+                                            tp_subject *subject, const tp_sample *sample,
+                                            tp_message *message);
 
 /* Fail at a node of the file. */
 tp_status tp_claims_fail(const tp_claims *claims, const tp_node *node, tp_message *message,

@@ -64,13 +64,14 @@ static tp_status read_common(tp_claim *claim, const tp_claims *claims, const tp_
   if (status == TP_OK) status = find_geometry(&claim->geometry, claims, node, message);
   claim->with[0] = tp_node_get(node, "with");
   claim->at[0] = tp_node_get(node, "at");
+  claim->domain[0] = tp_node_get(node, "domain");
   return status;
 }
 
 static tp_status read_claim(tp_claims *claims, const tp_node *node, const char *id,
                             const char *where, tp_message *message) {
-  static const char *const keys[] = {"id",   "where", "geometry", "quantity", "printed",
-                                     "unit", "note",  "with",     "at",       NULL};
+  static const char *const keys[] = {"id",   "where", "geometry", "quantity", "printed", "unit",
+                                     "note", "with",  "at",       "domain",   NULL};
   tp_claim claim = {.where = where};
   tp_status status = tp_node_expect_keys(node, keys, "a claim", claims->path, message);
   if (status == TP_OK) status = read_common(&claim, claims, node, message);
@@ -81,8 +82,8 @@ static tp_status read_claim(tp_claims *claims, const tp_node *node, const char *
 /* A row of a table: its cells, each a claim by its column. */
 static tp_status read_row(tp_claims *claims, const tp_node *row, const tp_node *columns,
                           const tp_claim *prototypes, const char *id, tp_message *message) {
-  static const char *const own[] = {"row", "geometry", "with", "at", NULL};
-  const char *name = NULL, **keys = calloc((size_t)columns->count + 5, sizeof *keys);
+  static const char *const own[] = {"row", "geometry", "with", "at", "domain", NULL};
+  const char *name = NULL, **keys = calloc((size_t)columns->count + 6, sizeof *keys);
   if (keys == NULL) return tp_fail_memory(message, "the claims");
   size_t count = 0;
   for (; own[count] != NULL; count++) keys[count] = own[count];
@@ -103,6 +104,7 @@ static tp_status read_row(tp_claims *claims, const tp_node *row, const tp_node *
     if (geometry != NULL) claim.geometry = geometry;
     claim.with[1] = tp_node_get(row, "with");
     claim.at[1] = tp_node_get(row, "at");
+    claim.domain[1] = tp_node_get(row, "domain");
     char cell[240];
     snprintf(cell, sizeof cell, "%.100s.%.100s", name, c->key);
     status = add_claim(claims, claim, id, cell, message);
@@ -113,8 +115,8 @@ static tp_status read_row(tp_claims *claims, const tp_node *row, const tp_node *
 static tp_status read_table(tp_claims *claims, const tp_node *node, const char *id,
                             const char *where, tp_message *message) {
   static const char *const keys[] = {"id", "where", "columns", "rows", NULL},
-                           *const column_keys[] = {"quantity", "unit", "note", "geometry",
-                                                   "with",     "at",   NULL};
+                           *const column_keys[] = {"quantity", "unit", "note",   "geometry",
+                                                   "with",     "at",   "domain", NULL};
   const tp_node *columns = tp_node_get(node, "columns"), *rows = tp_node_get(node, "rows");
   tp_status status = tp_node_expect_keys(node, keys, "a table", claims->path, message);
   if (status != TP_OK) return status;

@@ -174,7 +174,7 @@ static tp_status read_geometries(tp_claims *claims, tp_message *message) {
 
 static tp_status read_root(tp_claims *claims, tp_message *message) {
   static const char *const keys[] = {"topple_claims", "title",      "source", "symbols", "angles",
-                                     "with",          "geometries", "claims", NULL};
+                                     "with",          "geometries", "claims", "domain",  NULL};
   const tp_node *root = claims->root, *list = NULL;
   const tp_node *version =
       root->kind == TP_NODE_MAPPING ? tp_node_get(root, "topple_claims") : NULL;
@@ -195,6 +195,7 @@ static tp_status read_root(tp_claims *claims, tp_message *message) {
   if (status == TP_OK) status = read_geometries(claims, message);
   if (status != TP_OK) return status;
   claims->with = tp_node_get(root, "with");
+  claims->domain = tp_node_get(root, "domain");
   list = tp_node_get(root, "claims");
   if (list == NULL || list->kind != TP_NODE_SEQUENCE || list->count == 0) {
     return tp_claims_fail(claims, list != NULL ? list : root, message,

@@ -6,7 +6,7 @@
 #ifndef TP_DECIDE_H
 #define TP_DECIDE_H
 
-#include "verify/evaluate.h"
+#include "verify/branches.h"
 
 /* A claim made ready: what is printed about a quantity of a subject, at a sample. */
 typedef struct tp_question {
@@ -36,6 +36,20 @@ TP_MUST_USE tp_status tp_decide_write(char **text, const fmpz_mpoly_q_t formula,
 /* The smallest change of one sign, coefficient, exponent or name that makes a refuted formula an
  * identity; none where none is found. */
 TP_MUST_USE tp_status tp_mend_find(tp_claim_result *result, const tp_question *question);
+
+/* Do two angles of equal tangents have to be equal, by their ranges over the domain? */
+bool tp_angles_in_reach(const tp_question *question);
+
+/* The quadrant of a direction at a sample, 1 to 4; 0 where it is not known. */
+int tp_direction_quadrant(const tp_name *name, const tp_sample *sample, tp_subject *subject);
+
+/* The verdict from points of the domain, on both sides of what the branches turn on: refuted, or
+ * agrees, or undecided. */
+TP_MUST_USE tp_status tp_decide_at_points(tp_claim_result *result, const tp_question *question,
+                                          const tp_branches *branches);
+
+/* Values at which both sides are certain to differ, if some are found. */
+TP_MUST_USE tp_status tp_decide_witness(tp_claim_result *result, const tp_question *question);
 
 /* Is a text a number as papers print it: [<|>|<=|>=] [sign] decimal? */
 bool tp_decide_is_number(const char *text);

@@ -5,24 +5,24 @@
  *
  * Where both sides are rational in the symbols, sines and cosines the claim is an identity if and
  * only if the numerator of the difference, reduced by sin^2 + cos^2 = 1 for every angle, is the
- * zero polynomial: proven or refuted. Otherwise both sides are enclosed at many rational points:
- * two enclosures that do not meet refute the claim; if all meet it agrees to as many digits as they
- * are narrow, and is not called proven. */
+ * zero polynomial. Roots of squares and magnitudes are so in branches, by the signs of what they
+ * are taken of: the claim is proven if it is an identity in all, refuted if it is one in none.
+ * Angles are compared by their tangents, and their ranges must not reach to a multiple of 180
+ * degrees. What the printed formula divides by must not vanish within the domain where the quantity
+ * has a value. All else is left to points of the domain. */
 
 #include "verify/decide.h"
 
-#include "number/ball.h"
-
-#include <math.h>
+#include "derive/field_work.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { POINTS = 24, BITS = 256 };
 
 tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *derived,
                                bool *rational, bool *tangents, const tp_question *q) {
   tp_subject *s = q->subject;
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t value;
   fmpz_mpoly_q_init(value, ring);
   bool both = false;
@@ -38,157 +38,231 @@ tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *d
   }
   *rational = *rational && both;
   if (status == TP_OK && *rational) {
-    const char *problem = tp_field_too_large(difference, value, s->field);
+    tp_field_sub(difference, difference, value, field);
+    tp_subject_reduce(difference, s);
+    if (derived != NULL) fmpz_mpoly_q_swap(derived, value, field->ring);
+    const char *problem = tp_field_problem(field);
     if (problem != NULL) {
       status = tp_formula_fail(q->printed, tp_formula_root(q->printed), q->message, problem);
-    } else {
-      fmpz_mpoly_q_sub(difference, difference, value, ring);
-      tp_subject_reduce(difference, s);
-      if (derived != NULL) fmpz_mpoly_q_swap(derived, value, ring);
     }
   }
   fmpz_mpoly_q_clear(value, ring);
   return status;
 }
 
-/* Both sides at a sample. */
-static tp_status both_sides(arb_t printed, arb_t derived, const tp_question *q,
-                            const tp_sample *sample) {
-  tp_status status =
-      tp_evaluate_ball(printed, q->printed, q->subject, sample, false, BITS, q->message);
-  if (status != TP_OK) return status;
-  return tp_evaluate_ball(derived, q->quantity, q->subject, sample, false, BITS, q->message);
+/* What the branches of a claim say. */
+typedef struct survey {
+  tp_branches branches;
+  fmpz_mpoly_q_t difference, derived; /* in the branch of the claim's values */
+  bool tangents;
+  bool rational;     /* in all branches */
+  long equal, other; /* branches in which it is an identity, and in which not */
+  bool holds_here;   /* it is one in the branch of the claim's values */
+  char *where;       /* that branch in words; NULL: there is one alone */
+} survey;
+
+static void survey_init(survey *v, const tp_question *q) {
+  memset(v, 0, sizeof *v);
+  tp_branches_init(&v->branches, q->subject, q->sample);
+  v->branches.gathers_divisors = true;
+  v->rational = true;
+  fmpz_mpoly_q_init(v->difference, q->subject->field->ring);
+  fmpz_mpoly_q_init(v->derived, q->subject->field->ring);
 }
 
-static tp_status keep_values(tp_claim_result *result, const arb_t printed, const arb_t derived,
-                             const tp_question *q, const tp_sample *sample) {
-  char text[600];
-  int *used = calloc((size_t)sample->count, sizeof *used);
-  if (used == NULL) return tp_fail_memory(q->message, "a claim");
-  tp_status status = tp_evaluate_used(used, q->printed, q->subject, q->message);
-  if (status == TP_OK) status = tp_evaluate_used(used, q->quantity, q->subject, q->message);
-  tp_sample_text(text, sizeof text, sample, q->subject, used);
-  free(used);
-  if (status != TP_OK) return status;
-  result->has_values = true;
-  result->printed_value = tp_ball_bounded(printed);
-  result->computed = tp_ball_bounded(derived);
-  result->values = strdup(text);
-  return result->values != NULL ? TP_OK : tp_fail_memory(q->message, "a claim");
+static void survey_clear(survey *v, const tp_question *q) {
+  tp_branches_use(NULL, q->subject);
+  tp_branches_clear(&v->branches);
+  fmpz_mpoly_q_clear(v->difference, q->subject->field->ring);
+  fmpz_mpoly_q_clear(v->derived, q->subject->field->ring);
+  free(v->where);
 }
 
-/* Both sides at the claim's own values, or, where they are equal there or undefined, at the first
- * point where they are not. */
-static tp_status find_witness(tp_claim_result *result, const tp_question *q) {
-  arb_t printed, derived;
-  arb_init(printed);
-  arb_init(derived);
+/* "a - 1 >= 0, b - a <= 0" for the signs of the branch; NULL where it has none. */
+static tp_status name_branch(char **text, const tp_branches *b, const tp_question *q) {
+  char *all = NULL;
   tp_status status = TP_OK;
-  for (unsigned k = 0; k <= POINTS && status == TP_OK && !result->has_values; k++) {
-    tp_sample sample;
-    if (!tp_sample_init_copy(&sample, q->sample)) {
-      status = tp_fail_memory(q->message, "a claim");
-      break;
+  for (long k = 0; k < b->count && status == TP_OK; k++) {
+    char *one = NULL;
+    status = tp_decide_write(&one, b->items[k].of, q);
+    const size_t size = (all != NULL ? strlen(all) : 0) + (one != NULL ? strlen(one) : 0) + 16;
+    char *longer = status == TP_OK ? malloc(size) : NULL;
+    if (status == TP_OK && longer == NULL) status = tp_fail_memory(q->message, "a claim");
+    if (longer != NULL) {
+      snprintf(longer, size, "%s%s%s %s 0", all != NULL ? all : "", all != NULL ? ", " : "", one,
+               b->items[k].sign > 0 ? ">=" : "<=");
     }
-    if (k > 0) tp_sample_scatter(&sample, q->subject, k);
-    status = both_sides(printed, derived, q, &sample);
-    if (status == TP_OK && arb_is_finite(printed) && arb_is_finite(derived) &&
-        !arb_overlaps(printed, derived)) {
-      status = keep_values(result, printed, derived, q, &sample);
-    }
-    tp_sample_clear(&sample);
+    free(one);
+    free(all);
+    all = longer;
   }
-  arb_clear(printed);
-  arb_clear(derived);
+  *text = all;
   return status;
 }
 
-/* Decimal digits to which two enclosures that meet agree. */
-static int digits_of(const arb_t printed, const arb_t derived) {
-  arb_t gap;
-  arb_init(gap);
-  arb_sub(gap, printed, derived, BITS);
-  mag_t size, scale;
-  mag_init(size);
-  mag_init(scale);
-  arb_get_mag(size, gap);
-  arb_get_mag_lower(scale, derived);
-  double digits = 1; /* of zero itself */
-  if (mag_is_zero(size)) {
-    digits = BITS * 0.301;
-  } else if (!mag_is_zero(scale)) {
-    digits = -(mag_get_d_log2_approx(size) - mag_get_d_log2_approx(scale)) * 0.30102999566;
-  }
-  mag_clear(size);
-  mag_clear(scale);
-  arb_clear(gap);
-  return digits > 1 ? (int)digits : 1;
-}
-
-/* At points about the claim's values. */
-static tp_status decide_at_points(tp_claim_result *result, const tp_question *q) {
-  arb_t printed, derived;
-  arb_init(printed);
-  arb_init(derived);
-  tp_status status = TP_OK;
-  int digits = BITS;
-  for (unsigned k = 0; k < POINTS && status == TP_OK && !result->has_values; k++) {
-    tp_sample sample;
-    if (!tp_sample_init_copy(&sample, q->sample)) {
-      status = tp_fail_memory(q->message, "a claim");
-      break;
-    }
-    if (k > 0) tp_sample_scatter(&sample, q->subject, k);
-    status = both_sides(printed, derived, q, &sample);
-    if (status == TP_OK && arb_is_finite(printed) && arb_is_finite(derived)) {
-      result->points++;
-      const int own = digits_of(printed, derived);
-      digits = own < digits ? own : digits;
-      if (!arb_overlaps(printed, derived)) {
-        status = keep_values(result, printed, derived, q, &sample);
-      }
-    }
-    tp_sample_clear(&sample);
-  }
-  arb_clear(printed);
-  arb_clear(derived);
-  if (status != TP_OK) return status;
-  if (result->has_values) {
-    result->verdict = TP_VERDICT_REFUTED;
-    result->points = 0;
-  } else {
-    result->verdict = result->points > 0 ? TP_VERDICT_AGREES : TP_VERDICT_UNDECIDED;
-    result->digits = result->points > 0 ? digits : 0;
-  }
-  return TP_OK;
-}
-
-static tp_status decide_identity(tp_claim_result *result, const fmpz_mpoly_q_t difference,
-                                 const fmpz_mpoly_q_t derived, const tp_question *q) {
-  tp_status status = tp_decide_write(&result->derived, derived, q);
-  if (status != TP_OK) return status;
-  if (fmpz_mpoly_q_is_zero(difference, q->subject->field->ring)) {
-    result->verdict = TP_VERDICT_PROVEN;
-    return TP_OK;
-  }
-  result->verdict = TP_VERDICT_REFUTED;
-  status = tp_decide_write(&result->difference, difference, q);
-  if (status == TP_OK) status = find_witness(result, q);
-  return status == TP_OK ? tp_mend_find(result, q) : status;
-}
-
-tp_status tp_decide_formula(tp_claim_result *result, const tp_question *q) {
+/* One branch. What cannot be formed in it, as where something is divided by zero, is no identity
+ * there, unless it is the budget that is spent. */
+static tp_status survey_branch(survey *v, bool *formed, bool first, const tp_question *q) {
   const fmpz_mpoly_ctx_struct *ring = q->subject->field->ring;
   fmpz_mpoly_q_t difference, derived;
-  bool rational = false;
   fmpz_mpoly_q_init(difference, ring);
   fmpz_mpoly_q_init(derived, ring);
-  tp_status status = tp_decide_difference(difference, derived, &rational, &result->is_tangent, q);
-  if (status == TP_OK) {
-    status =
-        rational ? decide_identity(result, difference, derived, q) : decide_at_points(result, q);
+  bool rational = false;
+  tp_branches_use(&v->branches, q->subject);
+  tp_status status = tp_decide_difference(difference, derived, &rational, &v->tangents, q);
+  *formed = status == TP_OK;
+  if (status == TP_OK && !rational) {
+    v->rational = false;
+  } else if (status == TP_OK) {
+    const bool equal = fmpz_mpoly_q_is_zero(difference, ring) != 0;
+    v->equal += equal;
+    v->other += !equal;
+    if (first) {
+      v->holds_here = equal;
+      fmpz_mpoly_q_swap(v->difference, difference, ring);
+      fmpz_mpoly_q_swap(v->derived, derived, ring);
+      status = name_branch(&v->where, &v->branches, q);
+    }
   }
   fmpz_mpoly_q_clear(difference, ring);
   fmpz_mpoly_q_clear(derived, ring);
+  return status;
+}
+
+static tp_status survey_all(survey *v, const tp_question *q) {
+  bool any = false;
+  tp_status status = TP_OK;
+  for (long k = 0; k < TP_MOST_BRANCHES; k++) {
+    bool formed = false;
+    status = survey_branch(v, &formed, k == 0, q);
+    any = any || formed;
+    const bool apart = status == TP_OK || (status == TP_BAD_INPUT && !formed &&
+                                           tp_field_problem(q->subject->field) == NULL);
+    if (!apart || !v->rational) return status;
+    v->other += !formed;
+    if (!tp_branches_next(&v->branches)) return any ? TP_OK : status;
+  }
+  v->branches.too_many = true;
+  return any ? TP_OK : status;
+}
+
+/* Can what the printed formula divides by vanish where the quantity has a value? The factors that
+ * it shares with the quantity's denominator are left out. `*text`: the first that can, else NULL.
+ */
+static tp_status find_vanishing(char **text, const survey *v, const tp_question *q) {
+  const tp_field *field = q->subject->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
+  tp_status status = TP_OK;
+  fmpz_mpoly_q_t rest, below;
+  fmpz_mpoly_q_init(rest, ring);
+  fmpz_mpoly_q_init(below, ring);
+  for (long k = 0; k < v->branches.divisor_count && *text == NULL && status == TP_OK; k++) {
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(rest), fmpz_mpoly_q_numref(v->branches.divisors[k]), ring);
+    fmpz_mpoly_one(fmpz_mpoly_q_denref(rest), ring);
+    fmpz_mpoly_set(fmpz_mpoly_q_numref(below), fmpz_mpoly_q_denref(v->derived), ring);
+    bool shared = true;
+    while (shared && tp_field_problem(field) == NULL) { /* rest = rest / gcd(rest, below) */
+      const slong before = fmpz_mpoly_total_degree_si(fmpz_mpoly_q_numref(rest), ring);
+      tp_field_div(rest, rest, below, field);
+      fmpz_mpoly_one(fmpz_mpoly_q_denref(rest), ring);
+      shared = fmpz_mpoly_total_degree_si(fmpz_mpoly_q_numref(rest), ring) < before;
+    }
+    if (tp_domain_sign(rest, q->subject->domain, true) == 0)
+      status = tp_decide_write(text, rest, q);
+  }
+  fmpz_mpoly_q_clear(rest, ring);
+  fmpz_mpoly_q_clear(below, ring);
+  return status;
+}
+
+/* A text before and after another, as the condition. */
+static tp_status set_condition(tp_claim_result *result, const tp_question *q, const char *before,
+                               const char *text, const char *after) {
+  const size_t size = strlen(before) + strlen(text) + strlen(after) + 1;
+  char *all = malloc(size);
+  if (all == NULL) return tp_fail_memory(q->message, "a claim");
+  snprintf(all, size, "%s%s%s", before, text, after);
+  free(result->condition);
+  result->condition = all;
+  return TP_OK;
+}
+
+/* An identity in every branch is proven unless its angles or its divisors keep it from being so. */
+static tp_status decide_identity(tp_claim_result *result, const survey *v, const tp_question *q) {
+  char *vanishing = NULL;
+  if (v->tangents && !tp_angles_in_reach(q)) {
+    const tp_status status = tp_decide_at_points(result, q, &v->branches);
+    if (status != TP_OK || result->condition != NULL) return status;
+    return set_condition(result, q, "the tangents of these angles are equal", "",
+                         ", so they differ by multiples of 180 degrees");
+  }
+  tp_status status = find_vanishing(&vanishing, v, q);
+  result->verdict = TP_VERDICT_PROVEN;
+  if (status == TP_OK && vanishing != NULL) {
+    status = tp_decide_at_points(result, q, &v->branches);
+    if (status == TP_OK) {
+      status = set_condition(result, q,
+                             result->verdict == TP_VERDICT_UNDECIDED
+                                 ? "the printed formula has no value at the claim's own values: an "
+                                   "identity except where "
+                                 : "an identity except where ",
+                             vanishing, " = 0");
+    }
+  }
+  free(vanishing);
+  return status;
+}
+
+static tp_status refute(tp_claim_result *result, const survey *v, const tp_question *q) {
+  result->verdict = TP_VERDICT_REFUTED;
+  tp_status status = tp_decide_write(&result->difference, v->difference, q);
+  if (status == TP_OK) status = tp_decide_witness(result, q);
+  tp_branches_use(NULL, q->subject);
+  return status == TP_OK ? tp_mend_find(result, q) : status;
+}
+
+/* An identity in some branches: points tell whether the others are within the domain. */
+static tp_status decide_parts(tp_claim_result *result, const survey *v, const tp_question *q) {
+  const tp_status status = tp_decide_at_points(result, q, &v->branches);
+  if (status != TP_OK || v->where == NULL) return status;
+  char *failing = result->condition;
+  result->condition = NULL;
+  const tp_status written =
+      set_condition(result, q, v->holds_here ? "it holds where " : "it does not hold where ",
+                    v->where, failing != NULL ? ", as at the claim's own values; " : "");
+  if (written == TP_OK && failing != NULL) {
+    char *start = result->condition;
+    result->condition = NULL;
+    const tp_status joined = set_condition(result, q, start, failing, "");
+    free(start);
+    free(failing);
+    return joined;
+  }
+  free(failing);
+  return written;
+}
+
+tp_status tp_decide_formula(tp_claim_result *result, const tp_question *q) {
+  survey v;
+  survey_init(&v, q);
+  tp_status status = survey_all(&v, q);
+  result->is_tangent = v.rational && v.tangents;
+  if (status == TP_OK && v.rational && v.equal + v.other > 0) {
+    status = tp_decide_write(&result->derived, v.derived, q);
+  }
+  if (status != TP_OK) {
+    survey_clear(&v, q);
+    return status;
+  }
+  if (!v.rational || v.branches.too_many) {
+    status = tp_decide_at_points(result, q, &v.branches);
+  } else if (v.other == 0) {
+    status = decide_identity(result, &v, q);
+  } else if (v.equal == 0) {
+    status = refute(result, &v, q);
+  } else {
+    status = decide_parts(result, &v, q);
+  }
+  survey_clear(&v, q);
   return status;
 }

@@ -11,6 +11,7 @@
 
 #include "verify/decide.h"
 
+#include "derive/field_work.h"
 #include "number/ball.h"
 #include "number/ratio.h"
 
@@ -152,7 +153,13 @@ static tp_status exact_value(fmpq_t x, bool *exact, const tp_question *q) {
   if (used == NULL) return tp_fail_memory(q->message, "a number");
   fmpz_mpoly_q_t formula;
   fmpz_mpoly_q_init(formula, s->field->ring);
+  tp_branches here;
+  tp_branches_init(&here, q->subject, q->sample);
+  here.only_sample = true;
+  tp_branches_use(&here, q->subject);
   const tp_status status = tp_evaluate_field(formula, exact, q->quantity, q->subject, q->message);
+  tp_branches_use(NULL, q->subject);
+  tp_branches_clear(&here);
   if (status == TP_OK && *exact) {
     fmpz_mpoly_q_used_vars(used, formula, s->field->ring);
     for (long k = 0; k < s->angle_count; k++) {
@@ -207,7 +214,11 @@ tp_status tp_decide_number(tp_claim_result *result, const tp_question *q) {
   arb_init(x);
   tp_status status = TP_OK;
   bool decided = false;
+  const tp_field_work *work = q->subject->field->work;
   for (long bits = FIRST_BITS; bits <= MOST_BITS && status == TP_OK && !decided; bits *= 2) {
+    const double units = tp_evaluate_units(q->quantity, q->subject, bits);
+    if (bits > FIRST_BITS && work->spent + units > work->budget / 2) break; /* undecided */
+    (void)tp_field_spend(q->subject->field, units);
     status = tp_evaluate_ball(x, q->quantity, q->subject, q->sample, true, bits, q->message);
     if (status == TP_OK && !arb_is_finite(x)) {
       if (bits < MOST_BITS) continue;

@@ -45,8 +45,8 @@ void tp_sample_clear(tp_sample *sample);
 TP_MUST_USE tp_status tp_sample_set(tp_sample *sample, const tp_subject *subject, const char *name,
                                     const fmpq_t value, tp_place place, tp_message *message);
 
-/* Move every value by up to 15 %, by a fixed sequence of numbers. */
-void tp_sample_scatter(tp_sample *sample, const tp_subject *subject, unsigned seed);
+/* The field's symbol that a name of a sample's value is; -1: none. */
+long tp_sample_symbol(const tp_subject *subject, const char *name);
 
 /* The field's symbols in balls; the caller clears the vector of sample->count. The angle i is that
  * of the facet at the pivot unless it is given. */
@@ -65,6 +65,9 @@ void tp_sample_text(char *text, size_t size, const tp_sample *sample, const tp_s
 TP_MUST_USE tp_status tp_evaluate_ball(arb_t value, const tp_formula *formula, tp_subject *subject,
                                        const tp_sample *sample, bool strict, long bits,
                                        tp_message *message);
+
+/* Units of work (derive/field_work.h) that enclosing a formula takes, definitions included. */
+double tp_evaluate_units(const tp_formula *formula, const tp_subject *subject, long bits);
 
 /* Mark the field's symbols that a formula depends on. */
 TP_MUST_USE tp_status tp_evaluate_used(int *used, const tp_formula *formula, tp_subject *subject,

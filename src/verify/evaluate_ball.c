@@ -7,6 +7,7 @@
 
 #include "number/ball.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 typedef struct evaluation {
@@ -201,6 +202,25 @@ tp_status tp_evaluate_ball(arb_t value, const tp_formula *formula, tp_subject *s
   _arb_vec_clear(symbols, sample->count);
   free(e.defined);
   return status;
+}
+
+static double units_of(const tp_formula *formula, long bits) {
+  const double function = 10 * pow((double)bits / 256, 1.3);
+  double units = 0;
+  for (long k = 0; k < formula->count; k++) {
+    const tp_formula_kind kind = formula->nodes[k].kind;
+    const bool dear = kind == TP_FORMULA_CALL || kind == TP_FORMULA_POWER;
+    units += dear ? function : 0.5 * (double)(256 + bits) / 256;
+  }
+  return units;
+}
+
+double tp_evaluate_units(const tp_formula *formula, const tp_subject *s, long bits) {
+  double units = units_of(formula, bits);
+  for (long k = s->permanent; k < s->name_count; k++) {
+    if (s->names[k].kind == TP_NAME_DEFINITION) units += units_of(&s->names[k].definition, bits);
+  }
+  return units;
 }
 
 /* By names alone, so that it holds for what is not rational too. */

@@ -3,7 +3,9 @@
 
 /* Formulas as rational functions. */
 
-#include "verify/evaluate.h"
+#include "verify/branches.h"
+
+#include "derive/field_work.h"
 
 #include <stdlib.h>
 
@@ -20,10 +22,15 @@ typedef struct evaluation {
   tp_message *message;
   tp_status status;
   fmpz_mpoly_q_struct *values; /* of the nodes so far */
+  bool *known;                 /* which of them are rational */
 } evaluation;
 
 static const fmpz_mpoly_ctx_struct *ring_of(const evaluation *e) {
   return e->subject->field->ring;
+}
+
+static const tp_field *field_of(const evaluation *e) {
+  return e->subject->field;
 }
 
 static outcome fail(evaluation *e, const tp_formula_node *node, const char *problem) {
@@ -64,7 +71,14 @@ static outcome of_name(evaluation *e, fmpz_mpoly_q_t value, long index) {
   return NOT_RATIONAL;
 }
 
-/* The positive one of the two roots of a perfect square. */
+/* value = |value|, by the sign that it has on the domain or in the branch that is looked at. */
+static outcome magnitude(evaluation *e, fmpz_mpoly_q_t value) {
+  const int sign = tp_branches_sign(value, e->subject);
+  if (sign < 0) fmpz_mpoly_q_neg(value, value, ring_of(e));
+  return sign != 0 ? RATIONAL : NOT_RATIONAL;
+}
+
+/* The root of a perfect square that is not below zero. */
 static outcome square_root(evaluation *e, fmpz_mpoly_q_t value) {
   const fmpz_mpoly_ctx_struct *ring = ring_of(e);
   fmpz_mpoly_q_t root;
@@ -72,21 +86,11 @@ static outcome square_root(evaluation *e, fmpz_mpoly_q_t value) {
   const bool square =
       fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(root), fmpz_mpoly_q_numref(value), ring) &&
       fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(root), fmpz_mpoly_q_denref(value), ring);
-  outcome result = square ? RATIONAL : NOT_RATIONAL;
-  tp_sample sample;
-  if (square && !tp_sample_init(&sample, e->subject)) {
-    e->status = tp_fail_memory(e->message, "a root");
-    result = FAILED;
-  } else if (square) {
-    arb_t size;
-    arb_init(size);
-    tp_sample_evaluate(size, root, &sample, e->subject, 128);
-    if (arb_is_negative(size)) fmpz_mpoly_q_neg(root, root, ring);
+  outcome result = NOT_RATIONAL;
+  if (square) {
     fmpz_mpoly_q_swap(value, root, ring);
-    arb_clear(size);
-    tp_sample_clear(&sample);
-  }
-  if (!square) { /* the denominator of a value that is not valid must not be zero */
+    result = magnitude(e, value);
+  } else { /* the denominator of a value that is not valid must not be zero */
     fmpz_mpoly_q_one(root, ring);
   }
   fmpz_mpoly_q_clear(root, ring);
@@ -109,13 +113,24 @@ static outcome power(evaluation *e, fmpz_mpoly_q_t base, const fmpz_mpoly_q_t ex
   if (!whole && !half) return NOT_RATIONAL;
   const outcome root = half ? square_root(e, base) : RATIONAL;
   if (root != RATIONAL) return root;
+  if (count < 0) tp_branches_divide(base, e->subject);
   const char *problem = tp_field_power(base, count, e->subject->field);
   return problem == NULL ? RATIONAL : fail(e, node, problem);
+}
+
+/* A tangent is not finite where its denominator vanishes. */
+static void divide_by_denominator(evaluation *e, const fmpz_mpoly_q_t value) {
+  fmpz_mpoly_q_t below;
+  fmpz_mpoly_q_init(below, ring_of(e));
+  fmpz_mpoly_set(fmpz_mpoly_q_numref(below), fmpz_mpoly_q_denref(value), ring_of(e));
+  tp_branches_divide(below, e->subject);
+  fmpz_mpoly_q_clear(below, ring_of(e));
 }
 
 static outcome call(evaluation *e, fmpz_mpoly_q_t value, const tp_formula_node *node) {
   const fmpz_mpoly_ctx_struct *ring = ring_of(e);
   if (node->function == TP_FUNCTION_SQRT) return square_root(e, value);
+  if (node->function == TP_FUNCTION_ABS) return magnitude(e, value);
   fmpz_mpoly_q_t sine, cosine;
   fmpz_mpoly_q_init(sine, ring);
   fmpz_mpoly_q_init(cosine, ring);
@@ -143,6 +158,7 @@ static outcome call(evaluation *e, fmpz_mpoly_q_t value, const tp_formula_node *
       fmpz_mpoly_q_zero(value, ring);
       infinite = false;
     } else if (known) {
+      tp_branches_divide(value, e->subject);
       fmpz_mpoly_q_inv(value, value, ring);
     }
     break;
@@ -152,34 +168,36 @@ static outcome call(evaluation *e, fmpz_mpoly_q_t value, const tp_formula_node *
   fmpz_mpoly_q_clear(sine, ring);
   fmpz_mpoly_q_clear(cosine, ring);
   if (infinite) return fail(e, node, "it is infinite, whatever the values");
+  if (known && node->function == TP_FUNCTION_TAN) divide_by_denominator(e, value);
   return known ? RATIONAL : NOT_RATIONAL;
 }
 
 /* left = left op right */
 static outcome combine(evaluation *e, fmpz_mpoly_q_t left, const fmpz_mpoly_q_t right,
                        const tp_formula_node *node) {
-  const fmpz_mpoly_ctx_struct *ring = ring_of(e);
+  const tp_field *field = field_of(e);
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   if (node->kind == TP_FORMULA_POWER) return power(e, left, right, node);
-  const char *problem = tp_field_too_large(left, right, e->subject->field);
-  if (problem != NULL) return fail(e, node, problem);
   switch (node->kind) {
   case TP_FORMULA_ADD:
-    fmpz_mpoly_q_add(left, left, right, ring);
+    tp_field_add(left, left, right, field);
     break;
   case TP_FORMULA_SUBTRACT:
-    fmpz_mpoly_q_sub(left, left, right, ring);
+    tp_field_sub(left, left, right, field);
     break;
   case TP_FORMULA_MULTIPLY:
-    fmpz_mpoly_q_mul(left, left, right, ring);
+    tp_field_mul(left, left, right, field);
     break;
   default:
     if (fmpz_mpoly_q_is_zero(right, ring)) {
       return fail(e, node, "division by zero, whatever the values");
     }
-    fmpz_mpoly_q_div(left, left, right, ring);
+    tp_branches_divide(right, e->subject);
+    tp_field_div(left, left, right, field);
     break;
   }
-  return RATIONAL;
+  const char *problem = tp_field_problem(field);
+  return problem == NULL ? RATIONAL : fail(e, node, problem);
 }
 
 /* The value of a node from those of its operands, which it may take over. */
@@ -207,13 +225,22 @@ static outcome of_node(evaluation *e, const tp_formula_node *node, fmpz_mpoly_q_
   return result;
 }
 
-/* Evaluate all nodes before `end`; the first that is not rational ends it. */
-static outcome of_nodes(evaluation *e, long end) {
-  outcome result = RATIONAL;
-  for (long k = 0; k < end && result == RATIONAL; k++) {
-    result = of_node(e, e->formula->nodes + k, e->values + k);
+/* Evaluate all nodes before `end`. After one that is not rational the others are looked at for the
+ * sake of their branches alone, and what is wrong with them is left to the points. */
+static void of_nodes(evaluation *e, long end) {
+  bool all = true;
+  for (long k = 0; k < end && e->status == TP_OK; k++) {
+    const tp_formula_node *node = e->formula->nodes + k;
+    if (node->left >= 0 && !e->known[node->left]) continue;
+    if (node->right >= 0 && !e->known[node->right]) continue;
+    if (!all && e->subject->branches == NULL) return;
+    e->known[k] = of_node(e, node, e->values + k) == RATIONAL;
+    if (!all && e->status != TP_OK && e->status != TP_OUT_OF_MEMORY) {
+      e->status = TP_OK;
+      tp_field_forgive(field_of(e));
+    }
+    all = all && e->known[k];
   }
-  return result;
 }
 
 static fmpz_mpoly_q_struct *new_values(long count, const fmpz_mpoly_ctx_t ring) {
@@ -234,9 +261,17 @@ static tp_status evaluate(fmpz_mpoly_q_t value, bool *rational, bool operand,
   const long last = formula->count - 1;
   fmpz_mpoly_q_struct *values = new_values(formula->count, ring);
   if (values == NULL) return tp_fail_memory(message, "a formula");
-  evaluation e = {.formula = formula, .subject = subject, .message = message, .values = values};
-  *rational = of_nodes(&e, operand ? last : last + 1) == RATIONAL;
+  bool *known = calloc((size_t)formula->count, sizeof *known);
+  if (known == NULL) {
+    free_values(values, formula->count, ring);
+    return tp_fail_memory(message, "a formula");
+  }
+  evaluation e = {
+      .formula = formula, .subject = subject, .message = message, .values = values, .known = known};
+  of_nodes(&e, operand ? last : last + 1);
   const long wanted = operand ? tp_formula_root(formula)->left : last;
+  *rational = e.status == TP_OK && known[wanted];
+  free(known);
   if (*rational) fmpz_mpoly_q_swap(value, values + wanted, ring);
   free_values(values, formula->count, ring);
   return e.status;
@@ -250,7 +285,8 @@ tp_status tp_evaluate_field(fmpz_mpoly_q_t value, bool *rational, const tp_formu
 /* The tangent of a name: of a direction, of an angle, of what it is defined by. */
 static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long index,
                                  tp_subject *subject, tp_message *message) {
-  const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
+  const tp_field *field = subject->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   const tp_name *name = NULL;
   const tp_status status = tp_subject_name(&name, subject, index, message);
   *rational = false;
@@ -259,7 +295,7 @@ static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long inde
     return tp_evaluate_tangent(value, rational, &name->definition, subject, message);
   }
   if (name->kind == TP_NAME_DIRECTION && !fmpz_mpoly_q_is_zero(name->run, ring)) {
-    fmpz_mpoly_q_div(value, name->value, name->run, ring);
+    tp_field_div(value, name->value, name->run, field);
     tp_subject_reduce(value, subject);
     *rational = true;
   }
@@ -268,7 +304,7 @@ static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long inde
     fmpz_mpoly_q_init(cosine, ring);
     fmpz_mpoly_q_gen(value, subject->angles[name->angle].sine, ring);
     fmpz_mpoly_q_gen(cosine, subject->angles[name->angle].cosine, ring);
-    fmpz_mpoly_q_div(value, value, cosine, ring);
+    tp_field_div(value, value, cosine, field);
     fmpz_mpoly_q_clear(cosine, ring);
     *rational = true;
   }

@@ -6,17 +6,21 @@
  * Candidates are changes of the text at one place, so that what is reported is what was read and
  * proven again: a sign turned; a number replaced; an exponent replaced or added; a term multiplied;
  * a name taken for another. The first kind that works is kept, and of that kind the change with the
- * simplest number. */
+ * simplest number. The search ends where its share of the budget is spent, and says so. */
 
 #include "verify/mend.h"
 
+#include "derive/field_work.h"
 #include "number/ratio.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 64 };
+enum { BITS = 64, NODE_UNITS = 1 };
+static const double most_units = 2500000; /* for one claim */
+static const double share = 0.6;          /* of the budget; the rest is for proofs */
 
 typedef struct search {
   const tp_question *question;
@@ -25,6 +29,12 @@ typedef struct search {
   double best;   /* of the change that is kept: the smaller, the simpler */
   bool failed;   /* memory was exhausted */
 } search;
+
+/* Room for another candidate: it is read, and enclosed at the claim's values. */
+static bool spend(const search *s) {
+  const tp_question *q = s->question;
+  return tp_field_spend(q->subject->field, NODE_UNITS * (double)(q->printed->count + 10));
+}
 
 /* Could the text be an identity? Not if it differs at the claim's values. */
 static bool may_be_identity(const char *text, search *s) {
@@ -47,12 +57,13 @@ static bool may_be_identity(const char *text, search *s) {
 
 static bool is_identity(const char *text, search *s) {
   const fmpz_mpoly_ctx_struct *ring = s->question->subject->field->ring;
-  if (!may_be_identity(text, s)) return false;
+  if (!spend(s) || !may_be_identity(text, s)) return false;
   fmpz_mpoly_q_t difference;
   fmpz_mpoly_q_init(difference, ring);
   const bool zero = tp_mend_difference(difference, &s->failed, text, s->question) &&
                     fmpz_mpoly_q_is_zero(difference, ring);
   fmpz_mpoly_q_clear(difference, ring);
+  tp_field_forgive(s->question->subject->field);
   return zero;
 }
 
@@ -111,10 +122,12 @@ typedef void (*root_visitor)(search *s, const fmpq_t root, int begin, int end);
 /* Visit the numbers for which the text with the unknown, as `written`, at [begin, end) may be an
  * identity. */
 static void solve_for(search *s, int begin, int end, const char *written, root_visitor visit) {
+  if (!spend(s)) return;
   fmpq *roots = NULL;
   char *text = tp_mend_replaced(printed(s), begin, end, written);
   const long count = text != NULL ? tp_mend_solve(&roots, text, s->question) : -1;
   free(text);
+  tp_field_forgive(s->question->subject->field);
   if (count < 0) s->failed = true;
   for (long k = 0; k < count; k++) {
     visit(s, roots + k, begin, end);
@@ -263,9 +276,28 @@ static void change_names(search *s) {
   }
 }
 
-tp_status tp_mend_find(tp_claim_result *result, const tp_question *q) {
+/* Try the kinds of change in turn, within a budget of the search's own. */
+static tp_status find(search *s) {
   static void (*const kinds[])(search *) = {turn_signs, change_numbers, change_exponents,
                                             multiply_terms, change_names};
+  const tp_question *q = s->question;
+  tp_field_work *work = q->subject->field->work;
+  const double whole = work->budget;
+  const double half = fmax(0, share * whole - work->spent) / 2;
+  work->budget = work->spent + fmin(half, most_units);
+  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+    if (s->result->mend == NULL) kinds[k](s);
+  }
+  const bool spent = tp_field_problem(q->subject->field) != NULL;
+  work->budget = whole;
+  tp_field_forgive(q->subject->field);
+  if (s->failed) return tp_fail_memory(q->message, "a claim");
+  if (!spent || s->result->mend != NULL || s->result->condition != NULL) return TP_OK;
+  s->result->condition = strdup("the search for a mend was given up: the formula is long");
+  return s->result->condition != NULL ? TP_OK : tp_fail_memory(q->message, "a claim");
+}
+
+tp_status tp_mend_find(tp_claim_result *result, const tp_question *q) {
   search s = {.question = q, .result = result};
   tp_name *x = tp_subject_add_name(q->subject, TP_MEND_UNKNOWN, TP_NAME_FORMULA);
   if (x == NULL) return tp_fail_memory(q->message, "a claim");
@@ -273,9 +305,7 @@ tp_status tp_mend_find(tp_claim_result *result, const tp_question *q) {
   arb_init(s.derived);
   const tp_status status =
       tp_evaluate_ball(s.derived, q->quantity, q->subject, q->sample, false, BITS, q->message);
-  for (size_t k = 0; status == TP_OK && k < sizeof kinds / sizeof kinds[0]; k++) {
-    if (result->mend == NULL) kinds[k](&s);
-  }
+  const tp_status found = status == TP_OK ? find(&s) : status;
   arb_clear(s.derived);
-  return s.failed ? tp_fail_memory(q->message, "a claim") : status;
+  return found;
 }

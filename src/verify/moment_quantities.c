@@ -5,6 +5,8 @@
 
 #include "verify/quantities.h"
 
+#include "derive/field_work.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,19 +28,20 @@ static int by_number(const void *a, const void *b) {
  * axis where rounding puts it. */
 static tp_status add_element(tp_side_formulas *sides, const tp_element_formulas *e,
                              const fmpz_mpoly_q_t weight, tp_subject *s, tp_message *message) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  const tp_field *field = s->field;
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t x, y;
   fmpz_mpoly_q_init(x, ring);
   fmpz_mpoly_q_init(y, ring);
-  fmpz_mpoly_q_mul(x, e->normal_arm, weight, ring);
-  fmpz_mpoly_q_mul(y, e->parallel_arm, weight, ring);
+  tp_field_mul(x, e->normal_arm, weight, field);
+  tp_field_mul(y, e->parallel_arm, weight, field);
   const tp_status status = s->rounded ? tp_quantity_shift(x, y, weight, s, message) : TP_OK;
   if (!e->normal_stabilises) fmpz_mpoly_q_neg(x, x, ring);
   if (!e->parallel_overturns) fmpz_mpoly_q_neg(y, y, ring);
   fmpz_mpoly_q_struct *cosine = e->normal_stabilises ? sides->a : sides->c;
   fmpz_mpoly_q_struct *sine = e->parallel_overturns ? sides->d : sides->b;
-  fmpz_mpoly_q_add(cosine, cosine, x, ring);
-  fmpz_mpoly_q_add(sine, sine, y, ring);
+  tp_field_add(cosine, cosine, x, field);
+  tp_field_add(sine, sine, y, field);
   fmpz_mpoly_q_clear(x, ring);
   fmpz_mpoly_q_clear(y, ring);
   return status;
@@ -107,10 +110,10 @@ static void add_components(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t cosine,
   fmpz_mpoly_q_t term;
   fmpz_mpoly_q_init(term, s->field->ring);
   fmpz_mpoly_q_gen(term, alpha->sine, s->field->ring);
-  fmpz_mpoly_q_mul(term, term, sine, s->field->ring);
+  tp_field_mul(term, term, sine, s->field);
   fmpz_mpoly_q_gen(value, alpha->cosine, s->field->ring);
-  fmpz_mpoly_q_mul(value, value, cosine, s->field->ring);
-  fmpz_mpoly_q_add(value, value, term, s->field->ring);
+  tp_field_mul(value, value, cosine, s->field);
+  tp_field_add(value, value, term, s->field);
   fmpz_mpoly_q_clear(term, s->field->ring);
 }
 
@@ -156,7 +159,7 @@ tp_status tp_quantity_fos_elements(fmpz_mpoly_q_t value, fmpz_mpoly_q_t run, tp_
     return tp_quantity_fail(s, message,
                             "nothing overturns about this pivot, so it has no factor of safety");
   }
-  fmpz_mpoly_q_div(value, value, run, s->field->ring);
+  tp_field_div(value, value, run, s->field);
   return TP_OK;
 }
 

@@ -24,6 +24,8 @@
 
 #include "verify/quantities.h"
 
+#include "derive/field_work.h"
+
 tp_status tp_quantity_fail(const tp_subject *s, tp_message *message, const char *problem) {
   return tp_fail(message, TP_NO_ANSWER, s->scene->block.place, "%s", problem);
 }
@@ -72,10 +74,10 @@ tp_status tp_quantity_shift(fmpz_mpoly_q_t x, fmpz_mpoly_q_t y, const fmpz_mpoly
   fmpz_mpoly_q_init(along, s->field->ring);
   fmpz_mpoly_q_init(up, s->field->ring);
   tp_rounding_shift(along, up, &rounding, s->field);
-  fmpz_mpoly_q_mul(along, along, weight, s->field->ring);
-  fmpz_mpoly_q_mul(up, up, weight, s->field->ring);
-  fmpz_mpoly_q_sub(x, x, along, s->field->ring);
-  fmpz_mpoly_q_sub(y, y, up, s->field->ring);
+  tp_field_mul(along, along, weight, s->field);
+  tp_field_mul(up, up, weight, s->field);
+  tp_field_sub(x, x, along, s->field);
+  tp_field_sub(y, y, up, s->field);
   fmpz_mpoly_q_clear(along, s->field->ring);
   fmpz_mpoly_q_clear(up, s->field->ring);
   tp_rounding_clear(&rounding, s->field);
@@ -97,8 +99,8 @@ static tp_status arms(fmpz_mpoly_q_t x, fmpz_mpoly_q_t y, fmpz_mpoly_q_t area, t
   if (status != TP_OK) return status;
   divide_by(x, 3, s); /* 6 (S - A p) over 3 (2 A) */
   divide_by(y, 3, s);
-  fmpz_mpoly_q_div(x, x, area, s->field->ring);
-  fmpz_mpoly_q_div(y, y, area, s->field->ring);
+  tp_field_div(x, x, area, s->field);
+  tp_field_div(y, y, area, s->field);
   divide_by(area, 2, s);
   if (!rounded) return TP_OK;
   fmpz_mpoly_q_t one;
@@ -139,9 +141,9 @@ static void times_cotangent(fmpz_mpoly_q_t value, const tp_subject *s) {
   fmpz_mpoly_q_t function;
   fmpz_mpoly_q_init(function, s->field->ring);
   fmpz_mpoly_q_gen(function, alpha->cosine, s->field->ring);
-  fmpz_mpoly_q_mul(value, value, function, s->field->ring);
+  tp_field_mul(value, value, function, s->field);
   fmpz_mpoly_q_gen(function, alpha->sine, s->field->ring);
-  fmpz_mpoly_q_div(value, value, function, s->field->ring);
+  tp_field_div(value, value, function, s->field);
   fmpz_mpoly_q_clear(function, s->field->ring);
 }
 
@@ -153,7 +155,7 @@ static tp_status set_fos(fmpz_mpoly_q_t value, fmpz_mpoly_q_t run, tp_subject *s
     return tp_quantity_fail(s, message,
                             "nothing overturns about this pivot, so it has no factor of safety");
   }
-  fmpz_mpoly_q_div(value, value, run, s->field->ring);
+  tp_field_div(value, value, run, s->field);
   times_cotangent(value, s);
   return TP_OK;
 }
@@ -210,7 +212,7 @@ static tp_status set_mean_height(fmpz_mpoly_q_t value, fmpz_mpoly_q_t run, tp_su
   fmpz_mpoly_q_init(scratch, s->field->ring);
   tp_status status = set_area(value, scratch, s, message);
   if (status == TP_OK) status = tp_quantity_block_width(run, scratch, s, message);
-  if (status == TP_OK) fmpz_mpoly_q_div(value, value, run, s->field->ring);
+  if (status == TP_OK) tp_field_div(value, value, run, s->field);
   fmpz_mpoly_q_clear(scratch, s->field->ring);
   return status;
 }

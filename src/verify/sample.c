@@ -8,7 +8,6 @@
 #include "number/ball.h"
 #include "number/ratio.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,12 +54,16 @@ static long symbol_of(const tp_subject *s, const tp_name *name) {
   return -1;
 }
 
-tp_status tp_sample_set(tp_sample *sample, const tp_subject *s, const char *name,
-                        const fmpq_t value, tp_place place, tp_message *message) {
+long tp_sample_symbol(const tp_subject *s, const char *name) {
   char spelt[128];
   tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
   const long index = tp_subject_find(s, spelt, strlen(spelt));
-  const long symbol = index >= 0 ? symbol_of(s, s->names + index) : -1;
+  return index >= 0 ? symbol_of(s, s->names + index) : -1;
+}
+
+tp_status tp_sample_set(tp_sample *sample, const tp_subject *s, const char *name,
+                        const fmpq_t value, tp_place place, tp_message *message) {
+  const long symbol = tp_sample_symbol(s, name);
   if (symbol < 0) {
     return tp_fail(message, TP_BAD_INPUT, place,
                    "'%.40s' is no symbol that takes a value: 'at' sets parameters, symbols, angles "
@@ -70,22 +73,6 @@ tp_status tp_sample_set(tp_sample *sample, const tp_subject *s, const char *name
   fmpq_set(sample->values + symbol, value);
   sample->given[symbol] = true;
   return TP_OK;
-}
-
-void tp_sample_scatter(tp_sample *sample, const tp_subject *s, unsigned seed) {
-  uint64_t state = 88172645463325252ULL + seed;
-  fmpq_t factor;
-  fmpq_init(factor);
-  for (long k = 0; k < sample->count; k++) {
-    state ^= state << 13; /* xorshift64, Marsaglia (2003) */
-    state ^= state >> 7;
-    state ^= state << 17;
-    fmpq_set_si(factor, 850 + (long)(state % 301), 1000);
-    fmpq_mul(sample->values + k, sample->values + k, factor);
-  }
-  /* a count stays one */
-  fmpq_set(sample->values + s->field->parameters->count, s->values + s->field->parameters->count);
-  fmpq_clear(factor);
 }
 
 /* The angle of the facet at the pivot, at the sample. */

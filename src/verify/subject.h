@@ -23,6 +23,8 @@ typedef enum tp_name_kind {
 } tp_name_kind;
 
 typedef struct tp_subject tp_subject;
+typedef struct tp_domain tp_domain;     /* domain.h */
+typedef struct tp_branches tp_branches; /* branches.h */
 
 /* Set a derived quantity: value, and run where it is a direction. */
 typedef tp_status (*tp_quantity_rule)(fmpz_mpoly_q_t value, fmpz_mpoly_q_t run, tp_subject *subject,
@@ -89,6 +91,8 @@ struct tp_subject {
   fmpq *values;
   long name_count, name_capacity, permanent; /* names that are the subject's own */
   tp_name *names;
+  tp_domain *domain;     /* of the claim in hand */
+  tp_branches *branches; /* of its roots and magnitudes; NULL: none are taken */
 };
 
 enum { TP_ANGLE_ALPHA, TP_ANGLE_I, TP_OWN_ANGLES };

@@ -5,6 +5,8 @@
 
 #include "verify/evaluate.h"
 
+#include "derive/field_work.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -95,6 +97,9 @@ tp_status tp_subject_name(const tp_name **name, tp_subject *s, long index, tp_me
     if (status != TP_OK) return status;
     tp_subject_reduce(found->value, s);
     tp_subject_reduce(found->run, s);
+    const tp_place place = s->scene != NULL ? s->scene->block.place : (tp_place){0};
+    const tp_status within = tp_field_check(s->field, place, message);
+    if (within != TP_OK) return within;
     found->ready = true;
   }
   *name = found;

@@ -3,8 +3,10 @@
 
 /* Verdicts on the claims of a file. */
 
+#include "derive/field_work.h"
 #include "verify/claims.h"
 #include "verify/decide.h"
+#include "verify/domain.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,8 +25,9 @@ void tp_verification_free(tp_verification *v) {
   if (v == NULL) return;
   for (size_t k = 0; k < v->count; k++) {
     tp_claim_result *c = v->claims + k;
-    char *const texts[] = {c->id,   c->where,   c->geometry,   c->quantity, c->printed, c->unit,
-                           c->note, c->derived, c->difference, c->mend,     c->change,  c->values};
+    char *const texts[] = {c->id,     c->where,  c->geometry, c->quantity,   c->printed,
+                           c->unit,   c->note,   c->derived,  c->difference, c->mend,
+                           c->change, c->values, c->condition};
     for (size_t j = 0; j < sizeof texts / sizeof texts[0]; j++) free(texts[j]);
   }
   free(v->claims);
@@ -45,6 +48,7 @@ typedef struct work {
   tp_claims claims;
   tp_subject *subjects;
   bool *made;
+  double spent; /* units of work, of the budget for the whole file */
   tp_message *message;
 } work;
 
@@ -154,6 +158,7 @@ static tp_status decide_claim(work *w, tp_claim_result *result, const tp_claim *
   tp_sample sample = {0};
   tp_status status = find_subject(&subject, w, claim);
   if (status != TP_OK) return status;
+  subject->field->work->spent = w->spent;
   status = define(w, subject, w->claims.with);
   for (int k = 0; k < 2 && status == TP_OK; k++) status = define(w, subject, claim->with[k]);
   if (status == TP_OK && !tp_sample_init(&sample, subject)) {
@@ -162,7 +167,19 @@ static tp_status decide_claim(work *w, tp_claim_result *result, const tp_claim *
   for (int k = 0; k < 2 && status == TP_OK; k++) {
     status = set_values(w, &sample, subject, claim->at[k]);
   }
+  if (status == TP_OK) {
+    subject->domain = tp_domain_new(subject, &sample);
+    if (subject->domain == NULL) status = tp_fail_memory(w->message, "the verdicts");
+  }
+  const tp_node *const domains[3] = {w->claims.domain, claim->domain[0], claim->domain[1]};
+  for (int k = 0; k < 3 && status == TP_OK; k++) {
+    status = tp_claims_read_domain(subject->domain, &w->claims, domains[k], k > 0, subject, &sample,
+                                   w->message);
+  }
   if (status == TP_OK) status = decide(w, result, claim, subject, &sample);
+  w->spent = subject->field->work->spent;
+  tp_domain_free(subject->domain);
+  subject->domain = NULL;
   tp_sample_clear(&sample);
   tp_subject_forget(subject);
   return status;

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Arithmetic of rational functions within bounds.
+ *
+ * Products take a unit for some twenty pairs of terms. What is dear is the greatest common divisor
+ * that brings a quotient to lowest terms: it is interpolated, at points that the degrees count, in
+ * every pair of variables. Its price is fitted to FLINT 2.9 on products of random polynomials in
+ * 1 to 100 variables with degrees up to 6000; it errs upwards. */
+
+#include "derive/field_work.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST_TERMS = 1000000, MOST_BITS = 100000, MOST_DEGREE = 100000 };
+static const double most_memory = 4e8; /* bits of all terms of a polynomial */
+static const char too_large[] =
+    "the formula grows beyond what can be derived here: 1000000 terms, degree 100000 and numbers "
+    "of "
+    "100000 bits; give numbers for some of the parameters, or have fewer different divisors";
+static const char too_dear[] =
+    "the formulas take more work than is allowed; give numbers, or expressions in other "
+    "parameters, for some of the parameters, have fewer different divisors, or put claims into files of their own";
+
+typedef struct size {
+  double terms, bits, degree;
+} size;
+
+static size size_of(const fmpz_mpoly_struct *p, const tp_field *field) {
+  size s = {(double)p->length, 0, 0};
+  if (p->length == 0) return s;
+  s.bits = (double)labs(fmpz_mpoly_max_bits(p));
+  if (p->bits > 16) { /* exponents in fewer bits are below the bound without a count */
+    s.degree = fmpz_mpoly_total_degree_fits_si(p, field->ring)
+                   ? (double)fmpz_mpoly_total_degree_si(p, field->ring)
+                   : INFINITY;
+  }
+  return s;
+}
+
+/* The product of two polynomials: what it takes, or infinity where it may not be formed. */
+static double product_units(const size *a, const size *b, const tp_field *field) {
+  const double pairs = a->terms * b->terms, bits = a->bits + b->bits;
+  const double exponents = 8 * (double)field->symbol_count;
+  if (pairs > MOST_TERMS || bits > MOST_BITS || a->degree + b->degree > MOST_DEGREE ||
+      pairs * (bits + exponents) > most_memory) {
+    return INFINITY;
+  }
+  return 0.05 * pairs * (1 + a->bits / 64) * (1 + b->bits / 64) * (1 + exponents / 64);
+}
+
+double tp_field_gcd_units(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const tp_field *field) {
+  const double terms = (double)a->length + (double)b->length;
+  if (a->length <= 1 || b->length <= 1) return 0.05 * terms;
+  const long count = field->symbol_count;
+  double first = 1, second = 1, shared = 0;
+  slong *degrees = calloc(2 * (size_t)count, sizeof *degrees);
+  if (degrees == NULL) return INFINITY;
+  fmpz_mpoly_degrees_si(degrees, a, field->ring);
+  fmpz_mpoly_degrees_si(degrees + count, b, field->ring);
+  for (long k = 0; k < count; k++) {
+    const slong least = degrees[k] < degrees[count + k] ? degrees[k] : degrees[count + k];
+    if (least <= 0) continue;
+    shared++;
+    const double degree = (double)least;
+    if (degree > first) {
+      second = first;
+      first = degree;
+    } else if (degree > second) {
+      second = degree;
+    }
+  }
+  free(degrees);
+  const double bits = (double)labs(fmpz_mpoly_max_bits(a)) + (double)labs(fmpz_mpoly_max_bits(b));
+  return terms * (1 + (double)count / 64) * (1 + bits / 128) +
+         first * second * shared * shared * (1 + bits / 128);
+}
+
+double tp_field_factor_units(const fmpz_mpoly_t p, const tp_field *field) {
+  const double count = (double)field->symbol_count;
+  double used = 4;
+  for (long k = 0; k < field->symbol_count; k++)
+    used += fmpz_mpoly_degree_si(p, k, field->ring) > 0;
+  /* with itself for the square-free part, and as much again for each lifting of a factor; besides,
+   * every symbol in use is looked for among all pairs */
+  return 20 * tp_field_gcd_units(p, p, field) + 0.01 * used * count * count;
+}
+
+bool tp_field_spend(const tp_field *field, double units) {
+  tp_field_work *work = field->work;
+  if (work->problem != NULL) return false;
+  work->spent += units;
+  if (work->spent > work->budget) work->problem = too_dear;
+  return work->problem == NULL;
+}
+
+const char *tp_field_problem(const tp_field *field) {
+  return field->work->problem;
+}
+
+tp_status tp_field_check(const tp_field *field, tp_place place, tp_message *message) {
+  if (field->work->problem == NULL) return TP_OK;
+  return tp_fail(message, TP_NO_ANSWER, place, "%s", field->work->problem);
+}
+
+void tp_field_forgive(const tp_field *field) {
+  if (field->work->spent <= field->work->budget) field->work->problem = NULL;
+}
+
+/* May an operation of these units be done? */
+static bool admit(const tp_field *field, double units) {
+  if (field->work->problem != NULL) return false;
+  if (isfinite(units)) return tp_field_spend(field, units);
+  field->work->problem = too_large;
+  return false;
+}
+
+static const fmpz_mpoly_struct *top(const fmpz_mpoly_q_struct *q) {
+  return fmpz_mpoly_q_numref(q);
+}
+
+static const fmpz_mpoly_struct *below(const fmpz_mpoly_q_struct *q) {
+  return fmpz_mpoly_q_denref(q);
+}
+
+/* p / q times r / s: the products, and the common divisors of p, s and of r, q. */
+static double times_units(const fmpz_mpoly_struct *p, const fmpz_mpoly_struct *q,
+                          const fmpz_mpoly_struct *r, const fmpz_mpoly_struct *s,
+                          const tp_field *field) {
+  const size a = size_of(p, field), b = size_of(q, field), c = size_of(r, field),
+             d = size_of(s, field);
+  const double products = product_units(&a, &c, field) + product_units(&b, &d, field);
+  if (!isfinite(products)) return INFINITY;
+  return products + tp_field_gcd_units(p, s, field) + tp_field_gcd_units(r, q, field);
+}
+
+/* p / q plus r / s. The common divisor of the new numerator and the denominators is priced by that
+ * of the denominators, whose degrees bound it. */
+static double plus_units(const fmpz_mpoly_q_struct *one, const fmpz_mpoly_q_struct *other,
+                         const tp_field *field) {
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
+  const size a = size_of(top(one), field), b = size_of(below(one), field),
+             c = size_of(top(other), field), d = size_of(below(other), field);
+  if (fmpz_mpoly_is_fmpz(below(one), ring) && fmpz_mpoly_is_fmpz(below(other), ring)) {
+    const double terms = a.terms + c.terms, bits = a.bits + b.bits + c.bits + d.bits;
+    const bool fits = terms <= MOST_TERMS && bits <= MOST_BITS && terms * bits <= most_memory;
+    return fits ? 0.1 * terms * (1 + bits / 64) : INFINITY;
+  }
+  const double products =
+      product_units(&a, &d, field) + product_units(&c, &b, field) + product_units(&b, &d, field);
+  if (!isfinite(products) || a.terms * d.terms + c.terms * b.terms > MOST_TERMS) return INFINITY;
+  double units = products + 2 * tp_field_gcd_units(below(one), below(other), field);
+  if (fmpz_mpoly_equal(below(one), below(other), ring)) {
+    units = a.terms + c.terms + 2 * tp_field_gcd_units(below(one), below(one), field);
+  }
+  return units;
+}
+
+void tp_field_add(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                  const tp_field *field) {
+  if (admit(field, plus_units(a, b, field))) {
+    fmpz_mpoly_q_add(value, a, b, field->ring);
+  } else {
+    fmpz_mpoly_q_zero(value, field->ring);
+  }
+}
+
+void tp_field_sub(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                  const tp_field *field) {
+  if (admit(field, plus_units(a, b, field))) {
+    fmpz_mpoly_q_sub(value, a, b, field->ring);
+  } else {
+    fmpz_mpoly_q_zero(value, field->ring);
+  }
+}
+
+void tp_field_mul(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                  const tp_field *field) {
+  if (admit(field, times_units(top(a), below(a), top(b), below(b), field))) {
+    fmpz_mpoly_q_mul(value, a, b, field->ring);
+  } else {
+    fmpz_mpoly_q_zero(value, field->ring);
+  }
+}
+
+void tp_field_div(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
+                  const tp_field *field) {
+  if (admit(field, times_units(top(a), below(a), below(b), top(b), field))) {
+    fmpz_mpoly_q_div(value, a, b, field->ring);
+  } else {
+    fmpz_mpoly_q_zero(value, field->ring);
+  }
+}
