@@ -64,6 +64,23 @@ static bool keep(tp_facet *f, const tp_corners *corners, const tp_lattice *l, lo
   return f->q0 == f->q1 ? keep_point(f, c, l) : keep_piece(f, c, l);
 }
 
+/* Does a neighbour tell of the contact in a point as well: with the same direction, and a length or
+ * before it? */
+static bool is_told(const tp_facets *facets, long own, const tp_lattice *l) {
+  enum { NEAR = 2 };
+  const tp_facet *f = facets->items + own;
+  for (long k = own < NEAR ? 0 : own - NEAR; k < facets->count && k <= own + NEAR; k++) {
+    const tp_facet *other = facets->items + k;
+    if (k == own || !tp_facet_ends_in(l, other, tp_facet_begin(f))) continue;
+    if (tp_facet_cross(l, f->t0, f->t1, other->t0, other->t1) != 0 ||
+        tp_facet_dot(l, f->t0, f->t1, other->t0, other->t1) <= 0) {
+      continue;
+    }
+    if (other->q0 != other->q1 || k < own) return true;
+  }
+  return false;
+}
+
 void tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattice *l,
                    long outline_count) {
   if (corners == NULL || corners->count == 0) return;
@@ -71,6 +88,12 @@ void tp_facets_cut(tp_facets *facets, const tp_corners *corners, const tp_lattic
   for (long k = 0; k < facets->count; k++) {
     tp_facet *f = facets->items + k;
     if (keep(f, corners, l, outline_count)) facets->items[kept++] = *f;
+  }
+  facets->count = kept;
+  kept = 0;
+  for (long k = 0; k < facets->count; k++) {
+    const tp_facet *f = facets->items + k;
+    if (f->q0 != f->q1 || !is_told(facets, k, l)) facets->items[kept++] = *f;
   }
   facets->count = kept;
 }

@@ -62,6 +62,25 @@ static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bi
   arb_clear(radians);
 }
 
+/* The direction of (A, B). Where A is below zero half a turn from that of (-A, -B), which is known
+ * as well where the sign of B is not. */
+static void set_direction(arb_t psi, const tp_trig *f, long bits) {
+  if (!arb_is_negative(f->of + TP_COS)) {
+    arb_atan2(psi, f->of + TP_SIN, f->of + TP_COS, bits);
+    return;
+  }
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  arb_neg(a, f->of + TP_COS);
+  arb_neg(b, f->of + TP_SIN);
+  arb_atan2(psi, b, a, bits);
+  arb_const_pi(a, bits);
+  arb_add(psi, psi, a, bits);
+  arb_clear(a);
+  arb_clear(b);
+}
+
 static void closed_form(tp_roots *roots, const tp_trig *f, long bits) {
   arb_t size, share, psi, delta, angle;
   arb_init(size);
@@ -75,7 +94,7 @@ static void closed_form(tp_roots *roots, const tp_trig *f, long bits) {
     arb_div(share, f->of + TP_ONE, size, bits);
     arb_neg(share, share);
     arb_acos(delta, share, bits);
-    arb_atan2(psi, f->of + TP_SIN, f->of + TP_COS, bits);
+    set_direction(psi, f, bits);
     arb_sub(angle, psi, delta, bits);
     keep_within(roots, angle, true, bits);
     arb_add(angle, psi, delta, bits);

@@ -73,14 +73,38 @@ static void set_centre(const telling *t) {
   arb_clear(y);
 }
 
-/* The facet of the larger force. */
+/* The column of the larger force, of two that cannot be told apart the first. */
+static long column_of_slide(const telling *t) {
+  const long *columns = t->answer->face.columns;
+  const arb_struct *f = t->answer->forces;
+  if (arb_gt(f, f + 1)) return columns[0];
+  if (arb_lt(f, f + 1)) return columns[1];
+  return columns[0] < columns[1] ? columns[0] : columns[1];
+}
+
+/* Of the facets along which it slides, all parallel, the first from the toe that has a length:
+ * which two of them the forces were put on is the solver's choice. */
+static long facet_of_slide(const telling *t) {
+  const tp_cones *cones = t->question->cones;
+  const tp_facet *facets = t->e->problem->contact.facets;
+  const long own = column_of_slide(t);
+  long best = cones->points[tp_cones_point_of(cones, own)].facet;
+  if (!tp_cones_is_edge(cones, own) || best < 0) return best;
+  for (long k = 0; k < cones->count; k++) {
+    const long facet = cones->points[k].facet;
+    if (facet < 0 || !tp_cones_are_parallel(cones, own, 2 * k + own % 2)) continue;
+    const bool point = facets[facet].q0 == facets[facet].q1;
+    const bool best_point = facets[best].q0 == facets[best].q1;
+    const bool nearer = t->towards == TP_TOWARDS_LEFT ? facet < best : facet > best;
+    if ((best_point && !point) || (nearer && point == best_point)) best = facet;
+  }
+  return best;
+}
+
 static void set_facet(const telling *t) {
   tp_limit *r = t->result;
   if (t->answer->face.motion != TP_MOTION_SLIDE) return;
-  const arb_struct *f = t->answer->forces;
-  const int larger = arf_cmp(arb_midref(f), arb_midref(f + 1)) >= 0 ? 0 : 1;
-  const tp_cones *cones = t->question->cones;
-  const long facet = cones->points[tp_cones_point_of(cones, t->answer->face.columns[larger])].facet;
+  const long facet = facet_of_slide(t);
   r->has_facet = facet >= 0;
   if (!r->has_facet) return;
   const tp_facet *own = t->e->problem->contact.facets + facet;

@@ -12,7 +12,9 @@
 #include "number/ball.h"
 #include "stability/friction.h"
 
-/* s = (-run, rise) / size, n = (rise, run) / size. */
+#include <math.h>
+
+/* size s = (-run, rise) and size n = (rise, run), exact: forces count times `size`, cohesion too. */
 typedef struct facet_frame {
   arb_t run, rise, friction, cohesion;
 } facet_frame;
@@ -55,10 +57,9 @@ static void frame_init(facet_frame *f, const tp_evaluation *e, const fmpz_t run,
   arb_set_fmpz(f->run, run);
   arb_set_fmpz(f->rise, rise);
   arb_hypot(size, f->run, f->rise, bits);
-  arb_div(f->run, f->run, size, bits);
-  arb_div(f->rise, f->rise, size, bits);
   tp_friction_tangent(f->friction, friction, bits);
   if (e->problem->scene->loads.cohesion_kpa.given) set_cohesion(f->cohesion, e);
+  arb_mul(f->cohesion, f->cohesion, size, bits);
   arb_clear(size);
 }
 
@@ -76,6 +77,30 @@ static void resolve(tp_trig *along, tp_trig *normal, const tp_wrench *wrench, co
   tp_trig_addmul(along, &wrench->y, f->rise, bits);
   tp_trig_submul(normal, &wrench->x, f->rise, bits);
   tp_trig_submul(normal, &wrench->y, f->run, bits);
+}
+
+/* F . s + (F . n) tan phi less cohesion. Its factors on F_x and F_y are formed first: where phi and
+ * the facet's inclination make 90 degrees (at 45 each: Niven) the one on F_x is zero, exactly, and
+ * the weight alone never slides. */
+static void set_excess(tp_trig *excess, const tp_wrench *sum, const facet_frame *f, long bits) {
+  arb_t along_x, along_y;
+  arb_init(along_x);
+  arb_init(along_y);
+  arb_mul(along_x, f->friction, f->rise, bits);
+  arb_sub(along_x, along_x, f->run, bits);
+  arb_mul(along_y, f->friction, f->run, bits);
+  arb_add(along_y, along_y, f->rise, bits);
+  tp_trig_addmul(excess, &sum->x, along_x, bits);
+  tp_trig_addmul(excess, &sum->y, along_y, bits);
+  arb_sub(excess->of + TP_ONE, excess->of + TP_ONE, f->cohesion, bits);
+  arb_clear(along_x);
+  arb_clear(along_y);
+}
+
+/* Of the weight times the size of the frame: what is far narrower about zero drives nothing. */
+static double log2_scale(const tp_loaded *loaded, const facet_frame *f) {
+  const double weight = tp_ball_log2_above(loaded->items[0].wrench.y.of + TP_COS);
+  return weight + fmax(tp_ball_log2_above(f->run), tp_ball_log2_above(f->rise));
 }
 
 /* What resists over what drives, at the scene's tilt: the pull of a passive anchor that holds back
@@ -120,7 +145,8 @@ static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const facet_fram
     fos.state = TP_FOS_NUMBER;
     arb_div(value, resisting, driving, bits);
     fos.value = tp_evaluation_result(e, value);
-  } else if (!arb_is_nonpositive(driving)) {
+  } else if (!arb_is_nonpositive(driving) &&
+             !tp_evaluation_is_zero_width(e, driving, log2_scale(loaded, f))) {
     e->certain = false;
   }
   arb_clear(sine);
@@ -135,19 +161,16 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_e
                        const fmpz_t run, const fmpz_t rise, const arb_t friction) {
   const long bits = e->rung.bits;
   facet_frame f;
-  tp_trig excess, normal;
+  tp_trig excess;
   tp_roots roots;
   arb_t level, sine, cosine;
   frame_init(&f, e, run, rise, friction);
   tp_trig_init(&excess);
-  tp_trig_init(&normal);
   tp_roots_init(&roots);
   arb_init(level);
   arb_init(sine);
   arb_init(cosine);
-  resolve(&excess, &normal, &loaded->sum, &f, bits);
-  tp_trig_submul(&excess, &normal, f.friction, bits);
-  arb_sub(excess.of + TP_ONE, excess.of + TP_ONE, f.cohesion, bits);
+  set_excess(&excess, &loaded->sum, &f, bits);
   tp_roots_find(&roots, &excess, bits);
   arb_one(cosine);
   tp_trig_evaluate(level, &excess, sine, cosine, bits);
@@ -164,7 +187,6 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_e
   *fos = factor(loaded, e, &f);
   frame_clear(&f);
   tp_trig_clear(&excess);
-  tp_trig_clear(&normal);
   tp_roots_clear(&roots);
   arb_clear(level);
   arb_clear(sine);

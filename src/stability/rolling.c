@@ -7,8 +7,9 @@
  * from the centre of curvature to the centroid, both in the world, the weight's arm about the
  * contact is q_x + r n_x. Turned by t it is |q| cos(p + t) + r n_x, p the direction of q; it grows
  * with t where the centroid lies below the centre: then the block rolls to a new rest, at t =
- * -acos(-r n_x / |q|) - p, unless the arc, of pi - theta, ends before, or there is no such t.
- * Otherwise it goes over. */
+ * -acos(-r n_x / |q|) - p, unless the arc, of pi - theta, ends before, or the plane does, which is
+ * as long as the base goes straight on past the tangent point, or there is no such t. Otherwise it
+ * goes over. */
 
 #include "stability/evaluation.h"
 
@@ -19,10 +20,43 @@
 typedef struct roller {
   arb_t qx, qy; /* G - C in the block's frame */
   arb_t nx, ny;
-  arb_t radius, arc; /* of the corner, lattice units; pi - theta */
+  arb_t radius, arc; /* of the corner, lattice units; pi - theta, or where the plane ends before */
 } roller;
 
-static void roller_init(roller *r, const tp_evaluation *e, const tp_corner *corner, bool left) {
+/* The end of the base's straight piece below a facet, down-dip. */
+static long end_of_plane(const tp_problem *problem, const tp_facet *facet, bool left) {
+  const tp_lattice *l = &problem->lattice;
+  const long ring = l->start[problem->section.ring_count], step = left ? -1 : 1;
+  const long edges = problem->base.edge_count, last = left ? ring : ring + edges;
+  if (facet->base_edge < 0) return left ? ring + edges + 2 : ring; /* the end faces */
+  if (facet->base_edge == edges) return left ? ring + edges : ring + edges + 1;
+  long end = ring + facet->base_edge + (left ? 0 : 1);
+  while (end != last && tp_facet_cross(l, end - 1, end, end, end + 1) == 0) end += step;
+  return end;
+}
+
+/* By how much it may turn before the plane ends: its length over the radius. */
+static void set_plane(arb_t turns, const tp_evaluation *e, const tp_contact_point *toe, bool left) {
+  const tp_problem *problem = e->problem;
+  const long facet = left ? toe->right : toe->left, bits = e->rung.bits;
+  const long end = end_of_plane(problem, problem->contact.facets + facet, left);
+  arb_t x, y, radius;
+  arb_init(x);
+  arb_init(y);
+  arb_init(radius);
+  tp_evaluation_place(x, y, e, tp_contact_place(toe));
+  arb_sub_fmpz(x, x, problem->lattice.x + end, bits);
+  arb_sub_fmpz(y, y, problem->lattice.y + end, bits);
+  arb_hypot(turns, x, y, bits);
+  arb_set_fmpq(radius, toe->cut->radius, bits);
+  arb_div(turns, turns, radius, bits);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(radius);
+}
+
+static void roller_init(roller *r, const tp_evaluation *e, const tp_contact_point *toe, bool left) {
+  const tp_corner *corner = toe->cut;
   const long bits = e->rung.bits;
   const arb_struct *sums = e->moments.weighted;
   tp_corner_ball c;
@@ -50,6 +84,11 @@ static void roller_init(roller *r, const tp_evaluation *e, const tp_corner *corn
   arb_inv(r->arc, c.half_tangent, bits);
   arb_atan(r->arc, r->arc, bits);
   arb_mul_2exp_si(r->arc, r->arc, 1);
+  arb_t plane;
+  arb_init(plane);
+  set_plane(plane, e, toe, left);
+  arb_min(r->arc, r->arc, plane, bits);
+  arb_clear(plane);
   tp_corner_ball_clear(&c);
 }
 
@@ -105,7 +144,8 @@ static bool find_rest(arb_t turned, roller *r, tp_evaluation *e, const arb_t sin
 }
 
 /* At the scene's tilt, where it lies beyond the critical angle. */
-static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_corner *corner, bool left) {
+static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_contact_point *toe,
+                         bool left) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   const long bits = e->rung.bits;
   roller r;
@@ -114,7 +154,7 @@ static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_corner *cor
   arb_init(cosine);
   arb_init(turned);
   arb_init(pi);
-  roller_init(&r, e, corner, left);
+  roller_init(&r, e, toe, left);
   tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
   result->rests = find_rest(turned, &r, e, sine, cosine);
   result->rolls = result->rests ? TP_ROLLS_BACK : TP_ROLLS_OVER;
@@ -133,10 +173,10 @@ static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_corner *cor
 
 /* At the critical angle itself, whose direction is that of the lever arms: back if the centroid
  * lies below the centre. */
-static void roll_from_limit(tp_evaluation *e, tp_case *result, const tp_corner *corner,
+static void roll_from_limit(tp_evaluation *e, tp_case *result, const tp_contact_point *toe,
                             const tp_direction_ball *toppling, bool left) {
   roller r;
-  roller_init(&r, e, corner, left);
+  roller_init(&r, e, toe, left);
   turn(r.qx, r.qy, toppling->sine, toppling->cosine, e->rung.bits);
   result->rolls = arb_is_negative(r.qy) ? TP_ROLLS_BACK : TP_ROLLS_OVER;
   if (arb_contains_zero(r.qy)) e->certain = false;
@@ -151,15 +191,15 @@ void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_b
   if (!result->has_governing || e->loaded != NULL) return;
   const bool left = result->towards == TP_TOWARDS_LEFT;
   const tp_contact_point *toe = problem->contact.points + result->governing;
-  const tp_corner *corner = toe->cut;
-  if (corner == NULL || toe->after != left) return; /* the arc lies up-dip */
+  if (toe->cut == NULL || toe->after != left) return;  /* its arc lies up-dip, if it has one */
+  if ((left ? toe->right : toe->left) < 0) return;     /* it touches in this point alone */
   arb_t angle;
   arb_init(angle);
   arb_set_fmpq(angle, tilt->value, e->rung.bits);
   if (tilt->given && arb_gt(angle, toppling->degrees)) {
-    rest_at_tilt(e, result, corner, left);
+    rest_at_tilt(e, result, toe, left);
   } else {
-    roll_from_limit(e, result, corner, toppling, left);
+    roll_from_limit(e, result, toe, toppling, left);
   }
   arb_clear(angle);
 }

@@ -57,11 +57,15 @@ static int beside(const tp_evaluation *e, tp_outline_point at, const foot *f) {
   return side;
 }
 
-/* Does the facet reach down-dip of the centroid? */
-static bool counts(tp_evaluation *e, const tp_facet *facet, const foot *f, tp_direction towards) {
+typedef enum reach { REACHES_NOT, REACHES, REACHES_PERHAPS } reach;
+
+/* Does the facet reach down-dip of the centroid? One that ends below it does not. */
+static reach reach_of(const tp_evaluation *e, const tp_facet *facet, const foot *f,
+                      tp_direction towards) {
   const tp_lattice *l = &e->problem->lattice;
-  const tp_outline_point end =
-      towards == TP_TOWARDS_LEFT ? tp_facet_begin(facet) : tp_facet_end(facet);
+  const bool overhangs = fmpz_cmp(l->x + facet->t0, l->x + facet->t1) > 0;
+  const bool begins = (towards == TP_TOWARDS_LEFT) != overhangs; /* its end down-dip */
+  const tp_outline_point end = begins ? tp_facet_begin(facet) : tp_facet_end(facet);
   bool left = fmpz_cmp(l->x + end.point, f->low) < 0;
   bool right = fmpz_cmp(l->x + end.point, f->high) > 0;
   if (end.cut != NULL) {
@@ -69,8 +73,8 @@ static bool counts(tp_evaluation *e, const tp_facet *facet, const foot *f, tp_di
     left = side < 0;
     right = side > 0;
   }
-  if (!left && !right && !f->settled) e->certain = false;
-  return towards == TP_TOWARDS_LEFT ? left : right;
+  if (towards == TP_TOWARDS_LEFT ? left : right) return REACHES;
+  return left || right || f->settled ? REACHES_NOT : REACHES_PERHAPS;
 }
 
 /* Run and rise of the motion down-dip along a facet: (dx, rise) with i = atan2(rise, dx). */
@@ -96,7 +100,6 @@ void tp_sliding_facet_clear(tp_sliding_facet *best) {
   fmpz_clear(best->rise);
 }
 
-/* Take the facet if its i is the largest so far; of two with the same i, one that has a length. */
 void tp_sliding_facet_consider(const tp_evaluation *e, long k, tp_direction towards,
                                tp_sliding_facet *best) {
   const tp_facet *facets = e->problem->contact.facets, *facet = facets + k;
@@ -123,6 +126,26 @@ void tp_sliding_facet_consider(const tp_evaluation *e, long k, tp_direction towa
   fmpz_clear(cross);
 }
 
+/* Would a facet that may reach or not govern? One that may not is of no matter. */
+static bool changes(const tp_sliding_facet *best, const tp_evaluation *e, const foot *f,
+                    tp_direction towards) {
+  const tp_contact *contact = &e->problem->contact;
+  tp_sliding_facet other;
+  tp_sliding_facet_init(&other);
+  other.facet = best->facet;
+  other.blocked = best->blocked;
+  fmpz_set(other.run, best->run);
+  fmpz_set(other.rise, best->rise);
+  for (long k = 0; k < contact->facet_count; k++) {
+    if (reach_of(e, contact->facets + k, f, towards) == REACHES_PERHAPS) {
+      tp_sliding_facet_consider(e, k, towards, &other);
+    }
+  }
+  const bool differs = other.facet != best->facet || other.blocked != best->blocked;
+  tp_sliding_facet_clear(&other);
+  return differs;
+}
+
 void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_direction towards,
                            bool all) {
   const tp_contact *contact = &e->problem->contact;
@@ -131,11 +154,15 @@ void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_directio
   fmpz_init(f.high);
   arb_init(f.position);
   if (!all) find_foot(e, &f);
-  for (long k = 0; k < contact->facet_count; k++) {
-    if (all || counts(e, contact->facets + k, &f, towards)) {
-      tp_sliding_facet_consider(e, k, towards, best);
-    }
+  const bool left = towards == TP_TOWARDS_LEFT;
+  bool open = false;
+  for (long step = 0; step < contact->facet_count; step++) { /* from the toe */
+    const long k = left ? step : contact->facet_count - 1 - step;
+    const reach r = all ? REACHES : reach_of(e, contact->facets + k, &f, towards);
+    if (r == REACHES) tp_sliding_facet_consider(e, k, towards, best);
+    open = open || r == REACHES_PERHAPS;
   }
+  if (open && changes(best, e, &f, towards)) e->certain = false;
   fmpz_clear(f.low);
   fmpz_clear(f.high);
   arb_clear(f.position);

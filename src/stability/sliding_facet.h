@@ -22,7 +22,8 @@ void tp_sliding_facet_clear(tp_sliding_facet *best);
 void tp_sliding_facet_consider(const tp_evaluation *evaluation, long facet, tp_direction towards,
                                tp_sliding_facet *best);
 
-/* The largest i among the facets that reach down-dip of the centroid, or among all. */
+/* The largest i among the facets that reach down-dip of the centroid, or among all; of several the
+ * first from the toe that has a length. */
 void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *evaluation, tp_direction towards,
                            bool all);
 

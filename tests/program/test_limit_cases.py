@@ -314,17 +314,28 @@ class Cases(unittest.TestCase):
             self.holds(case["limit"]["critical_angle_deg"], truth)
 
     def test_worn_toe(self):
-        """Block A with its toe rounded by 3.36 mm, on a base that goes on: it lets go at the angle of its
-        moments about the moved axis, below that of the sharp corner (Table 3: 26.2 and 23.9)."""
+        """Block A with its toe rounded by 3.36 mm: it lets go below the sharp corner (Table 3: 26.2 and 23.9).
+        The rock past the toe does not touch what is rounded off, so that a base that goes on holds no more
+        than one that ends. Towards its peak it goes at the angle of its moments about the moved axis."""
         text = (ROOT / "examples" / "block_a_worn.yaml").read_text(encoding="utf-8")
         for end, sharp in (("peak", 26.16), ("valley", 23.86)):
             for model in ("paper", "exact"):
-                self.path.write_text(text.replace("model: paper", f"model: {model}").replace(
-                    "left: 0", "left: a").replace("left_end: peak", f"left_end: {end}"))
-                case = solve(self.path)["cases"][0]
-                self.assertEqual(case["limit"]["mechanism"], "topples")
-                self.holds(case["limit"]["critical_angle_deg"],
-                           case["toppling"]["critical_angle_deg"]["value"], 1e-9)
+                found = []
+                for beyond in ("a", "0"):
+                    self.path.write_text(text.replace("model: paper", f"model: {model}").replace(
+                        "left: 0", f"left: {beyond}").replace("left_end: peak", f"left_end: {end}"))
+                    case = solve(self.path)["cases"][0]
+                    found.append((case["limit"]["mechanism"], case["limit"]["critical_angle_deg"]["value"]))
+                    self.assertEqual(case["contact"]["points"], 0)
+                    self.assertFalse(case["limit"]["base_matters"])
+                self.assertEqual(found[0], found[1])
+                moments = case["toppling"]["critical_angle_deg"]["value"]
+                if end == "peak":
+                    self.assertEqual(case["limit"]["mechanism"], "topples")
+                    self.holds(case["limit"]["critical_angle_deg"], moments, 1e-9)
+                else:
+                    self.assertEqual(case["limit"]["mechanism"], "slides and topples")
+                    self.assertLess(case["limit"]["critical_angle_deg"]["value"], moments)
                 self.assertLess(case["limit"]["critical_angle_deg"]["value"], sharp - 1)
                 self.assertGreater(case["limit"]["critical_angle_deg"]["value"], sharp - 5)
 
