@@ -156,6 +156,9 @@ static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_quest
     if (!always) {
       const tp_limit_outcome outcome = find_at(answer, q, tilts->lets_go, sketch);
       if (outcome != TP_LIMIT_PROVEN) return outcome;
+      if (start == NULL && arb_is_negative(answer->degrees)) { /* doubles were wrong of level */
+        return outcome_of(tp_certify_beaten(q, sketch, answer, false));
+      }
     }
     const tp_answer done = tp_certify_holds(tilts, q, sketch, start, always ? NULL : answer);
     if (done != TP_NO) return outcome_of(done);
@@ -180,7 +183,9 @@ tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *
     if (found != TP_SEARCH_TILT) return TP_LIMIT_OPEN; /* level ground is between */
     const tp_limit_outcome outcome = find_at(answer, q, tilts.lets_go, sketch);
     if (outcome != TP_LIMIT_PROVEN) return outcome;
-    return outcome_of(tp_certify_beaten(q, sketch, answer, false));
+    return outcome_of(arb_is_positive(answer->degrees)
+                          ? tp_certify_holds(&tilts, q, sketch, NULL, answer)
+                          : tp_certify_beaten(q, sketch, answer, false));
   }
   arb_t start;
   arb_init(start);
