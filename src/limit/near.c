@@ -79,6 +79,7 @@ static tp_answer find_precisely(candidate *c) {
   enum { MOST_ROUNDS = 8 };
   tp_answer done = TP_OPEN;
   for (int round = 0; round < MOST_ROUNDS && done != TP_YES; round++) {
+    if (!tp_work_spend(c->question->work, 8, c->sketch->count, c->question->judge.bits)) break;
     const tp_basis before = c->basis;
     tp_program_set_near(&c->program, c->question, c->near);
     const tp_simplex_answer found =
@@ -100,7 +101,7 @@ static tp_limit_outcome find_at(tp_limit_answer *answer, const tp_limit_question
   candidate c;
   candidate_init(&c, answer, q, near_degrees, sketch);
   tp_answer done = TP_OPEN;
-  if (!q->without_doubles) {
+  if (!q->without_doubles && tp_work_spend(q->work, 4, sketch->count, q->judge.bits)) {
     tp_program_set_near(&c.program, q, c.near);
     const tp_simplex_answer found = tp_program_solve(&c.program, sketch);
     c.basis = tp_basis_of(&found);
@@ -170,6 +171,7 @@ static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_quest
 tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *q,
                               tp_sketch *sketch) {
   tp_search_tilts tilts = {.held = 0};
+  if (!tp_search_pay(q, sketch)) return TP_LIMIT_OPEN;
   const tp_search_found found = tp_search_near(&tilts, sketch, q);
   if (found == TP_SEARCH_OPEN) return TP_LIMIT_OPEN;
   if (found == TP_SEARCH_HOLDS_NEVER) {
