@@ -35,6 +35,7 @@ typedef struct tp_reaction {
 
 typedef struct tp_limit {
   tp_limit_kind kind;
+  bool too_dear; /* undecided, it or its factor, since the proof takes more work than is allowed */
   tp_bounded friction_angle_deg; /* at the normal stress of the limit */
   tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
   tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */

@@ -168,12 +168,30 @@ static const struct argp parser = {
            "number is certain to all digits printed; --json gives each with its proven error "
            "bound. Exit status: 0 done, 2 wrong usage, 3 bad input, 4 undecided, 5 system failed."};
 
+/* What a case leaves open, why, and what would help. */
+static void print_open(const tp_case *c, const tp_solution *solution, const char *scene) {
+  const bool factor = c->limit.fos.state == TP_FOS_UNDECIDED;
+  const char *what = c->limit.kind == TP_LIMIT_UNDECIDED ? "the limit by contact forces"
+                     : factor ? "the factor of safety by contact forces"
+                              : "the mechanism";
+  if (c->mechanism != TP_MECHANISM_UNDECIDED && c->first != TP_MECHANISM_UNDECIDED && !factor) {
+    return;
+  }
+  fprintf(stderr, "topple: %s: undecided at %ld bits: %s, tilted towards the %s; %s\n", scene,
+          solution->bits, what, c->towards == TP_TOWARDS_LEFT ? "left" : "right",
+          c->limit.too_dear
+              ? "its proof takes more work than is allowed: coordinates and loads of fewer digits "
+                "help, or a tilt farther from where the block lets go"
+              : "what decides it is nearer to a tie than these bits tell, or holds at single tilts "
+                "only: a little friction or cohesion, or another tilt, decides it");
+}
+
 /* After the report: what it leaves open is a failure of its own. */
 static int end_undecided(const tp_solution *solution, const char *scene, int written) {
   if (written != 0 || !tp_solution_is_undecided(solution)) return written;
-  fprintf(stderr,
-          "topple: %s: undecided at %ld bits: the mechanism, or a factor by contact forces\n",
-          scene, solution->bits);
+  for (size_t k = 0; k < solution->case_count; k++) {
+    print_open(solution->cases + k, solution, scene);
+  }
   return tp_status_exit(TP_UNDECIDED);
 }
 

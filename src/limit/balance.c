@@ -218,6 +218,7 @@ static tp_answer bears_without(const tp_limit_question *q, tp_sketch *sketch,
 tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
                            const tp_vector *wrench) {
   for (int engine = 0; engine < 2; engine++) {
+    if (!tp_work_spend(q->work, engine == 0 ? 1 : 4, sketch->count, q->judge.bits)) return TP_OPEN;
     const tp_simplex_answer found =
         engine == 0 ? tp_balance_solve(sketch, push, wrench)
                     : tp_balance_solve_precisely(q, sketch, push, wrench);

@@ -35,6 +35,7 @@ static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_sketch 
                            const tp_vector *push, const tp_vector *load) {
   tp_answer answer = TP_OPEN;
   for (int engine = 0; engine < 2 && answer != TP_YES; engine++) {
+    if (!tp_work_spend(q->work, engine == 0 ? 2 : 5, sketch->count, q->judge.bits)) return TP_OPEN;
     const tp_simplex_answer found =
         engine == 0 ? tp_balance_solve(sketch, push, load)
                     : tp_balance_solve_precisely(q, sketch, push, load);

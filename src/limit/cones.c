@@ -146,3 +146,29 @@ bool tp_cones_share_site(const tp_cones *cones, long column, long other) {
   return tp_cones_is_edge(cones, column) && tp_cones_is_edge(cones, other) &&
          cones->points[column / 2].site == cones->points[other / 2].site;
 }
+
+/* Places that the line of a column passes through: one or two, none for a pull. */
+static int sites_of(long sites[2], const tp_cones *cones, long column) {
+  const long point = tp_cones_point_of(cones, column);
+  sites[0] = cones->points[point].site;
+  if (tp_cones_is_edge(cones, column)) return 1;
+  int kind = 0;
+  (void)allowance_of(cones, column, &kind);
+  if (kind == PULL) return 0;
+  sites[1] = cones->points[point + 1].site;
+  return 2;
+}
+
+bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other) {
+  long own[2], others[2];
+  const int count = sites_of(own, cones, column), of_other = sites_of(others, cones, other);
+  int common = 0;
+  for (int k = 0; k < count; k++) {
+    for (int j = 0; j < of_other; j++) {
+      if (own[k] != others[j]) continue;
+      *site = own[k];
+      common++;
+    }
+  }
+  return common == 1; /* with two they are one line */
+}

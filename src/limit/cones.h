@@ -56,8 +56,11 @@ void tp_cones_bound(arb_t most, const tp_cones *cones, long column);
 /* The point whose force the column is, and a unit of force along it: for the report. */
 long tp_cones_point_of(const tp_cones *cones, long column);
 
-/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? */
+/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? Do the
+ * lines of both pass through one place, that of an edge's point or of either end of a sheared
+ * facet? */
 bool tp_cones_are_parallel(const tp_cones *cones, long column, long other);
+bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other);
 bool tp_cones_share_site(const tp_cones *cones, long column, long other);
 
 #endif

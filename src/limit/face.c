@@ -78,10 +78,7 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
   const int turns = tp_judge_sign(judge, twist->of + 2, size);
   if (turns == 0) arb_zero(twist->of + 2);
   face->motion = turns == 0 ? TP_MOTION_SLIDE : TP_MOTION_TURN;
-  if (tp_cones_share_site(cones, first, second)) {
-    face->motion = TP_MOTION_TURN_AT_SITE;
-    face->site = cones->points[first / 2].site;
-  }
+  if (tp_cones_meet(&face->site, cones, first, second)) face->motion = TP_MOTION_TURN_AT_SITE;
   arb_clear(power);
   for (int k = 0; k < 2; k++) tp_vector_clear(columns + k);
   return sign == 0 ? TP_NO : sign == OPEN_SIGN || turns == OPEN_SIGN ? TP_OPEN : TP_YES;

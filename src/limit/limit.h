@@ -10,6 +10,7 @@
 
 #include "limit/face.h"
 #include "load/wrench.h"
+#include "number/work.h"
 #include "topple.h"
 
 /* A question: cones, loads as functions of the tilt, and how far the tilt may go (radians, where
@@ -20,6 +21,7 @@ typedef struct tp_limit_question {
   const tp_wrench *load;
   arb_srcptr range;
   tp_judge judge;
+  tp_work *work;        /* what its proofs may take, and have taken; NULL: anything */
   bool without_doubles; /* by a program of all columns at full precision from the start */
 } tp_limit_question;
 

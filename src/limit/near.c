@@ -79,6 +79,7 @@ static tp_answer find_precisely(candidate *c) {
   enum { MOST_ROUNDS = 8 };
   tp_answer done = TP_OPEN;
   for (int round = 0; round < MOST_ROUNDS && done != TP_YES; round++) {
+    if (!tp_work_spend(c->question->work, 8, c->sketch->count, c->question->judge.bits)) break;
     const tp_basis before = c->basis;
     tp_program_set_near(&c->program, c->question, c->near);
     const tp_simplex_answer found =
@@ -100,7 +101,7 @@ static tp_limit_outcome find_at(tp_limit_answer *answer, const tp_limit_question
   candidate c;
   candidate_init(&c, answer, q, near_degrees, sketch);
   tp_answer done = TP_OPEN;
-  if (!q->without_doubles) {
+  if (!q->without_doubles && tp_work_spend(q->work, 4, sketch->count, q->judge.bits)) {
     tp_program_set_near(&c.program, q, c.near);
     const tp_simplex_answer found = tp_program_solve(&c.program, sketch);
     c.basis = tp_basis_of(&found);
@@ -156,6 +157,9 @@ static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_quest
     if (!always) {
       const tp_limit_outcome outcome = find_at(answer, q, tilts->lets_go, sketch);
       if (outcome != TP_LIMIT_PROVEN) return outcome;
+      if (start == NULL && arb_is_negative(answer->degrees)) { /* doubles were wrong of level */
+        return outcome_of(tp_certify_beaten(q, sketch, answer, false));
+      }
     }
     const tp_answer done = tp_certify_holds(tilts, q, sketch, start, always ? NULL : answer);
     if (done != TP_NO) return outcome_of(done);
@@ -167,6 +171,7 @@ static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_quest
 tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *q,
                               tp_sketch *sketch) {
   tp_search_tilts tilts = {.held = 0};
+  if (!tp_search_pay(q, sketch)) return TP_LIMIT_OPEN;
   const tp_search_found found = tp_search_near(&tilts, sketch, q);
   if (found == TP_SEARCH_OPEN) return TP_LIMIT_OPEN;
   if (found == TP_SEARCH_HOLDS_NEVER) {
@@ -180,7 +185,9 @@ tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *
     if (found != TP_SEARCH_TILT) return TP_LIMIT_OPEN; /* level ground is between */
     const tp_limit_outcome outcome = find_at(answer, q, tilts.lets_go, sketch);
     if (outcome != TP_LIMIT_PROVEN) return outcome;
-    return outcome_of(tp_certify_beaten(q, sketch, answer, false));
+    return outcome_of(arb_is_positive(answer->degrees)
+                          ? tp_certify_holds(&tilts, q, sketch, NULL, answer)
+                          : tp_certify_beaten(q, sketch, answer, false));
   }
   arb_t start;
   arb_init(start);

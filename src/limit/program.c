@@ -100,6 +100,7 @@ static double linear_degrees(tp_sketch *sketch, const tp_limit_question *q) {
 double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *q) {
   if (tp_search_is_linear(q)) return linear_degrees(sketch, q);
   tp_search_tilts tilts = {.lets_go = 0};
+  (void)tp_search_pay(q, sketch); /* its callers try but so many times */
   switch (tp_search_near(&tilts, sketch, q)) {
   case TP_SEARCH_HOLDS_ALWAYS:
     return 90;

@@ -205,6 +205,12 @@ static void set_loads(loads *l, const tp_sketch *sketch, const tp_limit_question
   tp_vector_clear(&term);
 }
 
+bool tp_search_pay(const tp_limit_question *q, const tp_sketch *sketch) {
+  enum { FEW_BITS = 64 };
+  static const double steps = 10; /* some hundred looks in doubles, each a tenth of one in balls */
+  return tp_work_spend(q->work, steps, sketch->count, FEW_BITS);
+}
+
 tp_search_found tp_search_near(tp_search_tilts *tilts, tp_sketch *sketch,
                                const tp_limit_question *q) {
   loads l;

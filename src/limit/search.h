@@ -41,6 +41,9 @@ typedef struct tp_search_tilts {
   double lets_go;      /* where it does */
 } tp_search_tilts;
 
+/* Counts the work of it: false where too much is spent. */
+bool tp_search_pay(const tp_limit_question *question, const tp_sketch *sketch);
+
 tp_search_found tp_search_near(tp_search_tilts *tilts, tp_sketch *sketch,
                                const tp_limit_question *question);
 

@@ -58,8 +58,24 @@ static void add_reactions(tp_text *t, const tp_limit *l) {
   tp_text_add(t, "]");
 }
 
-/* The least tilt at which forces hold it; null where they hold however far it is tilted back. */
+static const char *from_where(const tp_limit *back) {
+  switch (back->kind) {
+  case TP_LIMIT_AT_ANGLE:
+    return "angle";
+  case TP_LIMIT_INTERLOCKED:
+    return "every tilt";
+  case TP_LIMIT_NOWHERE:
+    return "nowhere";
+  case TP_LIMIT_NOT_ASKED:
+  case TP_LIMIT_UNDECIDED:
+    break;
+  }
+  return "undecided";
+}
+
+/* The least tilt at which forces hold it; null where there is none, and why. */
 static void add_holds_from(tp_text *t, const tp_limit *back) {
+  tp_text_add(t, "\"holds_from\": \"%s\", ", from_where(back));
   if (back->kind != TP_LIMIT_AT_ANGLE) {
     const bool nowhere = back->kind == TP_LIMIT_NOWHERE;
     tp_text_add(t, "\"holds_from_deg\": null, \"holds_from_is\": \"%s\"",

@@ -102,6 +102,17 @@ static void find_limit(tp_limit *result, asking *a) {
   arb_clear(tilt);
 }
 
+static bool is_exhausted(const asking *a) {
+  const tp_work *work = a->e->work;
+  return work != NULL && work->spent > tp_work_allowed(tp_cones_column_count(a->cones));
+}
+
+/* A higher rung may tell, if there is one and work is left for it. */
+static void leave_open(tp_limit *result, const asking *a) {
+  result->too_dear = is_exhausted(a);
+  if (!result->too_dear && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
+}
+
 /* The factor of safety by strength reduction, with the friction at the scene's tilt. */
 static void reduce_strength(tp_limit *result, asking *a) {
   tp_evaluation *e = a->e;
@@ -120,10 +131,11 @@ static void reduce_strength(tp_limit *result, asking *a) {
   arb_set_fmpq(tilt, given->value, e->rung.bits);
   tp_friction_at(friction, e, tilt);
   tp_friction_tangent(a->cones->friction, friction, e->rung.bits);
+  tp_work_begin(e->work, tp_cones_column_count(a->cones));
   a->outcome = tp_reduction_find(&kind, factor, a->question, a->cones, tilt, e->digits);
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
-    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+    leave_open(result, a);
   } else if (kind == TP_REDUCTION_FACTOR) {
     result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_bounded(e, factor)};
   } else {
@@ -140,7 +152,7 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->kind = TP_LIMIT_UNDECIDED;
     result->mechanism = TP_MECHANISM_UNDECIDED;
-    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+    leave_open(result, a);
     return;
   }
   tp_limit_describe(result, e, a->question, a->answer, towards);
@@ -188,6 +200,7 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, co
   tp_limit_asked_init(&asked, &c->cones, e, towards, v.back);
   tp_limit_question *question = &asked.question;
   asking a = {e, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
+  tp_work_begin(e->work, tp_cones_column_count(&c->cones));
   if (share_sketch(c, question, e)) {
     a.outcome = TP_LIMIT_PROVEN;
     find_limit(result, &a);

@@ -48,6 +48,7 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
       .cones = cones,
       .load = load,
       .range = asked->range,
+      .work = e->work,
       .judge = {.bits = e->rung.bits,
                 .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
                 .settled = is_settled(e)}};

@@ -30,6 +30,7 @@ typedef struct climb {
   bool *settled[2];
   tp_message *message;
   kept_limit *kept; /* by direction */
+  tp_work *work;
 } climb;
 
 /* False when memory is exhausted. */
@@ -93,6 +94,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .decimals = c->solution->decimals,
                               .reduces_strength = c->options->strength_reduction,
                               .certain = true,
+                              .work = c->work,
                               .settled = {c->settled[0], c->settled[1]}};
   const double began = tp_effects_now();
   tp_moments_init(&evaluation.moments);
@@ -134,12 +136,14 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
     tp_direction_ball_init(&kept[d].limit);
     tp_direction_ball_init(&kept[d].back);
   }
+  tp_work work = {.spent = 0};
   climb c = {problem,
              options,
              solution,
              {calloc(points, 1), calloc(points, 1)},
              message,
-             kept};
+             kept,
+             &work};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
   if (c.settled[0] == NULL || c.settled[1] == NULL) {

@@ -36,14 +36,15 @@ def normed(v):
 
 
 class Contact:
-    """Facets as pairs of rational points from left to right."""
+    """Facets as pairs of rational points from left to right, their strength divided by a number."""
 
-    def __init__(self, facets, friction_deg, cohesion=0, bond=0):
+    def __init__(self, facets, friction_deg, cohesion=0, bond=0, divisor=Decimal(1)):
         if friction_deg == 45:
             tan = Decimal(1)
         else:
             sine, cosine = exact.sin_cos(friction_deg)
             tan = sine / cosine
+        tan /= divisor
         self.ends, edges, self.held = [], [], []
         for a, b in facets:
             a, b = (tuple(exact.decimal(x) for x in p) for p in (a, b))
@@ -54,11 +55,11 @@ class Contact:
                 edges += [normed(wrench(p, (n[0] + s * t[0], n[1] + s * t[1]))) for s in (tan, -tan)]
             # t is as long as the facet, so that a stress is the factor on it
             if cohesion:
-                self.held += [(wrench(a, (s * t[0], s * t[1])), exact.decimal(cohesion))
+                self.held += [(wrench(a, (s * t[0], s * t[1])), exact.decimal(cohesion) / divisor)
                               for s in (1, -1)]
             if bond:
                 middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-                self.held.append((wrench(middle, (-n[0], -n[1])), exact.decimal(bond)))
+                self.held.append((wrench(middle, (-n[0], -n[1])), exact.decimal(bond) / divisor))
         columns = edges + [normed(h) for h, _ in self.held]
         self.twists = []
         for k, c in enumerate(columns):
@@ -100,8 +101,9 @@ class Contact:
         if abs(v[2]) < ZERO:
             return "slides"
         centre = (-v[1] / v[2], v[0] / v[2])
-        near = [p for p in self.ends if max(abs(x - y) for x, y in zip(centre, p)) < ZERO ** Decimal("0.8")]
-        return "topples" if near else "slides and topples"
+        near = Decimal(10) ** -80  # the centre's own division loses some places
+        at_end = any(max(abs(x - y) for x, y in zip(centre, p)) < near for p in self.ends)
+        return "topples" if at_end else "slides and topples"
 
 
 def rising_sine(a, b, c):

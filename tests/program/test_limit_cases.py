@@ -120,7 +120,7 @@ class Cases(unittest.TestCase):
         status, out, err = self.run_solve(tip, base, 0)  # one force alone, no mechanism: no wrong one either
         case = json.loads(out)["cases"][0]
         self.assertEqual((status, case["limit"]["mechanism"], case["mechanism"]), (4, "undecided", "undecided"))
-        self.assertIn("undecided at 5120 bits: the mechanism", err)
+        self.assertIn("undecided at 5120 bits: the limit by contact forces", err)
         for friction in (0, 5):
             limit = self.limit("outline: [[0, 0], [3, 3], [1, 6], [-1, 3]]", base, friction)
             self.assertEqual(limit["mechanism"], "holds nowhere")
