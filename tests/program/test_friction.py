@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Friction by a law: Patton's (Eq. 6) and Barton's (Eq. 8, JRC by Eqs. 9 and 10), against fixed points
-found here in floats, whose rounding stays below 1e-12 degrees."""
+found here in floats, whose rounding stays below 1e-12 degrees, or in decimals of more digits than are asked for."""
 
+import json
 import math
 import pathlib
+import random
 import tempfile
 import unittest
+from decimal import Decimal
+from fractions import Fraction
 
-from harness import main, solve
+import exact
+from harness import main, run, solve
 
 SLAB = ("topple: 1\nlength_unit: m\nblock: {slab: {width: 4, height: 1}, unit_weight_kn_m3: 26}\n"
         "base: {beyond: {left: 1, right: 1}}\n%s\ntilt: {towards: left, angle_deg: 20}\n")
@@ -96,6 +101,37 @@ class Friction(unittest.TestCase):
         factor = math.tan(math.radians(phi)) / math.tan(math.radians(20))
         for found in (case["limit"]["fos"], case["sliding"]["fos"], case["sliding"]["fos_strength"]):
             self.assertAlmostEqual(found["value"], factor, delta=found["error"] + 1e-13)
+
+    def test_any_digits(self):
+        """The stress of a slab, weight over width, is rarely a double; the angle at which it slides is certain
+        to any number of digits all the same: a = phi_r + JRC log10(JCS / (g h cos a)) to 10 digits more."""
+        random.seed(55)
+        for digits in (12, 13, 15, 17, 25, 60, 200):
+            exact.set_digits(digits + 15)
+            width, height = Fraction(random.randint(3001, 9999), 1000), Fraction(random.randint(101, 999), 1000)
+            unit, jrc = Fraction(random.randint(201, 299), 10), random.randint(2, 9)
+            stress = exact.decimal(unit * height)
+            angle = Decimal(40)
+            for _ in range(4 * digits):
+                cosine = exact.sin_cos(Fraction(angle))[1]
+                angle = 24 + jrc * (50000 / (stress * cosine)).log10()
+            with tempfile.TemporaryDirectory() as folder:
+                scene = pathlib.Path(folder) / "scene.yaml"
+                scene.write_text(
+                    "topple: 1\nlength_unit: m\n"
+                    f"block: {{slab: {{width: {width}, height: {height}}}, unit_weight_kn_m3: {unit}}}\n"
+                    f"base: {{mated: true}}\nfriction: {{law: barton, residual_angle_deg: 24, jrc: {jrc}, jcs_mpa: 50}}\n"
+                    "tilt: {towards: left, angle_deg: 20}\n")
+                status, out, err = run("solve", "--json", "--digits", digits, scene)
+            self.assertEqual((status, err), (0, ""))
+            case = json.loads(out)["cases"][0]
+            for part in ("limit", "sliding"):
+                found = case[part]["critical_angle_deg"]
+                self.assertLessEqual(abs(Decimal(found["value"]) - angle), Decimal(found["error"]) + Decimal(10) ** -13)
+                if "digits" in found:
+                    self.assertLessEqual(abs(Decimal(found["digits"]) - angle),
+                                         Decimal("0.5001").scaleb(Decimal(found["digits"]).as_tuple().exponent))
+        exact.set_digits(60)
 
 
 if __name__ == "__main__":
