@@ -133,6 +133,67 @@ class Friction(unittest.TestCase):
                                          Decimal("0.5001").scaleb(Decimal(found["digits"]).as_tuple().exponent))
         exact.set_digits(60)
 
+    def test_cohesion_and_water(self):
+        """With what holds apart from friction the tilt may change more than the friction that it gives, and no
+        fixed point attracts. The truth: the first tilt at which W sin a + water - (W cos a + 0) tan(phi(a)) - c S
+        passes zero, phi at the stress of W cos a, by a scan of 900 tilts and bisection; the water, h high on the
+        face, pushes along the base with 9.81 h^2 cos a / 2."""
+        random.seed(56)
+        slid = 0
+        for _ in range(40):
+            width, height = random.randint(2, 40) / 4, random.randint(2, 30) / 4
+            water, cohesion = random.choice([0, 0.5, 1]) * height, random.choice([0, 1, 10, 47, 100])
+            jcs, tilt = random.choice([1, 50, 200]), random.choice([10, 45, 85])
+            weight = 26 * width * height
+
+            def excess(degrees):
+                a = math.radians(degrees)
+                phi = barton(24, 8, 1000 * jcs, 26 * height * math.cos(a)) if degrees < 90 else 70.0
+                return (weight * (math.sin(a) - math.cos(a) * math.tan(math.radians(phi))) - cohesion * width
+                        + 9.81 * water**2 / 2 * math.cos(a))
+
+            with tempfile.TemporaryDirectory() as folder:
+                scene = pathlib.Path(folder) / "scene.yaml"
+                scene.write_text(
+                    f"topple: 1\nlength_unit: m\nblock: {{slab: {{width: {width}, height: {height}}}, unit_weight_kn_m3: 26}}\n"
+                    f"base: {{mated: true}}\nfriction: {{law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: {jcs}}}\n"
+                    f"loads: {{water: {{height: {water}}}, cohesion_kpa: {cohesion}}}\ntilt: {{towards: left, angle_deg: {tilt}}}\n")
+                status, out, err = run("solve", "--json", scene)
+                with self.subTest(scene=scene.read_text()):
+                    self.assertTrue(out, err)
+                    sliding = json.loads(out)["cases"][0]["sliding"]
+                    if excess(0) > 0:
+                        continue
+                    tilts = [k / 10 for k in range(901)]
+                    first = next((k for k in range(1, 901) if excess(tilts[k]) > 0), None)
+                    if first is None:
+                        self.assertEqual(sliding["critical_angle_is"], "never")
+                        continue
+                    low, high = tilts[first - 1], tilts[first]
+                    for _ in range(60):
+                        middle = (low + high) / 2
+                        low, high = (middle, high) if excess(middle) <= 0 else (low, middle)
+                    slid += 1
+                    found = sliding["critical_angle_deg"]
+                    self.assertAlmostEqual(found["value"], low, delta=found["error"] + 1e-9)
+        self.assertGreater(slid, 20)
+
+    def test_a_tilt_close_to_the_limit(self):
+        """The margin is certain to nine digits of its own, however small: the limit's angle gets as many more."""
+        case = self.slab("friction: {law: barton, residual_angle_deg: 28, jrc: 8, jcs_mpa: 120}")
+        limit = case["limit"]["critical_angle_deg"]["value"]
+        for places in (2, 5, 8, 11):
+            for sign in (-1, 1):
+                tilt = round(limit, places) + sign * 10.0 ** -places
+                with tempfile.TemporaryDirectory() as folder:
+                    scene = pathlib.Path(folder) / "scene.yaml"
+                    text = SLAB % "friction: {law: barton, residual_angle_deg: 28, jrc: 8, jcs_mpa: 120}"
+                    scene.write_text(text.replace("angle_deg: 20}", f"angle_deg: {tilt!r}}}"))
+                    near = solve(scene)["cases"][0]
+                margin = near["first"]["margin_deg"]
+                self.assertEqual(near["mechanism"], "stands" if sign < 0 else "slides")
+                self.assertLess(margin["error"], 1e-9 * abs(margin["value"]))
+
 
 if __name__ == "__main__":
     main()
