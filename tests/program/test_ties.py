@@ -169,6 +169,21 @@ class Ties(unittest.TestCase):
                         self.assertEqual(case["toppling"]["pivot"], down_dip(tied), self.text)
                         self.check_least(case)
 
+    def test_loads_of_nothing(self):
+        """A cube on 45 degrees of friction slides and topples at 45 degrees, and by k_h at 45 - atan(k_h): loads
+        of no size leave that tie what it is."""
+        for loads in ("cohesion_kpa: 0", "bond_kpa: 0", "cohesion_kpa: 0, bond_kpa: 0", "seismic: {horizontal: 0}",
+                      "water: {height: 0, stays_level: true, uplift: true}", "seismic: {horizontal: 1/7}, cohesion_kpa: 0",
+                      "anchors: [{at: [0, 0], direction_deg: 30, force_kn: 0}], bond_kpa: 0"):
+            for digits in (1, 9, 30):
+                cases, err = self.solve(
+                    "topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 2}, unit_weight_kn_m3: 26}\n"
+                    f"base: {{mated: true}}\nfriction_angle_deg: 45\nloads: {{{loads}}}\n"
+                    "tilt: {towards: both, angle_deg: 20}\n", digits)
+                for case in cases:
+                    self.assertEqual(case["first"]["mechanism"], "slides and topples", self.text)
+                    self.assertEqual({case["limit"]["mechanism"], case["limit"]["tied_with"]}, {"slides", "topples"})
+
 
 if __name__ == "__main__":
     main()
