@@ -32,8 +32,8 @@ typedef struct tp_find_options {
   double low, high; /* else 0 to ten times the scene's own value */
 } tp_find_options;
 
-/* A stretch of solutions: the target has the same value, to 30 digits, at 11 numbers spread over it
- * up to its ends, and its bound holds the wanted one. Each end is bisected between a number where
+/* A stretch of solutions: the target has the same value, to 30 digits, at 9 numbers spread over it
+ * and at its ends, and its bound holds the wanted one. Each end is bisected between a number where
  * that is so and one where it is not, or is an end of the range. What lies between the numbers that
  * were looked at is not proven. */
 typedef struct tp_found_interval {

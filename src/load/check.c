@@ -121,6 +121,13 @@ tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
   fmpq_sub(top, top, heel_y);
   const bool above = fmpq_cmp(water->height.value, top) > 0;
   fmpq_clear(top);
+  const tp_quantity *tilt = &scene->tilt_angle_deg;
+  const bool upright = fmpq_cmp_si(tilt->value, 90) == 0 || fmpq_cmp_si(tilt->value, -90) == 0;
+  if (upright && water->stays_level && !fmpq_is_zero(water->height.value)) {
+    return tp_fail(message, TP_BAD_INPUT, tilt->place,
+                   "at 90° the face behind the block lies level, and water that stays level never "
+                   "comes to its end; give a tilt below, or leave out 'stays_level'");
+  }
   if (!above) return TP_OK;
   return tp_fail(
       message, TP_BAD_INPUT, water->height.place,

@@ -18,10 +18,11 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                 f->solutions[k].error);
   }
   for (size_t k = 0; k < f->touching_count; k++) {
-    tp_text_add(&t,
-                "  %s  (within %.2g): comes up to the value and turns back; it may touch it, which "
-                "no bound decides\n",
-                tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
+    tp_text_add(
+        &t,
+        "  %s  (within %.2g): comes up to the value and turns back or ends; it may touch it, "
+        "which no bound decides\n",
+        tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
   }
   for (size_t k = 0; k < f->interval_count; k++) {
     char end[TP_NUMBER_SIZE];

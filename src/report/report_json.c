@@ -134,7 +134,7 @@ static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded) {
               loaded ? "forces along and across the facet" : "Patton, phi_b + i");
   if (s->never) {
     tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"never\", "
-                   "\"fos\": null},\n");
+                   "\"fos\": null, \"fos_is\": \"unbounded: it never slides\"},\n");
     return;
   }
   if (s->always) {

@@ -72,7 +72,13 @@ void tp_page_add_first(tp_page *p, const tp_case *c) {
 static void add_moments(tp_page *p, const tp_case *c) {
   char n[2][TP_NUMBER_SIZE];
   if (!c->has_governing || c->limit.kind != TP_LIMIT_AT_ANGLE) return;
-  const tp_bounded toppling = c->pivots[c->governing].critical_angle_deg;
+  const tp_pivot *pivot = c->pivots + c->governing;
+  if (pivot->never || pivot->always) {
+    tp_text_add(&p->text, "  Moments alone say that it %s, about the toe.\n",
+                pivot->never ? "never topples" : "topples at every tilt");
+    return;
+  }
+  const tp_bounded toppling = pivot->critical_angle_deg;
   const tp_bounded limit = c->limit.critical_angle_deg;
   if (limit.value - limit.error > toppling.value + toppling.error) {
     tp_text_add(&p->text,

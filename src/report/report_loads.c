@@ -52,6 +52,11 @@ static void add_overtopping(tp_page *p, const tp_case *c) {
               "  Caution: beyond %s° the level of the water is above the top of its face. There\n"
               "  its pressure is reckoned as if the face went on: more than it can exert.\n",
               tp_text_fixed(n, c->water_overtops_deg, 3));
+  if (c->limit.kind == TP_LIMIT_INTERLOCKED || c->limit.kind == TP_LIMIT_NOWHERE) {
+    tp_text_add(&p->text,
+                "  It grows without bound towards 90°: contact forces are looked at up to "
+                "89.9999°.\n");
+  }
 }
 
 void tp_page_add_loads(tp_page *p, const tp_case *c) {

@@ -19,7 +19,7 @@ typedef struct tp_evaluation {
   bool reduces_strength; /* for the factor of safety of the limit */
   tp_moments moments;
   arb_t weight_per_area_pa; /* on the mean plane, level; zero where the block has no weight */
-  bool certain;                  /* all numbers and decisions so far */
+  bool certain;             /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
   tp_work *work;                  /* of the limit on all rungs; NULL: any */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
@@ -109,9 +109,9 @@ void tp_evaluate_pivots(tp_evaluation *evaluation, tp_case *result, tp_direction
 void tp_evaluate_turning(tp_evaluation *evaluation, tp_direction towards, long k,
                          tp_direction_ball *angle);
 
-/* Critical angle of the governing pivot alone; false where no pivot is admissible. Of those with the
- * same angle, or with none, the least safe at the scene's tilt governs; of those alike in that too,
- * the one furthest down-dip. `*tie`: another one has the same angle. */
+/* Critical angle of the governing pivot alone; false where no pivot is admissible. Of those with
+ * the same angle, or with none, the least safe at the scene's tilt governs; of those alike in that
+ * too, the one furthest down-dip. `*tie`: another one has the same angle. */
 bool tp_evaluate_toppling(tp_evaluation *evaluation, tp_direction towards,
                           tp_direction_ball *toppling, size_t *governing, bool *tie);
 

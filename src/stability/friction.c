@@ -76,9 +76,10 @@ static void stress_ratio(arb_t ratio, const tp_evaluation *e, const arb_t tilt) 
   arb_clear(cosine);
 }
 
+enum { MOST_DEGREES = 70 };
+
 /* phi_r + JRC log10(JCS / sigma), within [0, 70]: stresses above JCS would take friction away. */
-static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
-  enum { MOST_DEGREES = 70 };
+static void barton_pressed(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
   const long bits = e->rung.bits;
   arb_t roughness, log, end;
   arb_init(roughness);
@@ -90,11 +91,7 @@ static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
   arb_addmul(degrees, roughness, log, bits);
   arb_max(degrees, degrees, end, bits);
   arb_set_ui(end, MOST_DEGREES);
-  if (arb_is_positive(sigma)) {
-    arb_min(degrees, degrees, end, bits);
-  } else {
-    arb_set(degrees, end);
-  }
+  arb_min(degrees, degrees, end, bits);
   if (!arb_is_finite(degrees)) { /* a JRC over log10(1): all that is known is the range */
     arb_set_ui(degrees, MOST_DEGREES / 2);
     mag_set_ui(arb_radref(degrees), MOST_DEGREES / 2);
@@ -102,6 +99,30 @@ static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
   arb_clear(roughness);
   arb_clear(log);
   arb_clear(end);
+}
+
+/* The most friction where nothing presses; where that is not known, all from what the largest
+ * stress gives to that. */
+static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
+  if (arb_is_positive(sigma)) {
+    barton_pressed(degrees, sigma, e);
+    return;
+  }
+  arb_set_ui(degrees, MOST_DEGREES);
+  if (arb_is_nonpositive(sigma)) return;
+  const long bits = e->rung.bits;
+  arb_t most, least;
+  arf_t end;
+  arb_init(most);
+  arb_init(least);
+  arf_init(end);
+  arb_get_ubound_arf(end, sigma, bits);
+  arb_set_arf(most, end);
+  barton_pressed(least, most, e);
+  arb_union(degrees, degrees, least, bits);
+  arb_clear(most);
+  arb_clear(least);
+  arf_clear(end);
 }
 
 void tp_friction_at(arb_t degrees, const tp_evaluation *e, const arb_t tilt) {
@@ -192,6 +213,13 @@ static void refine(arf_t tilt, const tp_evaluation *e, tp_friction_limit limit, 
   arf_clear(before);
 }
 
+/* As many as are asked for; on the higher rungs more, for what is left of an angle when another one
+ * close to it is taken away. */
+static int wanted_digits(const tp_evaluation *e) {
+  enum { HIGH_BITS = 160, BITS_FOR_ONE_MORE = 16 };
+  return e->digits + (e->rung.bits < HIGH_BITS ? 0 : (int)(e->rung.bits / BITS_FOR_ONE_MORE));
+}
+
 /* Widths in degrees to either side of the estimate: from what doubles tell apart to 10^-9, or, for
  * more digits than that, from some more than are asked for. */
 bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit limit, void *context,
@@ -199,8 +227,9 @@ bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit l
   enum { NARROWEST = 46, WIDEST = 30, DIGITS_OF_DOUBLE = 11, SPARE = 5 }; /* 2^-46 is 1.4e-14 */
   double start = 0;
   if (!iterate(&start, e, limit, context, back)) return false;
-  const bool many = e->digits > DIGITS_OF_DOUBLE;
-  const slong widest = many ? (slong)(3.33 * (e->digits + SPARE)) : WIDEST;
+  const int digits = wanted_digits(e);
+  const bool many = digits > DIGITS_OF_DOUBLE;
+  const slong widest = many ? (slong)(3.33 * (digits + SPARE)) : WIDEST;
   const slong narrowest = many ? widest + (slong)(3.33 * SPARE) : NARROWEST;
   arf_t estimate;
   arb_t interval, image;
@@ -208,7 +237,7 @@ bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit l
   arb_init(interval);
   arb_init(image);
   arf_set_d(estimate, start);
-  if (many) refine(estimate, e, limit, context, back, e->digits + 3 * SPARE);
+  if (many) refine(estimate, e, limit, context, back, digits + 3 * SPARE);
   bool found = false;
   for (slong places = narrowest; places >= widest && !found; places -= 3) {
     arb_set_arf(interval, estimate);

@@ -186,7 +186,9 @@ static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, 
   const tp_problem *problem = e->problem;
   const tp_contact *contact = &problem->contact;
   const tp_loads_description *loads = &problem->scene->loads;
-  const bool strong = e->loaded != NULL && (loads->cohesion_kpa.given || loads->bond_kpa.given);
+  /* strength of nothing adds no forces, and no ties of mechanisms that hold them */
+  const bool strong = e->loaded != NULL && !(fmpq_is_zero(loads->cohesion_kpa.value) &&
+                                             fmpq_is_zero(loads->bond_kpa.value));
   long count = beyond != NULL ? count_beyond(beyond) : 0, lengths = 0;
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;

@@ -68,9 +68,22 @@ bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluatio
 
 /* Sliding down along a facet, (run, rise) as in stability/sliding.c, with a friction angle in
  * degrees and the cohesion of the contact: the critical angle in degrees, -180 where it slides at
- * every tilt, or false where it never does; the factor of safety is with the friction at the scene's tilt. */
+ * every tilt, or false where it never does; the factor of safety is with the friction at the
+ * scene's tilt. */
 bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded,
                        tp_evaluation *evaluation, const fmpz_t run, const fmpz_t rise,
                        const arb_t friction);
+
+/* The same where friction depends on the load: the tilt from level at which it begins to slide with
+ * the friction of the stress there. */
+typedef enum tp_loaded_start {
+  TP_START_AT_ANGLE,
+  TP_START_NEVER,
+  TP_START_ALWAYS,
+  TP_START_OPEN /* more bits are needed */
+} tp_loaded_start;
+tp_loaded_start tp_loaded_sliding_start(arb_t degrees, const tp_loaded *loaded,
+                                        const tp_evaluation *evaluation, const fmpz_t run,
+                                        const fmpz_t rise);
 
 #endif

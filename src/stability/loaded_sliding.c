@@ -193,3 +193,101 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_e
   arb_clear(cosine);
   return found || always;
 }
+
+/* The force along the facet over what resists it, at any of the tilts in a ball, with the friction
+ * that their stress gives. */
+static void excess_at(arb_t excess, const tp_loaded *loaded, const tp_evaluation *e, facet_frame *f,
+                      const arb_t degrees) {
+  const long bits = e->rung.bits;
+  tp_trig along, normal;
+  arb_t turn, sine, cosine;
+  tp_trig_init(&along);
+  tp_trig_init(&normal);
+  arb_init(turn);
+  arb_init(sine);
+  arb_init(cosine);
+  resolve(&along, &normal, &loaded->sum, f, bits);
+  arb_div_ui(turn, degrees, 180, bits);
+  arb_sin_cos_pi(sine, cosine, turn, bits);
+  tp_friction_at(turn, e, degrees);
+  tp_friction_tangent(f->friction, turn, bits);
+  tp_trig_submul(&along, &normal, f->friction, bits);
+  tp_trig_evaluate(excess, &along, sine, cosine, bits);
+  arb_sub(excess, excess, f->cohesion, bits);
+  tp_trig_clear(&along);
+  tp_trig_clear(&normal);
+  arb_clear(turn);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+static int sign_of(const arb_t ball) {
+  return arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
+}
+
+/* From level the stretch on which the excess keeps its sign is made longer, by steps as long as
+ * they prove it, until they are too short to matter: behind the last one it changes. A change that
+ * near to upright is out of range. */
+tp_loaded_start tp_loaded_sliding_start(arb_t degrees, const tp_loaded *loaded,
+                                        const tp_evaluation *e, const fmpz_t run,
+                                        const fmpz_t rise) {
+  enum { SPARE = 8, MOST_STEPS = 40000 };
+  const long bits = e->rung.bits;
+  const slong least = -(slong)(3.33 * (e->digits + SPARE));
+  facet_frame f;
+  arb_t at, excess, end;
+  arf_t from, to, step, last;
+  arb_init(at);
+  arb_init(excess);
+  arb_init(end);
+  arf_init(from);
+  arf_init(to);
+  arf_init(step);
+  arf_init(last);
+  frame_init(&f, e, run, rise, at);
+  excess_at(excess, loaded, e, &f, at);
+  const int own = sign_of(excess); /* below zero: it holds on level ground */
+  arb_const_pi(end, bits);
+  arb_div(end, loaded->range, end, bits);
+  arb_mul_ui(end, end, 180, bits);
+  arb_get_lbound_arf(last, end, bits);
+  if (own > 0) arf_neg(last, last);
+  arf_set_si(step, own > 0 ? -1 : 1);
+  tp_loaded_start found = TP_START_OPEN;
+  for (int k = 0; k < MOST_STEPS && own != 0; k++) {
+    arf_add(to, from, step, bits, ARF_RND_NEAR);
+    if (arf_cmpabs(to, last) > 0) arf_set(to, last);
+    if (own < 0) {
+      arb_set_interval_arf(at, from, to, bits);
+    } else {
+      arb_set_interval_arf(at, to, from, bits);
+    }
+    excess_at(excess, loaded, e, &f, at);
+    if (sign_of(excess) == own) {
+      arf_set(from, to);
+      arf_mul_2exp_si(step, step, 1);
+      if (arf_equal(to, last)) {
+        found = own < 0 ? TP_START_NEVER : TP_START_ALWAYS;
+        break;
+      }
+    } else if (arf_cmpabs_2exp_si(step, least) > 0) {
+      arf_mul_2exp_si(step, step, -1);
+    } else {
+      arb_set(degrees, at);
+      arb_set_arf(at, to);
+      excess_at(excess, loaded, e, &f, at);
+      if (sign_of(excess) == -own) found = TP_START_AT_ANGLE;
+      if (arf_equal(to, last)) found = own < 0 ? TP_START_NEVER : TP_START_ALWAYS;
+      break;
+    }
+  }
+  frame_clear(&f);
+  arb_clear(at);
+  arb_clear(excess);
+  arb_clear(end);
+  arf_clear(from);
+  arf_clear(to);
+  arf_clear(step);
+  arf_clear(last);
+  return found;
+}

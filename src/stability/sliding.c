@@ -137,6 +137,17 @@ static bool start_of(arb_t tilt, void *context, const arb_t friction, bool estim
   return s->slides;
 }
 
+/* Where no interval of tilts is mapped into itself, step by step. */
+static bool find_stepwise(arb_t friction, start *s) {
+  arb_struct *degrees = s->sliding->degrees;
+  const tp_loaded_start found =
+      tp_loaded_sliding_start(degrees, s->e->loaded, s->e, s->best->run, s->best->rise);
+  if (found == TP_START_OPEN) s->e->certain = false;
+  if (found == TP_START_ALWAYS) arb_set_si(degrees, -180);
+  if (found == TP_START_AT_ANGLE) tp_friction_at(friction, s->e, degrees);
+  return found == TP_START_AT_ANGLE || found == TP_START_ALWAYS;
+}
+
 /* The friction angle at which it starts, and the start. */
 static bool find_start(arb_t friction, start *s) {
   arb_t tilt;
@@ -144,6 +155,10 @@ static bool find_start(arb_t friction, start *s) {
   bool found = true;
   if (tp_friction_is_load_dependent(s->e)) {
     found = tp_friction_meet(friction, s->e, start_of, s, false);
+    if (!found && s->e->loaded != NULL) {
+      arb_clear(tilt);
+      return find_stepwise(friction, s);
+    }
     if (!found && s->slides) s->e->certain = false;
   } else {
     tp_friction_at(friction, s->e, tilt);

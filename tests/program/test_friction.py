@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Friction by a law: Patton's (Eq. 6) and Barton's (Eq. 8, JRC by Eqs. 9 and 10), against fixed points
-found here in floats, whose rounding stays below 1e-12 degrees."""
+found here in floats, whose rounding stays below 1e-12 degrees, or in decimals of more digits than are asked for."""
 
+import json
 import math
 import pathlib
+import random
 import tempfile
 import unittest
+from decimal import Decimal
+from fractions import Fraction
 
-from harness import main, solve
+import exact
+from harness import main, run, solve
 
 SLAB = ("topple: 1\nlength_unit: m\nblock: {slab: {width: 4, height: 1}, unit_weight_kn_m3: 26}\n"
         "base: {beyond: {left: 1, right: 1}}\n%s\ntilt: {towards: left, angle_deg: 20}\n")
@@ -96,6 +101,98 @@ class Friction(unittest.TestCase):
         factor = math.tan(math.radians(phi)) / math.tan(math.radians(20))
         for found in (case["limit"]["fos"], case["sliding"]["fos"], case["sliding"]["fos_strength"]):
             self.assertAlmostEqual(found["value"], factor, delta=found["error"] + 1e-13)
+
+    def test_any_digits(self):
+        """The stress of a slab, weight over width, is rarely a double; the angle at which it slides is certain
+        to any number of digits all the same: a = phi_r + JRC log10(JCS / (g h cos a)) to 10 digits more."""
+        random.seed(55)
+        for digits in (12, 13, 15, 17, 25, 60, 200):
+            exact.set_digits(digits + 15)
+            width, height = Fraction(random.randint(3001, 9999), 1000), Fraction(random.randint(101, 999), 1000)
+            unit, jrc = Fraction(random.randint(201, 299), 10), random.randint(2, 9)
+            stress = exact.decimal(unit * height)
+            angle = Decimal(40)
+            for _ in range(4 * digits):
+                cosine = exact.sin_cos(Fraction(angle))[1]
+                angle = 24 + jrc * (50000 / (stress * cosine)).log10()
+            with tempfile.TemporaryDirectory() as folder:
+                scene = pathlib.Path(folder) / "scene.yaml"
+                scene.write_text(
+                    "topple: 1\nlength_unit: m\n"
+                    f"block: {{slab: {{width: {width}, height: {height}}}, unit_weight_kn_m3: {unit}}}\n"
+                    f"base: {{mated: true}}\nfriction: {{law: barton, residual_angle_deg: 24, jrc: {jrc}, jcs_mpa: 50}}\n"
+                    "tilt: {towards: left, angle_deg: 20}\n")
+                status, out, err = run("solve", "--json", "--digits", digits, scene)
+            self.assertEqual((status, err), (0, ""))
+            case = json.loads(out)["cases"][0]
+            for part in ("limit", "sliding"):
+                found = case[part]["critical_angle_deg"]
+                self.assertLessEqual(abs(Decimal(found["value"]) - angle), Decimal(found["error"]) + Decimal(10) ** -13)
+                if "digits" in found:
+                    self.assertLessEqual(abs(Decimal(found["digits"]) - angle),
+                                         Decimal("0.5001").scaleb(Decimal(found["digits"]).as_tuple().exponent))
+        exact.set_digits(60)
+
+    def test_cohesion_and_water(self):
+        """With what holds apart from friction the tilt may change more than the friction that it gives, and no
+        fixed point attracts. The truth: the first tilt at which W sin a + water - (W cos a + 0) tan(phi(a)) - c S
+        passes zero, phi at the stress of W cos a, by a scan of 900 tilts and bisection; the water, h high on the
+        face, pushes along the base with 9.81 h^2 cos a / 2."""
+        random.seed(56)
+        slid = 0
+        for _ in range(40):
+            width, height = random.randint(2, 40) / 4, random.randint(2, 30) / 4
+            water, cohesion = random.choice([0, 0.5, 1]) * height, random.choice([0, 1, 10, 47, 100])
+            jcs, tilt = random.choice([1, 50, 200]), random.choice([10, 45, 85])
+            weight = 26 * width * height
+
+            def excess(degrees):
+                a = math.radians(degrees)
+                phi = barton(24, 8, 1000 * jcs, 26 * height * math.cos(a)) if degrees < 90 else 70.0
+                return (weight * (math.sin(a) - math.cos(a) * math.tan(math.radians(phi))) - cohesion * width
+                        + 9.81 * water**2 / 2 * math.cos(a))
+
+            with tempfile.TemporaryDirectory() as folder:
+                scene = pathlib.Path(folder) / "scene.yaml"
+                scene.write_text(
+                    f"topple: 1\nlength_unit: m\nblock: {{slab: {{width: {width}, height: {height}}}, unit_weight_kn_m3: 26}}\n"
+                    f"base: {{mated: true}}\nfriction: {{law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: {jcs}}}\n"
+                    f"loads: {{water: {{height: {water}}}, cohesion_kpa: {cohesion}}}\ntilt: {{towards: left, angle_deg: {tilt}}}\n")
+                status, out, err = run("solve", "--json", scene)
+                with self.subTest(scene=scene.read_text()):
+                    self.assertTrue(out, err)
+                    sliding = json.loads(out)["cases"][0]["sliding"]
+                    if excess(0) > 0:
+                        continue
+                    tilts = [k / 10 for k in range(901)]
+                    first = next((k for k in range(1, 901) if excess(tilts[k]) > 0), None)
+                    if first is None:
+                        self.assertEqual(sliding["critical_angle_is"], "never")
+                        continue
+                    low, high = tilts[first - 1], tilts[first]
+                    for _ in range(60):
+                        middle = (low + high) / 2
+                        low, high = (middle, high) if excess(middle) <= 0 else (low, middle)
+                    slid += 1
+                    found = sliding["critical_angle_deg"]
+                    self.assertAlmostEqual(found["value"], low, delta=found["error"] + 1e-9)
+        self.assertGreater(slid, 20)
+
+    def test_a_tilt_close_to_the_limit(self):
+        """The margin is certain to nine digits of its own, however small: the limit's angle gets as many more."""
+        case = self.slab("friction: {law: barton, residual_angle_deg: 28, jrc: 8, jcs_mpa: 120}")
+        limit = case["limit"]["critical_angle_deg"]["value"]
+        for places in (2, 5, 8, 11):
+            for sign in (-1, 1):
+                tilt = round(limit, places) + sign * 10.0 ** -places
+                with tempfile.TemporaryDirectory() as folder:
+                    scene = pathlib.Path(folder) / "scene.yaml"
+                    text = SLAB % "friction: {law: barton, residual_angle_deg: 28, jrc: 8, jcs_mpa: 120}"
+                    scene.write_text(text.replace("angle_deg: 20}", f"angle_deg: {tilt!r}}}"))
+                    near = solve(scene)["cases"][0]
+                margin = near["first"]["margin_deg"]
+                self.assertEqual(near["mechanism"], "stands" if sign < 0 else "slides")
+                self.assertLess(margin["error"], 1e-9 * abs(margin["value"]))
 
 
 if __name__ == "__main__":
