@@ -39,7 +39,7 @@ typedef struct tp_find_options {
  * more than once between two of the 512 points of the range that were looked at, solutions may be
  * missed. */
 typedef struct tp_found {
-  char *key;
+  TP_OUTSIDE char *key;
   double low, high; /* the range, cut to where the scene has an answer */
   size_t count;     /* 0: none in the range */
   tp_bounded *solutions;
