@@ -34,7 +34,7 @@ void tp_encode_markdown_code(tp_text *text, const char *outside);
 void tp_encode_csv(tp_text *text, const char *outside);
 
 /* A string of gnuplot in single quotes, in which it executes nothing. Markup is off where the
- * command that it is given to says noenhanced. */
+ * command that it is given to says noenhanced; what it draws into SVG stays well-formed. */
 void tp_encode_gnuplot(tp_text *text, const char *outside);
 
 #endif

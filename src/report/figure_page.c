@@ -106,7 +106,7 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
   tp_box extents[2];
   if (figure->solution->title != NULL) {
     tp_text title = {0};
-    tp_text_add(&title, "%s", "");
+    tp_text_add(&title, "%s", ""); /* a text, also of an empty title */
     tp_encode_plain(&title, figure->solution->title);
     const bool done = !title.failed;
     tp_figure_ink(cr, TP_INK_BLACK);

@@ -51,6 +51,7 @@ void tp_node_free(tp_node *root) {
 }
 
 const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
+  if (mapping->kind != TP_NODE_MAPPING) return NULL;
   for (const tp_node *child = mapping->first; child != NULL; child = child->next) {
     if (strcmp(child->key, key) == 0) return child;
   }
@@ -74,9 +75,8 @@ static tp_place at(const builder *b, tp_mark mark) {
 
 /* Does the file say that it is for this program? Nothing is quoted of a file that does not. */
 static bool is_ours(const builder *b) {
-  const tp_node *root = b->open[0];
-  return root->kind == TP_NODE_MAPPING &&
-         (tp_node_get(root, "topple") != NULL || tp_node_get(root, "topple_claims") != NULL);
+  return tp_node_get(b->open[0], "topple") != NULL ||
+         tp_node_get(b->open[0], "topple_claims") != NULL;
 }
 
 static tp_status take_key(builder *b, const char *text, tp_mark mark) {
