@@ -147,22 +147,22 @@ static bool is_taken(const tp_field *field, const char *name) {
 
 bool tp_c_names_set(tp_field *field) {
   static const char before[] = "p_";
+  const size_t step = strlen(before), most = (size_t)field->symbol_count + 1;
   const long count = field->parameters->count;
   field->renamed = calloc((size_t)count + 1, sizeof *field->renamed);
   if (field->renamed == NULL) return false;
   for (long k = 0; k < count; k++) {
     const char *name = field->names[k];
     if (!tp_c_name_is_reserved(name)) continue;
-    /* with p_ before it once for each of the symbols, a name is free for certain */
-    const size_t size = strlen(name) + strlen(before) * (size_t)(field->symbol_count + 1) + 1;
-    char *free_name = malloc(size);
-    if (free_name == NULL) return false;
-    field->renamed[k] = free_name;
-    strcpy(free_name, name);
-    do {
-      memmove(free_name + strlen(before), free_name, strlen(free_name) + 1);
-      memcpy(free_name, before, strlen(before));
-    } while (is_taken(field, free_name) && strlen(free_name) + strlen(before) < size);
+    /* with p_ before it as often as there are symbols, and once more, it is free for certain */
+    const size_t size = most * step + strlen(name) + 1;
+    char *all = malloc(size);
+    if (all == NULL) return false;
+    field->renamed[k] = all;
+    for (size_t j = 0; j < most; j++) snprintf(all + j * step, size - j * step, "%s", before);
+    snprintf(all + most * step, size - most * step, "%s", name);
+    const char *free_name = all + (most - 1) * step;
+    while (free_name > all && is_taken(field, free_name)) free_name -= step;
     field->names[k] = free_name;
   }
   return true;

@@ -139,8 +139,8 @@ void tp_encode_csv(tp_text *t, const char *outside) {
   tp_text_add(t, quoted ? "\"" : "");
 }
 
-/* Read by gnuplot 5.4: two quotes at the beginning are an empty string to it, and in SVG it writes a
- * > as it is, though XML allows none behind two brackets. A blank keeps them apart. */
+/* Read by gnuplot 5.4: two quotes at the beginning are an empty string to it, and in SVG it writes
+ * a > as it is, though XML allows none behind two brackets. A blank keeps them apart. */
 void tp_encode_gnuplot(tp_text *t, const char *outside) {
   char next[TP_PLAIN_SIZE];
   int brackets = 0;
