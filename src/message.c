@@ -3,32 +3,43 @@
 
 #include "message.h"
 
+#include "outside.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+/* A path that is too long loses its beginning, so that the place in it stays. */
 void tp_place_text(char *text, size_t size, tp_place place) {
+  char numbers[32] = "";
   if (place.file == NULL) {
     text[0] = '\0';
-  } else if (place.line <= 0) {
-    snprintf(text, size, "%s", place.file);
-  } else if (place.column <= 0) {
-    snprintf(text, size, "%s:%d", place.file, place.line);
-  } else {
-    snprintf(text, size, "%s:%d:%d", place.file, place.line, place.column);
+    return;
   }
+  if (place.line > 0 && place.column > 0) {
+    snprintf(numbers, sizeof numbers, ":%d:%d", place.line, place.column);
+  } else if (place.line > 0) {
+    snprintf(numbers, sizeof numbers, ":%d", place.line);
+  }
+  static const char ellipsis[] = "…";
+  const size_t room = size - 1 - strlen(numbers);
+  const bool fits = strlen(place.file) <= room;
+  snprintf(text, size, "%s%s%s", fits ? "" : ellipsis,
+           tp_tail_of(place.file, fits ? room : room - strlen(ellipsis)), numbers);
 }
 
+/* The whole message is made plain, so that nothing of what it quotes acts on a terminal. */
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...) {
   if (message == NULL) return status;
-  char where[512];
-  tp_place_text(where, sizeof where, place);
-  const size_t size = sizeof message->text;
-  const int head = snprintf(message->text, size, "%s%s", where, where[0] != '\0' ? ": " : "");
+  char text[2 * sizeof message->text];
+  tp_place_text(text, sizeof message->text / 2, place);
+  size_t head = strlen(text);
+  if (head > 0) head += (size_t)snprintf(text + head, sizeof text - head, ": ");
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(message->text + head, size - (size_t)head, format, arguments);
+  vsnprintf(text + head, sizeof text - head, format, arguments);
   va_end(arguments);
+  tp_plain_text(message->text, sizeof message->text, text);
   return status;
 }
 

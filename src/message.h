@@ -15,7 +15,8 @@ typedef struct tp_place {
 } tp_place;
 
 /* Write "file:line:column: text" into the message and return `status`, so that a caller can
- * `return tp_fail(…)`. `message` may be NULL. */
+ * `return tp_fail(…)`. `message` may be NULL. The whole is made plain (outside.h), whatever the
+ * arguments hold; what is quoted is bounded by tp_quote_of. */
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

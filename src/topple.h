@@ -114,7 +114,7 @@ typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING 
 
 typedef struct tp_load_result {
   const char *name;
-  char called_for_by[256];
+  TP_OUTSIDE char called_for_by[256];
   tp_bounded moment_nm;
   tp_load_side side;
 } tp_load_result;
@@ -190,7 +190,7 @@ typedef struct tp_contact_result {
 /* What ran, and what in the scene called for it. */
 typedef struct tp_effect {
   const char *name;
-  char called_for_by[256]; /* file:line:column, or an option */
+  TP_OUTSIDE char called_for_by[256]; /* file:line:column, or an option */
   double seconds;
   tp_level level;
 } tp_effect;
@@ -198,7 +198,7 @@ typedef struct tp_effect {
 enum { TP_EFFECTS_MAX = 24 };
 
 typedef struct tp_solution {
-  char *title;
+  TP_OUTSIDE char *title;
   const char *length_unit; /* of the scene; a static string */
   double metres_per_unit;
   bool has_tilt_angle;

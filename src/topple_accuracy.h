@@ -45,8 +45,8 @@ typedef struct tp_accuracy_value {
 } tp_accuracy_value;
 
 typedef struct tp_accuracy {
-  char *title; /* of the scene, or NULL */
-  bool sweep;  /* over sizes, not of one scene */
+  TP_OUTSIDE char *title; /* of the scene, or NULL */
+  bool sweep;             /* over sizes, not of one scene */
   tp_direction towards;
   size_t run_count, value_count;
   tp_accuracy_run *runs;

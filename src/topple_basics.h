@@ -57,6 +57,13 @@ typedef struct tp_bounded {
 
 typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
 
+/* A text from outside (a title, a name of a file) as a terminal shows it on one line: white space
+ * becomes blanks, what acts unseen is spelt out, as \x1B or \u202E, and so are bytes that are no
+ * UTF-8. Cut before the character that no longer fits, with … for what is cut off; `size` is 4 at
+ * least. Messages are plain; fields marked TP_OUTSIDE are as they came. */
+void tp_plain_text(char *plain, size_t size, const char *text);
+#define TP_OUTSIDE
+
 /* The arithmetic of the moment sums, by rising price: double with a proven bound, compensated
  * double, balls, exact integers. */
 typedef enum tp_level {

@@ -85,11 +85,13 @@ typedef struct tp_derived_limit {
 } tp_derived_limit;
 
 typedef struct tp_derivation {
-  char *title;
+  TP_OUTSIDE char *title;
   tp_notation notation;
   tp_fraction area, x_moment, y_moment; /* about the scene's origin, weighted by relative density */
   size_t symbol_count;
-  char **symbols; /* parameters that the formulas are in */
+  /* Parameters that the formulas are in: as these write them, which in C is another name where C
+   * keeps one for itself, and as the scene calls them. */
+  TP_OUTSIDE char **symbols, **parameters;
   size_t pivot_count;
   tp_derived_pivot *pivots;
   size_t element_count;            /* 0 unless asked for */
@@ -129,13 +131,14 @@ typedef struct tp_family_formula {
  * TP_FAMILY_FIXED members fix, so the formulas hold for every N. TP_FAMILY_CHECKED further members
  * were found to agree exactly. */
 typedef struct tp_family {
-  char *title;
+  TP_OUTSIDE char *title;
   tp_notation notation;
-  char *count; /* what N is: a symbol, or 2 dx / lambda */
+  char *count;          /* what N is: a symbol, or 2 dx / lambda */
+  bool count_is_symbol; /* of its own, besides the scene's */
   size_t symbol_count;
-  char **symbols;
-  long fixed[2][TP_FAMILY_FIXED];     /* odd, even: the N that fix the formulas */
-  long checked[2][TP_FAMILY_CHECKED]; /* the N that they were checked on */
+  TP_OUTSIDE char **symbols, **parameters; /* as in a derivation */
+  long fixed[2][TP_FAMILY_FIXED];          /* odd, even: the N that fix the formulas */
+  long checked[2][TP_FAMILY_CHECKED];      /* the N that they were checked on */
   tp_family_formula formulas[4];
 } tp_family;
 

@@ -47,7 +47,7 @@ typedef struct tp_found_interval {
  * end of the range, the scene has no answer. Of a target that turns more than once between two of
  * the 512 points of the range that were looked at, solutions may be missed. */
 typedef struct tp_found {
-  char *key;
+  TP_OUTSIDE char *key;
   double low, high; /* the range, cut to where the scene has an answer */
   size_t count;     /* 0: none in the range */
   tp_bounded *solutions;

@@ -28,25 +28,26 @@ enum { TP_VERDICTS = TP_VERDICT_UNDECIDED + 1 };
 const char *tp_verdict_name(tp_verdict verdict);
 
 typedef struct tp_claim_result {
-  char *id, *where, *geometry;            /* geometry NULL: none */
-  char *quantity, *printed, *unit, *note; /* unit and note NULL: none */
+  TP_OUTSIDE char *id, *where, *geometry;            /* geometry NULL: none */
+  TP_OUTSIDE char *quantity, *printed, *unit, *note; /* unit and note NULL: none */
   tp_verdict verdict;
   bool is_formula;
-  char *derived;    /* the quantity in closed form, of its tangent if it is an angle; NULL: none */
-  char *difference; /* of a refuted formula: printed minus derived, likewise; NULL: none */
-  bool is_tangent;  /* derived and difference are of tangents of angles */
-  char *mend;       /* the printed formula, mended by one change; NULL: none found */
-  char *change;     /* what the change is */
-  char
-      *condition; /* what keeps the verdict from being more, or where a formula holds; NULL: none */
+  /* The quantity in closed form, of its tangent if it is an angle, and, of a refuted formula,
+   * printed minus derived, likewise; NULL: none. */
+  TP_OUTSIDE char *derived, *difference;
+  bool is_tangent;         /* derived and difference are of tangents of angles */
+  TP_OUTSIDE char *mend;   /* the printed formula, mended by one change; NULL: none found */
+  TP_OUTSIDE char *change; /* what the change is */
+  /* What keeps the verdict from being more, or where a formula holds; NULL: none. */
+  TP_OUTSIDE char *condition;
   bool has_values; /* numbers at `values`: what is printed, and what is derived */
-  char *values;
+  TP_OUTSIDE char *values;
   tp_bounded printed_value, computed;
   int digits, points; /* of a formula that agrees in numbers */
 } tp_claim_result;
 
 typedef struct tp_verification {
-  char *title, *source; /* NULL: none */
+  TP_OUTSIDE char *title, *source; /* NULL: none */
   size_t count;
   tp_claim_result *claims;
   size_t tally[TP_VERDICTS];

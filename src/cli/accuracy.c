@@ -36,7 +36,7 @@ static void read_sweep(arguments *a, const char *text, struct argp_state *state)
   const char *second = colon ? end + 1 : end;
   const unsigned long most = strtoul(second, &end, 10);
   if (!colon || end == second || *end != '\0' || strchr(text, '-') != NULL) {
-    argp_error(state, "--sweep takes FROM:TO in vertices, not '%s'", text);
+    tp_cli_refuse(state, "--sweep takes FROM:TO in vertices, not '%s'", text);
   }
   a->least = least;
   a->most = most;
@@ -51,8 +51,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case 'o':
     a->output = argument;
     if (!tp_chart_format_read(&a->format, argument)) {
-      argp_error(state, "--output takes a file that ends in .svg, .pdf, .png or .csv, not '%s'",
-                 argument);
+      tp_cli_refuse(state, "--output takes a file that ends in .svg, .pdf, .png or .csv, not '%s'",
+                    argument);
     }
     return 0;
   case KEY_SWEEP:
@@ -60,15 +60,15 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_ARG:
     if (a->scene != NULL) {
-      argp_error(state, "one scene at a time; '%s' is one too many", argument);
+      tp_cli_refuse(state, "one scene at a time; '%s' is one too many", argument);
     }
     a->scene = argument;
     return 0;
   case ARGP_KEY_END:
     if (a->sweep == (a->scene != NULL)) {
-      argp_error(state, "give a scene, for example examples/block_a_worn.yaml, or --sweep");
+      tp_cli_refuse(state, "give a scene, for example examples/block_a_worn.yaml, or --sweep");
     }
-    if (a->json && a->output != NULL) argp_error(state, "--json or --output, not both");
+    if (a->json && a->output != NULL) tp_cli_refuse(state, "--json or --output, not both");
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;

@@ -3,6 +3,8 @@
 
 #include "cli/chart_options.h"
 
+#include "cli/words.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +41,7 @@ static double read_number(const char **text, struct argp_state *state) {
     value /= strtod(divisor, &end);
     good = end != divisor;
   }
-  if (!good || !isfinite(value)) argp_error(state, "'%s' does not begin with a number", begin);
+  if (!good || !isfinite(value)) tp_cli_refuse(state, "'%s' does not begin with a number", begin);
   *text = end;
   return value;
 }
@@ -47,7 +49,7 @@ static double read_number(const char **text, struct argp_state *state) {
 static double read_whole(const char *text, struct argp_state *state) {
   const char *end = text;
   const double value = read_number(&end, state);
-  if (*end != '\0') argp_error(state, "'%s' is no number", text);
+  if (*end != '\0') tp_cli_refuse(state, "'%s' is no number", text);
   return value;
 }
 
@@ -58,7 +60,8 @@ static void read_list(tp_chart_list *list, const char *text, struct argp_state *
     if (*at == '\0') return;
     if (*at != ',') break;
   }
-  argp_error(state, "'%s' is no list of up to %d numbers, as 0.5,0.75,1", text, TP_CHART_LIST_MAX);
+  tp_cli_refuse(state, "'%s' is no list of up to %d numbers, as 0.5,0.75,1", text,
+                TP_CHART_LIST_MAX);
 }
 
 static void read_range(tp_chart_range *range, const char *text, struct argp_state *state) {
@@ -69,9 +72,9 @@ static void read_range(tp_chart_range *range, const char *text, struct argp_stat
     at++;
     range->to = read_number(&at, state);
   }
-  if (!two || *at != '\0') argp_error(state, "'%s' is no range, as 10:60", text);
+  if (!two || *at != '\0') tp_cli_refuse(state, "'%s' is no range, as 10:60", text);
   if (!(range->from < range->to)) {
-    argp_error(state, "the range '%s' must rise: write the lesser end first", text);
+    tp_cli_refuse(state, "the range '%s' must rise: write the lesser end first", text);
   }
 }
 
@@ -80,7 +83,7 @@ static void read_axis(tp_chart_axis *axis, char key[128], const char *text,
   const char *equals = strchr(text, '=');
   const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
   if (length == 0 || length >= 128) {
-    argp_error(state, "'%s' is no KEY=FROM:TO, as block.slab.width=0.2:1.5", text);
+    tp_cli_refuse(state, "'%s' is no KEY=FROM:TO, as block.slab.width=0.2:1.5", text);
     return;
   }
   memcpy(key, text, length);
@@ -92,7 +95,7 @@ static void read_axis(tp_chart_axis *axis, char key[128], const char *text,
 static void read_output(tp_chart_arguments *a, const char *path, struct argp_state *state) {
   a->output = path;
   if (!tp_chart_format_read(&a->format, path)) {
-    argp_error(state, "'%s' must end in .svg, .pdf, .png or .csv", path);
+    tp_cli_refuse(state, "'%s' must end in .svg, .pdf, .png or .csv", path);
   }
 }
 
@@ -101,35 +104,35 @@ static void read_argument(tp_chart_arguments *a, const char *text, struct argp_s
     a->map.scene = text;
     return;
   }
-  if (a->has_kind) argp_error(state, "'%s' is one too many", text);
+  if (a->has_kind) tp_cli_refuse(state, "'%s' is one too many", text);
   for (int k = 0; k < TP_CHART_KINDS; k++) {
     if (strcmp(text, tp_chart_kinds[k]) != 0) continue;
     a->kind = (tp_chart_kind)k;
     a->has_kind = true;
     return;
   }
-  argp_error(state, "'%s' is no kind of chart; known are fos, mechanisms, ranges and map", text);
+  tp_cli_refuse(state, "'%s' is no kind of chart; known are fos, mechanisms, ranges and map", text);
 }
 
 static void check(tp_chart_arguments *a, struct argp_state *state) {
   const tp_chart_list *amplitude = &a->fos.amplitude;
   if (a->has_amplitude && a->kind == TP_CHART_KIND_MECHANISMS) {
-    if (amplitude->count > 1) argp_error(state, "a map of mechanisms takes one amplitude");
+    if (amplitude->count > 1) tp_cli_refuse(state, "a map of mechanisms takes one amplitude");
     a->mechanisms.amplitude = amplitude->values[0];
   } else if (a->has_amplitude) {
     a->given |= 1U << TP_CHART_KIND_FOS;
   }
   if ((a->given & ~(1U << a->kind)) != 0) {
-    argp_error(state, "an option of another kind of chart was given to '%s'",
-               tp_chart_kinds[a->kind]);
+    tp_cli_refuse(state, "an option of another kind of chart was given to '%s'",
+                  tp_chart_kinds[a->kind]);
   }
-  if (a->json && a->output != NULL) argp_error(state, "--json prints; drop --output");
+  if (a->json && a->output != NULL) tp_cli_refuse(state, "--json prints; drop --output");
   if (a->kind != TP_CHART_KIND_MAP) return;
   if (a->map.scene == NULL) {
-    argp_error(state, "a scene file is missing, for example examples/slab.yaml");
+    tp_cli_refuse(state, "a scene file is missing, for example examples/slab.yaml");
   }
   if (a->map.x.key == NULL) {
-    argp_error(state, "a map takes --x KEY=FROM:TO, as --x block.slab.width=20:150");
+    tp_cli_refuse(state, "a map takes --x KEY=FROM:TO, as --x block.slab.width=20:150");
   }
 }
 
@@ -180,7 +183,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     read_argument(a, argument, state);
     return 0;
   case ARGP_KEY_NO_ARGS:
-    argp_error(state, "the kind of chart is missing: fos, mechanisms, ranges or map");
+    tp_cli_refuse(state, "the kind of chart is missing: fos, mechanisms, ranges or map");
     return 0;
   case ARGP_KEY_END:
     check(a, state);

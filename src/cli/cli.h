@@ -6,6 +6,7 @@
 #ifndef TP_CLI_H
 #define TP_CLI_H
 
+#include "cli/words.h"
 #include "topple.h"
 
 #include <argp.h>

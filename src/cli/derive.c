@@ -50,20 +50,21 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_FOR_ALL:
     if (strcmp(argument, "count") != 0) {
-      argp_error(state, "--for-all takes 'count', the number of teeth; not '%s'", argument);
+      tp_cli_refuse(state, "--for-all takes 'count', the number of teeth; not '%s'", argument);
     }
     a->for_all_counts = true;
     return 0;
   case ARGP_KEY_ARG:
-    if (a->scene != NULL) argp_error(state, "one scene at a time; '%s' is one too many", argument);
+    if (a->scene != NULL)
+      tp_cli_refuse(state, "one scene at a time; '%s' is one too many", argument);
     a->scene = argument;
     return 0;
   case ARGP_KEY_NO_ARGS:
-    argp_error(state, "a scene file is missing, for example examples/block_e_valley.yaml");
+    tp_cli_refuse(state, "a scene file is missing, for example examples/block_e_valley.yaml");
     return 0;
   case ARGP_KEY_END:
     if (a->json && a->derive.notation != TP_NOTATION_TEXT) {
-      argp_error(state, "--json writes its polynomials as text; drop --latex or --c");
+      tp_cli_refuse(state, "--json writes its polynomials as text; drop --latex or --c");
     }
     return 0;
   default:

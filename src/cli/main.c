@@ -25,24 +25,30 @@ enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
 int tp_cli_print(const char *text) {
   if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
-  fprintf(stderr, "topple: cannot write the report: %s\n", strerror(errno));
+  tp_cli_complain("cannot write the report: %s", strerror(errno));
   return TP_EXIT_SYSTEM;
 }
 
 int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments) {
+  const char *strange = tp_cli_strange_option(parser, argc, argv);
+  if (strange != NULL) {
+    char option[80];
+    tp_plain_text(option, sizeof option, strange);
+    tp_cli_complain("there is no option '%s'; '%s --help' lists the options", option, argv[0]);
+    return TP_EXIT_USAGE;
+  }
   argp_err_exit_status = TP_EXIT_USAGE;
   argp_program_version = "topple " TP_VERSION;
   const error_t failed = argp_parse(parser, argc, argv, 0, NULL, arguments);
   if (failed == 0) return 0;
-  fprintf(stderr, "topple: the options cannot be read: %s\n",
-          failed == ENOMEM ? "out of memory" : strerror(failed));
+  tp_cli_complain("the options cannot be read: %s",
+                  failed == ENOMEM ? "out of memory" : strerror(failed));
   return TP_EXIT_SYSTEM;
 }
 
 int tp_cli_end(tp_status status, const tp_message *message, int written) {
   if (status == TP_OK) return written;
-  fprintf(stderr, "topple: %s\n",
-          message->text[0] != '\0' ? message->text : tp_status_meaning(status));
+  tp_cli_complain("%s", message->text[0] != '\0' ? message->text : tp_status_meaning(status));
   return tp_status_exit(status);
 }
 
@@ -91,8 +97,7 @@ int main(int argc, char **argv) {
   }
   if (has_suffix(first, ".yaml") || has_suffix(first, ".yml"))
     return run_command(commands, argc, argv);
-  fprintf(stderr,
-          "topple: '%s' is no command and no scene file; 'topple --help' lists the commands\n",
-          first);
+  tp_cli_complain("'%s' is no command and no scene file; 'topple --help' lists the commands",
+                  first);
   return TP_EXIT_USAGE;
 }

@@ -49,7 +49,7 @@ static double read_number(const char *text, struct argp_state *state) {
   char *end = NULL;
   const double value = strtod(text, &end);
   if (end == text || *end != '\0' || !isfinite(value)) {
-    argp_error(state, "'%s' is no number", text);
+    tp_cli_refuse(state, "'%s' is no number", text);
   }
   return value;
 }
@@ -57,7 +57,8 @@ static double read_number(const char *text, struct argp_state *state) {
 static int read_digits(const char *text, struct argp_state *state) {
   const double digits = read_number(text, state);
   if (!(digits >= 1 && digits <= TP_DIGITS_MAX && digits == floor(digits))) {
-    argp_error(state, "--digits takes a whole number from 1 to %d, not '%s'", TP_DIGITS_MAX, text);
+    tp_cli_refuse(state, "--digits takes a whole number from 1 to %d, not '%s'", TP_DIGITS_MAX,
+                  text);
     return 1;
   }
   return (int)digits;
@@ -70,10 +71,10 @@ static void read_target(arguments *a, const char *text, struct argp_state *state
   const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
   if (length < sizeof name) memcpy(name, text, length);
   if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
-    argp_error(state,
-               "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
-               "sliding_fos, limit_angle, limit_fos; not '%s'",
-               text);
+    tp_cli_refuse(state,
+                  "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
+                  "sliding_fos, limit_angle, limit_fos; not '%s'",
+                  text);
     return;
   }
   a->find.value = read_number(equals + 1, state);
@@ -82,18 +83,18 @@ static void read_target(arguments *a, const char *text, struct argp_state *state
 
 static void read_figure(arguments *a, const char *path, struct argp_state *state) {
   if (!tp_figure_is_file_name(path)) {
-    argp_error(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
+    tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
   }
   a->figure = path;
 }
 
 static void check_find(arguments *a, struct argp_state *state) {
   const bool named = a->find.key != NULL;
-  if (named != a->has_target) argp_error(state, "--find KEY and --for RESULT=VALUE go together");
-  if ((a->has_low || a->has_high) && !named) argp_error(state, "--from and --to go with --find");
-  if (a->has_low != a->has_high) argp_error(state, "give both --from and --to, or neither");
+  if (named != a->has_target) tp_cli_refuse(state, "--find KEY and --for RESULT=VALUE go together");
+  if ((a->has_low || a->has_high) && !named) tp_cli_refuse(state, "--from and --to go with --find");
+  if (a->has_low != a->has_high) tp_cli_refuse(state, "give both --from and --to, or neither");
   if (named && a->figure != NULL) {
-    argp_error(state, "--figure draws a solution as the scene has it; leave out --find");
+    tp_cli_refuse(state, "--figure draws a solution as the scene has it; leave out --find");
   }
   a->find.has_range = a->has_low;
 }
@@ -115,7 +116,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_LEVEL:
     if (!tp_level_read(&a->level, argument)) {
-      argp_error(state, "--level takes double, compensated, ball or exact, not '%s'", argument);
+      tp_cli_refuse(state, "--level takes double, compensated, ball or exact, not '%s'", argument);
     }
     return 0;
   case KEY_FIGURE:
@@ -138,12 +139,12 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case ARGP_KEY_END:
     check_find(a, state);
     if (a->scene_count > 1 && !a->table) {
-      argp_error(state, "one scene at a time, or several with --table; '%s' is one too many",
-                 a->scenes[1]);
+      tp_cli_refuse(state, "one scene at a time, or several with --table; '%s' is one too many",
+                    a->scenes[1]);
     }
     if (a->table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL)) {
-      argp_error(state,
-                 "--table prints a table alone; drop --json, --elements, --figure and --find");
+      tp_cli_refuse(state,
+                    "--table prints a table alone; drop --json, --elements, --figure and --find");
     }
     return 0;
   case ARGP_KEY_ARGS: /* all that are left */
@@ -152,7 +153,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     a->scene = a->scenes[0];
     return 0;
   case ARGP_KEY_NO_ARGS:
-    argp_error(state, "a scene file is missing, for example examples/block_e_valley.yaml");
+    tp_cli_refuse(state, "a scene file is missing, for example examples/block_e_valley.yaml");
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -172,18 +173,19 @@ static const struct argp parser = {
 static void print_open(const tp_case *c, const tp_solution *solution, const char *scene) {
   const bool factor = c->limit.fos.state == TP_FOS_UNDECIDED;
   const char *what = c->limit.kind == TP_LIMIT_UNDECIDED ? "the limit by contact forces"
-                     : factor ? "the factor of safety by contact forces"
-                              : "the mechanism";
+                     : factor                            ? "the factor of safety by contact forces"
+                                                         : "the mechanism";
   if (c->mechanism != TP_MECHANISM_UNDECIDED && c->first != TP_MECHANISM_UNDECIDED && !factor) {
     return;
   }
-  fprintf(stderr, "topple: %s: undecided at %ld bits: %s, tilted towards the %s; %s\n", scene,
-          solution->bits, what, c->towards == TP_TOWARDS_LEFT ? "left" : "right",
-          c->limit.too_dear
-              ? "its proof takes more work than is allowed: coordinates and loads of fewer digits "
-                "help, or a tilt farther from where the block lets go"
-              : "what decides it is nearer to a tie than these bits tell, or holds at single tilts "
-                "only: a little friction or cohesion, or another tilt, decides it");
+  tp_cli_complain(
+      "%s: undecided at %ld bits: %s, tilted towards the %s; %s", scene, solution->bits, what,
+      c->towards == TP_TOWARDS_LEFT ? "left" : "right",
+      c->limit.too_dear
+          ? "its proof takes more work than is allowed: coordinates and loads of fewer digits "
+            "help, or a tilt farther from where the block lets go"
+          : "what decides it is nearer to a tie than these bits tell, or holds at single tilts "
+            "only: a little friction or cohesion, or another tilt, decides it");
 }
 
 /* After the report: what it leaves open is a failure of its own. */

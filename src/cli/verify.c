@@ -29,15 +29,15 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_ARG:
     if (a->claims != NULL) {
-      argp_error(state, "one claims file at a time; '%s' is one too many", argument);
+      tp_cli_refuse(state, "one claims file at a time; '%s' is one too many", argument);
     }
     a->claims = argument;
     return 0;
   case ARGP_KEY_NO_ARGS:
-    argp_error(state, "a claims file is missing, for example examples/paper/claims.yaml");
+    tp_cli_refuse(state, "a claims file is missing, for example examples/paper/claims.yaml");
     return 0;
   case ARGP_KEY_END:
-    if (a->json && a->markdown) argp_error(state, "JSON or Markdown, not both");
+    if (a->json && a->markdown) tp_cli_refuse(state, "JSON or Markdown, not both");
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;

@@ -3,6 +3,7 @@
 
 /* The closed formulas of a scene. */
 
+#include "derive/c_names.h"
 #include "derive/derive_limit.h"
 #include "derive/derive_rounding.h"
 #include "derive/field_work.h"
@@ -36,8 +37,12 @@ void tp_derivation_free(tp_derivation *derivation) {
   tp_notation_free(&derivation->area);
   tp_notation_free(&derivation->x_moment);
   tp_notation_free(&derivation->y_moment);
-  for (size_t k = 0; k < derivation->symbol_count; k++) free(derivation->symbols[k]);
+  for (size_t k = 0; k < derivation->symbol_count; k++) {
+    free(derivation->symbols[k]);
+    free(derivation->parameters[k]);
+  }
   free(derivation->symbols);
+  free(derivation->parameters);
   for (size_t k = 0; k < derivation->pivot_count; k++) free_pivot(derivation->pivots + k);
   free(derivation->pivots);
   for (int d = 0; d < 2; d++) {
@@ -238,12 +243,18 @@ static tp_status fill(work *w, const tp_derive_options *options) {
   tp_derivation *out = w->out;
   const tp_formulas *f = &w->model.formulas;
   const char *title = w->model.problem.scene->title;
+  if (options->notation == TP_NOTATION_C && !tp_c_names_set(&w->model.symbols.field)) {
+    return tp_fail_memory(w->message, "the names in C");
+  }
   out->area = write_over(w, f->area2, 2);
   out->x_moment = write_over(w, f->x6, 6);
   out->y_moment = write_over(w, f->y6, 6);
-  out->symbol_count = tp_field_list_symbols(&out->symbols, &w->model.symbols.field);
+  if (!tp_field_list_symbols(&out->symbol_count, &out->symbols, &out->parameters,
+                             &w->model.symbols.field)) {
+    w->failed = true;
+  }
   if (title != NULL) out->title = strdup(title);
-  if (out->symbols == NULL || (title != NULL && out->title == NULL)) w->failed = true;
+  if (title != NULL && out->title == NULL) w->failed = true;
   tp_status status = derive_pivots(w, options);
   if (status == TP_OK) {
     status =

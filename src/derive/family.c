@@ -14,6 +14,8 @@
 
 #include "derive/family.h"
 #include "derive/field_work.h"
+
+#include "derive/c_names.h"
 #include "derive/notation.h"
 
 #include <stdlib.h>
@@ -30,8 +32,12 @@ void tp_family_free(tp_family *family) {
   if (family == NULL) return;
   free(family->title);
   free(family->count);
-  for (size_t k = 0; k < family->symbol_count; k++) free(family->symbols[k]);
+  for (size_t k = 0; k < family->symbol_count; k++) {
+    free(family->symbols[k]);
+    free(family->parameters[k]);
+  }
   free(family->symbols);
+  free(family->parameters);
   for (int k = 0; k < 4; k++) tp_notation_free(&family->formulas[k].tangent);
   free(family);
 }
@@ -224,13 +230,19 @@ static tp_status describe(tp_family *family, const tp_teeth_formulas *f, const t
   family->count = count.formula;
   count.formula = NULL;
   tp_notation_free(&count);
-  family->symbol_count = tp_field_list_symbols(&family->symbols, field);
+  if (!tp_field_list_symbols(&family->symbol_count, &family->symbols, &family->parameters, field)) {
+    failed = true;
+  }
+  fmpz_mpoly_q_t own;
+  fmpz_mpoly_q_init(own, field->ring);
+  tp_field_count_symbol(own, field);
+  family->count_is_symbol = fmpz_mpoly_q_equal(own, f->count, field->ring);
+  fmpz_mpoly_q_clear(own, field->ring);
   if (scene->title != NULL) {
     family->title = strdup(scene->title);
     failed = failed || family->title == NULL;
   }
-  return failed || family->symbols == NULL ? tp_fail_memory(message, "the family of formulas")
-                                           : TP_OK;
+  return failed ? tp_fail_memory(message, "the family of formulas") : TP_OK;
 }
 
 static tp_status fill(tp_family *family, const tp_scene *scene, tp_message *message) {
@@ -240,6 +252,9 @@ static tp_status fill(tp_family *family, const tp_scene *scene, tp_message *mess
   tp_teeth_formulas f;
   tp_teeth_formulas_init(&f, &symbols.field);
   status = tp_teeth_formulas_read(&f, &symbols, scene, message);
+  if (status == TP_OK && family->notation == TP_NOTATION_C && !tp_c_names_set(&symbols.field)) {
+    status = tp_fail_memory(message, "the names in C");
+  }
   if (status == TP_OK) status = describe(family, &f, scene, &symbols.field, message);
   for (int even = 0; even < 2 && status == TP_OK; even++) {
     status = derive_parity(family, even == 1, &f, scene, &symbols.field, message);

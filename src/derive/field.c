@@ -125,6 +125,11 @@ void tp_field_clear(tp_field *field) {
     fmpz_mpoly_q_clear(field->values + k, field->ring);
   }
   free(field->values);
+  for (long k = 0; field->renamed != NULL && k < field->parameters->count; k++) {
+    free(field->renamed[k]);
+  }
+  free(field->renamed);
+  free(field->count_name);
   free(field->names);
   free(field->work);
   fmpz_mpoly_ctx_clear(field->ring);
@@ -138,28 +143,31 @@ long tp_field_added(const tp_field *field, long k) {
   return field->parameters->count + 1 + k;
 }
 
-size_t tp_field_list_symbols(char ***names, const tp_field *field) {
-  const tp_parameters *parameters = field->parameters;
-  size_t count = 0;
-  bool failed = false;
-  char **list = calloc((size_t)parameters->count + 1, sizeof *list);
+static bool is_symbol(const tp_field *field, long parameter) {
   fmpz_mpoly_q_t symbol;
   fmpz_mpoly_q_init(symbol, field->ring);
-  for (long k = 0; list != NULL && k < parameters->count; k++) {
-    fmpz_mpoly_q_gen(symbol, k, field->ring);
-    if (!fmpz_mpoly_q_equal(symbol, field->values + k, field->ring)) continue;
-    list[count] = strdup(parameters->names[k]);
-    failed = failed || list[count] == NULL;
-    count++;
-  }
+  fmpz_mpoly_q_gen(symbol, parameter, field->ring);
+  const bool is = fmpz_mpoly_q_equal(symbol, field->values + parameter, field->ring);
   fmpz_mpoly_q_clear(symbol, field->ring);
-  if (failed) {
-    for (size_t k = 0; k < count; k++) free(list[k]);
-    free(list);
-    list = NULL;
+  return is;
+}
+
+bool tp_field_list_symbols(size_t *count, char ***names, char ***parameters,
+                           const tp_field *field) {
+  const size_t most = (size_t)field->parameters->count;
+  *count = 0;
+  *names = calloc(most + 1, sizeof **names);
+  *parameters = calloc(most + 1, sizeof **parameters);
+  if (*names == NULL || *parameters == NULL) return false;
+  bool done = true;
+  for (size_t k = 0; k < most; k++) {
+    if (!is_symbol(field, (long)k)) continue;
+    (*names)[*count] = strdup(field->names[k]);
+    (*parameters)[*count] = strdup(field->parameters->names[k]);
+    done = done && (*names)[*count] != NULL && (*parameters)[*count] != NULL;
+    ++*count;
   }
-  *names = list;
-  return list != NULL ? count : 0;
+  return done;
 }
 
 static bool is_parameter(const tp_parameters *parameters, const char *name) {
@@ -169,12 +177,24 @@ static bool is_parameter(const tp_parameters *parameters, const char *name) {
   return false;
 }
 
+/* N, else n, else N_, N__ and so on: what no parameter is called. NULL when memory is exhausted. */
+static char *name_count(const tp_parameters *parameters) {
+  char *name = calloc((size_t)parameters->count + 3, 1);
+  if (name == NULL) return NULL;
+  strcpy(name, is_parameter(parameters, "N") ? "n" : "N");
+  if (is_parameter(parameters, name)) name[0] = 'N';
+  while (is_parameter(parameters, name)) name[strlen(name)] = '_'; /* zeros stand behind it */
+  return name;
+}
+
 static bool name_symbols(tp_field *field, const tp_symbol_names *more) {
   const tp_parameters *parameters = field->parameters;
+  field->count_name = name_count(parameters);
+  if (field->count_name == NULL) return false;
   field->names = calloc((size_t)field->symbol_count, sizeof *field->names);
   if (field->names == NULL) return false;
   for (long k = 0; k < parameters->count; k++) field->names[k] = parameters->names[k];
-  field->names[parameters->count] = is_parameter(parameters, "N") ? "n" : "N";
+  field->names[parameters->count] = field->count_name;
   for (long k = 0; more != NULL && k < more->count; k++) {
     field->names[tp_field_added(field, k)] = more->names[k];
   }

@@ -22,10 +22,11 @@ typedef struct tp_field {
   fmpz_mpoly_ctx_t ring;
   const tp_parameters *parameters; /* of the scene: names and values */
   long symbol_count;               /* the parameters, one for a count, and those of the caller */
-  const char **names;              /* of the symbols; the count is N, or n where N is taken */
-  long known;                      /* parameters read so far */
-  fmpz_mpoly_q_struct *values;     /* symbol or expression of each */
-  tp_field_work *work;             /* what its arithmetic has cost, and may cost */
+  const char **names; /* of the symbols; the count is N, or n or N_ and so on where that is taken */
+  char *count_name, **renamed; /* owned names; the parameters' as derive/c_names.h sets them */
+  long known;                  /* parameters read so far */
+  fmpz_mpoly_q_struct *values; /* symbol or expression of each */
+  tp_field_work *work;         /* what its arithmetic has cost, and may cost */
 } tp_field;
 
 /* A coordinate may have so many terms. */
@@ -47,9 +48,10 @@ TP_MUST_USE tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field,
                                     const tp_node *node, const tp_scene *scene,
                                     tp_message *message);
 
-/* Names of the parameters that are symbols, allocated with malloc like each of them; their number.
- * NULL when memory is exhausted. */
-size_t tp_field_list_symbols(char ***names, const tp_field *field);
+/* Names of the parameters that are symbols, as formulas write them and as the scene gives them,
+ * allocated with malloc like each of them; their number. False when memory is exhausted. */
+TP_MUST_USE bool tp_field_list_symbols(size_t *count, char ***names, char ***parameters,
+                                       const tp_field *field);
 
 /* base = base^exponent for a whole exponent; NULL, or what is wrong as a static string. */
 const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *field);

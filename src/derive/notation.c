@@ -6,6 +6,7 @@
 
 #include "derive/field_work.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,7 @@ static void add_latex_name(FILE *out, const char *name) {
             bracket + 1);
     return;
   }
-  if (strlen(name) == 1) {
+  if (isalpha((unsigned char)name[0]) && name[1] == '\0') {
     fputs(name, out);
     return;
   }
@@ -206,7 +207,7 @@ tp_fraction tp_notation_write_quotient(const fmpz_mpoly_q_t top, const fmpz_mpol
     free(f.denominator);
     free(f.formula);
     f.denominator = strdup("0");
-    f.formula = strdup("unbounded");
+    f.formula = strdup(notation == TP_NOTATION_C ? "INFINITY" : "unbounded");
     if (f.denominator == NULL || f.formula == NULL) *failed = true;
     return f;
   }

@@ -9,7 +9,7 @@
 #include "derive/field.h"
 
 /* Numerator, denominator and formula at once; `*failed` is set when memory is exhausted. Over zero
- * the formula is "unbounded" and the denominator 0. */
+ * the formula is "unbounded", in C INFINITY, and the denominator 0. */
 tp_fraction tp_notation_write(const fmpz_mpoly_q_t formula, const tp_field *field,
                               tp_notation notation, bool *failed);
 tp_fraction tp_notation_write_quotient(const fmpz_mpoly_q_t top, const fmpz_mpoly_q_t below,

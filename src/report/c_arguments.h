@@ -11,4 +11,7 @@
 /* "(double alpha, double a, double b) {": `first`, then the parameters. */
 void tp_c_arguments(tp_text *text, const tp_derivation *derivation, const char *first);
 
+/* "a", or "p_double for double" where C keeps the parameter's name for itself. */
+void tp_add_symbol(tp_text *text, const char *symbol, const char *parameter);
+
 #endif

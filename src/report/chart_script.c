@@ -2,7 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "report/chart_script.h"
-#include "report/text.h"
+
+#include "report/encode.h"
 
 #include <math.h>
 #include <string.h>
@@ -32,16 +33,6 @@ typedef struct sheet {
   size_t rows, legend_columns, legend_rows;
   double legend_at_mm[LEGEND_COLUMNS_MAX];
 } sheet;
-
-/* A text in single quotes: a quote is doubled, a line break becomes a blank. */
-static void add_quoted(tp_text *t, const char *text) {
-  tp_text_add(t, "'");
-  for (; *text != '\0'; text++) {
-    const unsigned char c = (unsigned char)*text;
-    tp_text_add(t, c == '\'' ? "''" : c < 0x20 || c == 0x7f ? " " : "%c", c);
-  }
-  tp_text_add(t, "'");
-}
 
 /* Letters as they are drawn: without markup, a letter of several bytes once. */
 static size_t letters(const char *text) {
@@ -169,7 +160,7 @@ static void add_axis(tp_text *t, const tp_panel_axis *axis, char name) {
     tp_text_add(t, "set %ctics autofreq\n", name);
   }
   tp_text_add(t, "set %clabel ", name);
-  add_quoted(t, axis->label != NULL ? axis->label : "");
+  tp_encode_gnuplot(t, axis->label != NULL ? axis->label : "");
   tp_text_add(t, "%s\n", axis->plain ? " noenhanced" : "");
 }
 
@@ -182,7 +173,7 @@ static void add_label(tp_text *t, const tp_chart_label *label) {
                                       "center offset character 0,0.6",
                                       "left offset character 0,0.6"};
   tp_text_add(t, "set label ");
-  add_quoted(t, label->text);
+  tp_encode_gnuplot(t, label->text);
   tp_text_add(t, " at %.8g,%.8g %s front\n", label->x, label->y, sides[label->side]);
 }
 
@@ -237,7 +228,7 @@ static void add_legend(tp_text *t, const sheet *s) {
     const double y = foot_mm + rows_below * legend_row_mm;
     add_sample(t, s, &entry->style, x, y, 0.01 * (double)k);
     tp_text_add(t, "set label ");
-    add_quoted(t, entry->text);
+    tp_encode_gnuplot(t, entry->text);
     tp_text_add(t, " at screen %.6f,%.6f left\n", (x + sample_mm + after_sample_mm) / s->width_mm,
                 y / s->height_mm);
   }
@@ -269,7 +260,7 @@ static void add_panel(tp_text *t, const sheet *s, size_t panel) {
   add_margins(t, s, panel);
   tp_text_add(t, "unset label\n");
   tp_text_add(t, "set title ");
-  add_quoted(t, title != NULL ? title : "");
+  tp_encode_gnuplot(t, title != NULL ? title : "");
   tp_text_add(t, " offset 0,-0.4%s\n", own ? "" : " noenhanced");
   add_axis(t, &p->x, 'x');
   add_axis(t, &p->y, 'y');

@@ -4,9 +4,11 @@
 /* The page: title, a panel for each direction of tilt, legend. Everything that is text stands above
  * or below the drawings, or where tp_places_find found room for it. */
 
+#include "report/encode.h"
 #include "report/figure.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #define WIDTH_ALONE 360.0 /* of a panel, points */
 #define WIDTH_OF_TWO 270.0
@@ -103,8 +105,14 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
   double y = left, below[2] = {0, 0}, top = 0, tall = 0;
   tp_box extents[2];
   if (figure->solution->title != NULL) {
+    tp_text title = {0};
+    tp_text_add(&title, "%s", ""); /* a text, also of an empty title */
+    tp_encode_plain(&title, figure->solution->title);
+    const bool done = !title.failed;
     tp_figure_ink(cr, TP_INK_BLACK);
-    y = tp_figure_paragraph(cr, left, y, all, TP_TITLE_SIZE, true, figure->solution->title) + 3;
+    if (done) y = tp_figure_paragraph(cr, left, y, all, TP_TITLE_SIZE, true, title.data) + 3;
+    free(title.data);
+    if (!done) return false;
   }
   for (size_t k = 0; k < figure->panel_count; k++) {
     const double x = left + (double)k * (width + GAP);

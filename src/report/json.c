@@ -15,29 +15,15 @@ void tp_json_number(tp_text *t, const char *key, tp_bounded number) {
   }
 }
 
-void tp_json_string(tp_text *t, const char *string) {
-  tp_text_add(t, "\"");
-  for (const char *c = string; *c != '\0'; c++) {
-    if (*c == '"' || *c == '\\') {
-      tp_text_add(t, "\\%c", *c);
-    } else if ((unsigned char)*c < 0x20) {
-      tp_text_add(t, "\\u%04x", (unsigned)*c);
-    } else {
-      tp_text_add(t, "%c", *c);
-    }
-  }
-  tp_text_add(t, "\"");
-}
-
 const char *tp_json_truth(bool value) {
   return value ? "true" : "false";
 }
 
 void tp_json_fraction(tp_text *t, const char *key, const tp_fraction *f) {
   tp_text_add(t, "\"%s\": {\"numerator\": ", key);
-  tp_json_string(t, f->numerator);
+  tp_encode_json(t, f->numerator);
   tp_text_add(t, ", \"denominator\": ");
-  tp_json_string(t, f->denominator);
+  tp_encode_json(t, f->denominator);
   tp_text_add(t, "}");
 }
 

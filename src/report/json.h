@@ -6,7 +6,7 @@
 #ifndef TP_JSON_H
 #define TP_JSON_H
 
-#include "report/text.h"
+#include "report/encode.h"
 
 /* A computed number, `"key": {"value": v, "error": e}`; null where it lies outside the range of a
  * double. */
@@ -18,9 +18,6 @@ void tp_json_fos(tp_text *text, const char *key, tp_fos fos);
 
 /* `"key": {"numerator": n, "denominator": d}` */
 void tp_json_fraction(tp_text *text, const char *key, const tp_fraction *fraction);
-
-/* A string in quotes, escaped. */
-void tp_json_string(tp_text *text, const char *string);
 
 /* true or false. */
 const char *tp_json_truth(bool value);

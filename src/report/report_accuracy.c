@@ -66,7 +66,10 @@ static void add_models(tp_text *t, const tp_accuracy *a) {
 
 tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
   tp_text t = {0};
-  if (a->title != NULL) tp_text_add(&t, "%s\n\n", a->title);
+  if (a->title != NULL) {
+    tp_encode_plain(&t, a->title);
+    tp_text_add(&t, "\n\n");
+  }
   tp_text_add(&t,
               a->sweep ? "What accuracy costs on rough blocks of growing size, tilted towards "
                          "the left:\nangles in degrees, against their exact values\n\n%10s  "
@@ -113,7 +116,7 @@ tp_status tp_report_accuracy_json(char **text, const tp_accuracy *a) {
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
   if (a->title != NULL) {
     tp_text_add(&t, "  \"title\": ");
-    tp_json_string(&t, a->title);
+    tp_encode_json(&t, a->title);
     tp_text_add(&t, ",\n");
   }
   tp_text_add(&t, "  \"towards\": \"%s\",\n  \"runs\": [\n", tp_text_direction(a->towards));

@@ -20,24 +20,12 @@ static void add_number(tp_text *t, double value) {
   tp_text_add(t, "%s", text);
 }
 
-/* A field of text, in quotes where it must. */
-static void add_field(tp_text *t, const char *text) {
-  if (text == NULL) return;
-  if (strpbrk(text, ",\"\n\r") == NULL) {
-    tp_text_add(t, "%s", text);
-    return;
-  }
-  tp_text_add(t, "\"");
-  for (; *text != '\0'; text++) tp_text_add(t, *text == '"' ? "\"\"" : "%c", *text);
-  tp_text_add(t, "\"");
-}
-
 static void add_row(tp_text *t, const tp_chart *chart, const tp_chart_series *s,
                     const tp_chart_point *p) {
   tp_text_add(t, "%zu", s->panel + 1);
   for (size_t k = 0; k < TP_CHART_KEYS && chart->key_names[k] != NULL; k++) {
     tp_text_add(t, ",");
-    add_field(t, s->keys[k]);
+    if (s->keys[k] != NULL) tp_encode_csv(t, s->keys[k]);
   }
   const double numbers[4] = {p->x.value, p->y.value, p->x.error, p->y.error};
   for (int k = 0; k < 4; k++) {
@@ -46,7 +34,7 @@ static void add_row(tp_text *t, const tp_chart *chart, const tp_chart_series *s,
   }
   for (size_t k = 0; k < TP_CHART_NOTES && chart->note_names[k] != NULL; k++) {
     tp_text_add(t, ",");
-    add_field(t, p->notes[k]);
+    if (p->notes[k] != NULL) tp_encode_csv(t, p->notes[k]);
   }
   tp_text_add(t, "\n");
 }
@@ -58,9 +46,9 @@ tp_status tp_report_chart_csv(char **text, const tp_chart *chart) {
     tp_text_add(&t, ",%s", chart->key_names[k]);
   }
   tp_text_add(&t, ",");
-  add_field(&t, chart->x_name);
+  tp_encode_csv(&t, chart->x_name);
   tp_text_add(&t, ",");
-  add_field(&t, chart->y_name);
+  tp_encode_csv(&t, chart->y_name);
   tp_text_add(&t, ",x_error,y_error");
   for (size_t k = 0; k < TP_CHART_NOTES && chart->note_names[k] != NULL; k++) {
     tp_text_add(&t, ",%s", chart->note_names[k]);
@@ -74,12 +62,12 @@ tp_status tp_report_chart_csv(char **text, const tp_chart *chart) {
 }
 
 static void add_member(tp_text *t, const char *key, const char *text) {
-  tp_json_string(t, key);
+  tp_encode_json(t, key);
   tp_text_add(t, ": ");
   if (text == NULL) {
     tp_text_add(t, "null");
   } else {
-    tp_json_string(t, text);
+    tp_encode_json(t, text);
   }
 }
 

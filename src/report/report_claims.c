@@ -5,6 +5,8 @@
 
 #include "report/report_claims.h"
 
+#include "report/encode.h"
+
 #include <string.h>
 
 bool tp_claim_objects(const tp_claim_result *claim) {
@@ -33,7 +35,19 @@ const char *tp_claim_number(char out[TP_NUMBER_SIZE], const tp_claim_result *c, 
   return tp_text_fixed(out, number, decimals(c->printed) + (relation ? 4 : 2));
 }
 
-void tp_claim_add_outcome(tp_text *t, const tp_claim_result *c) {
+static void add_plain(tp_text *t, const char *before, const char *outside) {
+  tp_text_add(t, "%s", before);
+  tp_encode_plain(t, outside);
+}
+
+static void add_markdown(tp_text *t, const char *before, const char *outside) {
+  tp_text_add(t, "%s", before);
+  tp_encode_markdown(t, outside);
+}
+
+void tp_claim_add_outcome(tp_text *t, const tp_claim_result *c, tp_claim_page page) {
+  void (*const add)(tp_text *, const char *, const char *) =
+      page == TP_CLAIM_MARKDOWN ? add_markdown : add_plain;
   char number[TP_NUMBER_SIZE];
   if (c->is_formula) {
     if (c->verdict == TP_VERDICT_AGREES) {
@@ -43,17 +57,26 @@ void tp_claim_add_outcome(tp_text *t, const tp_claim_result *c) {
   }
   const char *unit = c->unit != NULL ? c->unit : "";
   const char *space = c->unit != NULL && strcmp(c->unit, "°") != 0 ? " " : "";
-  tp_text_add(t, "printed %s%s%s, computed %s%s%s", c->printed, space, unit,
-              tp_claim_number(number, c, c->computed), space, unit);
+  add(t, "printed ", c->printed);
+  add(t, space, unit);
+  tp_text_add(t, ", computed %s", tp_claim_number(number, c, c->computed));
+  add(t, space, unit);
 }
 
 static void add_detail(tp_text *t, const char *what, const char *text) {
-  if (text != NULL) tp_text_add(t, "             %-11s%s\n", what, text);
+  if (text == NULL) return;
+  tp_text_add(t, "             %-11s", what);
+  tp_encode_plain(t, text);
+  tp_text_add(t, "\n");
 }
 
 static void add_claim(tp_text *t, const tp_claim_result *c) {
-  tp_text_add(t, "%-11s%-24s %-10s ", tp_verdict_name(c->verdict), c->id, c->where);
-  tp_claim_add_outcome(t, c);
+  tp_text_add(t, "%-11s", tp_verdict_name(c->verdict));
+  tp_encode_column(t, c->id, 24);
+  tp_text_add(t, " ");
+  tp_encode_column(t, c->where, 10);
+  tp_text_add(t, " ");
+  tp_claim_add_outcome(t, c, TP_CLAIM_PLAIN);
   tp_text_add(t, "\n");
   add_detail(t, "", c->condition);
   if (!tp_claim_objects(c)) return;
@@ -63,8 +86,9 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
     add_detail(t, c->is_tangent ? "tangent" : "derived", c->derived);
     add_detail(t, "difference", c->difference);
     if (c->has_values) {
-      tp_text_add(t, "             at         %s: printed %s, derived %s\n", c->values,
-                  tp_claim_number(one, c, c->printed_value),
+      tp_text_add(t, "             at         ");
+      tp_encode_plain(t, c->values);
+      tp_text_add(t, ": printed %s, derived %s\n", tp_claim_number(one, c, c->printed_value),
                   tp_claim_number(other, c, c->computed));
     }
     add_detail(t, "mend", c->change);
@@ -75,8 +99,12 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
 
 tp_status tp_report_verification(char **text, const tp_verification *v) {
   tp_text t = {0};
-  if (v->title != NULL) tp_text_add(&t, "%s\n", v->title);
-  if (v->source != NULL) tp_text_add(&t, "%s\n", v->source);
+  const char *const lines[] = {v->title, v->source};
+  for (int k = 0; k < 2; k++) {
+    if (lines[k] == NULL) continue;
+    tp_encode_plain(&t, lines[k]);
+    tp_text_add(&t, "\n");
+  }
   tp_text_add(&t, "\n");
   for (size_t k = 0; k < v->count; k++) add_claim(&t, v->claims + k);
   tp_text_add(&t, "\n");

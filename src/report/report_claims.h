@@ -13,8 +13,10 @@ bool tp_claim_objects(const tp_claim_result *claim);
 /* "212 proven, 180 agree, …" */
 void tp_claims_add_tally(tp_text *text, const tp_verification *verification);
 
+typedef enum tp_claim_page { TP_CLAIM_PLAIN, TP_CLAIM_MARKDOWN } tp_claim_page;
+
 /* What a formula that agrees in numbers, or a number, comes to in one line. */
-void tp_claim_add_outcome(tp_text *text, const tp_claim_result *claim);
+void tp_claim_add_outcome(tp_text *text, const tp_claim_result *claim, tp_claim_page page);
 
 /* A computed number with the decimals that a reader of the printed one wants: two more than are
  * printed, all certain. */

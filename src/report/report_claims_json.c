@@ -8,7 +8,7 @@
 static void add_text(tp_text *t, const char *key, const char *text) {
   tp_text_add(t, "\"%s\": ", key);
   if (text != NULL) {
-    tp_json_string(t, text);
+    tp_encode_json(t, text);
   } else {
     tp_text_add(t, "null");
   }

@@ -6,52 +6,52 @@
 
 #include "report/report_claims.h"
 
-#include <string.h>
-
-/* Text in a cell of a table, or code in one: a bar would end it. */
-static void add_cell(tp_text *t, const char *text) {
-  for (const char *c = text; *c != '\0'; c++) {
-    if (strchr("|*_<", *c) != NULL) tp_text_add(t, "\\");
-    tp_text_add(t, "%c", *c);
-  }
-}
+#include "report/encode.h"
 
 static void add_formula(tp_text *t, const char *what, const char *formula) {
-  if (formula != NULL) tp_text_add(t, "- %s: `%s`\n", what, formula);
+  if (formula == NULL) return;
+  tp_text_add(t, "- %s: ", what);
+  tp_encode_markdown_code(t, formula);
+  tp_text_add(t, "\n");
 }
 
 static void add_objection(tp_text *t, const tp_claim_result *c) {
   char one[TP_NUMBER_SIZE], other[TP_NUMBER_SIZE];
-  tp_text_add(t, "### %s: %s, %s\n\n", c->id, c->where, tp_verdict_name(c->verdict));
+  tp_text_add(t, "### ");
+  tp_encode_markdown(t, c->id);
+  tp_text_add(t, ": ");
+  tp_encode_markdown(t, c->where);
+  tp_text_add(t, ", %s\n\n", tp_verdict_name(c->verdict));
   if (c->is_formula) {
     add_formula(t, "printed", c->printed);
     add_formula(t, c->is_tangent ? "derived, its tangent" : "derived", c->derived);
     add_formula(t, c->is_tangent ? "difference of the tangents" : "difference", c->difference);
     if (c->has_values) {
-      tp_text_add(t, "- at %s: %s as printed, %s as derived\n", c->values,
-                  tp_claim_number(one, c, c->printed_value),
+      tp_text_add(t, "- at ");
+      tp_encode_markdown(t, c->values);
+      tp_text_add(t, ": %s as printed, %s as derived\n", tp_claim_number(one, c, c->printed_value),
                   tp_claim_number(other, c, c->computed));
     }
     add_formula(t, "mended", c->mend);
     if (c->change != NULL) {
       tp_text_add(t, "- the change: ");
-      add_cell(t, c->change);
+      tp_encode_markdown(t, c->change);
       tp_text_add(t, "\n");
     }
   } else {
     tp_text_add(t, "- ");
-    tp_claim_add_outcome(t, c);
+    tp_claim_add_outcome(t, c, TP_CLAIM_MARKDOWN);
     tp_text_add(t, "\n");
     add_formula(t, "quantity", c->quantity);
   }
   if (c->condition != NULL) {
     tp_text_add(t, "- ");
-    add_cell(t, c->condition);
+    tp_encode_markdown(t, c->condition);
     tp_text_add(t, "\n");
   }
   if (c->note != NULL) {
     tp_text_add(t, "- note: ");
-    add_cell(t, c->note);
+    tp_encode_markdown(t, c->note);
     tp_text_add(t, "\n");
   }
   tp_text_add(t, "\n");
@@ -59,27 +59,32 @@ static void add_objection(tp_text *t, const tp_claim_result *c) {
 
 static void add_row(tp_text *t, const tp_claim_result *c) {
   tp_text_add(t, "| ");
-  add_cell(t, c->id);
+  tp_encode_markdown(t, c->id);
   tp_text_add(t, " | ");
-  add_cell(t, c->where);
+  tp_encode_markdown(t, c->where);
   tp_text_add(t, " | %s | ", tp_verdict_name(c->verdict));
   if (c->is_formula) {
-    tp_text_add(t, "`%s`", c->printed);
+    tp_encode_markdown_code(t, c->printed);
     if (c->points > 0) tp_text_add(t, ", to %d digits at %d points", c->digits, c->points);
     if (c->condition != NULL) {
       tp_text_add(t, "; ");
-      add_cell(t, c->condition);
+      tp_encode_markdown(t, c->condition);
     }
   } else {
-    tp_claim_add_outcome(t, c);
+    tp_claim_add_outcome(t, c, TP_CLAIM_MARKDOWN);
   }
   tp_text_add(t, " |\n");
 }
 
 tp_status tp_report_verification_markdown(char **text, const tp_verification *v) {
   tp_text t = {0};
-  tp_text_add(&t, "# %s\n\n", v->title != NULL ? v->title : "Claims");
-  if (v->source != NULL) tp_text_add(&t, "%s\n\n", v->source);
+  tp_text_add(&t, "# ");
+  tp_encode_markdown(&t, v->title != NULL ? v->title : "Claims");
+  tp_text_add(&t, "\n\n");
+  if (v->source != NULL) {
+    tp_encode_markdown(&t, v->source);
+    tp_text_add(&t, "\n\n");
+  }
   tp_claims_add_tally(&t, v);
   tp_text_add(&t, ".\n\n");
   if (tp_verification_objects(v)) tp_text_add(&t, "## Refuted, or disagreeing\n\n");

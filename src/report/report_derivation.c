@@ -4,16 +4,21 @@
 /* A derivation as a page of text, as LaTeX, or as C. */
 
 #include "report/c_arguments.h"
+#include "report/encode.h"
 #include "report/report_derived_limit.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static void add_heading(tp_text *t, const tp_derivation *d) {
-  tp_text_add(t, "%s: ", d->title != NULL ? d->title : "Formulas");
+typedef void (*encoder)(tp_text *text, const char *outside);
+
+static void add_heading(tp_text *t, const tp_derivation *d, encoder encode) {
+  encode(t, d->title != NULL ? d->title : "Formulas");
+  tp_text_add(t, ": ");
   if (d->symbol_count == 0) tp_text_add(t, "no parameters, so numbers");
   for (size_t k = 0; k < d->symbol_count; k++) {
-    tp_text_add(t, "%s%s", k == 0 ? "in " : ", ", d->symbols[k]);
+    tp_text_add(t, "%s", k == 0 ? "in " : ", ");
+    tp_add_symbol(t, d->symbols[k], d->parameters[k]);
   }
 }
 
@@ -83,7 +88,7 @@ static void add_text_rounding(tp_text *t, const tp_derived_rounding *r, tp_direc
 }
 
 static void write_text(tp_text *t, const tp_derivation *d) {
-  add_heading(t, d);
+  add_heading(t, d, tp_encode_plain);
   tp_text_add(t,
               "\n\nLengths in scene units; moments about its origin, weighted by relative density\n"
               "  area = %s\n  x moment = %s\n  y moment = %s\n\n"
@@ -111,7 +116,7 @@ static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
 
 static void write_latex(tp_text *t, const tp_derivation *d) {
   tp_text_add(t, "%% ");
-  add_heading(t, d);
+  add_heading(t, d, tp_encode_latex_comment);
   tp_text_add(t, "\n\\[ A = %s \\]\n\\[ S_x = %s \\]\n\\[ S_y = %s \\]\n", d->area.formula,
               d->x_moment.formula, d->y_moment.formula);
   for (size_t k = 0; k < d->pivot_count; k++) {
@@ -180,7 +185,7 @@ static void add_c_rounding(tp_text *t, const tp_derivation *d) {
 
 static void write_c(tp_text *t, const tp_derivation *d) {
   tp_text_add(t, "/* ");
-  add_heading(t, d);
+  add_heading(t, d, tp_encode_c_comment);
   tp_text_add(t, " */\n\n#include <math.h>\n\ndouble area");
   tp_c_arguments(t, d, "");
   tp_text_add(t, "  return %s;\n}\n", d->area.formula);

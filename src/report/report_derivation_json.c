@@ -69,7 +69,7 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"symbols\": [", TP_VERSION);
   for (size_t k = 0; k < derivation->symbol_count; k++) {
     tp_text_add(&t, "%s", k > 0 ? ", " : "");
-    tp_json_string(&t, derivation->symbols[k]);
+    tp_encode_json(&t, derivation->symbols[k]);
   }
   tp_text_add(&t, "],\n  ");
   tp_json_fraction(&t, "area", &derivation->area);

@@ -115,7 +115,7 @@ static void add_json(tp_text *t, const tp_derived_limit *l, tp_direction towards
               tp_json_truth(l->positive));
   for (size_t k = 0; k < l->condition_count; k++) {
     tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
-    tp_json_string(t, l->conditions[k].formula);
+    tp_encode_json(t, l->conditions[k].formula);
   }
   tp_text_add(t, "]}");
 }

@@ -3,7 +3,10 @@
 
 /* A family of formulas as text, LaTeX, C or JSON, with the reach of its proof in words. */
 
+#include "report/c_arguments.h"
 #include "report/json.h"
+
+#include <string.h>
 
 static void add_counts(tp_text *t, const long *counts, int number) {
   for (int k = 0; k < number; k++) tp_text_add(t, "%s%ld", k > 0 ? ", " : "", counts[k]);
@@ -29,18 +32,20 @@ static void add_proof(tp_text *t, const tp_family *f, const char *indent) {
   tp_text_add(t, "\n");
 }
 
-static void add_title(tp_text *t, const tp_family *f) {
-  tp_text_add(t, "%s, for every number N of teeth", f->title != NULL ? f->title : "Toothed block");
+/* What a formula calls the number of teeth, or would. */
+static const char *name_of_count(const tp_family *f) {
+  return f->count_is_symbol ? f->count : "N";
 }
 
-/* Is N a symbol of its own, or an expression in others? */
-static bool count_is_symbol(const tp_family *f) {
-  return f->count[0] != '\0' && f->count[1] == '\0';
+static void add_title(tp_text *t, const tp_family *f,
+                      void (*encode)(tp_text *text, const char *outside)) {
+  encode(t, f->title != NULL ? f->title : "Toothed block");
+  tp_text_add(t, ", for every number %s of teeth", name_of_count(f));
 }
 
 static void write_text(tp_text *t, const tp_family *f) {
-  add_title(t, f);
-  if (!count_is_symbol(f)) tp_text_add(t, ": N = %s", f->count);
+  add_title(t, f, tp_encode_plain);
+  if (!f->count_is_symbol) tp_text_add(t, ": N = %s", f->count);
   tp_text_add(t, "\n");
   for (int k = 0; k < 4; k++) {
     const tp_family_formula *own = f->formulas + k;
@@ -54,8 +59,8 @@ static void write_text(tp_text *t, const tp_family *f) {
 
 static void write_latex(tp_text *t, const tp_family *f) {
   tp_text_add(t, "%% ");
-  add_title(t, f);
-  if (!count_is_symbol(f)) tp_text_add(t, "\n\\[ N = %s \\]", f->count);
+  add_title(t, f, tp_encode_latex_comment);
+  if (!f->count_is_symbol) tp_text_add(t, "\n\\[ N = %s \\]", f->count);
   tp_text_add(t, "\n");
   for (int k = 0; k < 4; k++) {
     const tp_family_formula *own = f->formulas + k;
@@ -69,8 +74,14 @@ static void write_latex(tp_text *t, const tp_family *f) {
 
 static void write_c(tp_text *t, const tp_family *f) {
   tp_text_add(t, "/* ");
-  add_title(t, f);
+  add_title(t, f, tp_encode_c_comment);
   tp_text_add(t, ": N is %s\n *\n", f->count);
+  for (size_t s = 0; s < f->symbol_count; s++) {
+    if (strcmp(f->symbols[s], f->parameters[s]) == 0) continue;
+    tp_text_add(t, " * ");
+    tp_add_symbol(t, f->symbols[s], f->parameters[s]);
+    tp_text_add(t, "\n");
+  }
   add_proof(t, f, " * ");
   tp_text_add(t, " */\n");
   for (int k = 0; k < 4; k++) {
@@ -78,12 +89,14 @@ static void write_c(tp_text *t, const tp_family *f) {
     tp_text_add(t, "\n/* N %s, towards the %s, about the %s */\ndouble tan_critical_angle_%s_%s(",
                 parity(own->even), tp_text_direction(own->towards), tp_text_pivot_kind(own->kind),
                 parity(own->even), tp_text_direction(own->towards));
-    if (count_is_symbol(f))
+    if (f->count_is_symbol)
       tp_text_add(t, "double %s%s", f->count, f->symbol_count > 0 ? ", " : "");
     for (size_t s = 0; s < f->symbol_count; s++) {
-      tp_text_add(t, "%sdouble %s", s > 0 ? ", " : "", f->symbols[s]);
+      tp_text_add(t, "%sdouble ", s > 0 ? ", " : "");
+      tp_encode_plain(t, f->symbols[s]);
     }
-    tp_text_add(t, ") {\n  return %s;\n}\n", own->tangent.formula);
+    const bool alone = !f->count_is_symbol && f->symbol_count == 0;
+    tp_text_add(t, "%s) {\n  return %s;\n}\n", alone ? "void" : "", own->tangent.formula);
   }
 }
 
@@ -106,7 +119,7 @@ tp_status tp_report_family(char **text, const tp_family *family) {
 tp_status tp_report_family_json(char **text, const tp_family *family) {
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"count\": ", TP_VERSION);
-  tp_json_string(&t, family->count);
+  tp_encode_json(&t, family->count);
   tp_text_add(&t, ",\n  \"formulas\": [\n");
   for (int k = 0; k < 4; k++) {
     const tp_family_formula *own = family->formulas + k;

@@ -11,8 +11,8 @@
 tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
   tp_text t = {0};
   char number[TP_NUMBER_SIZE];
-  tp_text_add(&t, "%s for %s = %.15g\n", f->key, tp_find_target_name(options->target),
-              options->value);
+  tp_encode_plain(&t, f->key);
+  tp_text_add(&t, " for %s = %.15g\n", tp_find_target_name(options->target), options->value);
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
                 f->solutions[k].error);
@@ -46,7 +46,7 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   const size_t length = strlen(solved);
   /* before the closing brace of the whole */
   tp_text_add(&t, "%.*s,\n  \"find\": {\"key\": ", (int)(length - 3), solved);
-  tp_json_string(&t, f->key);
+  tp_encode_json(&t, f->key);
   tp_text_add(&t, ", \"from\": %.17g, \"to\": %.17g,\n    \"solutions\": [", f->low, f->high);
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",

@@ -219,7 +219,7 @@ static void add_effects(tp_text *t, const tp_solution *s) {
   for (size_t k = 0; k < s->effect_count; k++) {
     const tp_effect *e = s->effects + k;
     tp_text_add(t, "%s\n        {\"name\": \"%s\", \"called_for_by\": ", k > 0 ? "," : "", e->name);
-    tp_json_string(t, e->called_for_by);
+    tp_encode_json(t, e->called_for_by);
     tp_text_add(t, ", \"seconds\": %.9f, \"level\": \"%s\"}", e->seconds, tp_level_name(e->level));
   }
   tp_text_add(t, "\n      ]\n");
@@ -264,7 +264,7 @@ tp_status tp_report_json(char **text, const tp_solution *solution) {
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
   if (solution->title != NULL) {
     tp_text_add(&t, "  \"title\": ");
-    tp_json_string(&t, solution->title);
+    tp_encode_json(&t, solution->title);
     tp_text_add(&t, ",\n");
   }
   tp_text_add(&t, "  \"level\": \"%s\", \"bits\": %ld,\n  \"cases\": [\n",

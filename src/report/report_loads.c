@@ -86,7 +86,7 @@ void tp_json_loads(tp_text *t, const tp_case *c) {
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     tp_text_add(t, "%s\n        {\"name\": \"%s\", \"called_for_by\": ", k > 0 ? "," : "", l->name);
-    tp_json_string(t, l->called_for_by);
+    tp_encode_json(t, l->called_for_by);
     tp_text_add(t, ", ");
     tp_json_number(t, "moment_nm", l->moment_nm);
     tp_text_add(t, ", \"side\": \"%s\"}", side_name(l->side));

@@ -3,16 +3,7 @@
 
 /* Several solutions in one table. */
 
-#include "report/text.h"
-
-#include <string.h>
-
-/* A title may hold what Markdown takes for the end of a cell. */
-static void add_title(tp_text *t, const char *title) {
-  for (const char *c = title != NULL ? title : "a scene"; *c != '\0'; c++) {
-    tp_text_add(t, *c == '|' ? "\\|" : *c == '\n' ? " " : "%c", *c);
-  }
-}
+#include "report/encode.h"
 
 static void add_angle(tp_text *t, bool known, tp_bounded angle) {
   char n[TP_NUMBER_SIZE];
@@ -30,7 +21,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   const tp_pivot *pivot = c->has_governing ? c->pivots + c->governing : NULL;
   const bool goes_on = c->limit.base_beyond_toe;
   tp_text_add(t, "| ");
-  add_title(t, s->title);
+  tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
   tp_text_add(t, " | %s | %s", tp_text_direction(c->towards),
               pivot != NULL ? tp_text_pivot_kind(pivot->kind) : "-");
   add_angle(t, pivot != NULL && !pivot->never && !pivot->always,

@@ -3,6 +3,7 @@
 
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
+#include "report/encode.h"
 #include "report/report_digits.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
@@ -256,14 +257,19 @@ static void add_effects(tp_page *p) {
               "\nCertain to every digit printed, by %s arithmetic, in %.2g ms. What ran:\n",
               tp_level_name(s->level), 1e3 * seconds(s));
   for (size_t k = 0; k < s->effect_count; k++) {
-    tp_text_add(&p->text, "  %-9s %8.3f ms   for %s\n", s->effects[k].name,
-                1e3 * s->effects[k].seconds, s->effects[k].called_for_by);
+    tp_text_add(&p->text, "  %-9s %8.3f ms   for ", s->effects[k].name,
+                1e3 * s->effects[k].seconds);
+    tp_encode_plain(&p->text, s->effects[k].called_for_by);
+    tp_text_add(&p->text, "\n");
   }
 }
 
 tp_status tp_report_text(char **text, const tp_solution *solution) {
   tp_page p = {.solution = solution};
-  if (solution->title != NULL) tp_text_add(&p.text, "%s\n\n", solution->title);
+  if (solution->title != NULL) {
+    tp_encode_plain(&p.text, solution->title);
+    tp_text_add(&p.text, "\n\n");
+  }
   add_teeth(&p);
   add_block(&p);
   add_base(&p);

@@ -27,7 +27,7 @@ void tp_text_add(tp_text *text, const char *format, ...) {
       text->capacity = capacity;
     }
   }
-  if (!text->failed && added > 0) {
+  if (!text->failed && added >= 0) {
     vsnprintf(text->data + text->length, text->capacity - text->length, format, again);
     text->length += (size_t)added;
   }

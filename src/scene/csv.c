@@ -85,17 +85,18 @@ static bool is_header(const char *text, size_t length) {
   return named && !tp_expression_is_not_finite(word);
 }
 
+/* What stands in the file is not quoted: it may be any file, which the scene names by mistake. */
 static tp_status read_number(const reader *r, fmpq_t value, const char *text, size_t column,
                              size_t length) {
   const char *problem = NULL;
   if (tp_ratio_read_field(value, text + column, length, &problem)) return TP_OK;
-  char word[48] = "", what[160];
-  strncat(word, text + column, length < 40 ? length : 40);
-  if (tp_expression_is_not_finite(word)) problem = "is not a finite number";
-  if (length == 0) {
-    snprintf(what, sizeof what, "a number is missing; each line holds x, y");
+  if (length == 0) return fail(r, column, "a number is missing; each line holds x, y");
+  char word[16] = "", what[160];
+  strncat(word, text + column, length < 15 ? length : 15);
+  if (tp_expression_is_not_finite(word)) {
+    snprintf(what, sizeof what, "'%s' is not a finite number", word);
   } else {
-    snprintf(what, sizeof what, "'%s' %s", word, problem);
+    snprintf(what, sizeof what, "what stands here %s; each line holds x, y", problem);
   }
   return fail(r, column, what);
 }

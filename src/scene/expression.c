@@ -4,6 +4,7 @@
 #include "scene/expression.h"
 
 #include "number/ratio.h"
+#include "outside.h"
 
 #include <ctype.h>
 #include <stdalign.h>
@@ -76,23 +77,21 @@ static bool sum(parser *p, void *value);
 static bool name_value(parser *p, void *value) {
   const char *start = p->at;
   while (continues_name(*p->at)) p->at++;
-  const int length = (int)(p->at - start);
-  if (p->algebra->set_name(value, start, (size_t)length, p->context)) return true;
-  char word[64] = "";
-  strncat(word, start, (size_t)(length < 63 ? length : 63));
-  if (tp_expression_is_not_finite(word)) {
-    return fail_at(p, start, "'%.*s' is not a finite number", length, start);
+  const size_t length = (size_t)(p->at - start);
+  if (p->algebra->set_name(value, start, length, p->context)) return true;
+  const tp_quote name = tp_quote_of(start, length);
+  if (tp_expression_is_not_finite(name.text)) {
+    return fail_at(p, start, "'%s' is not a finite number", name.text);
   }
   skip_space(p);
   if (*p->at == '(') {
     return fail_at(p, start,
-                   "'%.*s(…)' is no exact operation; expressions take + - * / ^ and parentheses, "
+                   "'%s(…)' is no exact operation; expressions take + - * / ^ and parentheses, "
                    "so write its value as a number",
-                   length, start);
+                   name.text);
   }
-  return fail_at(p, start,
-                 "unknown name '%.*s'; define it under 'parameters', before its first use", length,
-                 start);
+  return fail_at(p, start, "unknown name '%s'; define it under 'parameters', before its first use",
+                 name.text);
 }
 
 /* What stands at `text` as one word for a message: a number with its exponent, or what looks like
@@ -123,7 +122,7 @@ static bool number(parser *p, void *value) {
   if (used == 0) {
     const size_t length = word_length(p->at);
     if (tp_expression_is_not_finite(p->at)) problem = "is not a finite number";
-    return fail_at(p, p->at, "'%.*s' %s", (int)(length < 40 ? length : 40), p->at, problem);
+    return fail_at(p, p->at, "'%s' %s", tp_quote_of(p->at, length).text, problem);
   }
   p->at += used;
   return true;
@@ -203,8 +202,7 @@ tp_status tp_expression_read(void *value, const tp_algebra *algebra, const void 
   if (*p.at == '\0') {
     fail_at(&p, p.at, "a number belongs here");
   } else if (sum(&p, value) && *p.at != '\0') {
-    fail_at(&p, p.at, "'%.*s' does not continue a number or an expression", (int)strnlen(p.at, 40),
-            p.at);
+    fail_at(&p, p.at, "'%s' does not continue a number or an expression", tp_quote_all(p.at).text);
   }
   return p.status;
 }

@@ -3,6 +3,8 @@
 
 #include "scene/key.h"
 
+#include "outside.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,18 +32,20 @@ static const char *split(char key[KEY_SIZE], const char *way) {
   return way[length] == '.' ? way + length + 1 : NULL;
 }
 
-static tp_status fail(const tp_node *at, const char *key, const char *file, tp_message *message) {
+/* `near`: may the message name a key that is there? */
+static tp_status fail(const tp_node *at, const char *key, bool near, const char *file,
+                      tp_message *message) {
   const char **known = calloc((size_t)at->count + 1, sizeof *known);
   if (known == NULL) return tp_fail_memory(message, "a key");
   size_t count = 0;
   for (const tp_node *n = at->first; n != NULL && at->kind == TP_NODE_MAPPING; n = n->next) {
     known[count++] = n->key;
   }
-  const char *nearest = tp_nearest(key, known);
+  const char *nearest = near ? tp_nearest(key, known) : NULL;
   free(known);
-  return tp_fail(message, TP_BAD_INPUT, tp_node_place(at, file), "there is no '%.60s' here%s%s%s",
-                 key, nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
-                 nearest != NULL ? "'?" : "");
+  return tp_fail(message, TP_BAD_INPUT, tp_node_place(at, file), "there is no '%s' here%s%s%s",
+                 tp_quote_all(key).text, nearest != NULL ? "; did you mean '" : "",
+                 nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
 }
 
 tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char *file,
@@ -59,7 +63,8 @@ tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char
     if (next == NULL) {
       const bool parameter =
           at == root && key == NULL && parameters != NULL && parameters->kind == TP_NODE_MAPPING;
-      return fail(parameter ? parameters : at, part, file, message);
+      const bool scene = tp_node_get(root, "topple") != NULL;
+      return fail(parameter ? parameters : at, part, scene, file, message);
     }
     at = next;
   }

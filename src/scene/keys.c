@@ -5,6 +5,8 @@
 
 #include "scene/node.h"
 
+#include "outside.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -64,21 +66,21 @@ tp_status tp_node_expect_keys(const tp_node *node, const char *const *keys, cons
     const char *nearest = tp_nearest(child->key, keys);
     if (nearest != NULL && lacks_unit(child->key, nearest)) {
       return tp_fail(message, TP_BAD_INPUT, place,
-                     "'%.60s' lacks its unit: write '%s' (a key that holds a quantity ends in its "
+                     "'%s' lacks its unit: write '%s' (a key that holds a quantity ends in its "
                      "unit)",
-                     child->key, nearest);
+                     tp_quote_all(child->key).text, nearest);
     }
     if (nearest != NULL) {
-      return tp_fail(message, TP_BAD_INPUT, place, "unknown key '%.60s' in %s; did you mean '%s'?",
-                     child->key, what, nearest);
+      return tp_fail(message, TP_BAD_INPUT, place, "unknown key '%s' in %s; did you mean '%s'?",
+                     tp_quote_all(child->key).text, what, nearest);
     }
     char list[400] = "";
     for (k = 0; keys[k] != NULL; k++) {
       const size_t used = strlen(list);
       snprintf(list + used, sizeof list - used, "%s%s", k > 0 ? ", " : "", keys[k]);
     }
-    return tp_fail(message, TP_BAD_INPUT, place, "unknown key '%.60s' in %s; known are: %s",
-                   child->key, what, list);
+    return tp_fail(message, TP_BAD_INPUT, place, "unknown key '%s' in %s; known are: %s",
+                   tp_quote_all(child->key).text, what, list);
   }
   return TP_OK;
 }

@@ -3,6 +3,8 @@
 
 #include "scene/node.h"
 
+#include "outside.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,6 +51,7 @@ void tp_node_free(tp_node *root) {
 }
 
 const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
+  if (mapping->kind != TP_NODE_MAPPING) return NULL;
   for (const tp_node *child = mapping->first; child != NULL; child = child->next) {
     if (strcmp(child->key, key) == 0) return child;
   }
@@ -70,13 +73,23 @@ static tp_place at(const builder *b, tp_mark mark) {
   return (tp_place){b->path, mark.line, mark.column};
 }
 
+/* Does the file say that it is for this program? Nothing is quoted of a file that does not. */
+static bool is_ours(const builder *b) {
+  return tp_node_get(b->open[0], "topple") != NULL ||
+         tp_node_get(b->open[0], "topple_claims") != NULL;
+}
+
 static tp_status take_key(builder *b, const char *text, tp_mark mark) {
   const tp_node *mapping = b->open[b->depth - 1];
   const tp_node *twin = tp_node_get(mapping, text);
+  if (twin != NULL && !is_ours(b)) {
+    return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
+                   "a key is given twice, first in line %d; keep one of them", twin->key_mark.line);
+  }
   if (twin != NULL) {
     return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
-                   "the key '%.60s' is given twice, first in line %d; keep one of them", text,
-                   twin->key_mark.line);
+                   "the key '%s' is given twice, first in line %d; keep one of them",
+                   tp_quote_all(text).text, twin->key_mark.line);
   }
   if (mapping->count >= MOST_KEYS) {
     return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "more than 1000 keys in one place");

@@ -34,7 +34,7 @@ void tp_node_free(tp_node *root);
 TP_MUST_USE tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,
                                         tp_message *message);
 
-/* The child of a mapping, or NULL. */
+/* The child of a mapping, or NULL, as of any other node. */
 const tp_node *tp_node_get(const tp_node *mapping, const char *key);
 
 /* Is `node` a mapping with none but these keys (NULL-terminated)? An unknown key is reported with

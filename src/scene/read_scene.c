@@ -5,6 +5,8 @@
 
 #include "scene/read.h"
 
+#include "outside.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,9 +46,9 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
     if (!tp_expression_is_name(child->key) || tp_expression_is_not_finite(child->key)) {
-      return tp_read_fail(
-          reader, child, "'%.40s' cannot name a parameter; a name is made of letters, digits and _",
-          child->key);
+      return tp_read_fail(reader, child,
+                          "'%s' cannot name a parameter; a name is made of letters, digits and _",
+                          tp_quote_all(child->key).text);
     }
     fmpq_t value;
     fmpq_init(value);

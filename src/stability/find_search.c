@@ -228,7 +228,7 @@ void tp_search_scan(tp_search *s) {
   look_at_all(s, r);
   if (s->status == TP_OK && !r->any) {
     s->status = tp_fail(s->message, TP_NO_ANSWER, tp_node_place(s->scene.numbers[0], s->scene.path),
-                        "nowhere from %g to %g the scene has a %s; %.600s", found->low, found->high,
+                        "nowhere from %g to %g the scene has a %s; %s", found->low, found->high,
                         tp_find_target_name(s->options->target),
                         s->why.text[0] != '\0' ? s->why.text : "nothing lets go there");
   } else if (s->status == TP_OK) {

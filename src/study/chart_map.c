@@ -4,6 +4,7 @@
 /* The mechanism map of any scene, along one or two of its numbers: what is asked, and what it is
  * asked of. */
 
+#include "outside.h"
 #include "scene/key.h"
 #include "study/map.h"
 #include "study/mechanism_style.h"
@@ -24,7 +25,8 @@ static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
   const double from = axis->range.from, to = axis->range.to;
   if (!(from < to)) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%.60s goes from %g to %g; the range must rise", axis->key, from, to);
+                   "%s goes from %g to %g; the range must rise", tp_quote_all(axis->key).text, from,
+                   to);
   }
   if (is_tilt(axis) && !(from >= 0 && to <= 90)) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
@@ -38,7 +40,8 @@ static tp_status check(const tp_chart_map_options *o, tp_message *message) {
   if (status == TP_OK) status = check_axis(&o->y, message);
   if (status == TP_OK && strcmp(o->x.key, o->y.key) == 0) {
     status = tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                     "both axes are %.60s; give a number of the scene for one of them", o->x.key);
+                     "both axes are %s; give a number of the scene for one of them",
+                     tp_quote_all(o->x.key).text);
   }
   return status;
 }

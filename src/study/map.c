@@ -126,5 +126,5 @@ void tp_map_begin(tp_map *map, tp_chart_style style, const char *series, const c
 
 tp_status tp_map_no_answer(const tp_map *map) {
   return tp_fail(map->message, TP_NO_ANSWER, (tp_place){map->scene.path, 0, 0},
-                 "nowhere in the map the scene has an answer; %.600s", map->why.text);
+                 "nowhere in the map the scene has an answer; %s", map->why.text);
 }

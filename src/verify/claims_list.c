@@ -5,6 +5,8 @@
 
 #include "verify/claims.h"
 
+#include "outside.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,10 +44,10 @@ static tp_status find_geometry(const tp_geometry **geometry, const tp_claims *cl
   const char *nearest = *geometry == NULL ? tp_nearest(name, names) : NULL;
   free(names);
   if (*geometry != NULL) return TP_OK;
-  return tp_claims_fail(claims, tp_node_get(node, "geometry"), message,
-                        "no geometry is called '%.40s'%s%s%s", name,
-                        nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
-                        nearest != NULL ? "'?" : "");
+  return tp_claims_fail(
+      claims, tp_node_get(node, "geometry"), message, "no geometry is called '%s'%s%s%s",
+      tp_quote_all(name).text, nearest != NULL ? "; did you mean '" : "",
+      nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
 }
 
 static tp_status read_scalar(const tp_node **scalar, const tp_claims *claims, const tp_node *node,
@@ -158,7 +160,8 @@ static tp_status check_ids(const tp_claims *claims, const tp_node *list, tp_mess
     for (size_t j = count; j-- > 0 && at == list;) {
       if (strcmp(claims->claims[j].id, ids[k]) == 0) at = claims->claims[j].printed;
     }
-    status = tp_claims_fail(claims, at, message, "the claim '%.100s' is given twice", ids[k]);
+    status = tp_claims_fail(claims, at, message, "the claim '%s' is given twice",
+                            tp_quote_all(ids[k]).text);
   }
   free(ids);
   return status;

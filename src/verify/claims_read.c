@@ -5,6 +5,8 @@
 
 #include "verify/claims.h"
 
+#include "outside.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,12 +49,13 @@ static tp_status read_declared(tp_claims *claims, const tp_node *node, bool angl
     const size_t used = tp_formula_spell(spelt, sizeof spelt, child->key, sizeof spelt);
     if (used == 0 || child->key[used] != '\0' || strcmp(spelt, child->key) != 0) {
       return tp_claims_fail(claims, child, message,
-                            "'%.40s' cannot be declared; names are letters, digits and _, Greek "
+                            "'%s' cannot be declared; names are letters, digits and _, Greek "
                             "letters spelt out",
-                            child->key);
+                            tp_quote_all(child->key).text);
     }
     if (child->kind != TP_NODE_SCALAR) {
-      return tp_claims_fail(claims, child, message, "'%.40s' must be a number", child->key);
+      return tp_claims_fail(claims, child, message, "'%s' must be a number",
+                            tp_quote_all(child->key).text);
     }
     const long k = claims->declared_count;
     tp_place place = tp_node_place(child, claims->path);

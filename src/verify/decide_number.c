@@ -14,6 +14,7 @@
 #include "derive/field_work.h"
 #include "number/ball.h"
 #include "number/ratio.h"
+#include "outside.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -208,7 +209,8 @@ tp_status tp_decide_number(tp_claim_result *result, const tp_question *q) {
   fmpq_init(p.value);
   if (!read_printed(&p, q->number, &problem)) {
     fmpq_clear(p.value);
-    return tp_fail(q->message, TP_BAD_INPUT, q->number_place, "'%.40s' %s", q->number, problem);
+    return tp_fail(q->message, TP_BAD_INPUT, q->number_place, "'%s' %s",
+                   tp_quote_all(q->number).text, problem);
   }
   arb_t x;
   arb_init(x);

@@ -4,6 +4,7 @@
 #include "verify/formula.h"
 
 #include "number/ratio.h"
+#include "outside.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -111,7 +112,7 @@ static long number(parser *p) {
   size_t used = tp_ratio_read_decimal(value, here(p), strlen(here(p)), &problem);
   long node = -1;
   if (used == 0) {
-    fail_at(p, at, "'%.20s' %s", here(p), problem);
+    fail_at(p, at, "'%s' %s", tp_quote_of(here(p), 20).text, problem);
   } else {
     p->at += (int)used;
     if (strncmp(here(p), "\u00b0", 2) == 0) p->at += 2; /* degrees are the unit of angles anyway */
@@ -222,9 +223,9 @@ static long word(parser *p, bool as_argument) {
   if (strncmp(here(p), "log", 3) == 0)
     return fail_at(p, at, "write log10 for the decimal logarithm");
   return fail_at(p, at,
-                 "unknown name '%.*s'; names are the scene's parameters, the quantities, and what "
+                 "unknown name '%s'; names are the scene's parameters, the quantities, and what "
                  "'symbols', 'angles' and 'with' define",
-                 (int)all, here(p));
+                 tp_quote_of(here(p), (size_t)all).text);
 }
 
 static long primary(parser *p) {
@@ -236,7 +237,8 @@ static long primary(parser *p) {
   if (*text == '\0') return fail_at(p, p->at, "a number or a name is missing at the end");
   if (isdigit((unsigned char)*text) || *text == '.') return number(p);
   if (tp_formula_spell(name, sizeof name, text, sizeof name) > 0) return word(p, false);
-  return fail_at(p, p->at, "'%.12s' does not begin a number, a name or a bracket", text);
+  return fail_at(p, p->at, "'%s' does not begin a number, a name or a bracket",
+                 tp_quote_of(text, 12).text);
 }
 
 /* Signs and powers: -2^2 is -(2^2), 2^3^2 is 2^(3^2). */
@@ -327,7 +329,9 @@ tp_status tp_formula_read(tp_formula *formula, const char *text, tp_place place,
     fail_at(&p, p.at, "a formula belongs here");
   } else if (sum(&p) >= 0) {
     skip_space(&p);
-    if (*here(&p) != '\0') fail_at(&p, p.at, "'%.20s' does not continue a formula", here(&p));
+    if (*here(&p) != '\0') {
+      fail_at(&p, p.at, "'%s' does not continue a formula", tp_quote_of(here(&p), 20).text);
+    }
   }
   if (p.status != TP_OK) tp_formula_clear(formula);
   return p.status;

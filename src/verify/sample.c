@@ -7,6 +7,7 @@
 
 #include "number/ball.h"
 #include "number/ratio.h"
+#include "outside.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -66,9 +67,9 @@ tp_status tp_sample_set(tp_sample *sample, const tp_subject *s, const char *name
   const long symbol = tp_sample_symbol(s, name);
   if (symbol < 0) {
     return tp_fail(message, TP_BAD_INPUT, place,
-                   "'%.40s' is no symbol that takes a value: 'at' sets parameters, symbols, angles "
+                   "'%s' is no symbol that takes a value: 'at' sets parameters, symbols, angles "
                    "and r",
-                   name);
+                   tp_quote_all(name).text);
   }
   fmpq_set(sample->values + symbol, value);
   sample->given[symbol] = true;

@@ -6,6 +6,7 @@
 #include "verify/evaluate.h"
 
 #include "derive/field_work.h"
+#include "outside.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -72,7 +73,7 @@ tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, t
   char spelt[128];
   const size_t used = tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
   if (used == 0 || name[used] != '\0') {
-    return tp_fail(message, TP_BAD_INPUT, place, "'%.40s' cannot be a name", name);
+    return tp_fail(message, TP_BAD_INPUT, place, "'%s' cannot be a name", tp_quote_all(name).text);
   }
   tp_formula definition;
   const tp_vocabulary vocabulary = tp_subject_vocabulary(s);
@@ -147,9 +148,10 @@ tp_status tp_subject_add_names(tp_subject *s, const tp_subject_options *options,
     for (long j = 0; j < k && j < declared; j++) {
       if (strcmp(s->names[j].text, s->names[k].text) != 0) continue;
       return tp_fail(message, TP_BAD_INPUT, place,
-                     "'%.40s' is %s; rename the %s '%.40s' of this geometry", s->names[k].text,
+                     "'%s' is %s; rename the %s '%s' of this geometry",
+                     tp_quote_all(s->names[k].text).text,
                      j < ours ? "a name that claims use for something else" : "declared already",
-                     k < declared ? "symbol" : "parameter", s->names[k].text);
+                     k < declared ? "symbol" : "parameter", tp_quote_all(s->names[k].text).text);
     }
   }
   return TP_OK;

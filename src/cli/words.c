@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#define TP_WORDS_OWN
+#include "cli/words.h"
+
+#include "topple.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { COMPLAINT_SIZE = 1200 };
+
+static void write_plain(char plain[COMPLAINT_SIZE], const char *format, va_list arguments) {
+  char text[4 * COMPLAINT_SIZE];
+  vsnprintf(text, sizeof text, format, arguments);
+  tp_plain_text(plain, COMPLAINT_SIZE, text);
+}
+
+void tp_cli_complain(const char *format, ...) {
+  char plain[COMPLAINT_SIZE];
+  va_list arguments;
+  va_start(arguments, format);
+  write_plain(plain, format, arguments);
+  va_end(arguments);
+  fprintf(stderr, "topple: %s\n", plain);
+}
+
+void tp_cli_refuse(const struct argp_state *state, const char *format, ...) {
+  char plain[COMPLAINT_SIZE];
+  va_list arguments;
+  va_start(arguments, format);
+  write_plain(plain, format, arguments);
+  va_end(arguments);
+  argp_error(state, "%s", plain);
+}
+
+static bool is_plain(const char *text) {
+  char plain[COMPLAINT_SIZE];
+  tp_plain_text(plain, sizeof plain, text);
+  return strcmp(plain, text) == 0;
+}
+
+/* Is the word --NAME or --NAME=VALUE of an option? */
+static bool is_long_option(const struct argp *parser, const char *name) {
+  const size_t length = strcspn(name, "=");
+  for (const struct argp_option *o = parser->options; o->name != NULL || o->doc != NULL; o++) {
+    if (o->name != NULL && strlen(o->name) == length && strncmp(o->name, name, length) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Of letters, as -jo, the first may take the rest for its value. */
+static bool are_letters(const struct argp *parser, const char *letters) {
+  for (; *letters != '\0'; letters++) {
+    const struct argp_option *o = parser->options;
+    while ((o->name != NULL || o->doc != NULL) && o->key != *letters) o++;
+    if (o->name == NULL) return false;
+    if (o->arg != NULL) return true;
+  }
+  return true;
+}
+
+const char *tp_cli_strange_option(const struct argp *parser, int argc, char *const *argv) {
+  for (int k = 1; k < argc && strcmp(argv[k], "--") != 0; k++) {
+    const char *word = argv[k];
+    if (word[0] != '-' || is_plain(word)) continue;
+    const bool is_long = word[1] == '-';
+    if (!(is_long ? is_long_option(parser, word + 2) : are_letters(parser, word + 1))) return word;
+  }
+  return NULL;
+}

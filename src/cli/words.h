@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Complaints on stderr. What they quote of the command line is made plain (tp_plain_text), so they
+ * are written by these alone. */
+
+#ifndef TP_WORDS_H
+#define TP_WORDS_H
+
+#include <argp.h>
+#include <stdbool.h>
+
+/* "topple: …" and the end of the line. */
+void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* argp_error in plain text: complain, name --help and end, unless the parser's flags keep it. */
+void tp_cli_refuse(const struct argp_state *state, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The first word of the command line that argp would quote as it is, as no option is spelt so;
+ * NULL where there is none. */
+const char *tp_cli_strange_option(const struct argp *parser, int argc, char *const *argv);
+
+#ifndef TP_WORDS_OWN
+#pragma GCC poison argp_error argp_failure
+#endif
+
+#endif
