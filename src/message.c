@@ -7,16 +7,31 @@
 #include <stdio.h>
 #include <string.h>
 
+/* ":line:column" */
+static void position_text(char text[32], tp_place place) {
+  text[0] = '\0';
+  if (place.line > 0 && place.column > 0) {
+    snprintf(text, 32, ":%d:%d", place.line, place.column);
+  } else if (place.line > 0) {
+    snprintf(text, 32, ":%d", place.line);
+  }
+}
+
 void tp_place_text(char *text, size_t size, tp_place place) {
+  static const char left_out[] = "…";
+  char position[32];
   if (place.file == NULL) {
     text[0] = '\0';
-  } else if (place.line <= 0) {
-    snprintf(text, size, "%s", place.file);
-  } else if (place.column <= 0) {
-    snprintf(text, size, "%s:%d", place.file, place.line);
-  } else {
-    snprintf(text, size, "%s:%d:%d", place.file, place.line, place.column);
+    return;
   }
+  position_text(position, place);
+  const char *file = place.file;
+  const size_t length = strlen(file), room = size - 1 - strlen(position);
+  if (length > room) {
+    file += length - (room - strlen(left_out));
+    while (((unsigned char)*file & 0xc0) == 0x80) file++; /* from the begin of a letter */
+  }
+  snprintf(text, size, "%s%s%s", length > room ? left_out : "", file, position);
 }
 
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...) {

@@ -4,6 +4,7 @@
 /* A chart as a file. */
 
 #define _GNU_SOURCE
+#include "host.h"
 #include "message.h"
 #include "report/chart_script.h"
 #include "report/gnuplot.h"
@@ -15,6 +16,7 @@
 #include <unistd.h>
 
 bool tp_chart_format_read(tp_chart_format *format, const char *path) {
+  if (format == NULL || path == NULL) return false;
   static const char *const endings[] = {".svg", ".pdf", ".png", ".csv"};
   const char *ending = strrchr(path, '.');
   const bool ends = ending != NULL && ending != path && ending[-1] != '/'; /* .svg is a name */
@@ -80,6 +82,12 @@ static tp_status finish(const tp_file *file, tp_chart_format format, tp_message 
 
 tp_status tp_report_chart_file(const tp_chart *chart, const char *path, tp_chart_format format,
                                tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, path);
+  if ((int)format < TP_CHART_SVG || (int)format > TP_CHART_CSV) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "there is no such format");
+  }
   char *text = NULL;
   tp_file file;
   tp_status status = format == TP_CHART_CSV ? tp_report_chart_csv(&text, chart)

@@ -4,6 +4,7 @@
 /* A verification as text. */
 
 #include "report/report_claims.h"
+#include "host.h"
 
 #include <string.h>
 
@@ -73,6 +74,9 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
 }
 
 tp_status tp_report_verification(char **text, const tp_verification *v) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, v);
   tp_text t = {0};
   if (v->title != NULL) tp_text_add(&t, "%s\n", v->title);
   if (v->source != NULL) tp_text_add(&t, "%s\n", v->source);

@@ -4,6 +4,7 @@
 /* A verification as a page in Markdown: first what is refuted, disagrees or is cut off, then all.
  */
 
+#include "host.h"
 #include "report/report_claims.h"
 
 #include <string.h>
@@ -68,6 +69,9 @@ static void add_row(tp_text *t, const tp_claim_result *c) {
 }
 
 tp_status tp_report_verification_markdown(char **text, const tp_verification *v) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, v);
   tp_text t = {0};
   tp_text_add(&t, "# %s\n\n", v->title != NULL ? v->title : "Claims");
   if (v->source != NULL) tp_text_add(&t, "%s\n\n", v->source);

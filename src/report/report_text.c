@@ -3,6 +3,7 @@
 
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
+#include "host.h"
 #include "report/report_digits.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
@@ -254,6 +255,9 @@ static void add_effects(tp_page *p) {
 }
 
 tp_status tp_report_text(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
   tp_page p = {.solution = solution};
   if (solution->title != NULL) tp_text_add(&p.text, "%s\n\n", solution->title);
   add_teeth(&p);

@@ -4,6 +4,7 @@
 /* A scene in, the stability of its block out. */
 
 #include "stability/solve.h"
+#include "host.h"
 #include "number/ladder.h"
 #include "stability/effects.h"
 #include "stability/loaded.h"
@@ -195,6 +196,10 @@ static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_sol
 
 tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve_options *options,
                    tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, solution);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
   if (options->digits < 1 || options->digits > TP_DIGITS_MAX) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and %d",
                    TP_DIGITS_MAX);

@@ -57,7 +57,7 @@ const char *tp_accuracy_method_name(tp_accuracy_method method) {
   static const char *const names[TP_ACCURACY_METHODS] = {"boundary sums", "triangles",
                                                          "rounding, paper's model",
                                                          "rounding, exact model", "limit analysis"};
-  return names[method];
+  return (int)method >= 0 && (int)method < TP_ACCURACY_METHODS ? names[method] : "unknown";
 }
 
 tp_accuracy *tp_accuracy_new(void) {

@@ -3,6 +3,7 @@
 
 /* The ways of a scene. Rounded corners are three questions: the sharp block, and both models. */
 
+#include "host.h"
 #include "message.h"
 #include "stability/solve.h"
 #include "study/accuracy_ways.h"
@@ -115,6 +116,9 @@ tp_status tp_accuracy_add_scene(tp_accuracy *accuracy, const tp_scene *scene, un
 }
 
 tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, accuracy);
+  TP_REFUSE_NULL(message, scene);
   tp_accuracy *own = tp_accuracy_new();
   if (own == NULL) return tp_fail_memory(message, "the account of accuracy");
   tp_status status = tp_accuracy_add_scene(own, scene, ~0U, false, message);

@@ -4,10 +4,12 @@
 /* The mechanism map of any scene, along one or two of its numbers: what is asked, and what it is
  * asked of. */
 
+#include "host.h"
 #include "scene/key.h"
 #include "study/map.h"
 #include "study/mechanism_style.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,9 +24,9 @@ static bool is_tilt(const tp_chart_axis *axis) {
 
 static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
   const double from = axis->range.from, to = axis->range.to;
-  if (!(from < to)) {
+  if (!(from < to && isfinite(to - from))) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%.60s goes from %g to %g; the range must rise", axis->key, from, to);
+                   "%.60s goes from %g to %g; the range must rise, and end", axis->key, from, to);
   }
   if (is_tilt(axis) && !(from >= 0 && to <= 90)) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
@@ -147,6 +149,12 @@ static void draw(tp_map *map) {
 }
 
 tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, options);
+  TP_REFUSE_NULL(message, options->scene);
+  TP_REFUSE_NULL(message, options->x.key);
+  TP_REFUSE_NULL(message, options->y.key);
   tp_message own = {""};
   tp_map map = {.options = options, .scene = {.path = options->scene}, .message = &own};
   map.scene.options = tp_solve_options_default();
