@@ -42,13 +42,13 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
   bool done = true;
-  double began = tp_effects_now();
+  tp_effect_begin began = tp_effects_begin(c->solution);
   tp_evaluate_pivots(evaluation, own, &toppling);
   if (c->problem->corners.count > 0) tp_evaluate_rolling(evaluation, own, &toppling);
   tp_effects_note(c->solution, "toppling", scene->tilt_place, "both directions, as none is given",
                   began);
   if (scene->friction_angle_deg.given) {
-    began = tp_effects_now();
+    began = tp_effects_begin(c->solution);
     tp_evaluate_sliding(evaluation, own, &sliding);
     tp_evaluate_toe(evaluation, own, &toppling);
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
@@ -56,7 +56,7 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
   const bool certain = evaluation->certain;
   evaluation->certain = true;
   if (scene->friction_angle_deg.given && c->options->limit && !kept->settled) {
-    began = tp_effects_now();
+    began = tp_effects_begin(c->solution);
     done = tp_evaluate_limit(evaluation, own, &kept->limit, &kept->back);
     tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
   }
@@ -86,7 +86,7 @@ static bool evaluate_case(tp_evaluation *evaluation, tp_case *own, const climb *
 
 /* Where the axes of rounded corners lie decides which of them may govern. */
 static void find_admissible(tp_evaluation *e, const climb *c) {
-  const double began = tp_effects_now();
+  const tp_effect_begin began = tp_effects_begin(c->solution);
   for (int d = 0; d < 2; d++) {
     tp_evaluate_admissible(e, c->admissible[d], d == 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT);
     e->admissible[d] = c->admissible[d];
@@ -106,7 +106,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .certain = true,
                               .settled = {c->settled[0], c->settled[1]},
                               .admissible = {c->problem->admissible[0], c->problem->admissible[1]}};
-  const double began = tp_effects_now();
+  const tp_effect_begin began = tp_effects_begin(c->solution);
   tp_moments_init(&evaluation.moments);
   tp_evaluate_moments(&evaluation);
   if (c->problem->corners.count > 0) find_admissible(&evaluation, c);
