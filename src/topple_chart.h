@@ -13,8 +13,6 @@
 extern "C" {
 #endif
 
-typedef struct tp_chart tp_chart;
-
 enum { TP_CHART_LIST_MAX = 6 };
 
 typedef struct tp_chart_list {

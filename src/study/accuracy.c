@@ -69,6 +69,8 @@ void tp_accuracy_free(tp_accuracy *accuracy) {
   free(accuracy->title);
   free(accuracy->runs);
   free(accuracy->values);
+  for (size_t k = 0; k < accuracy->source_count; k++) free(accuracy->sources[k]);
+  free(accuracy->sources);
   free(accuracy);
 }
 

@@ -235,6 +235,9 @@ tp_status tp_chart_accuracy(tp_chart **chart, const tp_accuracy *accuracy, tp_me
   if (own == NULL) {
     return tp_fail_memory(message, "the chart");
   }
+  for (size_t k = 0; k < accuracy->source_count; k++) {
+    tp_chart_add_source(own, accuracy->sources[k]);
+  }
   if (accuracy->sweep) {
     draw_sweep(own, accuracy);
   } else {

@@ -123,6 +123,16 @@ static void add_legend(tp_chart *chart, bool along_one) {
   }
 }
 
+/* The chart must not be written over what it is computed from. */
+static void add_sources(tp_map *map) {
+  tp_scene *read = NULL;
+  map->status = tp_scene_from_nodes(&read, map->scene.path, map->scene.root, map->message);
+  if (map->status != TP_OK) return;
+  tp_chart_add_source(map->chart, read->path);
+  for (long k = 0; k < read->file_count; k++) tp_chart_add_source(map->chart, read->files[k]);
+  tp_scene_free(read);
+}
+
 static void draw(tp_map *map) {
   const tp_chart_map_options *o = map->options;
   const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
@@ -133,6 +143,8 @@ static void draw(tp_map *map) {
     map->status = tp_fail_memory(map->message, "the chart");
     return;
   }
+  add_sources(map);
+  if (map->status != TP_OK) return;
   map->chart->panel_width_mm = 72;
   map->chart->panel_height_mm = 62;
   char labels[2][LABEL_SIZE];
