@@ -7,7 +7,7 @@
  * bound supposes rounding to nearest, gradual underflow and no traps. A program may have set any of
  * these otherwise, so every public entry that computes or writes begins with TP_GUARD_HOST: the
  * locale and the floating-point environment of the thread, and the range of exponents of MPFR, are
- * put aside, and come back as the entry returns, whichever way. It takes about 0.2 microseconds.
+ * put aside, and come back as the entry returns, whichever way. It takes about a microsecond.
  * Threads that an entry starts have the environment of the thread that starts them. */
 
 #ifndef TP_HOST_H
