@@ -25,6 +25,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #if defined(__SSE__)
+#include <fpu_control.h>
 #include <xmmintrin.h>
 #endif
 
@@ -272,7 +273,7 @@ static void forget(said *s) {
 /* What a program may have set, as it is in this thread. */
 typedef struct setting {
   int rounding, traps;
-  unsigned control; /* of the SSE unit: denormals, too */
+  unsigned control, other; /* of the SSE unit: denormals, too; of the x87 */
   char decimal_point[8];
   long exponent_least, exponent_most;
 } setting;
@@ -284,6 +285,9 @@ static setting setting_now(void) {
                  .exponent_most = mpfr_get_emax()};
 #if defined(__SSE__)
   now.control = _mm_getcsr() & ~0x3fU; /* without the flags of what happened */
+  fpu_control_t x87;
+  _FPU_GETCW(x87);
+  now.other = x87;
 #endif
   strncpy(now.decimal_point, localeconv()->decimal_point, sizeof now.decimal_point - 1);
   return now;
@@ -360,6 +364,13 @@ static void flushing_to_zero(void) {
 #endif
 }
 
+static void short_extended(void) {
+#if defined(__SSE__)
+  fpu_control_t x87 = _FPU_DEFAULT & ~_FPU_EXTENDED;
+  _FPU_SETCW(x87);
+#endif
+}
+
 static void few_exponents(void) {
   mpfr_set_emin(-5);
   mpfr_set_emax(5);
@@ -370,6 +381,7 @@ static void everything_at_once(void) {
   few_exponents();
   rounding_down();
   flushing_to_zero();
+  short_extended();
   all_traps();
 }
 
@@ -385,6 +397,7 @@ static const struct {
                 {"all traps", all_traps},
                 {"some traps", some_traps},
                 {"flushing to zero", flushing_to_zero},
+                {"long doubles in single precision", short_extended},
                 {"few exponents of MPFR", few_exponents},
                 {"everything at once", everything_at_once}};
 enum { SETTINGS = sizeof settings / sizeof settings[0] };

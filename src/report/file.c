@@ -91,13 +91,13 @@ static tp_status write_all(int descriptor, const output *o) {
 }
 
 /* Into the file itself. Of a regular file the room is reserved first: what fails then leaves it as
- * it was. */
+ * it was. Another one may take its time, in which the program can be ended. */
 static tp_status write_in_place(int descriptor, const struct stat *state, const output *o) {
-  sigset_t writing;
-  set_of_writing(&writing);
-  const held signals = hold(&writing);
+  sigset_t set;
   tp_status status = TP_OK;
   const bool regular = S_ISREG(state->st_mode);
+  (regular ? set_of_ending : set_of_writing)(&set);
+  const held signals = hold(&set);
   if (regular && o->length > 0 && fallocate(descriptor, 0, 0, (off_t)o->length) != 0 &&
       errno != EOPNOTSUPP && errno != ENOSYS) {
     status = fail(o, strerror(errno));
