@@ -7,6 +7,7 @@ first; a program in an install that was moved drew no figure."""
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -117,6 +118,27 @@ class Installed(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (5, ""))
         self.assertIn("libtopple-figure.so", done.stderr)
         self.assertFalse(figure.exists())
+
+
+class Entries(unittest.TestCase):
+    def test_every_entry_guards_its_caller(self):
+        """Each public call that can fail begins with the guard of tests/test_host.c, refuses NULL for
+        each of its pointers but the message, and is tried with them in tests/test_arguments.c."""
+        sources = {p: p.read_text(encoding="utf-8") for p in (ROOT / "src").rglob("*.c")}
+        tried = (ROOT / "tests" / "test_arguments.c").read_text(encoding="utf-8")
+        count = 0
+        for header in sorted((ROOT / "src").glob("topple*.h")):
+            for name in re.findall(r"^TP_MUST_USE tp_status (\w+)\(", header.read_text(encoding="utf-8"), re.M):
+                count += 1
+                pattern = re.compile(rf"^tp_status {name}\(([^{{]*)\) {{\n(.*?)^}}", re.M | re.S)
+                (found,) = [m for text in sources.values() for m in pattern.finditer(text)]
+                parameters, body = found.groups()
+                self.assertTrue(body.lstrip().startswith("TP_GUARD_HOST;"), name)
+                for pointer in re.findall(r"\*(\w+)(?:,|$)", parameters):
+                    if pointer != "message":
+                        self.assertIn(f", {pointer});", body, name)
+                        self.assertIn(f"{name}(", tried, name)
+        self.assertGreater(count, 30)
 
 
 class Scripts(unittest.TestCase):
