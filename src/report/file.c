@@ -205,7 +205,7 @@ static bool is_standard(const struct stat *state) {
 static tp_status write_over(int descriptor, const output *o) {
   struct stat before;
   if (fstat(descriptor, &before) != 0) return fail(o, strerror(errno));
-  if (!S_ISREG(before.st_mode) || is_standard(&before)) {
+  if (!S_ISREG(before.st_mode) || before.st_nlink > 1 || is_standard(&before)) {
     return write_in_place(descriptor, &before, o);
   }
   char *real = realpath(o->path, NULL);

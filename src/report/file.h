@@ -5,8 +5,8 @@
  * renamed, by a thread that takes no signals meanwhile, so that nothing is left behind where the
  * program is ended. As `cp` does, it writes to where a link leads, keeps the owner and the mode of
  * a file that is there, refuses one that may not be written, and writes to a pipe or a device in
- * place. So it does where the folder takes no new file, or the owner cannot be kept: then after the
- * room for it was reserved. A second hard link keeps the old file. */
+ * place. So it does with a file of several names, and where the folder takes no new file or the
+ * owner cannot be kept: then after the room for it was reserved. */
 
 #ifndef TP_FILE_H
 #define TP_FILE_H

@@ -118,6 +118,16 @@ class Kept(Folder):
             after.pop("sub/target.svg")
             self.assertEqual(before, after)
 
+    def test_file_of_two_names(self):
+        """Both names have the figure afterwards, and are one file still."""
+        one, other = self.folder / "one.svg", self.folder / "sub" / "other.svg"
+        one.write_text("as before" * 100000)  # longer than what is written
+        os.link(one, other)
+        for command in self.commands(one):
+            self.assertEqual(run(*command)[0], 0, command)
+            self.assertTrue(one.samefile(other))
+            self.assert_whole(one)
+
     def test_link_that_leads_nowhere(self):
         (self.folder / "link.svg").symlink_to("none/nothing.svg")
         before = self.contents()
