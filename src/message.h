@@ -23,7 +23,8 @@ tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const c
 /* As tp_fail for TP_OUT_OF_MEMORY, naming what was being built. */
 tp_status tp_fail_memory(tp_message *message, const char *what);
 
-/* "file:line:column" into `text`, shorter where parts are not known. */
+/* "file:line:column" into `text` of at least 64 bytes, shorter where parts are not known. Of a long
+ * path the end is kept, and the position always. */
 void tp_place_text(char *text, size_t size, tp_place place);
 
 #endif

@@ -25,7 +25,14 @@
  * print and abort the process, so sizes are bounded before they are called. A program that wants
  * another end gives them functions that do not return without memory, before its first call:
  * __flint_set_memory_functions and mp_set_memory_functions, as src/cli/memory.c does. What FLINT
- * keeps for the next call is given back by flint_cleanup(). */
+ * keeps for the next call is given back by flint_cleanup().
+ *
+ * What the calling thread has set is its own: every call puts the locale, the floating-point
+ * environment (rounding, traps, flushing to zero) and MPFR's range of exponents aside, and brings
+ * them back as it returns; one that is left by a jump, from a function for memory, does not.
+ * Threads may call at the same time. No pointer may be NULL, but for a message, which then is not
+ * told, and what a _free function is given; a call that gets one is TP_BAD_INPUT, and its message
+ * names it. */
 
 #ifndef TOPPLE_H
 #define TOPPLE_H

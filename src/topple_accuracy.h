@@ -6,7 +6,7 @@
 #ifndef TOPPLE_ACCURACY_H
 #define TOPPLE_ACCURACY_H
 
-#include "topple_chart.h"
+#include "topple.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -51,6 +51,8 @@ typedef struct tp_accuracy {
   size_t run_count, value_count;
   tp_accuracy_run *runs;
   tp_accuracy_value *values;
+  size_t source_count;
+  char **sources; /* files that the scene was read from */
 } tp_accuracy;
 
 /* Measure every method that the scene calls for, in the first direction in which it tilts. The

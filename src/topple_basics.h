@@ -41,6 +41,9 @@ typedef enum tp_status {
 const char *tp_status_meaning(tp_status status);
 int tp_status_exit(tp_status status);
 
+/* A chart: curves and borders (topple_chart.h). */
+typedef struct tp_chart tp_chart;
+
 /* What went wrong, where (file:line:column) and what to do; always terminated. */
 typedef struct tp_message {
   char text[1024];

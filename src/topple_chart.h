@@ -13,8 +13,6 @@
 extern "C" {
 #endif
 
-typedef struct tp_chart tp_chart;
-
 enum { TP_CHART_LIST_MAX = 6 };
 
 typedef struct tp_chart_list {
@@ -90,7 +88,8 @@ typedef enum tp_chart_format {
 /* The format that a file's name ends in; false for another ending. */
 bool tp_chart_format_read(tp_chart_format *format, const char *path);
 
-/* Write the file, whole or not at all. All but CSV are drawn by gnuplot, which must be installed.
+/* Write the file, whole or not at all; one that is there keeps its owner and mode, and one that the
+ * chart was computed from is bad input. All but CSV are drawn by gnuplot, which must be installed.
  */
 TP_MUST_USE tp_status tp_report_chart_file(const tp_chart *chart, const char *path,
                                            tp_chart_format format, tp_message *message);

@@ -17,7 +17,8 @@ extern "C" {
 bool tp_figure_is_file_name(const char *path);
 
 /* Draw the solution of the scene into the file `path`, of the kind that its ending names; a file of
- * that name is replaced, and stays as it was where the drawing fails. The triangles of the account
+ * that name is replaced, keeps its owner and mode, and stays as it was where the drawing fails. A
+ * file that the scene was read from is bad input. The triangles of the account
  * by elements are drawn where the solution has one. The colours are legible to the colour-blind.
  * The same program draws the same bytes each time it is run. Fontconfig, which finds the letters,
  * crashes where memory is exhausted: a program that must not is to draw in a process of its own. */

@@ -10,6 +10,7 @@
 
 #include "block/corners.h"
 #include "block/ellipse.h"
+#include "clock.h"
 #include "load/loads.h"
 #include "stability/evaluation.h"
 
@@ -130,11 +131,51 @@ START_TEST(uplift) {
 }
 END_TEST
 
+/* What an effect took within another one counts once: the moments of a block with rounded corners
+ * held the rounding too, and of two loads the second held the first, so that the effects added up
+ * to more than all took. Hundreds of anchors tell. */
+START_TEST(time_counts_once) {
+  enum { TEETH = 150, ANCHORS = 300, SIZE = 1 << 16 };
+  char *text = calloc(1, SIZE), *at = text;
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  tp_solve_options options = tp_solve_options_default();
+  options.digits = 300;
+  at = stpcpy(at, "topple: 1\nlength_unit: m\ntilt: {towards: left}\n");
+  at += sprintf(at,
+                "block:\n  teeth: {count: %d, width: 2, height: 200, depth: 1, left_end: valley}\n"
+                "  unit_weight_kn_m3: 26\n  rounded:\n    corners:\n",
+                TEETH);
+  at = stpcpy(at, "    - {at: left_end, radius: 0.125}\n    - {at: right_end, radius: 0.125}\n");
+  at = stpcpy(at, "loads:\n  seismic: {horizontal: 0.1}\n  anchors:\n");
+  for (int k = 0; k < ANCHORS; k++) {
+    at += sprintf(at, "  - {at: [0, %d], direction_deg: 7, force_kn: 1}\n", 10 + k % 150);
+  }
+  ck_assert_int_lt(at - text, SIZE);
+  ck_assert_msg(tp_scene_read_text(&scene, text, "scene", &message) == TP_OK, "%s", message.text);
+  const double began = tp_clock_now();
+  ck_assert_msg(tp_solve(&solution, scene, &options, &message) == TP_OK, "%s", message.text);
+  const double all = tp_clock_now() - began;
+  double sum = 0;
+  for (size_t k = 0; k < solution->effect_count; k++) {
+    ck_assert_double_ge(solution->effects[k].seconds, 0);
+    sum += solution->effects[k].seconds;
+  }
+  /* the sum is rounded some hundred times */
+  ck_assert_msg(sum <= all * (1 + 1e-10), "the effects took %g s, all took %g s", sum, all);
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+  free(text);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("effects");
   TCase *tests = tcase_create("calls");
   tcase_add_test(tests, only_what_is_called_for);
   tcase_add_test(tests, uplift);
+  tcase_add_test(tests, time_counts_once);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

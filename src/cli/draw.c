@@ -3,16 +3,20 @@
 
 /* Figures: Cairo is loaded when one is asked for, not at every start. They are drawn in a process
  * of their own, as Fontconfig crashes where memory runs out: the program then says so and ends
- * well. */
+ * well. That process ends with this one. */
 
+#define _GNU_SOURCE
 #include "cli/cli.h"
 
 #include <dlfcn.h>
 #include <errno.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,16 +25,34 @@
 typedef tp_status (*draw_function)(const char *path, const tp_scene *scene,
                                    const tp_solution *solution, tp_message *message);
 
-/* Beside the program, as it is built; else where it is installed. It stays loaded: Fontconfig keeps
- * what it knows until the process ends. */
+/* Is it there, and of someone who could as well have replaced the program: its owner, this user, or
+ * the system's? A folder such as /tmp may hold the files of others. */
+static bool is_trusted(const char *path, const struct stat *program) {
+  struct stat own;
+  if (stat(path, &own) != 0 || !S_ISREG(own.st_mode)) return false;
+  const bool owner = own.st_uid == 0 || own.st_uid == geteuid() || own.st_uid == program->st_uid;
+  return owner && (own.st_mode & S_IWOTH) == 0;
+}
+
+/* Beside the program, as it is built; where it lies seen from the program, as it is installed,
+ * wherever to; else where it was meant to be installed. It stays loaded: Fontconfig keeps what it
+ * knows until the process ends. */
 static void *load_library(void) {
-  char path[PATH_MAX];
-  const ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof LIBRARY - 1);
+  static const char *const places[] = {LIBRARY, TP_LIBRARY_FROM_PROGRAM "/" LIBRARY};
+  char folder[PATH_MAX], path[2 * PATH_MAX];
+  struct stat program;
+  const ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
+  char *slash = NULL;
   if (length > 0) {
-    path[length] = '\0';
-    char *slash = strrchr(path, '/');
-    if (slash != NULL) strcpy(slash + 1, LIBRARY);
-    if (slash != NULL && access(path, R_OK) == 0) return dlopen(path, RTLD_NOW);
+    folder[length] = '\0';
+    slash = strrchr(folder, '/');
+  }
+  if (slash != NULL && stat("/proc/self/exe", &program) == 0) {
+    slash[1] = '\0';
+    for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
+      snprintf(path, sizeof path, "%s%s", folder, places[k]);
+      if (is_trusted(path, &program)) return dlopen(path, RTLD_NOW);
+    }
   }
   return dlopen(TP_LIBRARY_FOLDER "/" LIBRARY, RTLD_NOW);
 }
@@ -85,6 +107,10 @@ static tp_status await(pid_t process, int from, tp_message *message) {
     return told.status;
   }
   if (WIFEXITED(ended)) return fail(message, TP_OUT_OF_MEMORY, "its process gave up");
+  const int signal = WTERMSIG(ended);
+  if (signal != SIGSEGV && signal != SIGBUS && signal != SIGABRT) {
+    return fail(message, TP_SYSTEM_FAILED, "its process was ended from outside");
+  }
   return fail(message, TP_DEPENDENCY_FAILED,
               "Cairo or Fontconfig crashed, as they do where memory is short");
 }
@@ -95,9 +121,11 @@ tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution
   if (fflush(NULL) != 0 || pipe(ends) != 0) {
     return fail(message, TP_SYSTEM_FAILED, strerror(errno));
   }
-  const pid_t process = fork();
+  const pid_t parent = getpid(), process = fork();
   if (process == 0) {
     outcome own = {TP_OK, {""}};
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) _exit(TP_EXIT_SYSTEM); /* it has ended already */
     close(ends[0]);
     own.status = draw_here(path, scene, solution, &own.message);
     exit(write(ends[1], &own, sizeof own) == sizeof own ? 0 : TP_EXIT_SYSTEM);

@@ -7,9 +7,12 @@
 #include "cli/cli.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
+#include <stdio_ext.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct command {
   const char *name, *what;
@@ -26,7 +29,28 @@ enum { COMMANDS = sizeof commands / sizeof commands[0] };
 int tp_cli_print(const char *text) {
   if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
   tp_cli_complain("cannot write the report: %s", strerror(errno));
+  /* what is left is not tried again at the end */
+  __fpurge(stdout);
+  clearerr(stdout);
   return TP_EXIT_SYSTEM;
+}
+
+/* At the end, for what help and version wrote: a full disk is an error there too. */
+static void close_output(void) {
+  if (ferror(stdout) == 0 && fflush(stdout) == 0) return;
+  tp_cli_complain("cannot write to the standard output: %s", strerror(errno));
+  _exit(TP_EXIT_SYSTEM);
+}
+
+/* A standard stream that is closed would be the next file that is opened, and get what is meant for
+ * the stream. Reading and printing then fail; complaints go nowhere. */
+static bool open_standard_streams(void) {
+  static const int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
+  for (int k = STDIN_FILENO; k <= STDERR_FILENO; k++) {
+    if (fcntl(k, F_GETFD) >= 0 || errno != EBADF) continue;
+    if (open("/dev/null", modes[k]) != k) return false;
+  }
+  return true;
 }
 
 int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments) {
@@ -78,6 +102,7 @@ static int has_suffix(const char *text, const char *suffix) {
 }
 
 int main(int argc, char **argv) {
+  if (!open_standard_streams() || atexit(close_output) != 0) return TP_EXIT_SYSTEM;
   tp_cli_guard_memory();
   if (argc < 2) {
     print_help(stderr);

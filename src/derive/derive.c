@@ -8,6 +8,7 @@
 #include "derive/derive_rounding.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
+#include "host.h"
 #include "number/ball.h"
 
 #include <stdlib.h>
@@ -265,6 +266,13 @@ static tp_status fill(work *w, const tp_derive_options *options) {
 
 tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
                     const tp_derive_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, derivation);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
+  if ((int)options->notation < TP_NOTATION_TEXT || (int)options->notation > TP_NOTATION_C) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such notation");
+  }
   if (options->rounded) {
     const tp_status status = tp_derive_rounding_check(scene, message);
     if (status != TP_OK) return status;

@@ -17,6 +17,7 @@
 
 #include "derive/c_names.h"
 #include "derive/notation.h"
+#include "host.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -266,6 +267,12 @@ static tp_status fill(tp_family *family, const tp_scene *scene, tp_message *mess
 
 tp_status tp_derive_family(tp_family **family, const tp_scene *scene, tp_notation notation,
                            tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, family);
+  TP_REFUSE_NULL(message, scene);
+  if ((int)notation < TP_NOTATION_TEXT || (int)notation > TP_NOTATION_C) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such notation");
+  }
   const tp_status suits = tp_family_check(scene, message);
   if (suits != TP_OK) return suits;
   tp_family *own = calloc(1, sizeof *own);

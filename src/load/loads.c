@@ -2,6 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "load/loads.h"
+#include "clock.h"
 
 void tp_load_setting_init(tp_load_setting *s, const tp_scene *scene, bool mirrored, long bits) {
   *s = (tp_load_setting){.scene = scene, .mirrored = mirrored, .bits = bits};
@@ -54,6 +55,7 @@ static tp_load *next(tp_load **loads, tp_load_kind kind, tp_place place) {
   tp_load *own = (*loads)++;
   own->kind = kind;
   own->place = place;
+  own->began = tp_clock_now();
   return own;
 }
 

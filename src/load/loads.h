@@ -40,6 +40,7 @@ typedef struct tp_load {
   tp_load_kind kind;
   tp_place place;
   bool active, passive;
+  double began; /* by tp_clock_now */
   tp_wrench wrench;
 } tp_load;
 

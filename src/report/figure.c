@@ -4,6 +4,7 @@
 /* A solved scene as a figure. A solution holds no geometry: the problem is prepared again. */
 
 #include "report/figure.h"
+#include "host.h"
 
 #include <stdlib.h>
 
@@ -22,6 +23,10 @@ static tp_status draw_problem(const char *path, const tp_problem *problem,
 
 tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_solution *solution,
                            tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, solution);
   if (!tp_figure_is_file_name(path)) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
                    "a figure is of the kind that its name ends in: .svg, .pdf or .png");

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A figure into a file. It is drawn into memory and written when all of it is there, under a name
- * of its own beside the file, which is then renamed: the file is whole or as it was, and nothing is
- * left where the drawing ends the process. */
+/* A figure into a file. It is drawn into memory and written when all of it is there: the file is
+ * whole or as it was, and nothing is left where the drawing ends the process. */
 
 #include "message.h"
 #include "report/figure.h"
@@ -106,11 +105,17 @@ static cairo_status_t write_figure(tp_figure_kind kind, sink *s, const tp_figure
   return status;
 }
 
-static tp_status write_file(const char *path, const sink *s, tp_message *message) {
-  tp_file file;
-  const tp_status status = tp_file_open(&file, path, message);
-  if (status != TP_OK) return status;
-  return tp_file_close(&file, tp_file_write(&file, s->bytes, s->length, message), message);
+/* Not over a file that the scene was read from. */
+static tp_status write_file(const char *path, const sink *s, const tp_scene *scene,
+                            tp_message *message) {
+  const size_t count = 1 + (size_t)scene->file_count;
+  const char **read = calloc(count, sizeof *read);
+  if (read == NULL) return tp_fail_memory(message, "the names of files");
+  for (size_t k = 0; k < count; k++) read[k] = k == 0 ? scene->path : scene->files[k - 1];
+  const tp_status status =
+      tp_file_write(path, s->bytes, s->length, (tp_file_sources){count, read}, message);
+  free(read);
+  return status;
 }
 
 tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message *message) {
@@ -123,7 +128,7 @@ tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message 
     status = tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
                      "the figure cannot be drawn: %s", cairo_status_to_string(drawn));
   } else {
-    status = write_file(path, &s, message);
+    status = write_file(path, &s, figure->problem->scene, message);
   }
   free(s.bytes);
   return status;

@@ -15,5 +15,5 @@ tp_figure_kind tp_figure_kind_of(const char *path) {
 }
 
 bool tp_figure_is_file_name(const char *path) {
-  return tp_figure_kind_of(path) != TP_FIGURE_UNKNOWN;
+  return path != NULL && tp_figure_kind_of(path) != TP_FIGURE_UNKNOWN;
 }

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A file that appears whole or not at all: written under another name beside it, then renamed. */
+/* A file that appears whole or not at all: it is written under another name beside it, then
+ * renamed, by a thread that takes no signals meanwhile, so that nothing is left behind where the
+ * program is ended. As `cp` does, it writes to where a link leads, keeps the owner and the mode of
+ * a file that is there, refuses one that may not be written, and writes to a pipe or a device in
+ * place. So it does with a file of several names, and where the folder takes no new file or the
+ * owner cannot be kept: then after the room for it was reserved. */
 
 #ifndef TP_FILE_H
 #define TP_FILE_H
 
 #include "topple.h"
 
-typedef struct tp_file {
-  const char *path; /* borrowed */
-  char *temporary;
-  int descriptor; /* closed on exec */
-} tp_file;
+/* Files that are read, and must not be written to, by whatever name. */
+typedef struct tp_file_sources {
+  size_t count;
+  const char *const *paths;
+} tp_file_sources;
 
-TP_MUST_USE tp_status tp_file_open(tp_file *file, const char *path, tp_message *message);
-TP_MUST_USE tp_status tp_file_write(const tp_file *file, const char *text, size_t length,
-                                    tp_message *message);
-
-/* Keep the file if `status` is TP_OK, else remove what was written; always called after an open
- * that succeeded. Returns `status`, or what went wrong in keeping it. */
-TP_MUST_USE tp_status tp_file_close(tp_file *file, tp_status status, tp_message *message);
+TP_MUST_USE tp_status tp_file_write(const char *path, const char *bytes, size_t length,
+                                    tp_file_sources sources, tp_message *message);
 
 #endif

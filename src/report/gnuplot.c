@@ -3,110 +3,283 @@
 
 #define _GNU_SOURCE
 #include "report/gnuplot.h"
+#include "clock.h"
 #include "message.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
 #include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+enum { MOST_SECONDS = 60, MOST_BYTES = 256 << 20, COMPLAINT_SIZE = 400 };
+enum { COMMANDS, FIGURE, COMPLAINTS, STREAMS };
+
+/* gnuplot, and our ends of its standard streams; -1 when closed. */
 typedef struct child {
   pid_t process;
-  int commands, complaints; /* ours: to write to, to read from */
+  int ends[STREAMS];
+  const char *script; /* what is still to be told */
+  char *figure;
+  size_t length, capacity;
+  char complaint[COMPLAINT_SIZE];
+  size_t complained;
+  bool no_memory;
 } child;
 
 static tp_status fail(tp_message *message, const char *what, const char *why) {
   return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){0}, "%s: %s", what, why);
 }
 
-static int spawn(pid_t *process, int commands, int figure, int complaints) {
+static void close_all(int ends[STREAMS]) {
+  for (int k = 0; k < STREAMS; k++) {
+    if (ends[k] >= 0) close(ends[k]);
+    ends[k] = -1;
+  }
+}
+
+/* ---- starting it -------------------------------------------------------------------------------
+ */
+
+/* What the user has set for other programs would change the figure, or end in it: GNUTERM,
+ * GNUPLOT_LIB, POSIXLY_CORRECT, the language, the fonts of the home folder. */
+static char **environment(char *room[4]) {
+  static const char *const kept[] = {"PATH", "LD_LIBRARY_PATH"};
+  static char letters[] = "LC_ALL=C.UTF-8";
+  int count = 0;
+  for (size_t k = 0; k < sizeof kept / sizeof kept[0]; k++) {
+    for (char **own = environ; own != NULL && *own != NULL; own++) {
+      const size_t length = strlen(kept[k]);
+      if (strncmp(*own, kept[k], length) != 0 || (*own)[length] != '=') continue;
+      room[count++] = *own;
+      break;
+    }
+  }
+  room[count++] = letters;
+  room[count] = NULL;
+  return room;
+}
+
+static int set_streams(posix_spawn_file_actions_t *actions, const int theirs[STREAMS]) {
+  static const int standard[STREAMS] = {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO};
+  int why = 0;
+  for (int k = 0; k < STREAMS && why == 0; k++) {
+    why = posix_spawn_file_actions_adddup2(actions, theirs[k], standard[k]);
+  }
+  return why;
+}
+
+/* It takes every signal as a program does that is started anew. */
+static int set_signals(posix_spawnattr_t *attributes) {
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  int why = posix_spawnattr_setsigmask(attributes, &none);
+  if (why == 0) why = posix_spawnattr_setsigdefault(attributes, &all);
+  if (why == 0) {
+    why = posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  return why;
+}
+
+static int spawn(pid_t *process, const int theirs[STREAMS]) {
   char name[] = "gnuplot", settings[] = "-d"; /* none but its own settings */
   char *const arguments[] = {name, settings, NULL};
+  char *room[4];
   posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
   int why = posix_spawn_file_actions_init(&actions);
   if (why != 0) return why;
-  why = posix_spawn_file_actions_adddup2(&actions, commands, STDIN_FILENO);
-  if (why == 0) why = posix_spawn_file_actions_adddup2(&actions, figure, STDOUT_FILENO);
-  if (why == 0) why = posix_spawn_file_actions_adddup2(&actions, complaints, STDERR_FILENO);
-  if (why == 0) why = posix_spawnp(process, "gnuplot", &actions, NULL, arguments, environ);
+  why = posix_spawnattr_init(&attributes);
+  if (why == 0) {
+    why = set_streams(&actions, theirs);
+    if (why == 0) why = set_signals(&attributes);
+    if (why == 0) {
+      why = posix_spawnp(process, name, &actions, &attributes, arguments, environment(room));
+    }
+    posix_spawnattr_destroy(&attributes);
+  }
   posix_spawn_file_actions_destroy(&actions);
   return why;
 }
 
-static tp_status start(child *own, int figure, tp_message *message) {
-  int commands[2], complaints[2];
-  /* a pair of sockets, as writing to a pipe that gnuplot has left would end this process */
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, commands) != 0) {
-    return fail(message, "a pipe to gnuplot", strerror(errno));
+/* Above the standard streams, which the program may have closed, and which gnuplot's become. */
+static bool move_up(int ends[2]) {
+  for (int k = 0; k < 2; k++) {
+    if (ends[k] > STDERR_FILENO) continue;
+    const int moved = fcntl(ends[k], F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (moved < 0) return false;
+    close(ends[k]);
+    ends[k] = moved;
   }
-  if (pipe2(complaints, O_CLOEXEC) != 0) {
-    const int why = errno;
-    close(commands[0]);
-    close(commands[1]);
-    return fail(message, "a pipe from gnuplot", strerror(why));
+  return true;
+}
+
+/* Ours and theirs; a pair of sockets for the commands, as writing to a pipe that gnuplot has left
+ * would end this process. */
+static bool open_streams(int ours[STREAMS], int theirs[STREAMS]) {
+  for (int k = 0; k < STREAMS; k++) {
+    int pair[2];
+    const int opened = k == COMMANDS ? socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair)
+                                     : pipe2(pair, O_CLOEXEC);
+    if (opened != 0) return false;
+    const bool moved = move_up(pair);
+    ours[k] = pair[0];
+    theirs[k] = pair[1];
+    if (!moved || fcntl(ours[k], F_SETFL, O_NONBLOCK) != 0) return false;
   }
-  const int why = spawn(&own->process, commands[1], figure, complaints[1]);
-  close(commands[1]);
-  close(complaints[1]);
-  own->commands = commands[0];
-  own->complaints = complaints[0];
+  return true;
+}
+
+static tp_status start(child *own, tp_message *message) {
+  int theirs[STREAMS] = {-1, -1, -1};
+  for (int k = 0; k < STREAMS; k++) own->ends[k] = -1;
+  int why = open_streams(own->ends, theirs) ? 0 : errno;
+  const bool opened = why == 0;
+  if (opened) why = spawn(&own->process, theirs);
+  close_all(theirs);
   if (why == 0) return TP_OK;
-  close(commands[0]);
-  close(complaints[0]);
-  if (why != ENOENT) return fail(message, "gnuplot cannot be started", strerror(why));
+  close_all(own->ends);
+  if (!opened || why != ENOENT) return fail(message, "gnuplot cannot be started", strerror(why));
   return tp_fail(
       message, TP_SYSTEM_FAILED, (tp_place){0},
       "gnuplot, which draws the figures, is not installed: 'apt-get install gnuplot-nox' "
       "on Debian; the numbers of a chart need none: --output FILE.csv");
 }
 
-/* Until gnuplot has read all, or has given up; it then says why. */
-static void tell(const child *own, const char *script) {
-  size_t left = strlen(script);
-  while (left > 0) {
-    const ssize_t sent = send(own->commands, script, left, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) break;
-    script += sent;
-    left -= (size_t)sent;
-  }
-  close(own->commands);
+/* ---- talking to it -----------------------------------------------------------------------------
+ */
+
+static void close_end(child *own, int which) {
+  close(own->ends[which]);
+  own->ends[which] = -1;
 }
 
-/* The first line of what it complained about, and the end of the rest. */
-static void listen_to(const child *own, char *text, size_t size) {
-  char rest[512];
-  size_t length = 0;
-  for (;;) {
-    const bool room = length + 1 < size;
-    const ssize_t got =
-        read(own->complaints, room ? text + length : rest, room ? size - 1 - length : sizeof rest);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    if (room) length += (size_t)got;
+/* Until it has read all, or reads no more. */
+static void tell(child *own) {
+  const ssize_t sent = send(own->ends[COMMANDS], own->script, strlen(own->script), MSG_NOSIGNAL);
+  if (sent < 0 && (errno == EINTR || errno == EAGAIN)) return;
+  if (sent > 0) own->script += sent;
+  if (sent < 0 || *own->script == '\0') close_end(own, COMMANDS);
+}
+
+static void take(child *own, const char *bytes, size_t count) {
+  if (count > own->capacity - own->length) {
+    const size_t capacity = 2 * (own->capacity + count);
+    char *larger = capacity <= MOST_BYTES ? realloc(own->figure, capacity) : NULL;
+    own->no_memory = larger == NULL;
+    if (larger == NULL) return;
+    own->figure = larger;
+    own->capacity = capacity;
   }
-  text[length] = '\0';
-  close(own->complaints);
-  for (char *c = text; *c != '\0'; c++) {
+  memcpy(own->figure + own->length, bytes, count);
+  own->length += count;
+}
+
+static void listen_to(child *own, int which) {
+  char bytes[1 << 14];
+  const ssize_t got = read(own->ends[which], bytes, sizeof bytes);
+  if (got < 0 && (errno == EINTR || errno == EAGAIN)) return;
+  if (got <= 0) {
+    close_end(own, which);
+  } else if (which == FIGURE) {
+    take(own, bytes, (size_t)got);
+  } else {
+    const size_t room = sizeof own->complaint - 1 - own->complained;
+    const size_t kept = (size_t)got < room ? (size_t)got : room;
+    memcpy(own->complaint + own->complained, bytes, kept);
+    own->complained += kept;
+  }
+}
+
+/* Until it has closed what it writes to; false when it does nothing any more, or too much. */
+static bool talk(child *own) {
+  while (own->ends[FIGURE] >= 0 || own->ends[COMPLAINTS] >= 0) {
+    struct pollfd ends[STREAMS];
+    for (int k = 0; k < STREAMS; k++) {
+      ends[k] = (struct pollfd){own->ends[k], k == COMMANDS ? POLLOUT : POLLIN, 0};
+    }
+    const int ready = poll(ends, STREAMS, MOST_SECONDS * 1000);
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return false;
+    if (ends[COMMANDS].revents != 0) tell(own);
+    for (int k = FIGURE; k < STREAMS; k++) {
+      if (ends[k].revents != 0) listen_to(own, k);
+    }
+    if (own->no_memory) return false;
+  }
+  return true;
+}
+
+/* ---- ending it ---------------------------------------------------------------------------------
+ */
+
+/* How it ended: true when well. The program may have asked the system to forget its children; it is
+ * then judged by what it said. */
+static bool ended_well(const child *own, int ended, bool known) {
+  return known ? WIFEXITED(ended) && WEXITSTATUS(ended) == 0 : own->complained == 0;
+}
+
+/* Wait until it ends, not for ever; false when it does not. */
+static bool await(const child *own, bool *well) {
+  const double began = tp_clock_now();
+  for (;;) {
+    int ended = 0;
+    const pid_t found = waitpid(own->process, &ended, WNOHANG);
+    if (found == own->process || (found < 0 && errno == ECHILD)) {
+      *well = ended_well(own, ended, found > 0);
+      return true;
+    }
+    if (tp_clock_now() - began > MOST_SECONDS) return false;
+    poll(NULL, 0, 1);
+  }
+}
+
+static void end(const child *own) {
+  kill(own->process, SIGKILL);
+  while (waitpid(own->process, NULL, 0) < 0 && errno == EINTR) {
+  }
+}
+
+static tp_status complain(child *own, tp_message *message) {
+  for (char *c = own->complaint; *c != '\0'; c++) {
     if (*c == '\n' || *c == '\t') *c = ' ';
   }
+  return fail(message, "gnuplot failed",
+              own->complained > 0 ? own->complaint : "it drew nothing and said nothing");
 }
 
-tp_status tp_gnuplot_run(const tp_file *file, const char *script, tp_message *message) {
-  child own = {0};
-  tp_status status = start(&own, file->descriptor, message);
-  if (status != TP_OK) return status;
-  char complaint[400];
-  int ended = 0;
-  tell(&own, script);
-  listen_to(&own, complaint, sizeof complaint);
-  while (waitpid(own.process, &ended, 0) < 0 && errno == EINTR) {
+static tp_status have_drawn(child *own, tp_message *message) {
+  bool well = false;
+  const bool said = talk(own);
+  close_all(own->ends);
+  if (said && await(own, &well)) return well && own->length > 0 ? TP_OK : complain(own, message);
+  end(own);
+  if (own->no_memory) return tp_fail_memory(message, "the figure");
+  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){0},
+                 "gnuplot failed: it did nothing for %d seconds, and was ended; does 'gnuplot' "
+                 "work by itself?",
+                 (int)MOST_SECONDS);
+}
+
+tp_status tp_gnuplot_run(char **figure, size_t *length, const char *script, tp_message *message) {
+  child *own = calloc(1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "the figure");
+  own->script = script;
+  tp_status status = start(own, message);
+  if (status == TP_OK) status = have_drawn(own, message);
+  if (status == TP_OK) {
+    *figure = own->figure;
+    *length = own->length;
+  } else {
+    free(own->figure);
   }
-  if (WIFEXITED(ended) && WEXITSTATUS(ended) == 0 && lseek(file->descriptor, 0, SEEK_END) > 0) {
-    return TP_OK;
-  }
-  return fail(message, "gnuplot failed", complaint[0] != '\0' ? complaint : "it said nothing");
+  free(own);
+  return status;
 }

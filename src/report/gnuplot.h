@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Running gnuplot: its commands go in by a pipe, its figure comes out into a file. */
+/* Running gnuplot: its commands go in, its figure comes out. Neither its settings of the user nor
+ * the environment, but for where programs and libraries are, reach it. */
 
 #ifndef TP_GNUPLOT_H
 #define TP_GNUPLOT_H
 
-#include "report/file.h"
+#include "topple.h"
 
-/* Have gnuplot carry out `script`, which plots to its standard output, into the file. */
-TP_MUST_USE tp_status tp_gnuplot_run(const tp_file *file, const char *script, tp_message *message);
+/* Have gnuplot carry out `script`, which plots to its standard output. `*figure` is allocated with
+ * malloc. A gnuplot that neither reads nor writes for a minute is ended. */
+TP_MUST_USE tp_status tp_gnuplot_run(char **figure, size_t *length, const char *script,
+                                     tp_message *message);
 
 #endif

@@ -3,6 +3,7 @@
 
 /* What accuracy costs, as a page and as JSON. */
 
+#include "host.h"
 #include "report/json.h"
 #include "report/text.h"
 
@@ -65,6 +66,9 @@ static void add_models(tp_text *t, const tp_accuracy *a) {
 }
 
 tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, a);
   tp_text t = {0};
   if (a->title != NULL) {
     tp_encode_plain(&t, a->title);
@@ -112,6 +116,9 @@ static void add_json_run(tp_text *t, const tp_accuracy_run *run) {
 }
 
 tp_status tp_report_accuracy_json(char **text, const tp_accuracy *a) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, a);
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
   if (a->title != NULL) {

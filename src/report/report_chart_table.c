@@ -3,6 +3,7 @@
 
 /* A chart's numbers: as CSV, a row for every point, and as JSON. */
 
+#include "host.h"
 #include "report/json.h"
 #include "study/chart.h"
 
@@ -40,6 +41,9 @@ static void add_row(tp_text *t, const tp_chart *chart, const tp_chart_series *s,
 }
 
 tp_status tp_report_chart_csv(char **text, const tp_chart *chart) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, chart);
   tp_text t = {0};
   tp_text_add(&t, "panel");
   for (size_t k = 0; k < TP_CHART_KEYS && chart->key_names[k] != NULL; k++) {
@@ -85,6 +89,9 @@ static void add_json_point(tp_text *t, const tp_chart *chart, const tp_chart_poi
 }
 
 tp_status tp_report_chart_json(char **text, const tp_chart *chart) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, chart);
   tp_text t = {0};
   bool any = false;
   tp_text_add(&t, "{\n  \"topple\": \"" TP_VERSION "\",\n  \"chart\": \"%s\",\n  ", chart->kind);

@@ -4,6 +4,7 @@
 /* A verification as text. */
 
 #include "report/report_claims.h"
+#include "host.h"
 
 #include "report/encode.h"
 
@@ -98,6 +99,9 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
 }
 
 tp_status tp_report_verification(char **text, const tp_verification *v) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, v);
   tp_text t = {0};
   const char *const lines[] = {v->title, v->source};
   for (int k = 0; k < 2; k++) {

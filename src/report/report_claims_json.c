@@ -3,6 +3,7 @@
 
 /* A verification as JSON. */
 
+#include "host.h"
 #include "report/json.h"
 
 static void add_text(tp_text *t, const char *key, const char *text) {
@@ -61,6 +62,9 @@ static void add_claim(tp_text *t, const tp_claim_result *c) {
 }
 
 tp_status tp_report_verification_json(char **text, const tp_verification *v) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, v);
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  ", TP_VERSION);
   add_text(&t, "title", v->title);

@@ -4,6 +4,7 @@
 /* A verification as a page in Markdown: first what is refuted, disagrees or is cut off, then all.
  */
 
+#include "host.h"
 #include "report/report_claims.h"
 
 #include "report/encode.h"
@@ -77,6 +78,9 @@ static void add_row(tp_text *t, const tp_claim_result *c) {
 }
 
 tp_status tp_report_verification_markdown(char **text, const tp_verification *v) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, v);
   tp_text t = {0};
   tp_text_add(&t, "# ");
   tp_encode_markdown(&t, v->title != NULL ? v->title : "Claims");

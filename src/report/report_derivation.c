@@ -3,6 +3,7 @@
 
 /* A derivation as a page of text, as LaTeX, or as C. */
 
+#include "host.h"
 #include "report/c_arguments.h"
 #include "report/encode.h"
 #include "report/report_derived_limit.h"
@@ -195,6 +196,9 @@ static void write_c(tp_text *t, const tp_derivation *d) {
 }
 
 tp_status tp_report_derivation(char **text, const tp_derivation *derivation) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, derivation);
   tp_text t = {0};
   switch (derivation->notation) {
   case TP_NOTATION_TEXT:

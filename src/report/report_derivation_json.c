@@ -3,6 +3,7 @@
 
 /* A derivation as JSON. */
 
+#include "host.h"
 #include "report/json.h"
 #include "report/report_derived_limit.h"
 
@@ -65,6 +66,9 @@ static void add_rounded(tp_text *t, const tp_derivation *d) {
 }
 
 tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, derivation);
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"symbols\": [", TP_VERSION);
   for (size_t k = 0; k < derivation->symbol_count; k++) {

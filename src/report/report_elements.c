@@ -3,6 +3,7 @@
 
 /* The account of moments by elements, as Appendix A of the paper writes it. */
 
+#include "host.h"
 #include "report/page.h"
 
 #include <stdio.h>
@@ -45,6 +46,9 @@ static void add_account(tp_page *p, const tp_case *c) {
 }
 
 tp_status tp_report_elements(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
   tp_page p = {.solution = solution};
   tp_text_add(&p.text, "%s", "");
   for (size_t k = 0; k < solution->case_count; k++) add_account(&p, solution->cases + k);

@@ -4,6 +4,7 @@
 /* A family of formulas as text, LaTeX, C or JSON, with the reach of its proof in words. */
 
 #include "report/c_arguments.h"
+#include "host.h"
 #include "report/json.h"
 
 #include <string.h>
@@ -101,6 +102,9 @@ static void write_c(tp_text *t, const tp_family *f) {
 }
 
 tp_status tp_report_family(char **text, const tp_family *family) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, family);
   tp_text t = {0};
   switch (family->notation) {
   case TP_NOTATION_TEXT:
@@ -117,6 +121,9 @@ tp_status tp_report_family(char **text, const tp_family *family) {
 }
 
 tp_status tp_report_family_json(char **text, const tp_family *family) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, family);
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"count\": ", TP_VERSION);
   tp_encode_json(&t, family->count);

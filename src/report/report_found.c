@@ -3,12 +3,17 @@
 
 /* What back-analysis found. */
 
+#include "host.h"
 #include "report/json.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, options);
   tp_text t = {0};
   char number[TP_NUMBER_SIZE];
   tp_encode_plain(&t, f->key);
@@ -39,6 +44,10 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
 }
 
 tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, solution);
   char *solved = NULL;
   tp_status status = tp_report_json(&solved, solution);
   if (status != TP_OK) return status;

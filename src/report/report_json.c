@@ -3,6 +3,7 @@
 
 /* A solution as JSON: the contract of the program with other programs. */
 
+#include "host.h"
 #include "report/json.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
@@ -260,6 +261,9 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
 }
 
 tp_status tp_report_json(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
   tp_text t = {0};
   tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
   if (solution->title != NULL) {

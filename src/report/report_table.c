@@ -3,6 +3,7 @@
 
 /* Several solutions in one table. */
 
+#include "host.h"
 #include "report/encode.h"
 
 static void add_angle(tp_text *t, bool known, tp_bounded angle) {
@@ -34,6 +35,10 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
 }
 
 tp_status tp_report_table(char **text, const tp_solution *const *solutions, size_t count) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solutions);
+  for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
   tp_text t = {0};
   tp_text_add(&t, "| scene | towards | toe | moments | φ_b + i | base ends at the toe: limit | "
                   "mechanism | base goes on: limit | mechanism |\n"

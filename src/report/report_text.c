@@ -4,6 +4,7 @@
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
 #include "report/encode.h"
+#include "host.h"
 #include "report/report_digits.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
@@ -265,6 +266,9 @@ static void add_effects(tp_page *p) {
 }
 
 tp_status tp_report_text(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
   tp_page p = {.solution = solution};
   if (solution->title != NULL) {
     tp_encode_plain(&p.text, solution->title);

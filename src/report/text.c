@@ -25,6 +25,7 @@ void tp_text_add(tp_text *text, const char *format, ...) {
     if (data != NULL) {
       text->data = data;
       text->capacity = capacity;
+      data[text->length] = '\0'; /* also where nothing is added */
     }
   }
   if (!text->failed && added >= 0) {

@@ -3,6 +3,7 @@
 
 /* A scene file as a whole: units, parameters, tilt and friction. */
 
+#include "host.h"
 #include "scene/read.h"
 
 #include "outside.h"
@@ -240,6 +241,9 @@ static tp_status keep_nodes(tp_scene **scene, const char *path, tp_node *root,
 }
 
 tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, path);
   tp_node *root = NULL;
   const tp_status status = tp_node_read(&root, path, message);
   return status == TP_OK ? keep_nodes(scene, path, root, message) : status;
@@ -247,6 +251,10 @@ tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message)
 
 tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
                              tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, text);
+  TP_REFUSE_NULL(message, name);
   tp_node *root = NULL;
   const tp_status status = tp_node_read_text(&root, text, name, message);
   return status == TP_OK ? keep_nodes(scene, name, root, message) : status;

@@ -8,12 +8,21 @@
 
 #include "message.h"
 
-/* Seconds of a clock that never goes back. */
-double tp_effects_now(void);
+/* When an effect began, and the seconds of all effects noted by then. */
+typedef struct tp_effect_begin {
+  double now, noted;
+} tp_effect_begin;
 
-/* Note an effect that began at `since`; called for by a place in the scene, or where that has no
- * file, by `instead`. A name noted before adds its seconds up. */
+tp_effect_begin tp_effects_begin(const tp_solution *solution);
+
+/* Note an effect; called for by a place in the scene, or where that has no file, by `instead`. Its
+ * seconds are those since it began, without what other effects took that were noted since: no time
+ * counts twice. A name noted before adds its seconds up. */
 void tp_effects_note(tp_solution *solution, const char *name, tp_place place, const char *instead,
-                     double since);
+                     tp_effect_begin since);
+
+/* The same of an effect that took so many seconds. */
+void tp_effects_add(tp_solution *solution, const char *name, tp_place place, const char *instead,
+                    double seconds);
 
 #endif

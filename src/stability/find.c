@@ -13,9 +13,11 @@
  * come so close that the bound does not tell whether it touches it: a double solution, or none.
  * Where the result stays at the value, the ends of that stretch are bisected (find_level.c). */
 
+#include "host.h"
 #include "scene/key.h"
 #include "stability/find_search.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +26,7 @@ static const char *const targets[] = {"critical_angle", "fos",         "sliding_
 enum { TARGETS = sizeof targets / sizeof targets[0] };
 
 bool tp_find_target_read(tp_find_target *target, const char *name) {
+  if (target == NULL || name == NULL) return false;
   for (int k = 0; k < TARGETS; k++) {
     if (strcmp(name, targets[k]) != 0) continue;
     *target = (tp_find_target)k;
@@ -33,7 +36,7 @@ bool tp_find_target_read(tp_find_target *target, const char *name) {
 }
 
 const char *tp_find_target_name(tp_find_target target) {
-  return targets[target];
+  return (int)target >= 0 && (int)target < TARGETS ? targets[target] : "unknown";
 }
 
 void tp_found_free(tp_found *found) {
@@ -80,6 +83,19 @@ static tp_status check_target(const tp_search *s) {
 
 tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
                   tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, found);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
+  TP_REFUSE_NULL(message, options->key);
+  if ((int)options->target < 0 || (int)options->target >= TARGETS) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");
+  }
+  if (!isfinite(options->value) ||
+      (options->has_range && !isfinite(options->high - options->low))) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "the value to find for and the range to look in must be finite numbers");
+  }
   tp_search s = {.options = options, .scene = {.path = scene, .count = 1}, .message = message};
   s.scene.options = tp_solve_options_default();
   s.scene.options.digits = 15;

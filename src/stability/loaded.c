@@ -3,6 +3,7 @@
 
 #include "stability/loaded.h"
 
+#include "clock.h"
 #include "number/ball.h"
 #include "stability/effects.h"
 
@@ -104,10 +105,28 @@ void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
   arb_clear(angle);
 }
 
+/* Each load's own time; what they share goes to the first of them. */
+static void note_loads(tp_solution *solution, const tp_loaded *loaded, double evaluated,
+                       const tp_loads_description *d, tp_effect_begin began) {
+  for (long k = 1; k < loaded->count; k++) { /* without the weight */
+    const tp_load *own = loaded->items + k;
+    const double ended = k + 1 < loaded->count ? own[1].began : evaluated;
+    tp_effects_add(solution, tp_load_name(own->kind), own->place, "", ended - own->began);
+  }
+  if (loaded->count > 1) {
+    const tp_load *first = loaded->items + 1;
+    tp_effects_note(solution, tp_load_name(first->kind), first->place, "", began);
+  }
+  if (d->bond_kpa.given) tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
+  if (d->cohesion_kpa.given) {
+    tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
+  }
+}
+
 bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towards,
                     tp_solution *solution) {
   const tp_scene *scene = e->problem->scene;
-  const double began = tp_effects_now();
+  const tp_effect_begin began = tp_effects_begin(solution);
   *loaded = (tp_loaded){.mirrored = towards == TP_TOWARDS_RIGHT};
   loaded->items = calloc((size_t)tp_loads_count(&scene->loads), sizeof *loaded->items);
   if (loaded->items == NULL) return false;
@@ -119,6 +138,7 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   tp_load_setting_init(&setting, scene, loaded->mirrored, e->rung.bits);
   fill_setting(&setting, e);
   tp_loads_evaluate(loaded->items, &setting);
+  const double evaluated = tp_clock_now();
   set_range(loaded->range, &scene->loads.water, e->rung.bits);
   tp_load_setting_clear(&setting);
   for (long k = 0; k < loaded->count; k++) {
@@ -126,13 +146,8 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
     tp_trig_add(&loaded->sum.x, &own->wrench.x, e->rung.bits);
     tp_trig_add(&loaded->sum.y, &own->wrench.y, e->rung.bits);
     tp_trig_add(&loaded->sum.moment, &own->wrench.moment, e->rung.bits);
-    if (own->kind == TP_LOAD_WEIGHT) continue;
-    tp_effects_note(solution, tp_load_name(own->kind), own->place, "", began);
   }
-  const tp_loads_description *d = &scene->loads;
-  if (d->bond_kpa.given) tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
-  if (d->cohesion_kpa.given)
-    tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
+  note_loads(solution, loaded, evaluated, &scene->loads, began);
   return true;
 }
 

@@ -76,7 +76,7 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
                                const tp_solve_options *options, tp_solution *solution,
                                tp_message *message) {
   const tp_section *section = &problem->section;
-  const double began = tp_effects_now();
+  const tp_effect_begin began = tp_effects_begin(solution);
   tp_status status = TP_OK;
   if (tp_lattice_work(&problem->lattice) > most_work) {
     return tp_fail(
@@ -102,7 +102,7 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
 static tp_status round_corners(tp_problem *problem, const tp_solve_options *options,
                                tp_solution *solution, tp_message *message) {
   const tp_scene *scene = problem->scene;
-  const double began = tp_effects_now();
+  const tp_effect_begin began = tp_effects_begin(solution);
   const tp_status status = tp_corners_init(&problem->corners, &scene->block, &problem->section,
                                            &problem->lattice, scene->metres_per_unit, message);
   tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began);
@@ -192,7 +192,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
                          tp_geom_triangulation *triangulation, tp_solution *solution,
                          tp_message *message) {
   const tp_scene *scene = problem->scene;
-  double began = tp_effects_now();
+  tp_effect_begin began = tp_effects_begin(solution);
   tp_status status = tp_section_init(&problem->section, &scene->block, message);
   if (status == TP_OK) status = tp_base_init(&problem->base, scene, &problem->section, message);
   if (status == TP_OK) status = put_on_lattice(problem, message);
@@ -202,7 +202,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status != TP_OK) return status;
   tp_effects_note(solution, "outline", scene->block.place, "", began);
   if (scene->block.arc_count > 0) {
-    began = tp_effects_now();
+    began = tp_effects_begin(solution);
     status = tp_arcs_check(&problem->section, &problem->lattice, &scene->block,
                            scene->metres_per_unit, message);
     tp_effects_note(solution, "arcs", scene->block.arcs[0].place, "", began);
@@ -213,7 +213,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
     if (status != TP_OK) return status;
   }
 
-  began = tp_effects_now();
+  began = tp_effects_begin(solution);
   status = tp_contact_init(&problem->contact, &problem->section, &problem->corners, &problem->base,
                            &problem->lattice, message);
   if (status == TP_OK) status = find_pivots(problem, message);

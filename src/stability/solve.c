@@ -4,6 +4,7 @@
 /* A scene in, the stability of its block out. */
 
 #include "stability/solve.h"
+#include "host.h"
 #include "number/ladder.h"
 #include "stability/effects.h"
 #include "stability/loaded.h"
@@ -41,13 +42,13 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
   bool done = true;
-  double began = tp_effects_now();
+  tp_effect_begin began = tp_effects_begin(c->solution);
   tp_evaluate_pivots(evaluation, own, &toppling);
   if (c->problem->corners.count > 0) tp_evaluate_rolling(evaluation, own, &toppling);
   tp_effects_note(c->solution, "toppling", scene->tilt_place, "both directions, as none is given",
                   began);
   if (scene->friction_angle_deg.given) {
-    began = tp_effects_now();
+    began = tp_effects_begin(c->solution);
     tp_evaluate_sliding(evaluation, own, &sliding);
     tp_evaluate_toe(evaluation, own, &toppling);
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
@@ -55,7 +56,7 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
   const bool certain = evaluation->certain;
   evaluation->certain = true;
   if (scene->friction_angle_deg.given && c->options->limit && !kept->settled) {
-    began = tp_effects_now();
+    began = tp_effects_begin(c->solution);
     done = tp_evaluate_limit(evaluation, own, &kept->limit, &kept->back);
     tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
   }
@@ -96,7 +97,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .certain = true,
                               .work = c->work,
                               .settled = {c->settled[0], c->settled[1]}};
-  const double began = tp_effects_now();
+  const tp_effect_begin began = tp_effects_begin(c->solution);
   tp_moments_init(&evaluation.moments);
   arb_init(evaluation.weight_per_area_pa);
   tp_evaluate_moments(&evaluation);
@@ -137,13 +138,8 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
     tp_direction_ball_init(&kept[d].back);
   }
   tp_work work = {.spent = 0};
-  climb c = {problem,
-             options,
-             solution,
-             {calloc(points, 1), calloc(points, 1)},
-             message,
-             kept,
-             &work};
+  climb c = {problem, options, solution, {calloc(points, 1), calloc(points, 1)},
+             message, kept,    &work};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
   if (c.settled[0] == NULL || c.settled[1] == NULL) {
@@ -185,6 +181,10 @@ static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_sol
 
 tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve_options *options,
                    tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, solution);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
   if (options->digits < 1 || options->digits > TP_DIGITS_MAX) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and %d",
                    TP_DIGITS_MAX);

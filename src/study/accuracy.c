@@ -3,8 +3,8 @@
 
 #include "study/accuracy.h"
 
+#include "clock.h"
 #include "number/ball.h"
-#include "stability/effects.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -57,7 +57,7 @@ const char *tp_accuracy_method_name(tp_accuracy_method method) {
   static const char *const names[TP_ACCURACY_METHODS] = {"boundary sums", "triangles",
                                                          "rounding, paper's model",
                                                          "rounding, exact model", "limit analysis"};
-  return names[method];
+  return (int)method >= 0 && (int)method < TP_ACCURACY_METHODS ? names[method] : "unknown";
 }
 
 tp_accuracy *tp_accuracy_new(void) {
@@ -69,6 +69,8 @@ void tp_accuracy_free(tp_accuracy *accuracy) {
   free(accuracy->title);
   free(accuracy->runs);
   free(accuracy->values);
+  for (size_t k = 0; k < accuracy->source_count; k++) free(accuracy->sources[k]);
+  free(accuracy->sources);
   free(accuracy);
 }
 
@@ -99,17 +101,17 @@ static tp_status time_way(double *seconds, arb_t degrees, bool *found, const tp_
                           tp_rung rung) {
   enum { MOST_SAMPLES = 7 };
   static const double sample_s = 2e-3, long_s = 0.1, very_long_s = 1;
-  double samples[MOST_SAMPLES], began = tp_effects_now();
+  double samples[MOST_SAMPLES], began = tp_clock_now();
   tp_status status = way->evaluate(degrees, found, way->subject, rung);
-  const double once = tp_effects_now() - began;
+  const double once = tp_clock_now() - began;
   const int count = once > very_long_s ? 0 : once > long_s ? 2 : MOST_SAMPLES;
   const long repeats = once < sample_s ? (long)ceil(sample_s / fmax(once, 1e-8)) : 1;
   for (int s = 0; s < count && status == TP_OK && *found; s++) {
-    began = tp_effects_now();
+    began = tp_clock_now();
     for (long k = 0; k < repeats && status == TP_OK; k++) {
       status = way->evaluate(degrees, found, way->subject, rung);
     }
-    samples[s] = (tp_effects_now() - began) / (double)repeats;
+    samples[s] = (tp_clock_now() - began) / (double)repeats;
   }
   qsort(samples, (size_t)count, sizeof *samples, compare);
   *seconds = count > 0 ? samples[count / 2] : once;

@@ -4,6 +4,7 @@
 /* What accuracy costs, as charts: a scene's time against certain digits, with a hair line from the
  * digits that are proven to those that are right; a sweep's time and digits against size. */
 
+#include "host.h"
 #include "study/accuracy.h"
 #include "study/chart.h"
 
@@ -224,17 +225,23 @@ static void draw_sweep(tp_chart *chart, const tp_accuracy *a) {
   }
 }
 
-tp_status tp_chart_accuracy(tp_chart **chart, const tp_accuracy *a, tp_message *message) {
-  tp_chart *own = tp_chart_new(a->sweep ? "accuracy by size" : "accuracy", keys,
-                               a->sweep ? "vertices" : "certain_digits",
-                               a->sweep ? "ns_per_vertex_or_digits" : "microseconds", notes);
+tp_status tp_chart_accuracy(tp_chart **chart, const tp_accuracy *accuracy, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, accuracy);
+  tp_chart *own = tp_chart_new(accuracy->sweep ? "accuracy by size" : "accuracy", keys,
+                               accuracy->sweep ? "vertices" : "certain_digits",
+                               accuracy->sweep ? "ns_per_vertex_or_digits" : "microseconds", notes);
   if (own == NULL) {
-    return TP_OUT_OF_MEMORY;
+    return tp_fail_memory(message, "the chart");
   }
-  if (a->sweep) {
-    draw_sweep(own, a);
+  for (size_t k = 0; k < accuracy->source_count; k++) {
+    tp_chart_add_source(own, accuracy->sources[k]);
+  }
+  if (accuracy->sweep) {
+    draw_sweep(own, accuracy);
   } else {
-    draw_scene(own, a);
+    draw_scene(own, accuracy);
   }
   return tp_chart_finish(own, chart, message);
 }

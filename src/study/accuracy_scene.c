@@ -3,6 +3,7 @@
 
 /* The ways of a scene. Rounded corners are three questions: the sharp block, and both models. */
 
+#include "host.h"
 #include "message.h"
 #include "stability/solve.h"
 #include "study/accuracy_ways.h"
@@ -114,10 +115,27 @@ tp_status tp_accuracy_add_scene(tp_accuracy *accuracy, const tp_scene *scene, un
   return status;
 }
 
+/* The files that the scene was read from. */
+static tp_status keep_sources(tp_accuracy *accuracy, const tp_scene *scene, tp_message *message) {
+  const size_t count = 1 + (size_t)scene->file_count;
+  accuracy->sources = calloc(count, sizeof *accuracy->sources);
+  if (accuracy->sources == NULL) return tp_fail_memory(message, "the names of files");
+  for (; accuracy->source_count < count; accuracy->source_count++) {
+    const size_t k = accuracy->source_count;
+    accuracy->sources[k] = strdup(k == 0 ? scene->path : scene->files[k - 1]);
+    if (accuracy->sources[k] == NULL) return tp_fail_memory(message, "the names of files");
+  }
+  return TP_OK;
+}
+
 tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, accuracy);
+  TP_REFUSE_NULL(message, scene);
   tp_accuracy *own = tp_accuracy_new();
   if (own == NULL) return tp_fail_memory(message, "the account of accuracy");
-  tp_status status = tp_accuracy_add_scene(own, scene, ~0U, false, message);
+  tp_status status = keep_sources(own, scene, message);
+  if (status == TP_OK) status = tp_accuracy_add_scene(own, scene, ~0U, false, message);
   if (status == TP_OK && scene->title != NULL) {
     own->title = strdup(scene->title);
     if (own->title == NULL) status = tp_fail_memory(message, "the title");

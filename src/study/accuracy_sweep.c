@@ -4,6 +4,7 @@
 /* The ways of rough blocks of growing size. The sums are measured on bare coordinates, without the
  * scene and the checks of a block: ten million vertices would not fit in memory with them. */
 
+#include "host.h"
 #include "message.h"
 #include "study/accuracy_ways.h"
 #include "study/rough_outline.h"
@@ -128,6 +129,8 @@ static tp_status add_limit(tp_accuracy *accuracy, size_t count, tp_message *mess
 
 tp_status tp_accuracy_sweep(tp_accuracy **accuracy, size_t least, size_t most,
                             tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, accuracy);
   enum { LEAST = 10, MOST = 10000000 };
   if (least < LEAST || most > MOST || least > most) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},

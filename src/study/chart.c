@@ -49,6 +49,12 @@ void tp_chart_set_title(tp_chart *chart, const char *title) {
   chart->title = copy(chart, title);
 }
 
+void tp_chart_add_source(tp_chart *chart, const char *path) {
+  char **source =
+      grow(chart, (void **)&chart->sources, &chart->source_count, sizeof *chart->sources);
+  if (source != NULL) *source = copy(chart, path);
+}
+
 void tp_chart_add_panel(tp_chart *chart, const char *title, tp_panel_axis x, tp_panel_axis y) {
   tp_chart_panel *panel =
       grow(chart, (void **)&chart->panels, &chart->panel_count, sizeof *chart->panels);
@@ -139,6 +145,8 @@ void tp_chart_free(tp_chart *chart) {
   for (size_t k = 0; k < chart->series_count; k++) free_series(chart->series + k);
   for (size_t k = 0; k < chart->label_count; k++) free(chart->labels[k].text);
   for (size_t k = 0; k < chart->legend_count; k++) free(chart->legend[k].text);
+  for (size_t k = 0; k < chart->source_count; k++) free(chart->sources[k]);
+  free(chart->sources);
   free(chart->panels);
   free(chart->series);
   free(chart->labels);

@@ -97,12 +97,13 @@ struct tp_chart {
   char *x_name, *y_name;
   size_t columns; /* panels in a row */
   double panel_width_mm, panel_height_mm;
-  size_t panel_count, series_count, label_count, legend_count;
+  size_t panel_count, series_count, label_count, legend_count, source_count;
   tp_chart_panel *panels;
   tp_chart_series *series;
   tp_chart_label *labels;
   tp_chart_legend *legend;
-  bool failed; /* memory was exhausted; the rest is dropped */
+  char **sources; /* files that it was computed from */
+  bool failed;    /* memory was exhausted; the rest is dropped */
 };
 
 /* NULL when memory is exhausted. The names of keys and notes end in NULL and outlive the chart. */
@@ -110,6 +111,9 @@ tp_chart *tp_chart_new(const char *kind, const char *const *keys, const char *x,
                        const char *const *notes);
 
 void tp_chart_set_title(tp_chart *chart, const char *title);
+
+/* A file that the chart was computed from, and must not be written to. */
+void tp_chart_add_source(tp_chart *chart, const char *path);
 void tp_chart_add_panel(tp_chart *chart, const char *title, tp_panel_axis x, tp_panel_axis y);
 
 /* A series in the last panel, with a value for each key name; the calls after it add to it. */

@@ -6,6 +6,7 @@
  * A^2/(12 y^2); or with the alpha_crit of the exact block. The examples of Table 6 lie on the
  * curves. */
 
+#include "host.h"
 #include "message.h"
 #include "study/chart.h"
 #include "study/teeth.h"
@@ -47,6 +48,10 @@ typedef struct drawing {
 
 static tp_status check_list(const tp_chart_list *list, const char *name, double least, double most,
                             tp_message *message) {
+  if (list->count > TP_CHART_LIST_MAX) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: %zu of them; a list holds at most %d",
+                   name, list->count, (int)TP_CHART_LIST_MAX);
+  }
   for (size_t k = 0; k < list->count; k++) {
     if (list->values[k] >= least && list->values[k] <= most) continue;
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s of %g: it must lie between %g and %g",
@@ -56,6 +61,10 @@ static tp_status check_list(const tp_chart_list *list, const char *name, double 
 }
 
 static tp_status check(const tp_chart_fos_options *o, tp_message *message) {
+  if (o->inverse_slenderness.count == 0 || o->amplitude.count == 0) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "give an inverse slenderness and a relative amplitude at least");
+  }
   tp_status status =
       check_list(&o->inverse_slenderness, "an inverse slenderness", 1e-3, 10, message);
   if (status == TP_OK) status = check_list(&o->amplitude, "a relative amplitude", 0, 0.5, message);
@@ -205,6 +214,9 @@ static void add_legend(const drawing *d) {
 }
 
 tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, options);
   tp_status status = check(options, message);
   if (status != TP_OK) return status;
   const size_t rows = options->sub_blocks.count > 0 ? options->sub_blocks.count : 1;

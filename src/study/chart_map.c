@@ -4,11 +4,13 @@
 /* The mechanism map of any scene, along one or two of its numbers: what is asked, and what it is
  * asked of. */
 
+#include "host.h"
 #include "outside.h"
 #include "scene/key.h"
 #include "study/map.h"
 #include "study/mechanism_style.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,10 +25,10 @@ static bool is_tilt(const tp_chart_axis *axis) {
 
 static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
   const double from = axis->range.from, to = axis->range.to;
-  if (!(from < to)) {
+  if (!(from < to && isfinite(to - from))) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
-                   "%s goes from %g to %g; the range must rise", tp_quote_all(axis->key).text, from,
-                   to);
+                   "%s goes from %g to %g; the range must rise, and end",
+                   tp_quote_all(axis->key).text, from, to);
   }
   if (is_tilt(axis) && !(from >= 0 && to <= 90)) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
@@ -124,6 +126,16 @@ static void add_legend(tp_chart *chart, bool along_one) {
   }
 }
 
+/* The chart must not be written over what it is computed from. */
+static void add_sources(tp_map *map) {
+  tp_scene *read = NULL;
+  map->status = tp_scene_from_nodes(&read, map->scene.path, map->scene.root, map->message);
+  if (map->status != TP_OK) return;
+  tp_chart_add_source(map->chart, read->path);
+  for (long k = 0; k < read->file_count; k++) tp_chart_add_source(map->chart, read->files[k]);
+  tp_scene_free(read);
+}
+
 static void draw(tp_map *map) {
   const tp_chart_map_options *o = map->options;
   const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
@@ -134,6 +146,8 @@ static void draw(tp_map *map) {
     map->status = tp_fail_memory(map->message, "the chart");
     return;
   }
+  add_sources(map);
+  if (map->status != TP_OK) return;
   map->chart->panel_width_mm = 72;
   map->chart->panel_height_mm = 62;
   char labels[2][LABEL_SIZE];
@@ -150,6 +164,12 @@ static void draw(tp_map *map) {
 }
 
 tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, options);
+  TP_REFUSE_NULL(message, options->scene);
+  TP_REFUSE_NULL(message, options->x.key);
+  TP_REFUSE_NULL(message, options->y.key);
   tp_message own = {""};
   tp_map map = {.options = options, .scene = {.path = options->scene}, .message = &own};
   map.scene.options = tp_solve_options_default();

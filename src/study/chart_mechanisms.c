@@ -5,6 +5,7 @@
  * Alejano et al.), with the four blocks of Table 7. Borders: it slides beyond phi, or phi + i; it
  * topples beyond the critical angle of the exact block (N = 2; an even N makes no difference). */
 
+#include "host.h"
 #include "message.h"
 #include "study/dynamic_border.h"
 #include "study/mechanism_style.h"
@@ -214,6 +215,9 @@ static void add_legend(tp_chart *chart) {
 
 tp_status tp_chart_mechanisms(tp_chart **chart, const tp_chart_mechanisms_options *options,
                               tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, options);
   tp_status status = check(options, message);
   if (status != TP_OK) return status;
   const double most = options->friction_deg + options->roughness_angle_deg;

@@ -6,6 +6,7 @@
  * two series: N = 2, 3, 4, 7, and lambda / dx = 1, 1/2, 1/5, 1/10, which is N = 2, 4, 10, 20. As
  * the angle of an even N does not depend on N, the lower panels show what an odd N adds to it. */
 
+#include "host.h"
 #include "message.h"
 #include "study/chart.h"
 #include "study/teeth.h"
@@ -161,6 +162,8 @@ static void add_legend(tp_chart *chart) {
 }
 
 tp_status tp_chart_ranges(tp_chart **chart, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
   drawing d = {.message = message};
   d.chart = tp_chart_new("ranges",
                          (const char *const[]){"series", "inverse_slenderness", "sub_blocks",

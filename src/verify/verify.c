@@ -4,6 +4,7 @@
 /* Verdicts on the claims of a file. */
 
 #include "derive/field_work.h"
+#include "host.h"
 #include "verify/claims.h"
 #include "verify/decide.h"
 #include "verify/domain.h"
@@ -14,11 +15,11 @@
 const char *tp_verdict_name(tp_verdict verdict) {
   static const char *const names[TP_VERDICTS] = {"proven",  "agrees",    "truncated",
                                                  "refuted", "disagrees", "undecided"};
-  return names[verdict];
+  return (int)verdict >= 0 && (int)verdict < TP_VERDICTS ? names[verdict] : "unknown";
 }
 
 bool tp_verification_objects(const tp_verification *v) {
-  return v->tally[TP_VERDICT_REFUTED] + v->tally[TP_VERDICT_DISAGREES] > 0;
+  return v == NULL || v->tally[TP_VERDICT_REFUTED] + v->tally[TP_VERDICT_DISAGREES] > 0;
 }
 
 void tp_verification_free(tp_verification *v) {
@@ -231,10 +232,17 @@ static tp_status start(tp_verification **verification, const char *path, const c
 }
 
 tp_status tp_verify(tp_verification **verification, const char *path, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, verification);
+  TP_REFUSE_NULL(message, path);
   return start(verification, path, NULL, message);
 }
 
 tp_status tp_verify_text(tp_verification **verification, const char *text, const char *name,
                          tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, verification);
+  TP_REFUSE_NULL(message, text);
+  TP_REFUSE_NULL(message, name);
   return start(verification, name, text, message);
 }

@@ -392,7 +392,7 @@ class Errors(Chart):
         self.refuse(5, "cannot be written", "fos", "--output", self.folder / "none" / "a.svg")
         self.refuse(5, "cannot be written", "fos", "--output", self.folder / "none" / "a.csv")
         (self.folder / "taken.svg").mkdir()
-        self.refuse(5, "no regular file", "fos", "--output", self.folder / "taken.svg")
+        self.refuse(5, "Is a directory", "fos", "--output", self.folder / "taken.svg")
 
     def run_with_path(self, path, output):
         return subprocess.run([PROGRAM, "chart", "fos", "--output", output], cwd=ROOT, check=False,

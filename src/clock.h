@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#ifndef TP_CLOCK_H
+#define TP_CLOCK_H
+
+/* Seconds of a clock that never goes back. */
+double tp_clock_now(void);
+
+#endif

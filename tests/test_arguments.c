@@ -1,0 +1,371 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Arguments that no call can do anything with: NULL for every pointer in turn, counts beyond their
+ * arrays, values outside of their enumeration, numbers that are none.
+ *
+ * `tp_chart_fos` read past the end of its lists, and NULL ended the program of whoever passed it.
+ * Every call says what is wrong, names the argument, and leaves its outputs alone. */
+
+#include "runner.h"
+
+#include "topple.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXAMPLE(name) TP_EXAMPLES "/" name
+
+static tp_message message;
+
+/* An output that must not be written to. */
+static char untouched;
+#define UNTOUCHED(type) ((type *)(void *)&untouched)
+
+/* The call is refused, and says what of. */
+#define REFUSED(call, named)                                                                       \
+  do {                                                                                             \
+    message.text[0] = '\0';                                                                        \
+    ck_assert_int_eq(call, TP_BAD_INPUT);                                                          \
+    ck_assert_msg(strstr(message.text, named) != NULL, "%s: '%s'", #call, message.text);           \
+  } while (false)
+
+/* The same of a report, which has no message. */
+#define UNWRITTEN(call) ck_assert_int_eq(call, TP_BAD_INPUT)
+
+static tp_scene *read_scene(void) {
+  tp_scene *scene = NULL;
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), TP_OK);
+  return scene;
+}
+
+static tp_solution *solve(const tp_scene *scene) {
+  tp_solution *solution = NULL;
+  const tp_solve_options options = tp_solve_options_default();
+  ck_assert_int_eq(tp_solve(&solution, scene, &options, &message), TP_OK);
+  return solution;
+}
+
+START_TEST(scenes) {
+  tp_scene *scene = UNTOUCHED(tp_scene);
+  REFUSED(tp_scene_read(NULL, "x", &message), "'scene'");
+  REFUSED(tp_scene_read(&scene, NULL, &message), "'path'");
+  REFUSED(tp_scene_read_text(NULL, "x", "x", &message), "'scene'");
+  REFUSED(tp_scene_read_text(&scene, NULL, "x", &message), "'text'");
+  REFUSED(tp_scene_read_text(&scene, "x", NULL, &message), "'name'");
+  ck_assert_int_eq(tp_scene_read(&scene, "/no/such/file", NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_scene_read_text(&scene, "x", "x", NULL), TP_BAD_INPUT);
+  ck_assert_ptr_eq(scene, UNTOUCHED(tp_scene));
+  tp_scene_free(NULL);
+}
+END_TEST
+
+START_TEST(solutions) {
+  tp_scene *scene = read_scene();
+  tp_solution *own = solve(scene), *solution = UNTOUCHED(tp_solution);
+  tp_solve_options options = tp_solve_options_default();
+  char *text = &untouched;
+  REFUSED(tp_solve(NULL, scene, &options, &message), "'solution'");
+  REFUSED(tp_solve(&solution, NULL, &options, &message), "'scene'");
+  REFUSED(tp_solve(&solution, scene, NULL, &message), "'options'");
+  static const int digits[] = {0, -1, TP_DIGITS_MAX + 1, 2147483647, -2147483647 - 1};
+  for (size_t k = 0; k < sizeof digits / sizeof digits[0]; k++) {
+    options.digits = digits[k];
+    REFUSED(tp_solve(&solution, scene, &options, &message), "digits");
+  }
+  options = tp_solve_options_default();
+  for (int k = -1; k <= TP_LEVELS; k += TP_LEVELS + 1) {
+    options.level = (tp_level)k;
+    REFUSED(tp_solve(&solution, scene, &options, &message), "level");
+    ck_assert_str_eq(tp_level_name((tp_level)k), "unknown");
+  }
+  ck_assert_ptr_eq(solution, UNTOUCHED(tp_solution));
+  ck_assert(tp_solution_is_undecided(NULL));
+  tp_level level = TP_LEVEL_BALL;
+  ck_assert(!tp_level_read(NULL, "ball") && !tp_level_read(&level, NULL));
+  const tp_solution *const two[2] = {own, NULL};
+  UNWRITTEN(tp_report_text(NULL, own));
+  UNWRITTEN(tp_report_text(&text, NULL));
+  UNWRITTEN(tp_report_elements(NULL, own));
+  UNWRITTEN(tp_report_elements(&text, NULL));
+  UNWRITTEN(tp_report_json(NULL, own));
+  UNWRITTEN(tp_report_json(&text, NULL));
+  UNWRITTEN(tp_report_table(NULL, two, 1));
+  UNWRITTEN(tp_report_table(&text, NULL, 1));
+  UNWRITTEN(tp_report_table(&text, two, 2));
+  REFUSED(tp_report_figure(NULL, scene, own, &message), "'path'");
+  REFUSED(tp_report_figure("/tmp/x.svg", NULL, own, &message), "'scene'");
+  REFUSED(tp_report_figure("/tmp/x.svg", scene, NULL, &message), "'solution'");
+  ck_assert(!tp_figure_is_file_name(NULL));
+  ck_assert_ptr_eq(text, &untouched);
+  tp_solution_free(NULL);
+  tp_solution_free(own);
+  tp_scene_free(scene);
+}
+END_TEST
+
+START_TEST(back_analysis) {
+  const tp_find_options good = {
+      .key = "block.slab.width", .target = TP_FIND_CRITICAL_ANGLE, .value = 20};
+  const char *path = EXAMPLE("slab_left.yaml");
+  tp_find_options bad = good;
+  tp_found *found = UNTOUCHED(tp_found), *own = NULL;
+  char *text = &untouched;
+  REFUSED(tp_find(NULL, path, &good, &message), "'found'");
+  REFUSED(tp_find(&found, NULL, &good, &message), "'scene'");
+  REFUSED(tp_find(&found, path, NULL, &message), "'options'");
+  bad.key = NULL;
+  REFUSED(tp_find(&found, path, &bad, &message), "key");
+  for (int k = -1; k <= TP_FIND_LIMIT_FOS + 1; k += TP_FIND_LIMIT_FOS + 2) {
+    bad = good;
+    bad.target = (tp_find_target)k;
+    REFUSED(tp_find(&found, path, &bad, &message), "result");
+    ck_assert_str_eq(tp_find_target_name(bad.target), "unknown");
+  }
+  static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
+  for (size_t k = 0; k < 3; k++) {
+    bad = good;
+    bad.value = no_numbers[k];
+    REFUSED(tp_find(&found, path, &bad, &message), "finite");
+    bad = (tp_find_options){.key = good.key, .value = 20, .has_range = true, .high = no_numbers[k]};
+    REFUSED(tp_find(&found, path, &bad, &message), "finite");
+    bad.low = no_numbers[k];
+    REFUSED(tp_find(&found, path, &bad, &message), "finite");
+  }
+  ck_assert_ptr_eq(found, UNTOUCHED(tp_found));
+  tp_find_target target = TP_FIND_FOS;
+  ck_assert(!tp_find_target_read(NULL, "fos") && !tp_find_target_read(&target, NULL));
+  tp_scene *scene = read_scene();
+  tp_solution *solution = solve(scene);
+  ck_assert_int_eq(tp_find(&own, path, &good, &message), TP_OK);
+  UNWRITTEN(tp_report_found(NULL, own, &good));
+  UNWRITTEN(tp_report_found(&text, NULL, &good));
+  UNWRITTEN(tp_report_found(&text, own, NULL));
+  UNWRITTEN(tp_report_found_json(NULL, own, solution));
+  UNWRITTEN(tp_report_found_json(&text, NULL, solution));
+  UNWRITTEN(tp_report_found_json(&text, own, NULL));
+  ck_assert_ptr_eq(text, &untouched);
+  tp_found_free(NULL);
+  tp_found_free(own);
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+}
+END_TEST
+
+START_TEST(formulas) {
+  tp_scene *scene = read_scene();
+  tp_derivation *derivation = UNTOUCHED(tp_derivation), *own = NULL;
+  tp_family *family = UNTOUCHED(tp_family);
+  tp_derive_options options = tp_derive_options_default();
+  char *text = &untouched;
+  REFUSED(tp_derive(NULL, scene, &options, &message), "'derivation'");
+  REFUSED(tp_derive(&derivation, NULL, &options, &message), "'scene'");
+  REFUSED(tp_derive(&derivation, scene, NULL, &message), "'options'");
+  REFUSED(tp_derive_family(NULL, scene, TP_NOTATION_TEXT, &message), "'family'");
+  REFUSED(tp_derive_family(&family, NULL, TP_NOTATION_TEXT, &message), "'scene'");
+  ck_assert_int_eq(tp_derive(&own, scene, &options, &message), TP_OK);
+  options.notation = (tp_notation)3;
+  REFUSED(tp_derive(&derivation, scene, &options, &message), "notation");
+  REFUSED(tp_derive_family(&family, scene, (tp_notation)-1, &message), "notation");
+  ck_assert_ptr_eq(derivation, UNTOUCHED(tp_derivation));
+  ck_assert_ptr_eq(family, UNTOUCHED(tp_family));
+  UNWRITTEN(tp_report_derivation(NULL, own));
+  UNWRITTEN(tp_report_derivation(&text, NULL));
+  UNWRITTEN(tp_report_derivation_json(NULL, own));
+  UNWRITTEN(tp_report_derivation_json(&text, NULL));
+  UNWRITTEN(tp_report_family(&text, NULL));
+  UNWRITTEN(tp_report_family_json(&text, NULL));
+  const tp_family empty = {0};
+  UNWRITTEN(tp_report_family(NULL, &empty));
+  UNWRITTEN(tp_report_family_json(NULL, &empty));
+  ck_assert_ptr_eq(text, &untouched);
+  tp_derivation_free(NULL);
+  tp_family_free(NULL);
+  tp_derivation_free(own);
+  tp_scene_free(scene);
+}
+END_TEST
+
+START_TEST(verdicts) {
+  tp_verification *verification = UNTOUCHED(tp_verification);
+  const tp_verification empty = {0};
+  char *text = &untouched;
+  REFUSED(tp_verify(NULL, "x", &message), "'verification'");
+  REFUSED(tp_verify(&verification, NULL, &message), "'path'");
+  REFUSED(tp_verify_text(NULL, "x", "x", &message), "'verification'");
+  REFUSED(tp_verify_text(&verification, NULL, "x", &message), "'text'");
+  REFUSED(tp_verify_text(&verification, "x", NULL, &message), "'name'");
+  ck_assert_ptr_eq(verification, UNTOUCHED(tp_verification));
+  ck_assert(tp_verification_objects(NULL));
+  ck_assert_str_eq(tp_verdict_name((tp_verdict)TP_VERDICTS), "unknown");
+  ck_assert_str_eq(tp_verdict_name((tp_verdict)-1), "unknown");
+  UNWRITTEN(tp_report_verification(NULL, &empty));
+  UNWRITTEN(tp_report_verification(&text, NULL));
+  UNWRITTEN(tp_report_verification_json(NULL, &empty));
+  UNWRITTEN(tp_report_verification_json(&text, NULL));
+  UNWRITTEN(tp_report_verification_markdown(NULL, &empty));
+  UNWRITTEN(tp_report_verification_markdown(&text, NULL));
+  ck_assert_ptr_eq(text, &untouched);
+  tp_verification_free(NULL);
+}
+END_TEST
+
+START_TEST(accuracy) {
+  tp_accuracy *measured = UNTOUCHED(tp_accuracy);
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  const tp_accuracy empty = {0};
+  char *text = &untouched;
+  tp_scene *scene = read_scene();
+  REFUSED(tp_accuracy_of_scene(NULL, scene, &message), "'accuracy'");
+  REFUSED(tp_accuracy_of_scene(&measured, NULL, &message), "'scene'");
+  REFUSED(tp_accuracy_sweep(NULL, 10, 10, &message), "'accuracy'");
+  static const size_t sizes[][2] = {{0, 10}, {10, 0}, {100, 10}, {10, SIZE_MAX}, {SIZE_MAX, 10}};
+  for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
+    REFUSED(tp_accuracy_sweep(&measured, sizes[k][0], sizes[k][1], &message), "sweep");
+  }
+  REFUSED(tp_chart_accuracy(NULL, &empty, &message), "'chart'");
+  REFUSED(tp_chart_accuracy(&chart, NULL, &message), "'accuracy'");
+  ck_assert_ptr_eq(measured, UNTOUCHED(tp_accuracy));
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  ck_assert_str_eq(tp_accuracy_method_name((tp_accuracy_method)TP_ACCURACY_METHODS), "unknown");
+  UNWRITTEN(tp_report_accuracy(NULL, &empty));
+  UNWRITTEN(tp_report_accuracy(&text, NULL));
+  UNWRITTEN(tp_report_accuracy_json(NULL, &empty));
+  UNWRITTEN(tp_report_accuracy_json(&text, NULL));
+  ck_assert_ptr_eq(text, &untouched);
+  tp_accuracy_free(NULL);
+  tp_scene_free(scene);
+}
+END_TEST
+
+START_TEST(charts) {
+  const tp_chart_fos_options fos = tp_chart_fos_options_default();
+  const tp_chart_mechanisms_options mechanisms = tp_chart_mechanisms_options_default();
+  tp_chart *chart = UNTOUCHED(tp_chart), *own = NULL;
+  char *text = &untouched;
+  REFUSED(tp_chart_fos(NULL, &fos, &message), "'chart'");
+  REFUSED(tp_chart_fos(&chart, NULL, &message), "'options'");
+  REFUSED(tp_chart_mechanisms(NULL, &mechanisms, &message), "'chart'");
+  REFUSED(tp_chart_mechanisms(&chart, NULL, &message), "'options'");
+  REFUSED(tp_chart_ranges(NULL, &message), "'chart'");
+  ck_assert_int_eq(tp_chart_fos(&own, &fos, &message), TP_OK);
+  UNWRITTEN(tp_report_chart_csv(NULL, own));
+  UNWRITTEN(tp_report_chart_csv(&text, NULL));
+  UNWRITTEN(tp_report_chart_json(NULL, own));
+  UNWRITTEN(tp_report_chart_json(&text, NULL));
+  REFUSED(tp_report_chart_file(NULL, "/tmp/x.csv", TP_CHART_CSV, &message), "'chart'");
+  REFUSED(tp_report_chart_file(own, NULL, TP_CHART_CSV, &message), "'path'");
+  REFUSED(tp_report_chart_file(own, "/tmp/x.csv", (tp_chart_format)4, &message), "format");
+  REFUSED(tp_report_chart_file(own, "/tmp/x.csv", (tp_chart_format)-1, &message), "format");
+  tp_chart_format format = TP_CHART_SVG;
+  ck_assert(!tp_chart_format_read(NULL, "x.svg") && !tp_chart_format_read(&format, NULL));
+  ck_assert_ptr_eq(text, &untouched);
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  tp_chart_free(NULL);
+  tp_chart_free(own);
+}
+END_TEST
+
+/* A list of 7 was read past its end. */
+START_TEST(lists_of_a_chart) {
+  static const size_t counts[] = {TP_CHART_LIST_MAX + 1, 1000, SIZE_MAX};
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++) {
+    for (int list = 0; list < 3; list++) {
+      tp_chart_fos_options options = tp_chart_fos_options_default();
+      tp_chart_list *own = list == 0   ? &options.inverse_slenderness
+                           : list == 1 ? &options.amplitude
+                                       : &options.sub_blocks;
+      for (size_t v = 0; v < TP_CHART_LIST_MAX; v++) own->values[v] = list < 2 ? 0.25 : 2;
+      own->count = counts[k];
+      REFUSED(tp_chart_fos(&chart, &options, &message), "at most 6");
+    }
+  }
+  for (int list = 0; list < 2; list++) {
+    tp_chart_fos_options options = tp_chart_fos_options_default();
+    (list == 0 ? &options.inverse_slenderness : &options.amplitude)->count = 0;
+    REFUSED(tp_chart_fos(&chart, &options, &message), "at least");
+  }
+  static const double no_numbers[] = {NAN, INFINITY, -INFINITY, -1};
+  for (size_t k = 0; k < sizeof no_numbers / sizeof no_numbers[0]; k++) {
+    tp_chart_fos_options options = tp_chart_fos_options_default();
+    options.amplitude.values[0] = no_numbers[k];
+    REFUSED(tp_chart_fos(&chart, &options, &message), "amplitude");
+    options = tp_chart_fos_options_default();
+    options.tilt_deg.from = no_numbers[k];
+    REFUSED(tp_chart_fos(&chart, &options, &message), "tilt");
+    tp_chart_mechanisms_options other = tp_chart_mechanisms_options_default();
+    other.friction_deg = no_numbers[k];
+    REFUSED(tp_chart_mechanisms(&chart, &other, &message), "friction");
+    other = tp_chart_mechanisms_options_default();
+    other.amplitude = no_numbers[k];
+    REFUSED(tp_chart_mechanisms(&chart, &other, &message), "amplitude");
+  }
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+}
+END_TEST
+
+START_TEST(maps) {
+  const tp_chart_map_options good = {.scene = EXAMPLE("slab_left.yaml"),
+                                     .x = {"block.slab.width", {20, 150}},
+                                     .y = {"tilt", {0, 90}}};
+  tp_chart_map_options bad = good;
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  REFUSED(tp_chart_map(NULL, &good, &message), "'chart'");
+  REFUSED(tp_chart_map(&chart, NULL, &message), "'options'");
+  bad.scene = NULL;
+  REFUSED(tp_chart_map(&chart, &bad, &message), "scene");
+  bad = good;
+  bad.x.key = NULL;
+  REFUSED(tp_chart_map(&chart, &bad, &message), "x.key");
+  bad = good;
+  bad.y.key = NULL;
+  REFUSED(tp_chart_map(&chart, &bad, &message), "y.key");
+  static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
+  for (size_t k = 0; k < 3; k++) {
+    bad = good;
+    bad.x.range.to = no_numbers[k];
+    REFUSED(tp_chart_map(&chart, &bad, &message), "range");
+    bad = good;
+    bad.x.range.from = no_numbers[k];
+    REFUSED(tp_chart_map(&chart, &bad, &message), "range");
+  }
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+}
+END_TEST
+
+/* Of a path that is too long for a message, the position stays. */
+START_TEST(long_paths) {
+  static const size_t lengths[] = {10, 500, 504, 505, 506, 510, 511, 512, 513, 1000, 5000};
+  for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
+    char *name = calloc(lengths[k] + 1, 1);
+    memset(name, 'd', lengths[k]);
+    tp_scene *scene = NULL;
+    ck_assert_int_eq(
+        tp_scene_read_text(&scene, "topple: 1\nlength_unit: mm\nblok: 1\n", name, &message),
+        TP_BAD_INPUT);
+    ck_assert_msg(strstr(message.text, "d:3:") != NULL, "%s", message.text);
+    ck_assert_msg(strstr(message.text, "blok") != NULL, "%s", message.text);
+    free(name);
+  }
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("arguments");
+  TCase *tests = tcase_create("arguments");
+  tcase_set_timeout(tests, 600);
+  tcase_add_test(tests, scenes);
+  tcase_add_test(tests, solutions);
+  tcase_add_test(tests, back_analysis);
+  tcase_add_test(tests, formulas);
+  tcase_add_test(tests, verdicts);
+  tcase_add_test(tests, accuracy);
+  tcase_add_test(tests, charts);
+  tcase_add_test(tests, lists_of_a_chart);
+  tcase_add_test(tests, maps);
+  tcase_add_test(tests, long_paths);
+  suite_add_tcase(suite, tests);
+  return run_suite(suite);
+}

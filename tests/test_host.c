@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The library in programs that have set their thread up otherwise.
+ *
+ * A program in German printed `28,734` into JSON, found no root and drew a wrong map; one that
+ * rounds downwards got bounds that do not hold; one with traps was killed. Here the whole library
+ * runs once in a thread as it comes, and again in each setting of a program: every byte that it
+ * says must be the same, and the setting must be there as before. Nothing is known of the truth:
+ * that is the business of the other tests, which run in a thread as it comes. */
+
+#define _GNU_SOURCE
+#include "runner.h"
+#include "sayings.h"
+
+#include "host.h"
+#include "topple.h"
+
+#include <fenv.h>
+#include <locale.h>
+#include <mpfr.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#if defined(__SSE__)
+#include <fpu_control.h>
+#include <xmmintrin.h>
+#endif
+
+#define EXAMPLE(name) TP_EXAMPLES "/" name
+
+static char folder[] = "/tmp/topple-host-XXXXXX";
+
+/* ---- the settings ------------------------------------------------------------------------------
+ */
+
+/* What a program may have set, as it is in this thread. */
+typedef struct setting {
+  int rounding, traps;
+  unsigned control, other; /* of the SSE unit: denormals, too; of the x87 */
+  char decimal_point[8];
+  long exponent_least, exponent_most;
+} setting;
+
+static setting setting_now(void) {
+  setting now = {.rounding = fegetround(),
+                 .traps = fegetexcept(),
+                 .exponent_least = mpfr_get_emin(),
+                 .exponent_most = mpfr_get_emax()};
+#if defined(__SSE__)
+  now.control = _mm_getcsr() & ~0x3fU; /* without the flags of what happened */
+  fpu_control_t x87;
+  _FPU_GETCW(x87);
+  now.other = x87;
+#endif
+  strncpy(now.decimal_point, localeconv()->decimal_point, sizeof now.decimal_point - 1);
+  return now;
+}
+
+static void as_it_comes(void) {
+  fesetenv(FE_DFL_ENV);
+  setlocale(LC_ALL, "C");
+  uselocale(LC_GLOBAL_LOCALE);
+  mpfr_set_emin(MPFR_EMIN_DEFAULT);
+  mpfr_set_emax(MPFR_EMAX_DEFAULT);
+}
+
+/* A locale with a decimal comma. Its sources are written here, since Debian's come with a package
+ * that need not be there; localedef comes with the C library. */
+static void make_locale(void) {
+  char path[64], command[400];
+  snprintf(path, sizeof path, "%s/comma", folder);
+  FILE *file = fopen(path, "w");
+  ck_assert_ptr_nonnull(file);
+  fputs("comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point \",\"\nthousands_sep \".\"\n"
+        "grouping 3;3\nEND LC_NUMERIC\n",
+        file);
+  fclose(file);
+  snprintf(path, sizeof path, "%s/ascii", folder);
+  file = fopen(path, "w");
+  ck_assert_ptr_nonnull(file);
+  fputs("<code_set_name> ANSI_X3.4-1968\n<comment_char> %\n<escape_char> /\n<mb_cur_min> 1\n"
+        "<mb_cur_max> 1\nCHARMAP\n",
+        file);
+  for (unsigned k = 0; k < 128; k++) fprintf(file, "<U%04X> /x%02x\n", k, k);
+  fputs("END CHARMAP\n", file);
+  fclose(file);
+  /* it warns of the categories that are left out, and makes the locale all the same */
+  snprintf(command, sizeof command,
+           "localedef -c --no-archive -i '%s/comma' -f '%s/ascii' '%s/xx_XX' 2>'%s/complaints'",
+           folder, folder, folder, folder);
+  const int ended = system(command);
+  (void)ended;
+  setenv("LOCPATH", folder, 1);
+}
+
+static void decimal_comma(void) {
+  setlocale(LC_ALL, "xx_XX");
+}
+
+static void decimal_comma_of_the_thread(void) {
+  uselocale(newlocale(LC_ALL_MASK, "xx_XX", (locale_t)0));
+}
+
+static void rounding_up(void) {
+  fesetround(FE_UPWARD);
+}
+
+static void rounding_down(void) {
+  fesetround(FE_DOWNWARD);
+}
+
+static void rounding_to_zero(void) {
+  fesetround(FE_TOWARDZERO);
+}
+
+static void all_traps(void) {
+  feenableexcept(FE_ALL_EXCEPT);
+}
+
+static void some_traps(void) {
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+}
+
+static void flushing_to_zero(void) {
+#if defined(__SSE__)
+  _mm_setcsr(_mm_getcsr() | 0x8040U);
+#endif
+}
+
+static void short_extended(void) {
+#if defined(__SSE__)
+  fpu_control_t x87 = _FPU_DEFAULT & ~_FPU_EXTENDED;
+  _FPU_SETCW(x87);
+#endif
+}
+
+static void few_exponents(void) {
+  mpfr_set_emin(-5);
+  mpfr_set_emax(5);
+}
+
+static void everything_at_once(void) {
+  decimal_comma();
+  few_exponents();
+  rounding_down();
+  flushing_to_zero();
+  short_extended();
+  all_traps();
+}
+
+static const struct {
+  const char *name;
+  void (*set)(void);
+} settings[] = {{"as it comes", as_it_comes},
+                {"decimal comma", decimal_comma},
+                {"decimal comma of the thread", decimal_comma_of_the_thread},
+                {"rounding up", rounding_up},
+                {"rounding down", rounding_down},
+                {"rounding to zero", rounding_to_zero},
+                {"all traps", all_traps},
+                {"some traps", some_traps},
+                {"flushing to zero", flushing_to_zero},
+                {"long doubles in single precision", short_extended},
+                {"few exponents of MPFR", few_exponents},
+                {"everything at once", everything_at_once}};
+enum { SETTINGS = sizeof settings / sizeof settings[0] };
+
+START_TEST(same_bytes_in_every_setting) {
+  sayings first = {.folder = folder};
+  say_everything(&first);
+  ck_assert_uint_gt(first.count, 80);
+  ck_assert_uint_lt(first.count, MOST_SAYINGS);
+  for (size_t k = 0; k < first.count; k++) ck_assert_ptr_nonnull(first.texts[k]);
+  for (int k = 0; k < SETTINGS; k++) {
+    sayings again = {.folder = folder};
+    settings[k].set();
+    const setting before = setting_now();
+    say_everything(&again);
+    const setting after = setting_now();
+    as_it_comes();
+    ck_assert_msg(memcmp(&before, &after, sizeof before) == 0, "%s: not as before",
+                  settings[k].name);
+    ck_assert_msg(again.count == first.count, "%s: %zu texts instead of %zu", settings[k].name,
+                  again.count, first.count);
+    for (size_t t = 0; t < first.count; t++) {
+      const char *one = first.texts[t], *other = again.texts[t];
+      size_t same = 0;
+      while (one[same] != '\0' && one[same] == other[same]) same++;
+      const size_t from = same > 60 ? same - 60 : 0;
+      ck_assert_msg(one[same] == other[same], "%s, text %zu:\n%.120s\nand not\n%.120s",
+                    settings[k].name, t, other + from, one + from);
+    }
+    sayings_forget(&again);
+  }
+  sayings_forget(&first);
+}
+END_TEST
+
+/* The settings do what they say: a test whose comma is a point would find nothing. */
+START_TEST(settings_are_set) {
+  char text[16];
+  volatile double third = 1, tiny = 0x1p-1022;
+  decimal_comma();
+  snprintf(text, sizeof text, "%g", 0.5);
+  ck_assert_str_eq(text, "0,5");
+  as_it_comes();
+  rounding_up();
+  third = third / 3;
+  as_it_comes();
+  ck_assert_double_gt(third, 1. / 3);
+  flushing_to_zero();
+  tiny = tiny / 2;
+  as_it_comes();
+#if defined(__SSE__)
+  ck_assert(tiny == 0);
+#endif
+}
+END_TEST
+
+/* Sums of large blocks are shared by threads: those must round as the entry does. */
+static void *rounding_here(void *result) {
+  *(int *)result = fegetround();
+  return NULL;
+}
+
+START_TEST(threads_round_as_the_entry) {
+  int rounding = -1;
+  rounding_up();
+  {
+    TP_GUARD_HOST;
+    pthread_t thread;
+    ck_assert_int_eq(pthread_create(&thread, NULL, rounding_here, &rounding), 0);
+    pthread_join(thread, NULL);
+  }
+  const int after = fegetround();
+  as_it_comes();
+  ck_assert_int_eq(rounding, FE_TONEAREST);
+  ck_assert_int_eq(after, FE_UPWARD);
+}
+END_TEST
+
+/* Entries in several threads at once, each with a setting of its own. */
+static void *solve_in_a_thread(void *argument) {
+  const int which = *(const int *)argument;
+  static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST};
+  sayings *s = calloc(1, sizeof *s);
+  fesetround(modes[which]);
+  if (which % 2 == 0) decimal_comma_of_the_thread();
+  const setting before = setting_now();
+  if (s != NULL) say_scene(s, EXAMPLE("block_e_valley.yaml"), 30);
+  const setting after = setting_now();
+  if (s != NULL && memcmp(&before, &after, sizeof before) != 0) sayings_forget(s);
+  flint_cleanup();
+  return s;
+}
+
+START_TEST(threads_of_different_settings) {
+  enum { THREADS = 4 };
+  pthread_t threads[THREADS];
+  int which[THREADS];
+  sayings *results[THREADS], expected = {.folder = folder};
+  say_scene(&expected, EXAMPLE("block_e_valley.yaml"), 30);
+  for (int k = 0; k < THREADS; k++) {
+    which[k] = k;
+    ck_assert_int_eq(pthread_create(threads + k, NULL, solve_in_a_thread, which + k), 0);
+  }
+  for (int k = 0; k < THREADS; k++) {
+    void *result = NULL;
+    pthread_join(threads[k], &result);
+    results[k] = result;
+    ck_assert_ptr_nonnull(results[k]);
+    ck_assert_uint_eq(results[k]->count, expected.count);
+    for (size_t t = 0; t < expected.count; t++) {
+      ck_assert_msg(strcmp(results[k]->texts[t], expected.texts[t]) == 0, "text %zu differs", t);
+    }
+    sayings_forget(results[k]);
+    free(results[k]);
+  }
+  sayings_forget(&expected);
+}
+END_TEST
+
+int main(void) {
+  if (mkdtemp(folder) == NULL) return 1;
+
+  Suite *suite = suite_create("host");
+  TCase *tests = tcase_create("settings");
+  tcase_set_timeout(tests, 600);
+  tcase_add_unchecked_fixture(tests, make_locale, as_it_comes);
+  tcase_add_test(tests, settings_are_set);
+  tcase_add_test(tests, same_bytes_in_every_setting);
+  tcase_add_test(tests, threads_round_as_the_entry);
+  tcase_add_test(tests, threads_of_different_settings);
+  suite_add_tcase(suite, tests);
+  const int failed = run_suite(suite);
+  char command[64];
+  snprintf(command, sizeof command, "rm -r '%s'", folder);
+  return system(command) == 0 ? failed : 1;
+}
