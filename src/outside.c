@@ -87,19 +87,23 @@ void tp_plain_text(char *plain, size_t size, const char *text) {
   plain[length] = '\0';
 }
 
+size_t tp_whole_characters(const char *text, size_t most) {
+  size_t taken = 0;
+  while (text[taken] != '\0') {
+    uint32_t c = 0;
+    const size_t next = tp_character_read(&c, text + taken);
+    if (taken + next > most) break;
+    taken += next;
+  }
+  return taken;
+}
+
 enum { MOST_QUOTED = 60 };
 
 tp_quote tp_quote_of(const char *text, size_t length) {
-  /* a character that the end cuts is left out with all that follows */
-  char own[MOST_QUOTED + 4 + 1];
+  char own[MOST_QUOTED + sizeof ellipsis];
   const size_t all = strnlen(text, length);
-  size_t taken = 0;
-  while (taken < all) {
-    uint32_t c = 0;
-    const size_t next = tp_character_read(&c, text + taken);
-    if (taken + next > all || taken + next > MOST_QUOTED) break;
-    taken += next;
-  }
+  const size_t taken = tp_whole_characters(text, all < MOST_QUOTED ? all : MOST_QUOTED);
   memcpy(own, text, taken);
   strcpy(own + taken, taken < all ? ellipsis : "");
   tp_quote quote;

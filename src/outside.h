@@ -38,6 +38,9 @@ typedef struct tp_quote {
 tp_quote tp_quote_of(const char *text, size_t length);
 tp_quote tp_quote_all(const char *text);
 
+/* How many of the first `most` bytes are whole characters. */
+size_t tp_whole_characters(const char *text, size_t most);
+
 /* The start of the last `room` bytes of the text that is no part of a character. */
 const char *tp_tail_of(const char *text, size_t room);
 

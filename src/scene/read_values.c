@@ -4,6 +4,7 @@
 #include "scene/read.h"
 
 #include "number/ratio.h"
+#include "outside.h"
 #include "scene/csv.h"
 
 #include <stdarg.h>
@@ -30,14 +31,16 @@ static bool within_range(const fmpq_t value) {
 tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
                          const char *name) {
   if (node->kind != TP_NODE_SCALAR) {
-    return tp_read_fail(reader, node, "%s must be a number, not a list or a map", name);
+    return tp_read_fail(reader, node, "%s must be a number, not a list or a map",
+                        tp_quote_all(name).text);
   }
   tp_place place = tp_node_place(node, reader->scene->path);
   place.column += node->text_offset;
   const tp_status status =
       tp_expression_evaluate(value, node->text, place, &reader->scene->parameters, reader->message);
   if (status == TP_OK && !within_range(value)) {
-    return tp_read_fail(reader, node, "%s is outside the range of 1e-308 to 1e308", name);
+    return tp_read_fail(reader, node, "%s is outside the range of 1e-308 to 1e308",
+                        tp_quote_all(name).text);
   }
   return status;
 }

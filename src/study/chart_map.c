@@ -89,9 +89,11 @@ static bool is_length(const char *key) {
 /* `label` holds the text as long as the axis is used. */
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
   const tp_node *unit = tp_node_get(map->scene.root, "length_unit");
-  snprintf(label, LABEL_SIZE, "%s", is_tilt(from) ? tilt_label : from->key);
+  const int shown = (int)tp_whole_characters(from->key, 140);
+  snprintf(label, LABEL_SIZE, "%.*s", is_tilt(from) ? (int)sizeof tilt_label : shown,
+           is_tilt(from) ? tilt_label : from->key);
   if (!is_tilt(from) && is_length(from->key)) {
-    snprintf(label, LABEL_SIZE, "%.140s (%.20s)", from->key, unit->text);
+    snprintf(label, LABEL_SIZE, "%.*s (%.20s)", shown, from->key, unit->text);
   }
   return (tp_panel_axis){.label = label, .plain = !is_tilt(from), .range = from->range};
 }

@@ -21,8 +21,9 @@ static tp_status add_claim(tp_claims *claims, tp_claim claim, const char *table,
     claims->claim_capacity = capacity;
   }
   char id[400];
-  snprintf(id, sizeof id, "%.150s%s%.240s", table, cell != NULL ? "." : "",
-           cell != NULL ? cell : "");
+  if (cell == NULL) cell = "";
+  snprintf(id, sizeof id, "%.*s%s%.*s", (int)tp_whole_characters(table, 150), table,
+           cell[0] != '\0' ? "." : "", (int)tp_whole_characters(cell, 240), cell);
   claim.id = strdup(id);
   if (claim.id == NULL) return tp_fail_memory(message, "the claims");
   claims->claims[claims->claim_count++] = claim;
@@ -108,7 +109,8 @@ static tp_status read_row(tp_claims *claims, const tp_node *row, const tp_node *
     claim.at[1] = tp_node_get(row, "at");
     claim.domain[1] = tp_node_get(row, "domain");
     char cell[240];
-    snprintf(cell, sizeof cell, "%.100s.%.100s", name, c->key);
+    snprintf(cell, sizeof cell, "%.*s.%.*s", (int)tp_whole_characters(name, 100), name,
+             (int)tp_whole_characters(c->key, 100), c->key);
     status = add_claim(claims, claim, id, cell, message);
   }
   return status;

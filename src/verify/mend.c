@@ -12,6 +12,7 @@
 
 #include "derive/field_work.h"
 #include "number/ratio.h"
+#include "outside.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -93,7 +94,10 @@ static const tp_formula *printed(const search *s) {
 
 /* The text of a node for a message. */
 static const char *part(char *out, size_t size, const search *s, int begin, int end) {
-  snprintf(out, size, "%.*s", end - begin, printed(s)->text + begin);
+  const char *text = printed(s)->text + begin;
+  const size_t length = (size_t)(end - begin);
+  const size_t shown = tp_whole_characters(text, length < size ? length : size - 1);
+  snprintf(out, size, "%.*s", (int)shown, text);
   return out;
 }
 

@@ -152,6 +152,7 @@ class Outputs(hostile.Case):
                                  [page.splitlines()[0][:3], "## ", "###", "###", "## ", "| c", "|--"] + [l[:3] for l in page.splitlines()[-2:]])
                 claims = hostile.as_json(self.run_bytes("verify", "--json", "claims.yaml", status=1)[0], self)["claims"]
                 self.assertEqual([claims[0][k] for k in ("where", "unit", "note")], [text] * 3)
+                self.assertNotIn("\ufffd", claims[0]["id"] + claims[1]["id"])  # cut between characters
 
 class Sources(unittest.TestCase):
     """Nobody forgets an encoder: fields that the headers mark as from outside are no arguments of printf's kin."""
