@@ -219,10 +219,10 @@ class Derive(unittest.TestCase):
                    ("a: 1", "[0, 0], [1, 0], [1, " + "1/(1 + " * 150 + "a" + ")" * 150 + "], [0, 1]"),
                    (many, "[0, 0], [" + "+".join(f"p{k}" for k in range(60)) + ", 0], [1, "
                     + "*".join(f"p{k}" for k in range(60)) + "], [0, 5]")]
-        for parameters, outline in scenes:
+        for k, (parameters, outline) in enumerate(scenes):
             self.scene.write_text(f"topple: 1\nlength_unit: m\nparameters: {{{parameters}}}\nblock: {{outline: "
                                   f"[{outline}]}}\nfriction_angle_deg: 30\ntilt: {{towards: left}}\n")
-            for options in ((), ("--limit",), ("--rounded",)):
+            for options in ((), (("--limit",), ("--rounded",))[k % 2]):
                 answers = [subprocess.run(["sh", "-c", 'ulimit -v 1500000; exec "$@"', "sh", PROGRAM, "derive", *options,
                                            str(self.scene)], capture_output=True, encoding="utf-8", timeout=120)
                            for _ in range(1 if options else 2)]
