@@ -11,13 +11,16 @@ static const double most_bits = 2e6;
 /* A bound of the bits of a term at the values. */
 static double term_bits(const fmpz_mpoly_t polynomial, const fmpq *values, long count,
                         const tp_field *field) {
+  if (polynomial->length == 0) return 0;
   double bits = 0;
+  slong *degrees = flint_malloc((size_t)field->symbol_count * sizeof *degrees);
+  fmpz_mpoly_degrees_si(degrees, polynomial, field->ring);
   for (long k = 0; k < count; k++) {
-    const double height =
-        (double)fmpz_bits(fmpq_numref(values + k)) + (double)fmpz_bits(fmpq_denref(values + k));
-    if (fmpz_mpoly_is_zero(polynomial, field->ring)) continue;
-    bits += height * (double)fmpz_mpoly_degree_si(polynomial, k, field->ring);
+    if (degrees[k] <= 0) continue;
+    bits += (double)degrees[k] * ((double)fmpz_bits(fmpq_numref(values + k)) +
+                                  (double)fmpz_bits(fmpq_denref(values + k)));
   }
+  flint_free(degrees);
   return bits;
 }
 
@@ -51,7 +54,9 @@ static bool evaluate(fmpq_t value, const fmpz_mpoly_q_t formula, const fmpq *val
                       term_bits(fmpz_mpoly_q_denref(formula), values, count, field);
   const double terms = (double)fmpz_mpoly_length(fmpz_mpoly_q_numref(formula), field->ring) +
                        (double)fmpz_mpoly_length(fmpz_mpoly_q_denref(formula), field->ring);
-  if (bits > most_bits || !tp_field_spend(field, 0.1 * terms * (1 + bits / 64))) return false;
+  const double words = 1 + (double)field->symbol_count / 32;
+  if (bits > most_bits || !tp_field_spend(field, (2 + 0.1 * terms * (1 + bits / 64)) * words))
+    return false;
   fmpq_t below;
   fmpq_init(below);
   evaluate_polynomial(value, fmpz_mpoly_q_numref(formula), values, count, field);

@@ -3,7 +3,7 @@
 
 /* Arithmetic of rational functions within bounds.
  *
- * Products take a unit for some twenty pairs of terms. What is dear is the greatest common divisor
+ * Products take a unit for some sixty pairs of terms. What is dear is the greatest common divisor
  * that brings a quotient to lowest terms: it is interpolated, at points that the degrees count, in
  * every pair of variables. Its price is fitted to FLINT 2.9 on products of random polynomials in
  * 1 to 100 variables with degrees up to 6000; it errs upwards. */
@@ -13,7 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_TERMS = 1000000, MOST_BITS = 100000, MOST_DEGREE = 100000 };
+enum { MOST_TERMS = 1000000, MOST_PAIRS = 20000000, MOST_BITS = 100000, MOST_DEGREE = 100000 };
 static const double most_memory = 4e8; /* bits of all terms of a polynomial */
 static const char too_large[] =
     "the formula grows beyond what can be derived here: 1000000 terms, degree 100000 and numbers "
@@ -21,7 +21,8 @@ static const char too_large[] =
     "100000 bits; give numbers for some of the parameters, or have fewer different divisors";
 static const char too_dear[] =
     "the formulas take more work than is allowed; give numbers, or expressions in other "
-    "parameters, for some of the parameters, have fewer different divisors, or put claims into files of their own";
+    "parameters, for some of the parameters, have fewer different divisors, or put claims into "
+    "files of their own";
 
 typedef struct size {
   double terms, bits, degree;
@@ -39,15 +40,30 @@ static size size_of(const fmpz_mpoly_struct *p, const tp_field *field) {
   return s;
 }
 
-/* The product of two polynomials: what it takes, or infinity where it may not be formed. */
-static double product_units(const size *a, const size *b, const tp_field *field) {
-  const double pairs = a->terms * b->terms, bits = a->bits + b->bits;
-  const double exponents = 8 * (double)field->symbol_count;
-  if (pairs > MOST_TERMS || bits > MOST_BITS || a->degree + b->degree > MOST_DEGREE ||
-      pairs * (bits + exponents) > most_memory) {
-    return INFINITY;
+/* Terms that a product can have: one for each pair, or for each point of the box of its degrees. */
+static double product_terms(const fmpz_mpoly_struct *a, const fmpz_mpoly_struct *b,
+                            const tp_field *field) {
+  const double pairs = (double)a->length * (double)b->length;
+  if (pairs <= MOST_TERMS) return pairs;
+  double box = 1;
+  for (long k = 0; k < field->symbol_count && box < pairs; k++) {
+    const slong one = fmpz_mpoly_degree_si(a, k, field->ring);
+    const slong other = fmpz_mpoly_degree_si(b, k, field->ring);
+    box *= 1 + (double)one + (double)other;
   }
-  return 0.05 * pairs * (1 + a->bits / 64) * (1 + b->bits / 64) * (1 + exponents / 64);
+  return box < pairs ? box : pairs;
+}
+
+/* The product of two polynomials: what it takes, or infinity where it may not be formed. */
+static double product_units(const fmpz_mpoly_struct *p, const fmpz_mpoly_struct *q,
+                            const tp_field *field) {
+  const size a = size_of(p, field), b = size_of(q, field);
+  const double pairs = a.terms * b.terms, bits = a.bits + b.bits;
+  const double exponents = 8 * (double)field->symbol_count;
+  if (pairs > MOST_PAIRS || bits > MOST_BITS || a.degree + b.degree > MOST_DEGREE) return INFINITY;
+  const double terms = product_terms(p, q, field);
+  if (terms > MOST_TERMS || terms * (bits + exponents) > most_memory) return INFINITY;
+  return 0.015 * pairs * (1 + a.bits / 64) * (1 + b.bits / 64) * (1 + exponents / 256);
 }
 
 double tp_field_gcd_units(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const tp_field *field) {
@@ -111,7 +127,8 @@ void tp_field_forgive(const tp_field *field) {
 /* May an operation of these units be done? */
 static bool admit(const tp_field *field, double units) {
   if (field->work->problem != NULL) return false;
-  if (isfinite(units)) return tp_field_spend(field, units);
+  const double each = 2 + (double)field->symbol_count / 8; /* of any operation */
+  if (isfinite(units)) return tp_field_spend(field, units + each);
   field->work->problem = too_large;
   return false;
 }
@@ -128,33 +145,37 @@ static const fmpz_mpoly_struct *below(const fmpz_mpoly_q_struct *q) {
 static double times_units(const fmpz_mpoly_struct *p, const fmpz_mpoly_struct *q,
                           const fmpz_mpoly_struct *r, const fmpz_mpoly_struct *s,
                           const tp_field *field) {
-  const size a = size_of(p, field), b = size_of(q, field), c = size_of(r, field),
-             d = size_of(s, field);
-  const double products = product_units(&a, &c, field) + product_units(&b, &d, field);
+  const double products = product_units(p, r, field) + product_units(q, s, field);
   if (!isfinite(products)) return INFINITY;
   return products + tp_field_gcd_units(p, s, field) + tp_field_gcd_units(r, q, field);
+}
+
+/* A sum of two polynomials. */
+static double sum_units(const fmpz_mpoly_struct *p, const fmpz_mpoly_struct *q,
+                        const tp_field *field) {
+  const size a = size_of(p, field), b = size_of(q, field);
+  const double terms = a.terms + b.terms, bits = fmax(a.bits, b.bits) + 1;
+  const bool fits = terms <= MOST_TERMS && bits <= MOST_BITS && terms * bits <= most_memory;
+  const double words = 1 + bits / 64 + (double)field->symbol_count / 8;
+  return fits ? 0.1 * terms * words : INFINITY;
 }
 
 /* p / q plus r / s. The common divisor of the new numerator and the denominators is priced by that
  * of the denominators, whose degrees bound it. */
 static double plus_units(const fmpz_mpoly_q_struct *one, const fmpz_mpoly_q_struct *other,
                          const tp_field *field) {
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  const size a = size_of(top(one), field), b = size_of(below(one), field),
-             c = size_of(top(other), field), d = size_of(below(other), field);
-  if (fmpz_mpoly_is_fmpz(below(one), ring) && fmpz_mpoly_is_fmpz(below(other), ring)) {
-    const double terms = a.terms + c.terms, bits = a.bits + b.bits + c.bits + d.bits;
-    const bool fits = terms <= MOST_TERMS && bits <= MOST_BITS && terms * bits <= most_memory;
-    return fits ? 0.1 * terms * (1 + bits / 64) : INFINITY;
+  const fmpz_mpoly_struct *p = top(one), *q = below(one), *r = top(other), *s = below(other);
+  if (fmpz_mpoly_equal(q, s, field->ring)) {
+    const double gcd = fmpz_mpoly_is_fmpz(q, field->ring) ? 0 : tp_field_gcd_units(q, q, field);
+    return sum_units(p, r, field) + 2 * gcd;
   }
   const double products =
-      product_units(&a, &d, field) + product_units(&c, &b, field) + product_units(&b, &d, field);
-  if (!isfinite(products) || a.terms * d.terms + c.terms * b.terms > MOST_TERMS) return INFINITY;
-  double units = products + 2 * tp_field_gcd_units(below(one), below(other), field);
-  if (fmpz_mpoly_equal(below(one), below(other), ring)) {
-    units = a.terms + c.terms + 2 * tp_field_gcd_units(below(one), below(one), field);
-  }
-  return units;
+      product_units(p, s, field) + product_units(r, q, field) + product_units(q, s, field);
+  if (!isfinite(products)) return INFINITY;
+  const double terms = product_terms(p, s, field) + product_terms(r, q, field);
+  if (terms > MOST_TERMS) return INFINITY;
+  const bool whole = fmpz_mpoly_is_fmpz(q, field->ring) && fmpz_mpoly_is_fmpz(s, field->ring);
+  return products + 0.1 * terms + (whole ? 0 : 2 * tp_field_gcd_units(q, s, field));
 }
 
 void tp_field_add(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,

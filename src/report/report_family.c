@@ -84,7 +84,7 @@ static void write_c(tp_text *t, const tp_family *f) {
     tp_text_add(t, "\n");
   }
   add_proof(t, f, " * ");
-  tp_text_add(t, " */\n");
+  tp_text_add(t, " */\n\n#include <math.h>\n");
   for (int k = 0; k < 4; k++) {
     const tp_family_formula *own = f->formulas + k;
     tp_text_add(t, "\n/* N %s, towards the %s, about the %s */\ndouble tan_critical_angle_%s_%s(",

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The domain of a claim, and points of it. */
+/* The domain of a claim. */
 
 #include "verify/domain.h"
 
 #include "derive/field_work.h"
 #include "number/ball.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 
 void tp_domain_free(tp_domain *d) {
@@ -125,16 +124,15 @@ tp_domain *tp_domain_new(const tp_subject *s, const tp_sample *sample) {
   return d;
 }
 
-static const tp_angle *angle_of(const tp_domain *d, long symbol) {
+const tp_angle *tp_domain_angle_of(const tp_domain *d, long symbol) {
   for (long k = 0; k < d->subject->angle_count; k++) {
     if (d->subject->angles[k].degrees == symbol) return d->subject->angles + k;
   }
   return NULL;
 }
 
-/* A bound at a sample; false where it has no value there. */
-static bool bound_at(fmpq_t value, const fmpz_mpoly_q_t bound, const tp_domain *d,
-                     const tp_sample *sample) {
+bool tp_domain_bound_at(fmpq_t value, const fmpz_mpoly_q_t bound, const tp_domain *d,
+                        const tp_sample *sample) {
   return tp_field_evaluate_at(value, bound, sample->values, d->subject->field);
 }
 
@@ -145,10 +143,10 @@ static bool inside(const tp_domain *d, const tp_bounds *b, const tp_sample *samp
   const fmpq *own = sample->values + b->symbol;
   bool holds = true;
   if (b->has_low) {
-    holds = bound_at(end, b->low, d, sample) && fmpq_cmp(own, end) >= (closed ? 0 : 1);
+    holds = tp_domain_bound_at(end, b->low, d, sample) && fmpq_cmp(own, end) >= (closed ? 0 : 1);
   }
   if (b->has_high && holds) {
-    holds = bound_at(end, b->high, d, sample) && fmpq_cmp(own, end) <= (closed ? 0 : -1);
+    holds = tp_domain_bound_at(end, b->high, d, sample) && fmpq_cmp(own, end) <= (closed ? 0 : -1);
   }
   fmpq_clear(end);
   return holds;
@@ -267,7 +265,7 @@ tp_status tp_domain_bound(tp_domain *d, const tp_bounds *bounds, const tp_sample
                    "the claim's own value of '%.40s' lies outside this domain",
                    d->subject->field->names[own->symbol]);
   }
-  const tp_angle *angle = angle_of(d, own->symbol);
+  const tp_angle *angle = tp_domain_angle_of(d, own->symbol);
   if (angle != NULL && !bound_angle(d, own, angle)) {
     return tp_fail(message, TP_BAD_INPUT, place,
                    "the domain of an angle is two numbers of degrees between -179 and 179");
@@ -276,7 +274,7 @@ tp_status tp_domain_bound(tp_domain *d, const tp_bounds *bounds, const tp_sample
   return tp_field_check(d->subject->field, place, message);
 }
 
-static const tp_bounds *bounds_of(const tp_domain *d, long symbol) {
+const tp_bounds *tp_domain_bounds_of(const tp_domain *d, long symbol) {
   for (long k = d->bounds_count - 1; k >= 0; k--) {
     if (d->bounds[k].symbol == symbol) return d->bounds + k;
   }
@@ -285,7 +283,7 @@ static const tp_bounds *bounds_of(const tp_domain *d, long symbol) {
 
 bool tp_domain_angle(double *low, double *high, const tp_domain *d, long angle) {
   const long symbol = d->subject->angles[angle].degrees;
-  const tp_bounds *b = bounds_of(d, symbol);
+  const tp_bounds *b = tp_domain_bounds_of(d, symbol);
   if (d->free[symbol] && b == NULL) return false;
   *low = 0;
   *high = 90;
@@ -304,95 +302,14 @@ bool tp_domain_holds(const tp_domain *d, const tp_sample *sample) {
   for (long k = 0; k < d->symbol_count; k++) {
     const fmpq *value = sample->values + k;
     const int sign = d->signs[k];
-    const tp_bounds *bounds = bounds_of(d, k);
+    const tp_bounds *bounds = tp_domain_bounds_of(d, k);
     if (bounds != NULL) {
       if (!inside(d, bounds, sample, true)) return false;
-    } else if (angle_of(d, k) != NULL) {
+    } else if (tp_domain_angle_of(d, k) != NULL) {
       if (!d->free[k] && !within_right_angle(value)) return false;
     } else if (!d->free[k] && sign != 0 && fmpq_sgn(value) != sign) {
       return false;
     }
   }
   return true;
-}
-
-static uint64_t next(uint64_t *state) {
-  *state ^= *state << 13; /* xorshift64, Marsaglia (2003) */
-  *state ^= *state >> 7;
-  *state ^= *state << 17;
-  return *state;
-}
-
-/* A symbol between its bounds. */
-static bool place_between(fmpq_t value, const tp_domain *d, const tp_bounds *b,
-                          const tp_sample *sample, uint64_t random, bool near) {
-  fmpq_t low, high, part;
-  fmpq_init(low);
-  fmpq_init(high);
-  fmpq_init(part);
-  bool known = true;
-  if (b->has_low) known = known && bound_at(low, b->low, d, sample);
-  if (b->has_high) known = known && bound_at(high, b->high, d, sample);
-  if (known && b->has_low && b->has_high) {
-    fmpq_set_si(part, 1 + (long)(random % 999), 1000);
-    fmpq_sub(high, high, low);
-    known = fmpq_sgn(high) > 0;
-    fmpq_mul(high, high, part);
-    fmpq_add(value, low, high);
-  } else if (known) { /* as far from the end as the value is, and further or nearer */
-    const fmpq *end = b->has_low ? low : high;
-    fmpq_sub(part, sample->values + b->symbol, end);
-    if (fmpq_is_zero(part)) fmpq_set_si(part, b->has_low ? 1 : -1, 1);
-    fmpq_set_si(high, near ? 850 + (long)(random % 301) : 1000 + (long)(random % 997), 1000);
-    fmpq_mul(part, part, high);
-    const long shift = near ? 0 : (long)((random >> 32) % 17) - 8;
-    if (shift > 0) fmpq_mul_2exp(part, part, (ulong)shift);
-    if (shift < 0) fmpq_div_2exp(part, part, (ulong)-shift);
-    if (b->has_low == (fmpq_sgn(part) < 0)) fmpq_neg(part, part);
-    fmpq_add(value, end, part);
-  }
-  fmpq_clear(low);
-  fmpq_clear(high);
-  fmpq_clear(part);
-  return known;
-}
-
-/* A symbol without bounds of its own. */
-static void move(fmpq_t value, bool angle, bool is_free, uint64_t random, bool near) {
-  fmpq_t factor;
-  fmpq_init(factor);
-  if (near) {
-    fmpq_set_si(factor, 850 + (long)(random % 301), 1000);
-    fmpq_mul(value, value, factor);
-    if (angle && !is_free && fmpq_cmp_si(value, 90) > 0) fmpq_div(value, value, factor);
-  } else if (angle) {
-    const long range = is_free ? 359 : 90, least = is_free ? -179 : 0;
-    fmpq_set_si(value, least * 997 + 1 + (long)(random % (uint64_t)(range * 997 - 1)), 997);
-  } else {
-    fmpq_set_si(factor, 1000 + (long)(random % 997), 1000);
-    const long shift = (long)((random >> 32) % 17) - 8;
-    if (fmpq_is_zero(value)) fmpq_one(value);
-    fmpq_mul(value, value, factor);
-    if (shift > 0) fmpq_mul_2exp(value, value, (ulong)shift);
-    if (shift < 0) fmpq_div_2exp(value, value, (ulong)-shift);
-    if (is_free && (random >> 60) % 2 == 0) fmpq_neg(value, value);
-  }
-  fmpq_clear(factor);
-}
-
-bool tp_domain_scatter(tp_sample *sample, const tp_domain *d, unsigned seed) {
-  uint64_t state = 88172645463325252ULL + seed;
-  const bool near = seed < TP_DOMAIN_NEAR;
-  const long count = d->subject->field->parameters->count; /* a count stays one */
-  for (long k = 0; k < sample->count; k++) {
-    const uint64_t random = next(&state);
-    if (k == count || bounds_of(d, k) != NULL) continue;
-    move(sample->values + k, angle_of(d, k) != NULL, d->free[k], random, near);
-  }
-  bool inside_all = true;
-  for (long k = 0; k < d->bounds_count && inside_all; k++) {
-    const tp_bounds *b = d->bounds + k;
-    inside_all = place_between(sample->values + b->symbol, d, b, sample, next(&state), near);
-  }
-  return inside_all && tp_domain_holds(d, sample);
 }

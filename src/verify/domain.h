@@ -47,6 +47,14 @@ TP_MUST_USE tp_status tp_domain_bound(tp_domain *domain, const tp_bounds *bounds
  * known; with `strict`, and nowhere zero. */
 int tp_domain_sign(const fmpz_mpoly_q_t formula, const tp_domain *domain, bool strict);
 
+/* The bounds of a symbol, the angle whose degrees it is; NULL: none. */
+const tp_bounds *tp_domain_bounds_of(const tp_domain *domain, long symbol);
+const tp_angle *tp_domain_angle_of(const tp_domain *domain, long symbol);
+
+/* A bound at a sample; false where it has no value there. */
+bool tp_domain_bound_at(fmpq_t value, const fmpz_mpoly_q_t bound, const tp_domain *domain,
+                        const tp_sample *sample);
+
 /* Move a sample within the domain, by a fixed sequence of numbers: by up to 15 % for a seed below
  * TP_DOMAIN_NEAR, from one end to the other for the others. False where it does not get inside. */
 enum { TP_DOMAIN_NEAR = 24 };

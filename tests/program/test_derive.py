@@ -17,7 +17,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main, run, solve
+from harness import PROGRAM, main, run, solve
 
 # (N, left end): numerator and denominator as in Fig. 8, (A1.4) … (A1.24)
 FIG_8 = {
@@ -176,6 +176,62 @@ class Derive(unittest.TestCase):
         self.assertAlmostEqual(c.tan_critical_angle_1(a, b, depth), float(tangent), delta=1e-15)
         angle = ctypes.c_double(math.atan(float(tangent)))
         self.assertAlmostEqual(c.fos_elements_1(angle, a, b, depth), 1, delta=1e-14)
+
+    def test_c_numbers(self):
+        """Constants beyond 2^63 and beyond what a double holds, negative and high powers: the C gives
+        the program's own critical angle."""
+        compiler = shutil.which("cc")
+        outlines = ("[[0, 0], [a, 0], [a, 12345678901234567891*b], [0, 12345678901234567890123/7*b]]",
+                    "[[0, 0], [a, 0], [a, a^-3*b^-2], [0, 3*a^-1]]", "[[0, 0], [a, 0], [a + 1, b^20], [1, b^20 + a^13]]",
+                    "[[0, 0], [1e-200*a, 0], [1e-200*a, 3e-200*b], [0, 3e-200*b + 1e-201]]",
+                    "[[0, 0], [a/(1e250 + b), 0], [1/(1e249 + a), 3/(1e250 + b)], [0, 2/(1e250 + 7*a)]]",
+                    "[[0, 0], [1e120*a, 0], [1e120*a, 7e120*b + 1e-100], [0, 1e120]]")
+        for k, outline in enumerate(outlines):
+            self.scene.write_text("topple: 1\nlength_unit: m\nparameters: {a: 1.25, b: 1.5}\nblock: {outline: "
+                                  f"{outline}}}\nbase: {{mated: true}}\ntilt: {{towards: left}}\n")
+            status, out, err = run("derive", "--c", self.scene)
+            self.assertEqual((status, err), (0, ""))
+            source, library = self.scene.with_suffix(".c"), self.scene.with_suffix(f".{k}.so")
+            source.write_text(out)
+            subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source,
+                            "-o", library, "-lm"], check=True)
+            c = ctypes.CDLL(str(library))
+            c.tan_critical_angle_1.restype = ctypes.c_double
+            found = math.degrees(math.atan(c.tan_critical_angle_1(ctypes.c_double(1.25), ctypes.c_double(1.5))))
+            truth = json.loads(run("derive", "--json", self.scene)[1])["pivots"][0]["critical_angle_deg"]["value"]
+            self.assertAlmostEqual(found, truth, delta=1e-11 * abs(truth), msg=outline)
+
+    def test_budget(self):
+        """Quotients, powers and nests that would take minutes or gigabytes are derived or refused
+        within a budget that is counted, so that the answer is the same twice; the address space that
+        the program may use says that it does not try."""
+        square = lambda ys: ", ".join([f"[{k}, {y}]" for k, y in enumerate(ys)]
+                                      + [f"[{len(ys) - 1}, 100]", "[0, 100]"])
+        many = ", ".join(f"p{k}: {k + 1}" for k in range(60))
+        chain = ", ".join(["p0: 1"] + [f"p{k}: 1/(p{k - 1}*p{k - 1} + a*b + {k})" for k in range(1, 40)])
+        scenes = [(many, square([f"1/(p{k} + 1)" for k in range(n)])) for n in (3, 8, 12, 20, 60)]
+        scenes += [(many, square([f"1/(p{k} + p{k + 1} + 1)" for k in range(n)])) for n in (5, 12)]
+        scenes += [(many, square([f"p0/({k + 1}*p0^{10 * k + 1} + {2 * k + 3}*p0 + {k + 1})" for k in range(12)])),
+                   (many, square([f"(p0 + p1)/({k + 1}*p0 + {2 * k + 3}*p1 + p2 + {k})" for k in range(9)])),
+                   ("a: 1, b: 1, " + chain, "[0, 0], [1, 0], [1, 9 + p39], [0, 9 + p38]"),
+                   ("a: 1, b: 1", "[0, 0], [1, 0], [1, (a + b)^5000], [0, 1]"),
+                   ("a: 1, b: 1", "[0, 0], [1, 0], [1, 1 + 1/((a^1000)^90 + b)], [0, 1 + 1/((b^1000)^90 + a)]"),
+                   ("a: 1", "[0, 0], [1, 0], [1, " + "1/(1 + " * 150 + "a" + ")" * 150 + "], [0, 1]"),
+                   (many, "[0, 0], [" + "+".join(f"p{k}" for k in range(60)) + ", 0], [1, "
+                    + "*".join(f"p{k}" for k in range(60)) + "], [0, 5]")]
+        for k, (parameters, outline) in enumerate(scenes):
+            self.scene.write_text(f"topple: 1\nlength_unit: m\nparameters: {{{parameters}}}\nblock: {{outline: "
+                                  f"[{outline}]}}\nfriction_angle_deg: 30\ntilt: {{towards: left}}\n")
+            for options in ((), (("--limit",), ("--rounded",))[k % 2]):
+                answers = [subprocess.run(["sh", "-c", 'ulimit -v 1500000; exec "$@"', "sh", PROGRAM, "derive", *options,
+                                           str(self.scene)], capture_output=True, encoding="utf-8", timeout=120)
+                           for _ in range(1 if options else 2)]
+                status, out, err = answers[0].returncode, answers[0].stdout, answers[0].stderr
+                again = answers[-1]
+                self.assertEqual((status, out, err), (again.returncode, again.stdout, again.stderr))
+                self.assertIn(status, (0, 3), (outline[:80], err))
+                self.assertNotIn("memory", err, outline[:80])
+                self.assertEqual((out == "", err.count("\n")), (status == 3, 1 if status == 3 else 0))
 
     def test_rounded(self):
         """--rounded, the C of it compiled: at the length r that it says lets block E go at alpha, the

@@ -406,6 +406,16 @@ class Small(unittest.TestCase):
             self.assertEqual((status, out), (3, ""), text)
             self.assertIn(message, err)
 
+    def test_long_formulas(self):
+        """The search for a mend of 400 terms took half a minute: it is given up within its budget, in
+        words, and a change that comes early is still found."""
+        terms = "+".join(f"{k}*a^{k % 7}*b^{k % 5}*c^{k % 3}" for k in range(1, 400))
+        result = self.claim("area", terms)
+        self.assertEqual((result["verdict"], result["mend"]), ("refuted", None))
+        self.assertEqual(result["condition"], "the search for a mend was given up: the formula is long")
+        result = self.claim(terms, terms.replace("+7*", "-7*", 1))
+        self.assertEqual((result["verdict"], result["change"]), ("refuted", "the sign before 7*a^0*b^2*c^1 is +"))
+
     def test_numbers_beyond_all_bounds(self):
         """Towers of powers and the like end in a verdict or a complaint, never in an abort."""
         for quantity in ("2^(2^(2^100))", "(1+1e-300)^(9^500)", "(-2)^(1e300)", "sin(2^(2^60))",
