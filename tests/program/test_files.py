@@ -269,10 +269,15 @@ class Signals(Folder):
                         time.sleep(rng.uniform(0.5, 1.1) * whole)
                         process.send_signal(end)
                     self.assertIn(process.returncode, (0, -end), command)
-                    time.sleep(0.05)  # of a figure, the process that draws
-                    if process.returncode == 0 or figure.read_bytes() != b"as before":
-                        self.assert_whole(figure)
+                    # the process that draws a figure ends by itself, and may be about to rename it
+                    for _ in range(3000):
+                        if not list(self.folder.glob("**/*.part")):
+                            break
+                        time.sleep(0.01)
                     self.assertEqual(list(self.folder.glob("**/*.part")), [])
+                    data = figure.read_bytes()
+                    self.assertTrue(is_whole(data, figure.suffix) or
+                                    (process.returncode != 0 and data == b"as before"), command)
                 figure.unlink()
 
     def test_larger_than_allowed(self):
