@@ -169,80 +169,92 @@ void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluati
   if (loaded->mirrored) arb_neg(x, x);
 }
 
-/* (q - P) . t for both ends q of a facet and t = q1 - q0 not normalised; its square length. */
-static void along_facet(arb_t ends[2], arb_t square, const tp_facet *f, const arb_t px,
-                        const arb_t py, const tp_loaded *loaded, const tp_evaluation *e) {
-  const long bits = e->rung.bits;
-  arb_t x[2], y[2];
-  for (int k = 0; k < 2; k++) {
-    const bool begins = (k == 0) != loaded->mirrored;
-    arb_init(x[k]);
-    arb_init(y[k]);
-    tp_evaluation_place(x[k], y[k], e, begins ? tp_facet_begin(f) : tp_facet_end(f));
-    tp_loaded_metres(x[k], y[k], e);
-    if (loaded->mirrored) arb_neg(x[k], x[k]);
-    arb_sub(x[k], x[k], px, bits);
-    arb_sub(y[k], y[k], py, bits);
-  }
-  arb_t dx, dy;
-  arb_init(dx);
-  arb_init(dy);
-  arb_sub(dx, x[1], x[0], bits);
-  arb_sub(dy, y[1], y[0], bits);
-  arb_mul(square, dx, dx, bits);
-  arb_addmul(square, dy, dy, bits);
-  for (int k = 0; k < 2; k++) {
-    arb_mul(ends[k], x[k], dx, bits);
-    arb_addmul(ends[k], y[k], dy, bits);
-    arb_clear(x[k]);
-    arb_clear(y[k]);
-  }
-  arb_clear(dx);
-  arb_clear(dy);
+/* (q - P) . t for an end q of the facet, in squares of lattice steps: P the k-th contact point, t
+ * from one end to the other, not normalised. Exact but for rounded corners; an end that is P gives
+ * 0. */
+static void along_facet(arb_t distance, tp_outline_point end, const arb_t tx, const arb_t ty,
+                        const tp_evaluation *e, long k) {
+  const tp_outline_point pivot = tp_contact_place(e->problem->contact.points + k);
+  arb_zero(distance);
+  if (tp_outline_point_is_same(&e->problem->lattice, end, pivot)) return;
+  const long bits = end.cut == NULL && pivot.cut == NULL ? ARF_PREC_EXACT : e->rung.bits;
+  arb_t x, y, px, py;
+  arb_init(x);
+  arb_init(y);
+  arb_init(px);
+  arb_init(py);
+  tp_evaluation_place(x, y, e, end);
+  tp_evaluation_place(px, py, e, pivot);
+  arb_sub(x, x, px, bits);
+  arb_sub(y, y, py, bits);
+  arb_mul(distance, x, tx, bits);
+  arb_addmul(distance, y, ty, bits);
+  arb_clear(x);
+  arb_clear(y);
+  arb_clear(px);
+  arb_clear(py);
 }
 
 /* The moment of a tensile bond of strength 1 on the part of a facet that opens as the block turns
- * about P, overturning or back. With s the distance (q - P) . t / |t| along the facet it opens
- * where s > 0: the integral of s is (s1^2 - s0^2) / 2 with s0 and s1 not below 0. However the facet
- * is divided, the sum is the same. */
-static void facet_bond(arb_t sum, const tp_facet *f, const arb_t px, const arb_t py, bool back,
-                       const tp_loaded *loaded, const tp_evaluation *e) {
+ * about P, overturning or back, in squares of lattice steps. With s the distance (q - P) . t / |t|
+ * along the facet, towards the up-dip side, it opens where s > 0: the integral of s is
+ * (s1^2 - s0^2) / 2 with s0 and s1 not below 0. However the facet is divided, the sum is the same.
+ */
+static void facet_bond(arb_t sum, const tp_facet *f, bool from_left, const tp_evaluation *e,
+                       long k) {
+  if (f->q0 == f->q1) return; /* a contact in a point has no length */
   const long bits = e->rung.bits;
-  arb_t ends[2], square, zero;
-  arb_init(ends[0]);
-  arb_init(ends[1]);
-  arb_init(square);
-  arb_init(zero);
-  along_facet(ends, square, f, px, py, loaded, e);
-  for (int k = 0; k < 2; k++) {
-    if (back) arb_neg(ends[k], ends[k]);
-    arb_max(ends[k], ends[k], zero, bits);
-    arb_mul(ends[k], ends[k], ends[k], bits);
+  arb_t x[2], y[2], near, far, zero;
+  for (int i = 0; i < 2; i++) {
+    arb_init(x[i]);
+    arb_init(y[i]);
   }
-  arb_sub(ends[0], ends[1], ends[0], bits);
-  if (back) arb_neg(ends[0], ends[0]);
-  arb_div(ends[0], ends[0], square, bits);
-  arb_mul_2exp_si(ends[0], ends[0], -1);
-  arb_add(sum, sum, ends[0], bits);
-  arb_clear(ends[0]);
-  arb_clear(ends[1]);
-  arb_clear(square);
+  arb_init(near);
+  arb_init(far);
+  arb_init(zero);
+  const tp_outline_point first = from_left ? tp_facet_begin(f) : tp_facet_end(f);
+  const tp_outline_point last = from_left ? tp_facet_end(f) : tp_facet_begin(f);
+  const bool sharp = first.cut == NULL && last.cut == NULL;
+  tp_evaluation_place(x[0], y[0], e, first);
+  tp_evaluation_place(x[1], y[1], e, last);
+  arb_sub(x[1], x[1], x[0], sharp ? ARF_PREC_EXACT : bits);
+  arb_sub(y[1], y[1], y[0], sharp ? ARF_PREC_EXACT : bits);
+  along_facet(near, first, x[1], y[1], e, k);
+  along_facet(far, last, x[1], y[1], e, k);
+  arb_max(near, near, zero, bits);
+  arb_max(far, far, zero, bits);
+  arb_mul(near, near, near, bits);
+  arb_mul(far, far, far, bits);
+  arb_sub(far, far, near, bits);
+  arb_mul(x[1], x[1], x[1], bits);
+  arb_addmul(x[1], y[1], y[1], bits);
+  arb_mul_2exp_si(x[1], x[1], 1);
+  arb_div(far, far, x[1], bits);
+  arb_add(sum, sum, far, bits);
+  for (int i = 0; i < 2; i++) {
+    arb_clear(x[i]);
+    arb_clear(y[i]);
+  }
+  arb_clear(near);
+  arb_clear(far);
   arb_clear(zero);
 }
 
-void tp_loaded_bond(arb_t moment, const arb_t px, const arb_t py, bool back,
-                    const tp_loaded *loaded, const tp_evaluation *e) {
+void tp_loaded_bond(arb_t moment, long k, bool back, const tp_loaded *loaded,
+                    const tp_evaluation *e) {
   const tp_problem *problem = e->problem;
   arb_zero(moment);
-  if (!problem->scene->loads.bond_kpa.given) return;
-  for (long k = 0; k < problem->contact.facet_count; k++) {
-    facet_bond(moment, problem->contact.facets + k, px, py, back, loaded, e);
+  if (fmpq_is_zero(problem->scene->loads.bond_kpa.value)) return;
+  for (long i = 0; i < problem->contact.facet_count; i++) {
+    facet_bond(moment, problem->contact.facets + i, loaded->mirrored == back, e, k);
   }
   fmpq_t factor;
   fmpq_init(factor);
   tp_problem_thickness(factor, problem);
   fmpq_mul(factor, factor, problem->scene->loads.bond_kpa.value);
   fmpq_mul_ui(factor, factor, 1000);
+  fmpq_mul(factor, factor, problem->lattice.step_m);
+  fmpq_mul(factor, factor, problem->lattice.step_m);
   mul_fmpq(moment, factor, e->rung.bits);
   fmpq_clear(factor);
 }
@@ -254,7 +266,7 @@ void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluat
   arb_init(held);
   tp_loaded_axis(x, y, loaded, e, k);
   tp_wrench_moment(moment, &loaded->sum, x, y, e->rung.bits);
-  tp_loaded_bond(held, x, y, false, loaded, e);
+  tp_loaded_bond(held, k, false, loaded, e);
   arb_sub(moment->of + TP_ONE, moment->of + TP_ONE, held, e->rung.bits);
   arb_clear(x);
   arb_clear(y);

@@ -32,9 +32,9 @@ void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluati
 /* A point of the lattice in metres. */
 void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *evaluation);
 
-/* The moment of the contact's tensile bond about an axis, positive, in N m: against overturning, or
- * against turning `back`. */
-void tp_loaded_bond(arb_t moment, const arb_t x, const arb_t y, bool back, const tp_loaded *loaded,
+/* The moment of the contact's tensile bond about the axis at a contact point, positive, in N m:
+ * against overturning, or against turning `back`. */
+void tp_loaded_bond(arb_t moment, long k, bool back, const tp_loaded *loaded,
                     const tp_evaluation *evaluation);
 
 /* The moment of all loads about the axis at a contact point, the bond of the contact included. */
@@ -52,8 +52,8 @@ tp_fos_state tp_loaded_factor(arb_t factor, const tp_loaded *loaded, tp_evaluati
                               long k);
 
 /* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
-void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
-                     long k, const arb_t degrees, const tp_roots *roots);
+void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation, long k,
+                     const arb_t degrees, const tp_roots *roots);
 
 /* The tilt beyond which water that stays level would stand above the top of its face. */
 void tp_loaded_overtops(tp_case *result, tp_evaluation *evaluation);

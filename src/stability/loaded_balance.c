@@ -80,7 +80,7 @@ static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t s
     add_to(b, tp_load_name(own->kind), own->place, moment, side_of(e, own, moment, x, y));
   }
   if (e->problem->scene->loads.bond_kpa.given) {
-    tp_loaded_bond(moment, x, y, false, loaded, e);
+    tp_loaded_bond(moment, pivot, false, loaded, e);
     arb_neg(moment, moment);
     add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, moment, TP_STABILISES);
   }
@@ -166,7 +166,7 @@ static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluatio
   tp_loaded_axis(x, y, loaded, e, pivot);
   tp_wrench_moment(&moment, &loaded->sum, x, y, e->rung.bits);
   tp_trig_evaluate(value, &moment, sine, cosine, e->rung.bits);
-  tp_loaded_bond(held, x, y, true, loaded, e);
+  tp_loaded_bond(held, pivot, true, loaded, e);
   arb_add(value, value, held, e->rung.bits);
   tp_trig_clear(&moment);
   arb_clear(x);
