@@ -158,7 +158,7 @@ static bool add_corner(search *s, long vertex, long corner, long base_edge) {
   const int up = tp_facet_cross(l, base_before, corner, corner, corner + 1);
   const int down = tp_facet_cross(l, before, vertex, vertex, after);
   if (up > 0) {
-    return add_point(s, vertex, corner - 1, corner, corner - 1 - s->ring) &&
+    return add_point(s, vertex, base_before, corner, corner - s->ring - 1) &&
            add_point(s, vertex, corner, corner + 1, corner - s->ring);
   }
   if (down < 0) {
