@@ -5,9 +5,8 @@
 
 static bool opens(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point p,
                   tp_direction direction) {
-  return direction == TP_TOWARDS_LEFT
-             ? tp_facet_side(lattice, facet, p, tp_facet_begin(facet)) >= 0
-             : tp_facet_side(lattice, facet, tp_facet_end(facet), p) >= 0;
+  return direction == TP_TOWARDS_LEFT ? tp_facet_side(lattice, facet, p, tp_facet_begin(facet)) >= 0
+                                      : tp_facet_side(lattice, facet, tp_facet_end(facet), p) >= 0;
 }
 
 void tp_admissible_find(bool *admissible, const tp_contact *contact, const tp_lattice *lattice,

@@ -89,10 +89,10 @@ static bool step(bool *done, tp_limit_beyond *b, const walk *w, long edge, long 
   const tp_lattice *l = &w->problem->lattice;
   const long next = (edge + 1) % w->count;
   if (tp_section_is_arc(&w->problem->section, edge)) return false;
-  const tp_facet *before = b->sole.count > 0 ? b->sole.items + b->sole.count - 1
-                                             : facet_at_toe(w->problem, w->towards);
-  const bool goes_on = straight || (before != NULL && tp_facet_cross(l, before->t0, before->t1,
-                                                                     edge, next) == 0);
+  const tp_facet *before =
+      b->sole.count > 0 ? b->sole.items + b->sole.count - 1 : facet_at_toe(w->problem, w->towards);
+  const bool goes_on =
+      straight || (before != NULL && tp_facet_cross(l, before->t0, before->t1, edge, next) == 0);
   if (!goes_on && !is_sole(l, edge, next)) return false;
   *done = tp_facets_append(&b->sole, (tp_facet){.q0 = q0, .q1 = q1, .t0 = edge, .t1 = next});
   return *done;
@@ -157,8 +157,7 @@ bool tp_limit_beyond_init(tp_limit_beyond *b, const tp_problem *problem, tp_dire
   if (!problem->base.mated) { /* a base mated from end to end has no sole past it */
     bool inside = false;
     const long at = edge_at(&inside, l, toe->point);
-    const walk w = {problem, towards, l->start[1],
-                    end_of_underside(l, towards == TP_TOWARDS_LEFT)};
+    const walk w = {problem, towards, l->start[1], end_of_underside(l, towards == TP_TOWARDS_LEFT)};
     if (at >= 0 && is_below(&w, at, inside)) {
       const long end = walk_sole(&done, b, &w, at, inside);
       if (b->sole.count > 0) {
@@ -168,8 +167,8 @@ bool tp_limit_beyond_init(tp_limit_beyond *b, const tp_problem *problem, tp_dire
     }
   }
   const bool rounded_off =
-      b->at.cut != NULL || (b->at.point < l->start[1] &&
-                            tp_corners_at(&problem->corners, b->at.point) != NULL);
+      b->at.cut != NULL ||
+      (b->at.point < l->start[1] && tp_corners_at(&problem->corners, b->at.point) != NULL);
   if (last != NULL && !rounded_off) set_flank(b, problem, towards, last);
   tp_facets_cut(&b->sole, &problem->corners, l, l->start[1]);
   if (!done) tp_limit_beyond_clear(b);

@@ -183,8 +183,7 @@ void tp_loaded_bond(arb_t moment, const arb_t px, const arb_t py, bool back,
   fmpq_clear(factor);
 }
 
-void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *e,
-                      long k) {
+void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluation *e, long k) {
   arb_t x, y, held;
   arb_init(x);
   arb_init(y);

@@ -47,8 +47,8 @@ void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
                         tp_evaluation *evaluation, long k);
 
 /* Fill in a pivot's limits and its factor of safety at the scene's tilt. */
-void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation,
-                     long k, const arb_t degrees, const tp_roots *roots);
+void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *evaluation, long k,
+                     const arb_t degrees, const tp_roots *roots);
 
 /* The account of loads about the governing pivot; room for tp_loaded_account_count. */
 long tp_loaded_account_count(const tp_scene *scene);

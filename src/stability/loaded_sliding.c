@@ -14,7 +14,8 @@
 
 #include <math.h>
 
-/* size s = (-run, rise) and size n = (rise, run), exact: forces count times `size`, cohesion too. */
+/* size s = (-run, rise) and size n = (rise, run), exact: forces count times `size`, cohesion too.
+ */
 typedef struct facet_frame {
   arb_t run, rise, friction, cohesion;
 } facet_frame;

@@ -86,8 +86,8 @@ static void judge_up_dip(tp_evaluation *e, tp_case *result, const tp_direction_b
  * leave it open. */
 static bool topples_up_dip(bool *open, tp_evaluation *e, tp_direction towards, const arb_t tilt) {
   const tp_direction other = towards == TP_TOWARDS_LEFT ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT;
-  if (e->loaded != NULL) return tp_loaded_falls_backwards(open, e->loaded, e,
-                                                           e->problem->admissible[other]);
+  if (e->loaded != NULL)
+    return tp_loaded_falls_backwards(open, e->loaded, e, e->problem->admissible[other]);
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
   size_t pivot = 0;

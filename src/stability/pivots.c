@@ -19,10 +19,9 @@ static void loaded_angle(tp_evaluation *e, long k, tp_direction_ball *angle, tp_
   arb_clear(turn);
 }
 
-/* Lever arms of the weight about the k-th contact point, times 3 A2 > 0: the direction of the critical
- * angle, atan2(x arm, y arm). Towards the right x is mirrored. */
-void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long k,
-                         tp_direction_ball *angle) {
+/* Lever arms of the weight about the k-th contact point, times 3 A2 > 0: the direction of the
+ * critical angle, atan2(x arm, y arm). Towards the right x is mirrored. */
+void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long k, tp_direction_ball *angle) {
   const long exact = tp_evaluation_bits(e);
   if (e->loaded != NULL) {
     tp_roots roots;
@@ -176,8 +175,7 @@ void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *to
   for (size_t k = 0; k < result->pivot_count; k++) {
     result->pivots[k].admissible = e->problem->admissible[result->towards][k];
     if (settled[k]) continue;
-    settled[k] =
-        evaluate_pivot(e, result->towards, result->pivots + k, (long)k, &critical, &t);
+    settled[k] = evaluate_pivot(e, result->towards, result->pivots + k, (long)k, &critical, &t);
   }
   result->has_governing = tp_evaluate_toppling(e, result->towards, toppling, &result->governing,
                                                &result->governing_tie);

@@ -191,8 +191,8 @@ void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_b
   if (!result->has_governing || e->loaded != NULL) return;
   const bool left = result->towards == TP_TOWARDS_LEFT;
   const tp_contact_point *toe = problem->contact.points + result->governing;
-  if (toe->cut == NULL || toe->after != left) return;  /* its arc lies up-dip, if it has one */
-  if ((left ? toe->right : toe->left) < 0) return;     /* it touches in this point alone */
+  if (toe->cut == NULL || toe->after != left) return; /* its arc lies up-dip, if it has one */
+  if ((left ? toe->right : toe->left) < 0) return;    /* it touches in this point alone */
   arb_t angle;
   arb_init(angle);
   arb_set_fmpq(angle, tilt->value, e->rung.bits);

@@ -3,8 +3,8 @@
 
 /* Points of a rounded outline in balls (mechanics section 4; Appendix B).
  *
- * The contact ends at the tangent points (base/facets_cut.c), and a block turns about them: the axis
- * at a rounded toe is the tangent point on the facet up-dip of it. */
+ * The contact ends at the tangent points (base/facets_cut.c), and a block turns about them: the
+ * axis at a rounded toe is the tangent point on the facet up-dip of it. */
 
 #include "stability/evaluation.h"
 

@@ -132,12 +132,7 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
     tp_direction_ball_init(&kept[d].limit);
     tp_direction_ball_init(&kept[d].back);
   }
-  climb c = {problem,
-             options,
-             solution,
-             {calloc(points, 1), calloc(points, 1)},
-             message,
-             kept};
+  climb c = {problem, options, solution, {calloc(points, 1), calloc(points, 1)}, message, kept};
   tp_rung reached = {TP_LEVEL_DOUBLE, 0};
   tp_status status = TP_OK;
   if (c.settled[0] == NULL || c.settled[1] == NULL) {
