@@ -7,6 +7,7 @@
 #include "number/ball.h"
 #include "number/ladder.h"
 #include "number/ratio.h"
+#include "number/surd.h"
 #include "runner.h"
 
 #include <gmp.h>
@@ -245,6 +246,58 @@ START_TEST(ladder) {
 }
 END_TEST
 
+/* c0 + c1 sqrt(d1) + …, from text. */
+static int sign_of_roots(const char *whole, long count, const char *const (*terms)[2]) {
+  tp_surd sum;
+  fmpq_t factor;
+  fmpz_t radicand;
+  tp_surd_init(&sum);
+  fmpq_init(factor);
+  fmpz_init(radicand);
+  ck_assert_int_eq(fmpq_set_str(sum.c, whole, 10), 0);
+  for (long k = 0; k < count; k++) {
+    ck_assert_int_eq(fmpq_set_str(factor, terms[k][0], 10), 0);
+    ck_assert_int_eq(fmpz_set_str(radicand, terms[k][1], 10), 0);
+    tp_surd_add_root(&sum, factor, radicand);
+  }
+  const int sign = tp_surd_sign(&sum);
+  tp_surd_clear(&sum);
+  fmpq_clear(factor);
+  fmpz_clear(radicand);
+  return sign;
+}
+
+/* Sums of roots that vanish though no part does, and sums that nearly do: with the continued
+ * fraction p / q of sqrt(2) (p^2 - 2 q^2 = 1 or -1) p - q sqrt(2) is as small as 1 / (2 p), of the
+ * sign of p^2 - 2 q^2. */
+START_TEST(signs_of_roots) {
+  static const char *const zero[][2] = {{"1", "8"}, {"-2", "2"}, {"3/7", "12"}, {"-6/7", "3"}};
+  static const char *const squares[][2] = {{"2/3", "49"}, {"-1", "4"}};
+  ck_assert_int_eq(sign_of_roots("0", 0, NULL), 0);
+  ck_assert_int_eq(sign_of_roots("-1/1000000", 0, NULL), -1);
+  ck_assert_int_eq(sign_of_roots("0", 4, zero), 0);
+  ck_assert_int_eq(sign_of_roots("1/999999999999999999999999999999999999999999", 4, zero), 1);
+  ck_assert_int_eq(sign_of_roots("-8/3", 2, squares), 0);
+  mpz_t p, q, held;
+  mpz_init_set_ui(p, 1);
+  mpz_init_set_ui(q, 1);
+  mpz_init(held);
+  for (int k = 0; k < 2000; k++) { /* p^2 - 2 q^2 = -1, 1, -1, … */
+    if (k % 97 < 2) {
+      char whole[2000], factor[2000] = "-";
+      mpz_get_str(whole, 10, p);
+      mpz_get_str(factor + 1, 10, q);
+      const char *const term[][2] = {{factor, "2"}};
+      ck_assert_int_eq(sign_of_roots(whole, 1, term), k % 2 == 0 ? -1 : 1);
+    }
+    mpz_addmul_ui(p, q, 2); /* p + 2 q, p + q */
+    mpz_sub(held, p, q);
+    mpz_swap(q, held);
+  }
+  mpz_clears(p, q, held, NULL);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("number");
   TCase *numbers = tcase_create("number");
@@ -257,6 +310,7 @@ int main(void) {
   tcase_add_test(numbers, angles);
   tcase_add_test(numbers, functions_of_degrees);
   tcase_add_test(numbers, ladder);
+  tcase_add_test(numbers, signs_of_roots);
   suite_add_tcase(suite, numbers);
   return run_suite(suite);
 }

@@ -13,8 +13,8 @@
  * rounded corner has cut the block off, the facet begins at that corner's tangent point on the edge
  * after it, or ends at the one before it; q0 and q1 are then the ends without rounding. */
 typedef struct tp_facet {
-  long q0, q1; /* from left to right; equal for a contact in a point */
-  long t0, t1; /* direction from t0 to t1; equal: restrains nothing */
+  long q0, q1;    /* from left to right; equal for a contact in a point */
+  long t0, t1;    /* direction from t0 to t1; equal: restrains nothing */
   long base_edge; /* of the profile; -1 and edge_count: the upright end faces of the base */
   const tp_corner *cut0, *cut1; /* NULL where the end is q0, q1; cut1 of a point is NULL */
 } tp_facet;

@@ -59,7 +59,8 @@ static bool keep_piece(tp_facet *f, edge_corners c, const tp_lattice *l) {
 
 static bool keep(tp_facet *f, const tp_corners *corners, const tp_lattice *l, long outline_count) {
   if (f->q0 == f->q1 && f->q0 < outline_count) return tp_corners_at(corners, f->q0) == NULL;
-  if (f->t0 >= outline_count) return true; /* of the base, pressed by a vertex that is a point too */
+  if (f->t0 >= outline_count)
+    return true; /* of the base, pressed by a vertex that is a point too */
   const edge_corners c = {tp_corners_at(corners, f->t0), tp_corners_at(corners, f->t1)};
   return f->q0 == f->q1 ? keep_point(f, c, l) : keep_piece(f, c, l);
 }

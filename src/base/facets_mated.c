@@ -11,19 +11,17 @@ tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const
   bool done = true;
   if (first > 0 &&
       tp_facet_cross(lattice, ring + first - 1, ring + first, ring + first, ring + first + 1) > 0) {
-    done = tp_facets_append(facets,
-                            (tp_facet){.q0 = outline + base->outline_first,
-                                       .q1 = outline + base->outline_first,
-                                       .t0 = ring + first - 1,
-                                       .t1 = ring + first,
-                                       .base_edge = first - 1});
+    done = tp_facets_append(facets, (tp_facet){.q0 = outline + base->outline_first,
+                                               .q1 = outline + base->outline_first,
+                                               .t0 = ring + first - 1,
+                                               .t1 = ring + first,
+                                               .base_edge = first - 1});
   }
   for (long k = 0; k < base->mated_count && done; k++) {
     const long from = outline + (base->outline_first + k) % vertices;
     const long to = outline + (base->outline_first + k + 1) % vertices;
     done = tp_facets_append(
-        facets,
-        (tp_facet){.q0 = from, .q1 = to, .t0 = from, .t1 = to, .base_edge = first + k});
+        facets, (tp_facet){.q0 = from, .q1 = to, .t0 = from, .t1 = to, .base_edge = first + k});
   }
   if (last < base->edge_count && done &&
       tp_facet_cross(lattice, ring + last - 1, ring + last, ring + last, ring + last + 1) > 0) {

@@ -70,8 +70,8 @@ static bool add_touch(search *s, long a0, long a1, long base_edge) {
   } else if (on_segment(l, b0, a0, a1)) {
     q = b0;
   }
-  return tp_facets_append(
-      &s->touches, (tp_facet){.q0 = q, .q1 = q, .t0 = a0, .t1 = a1, .base_edge = base_edge});
+  return tp_facets_append(&s->touches,
+                          (tp_facet){.q0 = q, .q1 = q, .t0 = a0, .t1 = a1, .base_edge = base_edge});
 }
 
 static bool take_meeting(void *context, tp_geom_meeting meeting) {
@@ -144,8 +144,8 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
 
 static bool add_point(search *s, long q, long t0, long t1, long base_edge) {
   if (facet_ends_in(s, q, base_edge, t0, t1)) return true;
-  return tp_facets_append(
-      &s->points, (tp_facet){.q0 = q, .q1 = q, .t0 = t0, .t1 = t1, .base_edge = base_edge});
+  return tp_facets_append(&s->points,
+                          (tp_facet){.q0 = q, .q1 = q, .t0 = t0, .t1 = t1, .base_edge = base_edge});
 }
 
 /* A vertex of the outline in a vertex of the profile: a notch of either restrains by both its
@@ -158,7 +158,7 @@ static bool add_corner(search *s, long vertex, long corner, long base_edge) {
   const int up = tp_facet_cross(l, base_before, corner, corner, corner + 1);
   const int down = tp_facet_cross(l, before, vertex, vertex, after);
   if (up > 0) {
-    return add_point(s, vertex, corner - 1, corner, corner - 1 - s->ring) &&
+    return add_point(s, vertex, base_before, corner, corner - s->ring - 1) &&
            add_point(s, vertex, corner, corner + 1, corner - s->ring);
   }
   if (down < 0) {

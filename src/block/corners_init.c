@@ -86,8 +86,8 @@ static tp_status locate(tp_corner *corner, const tp_corner_description *c,
 static bool overlaps(const tp_corners *corners, const tp_corner *corner, long to,
                      const tp_lattice *l) {
   const tp_corner *other = tp_corners_at(corners, to);
-  const int room = to == corner->after ? tp_tangents_room(corner, other, l)
-                                       : tp_tangents_room(other, corner, l);
+  const int room =
+      to == corner->after ? tp_tangents_room(corner, other, l) : tp_tangents_room(other, corner, l);
   return room < 0;
 }
 
@@ -102,7 +102,7 @@ static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
     return tp_fail(message, TP_BAD_INPUT, corner->radius_place,
                    "the radius at %s is too large: rounding %s take up more than %s", name,
                    tp_corners_at(corners, ends[k]) != NULL ? "it and the next corner would"
-                                                                : "it would",
+                                                           : "it would",
                    edge);
   }
   return TP_OK;
@@ -128,8 +128,8 @@ static void set_cross(arb_t cross, const tp_ball_point *p, const tp_ball_point *
   arb_clear(vy);
 }
 
-/* Does a point that lies between the two edges of a corner lie in its tip: beyond the chord, and not
- * within a radius of the centre? */
+/* Does a point that lies between the two edges of a corner lie in its tip: beyond the chord, and
+ * not within a radius of the centre? */
 static bool in_tip(const tp_corner_ball *c, const tp_lattice *l, long point, long bits) {
   arb_t side, x, y;
   arb_init(side);

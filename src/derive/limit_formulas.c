@@ -49,7 +49,8 @@ static bool beyond_direction(fmpz_mpoly_q_t tx, fmpz_mpoly_q_t ty, const tp_mode
   }
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
-    if (f->q0 == f->q1 || !tp_facet_ends_in(&m->problem.lattice, f, tp_facet_begin(single))) continue;
+    if (f->q0 == f->q1 || !tp_facet_ends_in(&m->problem.lattice, f, tp_facet_begin(single)))
+      continue;
     const bool found = difference(tx, ty, m, f->t0, f->t1);
     fmpz_mpoly_q_neg(ty, ty, m->symbols.field.ring);
     return found;

@@ -62,10 +62,10 @@ static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bi
   arb_clear(radians);
 }
 
-/* The direction of (A, B). Where A is below zero half a turn from that of (-A, -B), which is known
- * as well where the sign of B is not. */
+/* The direction of (A, B). Where A is below zero and the sign of B is not known it is half a turn
+ * from that of (-A, -B), which is known. */
 static void set_direction(arb_t psi, const tp_trig *f, long bits) {
-  if (!arb_is_negative(f->of + TP_COS)) {
+  if (!arb_is_negative(f->of + TP_COS) || !arb_contains_zero(f->of + TP_SIN)) {
     arb_atan2(psi, f->of + TP_SIN, f->of + TP_COS, bits);
     return;
   }

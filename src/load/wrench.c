@@ -73,13 +73,10 @@ void tp_wrench_moment(tp_trig *moment, const tp_wrench *wrench, const arb_t x, c
   tp_trig_addmul(moment, &wrench->x, y, bits);
 }
 
-double tp_wrench_moment_log2(const tp_wrench *w, const arb_t x, const arb_t y) {
-  const double along = tp_ball_log2_above(x), up = tp_ball_log2_above(y);
+double tp_wrench_force_log2(const tp_wrench *w) {
   double most = -INFINITY;
   for (int k = 0; k < TP_BASIS; k++) {
-    most = fmax(most, tp_ball_log2_above(w->moment.of + k));
-    most = fmax(
-        most, fmax(along + tp_ball_log2_above(w->y.of + k), up + tp_ball_log2_above(w->x.of + k)));
+    most = fmax(most, fmax(tp_ball_log2_above(w->x.of + k), tp_ball_log2_above(w->y.of + k)));
   }
   return most;
 }

@@ -47,7 +47,7 @@ void tp_wrench_add_force(tp_wrench *wrench, const tp_trig *fx, const tp_trig *fy
 void tp_wrench_moment(tp_trig *moment, const tp_wrench *wrench, const arb_t x, const arb_t y,
                       long bits);
 
-/* log2 of the largest of the terms that this moment is made of, and that may cancel. */
-double tp_wrench_moment_log2(const tp_wrench *wrench, const arb_t x, const arb_t y);
+/* log2 of the largest term of its force. */
+double tp_wrench_force_log2(const tp_wrench *wrench);
 
 #endif

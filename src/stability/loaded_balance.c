@@ -7,6 +7,10 @@
 
 #include "number/ball.h"
 
+#include <math.h>
+
+#include "number/ball.h"
+
 /* Sums of what stabilises and what overturns, both positive. */
 typedef struct balance {
   arb_t stabilising, overturning;
@@ -46,8 +50,11 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
  * overturns. A load whose line passes through the pivot overturns nothing. */
 static tp_load_side side_of(tp_evaluation *e, const tp_load *load, const arb_t moment,
                             const arb_t x, const arb_t y) {
+  const tp_lattice *l = &e->problem->lattice;
+  const double size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  const double arm = fmax(size, fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
   if (arb_contains_zero(moment) && !arb_is_zero(moment) &&
-      !tp_evaluation_is_zero_width(e, moment, tp_wrench_moment_log2(&load->wrench, x, y))) {
+      !tp_evaluation_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
     e->certain = false;
   }
   if (arb_is_positive(moment)) return TP_OVERTURNS;

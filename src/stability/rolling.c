@@ -23,40 +23,86 @@ typedef struct roller {
   arb_t radius, arc; /* of the corner, lattice units; pi - theta, or where the plane ends before */
 } roller;
 
-/* The end of the base's straight piece below a facet, down-dip. */
-static long end_of_plane(const tp_problem *problem, const tp_facet *facet, bool left) {
+/* What the block rolls on: an arc that begins in the toe, and the rock that goes straight on below
+ * it.
+ */
+typedef struct rolling {
+  const tp_corner *corner;
+  tp_outline_point toe;
+  long end; /* of the rock's straight piece, a point of the lattice */
+  bool left;
+} rolling;
+
+/* The corner whose arc begins in a contact point, down-dip; NULL where there is none. Its tangent
+ * point may be a vertex of the outline or of the profile. */
+static const tp_corner *corner_at(const tp_problem *problem, const tp_contact_point *toe,
+                                  bool left) {
+  if (toe->cut != NULL) return toe->after == left ? toe->cut : NULL;
+  const long count = problem->lattice.start[1], facet = left ? toe->right : toe->left;
+  long vertex = -1;
+  if (facet >= 0) {
+    const tp_facet *f = problem->contact.facets + facet;
+    vertex = left ? f->t0 : f->t1;
+  }
+  const tp_corner *corner = vertex >= 0 ? tp_corners_at(&problem->corners, vertex) : NULL;
+  if (corner == NULL && toe->point < count) { /* nothing is left of the edge before it */
+    corner = tp_corners_at(&problem->corners, (toe->point + (left ? count - 1 : 1)) % count);
+  }
+  if (corner == NULL) return NULL;
+  const long edge_end = left ? corner->after : corner->before;
+  const bool on_edge =
+      tp_facet_cross(&problem->lattice, corner->vertex, edge_end, corner->vertex, toe->point) == 0;
+  return on_edge && tp_tangent_compare(corner, left, &problem->lattice, toe->point) == 0 ? corner
+                                                                                         : NULL;
+}
+
+/* Find the edge of the profile on the line of the corner's edge that goes on past the toe, and
+ * where those straight on from it end; false where the rock does not go on. */
+static bool find_plane(rolling *r, const tp_problem *problem) {
   const tp_lattice *l = &problem->lattice;
-  const long ring = l->start[problem->section.ring_count], step = left ? -1 : 1;
-  const long edges = problem->base.edge_count, last = left ? ring : ring + edges;
-  if (facet->base_edge < 0) return left ? ring + edges + 2 : ring; /* the end faces */
-  if (facet->base_edge == edges) return left ? ring + edges : ring + edges + 1;
-  long end = ring + facet->base_edge + (left ? 0 : 1);
-  while (end != last && tp_facet_cross(l, end - 1, end, end, end + 1) == 0) end += step;
-  return end;
+  const long ring = l->start[problem->section.ring_count], last = ring + problem->base.edge_count;
+  const long t0 = r->left ? r->corner->vertex : r->corner->before;
+  const long t1 = r->left ? r->corner->after : r->corner->vertex;
+  for (long from = ring; from < last; from++) {
+    if (tp_facet_cross(l, t0, t1, t0, from) != 0 || tp_facet_cross(l, t0, t1, t0, from + 1) != 0) {
+      continue;
+    }
+    const tp_outline_point begin = {.point = from}, end = {.point = from + 1};
+    const int before = tp_outline_point_along(l, r->toe, begin, t0, t1);
+    const int after = tp_outline_point_along(l, r->toe, end, t0, t1);
+    if (r->left ? before >= 0 || after < 0 : after <= 0 || before > 0) continue;
+    const long step = r->left ? -1 : 1, stop = r->left ? ring : last;
+    r->end = r->left ? from : from + 1;
+    while (r->end != stop && tp_facet_cross(l, r->end - 1, r->end, r->end, r->end + 1) == 0) {
+      r->end += step;
+    }
+    return true;
+  }
+  return false;
 }
 
 /* By how much it may turn before the plane ends: its length over the radius. */
-static void set_plane(arb_t turns, const tp_evaluation *e, const tp_contact_point *toe, bool left) {
-  const tp_problem *problem = e->problem;
-  const long facet = left ? toe->right : toe->left, bits = e->rung.bits;
-  const long end = end_of_plane(problem, problem->contact.facets + facet, left);
+static void set_plane(arb_t turns, const tp_evaluation *e, const rolling *on) {
+  const tp_lattice *l = &e->problem->lattice;
+  const long bits = e->rung.bits;
   arb_t x, y, radius;
   arb_init(x);
   arb_init(y);
   arb_init(radius);
-  tp_evaluation_place(x, y, e, tp_contact_place(toe));
-  arb_sub_fmpz(x, x, problem->lattice.x + end, bits);
-  arb_sub_fmpz(y, y, problem->lattice.y + end, bits);
+  tp_evaluation_place(x, y, e, on->toe);
+  arb_sub_fmpz(x, x, l->x + on->end, bits);
+  arb_sub_fmpz(y, y, l->y + on->end, bits);
   arb_hypot(turns, x, y, bits);
-  arb_set_fmpq(radius, toe->cut->radius, bits);
+  arb_set_fmpq(radius, on->corner->radius, bits);
   arb_div(turns, turns, radius, bits);
   arb_clear(x);
   arb_clear(y);
   arb_clear(radius);
 }
 
-static void roller_init(roller *r, const tp_evaluation *e, const tp_contact_point *toe, bool left) {
-  const tp_corner *corner = toe->cut;
+static void roller_init(roller *r, const tp_evaluation *e, const rolling *on) {
+  const tp_corner *corner = on->corner;
+  const bool left = on->left;
   const long bits = e->rung.bits;
   const arb_struct *sums = e->moments.weighted;
   tp_corner_ball c;
@@ -86,7 +132,7 @@ static void roller_init(roller *r, const tp_evaluation *e, const tp_contact_poin
   arb_mul_2exp_si(r->arc, r->arc, 1);
   arb_t plane;
   arb_init(plane);
-  set_plane(plane, e, toe, left);
+  set_plane(plane, e, on);
   arb_min(r->arc, r->arc, plane, bits);
   arb_clear(plane);
   tp_corner_ball_clear(&c);
@@ -144,8 +190,7 @@ static bool find_rest(arb_t turned, roller *r, tp_evaluation *e, const arb_t sin
 }
 
 /* At the scene's tilt, where it lies beyond the critical angle. */
-static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_contact_point *toe,
-                         bool left) {
+static void rest_at_tilt(tp_evaluation *e, tp_case *result, const rolling *on) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   const long bits = e->rung.bits;
   roller r;
@@ -154,7 +199,7 @@ static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_contact_poi
   arb_init(cosine);
   arb_init(turned);
   arb_init(pi);
-  roller_init(&r, e, toe, left);
+  roller_init(&r, e, on);
   tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
   result->rests = find_rest(turned, &r, e, sine, cosine);
   result->rolls = result->rests ? TP_ROLLS_BACK : TP_ROLLS_OVER;
@@ -173,10 +218,10 @@ static void rest_at_tilt(tp_evaluation *e, tp_case *result, const tp_contact_poi
 
 /* At the critical angle itself, whose direction is that of the lever arms: back if the centroid
  * lies below the centre. */
-static void roll_from_limit(tp_evaluation *e, tp_case *result, const tp_contact_point *toe,
-                            const tp_direction_ball *toppling, bool left) {
+static void roll_from_limit(tp_evaluation *e, tp_case *result, const rolling *on,
+                            const tp_direction_ball *toppling) {
   roller r;
-  roller_init(&r, e, toe, left);
+  roller_init(&r, e, on);
   turn(r.qx, r.qy, toppling->sine, toppling->cosine, e->rung.bits);
   result->rolls = arb_is_negative(r.qy) ? TP_ROLLS_BACK : TP_ROLLS_OVER;
   if (arb_contains_zero(r.qy)) e->certain = false;
@@ -191,15 +236,16 @@ void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_b
   if (!result->has_governing || e->loaded != NULL) return;
   const bool left = result->towards == TP_TOWARDS_LEFT;
   const tp_contact_point *toe = problem->contact.points + result->governing;
-  if (toe->cut == NULL || toe->after != left) return; /* its arc lies up-dip, if it has one */
-  if ((left ? toe->right : toe->left) < 0) return;    /* it touches in this point alone */
+  rolling on = {.corner = corner_at(problem, toe, left), .left = left};
+  on.toe = tp_contact_place(toe);
+  if (on.corner == NULL || !find_plane(&on, problem)) return;
   arb_t angle;
   arb_init(angle);
   arb_set_fmpq(angle, tilt->value, e->rung.bits);
   if (tilt->given && arb_gt(angle, toppling->degrees)) {
-    rest_at_tilt(e, result, toe, left);
+    rest_at_tilt(e, result, &on);
   } else {
-    roll_from_limit(e, result, toe, toppling, left);
+    roll_from_limit(e, result, &on, toppling);
   }
   arb_clear(angle);
 }

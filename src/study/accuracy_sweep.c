@@ -59,6 +59,10 @@ static bool bare_init(tp_accuracy_subject *s, long count) {
       !allocate(lattice, (size_t)count)) {
     return false;
   }
+  tp_contact *contact = &s->problem.contact; /* the pivot alone */
+  contact->points = calloc(1, sizeof *contact->points);
+  if (contact->points == NULL) return false;
+  contact->point_count = 1;
   section->ring_count = 1;
   fmpz_one(section->ring_weights);
   fmpz_one(section->density_weights);
@@ -67,6 +71,7 @@ static bool bare_init(tp_accuracy_subject *s, long count) {
 }
 
 static void bare_clear(tp_accuracy_subject *s) {
+  tp_contact_clear(&s->problem.contact);
   tp_section_clear(&s->problem.section);
   tp_lattice_clear(&s->problem.lattice);
   fmpq_clear(s->scene.metres_per_unit);

@@ -9,10 +9,7 @@
 #include "stability/loaded.h"
 
 static tp_evaluation evaluation_of(const tp_accuracy_subject *s, tp_rung rung) {
-  return (tp_evaluation){.problem = &s->problem,
-                         .rung = rung,
-                         .digits = 1,
-                         .certain = true};
+  return (tp_evaluation){.problem = &s->problem, .rung = rung, .digits = 1, .certain = true};
 }
 
 /* Under its loads, where the scene calls for some. */

@@ -1,42 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The contact of rounded blocks, of the rock's end faces and of bases that go on, against rationals.
+"""The contact of rounded blocks against rationals.
 
-The story: a corner that rounding had cut off held blocks up on rock that it did not touch, and a face
-that stood as an edge of the base's own held nothing. Random undersides, profiles that follow them in
-parts, and rounded corners are solved as they are and mirrored; contact, pivots, sliding and limit are
-those of contact_oracle.py and of all pairs of forces (limit_oracle.py). TOPPLE_CONTACT_SCENES sets how
-many scenes are drawn, TOPPLE_CONTACT_SEED where from."""
+The story: a corner that rounding had cut off held blocks up on rock that it did not touch. Random
+undersides, profiles that follow them in parts, and rounded corners are solved as they are and
+mirrored; contact, pivots, sliding and limit are those of contact_oracle.py and of all pairs of forces
+(limit_oracle.py)."""
 
-import json
 import math
-import os
-import pathlib
 import random
-import tempfile
-import unittest
 from fractions import Fraction
 
-import exact
 import limit_oracle
-from contact_oracle import NEAR, Contact, Rounded, at, distance_to_segment, minus, same
-from harness import main, run, solve
-
-SCENES = int(os.environ.get("TOPPLE_CONTACT_SCENES", "240"))
-SEED = int(os.environ.get("TOPPLE_CONTACT_SEED", "1"))
-DEFECTS = ("[[0, 0], [2, 1], [2, 5], [0, 5]]", "[[0, 0], [2, 0], [2, 4], [0, 4]]")
+from contact_oracle import Contact, Rounded, at, distance_to_segment
+from contact_scenes import SCENES, SEED, ContactTest, mirror, points_text
+from harness import main
 
 # edges of rational length, and others
 RATIONAL = [(4, 3), (4, -3), (3, 4), (3, -4), (12, 5), (12, -5), (5, -12), (8, 15), (15, -8), (4, 0), (6, 0)]
 OTHERS = [(2, 1), (2, -1), (3, 1), (3, -2), (1, 2), (1, -3), (4, -1), (5, 3), (0, 3), (0, -3), (3, 0)]
-
-
-def points_text(points):
-    return "[" + ", ".join(f"[{x}, {y}]" for x, y in points) + "]"
-
-
-def mirror(points):
-    return [(-x, y) for x, y in reversed(points)]
 
 
 class Scene:
@@ -157,74 +139,7 @@ class Drawing:
         return scene, rounded, scene.profile(under)
 
 
-class ContactTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = pathlib.Path(self.folder.name) / "scene.yaml"
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def cases(self, text):
-        self.path.write_text(text)
-        return {case["towards"]: case for case in solve(self.path)["cases"]}
-
-    def refused(self, text):
-        self.path.write_text(text)
-        status, _, err = run("solve", "--json", self.path)
-        return err if status == 3 else None
-
-    def near(self, ball, truth, slack=1e-9):
-        self.assertLessEqual(abs(ball["value"] - float(truth)), ball["error"] + slack * (1 + abs(float(truth))))
-
-
 class Random(ContactTest):
-    def compare_contact(self, case, contact):
-        told = case["contact"]
-        self.assertEqual(told["facets"], len(contact.facets))
-        self.assertEqual(told["points"], len(contact.points) + len(contact.corners))
-        self.assertEqual(told["corner_points"], len(contact.corners))
-        self.near(told["length_m"], contact.length())
-
-    def compare_pivots(self, case, contact, centroid, towards):
-        places = contact.places()
-        told = sorted((p["x_m"]["value"], p["y_m"]["value"], p["admissible"], p["critical_angle_deg"]["value"])
-                      for p in case["pivots"])
-        sign = 1 if towards == "left" else -1
-        truth = sorted((float(x), float(y), contact.admissible((x, y), towards),
-                        math.degrees(math.atan2(sign * (centroid[0] - x), centroid[1] - y))) for x, y in places)
-        self.assertEqual(len(told), len(truth))
-        for one, other in zip(told, truth):
-            self.assertEqual(one[2], other[2], (one, other))
-            for a, b in zip(one, other):
-                self.assertAlmostEqual(a, b, delta=1e-9 * (1 + abs(b)))
-
-    def compare_sliding(self, case, contact, centroid, friction, towards):
-        truth = contact.sliding(centroid, friction, towards)
-        told = case["sliding"]["critical_angle_deg"] if "sliding" in case else None
-        if truth in (None, "never"):
-            self.assertIsNone(told)
-        else:
-            self.near(told, truth)
-
-    def compare_limit(self, case, points, centroid, friction, towards):
-        """Between the limits of tan(phi) from below and above; where these are not of one kind the scene
-        is a tie, which rationals near the truth do not settle."""
-        if towards == "right":
-            points = [((-x, y), (tx, -ty)) for (x, y), (tx, ty) in points]
-            centroid = (-centroid[0], centroid[1])
-        limits = [limit_oracle.Limit(points, centroid, tan) for tan in limit_oracle.tangents(friction)]
-        if len({l.kind for l in limits}) > 1:
-            return False
-        told = case["limit"]
-        if limits[0].kind == "angle":
-            for limit in limits:
-                self.near(told["critical_angle_deg"], math.degrees(math.atan(limit.most)))
-        else:
-            self.assertIsNone(told["critical_angle_deg"])
-            self.assertEqual(told["mechanism"] == "interlocked", limits[0].kind == "interlocked")
-        return True
-
     def arcs_are_clear(self, rounded, contact):
         """The theorem of base/facets_cut.c by looking: no arc comes near the rock but at its ends."""
         rock = [tuple(map(float, p)) for p in contact.rock]
