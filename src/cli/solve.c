@@ -172,8 +172,8 @@ static const struct argp parser = {
 static void print_open(const tp_case *c, const tp_solution *solution, const char *scene) {
   const bool factor = c->limit.fos.state == TP_FOS_UNDECIDED;
   const char *what = c->limit.kind == TP_LIMIT_UNDECIDED ? "the limit by contact forces"
-                     : factor ? "the factor of safety by contact forces"
-                              : "the mechanism";
+                     : factor                            ? "the factor of safety by contact forces"
+                                                         : "the mechanism";
   if (c->mechanism != TP_MECHANISM_UNDECIDED && c->first != TP_MECHANISM_UNDECIDED && !factor) {
     return;
   }
