@@ -28,8 +28,10 @@ static void turn_back(tp_wrench *load) {
 static bool is_settled(const tp_evaluation *e) {
   enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160, SPARE = 32 };
   static const double of_digit = 3.33; /* 10 < 2^3.33 */
-  return e->rung.bits >=
-             (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS) &&
+  const tp_problem *problem = e->problem;
+  const bool enclosed =
+      tp_problem_is_enclosed(problem) && !problem->loaded; /* loads are rationals */
+  return e->rung.bits >= (enclosed ? SETTLING_BITS_ENCLOSED : SETTLING_BITS) &&
          (double)e->rung.bits >= 2 * (of_digit * e->digits + SPARE);
 }
 
