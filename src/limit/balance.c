@@ -195,8 +195,7 @@ tp_simplex_answer tp_balance_solve_precisely(const tp_limit_question *q, tp_sket
   tp_vector target;
   tp_vector_init(&target);
   for (int row = 0; row < 3; row++) arb_neg(target.of + row, wrench->of + row);
-  const tp_simplex_answer found =
-      tp_precise_solve(sketch, q->cones, push, &target, q->judge.bits);
+  const tp_simplex_answer found = tp_precise_solve(sketch, q->cones, push, &target, q->judge.bits);
   tp_vector_clear(&target);
   return found;
 }
@@ -219,9 +218,9 @@ tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const 
                            const tp_vector *wrench) {
   for (int engine = 0; engine < 2; engine++) {
     if (!tp_work_spend(q->work, engine == 0 ? 1 : 4, sketch->count, q->judge.bits)) return TP_OPEN;
-    const tp_simplex_answer found =
-        engine == 0 ? tp_balance_solve(sketch, push, wrench)
-                    : tp_balance_solve_precisely(q, sketch, push, wrench);
+    const tp_simplex_answer found = engine == 0
+                                        ? tp_balance_solve(sketch, push, wrench)
+                                        : tp_balance_solve_precisely(q, sketch, push, wrench);
     const tp_basis basis = tp_basis_of(&found);
     if (found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 2 && found.t > 0 &&
         bears_with(&basis, q, sketch, push, wrench) == TP_YES) {

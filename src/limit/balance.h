@@ -19,8 +19,8 @@ tp_answer tp_balance_of(tp_basis *basis, const tp_limit_question *question, cons
  */
 void tp_balance_push(tp_vector *push, const tp_limit_question *question, const tp_sketch *sketch);
 
-/* Of all that balance a wrench, with a share t of the push as large as can be: in doubles, and at the
- * question's bits. A share below zero says that the base does not bear it. */
+/* Of all that balance a wrench, with a share t of the push as large as can be: in doubles, and at
+ * the question's bits. A share below zero says that the base does not bear it. */
 tp_simplex_answer tp_balance_solve(tp_sketch *sketch, const tp_vector *push,
                                    const tp_vector *wrench);
 tp_simplex_answer tp_balance_solve_precisely(const tp_limit_question *question, tp_sketch *sketch,

@@ -36,9 +36,8 @@ static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_sketch 
   tp_answer answer = TP_OPEN;
   for (int engine = 0; engine < 2 && answer != TP_YES; engine++) {
     if (!tp_work_spend(q->work, engine == 0 ? 2 : 5, sketch->count, q->judge.bits)) return TP_OPEN;
-    const tp_simplex_answer found =
-        engine == 0 ? tp_balance_solve(sketch, push, load)
-                    : tp_balance_solve_precisely(q, sketch, push, load);
+    const tp_simplex_answer found = engine == 0 ? tp_balance_solve(sketch, push, load)
+                                                : tp_balance_solve_precisely(q, sketch, push, load);
     long columns[2], violated = -1;
     if (!span(columns, &found, sketch)) continue;
     answer = tp_face_span(face, q->cones, columns[0], columns[1], load, &q->judge);
@@ -109,8 +108,7 @@ static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *s
   if (answer == TP_YES) {
     tp_search_excess(&excess, &face, q);
     tp_trig_evaluate(above, &excess, sine, cosine, q->judge.bits);
-    const bool beaten =
-        arb_is_positive(above) && (z == NULL || find_zeros(z, &excess, q, at, 0));
+    const bool beaten = arb_is_positive(above) && (z == NULL || find_zeros(z, &excess, q, at, 0));
     answer = beaten ? TP_YES : TP_OPEN;
   }
   tp_vector_clear(&load);

@@ -196,7 +196,8 @@ void tp_face_find_held(tp_face *face, const tp_cones *cones, const tp_judge *jud
     tp_vector_dot(power, &face->twist, &column, judge->precision);
     arb_neg(power, power);
     face->full[k - first] = in_no_face(face, k) && arb_is_positive(power);
-    arb_max(power, power, zero, judge->precision);
+    /* one that may do no work is in the bound of K both at its bound and not (take_idle) */
+    if (!arb_contains_zero(power)) arb_max(power, power, zero, judge->precision);
     tp_cones_bound(most, cones, k);
     arb_addmul(face->held, power, most, judge->bits);
   }

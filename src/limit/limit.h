@@ -29,7 +29,7 @@ typedef struct tp_limit_answer {
   tp_limit_kind kind;
   arb_t sine, cosine; /* of the limit, times any positive factor where no load is fixed */
   arb_t degrees;
-  bool bracketed; /* proven as held at the lower end of `degrees` and not at the upper one */
+  bool bracketed;     /* proven as held at the lower end of `degrees` and not at the upper one */
   bool adds_friction; /* `degrees` is this inclination and the friction angle added: */
   arb_t inclination;
   tp_face face;

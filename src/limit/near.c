@@ -45,8 +45,8 @@ static tp_answer prove(candidate *c) {
   if (c->basis.outcome != TP_SIMPLEX_OPTIMAL) return TP_NO;
   tp_limit_question strict = *q;
   strict.judge.settled = false;
-  tp_answer done = tp_prove_limit(c->answer, &strict, c->sketch, &c->basis,
-                                  &c->program.direction, near);
+  tp_answer done =
+      tp_prove_limit(c->answer, &strict, c->sketch, &c->basis, &c->program.direction, near);
   if (done == TP_YES || !q->judge.settled) return done;
   done = tp_prove_limit(c->answer, q, c->sketch, &c->basis, &c->program.direction, near);
   return done == TP_YES ? tp_bracket_limit(c->answer, q, c->sketch) : done;
@@ -69,12 +69,12 @@ static bool move_near(candidate *c) {
 }
 
 static bool is_same(const tp_basis *a, const tp_basis *b) {
-  return a->count == b->count && a->columns[0] == b->columns[0] &&
-         a->columns[1] == b->columns[1] && a->columns[2] == b->columns[2];
+  return a->count == b->count && a->columns[0] == b->columns[0] && a->columns[1] == b->columns[1] &&
+         a->columns[2] == b->columns[2];
 }
 
-/* Where doubles do not tell the columns apart: programs at full precision, each at the tilt that the
- * last one gave, until one is its own. */
+/* Where doubles do not tell the columns apart: programs at full precision, each at the tilt that
+ * the last one gave, until one is its own. */
 static tp_answer find_precisely(candidate *c) {
   enum { MOST_ROUNDS = 8 };
   tp_answer done = TP_OPEN;
@@ -82,8 +82,7 @@ static tp_answer find_precisely(candidate *c) {
     if (!tp_work_spend(c->question->work, 8, c->sketch->count, c->question->judge.bits)) break;
     const tp_basis before = c->basis;
     tp_program_set_near(&c->program, c->question, c->near);
-    const tp_simplex_answer found =
-        tp_program_solve_precisely(&c->program, c->sketch, c->question);
+    const tp_simplex_answer found = tp_program_solve_precisely(&c->program, c->sketch, c->question);
     c->basis = tp_basis_of(&found);
     if (round > 0 && is_same(&before, &c->basis)) break;
     done = prove(c);

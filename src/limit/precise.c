@@ -58,6 +58,12 @@ static void free_numbers(arf_struct *numbers, long count) {
   free(numbers);
 }
 
+/* Numbers of so many bits, four a column and 32 bytes each beside their bits. */
+static bool fits(long count, long bits) {
+  static const double most_bytes = 5e8;
+  return 4.0 * (double)count * (32 + (double)bits / 8) < most_bytes;
+}
+
 static void describe(tp_simplex_answer *answer, const tp_precise *p) {
   for (int r = 0; r < 3; r++) {
     answer->basis[r] = p->basis[r] <= TP_SIMPLEX_NONE ? TP_SIMPLEX_NONE : p->basis[r];
@@ -68,11 +74,12 @@ static void describe(tp_simplex_answer *answer, const tp_precise *p) {
 
 tp_simplex_answer tp_precise_solve(tp_sketch *sketch, const tp_cones *cones,
                                    const tp_vector *direction, const tp_vector *target, long bits) {
+  tp_simplex_answer answer = {.outcome = TP_SIMPLEX_STUCK};
+  if (!fits(sketch->count, bits)) return answer;
   tp_precise p = {.count = sketch->count, .bits = bits, .at_most = sketch->at_most};
   p.columns = new_numbers(3 * p.count);
   p.most = new_numbers(p.count);
   p.scratch = new_numbers(TP_PRECISE_SCRATCH);
-  tp_simplex_answer answer = {.outcome = TP_SIMPLEX_STUCK};
   if (p.columns != NULL && p.most != NULL && p.scratch != NULL) {
     tp_precise_share(&p);
     bool finite = set_columns(&p, sketch, cones);

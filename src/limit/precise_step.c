@@ -139,8 +139,7 @@ static void replace(tp_precise *p, int row, long entering) {
 
 /* Move the entering variable; false where nothing stops it. */
 static bool enter(tp_precise *p, long entering, int way) {
-  const arf_struct *column =
-      entering == TP_SIMPLEX_T ? p->direction : p->columns + 3 * entering;
+  const arf_struct *column = entering == TP_SIMPLEX_T ? p->direction : p->columns + 3 * entering;
   for (int r = 0; r < 3; r++) dot(p->step + r, p->inverse + 3 * r, column, p->bits);
   bool to_bound = false;
   const int leaving = find_leaving(p, entering, way, &to_bound);

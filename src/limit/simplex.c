@@ -172,6 +172,7 @@ static bool sweep(tableau *s) {
   static const double rounding = 1e-13;
   const tp_simplex_program *p = s->program;
   double y[3], rest[3];
+  if (s->at_most == NULL) return true;
   prices(s, y);
   for (long k = s->first_bounded; k < p->count; k++) {
     const double power = dot(y, p->columns[k]), gain = s->at_most[k] ? -power : power;

@@ -7,8 +7,9 @@
  *
  * With a direction of zeros any solution will do. The bounded simplex method with the basis inverse
  * at hand (3 x 3), the column of the most negative reduced cost entering, or where that is bounded
- * every bounded one that gains, in turn; a handful of passes over the columns. Nothing here is certain: the answer is a basis that a certificate then judges.
- * Columns are best scaled to size one. */
+ * every bounded one that gains, in turn; a handful of passes over the columns. Nothing here is
+ * certain: the answer is a basis that a certificate then judges. Columns are best scaled to size
+ * one. */
 
 #ifndef TP_SIMPLEX_H
 #define TP_SIMPLEX_H

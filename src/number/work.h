@@ -20,8 +20,8 @@ typedef struct tp_work {
 /* Of all questions on all rungs: seconds, and more for a large contact. */
 double tp_work_allowed(long columns);
 
-/* A question may take a share of what is allowed, so that one that is too dear leaves enough for the
- * others. */
+/* A question may take a share of what is allowed, so that one that is too dear leaves enough for
+ * the others. */
 void tp_work_begin(tp_work *work, long columns);
 
 /* Count steps over the columns; false where too much is spent. With NULL everything is allowed. */

@@ -23,11 +23,16 @@ static void turn_back(tp_wrench *load) {
   for (int k = 0; k < 3; k++) arb_neg(parts[k]->of + TP_SIN, parts[k]->of + TP_SIN);
 }
 
-/* From here on, what the bits do not tell from zero is zero: a tie of mechanisms then is one. */
+/* From here on, what half the bits do not tell from zero is zero: a tie of mechanisms then is one.
+ * That half is more than the digits asked for. */
 static bool is_settled(const tp_evaluation *e) {
-  enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160 };
-  return e->rung.bits >=
-         (tp_problem_is_enclosed(e->problem) ? SETTLING_BITS_ENCLOSED : SETTLING_BITS);
+  enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160, SPARE = 32 };
+  static const double of_digit = 3.33; /* 10 < 2^3.33 */
+  const tp_problem *problem = e->problem;
+  const bool enclosed =
+      tp_problem_is_enclosed(problem) && !problem->loaded; /* loads are rationals */
+  return e->rung.bits >= (enclosed ? SETTLING_BITS_ENCLOSED : SETTLING_BITS) &&
+         (double)e->rung.bits >= 2 * (of_digit * e->digits + SPARE);
 }
 
 void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_evaluation *e,

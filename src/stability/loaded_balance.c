@@ -9,8 +9,6 @@
 
 #include <math.h>
 
-#include "number/ball.h"
-
 /* Sums of what stabilises and what overturns, both positive. */
 typedef struct balance {
   arb_t stabilising, overturning;

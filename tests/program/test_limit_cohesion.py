@@ -65,13 +65,13 @@ class Scene:
                 f"loads: {{{', '.join(loads)}}}\nfriction_angle_deg: {self.friction}\n"
                 f"tilt: {{towards: {self.towards}{'' if tilt is None else f', angle_deg: {tilt}'}}}\n")
 
-    def truth(self, towards, divisor=Decimal(1)):
+    def truth(self, towards, divisor=Decimal(1), weight=None):
         """As Contact.limit has it."""
         under, (gx, gy) = self.under, self.centroid
         sign = 1 if towards == "left" else -1
         if sign < 0:
             under, gx = mirrored(under), -gx
-        weight = GAMMA * self.area
+        weight = weight or GAMMA * self.area
         fixed = (Fraction(0),) * 3
         if self.anchor:
             (x, y), direction, force = self.anchor
@@ -116,6 +116,65 @@ class LimitWithCohesion(unittest.TestCase):
         self.assertLess(value["error"], 1e-7)
         self.assertIn(limit["mechanism"], names)
         return True
+
+    def test_shear_beyond_its_bound(self):
+        """A sliver on two facets 1e-13 apart: where the shear of one had to bear more than its cohesion, a
+        limit that is too high by 4e-10 degrees was certified at every number of digits. The truth is
+        that of limit_twists.py, once more at 30 digits of the program's own."""
+        heights = Fraction(-1, 500000000000), Fraction(7, 2)
+        for shift in (Fraction(0), Fraction(1, 3)):
+            points = [(shift, Fraction(0)), (shift + Fraction(45, 2), heights[0]),
+                      (shift + Fraction(47, 2), heights[0]), (shift, heights[1])]
+            scene = Scene(random.Random(0))
+            scene.under, scene.outline, scene.towards = points[:3], points, "right"
+            scene.cohesion, scene.bond, scene.friction, scene.anchor = 2600, 0, 74, None
+            scene.area, sx, sy = exact.ring_moments(points)[:3]
+            scene.centroid = sx / scene.area, sy / scene.area
+            text = scene.text().replace(f"unit_weight_kn_m3: {GAMMA}", "unit_weight_kn_m3: 1")
+            truth = scene.truth("right", weight=scene.area)
+            self.assertEqual(round(truth[0], 17), Decimal("85.74115387784511194"))
+            self.assertTrue(self.compare(self.solve(text), truth))
+            _, out, err = run("solve", "--digits=30", self.path)
+            self.assertIn(str(round(truth[0], 27)), out, err)
+
+    def test_ten_thousand_facets(self):
+        """A flat base in 10^4 pieces is one plane: it slides where sin(a - phi) = c b cos(phi) / W. It
+        ends; a pivot for each piece would take an hour."""
+        count, friction, cohesion = 10**4, 30, 5
+        under = ", ".join(f"[{k}, 0]" for k in range(count + 1))
+        height = count // 3
+        text = (f"topple: 1\nlength_unit: m\nblock:\n  outline: [{under}, [{count}, {height}], "
+                f"[0, {height}]]\n  unit_weight_kn_m3: {GAMMA}\nbase: {{mated: true}}\n"
+                f"loads: {{cohesion_kpa: {cohesion}}}\nfriction_angle_deg: {friction}\n"
+                "tilt: {towards: left}\n")
+        limit = self.solve(text)
+        sine = Decimal(cohesion) / (GAMMA * height) * exact.sin_cos(friction)[1]
+        truth = friction + exact.degrees(exact.atan(sine / (1 - sine * sine).sqrt()))
+        self.assertEqual(limit["mechanism"], "slides")
+        value = limit["critical_angle_deg"]
+        self.assertLessEqual(abs(Decimal(value["value"]) - truth), Decimal(value["error"]))
+
+    def test_proofs_end(self):
+        """Level water, tiny heights and long fractions: answered or undecided, with what is open, at any
+        number of bits within seconds (a minute here, for a busy machine)."""
+        tiny, long = "1/1000000000000000000000000000000", "2500000000000000000000000000001/1" + 30 * "0"
+        scenes = [
+            (f"outline: [[0, 0], [13/3, {tiny}], [13/3, {long}], [0, {long}]]",
+             "seismic: {horizontal: -1/5, vertical: 3/2}, water: {height: 1/100000000000000000000, uplift: "
+             "true, stays_level: true, unit_weight_kn_m3: 2700}, bond_kpa: 27", 30, 89),
+            ("ellipse: {width: 10, height: 3, flat: 5}",
+             "water: {height: 1, uplift: false, stays_level: true, unit_weight_kn_m3: 26}, cohesion_kpa: 26",
+             30, 0),
+            ("slab: {width: 2, height: 4}", "water: {height: 1/2, stays_level: true}", 0, 45)]
+        for block, loads, friction, tilt in scenes:
+            for digits in (9, 30):
+                self.path.write_text(
+                    f"topple: 1\nlength_unit: m\nblock: {{{block}, unit_weight_kn_m3: 26}}\n"
+                    f"base: {{mated: true}}\nloads: {{{loads}}}\nfriction_angle_deg: {friction}\n"
+                    f"tilt: {{towards: both, angle_deg: {tilt}}}\n")
+                status, _, err = run("solve", f"--digits={digits}", self.path, timeout=60)
+                self.assertIn(status, (0, 4), err)
+                self.assertEqual("undecided" in err, status == 4, err)
 
     def test_random(self):
         """The limit as tilted on, and that of tilting back, from which forces hold."""
