@@ -71,8 +71,7 @@ double tp_field_gcd_units(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const tp_f
   if (a->length <= 1 || b->length <= 1) return 0.05 * terms;
   const long count = field->symbol_count;
   double first = 1, second = 1, shared = 0;
-  slong *degrees = calloc(2 * (size_t)count, sizeof *degrees);
-  if (degrees == NULL) return INFINITY;
+  slong *degrees = flint_calloc(2 * (size_t)count, sizeof *degrees); /* ends as FLINT's own do */
   fmpz_mpoly_degrees_si(degrees, a, field->ring);
   fmpz_mpoly_degrees_si(degrees + count, b, field->ring);
   for (long k = 0; k < count; k++) {
@@ -87,7 +86,7 @@ double tp_field_gcd_units(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const tp_f
       second = degree;
     }
   }
-  free(degrees);
+  flint_free(degrees);
   const double bits = (double)labs(fmpz_mpoly_max_bits(a)) + (double)labs(fmpz_mpoly_max_bits(b));
   return terms * (1 + (double)count / 64) * (1 + bits / 128) +
          first * second * shared * shared * (1 + bits / 128);
