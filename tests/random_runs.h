@@ -23,9 +23,14 @@ static inline uint64_t random_seed(void) {
   return number_from_environment("TOPPLE_RANDOM_SEED", UINT64_C(20260101) << 32);
 }
 
-/* Scenes to solve; the test of sums draws a thousand polygons for each. */
+/* Scenes to solve, so many where the environment does not say; the test of sums draws a thousand
+ * polygons for each. */
+static inline long random_scenes_or(uint64_t otherwise) {
+  return (long)number_from_environment("TOPPLE_RANDOM_SCENES", otherwise);
+}
+
 static inline long random_scenes(void) {
-  return (long)number_from_environment("TOPPLE_RANDOM_SCENES", 1000);
+  return random_scenes_or(1000);
 }
 
 /* True once in `count` times. */
