@@ -75,9 +75,9 @@ typedef struct tp_geom_triangulation {
   size_t conflict_a, conflict_b;
 } tp_geom_triangulation;
 
-/* Constrained Delaunay triangulation of all rings, each assigned to a layer. Rings may touch and
- * share pieces of edges, but no two edges may cross, and not all points may lie on one line
- * (TP_GEOM_FAILED). */
+/* Constrained Delaunay triangulation of all rings, each assigned to a layer; of one below 0 only
+ * the points take part. Rings may touch and share pieces of edges, but no two edges may cross, and
+ * not all points may lie on one line (TP_GEOM_FAILED). */
 tp_geom_status tp_geom_triangulate(tp_geom_triangulation *result, const tp_geom_rings *rings,
                                    const int *layer_of_ring);
 void tp_geom_triangulation_clear(tp_geom_triangulation *result);

@@ -197,6 +197,7 @@ tp_geom_status walk_several(tp_geom_triangulation *result, const tp_geom_rings &
   std::map<typename Triangulation::Constraint_id, size_t> ring_of;
   const auto vertex = insert<Kernel>(t, rings);
   for (size_t r = 0; r < rings.count; r++) {
+    if (layer[r] < 0) continue;
     for (size_t k = rings.start[r]; k < rings.start[r + 1]; k++) {
       const size_t next = k + 1 == rings.start[r + 1] ? rings.start[r] : k + 1;
       ring_of[t.insert_constraint(vertex[k], vertex[next])] = r;

@@ -229,11 +229,13 @@ static bool resolve_touches(search *s) {
   return true;
 }
 
+/* A part lies within the block: where the base crosses one it cuts into the block, whose own edges
+ * tell. */
 static tp_status check_overlap(const search *s, const tp_geom_rings *rings, tp_message *message) {
   int *layer = calloc(rings->count, sizeof *layer);
   if (layer == NULL) return tp_fail_memory(message, "the contact");
   for (size_t r = 1; r < rings->count; r++) {
-    layer[r] = r + 1 == rings->count ? 3 : (long)r <= s->section->hole_count ? 1 : 2;
+    layer[r] = r + 1 == rings->count ? 3 : (long)r <= s->section->hole_count ? 1 : -1;
   }
   tp_geom_triangulation all = {0};
   tp_status status =

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 double tp_work_allowed(long columns) {
-  static const double fixed = 8e7, by_column = 1000;
+  static const double fixed = 6e7, by_column = 1000;
   return fixed + by_column * (double)columns;
 }
 
@@ -21,6 +21,7 @@ void tp_work_begin(tp_work *work, long columns) {
 bool tp_work_spend(tp_work *work, double steps, long columns, long bits) {
   if (work == NULL) return true;
   if (work->spent > work->most) return false;
-  work->spent += steps * ((double)columns + 150) * (1 + (double)bits / 128);
+  const double b = (double)bits, each = 1 + b / 128 + b * b / (1024.0 * 1024.0);
+  work->spent += steps * ((double)columns + 150) * each;
   return work->spent <= work->most;
 }
