@@ -33,10 +33,21 @@ static void sizes_of(fmpq_t width, fmpq_t height, const random_scene *s) {
   fmpq_mul_si(height, s->numbers + YY, most[1] - least[1]);
 }
 
+static long largest(const polygon *p) {
+  long most = 0;
+  for (long k = 0; k < p->count; k++) {
+    most = labs(p->x[k]) > most ? labs(p->x[k]) : most;
+    most = labs(p->y[k]) > most ? labs(p->y[k]) : most;
+  }
+  return most;
+}
+
 /* All vertices 2^shift times as fine, those of the underside up to one step off: kinks of this part
  * of the block. The base follows where it has the same vertices. */
 static void draw_kinks(random_scene *s, uint64_t *state) {
+  enum { MOST = 1 << 20 }; /* twice 2^41 times as large it still is a long */
   const int shift = 6 + (int)draw_below(state, 36);
+  if (largest(&s->outline) > MOST || largest(&s->profile) > MOST) return;
   polygon *rings[] = {&s->outline, &s->profile, &s->hole, &s->part};
   for (int r = 0; r < 4; r++) {
     for (long k = 0; k < rings[r]->count; k++) {
@@ -201,7 +212,7 @@ void random_effects_draw(random_scene *s, uint64_t *state) {
   fmpq_init(width);
   fmpq_init(height);
   if (draw_once_in(state, 4)) draw_wall(s, state);
-  if (draw_once_in(state, 4) && s->outline.x[0] < 1L << 40) draw_kinks(s, state);
+  if (draw_once_in(state, 4)) draw_kinks(s, state);
   sizes_of(width, height, s);
   fmpq_set_si(e->numbers + THICKNESS, 1 + draw_below(state, 20), 4);
   fmpq_div(e->numbers + THICKNESS, e->numbers + THICKNESS, &random_units[s->unit].metres);

@@ -195,7 +195,8 @@ tp_simplex_answer tp_balance_solve_precisely(const tp_limit_question *q, tp_sket
   tp_vector target;
   tp_vector_init(&target);
   for (int row = 0; row < 3; row++) arb_neg(target.of + row, wrench->of + row);
-  const tp_simplex_answer found = tp_precise_solve(sketch, q->cones, push, &target, q->judge.bits);
+  const tp_simplex_answer found =
+      tp_precise_solve(sketch, q->cones, push, &target, q->work, q->judge.bits);
   tp_vector_clear(&target);
   return found;
 }

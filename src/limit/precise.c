@@ -73,10 +73,11 @@ static void describe(tp_simplex_answer *answer, const tp_precise *p) {
 }
 
 tp_simplex_answer tp_precise_solve(tp_sketch *sketch, const tp_cones *cones,
-                                   const tp_vector *direction, const tp_vector *target, long bits) {
+                                   const tp_vector *direction, const tp_vector *target,
+                                   tp_work *work, long bits) {
   tp_simplex_answer answer = {.outcome = TP_SIMPLEX_STUCK};
   if (!fits(sketch->count, bits)) return answer;
-  tp_precise p = {.count = sketch->count, .bits = bits, .at_most = sketch->at_most};
+  tp_precise p = {.count = sketch->count, .bits = bits, .at_most = sketch->at_most, .work = work};
   p.columns = new_numbers(3 * p.count);
   p.most = new_numbers(p.count);
   p.scratch = new_numbers(TP_PRECISE_SCRATCH);

@@ -11,14 +11,16 @@
 #include "limit/cones.h"
 #include "limit/sketch.h"
 #include "limit/vector.h"
+#include "number/work.h"
 
 /* With fewer bits it is no better than doubles. */
 enum { TP_PRECISE_BITS = 128 };
 
-/* In the sketch's units, its flags of what is at its bound included; the dual is not given.
- * TP_SIMPLEX_STUCK where data are not finite, memory is exhausted or half a gigabyte would not do.
- */
+/* Its steps are counted as work. In the sketch's units, its flags of what is at its bound included;
+ * the dual is not given. TP_SIMPLEX_STUCK where the work is too much, data are not finite, memory
+ * is exhausted or half a gigabyte would not do. */
 tp_simplex_answer tp_precise_solve(tp_sketch *sketch, const tp_cones *cones,
-                                   const tp_vector *direction, const tp_vector *target, long bits);
+                                   const tp_vector *direction, const tp_vector *target,
+                                   tp_work *work, long bits);
 
 #endif

@@ -241,7 +241,10 @@ tp_simplex_outcome tp_precise_run(tp_precise *p) {
   int steps = 0;
   for (int phase = 0; phase < 2; phase++) {
     p->first_phase = phase == 0;
-    while (steps < MOST_STEPS && advance(p, &outcome)) steps++;
+    while (steps < MOST_STEPS && advance(p, &outcome)) {
+      if (!tp_work_spend(p->work, 3, p->count, p->bits)) return TP_SIMPLEX_STUCK;
+      steps++;
+    }
     if (steps == MOST_STEPS) return TP_SIMPLEX_STUCK;
     if (phase == 0 && !is_feasible(p)) return TP_SIMPLEX_INFEASIBLE;
   }

@@ -8,6 +8,7 @@
 #define TP_PRECISE_STEP_H
 
 #include "limit/simplex.h"
+#include "number/work.h"
 
 #include <arf.h>
 
@@ -23,6 +24,7 @@ typedef struct tp_precise {
   bool first_phase, has_t;
   int sign[3];
   long basis[3];
+  tp_work *work; /* NULL: steps are not counted */
 } tp_precise;
 
 /* Hands the scratch out; the rest is the caller's to fill. */

@@ -76,7 +76,7 @@ tp_simplex_answer tp_program_solve(const tp_program *p, tp_sketch *sketch) {
 
 tp_simplex_answer tp_program_solve_precisely(const tp_program *p, tp_sketch *sketch,
                                              const tp_limit_question *q) {
-  return tp_precise_solve(sketch, q->cones, &p->direction, &p->target, q->judge.bits);
+  return tp_precise_solve(sketch, q->cones, &p->direction, &p->target, q->work, q->judge.bits);
 }
 
 static double linear_degrees(tp_sketch *sketch, const tp_limit_question *q) {

@@ -83,16 +83,18 @@ static long column_of_slide(const telling *t) {
 }
 
 /* Of the facets along which it slides, all parallel, the first from the toe that has a length:
- * which two of them the forces were put on is the solver's choice. */
+ * which two of them the forces were put on is the solver's choice. -1 where all of them belong to
+ * the base that goes on past the block. */
 static long facet_of_slide(const telling *t) {
   const tp_cones *cones = t->question->cones;
   const tp_facet *facets = t->e->problem->contact.facets;
   const long own = column_of_slide(t);
   long best = cones->points[tp_cones_point_of(cones, own)].facet;
-  if (!tp_cones_is_edge(cones, own) || best < 0) return best;
+  if (!tp_cones_is_edge(cones, own)) return best;
   for (long k = 0; k < cones->count; k++) {
     const long facet = cones->points[k].facet;
     if (facet < 0 || !tp_cones_are_parallel(cones, own, 2 * k + own % 2)) continue;
+    if (best < 0) best = facet;
     const bool point = facets[facet].q0 == facets[facet].q1;
     const bool best_point = facets[best].q0 == facets[best].q1;
     const bool nearer = t->towards == TP_TOWARDS_LEFT ? facet < best : facet > best;

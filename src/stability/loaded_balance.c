@@ -134,7 +134,7 @@ void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *e,
   pivot->always = arb_equal_si(degrees, -180) != 0;
   pivot->limit_count = 0;
   for (long k = 0; k < roots->count; k++) {
-    if (arf_sgn(arb_midref(roots->degrees + k)) <= 0) continue;
+    if (!arb_is_positive(roots->degrees + k)) continue;
     pivot->limits_deg[pivot->limit_count++] = tp_evaluation_result(e, roots->degrees + k);
   }
   pivot->fos_elements = (tp_fos){.state = TP_FOS_NOT_ASKED};
