@@ -78,7 +78,9 @@ static void claim_same(counts *seen, const result *one, const random_scene *chan
           is_refused(one) ? one->message.text : other.message.text, other.text);
   }
   if (one->solution != NULL && other.solution != NULL) {
-    claim(solutions_agree(why, one->solution, other.solution, r), name, why, other.text);
+    const bool agree = solutions_agree(why, one->solution, other.solution, r);
+    claim(agree, name, why, other.text);
+    if (!agree && failed <= SHOWN) printf("which is of the scene\n%s\n", one->text);
     seen->compared[property]++;
   }
   clear(&other);

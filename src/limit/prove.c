@@ -16,10 +16,29 @@ typedef struct proof {
   double near_degrees;
 } proof;
 
-static bool same_mechanism(const tp_face *a, const tp_face *b, const tp_cones *cones) {
-  if (a->motion != b->motion) return false;
-  if (a->motion == TP_MOTION_TURN_AT_SITE) return a->site == b->site;
-  return a->motion == TP_MOTION_SLIDE && tp_cones_are_parallel(cones, a->columns[0], b->columns[0]);
+/* Forces on facets at a right angle to each other can be parallel, at 45 degrees of friction: the
+ * block then slides along both by one twist. */
+static tp_answer slide_alike(const tp_face *a, const tp_face *b, const tp_judge *judge) {
+  const arb_struct *v = a->twist.of, *w = b->twist.of;
+  const bool exact =
+      arb_is_exact(v) && arb_is_exact(v + 1) && arb_is_exact(w) && arb_is_exact(w + 1);
+  const long bits = exact ? ARF_PREC_EXACT : judge->precision;
+  arb_t cross;
+  arb_init(cross);
+  arb_mul(cross, v, w + 1, bits);
+  arb_submul(cross, v + 1, w, bits);
+  const double scale = tp_vector_log2_size(&a->twist) + tp_vector_log2_size(&b->twist);
+  const int sign = tp_judge_sign(judge, cross, scale);
+  arb_clear(cross);
+  return sign == 0 ? TP_YES : sign > 1 ? TP_OPEN : TP_NO;
+}
+
+static tp_answer same_mechanism(const tp_face *a, const tp_face *b, const tp_limit_question *q) {
+  if (a->motion != b->motion) return TP_NO;
+  if (a->motion == TP_MOTION_TURN_AT_SITE) return a->site == b->site ? TP_YES : TP_NO;
+  if (a->motion != TP_MOTION_SLIDE) return TP_NO;
+  if (tp_cones_are_parallel(q->cones, a->columns[0], b->columns[0])) return TP_YES;
+  return slide_alike(a, b, &q->judge);
 }
 
 static tp_answer span_and_admit(const proof *p, tp_face *face, long first, long second,
@@ -33,7 +52,6 @@ static tp_answer span_and_admit(const proof *p, tp_face *face, long first, long 
  * loads leave the cone through the one or the other, and the hull of both tilts encloses where. */
 static tp_answer find_tie(const proof *p, int idle) {
   tp_limit_answer *a = p->answer;
-  const tp_cones *cones = p->question->cones;
   const long shared = a->face.columns[1 - idle];
   long column = tp_basis_across(p->sketch, shared, a->face.columns[idle]);
   tp_answer answer = TP_NO;
@@ -44,7 +62,9 @@ static tp_answer find_tie(const proof *p, int idle) {
   }
   if (answer == TP_OPEN || (answer == TP_NO && column >= 0)) return TP_OPEN;
   /* where the cone is flat, or both faces are one, there is one mechanism only */
-  if (answer == TP_NO || same_mechanism(&a->face, &a->other, cones)) return TP_YES;
+  if (answer == TP_NO) return TP_YES;
+  const tp_answer same = same_mechanism(&a->face, &a->other, p->question);
+  if (same != TP_NO) return same;
   a->tie = true;
   arb_t degrees, sine, cosine; /* the forces are those at this sine and cosine */
   arb_init(degrees);
