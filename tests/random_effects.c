@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+#include "random_contact.h"
 #include "random_scenes.h"
 
 #include <math.h>
@@ -31,59 +32,6 @@ static void sizes_of(fmpq_t width, fmpq_t height, const random_scene *s) {
   }
   fmpq_mul_si(width, s->numbers + XX, most[0] - least[0]);
   fmpq_mul_si(height, s->numbers + YY, most[1] - least[1]);
-}
-
-static long largest(const polygon *p) {
-  long most = 0;
-  for (long k = 0; k < p->count; k++) {
-    most = labs(p->x[k]) > most ? labs(p->x[k]) : most;
-    most = labs(p->y[k]) > most ? labs(p->y[k]) : most;
-  }
-  return most;
-}
-
-/* All vertices 2^shift times as fine, those of the underside up to one step off: kinks of this part
- * of the block. The base follows where it has the same vertices. */
-static void draw_kinks(random_scene *s, uint64_t *state) {
-  enum { MOST = 1 << 20 }; /* twice 2^41 times as large it still is a long */
-  const int shift = 6 + (int)draw_below(state, 36);
-  if (largest(&s->outline) > MOST || largest(&s->profile) > MOST) return;
-  polygon *rings[] = {&s->outline, &s->profile, &s->hole, &s->part};
-  for (int r = 0; r < 4; r++) {
-    for (long k = 0; k < rings[r]->count; k++) {
-      rings[r]->x[k] <<= shift;
-      rings[r]->y[k] <<= shift;
-    }
-  }
-  fmpq_div_2exp(s->numbers + XX, s->numbers + XX, (ulong)shift);
-  fmpq_div_2exp(s->numbers + YX, s->numbers + YX, (ulong)shift);
-  fmpq_div_2exp(s->numbers + YY, s->numbers + YY, (ulong)shift);
-  polygon *o = &s->outline, *p = &s->profile;
-  for (long k = 1; k + 1 < o->count && o->x[k] > o->x[k - 1] && o->x[k + 1] > o->x[k]; k++) {
-    const long by = draw_signed(state, 1);
-    for (long i = 0; i < p->count; i++) {
-      if (p->x[i] == o->x[k] && p->y[i] == o->y[k]) p->y[i] += by;
-    }
-    o->y[k] += by;
-  }
-}
-
-/* Rock past an end of the profile that rises beside the block, upright or leaning off, and goes on
- * level above. */
-static void draw_wall(random_scene *s, uint64_t *state) {
-  polygon *p = &s->profile;
-  if (p->count == 0 || p->count + 2 >= POLYGON_MOST) return;
-  const long off = GRAIN * draw_below(state, 4), up = GRAIN * (1 + draw_below(state, 12));
-  if (draw_once_in(state, 2)) {
-    polygon_add(p, p->x[p->count - 1] + off, p->y[p->count - 1] + up);
-    polygon_add(p, p->x[p->count - 1] + GRAIN, p->y[p->count - 1]);
-    return;
-  }
-  const polygon old = *p;
-  p->count = 0;
-  polygon_add(p, old.x[0] - off - GRAIN, old.y[0] + up);
-  polygon_add(p, old.x[0] - off, old.y[0] + up);
-  for (long k = 0; k < old.count; k++) polygon_add(p, old.x[k], old.y[k]);
 }
 
 static double edge_length(const polygon *o, long k) {
@@ -211,8 +159,8 @@ void random_effects_draw(random_scene *s, uint64_t *state) {
   fmpq_t width, height;
   fmpq_init(width);
   fmpq_init(height);
-  if (draw_once_in(state, 4)) draw_wall(s, state);
-  if (draw_once_in(state, 4)) draw_kinks(s, state);
+  if (draw_once_in(state, 4)) random_contact_draw_wall(s, state);
+  if (draw_once_in(state, 4)) random_contact_draw_kinks(s, state);
   sizes_of(width, height, s);
   fmpq_set_si(e->numbers + THICKNESS, 1 + draw_below(state, 20), 4);
   fmpq_div(e->numbers + THICKNESS, e->numbers + THICKNESS, &random_units[s->unit].metres);

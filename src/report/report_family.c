@@ -3,8 +3,8 @@
 
 /* A family of formulas as text, LaTeX, C or JSON, with the reach of its proof in words. */
 
-#include "report/c_arguments.h"
 #include "host.h"
+#include "report/c_arguments.h"
 #include "report/json.h"
 
 #include <string.h>

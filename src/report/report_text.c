@@ -3,8 +3,8 @@
 
 /* A solution as a page for a terminal, 80 columns wide. Every printed digit is certain. */
 
-#include "report/encode.h"
 #include "host.h"
+#include "report/encode.h"
 #include "report/report_digits.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"

@@ -21,7 +21,7 @@ typedef struct tp_evaluation {
   arb_t weight_per_area_pa; /* on the mean plane, level; zero where the block has no weight */
   bool certain;             /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
-  tp_work *work;                  /* of the limit on all rungs; NULL: any */
+  tp_work *work;    /* of the limit on all rungs; NULL: any */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
 } tp_evaluation;
 
