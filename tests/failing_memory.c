@@ -46,8 +46,9 @@ static bool is_new(const void *caller) {
 
 static bool refused(const void *caller) {
   failing_memory *s = &failing_memory_state;
-  if (s->spared || ++s->requests != s->fail_at) return false;
-  s->was_new = is_new(caller);
+  if (s->spared || ++s->requests < s->fail_at || s->fail_at == 0) return false;
+  if (s->requests > s->fail_at && !s->lasting) return false;
+  s->was_new = s->was_new || is_new(caller);
   errno = ENOMEM;
   return true;
 }

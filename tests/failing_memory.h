@@ -14,8 +14,9 @@ typedef struct failing_memory {
   long fail_at;  /* the request that fails, from 1; 0: none */
   long requests; /* so far */
   long live;     /* blocks that were taken and not given back */
+  bool lasting;  /* all that come after it fail too */
   bool spared;   /* requests neither count nor fail */
-  bool was_new;  /* the one that failed was C++'s operator new */
+  bool was_new;  /* one that failed was C++'s operator new */
 } failing_memory;
 
 extern failing_memory failing_memory_state;

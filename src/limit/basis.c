@@ -72,12 +72,12 @@ static bool exact_fill(exact_program *p, const tp_cones *cones, const long *colu
   return finite;
 }
 
-static bool exact_solve(tp_basis *basis, exact_program *p, const long *columns) {
+static tp_geom_status exact_solve(tp_basis *basis, exact_program *p, const long *columns) {
   fmpq_t value;
   fmpq_init(value);
   const tp_geom_program program = {(size_t)p->count, p->entries, p->ends, p->ends + 3, p->most};
   tp_geom_maximum maximum = {.value = value};
-  const bool done = tp_geom_maximise(&maximum, &program) == TP_GEOM_OK;
+  const tp_geom_status done = tp_geom_maximise(&maximum, &program);
   *basis = (tp_basis){.outcome = maximum.outcome == TP_GEOM_OPTIMAL     ? TP_SIMPLEX_OPTIMAL
                                  : maximum.outcome == TP_GEOM_UNBOUNDED ? TP_SIMPLEX_UNBOUNDED
                                                                         : TP_SIMPLEX_INFEASIBLE,
@@ -88,16 +88,17 @@ static bool exact_solve(tp_basis *basis, exact_program *p, const long *columns) 
   return done;
 }
 
-bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
-                    const tp_vector *direction, const tp_vector *target, long bits) {
+tp_status tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
+                         const tp_vector *direction, const tp_vector *target, long bits) {
   exact_program p;
-  if (!exact_init(&p, count)) return false;
+  if (!exact_init(&p, count)) return TP_OUT_OF_MEMORY;
   const bool finite = exact_fill(&p, cones, columns, bits) && set_middles(p.ends, direction) &&
                       set_middles(p.ends + 3, target);
   *basis = (tp_basis){.outcome = TP_SIMPLEX_STUCK, .columns = {-1, -1, -1}};
-  const bool done = !finite || exact_solve(basis, &p, columns);
+  const tp_geom_status done = finite ? exact_solve(basis, &p, columns) : TP_GEOM_OK;
   exact_clear(&p);
-  return done;
+  if (done == TP_GEOM_OUT_OF_MEMORY) return TP_OUT_OF_MEMORY;
+  return done == TP_GEOM_OK ? TP_OK : TP_DEPENDENCY_FAILED;
 }
 
 static void cross(double product[3], const double a[3], const double b[3]) {

@@ -22,9 +22,10 @@ typedef struct tp_basis {
 tp_basis tp_basis_of(const tp_simplex_answer *answer);
 
 /* The exact one of some columns, `count` of them, TP_SIMPLEX_STUCK where data are not finite at
- * this precision; false where the solver or memory fails. */
-bool tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns, long count,
-                    const tp_vector *direction, const tp_vector *target, long bits);
+ * this precision; a status where the solver or memory fails. */
+TP_MUST_USE tp_status tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *columns,
+                                     long count, const tp_vector *direction,
+                                     const tp_vector *target, long bits);
 
 /* The column that spans the other face beside the edge `shared` of the face of `shared` and
  * `other`; -1 where the cone is flat. */

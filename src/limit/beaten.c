@@ -91,7 +91,10 @@ static bool find_zeros(zeros *z, const tp_trig *excess, const tp_limit_question 
 static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *sketch,
                               const tp_vector *push, const arb_t at) {
   tp_face face;
-  if (!tp_face_init(&face, q->cones)) return TP_OPEN;
+  if (!tp_face_init(&face, q->cones)) {
+    sketch->out_of_memory = true;
+    return TP_OPEN;
+  }
   tp_vector load;
   tp_trig excess;
   arb_t turn, sine, cosine, above;

@@ -119,7 +119,10 @@ static tp_answer prove_turn(tp_face *face, const tp_vector *down, const tp_sketc
 
 tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_sketch *sketch) {
   tp_face face;
-  if (!tp_face_init(&face, q->cones)) return TP_OPEN;
+  if (!tp_face_init(&face, q->cones)) {
+    sketch->out_of_memory = true;
+    return TP_OPEN;
+  }
   tp_vector down, across;
   double sketched_down[3], sketched_across[3], turn[2];
   tp_vector_init(&down);

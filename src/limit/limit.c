@@ -72,32 +72,30 @@ static void take(working_set *set, const tp_cones *cones, long column) {
 
 /* Doubles were wrong, and a column says so: the exact program of their basis and that column, then
  * of that and the next column that refutes it. Each looks at all columns once. */
-static tp_answer repair(tp_limit_answer *answer, const tp_limit_question *q, const tp_program *p,
-                        tp_sketch *sketch, tp_basis *basis) {
+static tp_answer repair(tp_limit_answer *answer, tp_status *status, const tp_limit_question *q,
+                        const tp_program *p, tp_sketch *sketch, tp_basis *basis) {
   working_set set = {.count = 0};
   for (int k = 0; k < basis->count; k++) take(&set, q->cones, basis->columns[k]);
   for (int round = 0; round < MOST_REPAIRS && answer->violated >= 0; round++) {
     take(&set, q->cones, answer->violated);
-    if (!tp_basis_exact(basis, q->cones, set.columns, set.count, &p->direction, &p->target,
-                        q->judge.precision) ||
-        basis->outcome != TP_SIMPLEX_OPTIMAL) {
-      return TP_OPEN;
-    }
+    *status = tp_basis_exact(basis, q->cones, set.columns, set.count, &p->direction, &p->target,
+                             q->judge.precision);
+    if (*status != TP_OK || basis->outcome != TP_SIMPLEX_OPTIMAL) return TP_OPEN;
     const tp_answer done = judge_basis(answer, q, p, sketch, basis);
     if (done != TP_NO) return done;
   }
   return TP_OPEN;
 }
 
-static bool whole_basis(tp_basis *basis, const tp_limit_question *q, const tp_program *p) {
+static tp_status whole_basis(tp_basis *basis, const tp_limit_question *q, const tp_program *p) {
   const long count = tp_cones_column_count(q->cones);
   long *columns = calloc((size_t)count + 1, sizeof *columns);
-  if (columns == NULL) return false;
+  if (columns == NULL) return TP_OUT_OF_MEMORY;
   for (long k = 0; k < count; k++) columns[k] = k;
-  const bool done = tp_basis_exact(basis, q->cones, columns, count, &p->direction, &p->target,
-                                   q->judge.precision);
+  const tp_status status = tp_basis_exact(basis, q->cones, columns, count, &p->direction,
+                                          &p->target, q->judge.precision);
   free(columns);
-  return done;
+  return status;
 }
 
 /* The basis that doubles find is proven, or repaired; where neither does, the exact program of all
@@ -107,18 +105,22 @@ static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q
                              const tp_program *p, tp_sketch *sketch) {
   tp_basis basis;
   tp_answer done = TP_OPEN;
+  tp_status status = TP_OK;
   answer->violated = -1;
   if (!q->without_doubles) {
     const tp_simplex_answer sketched = tp_program_solve(p, sketch);
     basis = tp_basis_of(&sketched);
     done = judge_basis(answer, q, p, sketch, &basis);
-    if (done == TP_NO) done = repair(answer, q, p, sketch, &basis);
+    if (done == TP_NO) done = repair(answer, &status, q, p, sketch, &basis);
   }
   /* with fewer bits, doubling them is cheaper */
   const bool whole = q->judge.bits >= LEAST_BITS && sketch->count <= WHOLE_PROGRAM;
-  if (done != TP_YES && (whole || q->without_doubles)) {
-    if (!whole_basis(&basis, q, p)) return TP_LIMIT_FAILED;
-    done = judge_basis(answer, q, p, sketch, &basis);
+  if (status == TP_OK && done != TP_YES && (whole || q->without_doubles)) {
+    status = whole_basis(&basis, q, p);
+    if (status == TP_OK) done = judge_basis(answer, q, p, sketch, &basis);
+  }
+  if (status != TP_OK) {
+    return status == TP_OUT_OF_MEMORY ? TP_LIMIT_OUT_OF_MEMORY : TP_LIMIT_FAILED;
   }
   return done == TP_YES ? TP_LIMIT_PROVEN : TP_LIMIT_OPEN;
 }
@@ -154,6 +156,7 @@ tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question 
   } else {
     outcome = tp_near_find(answer, q, sketch);
   }
+  if (sketch->out_of_memory) outcome = TP_LIMIT_OUT_OF_MEMORY;
   if (sketch == &own) tp_sketch_clear(&own);
   return outcome;
 }

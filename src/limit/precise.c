@@ -90,6 +90,8 @@ tp_simplex_answer tp_precise_solve(tp_sketch *sketch, const tp_cones *cones,
       answer.outcome = tp_precise_run(&p);
       describe(&answer, &p);
     }
+  } else {
+    sketch->out_of_memory = true;
   }
   free_numbers(p.columns, 3 * p.count);
   free_numbers(p.most, p.count);

@@ -17,8 +17,8 @@
 enum { TP_PRECISE_BITS = 128 };
 
 /* Its steps are counted as work. In the sketch's units, its flags of what is at its bound included;
- * the dual is not given. TP_SIMPLEX_STUCK where the work is too much, data are not finite, memory
- * is exhausted or half a gigabyte would not do. */
+ * the dual is not given. TP_SIMPLEX_STUCK where the work is too much, data are not finite, half a
+ * gigabyte would not do, or memory is exhausted, which the sketch then notes. */
 tp_simplex_answer tp_precise_solve(tp_sketch *sketch, const tp_cones *cones,
                                    const tp_vector *direction, const tp_vector *target,
                                    tp_work *work, long bits);

@@ -22,6 +22,7 @@ struct tp_sketch {
   arb_t x, y;                           /* what moments are about, exact */
   double error, largest[3];             /* bounds: of the entries' error; of each row's entries */
   long bits;
+  bool out_of_memory; /* in a step on it: what was left open is open for want of memory */
 };
 
 /* `size` is a wrench of the size of the loads, the weight's say. False when memory is exhausted. */

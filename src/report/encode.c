@@ -30,12 +30,17 @@ void tp_encode_json(tp_text *t, const char *outside) {
   while (*outside != '\0') {
     uint32_t c = 0;
     const size_t length = tp_character_read(&c, outside);
+    const char *after = outside;
+    char plain[TP_PLAIN_SIZE];
+    const bool seen = strncmp(tp_plain_next(plain, &after), outside, length) == 0;
     if (c == TP_NO_CHARACTER) {
       tp_text_add(t, "\\ufffd");
     } else if (c == '"' || c == '\\') {
       tp_text_add(t, "\\%c", (int)c);
-    } else if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029) {
-      /* some readers take the last two for ends of lines */
+    } else if (!seen && c > 0xffff) {
+      const unsigned pair = (unsigned)c - 0x10000; /* in UTF-16, as JSON has it */
+      tp_text_add(t, "\\u%04x\\u%04x", 0xd800 + (pair >> 10), 0xdc00 + (pair & 0x3ff));
+    } else if (!seen) {
       tp_text_add(t, "\\u%04x", (unsigned)c);
     } else {
       tp_text_add(t, "%.*s", (int)length, outside);

@@ -15,7 +15,8 @@
 void tp_encode_plain(tp_text *text, const char *outside);
 void tp_encode_column(tp_text *text, const char *outside, int width);
 
-/* A string of JSON in its quotes. A byte that belongs to no character of UTF-8 becomes U+FFFD. */
+/* A string of JSON in its quotes. What is not seen is escaped, a byte that
+ * belongs to no character of UTF-8 becomes U+FFFD. */
 void tp_encode_json(tp_text *text, const char *outside);
 
 /* Within a comment of C: it neither ends nor begins one, and is free of trigraphs. */

@@ -11,7 +11,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-static tp_status add_claim(tp_claims *claims, tp_claim claim, const char *table, const char *cell,
+/* The parts that are there, with dots between: a table, a row, a column; NULL without memory. */
+static char *joined(const char *const parts[3]) {
+  size_t size = 1;
+  for (int k = 0; k < 3 && parts[k] != NULL; k++) size += strlen(parts[k]) + 1;
+  char *id = malloc(size), *end = id;
+  if (id == NULL) return NULL;
+  *end = '\0';
+  for (int k = 0; k < 3 && parts[k] != NULL; k++) {
+    if (k > 0) *end++ = '.';
+    end = stpcpy(end, parts[k]);
+  }
+  return id;
+}
+
+static tp_status add_claim(tp_claims *claims, tp_claim claim, const char *const id[3],
                            tp_message *message) {
   if (claims->claim_count == claims->claim_capacity) {
     const long capacity = 2 * claims->claim_capacity + 64;
@@ -20,11 +34,7 @@ static tp_status add_claim(tp_claims *claims, tp_claim claim, const char *table,
     claims->claims = all;
     claims->claim_capacity = capacity;
   }
-  char id[400];
-  if (cell == NULL) cell = "";
-  snprintf(id, sizeof id, "%.*s%s%.*s", (int)tp_whole_characters(table, 150), table,
-           cell[0] != '\0' ? "." : "", (int)tp_whole_characters(cell, 240), cell);
-  claim.id = strdup(id);
+  claim.id = joined(id);
   if (claim.id == NULL) return tp_fail_memory(message, "the claims");
   claims->claims[claims->claim_count++] = claim;
   return TP_OK;
@@ -79,7 +89,8 @@ static tp_status read_claim(tp_claims *claims, const tp_node *node, const char *
   tp_status status = tp_node_expect_keys(node, keys, "a claim", claims->path, message);
   if (status == TP_OK) status = read_common(&claim, claims, node, message);
   if (status == TP_OK) status = read_scalar(&claim.printed, claims, node, "printed", message);
-  return status == TP_OK ? add_claim(claims, claim, id, NULL, message) : status;
+  if (status != TP_OK) return status;
+  return add_claim(claims, claim, (const char *const[3]){id}, message);
 }
 
 /* A row of a table: its cells, each a claim by its column. */
@@ -108,10 +119,7 @@ static tp_status read_row(tp_claims *claims, const tp_node *row, const tp_node *
     claim.with[1] = tp_node_get(row, "with");
     claim.at[1] = tp_node_get(row, "at");
     claim.domain[1] = tp_node_get(row, "domain");
-    char cell[240];
-    snprintf(cell, sizeof cell, "%.*s.%.*s", (int)tp_whole_characters(name, 100), name,
-             (int)tp_whole_characters(c->key, 100), c->key);
-    status = add_claim(claims, claim, id, cell, message);
+    status = add_claim(claims, claim, (const char *const[3]){id, name, c->key}, message);
   }
   return status;
 }

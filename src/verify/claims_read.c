@@ -45,13 +45,13 @@ static tp_status read_declared(tp_claims *claims, const tp_node *node, bool angl
                           "this must be a map of names to values: {JCS: 120}");
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
-    char spelt[128];
+    char spelt[TP_NAME_SIZE];
     const size_t used = tp_formula_spell(spelt, sizeof spelt, child->key, sizeof spelt);
     if (used == 0 || child->key[used] != '\0' || strcmp(spelt, child->key) != 0) {
       return tp_claims_fail(claims, child, message,
-                            "'%s' cannot be declared; names are letters, digits and _, Greek "
-                            "letters spelt out",
-                            tp_quote_all(child->key).text);
+                            "'%s' cannot be declared; names are at most %d letters, digits and _, "
+                            "Greek letters spelt out",
+                            tp_quote_all(child->key).text, TP_NAME_SIZE - 1);
     }
     if (child->kind != TP_NODE_SCALAR) {
       return tp_claims_fail(claims, child, message, "'%s' must be a number",

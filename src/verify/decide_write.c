@@ -40,12 +40,19 @@ static void drop_cosine(fmpz_mpoly_q_t formula, const tp_angle *angle,
   fmpz_clear(one);
 }
 
+static char *tangent_of(const char *angle) {
+  const size_t size = strlen(angle) + sizeof "tan()";
+  char *text = malloc(size);
+  if (text != NULL) snprintf(text, size, "tan(%s)", angle);
+  return text;
+}
+
 tp_status tp_decide_write(char **text, const fmpz_mpoly_q_t formula, const tp_question *q) {
   const tp_subject *s = q->subject;
   const fmpz_mpoly_ctx_struct *ring = s->field->ring;
   tp_field shown = *s->field;
   shown.names = calloc((size_t)shown.symbol_count, sizeof *shown.names);
-  char(*tangents)[128] = calloc((size_t)s->angle_count, sizeof *tangents);
+  char **tangents = calloc((size_t)s->angle_count + 1, sizeof *tangents);
   bool failed = shown.names == NULL || tangents == NULL;
   fmpz_mpoly_q_t copy;
   fmpz_mpoly_q_init(copy, ring);
@@ -55,15 +62,19 @@ tp_status tp_decide_write(char **text, const fmpz_mpoly_q_t formula, const tp_qu
     for (long k = 0; k < s->angle_count; k++) {
       if (shared_degree(copy, s->angles + k, ring) < 0) continue;
       drop_cosine(copy, s->angles + k, ring);
-      snprintf(tangents[k], sizeof *tangents, "tan(%.100s)", shown.names[s->angles[k].degrees]);
+      tangents[k] = tangent_of(shown.names[s->angles[k].degrees]);
+      failed = failed || tangents[k] == NULL;
       shown.names[s->angles[k].sine] = tangents[k];
     }
+  }
+  if (!failed) {
     tp_fraction fraction = tp_notation_write(copy, &shown, TP_NOTATION_TEXT, &failed);
     *text = fraction.formula;
     fraction.formula = NULL;
     tp_notation_free(&fraction);
   }
   fmpz_mpoly_q_clear(copy, ring);
+  for (long k = 0; k < s->angle_count && tangents != NULL; k++) free(tangents[k]);
   free(tangents);
   free(shown.names);
   return failed ? tp_fail_memory(q->message, "a formula") : TP_OK;

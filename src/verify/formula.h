@@ -81,6 +81,9 @@ tp_place tp_formula_place(const tp_formula *formula, int at);
 tp_status tp_formula_fail(const tp_formula *formula, const tp_formula_node *node,
                           tp_message *message, const char *problem);
 
+/* A name, Greek letters spelt out, is shorter; what is longer is refused, never cut. */
+enum { TP_NAME_SIZE = 128 };
+
 /* The name at the front of a text with Greek letters spelt out (delta for its letter, d for the
  * capital one); bytes used, 0 where no name begins. */
 size_t tp_formula_spell(char *name, size_t size, const char *text, size_t most);

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DEPTH = 200, MOST_NODES = 10000, NAME_SIZE = 64 };
+enum { MOST_DEPTH = 200, MOST_NODES = 10000 };
 
 static const char *const functions[] = {"sin", "cos", "tan", "cot", "atan", "sqrt", "log10", "abs"};
 enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
@@ -146,7 +146,7 @@ static long word(parser *p, bool argument);
 static long argument(parser *p, const char *function) {
   skip_space(p);
   const char *text = here(p);
-  char name[NAME_SIZE];
+  char name[TP_NAME_SIZE];
   if (*text == '(') return bracketed(p, ')');
   if (isdigit((unsigned char)*text)) return number(p);
   if (tp_formula_spell(name, sizeof name, text, sizeof name) > 0) return word(p, true);
@@ -197,7 +197,7 @@ static int function_named(const char *name) {
 /* A name or a function: the longest known front of the letters here, so that 27ab is a product. As
  * an argument a function is none. */
 static long word(parser *p, bool as_argument) {
-  char name[NAME_SIZE];
+  char name[TP_NAME_SIZE];
   const int at = p->at;
   const size_t all = tp_formula_spell(name, sizeof name, here(p), sizeof name - 1);
   for (size_t most = all; most > 0; most--) {
@@ -231,7 +231,7 @@ static long word(parser *p, bool as_argument) {
 static long primary(parser *p) {
   skip_space(p);
   const char *text = here(p);
-  char name[NAME_SIZE];
+  char name[TP_NAME_SIZE];
   if (*text == '(') return bracketed(p, ')');
   if (*text == '{') return bracketed(p, '}');
   if (*text == '\0') return fail_at(p, p->at, "a number or a name is missing at the end");
@@ -276,7 +276,7 @@ static long factor(parser *p) {
 
 /* Does a factor begin here without an operator, as in 27ab? */
 static bool factor_follows(parser *p) {
-  char name[NAME_SIZE];
+  char name[TP_NAME_SIZE];
   skip_space(p);
   return *here(p) == '(' || tp_formula_spell(name, sizeof name, here(p), sizeof name) > 0;
 }

@@ -92,12 +92,14 @@ static const tp_formula *printed(const search *s) {
   return s->question->printed;
 }
 
-/* The text of a node for a message. */
+/* The text of a node for a message, with an ellipsis where it is longer. */
 static const char *part(char *out, size_t size, const search *s, int begin, int end) {
   const char *text = printed(s)->text + begin;
+  static const char ellipsis[] = "…";
   const size_t length = (size_t)(end - begin);
-  const size_t shown = tp_whole_characters(text, length < size ? length : size - 1);
-  snprintf(out, size, "%.*s", (int)shown, text);
+  const bool fits = length < size;
+  const size_t shown = tp_whole_characters(text, fits ? length : size - sizeof ellipsis);
+  snprintf(out, size, "%.*s%s", (int)shown, text, fits ? "" : ellipsis);
   return out;
 }
 
@@ -260,6 +262,21 @@ static void change_exponents(search *s) {
   }
 }
 
+static void try_name(search *s, const tp_formula_node *n, const char *name, double size) {
+  enum { MORE = 100 }; /* what is said besides the name */
+  const size_t room = strlen(name) + MORE;
+  char *by = malloc(room), *change = malloc(room), text[60];
+  if (by == NULL || change == NULL) {
+    s->failed = true;
+  } else {
+    snprintf(by, room, "(%s)", name);
+    snprintf(change, room, "%s is %s", part(text, sizeof text, s, n->at, n->at + n->length), name);
+    try_change(s, tp_mend_replaced(printed(s), n->begin, n->end, by), size, change);
+  }
+  free(by);
+  free(change);
+}
+
 /* Take one name for another that the formulas use. */
 static void change_names(search *s) {
   const tp_formula *f = printed(s);
@@ -271,11 +288,7 @@ static void change_names(search *s) {
       const tp_name *name = subject->names + other;
       if (other == n->name || name->kind == TP_NAME_DIRECTION || name->rule != NULL) continue;
       if (strcmp(name->text, TP_MEND_UNKNOWN) == 0) continue;
-      char by[140], change[300], text[60];
-      snprintf(by, sizeof by, "(%.120s)", name->text);
-      snprintf(change, sizeof change, "%s is %s",
-               part(text, sizeof text, s, n->at, n->at + n->length), name->text);
-      try_change(s, tp_mend_replaced(f, n->begin, n->end, by), (double)other, change);
+      try_name(s, n, name->text, (double)other);
     }
   }
 }

@@ -21,9 +21,9 @@ static long count_weights(const tp_scene *scene) {
   return count <= MOST_WEIGHTS ? count : 0;
 }
 
-/* printf into new memory, appended to the symbols' names. */
+/* printf into new memory, appended to the symbols' names, all of which are short enough. */
 static bool add_symbol(tp_subject *s, const char *format, const char *name, long number) {
-  char text[128];
+  char text[TP_NAME_SIZE + sizeof "sin()"];
   snprintf(text, sizeof text, format, name, number);
   s->symbol_names[s->symbol_count] = strdup(text);
   return s->symbol_names[s->symbol_count++] != NULL;

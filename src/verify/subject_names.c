@@ -70,7 +70,7 @@ void tp_subject_forget(tp_subject *subject) {
 
 tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, tp_place place,
                             tp_message *message) {
-  char spelt[128];
+  char spelt[TP_NAME_SIZE];
   const size_t used = tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
   if (used == 0 || name[used] != '\0') {
     return tp_fail(message, TP_BAD_INPUT, place, "'%s' cannot be a name", tp_quote_all(name).text);
@@ -145,6 +145,12 @@ tp_status tp_subject_add_names(tp_subject *s, const tp_subject_options *options,
   }
   if (!done) return tp_fail_memory(message, "the symbols");
   for (long k = ours; k < s->name_count; k++) {
+    if (strlen(s->names[k].text) >= TP_NAME_SIZE) {
+      return tp_fail(message, TP_BAD_INPUT, place,
+                     "rename the parameter '%s' of this geometry: a formula has names of at most "
+                     "%d letters",
+                     tp_quote_all(s->names[k].text).text, TP_NAME_SIZE - 1);
+    }
     for (long j = 0; j < k && j < declared; j++) {
       if (strcmp(s->names[j].text, s->names[k].text) != 0) continue;
       return tp_fail(message, TP_BAD_INPUT, place,

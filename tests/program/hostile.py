@@ -124,6 +124,8 @@ def yaml(text):
 
 
 def as_json(data, case):
+    """Any text is carried, and nothing acts on a terminal."""
+    plain(data, case)
     return json.loads(data.decode("utf-8"))
 
 

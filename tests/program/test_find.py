@@ -126,6 +126,23 @@ class Find(unittest.TestCase):
             self.assertEqual((len(found["solutions"]), found["intervals"], found["touching"]), (1, [], []), self.report)
             self.holds(found["solutions"][0], Decimal(1), Decimal("1e-12"))
 
+    def test_long_keys(self):
+        """Keys that share any beginning are told apart: the one that is asked for is found, and one that is
+        not there is no other."""
+        for length in (100, 127, 128, 500):
+            key = "q" * length
+            self.path.write_text(
+                f"topple: 1\nlength_unit: m\nparameters: {{{key}x: 9, {key}y: 2}}\n"
+                f"block: {{slab: {{width: 1, height: {key}y}}}}\nbase: {{mated: true}}\ntilt: {{towards: left}}\n")
+            for way in (f"{key}y", f"parameters.{key}y"):
+                status, out, err = run("solve", "--json", "--find", way, "--for", "critical_angle=45", self.path)
+                self.assertEqual(status, 0, err)
+                self.assertAlmostEqual(json.loads(out)["find"]["solutions"][0]["value"], 1, places=9)
+            for way in (f"{key}z", key, f"{key}yy"):
+                status, out, err = run("solve", "--find", way, "--for", "critical_angle=45", self.path)
+                self.assertEqual((status, out), (3, ""))
+                self.assertIn("there is no 'qqq", err)
+
     def test_kinks(self):
         """At sqrt(3) the limit turns from 30 degrees to the diagonal's angle: below that it is passed once."""
         random.seed(93)

@@ -323,6 +323,33 @@ class Small(unittest.TestCase):
         twice = A1_4.replace("14", "13").replace("27", "26")
         self.assertIsNone(self.claim("critical_angle", twice)["mend"])
 
+    def test_long_names(self):
+        """Names and identifiers that share any beginning are told apart as far as they go, and printed whole;
+        a name beyond what a formula may have is refused, never cut to another."""
+        for length in (40, 63, 64, 100, 126):
+            first, second = "q" * length + "x", "q" * length + "y"
+            scene = SCENE.replace("{a: 30", f"{{{first}: 7, {second}: 8, q: 3, a: 30")
+            (self.path / "scene.yaml").write_text(scene)
+            angles = f"angles: {{{first[1:]}_: 20, {second[1:]}_: 30}}\n"
+            one = "- {id: %s, where: h, geometry: e, quantity: '%s', printed: '%s'}\n"
+            claims = [(f"{first}*b", f"b*{first}"), (f"{first}*b", f"b*{second}"),
+                      (f"tan({first[1:]}_)", f"2*tan({second[1:]}_)")]
+            text = "".join(one % ("i" * 400 + str(k), *c) for k, c in enumerate(claims))
+            status, out, err = self.verify(text, HEAD + angles)
+            self.assertEqual((status, err), (1, ""))
+            found = json.loads(out)["claims"]
+            self.assertEqual([c["verdict"] for c in found], ["proven", "refuted", "refuted"])
+            self.assertEqual([c["id"] for c in found], ["i" * 400 + str(k) for k in range(3)])
+            self.assertEqual(found[1]["mend"], f"b*({first})")
+            self.assertEqual(found[1]["change"].split(" is ")[1], first)
+            for symbol in (first[1:], second[1:]):
+                self.assertIn(f"tan({symbol}_)", found[2]["difference"])
+            at = f"- {{id: x, where: h, geometry: e, at: {{{second}: 5}}, quantity: {second}, printed: 5}}\n"
+            self.assertEqual(json.loads(self.verify(at)[1])["claims"][0]["verdict"], "agrees")
+        for length in (127, 128, 300):
+            (self.path / "scene.yaml").write_text(SCENE.replace("{a: 30", f"{{{'q' * length}x: 7, a: 30"))
+            self.refuse(one % ("x", "a", "a"), "a formula has names of at most 127 letters")
+
     def test_tables(self):
         """A row's cells are claims of their own, with the row's values."""
         status, out, _ = self.verify(
