@@ -113,7 +113,6 @@ static void compare_verdicts(const comparison *c, const tp_case *one, const tp_c
                one->mechanism == other->mechanism ||
                    (one->limit.tie && one->limit.mechanism == other->limit.tied_with),
                "mechanism");
-  compare_need(c, one->slides_sooner == other->slides_sooner, "slides sooner");
   compare_need(c, one->falls_backwards == other->falls_backwards, "falls backwards");
   compare_need(c, one->has_margin == other->has_margin, "margin");
   if (one->has_margin) compare_number(c, one->margin_deg, other->margin_deg, 0, "margin");

@@ -67,8 +67,8 @@ static bool is_free_to_slip(const tp_problem *problem) {
 /* Contact forces let a bond pull in one place and press in another, which counts as friction of
  * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
  * is more than the scene gives it: then it slides where the forces along the facet say so. */
-static bool slides_sooner(tp_evaluation *e, const tp_case *result, const tp_direction_ball *sliding,
-                          const tp_direction_ball *limit) {
+static bool slides_sooner(const tp_evaluation *e, const tp_case *result,
+                          const tp_direction_ball *sliding, const tp_direction_ball *limit) {
   const tp_sliding *s = &result->sliding;
   if (fmpq_is_zero(e->problem->scene->loads.bond_kpa.value) || !s->known || s->never ||
       !is_free_to_slip(e->problem)) {
@@ -76,7 +76,7 @@ static bool slides_sooner(tp_evaluation *e, const tp_case *result, const tp_dire
   }
   if (result->limit.kind == TP_LIMIT_INTERLOCKED) return true;
   if (result->limit.kind != TP_LIMIT_AT_ANGLE) return false;
-  return s->always || tp_evaluation_compare(e, sliding, limit) < 0;
+  return s->always || arb_lt(sliding->degrees, limit->degrees); /* of a tie the limit tells */
 }
 
 /* By statics. */

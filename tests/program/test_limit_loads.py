@@ -182,6 +182,18 @@ class LimitUnderLoads(unittest.TestCase):
                 slid += sooner
         self.assertGreater(slid, 5 * ROUNDS)
 
+    def test_a_bond_without_friction(self):
+        """Without friction a bond has none to add: sliding and the limit tie, at sin d = c l / W, and the report
+        is whole, in both directions and mirrored."""
+        outline = [(0.0, 0.0), (14.0, 3.5), (14.0, 9.5), (0.0, 6.0)]
+        dip, own = math.degrees(math.atan(0.25)), math.degrees(math.asin(40 * math.hypot(14, 3.5) / (26 * 14 * 6)))
+        for points, side in ((outline, 1), (mirrored(outline), -1)):
+            for towards, sign in (("left", 1), ("right", -1)):
+                case = self.solve(points, 0, "cohesion_kpa: 40, bond_kpa: 300", towards, ", angle_deg: 30")
+                first = case["first"]["critical_angle_deg"]["value"]
+                self.assertAlmostEqual(first, own - side * sign * dip, delta=1e-10)
+                self.assertFalse(case["limit"]["slides_sooner"])
+
     def test_earthquake_is_a_tilt(self):
         """k_h towards down-dip turns gravity by atan(k_h): the limit falls by just that."""
         random.seed(84)
