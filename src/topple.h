@@ -153,6 +153,7 @@ typedef struct tp_case {
   tp_bounded first_angle_deg; /* where `first` happens */
   bool has_margin;
   tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
+  bool slides_sooner;    /* the friction that a bond adds apart, it slides before `limit` */
   bool falls_backwards;  /* at this tilt it topples or slides the other way, up-dip */
   tp_account account;
   tp_bounded *limits; /* of all pivots, with loads */

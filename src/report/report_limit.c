@@ -56,7 +56,7 @@ static bool topples_about_governing(const tp_case *c) {
 
 void tp_page_add_first(tp_page *p, const tp_case *c) {
   if (!topples_about_governing(c)) {
-    if (c->limit.kind == TP_LIMIT_AT_ANGLE) {
+    if (c->limit.kind == TP_LIMIT_AT_ANGLE && !c->slides_sooner) {
       add_motion(p, &c->limit);
     } else {
       tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
@@ -143,6 +143,11 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "  Caution: on a base that %s,\n  ", base_text(&c->limit_otherwise));
     add_outcome(p, &c->limit_otherwise);
     tp_text_add(&p->text, ".\n");
+  }
+  if (c->slides_sooner) {
+    tp_text_add(&p->text,
+                "  Caution: these forces let the bond press the contact together, which adds\n"
+                "  friction. Without that it slides sooner: see sliding.\n");
   }
   add_moments(p, c);
 }

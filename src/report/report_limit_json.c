@@ -107,5 +107,6 @@ void tp_json_limit(tp_text *t, const tp_case *c) {
   add_answer(t, &c->limit_otherwise);
   tp_text_add(t, "}, ");
   add_holds_from(t, &c->limit_back);
-  tp_text_add(t, ", \"base_matters\": %s},\n", tp_json_truth(c->base_matters));
+  tp_text_add(t, ", \"base_matters\": %s, \"slides_sooner\": %s},\n",
+              tp_json_truth(c->base_matters), tp_json_truth(c->slides_sooner));
 }

@@ -42,6 +42,10 @@ void tp_page_add_verdict(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "Its loads topple it at any tilt.\n");
     return;
   }
+  if (c->slides_sooner && !c->has_first_angle) {
+    tp_text_add(&p->text, "Its loads slide it at any tilt.\n");
+    return;
+  }
   if (c->first == TP_INTERLOCKED) {
     tp_text_add(&p->text, "Interlocked: it neither slides nor topples at any tilt up to 90°.\n");
     return;

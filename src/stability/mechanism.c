@@ -5,6 +5,7 @@
 
 #include "stability/loaded.h"
 
+#include "base/facets.h"
 #include "number/ball.h"
 
 /* Sign of the angle minus 90 degrees. */
@@ -47,11 +48,47 @@ static const tp_direction_ball *first_by_formula(tp_evaluation *e, tp_case *resu
   return NULL;
 }
 
+/* Can it slip along all of its contacts at once, so that none stands in the way of another? */
+static bool is_free_to_slip(const tp_problem *problem) {
+  const tp_contact *contact = &problem->contact;
+  const tp_facet *first = NULL;
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (f->t0 == f->t1) continue;
+    if (first == NULL) first = f;
+    if (tp_facet_cross(&problem->lattice, first->t0, first->t1, f->t0, f->t1) != 0 ||
+        tp_facet_dot(&problem->lattice, first->t0, first->t1, f->t0, f->t1) < 0) {
+      return false;
+    }
+  }
+  return first != NULL;
+}
+
+/* Contact forces let a bond pull in one place and press in another, which counts as friction of
+ * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
+ * is more than the scene gives it: then it slides where the forces along the facet say so. */
+static bool slides_sooner(const tp_evaluation *e, const tp_case *result,
+                          const tp_direction_ball *sliding, const tp_direction_ball *limit) {
+  const tp_sliding *s = &result->sliding;
+  if (fmpq_is_zero(e->problem->scene->loads.bond_kpa.value) || !s->known || s->never ||
+      !is_free_to_slip(e->problem)) {
+    return false;
+  }
+  if (result->limit.kind == TP_LIMIT_INTERLOCKED) return true;
+  if (result->limit.kind != TP_LIMIT_AT_ANGLE) return false;
+  return s->always || arb_lt(sliding->degrees, limit->degrees); /* of a tie the limit tells */
+}
+
 /* By statics. */
 static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
                                            const tp_direction_ball *toppling,
                                            const tp_direction_ball *sliding,
                                            const tp_direction_ball *limit) {
+  result->slides_sooner = slides_sooner(e, result, sliding, limit);
+  if (result->slides_sooner) {
+    result->first = TP_SLIDES;
+    return result->sliding.always ? NULL : sliding;
+  }
   switch (result->limit.kind) {
   case TP_LIMIT_AT_ANGLE:
     result->first = result->limit.tie ? TP_SLIDES_AND_TOPPLES : result->limit.mechanism;

@@ -4,6 +4,8 @@
 dear and what would help. The limits here are generous: they tell an end from a hang, and memory that is
 bounded from memory that is not."""
 
+import json
+import math
 import os
 import pathlib
 import random
@@ -11,6 +13,7 @@ import resource
 import subprocess
 import tempfile
 import unittest
+from fractions import Fraction
 
 from harness import main
 
@@ -80,6 +83,98 @@ class Coordinates(unittest.TestCase):
     def test_as_many_decimals_are_solved(self):
         status, _, _ = run(rough_slab(3000, lambda value: f"{value:.15f}"), "solve", "--elements")
         self.assertEqual(status, 0)
+
+
+class Proofs(unittest.TestCase):
+    """Limits whose proof climbed in vain: they end, at few digits and at many, and what is decided is true."""
+
+    def limits(self, scene, digits):
+        """Of each direction, where the report came; what is undecided is told."""
+        status, out, err = run(scene, "solve", "--json", "--digits", str(digits))
+        self.assertIn(status, (0, 4), err)
+        self.assertEqual("undecided" in err, status == 4, err)
+        return [case["limit"] for case in json.loads(out)["cases"]] if out else []
+
+    def test_level_water_and_cohesion(self):
+        """Half an ellipse on its flat b = 5, water of 26 kN/m3 that stays 1 m high, both ways alike. It slides
+        where W sin a + 13 / cos a rises through W cos a tan 30 + 26 b; W = 26 A. The area is that of the
+        part of the ellipse above the chord."""
+        for digits in (9, 30):
+            scene = """topple: 1
+length_unit: m
+block: {ellipse: {width: 10, height: 3, flat: 5}, unit_weight_kn_m3: 26}
+base: {mated: true, beyond: {left: 0, right: 0}}
+loads: {water: {height: 1, uplift: false, stays_level: true, unit_weight_kn_m3: 26}, cohesion_kpa: 26}
+friction_angle_deg: 30
+tilt: {towards: both, angle_deg: 0}
+"""
+            # half axes 5 and r, cut where the chord is 5: at y = -r sqrt(3)/2
+            r = 1.5
+            area = 5 * r * (math.pi - math.pi / 6 + math.sqrt(3) / 4)
+            for limit in self.limits(scene, digits):
+                self.assertEqual(limit["mechanism"], "slides")
+                a = math.radians(limit["critical_angle_deg"]["value"])
+                driving = 26 * area * math.sin(a) + 13 / math.cos(a)
+                held = 26 * area * math.cos(a) * math.tan(math.pi / 6) + 26 * 5
+                self.assertAlmostEqual(driving, held, delta=1e-9 * held)
+
+    def test_water_without_friction(self):
+        """Without friction any water pushes a slab off a level base: it is held at a single tilt up-dip, if
+        at all, and never said to hold from level on."""
+        for digits in (9, 30):
+            for limit in self.limits("""topple: 1
+length_unit: m
+block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}
+base: {mated: true}
+loads: {water: {height: 1/2, stays_level: true}}
+friction_angle_deg: 0
+tilt: {towards: both, angle_deg: 45}
+""", digits):
+                self.assertNotEqual(limit["mechanism"], "interlocked")
+                if limit["critical_angle_deg"]:
+                    self.assertLess(limit["critical_angle_deg"]["value"], 0)
+
+    def test_long_fractions(self):
+        """A sole that rises by 1e-30, an arc, a hole of numbers of a hundred digits, and shaking, water, an
+        anchor and a bond, whose moments nearly cancel: minutes once, at 89 degrees."""
+        tiny, top = Fraction(1, 10**30), Fraction(5, 2) + Fraction(1, 10**30)
+        left, right = Fraction(13, 24), Fraction(13, 8) + Fraction(1, 10**100)
+        low, high = top / 8, top * 7 / 8
+        scene = f"""topple: 1
+length_unit: m
+block:
+  outline: [[0, 0], [13/3, {tiny}], [13/3, {top}], [0, {top}]]
+  arcs: [{{from: [13/3, {top}], bulge: 1/2}}]
+  holes: [[[{left}, {low}], [{right}, {low}], [{right}, {high}], [{left}, {high}]]]
+  unit_weight_kn_m3: 27
+base: {{mated: true}}
+loads:
+  seismic: {{horizontal: -1/5, vertical: 3/2}}
+  water: {{height: 1e-20, uplift: true, stays_level: true, unit_weight_kn_m3: 2700}}
+  surcharges: [{{from: [0, {top}], to: [0, 0], kpa: 5}}]
+  anchors: [{{at: [13/3, {tiny}], direction_deg: -30, force_kn: 90, passive: true}}]
+  bond_kpa: 27
+friction_angle_deg: 30
+tilt: {{towards: both, angle_deg: 89}}
+"""
+        for digits in (9, 30):
+            self.limits(scene, digits)
+
+    def test_hundreds_of_collinear_facets(self):
+        """A slab of 400 pieces of 1 m with cohesion slides where sin(a - phi) = c b cos(phi) / W, each piece
+        as the whole."""
+        under = ", ".join(f"[{k}, 0]" for k in range(401))
+        for digits in (9, 30):
+            for limit in self.limits(f"""topple: 1
+length_unit: m
+block: {{outline: [{under}, [400, 100], [0, 100]], unit_weight_kn_m3: 26}}
+base: {{mated: true}}
+loads: {{cohesion_kpa: 5}}
+friction_angle_deg: 30
+tilt: {{towards: both, angle_deg: 10}}
+""", digits):
+                angle = 30 + math.degrees(math.asin(5 * math.cos(math.pi / 6) / 2600))
+                self.assertAlmostEqual(limit["critical_angle_deg"]["value"], angle, delta=1e-11)
 
 
 if __name__ == "__main__":

@@ -146,6 +146,54 @@ class LimitUnderLoads(unittest.TestCase):
                 self.assertEqual(limit["centre_x_m"]["value"], toe)
                 self.assertAlmostEqual(limit["critical_angle_deg"]["value"], expected, delta=1e-10)
 
+    def test_a_bond_adds_no_friction(self):
+        """A slab on an inclined sole that a bond keeps from toppling slides all the same, where cohesion gives
+        way: sin(d - phi) = c l cos(phi) / W, d being the dip of the sole. Contact forces said `interlocked`, at a
+        factor of 0.7 against sliding: the bond pulled what pressed elsewhere. What is first is the lesser of
+        sliding and toppling in closed form, and nothing whose factor is below 1 stands."""
+        random.seed(88)
+        slid = 0
+        for _ in range(60 * ROUNDS):
+            b, h, slope = random.uniform(1, 4), random.uniform(1.5, 8), random.choice((0.0, random.uniform(-0.3, 0.3)))
+            friction, tilt = random.uniform(10, 50), random.randint(1, 60)
+            c, s = random.choice((0, random.uniform(0, 10))), random.choice((0, random.uniform(0.1, 40), 500))
+            outline = [(0.0, 0.0), (b, b * slope), (b, b * slope + h), (0.0, h)]
+            mirror = random.random() < 0.5
+            case = self.solve(mirrored(outline) if mirror else outline, friction,
+                              f"cohesion_kpa: {c!r}, bond_kpa: {s!r}", "right" if mirror else "left",
+                              f", angle_deg: {tilt}")
+            weight, phi, lean = GAMMA * b * h, math.radians(friction), math.degrees(math.atan(slope))
+            length, x, y = b * math.hypot(1, slope), b / 2, (b * slope + h) / 2
+            sine = c * length * math.cos(phi) / weight
+            slides = math.degrees(phi + math.asin(sine)) - lean if sine < 1 else 180
+            sine = s * length**2 / 2 / (weight * math.hypot(x, y))
+            topples = math.degrees(math.atan2(x, y) + math.asin(sine)) if sine < 1 else 180
+            with self.subTest(scene=self.text):
+                first = case["first"]
+                if min(slides, topples) > 90:
+                    self.assertEqual(first["mechanism"], "interlocked")
+                    continue
+                self.assertEqual(first["mechanism"], "slides" if slides < topples else "topples")
+                self.assertAlmostEqual(first["critical_angle_deg"]["value"], min(slides, topples), delta=1e-9)
+                self.assertEqual(case["mechanism"] == "stands", tilt < min(slides, topples))
+                limit = case["limit"]["critical_angle_deg"]
+                sooner = limit is None or limit["value"] > slides + 1e-9
+                self.assertEqual(case["limit"]["slides_sooner"], sooner)
+                slid += sooner
+        self.assertGreater(slid, 5 * ROUNDS)
+
+    def test_a_bond_without_friction(self):
+        """Without friction a bond has none to add: sliding and the limit tie, at sin d = c l / W, and the report
+        is whole, in both directions and mirrored."""
+        outline = [(0.0, 0.0), (14.0, 3.5), (14.0, 9.5), (0.0, 6.0)]
+        dip, own = math.degrees(math.atan(0.25)), math.degrees(math.asin(40 * math.hypot(14, 3.5) / (26 * 14 * 6)))
+        for points, side in ((outline, 1), (mirrored(outline), -1)):
+            for towards, sign in (("left", 1), ("right", -1)):
+                case = self.solve(points, 0, "cohesion_kpa: 40, bond_kpa: 300", towards, ", angle_deg: 30")
+                first = case["first"]["critical_angle_deg"]["value"]
+                self.assertAlmostEqual(first, own - side * sign * dip, delta=1e-10)
+                self.assertFalse(case["limit"]["slides_sooner"])
+
     def test_earthquake_is_a_tilt(self):
         """k_h towards down-dip turns gravity by atan(k_h): the limit falls by just that."""
         random.seed(84)
