@@ -225,21 +225,16 @@ static tp_status refute(tp_claim_result *result, const survey *v, const tp_quest
 static tp_status decide_parts(tp_claim_result *result, const survey *v, const tp_question *q) {
   const tp_status status = tp_decide_at_points(result, q, &v->branches);
   if (status != TP_OK || v->where == NULL) return status;
-  char *failing = result->condition;
-  result->condition = NULL;
-  const tp_status written =
-      set_condition(result, q, v->holds_here ? "it holds where " : "it does not hold where ",
-                    v->where, failing != NULL ? ", as at the claim's own values; " : "");
-  if (written == TP_OK && failing != NULL) {
-    char *start = result->condition;
-    result->condition = NULL;
-    const tp_status joined = set_condition(result, q, start, failing, "");
-    free(start);
-    free(failing);
-    return joined;
-  }
-  free(failing);
-  return written;
+  const char *before = v->holds_here ? "it holds where " : "it does not hold where ";
+  if (result->condition == NULL) return set_condition(result, q, before, v->where, "");
+  const size_t size = strlen(before) + strlen(v->where) + 1;
+  char *start = malloc(size);
+  if (start == NULL) return tp_fail_memory(q->message, "a claim");
+  snprintf(start, size, "%s%s", before, v->where);
+  const tp_status joined =
+      set_condition(result, q, start, ", as at the claim's own values; ", result->condition);
+  free(start);
+  return joined;
 }
 
 tp_status tp_decide_formula(tp_claim_result *result, const tp_question *q) {
