@@ -21,8 +21,8 @@ void random_contact_draw_kinks(random_scene *s, uint64_t *state) {
   polygon *rings[] = {&s->outline, &s->profile, &s->hole, &s->part};
   for (int r = 0; r < 4; r++) {
     for (long k = 0; k < rings[r]->count; k++) {
-      rings[r]->x[k] <<= shift;
-      rings[r]->y[k] <<= shift;
+      rings[r]->x[k] *= 1L << shift;
+      rings[r]->y[k] *= 1L << shift;
     }
   }
   fmpq_div_2exp(s->numbers + XX, s->numbers + XX, (ulong)shift);

@@ -156,8 +156,10 @@ static void say_found(sayings *s, const char *path, const tp_find_options *optio
   tp_scene_free(scene);
 }
 
-static void say_chart(sayings *s, tp_status status, tp_chart *chart, const tp_message *message,
-                      bool draw) {
+/* By its place: an argument is read before a call beside it fills it in. */
+static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
+                      const tp_message *message, bool draw) {
+  tp_chart *chart = *made;
   note(s, status, message);
   if (chart == NULL) return;
   if (tp_report_chart_csv(next(s), chart) != TP_OK) s->count--;
@@ -183,11 +185,11 @@ static void say_charts(sayings *s) {
                              plane = {.scene = EXAMPLE("slab_left.yaml"),
                                       .x = {"block.slab.width", {60.5, 70.25}},
                                       .y = {"block.slab.height", {50, 60}}};
-  say_chart(s, tp_chart_fos(chart, &fos, &message), chart[0], &message, true);
-  say_chart(s, tp_chart_mechanisms(chart + 1, &mechanisms, &message), chart[1], &message, false);
-  say_chart(s, tp_chart_ranges(chart + 2, &message), chart[2], &message, false);
-  say_chart(s, tp_chart_map(chart + 3, &line, &message), chart[3], &message, true);
-  say_chart(s, tp_chart_map(chart + 4, &plane, &message), chart[4], &message, false);
+  say_chart(s, tp_chart_fos(chart, &fos, &message), chart, &message, true);
+  say_chart(s, tp_chart_mechanisms(chart + 1, &mechanisms, &message), chart + 1, &message, false);
+  say_chart(s, tp_chart_ranges(chart + 2, &message), chart + 2, &message, false);
+  say_chart(s, tp_chart_map(chart + 3, &line, &message), chart + 3, &message, true);
+  say_chart(s, tp_chart_map(chart + 4, &plane, &message), chart + 4, &message, false);
 }
 
 static void say_accuracy(sayings *s) {
@@ -203,7 +205,7 @@ static void say_accuracy(sayings *s) {
     for (size_t r = 0; r < of[k]->run_count; r++) of[k]->runs[r].seconds = 0.00123456789;
     if (tp_report_accuracy(next(s), of[k]) != TP_OK) s->count--;
     if (tp_report_accuracy_json(next(s), of[k]) != TP_OK) s->count--;
-    say_chart(s, tp_chart_accuracy(chart + k, of[k], &message), chart[k], &message, false);
+    say_chart(s, tp_chart_accuracy(chart + k, of[k], &message), chart + k, &message, false);
     tp_accuracy_free(of[k]);
   }
   tp_scene_free(scene);
