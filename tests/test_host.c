@@ -60,10 +60,16 @@ static setting setting_now(void) {
   return now;
 }
 
+/* What decimal_comma_of_the_thread made. */
+static void give_locale_back(void) {
+  const locale_t own = uselocale(LC_GLOBAL_LOCALE);
+  if (own != LC_GLOBAL_LOCALE) freelocale(own);
+}
+
 static void as_it_comes(void) {
   fesetenv(FE_DFL_ENV);
   setlocale(LC_ALL, "C");
-  uselocale(LC_GLOBAL_LOCALE);
+  give_locale_back();
   mpfr_set_emin(MPFR_EMIN_DEFAULT);
   mpfr_set_emax(MPFR_EMAX_DEFAULT);
 }
@@ -254,6 +260,7 @@ static void *solve_in_a_thread(void *argument) {
   if (s != NULL) say_scene(s, EXAMPLE("block_e_valley.yaml"), 30);
   const setting after = setting_now();
   if (s != NULL && memcmp(&before, &after, sizeof before) != 0) sayings_forget(s);
+  give_locale_back();
   flint_cleanup();
   return s;
 }
