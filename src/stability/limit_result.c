@@ -73,27 +73,36 @@ static void set_centre(const telling *t) {
   arb_clear(y);
 }
 
-/* The column of the larger force, of two that cannot be told apart the first. */
-static long column_of_slide(const telling *t) {
-  const long *columns = t->answer->face.columns;
-  const arb_struct *f = t->answer->forces;
-  if (arb_gt(f, f + 1)) return columns[0];
-  if (arb_lt(f, f + 1)) return columns[1];
-  return columns[0] < columns[1] ? columns[0] : columns[1];
+/* Does the column's force no work in the slide, so that it slides along its facet? */
+static bool slides_along(const telling *t, long column) {
+  const tp_judge *judge = &t->question->judge;
+  const tp_vector *twist = &t->answer->face.twist;
+  if (tp_cones_are_parallel(t->question->cones, t->answer->face.columns[0], column)) return true;
+  tp_vector force;
+  arb_t power;
+  tp_vector_init(&force);
+  arb_init(power);
+  tp_cones_column(force.of, t->question->cones, column, judge->precision);
+  arb_zero(force.of + 2); /* its moment does none: a slide does not turn */
+  tp_vector_dot(power, twist, &force, judge->precision);
+  const double scale = tp_vector_log2_size(twist) + tp_vector_log2_size(&force);
+  const int sign = tp_judge_sign(judge, power, scale);
+  tp_vector_clear(&force);
+  arb_clear(power);
+  return sign != 1 && sign != -1;
 }
 
-/* Of the facets along which it slides, all parallel, the first from the toe that has a length:
- * which two of them the forces were put on is the solver's choice. -1 where all of them belong to
- * the base that goes on past the block. */
+/* Of the facets along which it slides, the first from the toe that has a length: which two of them
+ * the forces were put on is the solver's choice. They are parallel, or at an angle of 2 phi, so that
+ * their forces are. -1 where all of them belong to the base that goes on past the block. */
 static long facet_of_slide(const telling *t) {
   const tp_cones *cones = t->question->cones;
   const tp_facet *facets = t->e->problem->contact.facets;
-  const long own = column_of_slide(t);
-  long best = cones->points[tp_cones_point_of(cones, own)].facet;
-  if (!tp_cones_is_edge(cones, own)) return best;
-  for (long k = 0; k < cones->count; k++) {
-    const long facet = cones->points[k].facet;
-    if (facet < 0 || !tp_cones_are_parallel(cones, own, 2 * k + own % 2)) continue;
+  const long *own = t->answer->face.columns;
+  long best = cones->points[tp_cones_point_of(cones, own[own[0] < 0 ? 1 : 0])].facet;
+  for (long column = 0; column < 2 * cones->count; column++) {
+    const long facet = cones->points[tp_cones_point_of(cones, column)].facet;
+    if (facet < 0 || !slides_along(t, column)) continue;
     if (best < 0) best = facet;
     const bool point = facets[facet].q0 == facets[facet].q1;
     const bool best_point = facets[best].q0 == facets[best].q1;
