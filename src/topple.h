@@ -38,6 +38,7 @@
 #define TOPPLE_H
 
 #include "topple_limit.h"
+#include "topple_onset.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -145,6 +146,7 @@ typedef struct tp_case {
   tp_limit
       limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
   bool base_matters;   /* the two differ */
+  tp_onset onset;      /* up to which tilt no motion can begin, with the base of the scene */
   tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
                           loads: at tilts below minus its angle the block lets go up-dip */
   tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */

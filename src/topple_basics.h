@@ -87,6 +87,8 @@ typedef enum tp_mechanism {
   TP_TOPPLES,
   TP_SLIDES_AND_TOPPLES,
   TP_INTERLOCKED, /* neither slides nor topples at any tilt below 90 degrees */
+  TP_MAY_MOVE,    /* some forces would hold it, but a motion can begin: history decides */
+  TP_LEAVES_BASE, /* every contact opens */
   TP_MECHANISM_UNDECIDED
 } tp_mechanism;
 

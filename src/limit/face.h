@@ -18,12 +18,16 @@
 
 typedef enum tp_answer { TP_NO, TP_YES, TP_OPEN } tp_answer;
 
-typedef enum tp_motion { TP_MOTION_SLIDE, TP_MOTION_TURN_AT_SITE, TP_MOTION_TURN } tp_motion;
+typedef enum tp_face_motion {
+  TP_MOTION_SLIDE,
+  TP_MOTION_TURN_AT_SITE,
+  TP_MOTION_TURN
+} tp_face_motion;
 
 typedef struct tp_face {
   long columns[2]; /* -1: none, a twist inside the admissible ones */
   tp_vector twist;
-  tp_motion motion;
+  tp_face_motion motion;
   long site;  /* of TP_MOTION_TURN_AT_SITE */
   arb_t held; /* K */
   bool *full; /* for each column of an allowance: at its bound; NULL where there is none */

@@ -145,6 +145,10 @@ const char *tp_text_mechanism(tp_mechanism mechanism) {
     return "slides and topples";
   case TP_INTERLOCKED:
     return "interlocked";
+  case TP_MAY_MOVE:
+    return "may move";
+  case TP_LEAVES_BASE:
+    return "leaves its base";
   case TP_MECHANISM_UNDECIDED:
     return "undecided";
   }

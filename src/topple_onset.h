@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The onset of motion of a case: up to which tilt no motion can begin. Included by topple.h.
+ *
+ * The static limit (topple_limit.h) asks whether some forces of the base hold the block; the onset
+ * asks whether the block, released from rest, can begin to move by forces that Coulomb friction
+ * allows (Pang and Trinkle 2000: strong against weak stability). Below the onset it is certain to
+ * stand; beyond the limit it is certain to move; between them the forces that the way it came to
+ * lie there has locked in decide. */
+
+#ifndef TOPPLE_ONSET_H
+#define TOPPLE_ONSET_H
+
+#include "topple_basics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum tp_onset_kind {
+  TP_ONSET_NOT_ASKED, /* the scene gives no friction angle, or the limit was not asked for */
+  TP_ONSET_AT_ANGLE,
+  TP_ONSET_NEVER,    /* no motion can begin at any tilt up to 90 degrees */
+  TP_ONSET_NOWHERE,  /* a motion can begin at every tilt */
+  TP_ONSET_UNDECIDED /* at the precision allowed */
+} tp_onset_kind;
+
+/* Tilts between -90 and 90 degrees at which a motion can begin. */
+typedef struct tp_window {
+  bool from_below, to_above; /* it has no lower end, no upper end, within that range */
+  tp_bounded from_deg, to_deg;
+  tp_mechanism begins; /* what can begin at its lower end, or, without one, at its upper end */
+} tp_window;
+
+typedef enum tp_contact_state {
+  TP_CONTACT_OPENS,
+  TP_CONTACT_STICKS,
+  TP_CONTACT_SLIPS_DOWN_DIP, /* the block's point moves down-dip along the facet */
+  TP_CONTACT_SLIPS_UP_DIP
+} tp_contact_state;
+
+/* An end of a facet in a motion, and the force on the block there as a share of its weight. */
+typedef struct tp_motion_contact {
+  size_t facet;  /* from left to right along the contact, those in a point included */
+  bool of_facet; /* false: of the base that goes on, where the scene's ends */
+  bool at_right_end;
+  tp_contact_state state;
+  bool has_force; /* false: nothing fixes how the contacts that stay share the load */
+  tp_bounded share_x, share_y;
+} tp_motion_contact;
+
+/* A way in which the block can begin to move at the scene's tilt. */
+typedef struct tp_motion {
+  tp_mechanism mechanism; /* slides, topples, slides and topples, or leaves its base */
+  tp_bounded acceleration_x_g, acceleration_y_g; /* of the centroid, in units of gravity, along x
+                                                    and y of the scene */
+  tp_bounded angular_g_per_m; /* angular acceleration over gravity, 1 / m; counter-clockwise > 0 */
+  bool accelerations_fixed;   /* false: a range of them is possible; the least is given */
+  bool has_centre;            /* of rotation */
+  tp_bounded centre_x_m, centre_y_m;
+  size_t contact_count;
+  tp_motion_contact *contacts; /* those that do not open */
+} tp_motion;
+
+typedef struct tp_onset {
+  tp_onset_kind kind;
+  bool too_dear;                 /* undecided, since the proof takes more work than is allowed */
+  tp_bounded critical_angle_deg; /* alpha_s; below 0: certain to stand only when tilted back */
+  tp_mechanism mechanism;        /* what can begin there */
+  bool tie;                      /* another mechanism can begin at the same tilt: */
+  tp_mechanism tied_with;
+  bool has_centre; /* of rotation of what can begin there */
+  tp_bounded centre_x_m, centre_y_m;
+  bool below_limit; /* alpha_s is certainly below the static limit: between them history decides */
+  size_t window_count; /* all of them, from below; owned by the case */
+  tp_window *windows;
+  bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder
+                   (Painleve): rigid bodies with Coulomb friction have no unique answer there */
+  bool has_motions; /* motions at the scene's tilt were asked for and are certain */
+  size_t motion_count;
+  tp_motion *motions; /* owned by the case */
+} tp_onset;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
