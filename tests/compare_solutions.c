@@ -69,14 +69,19 @@ static bool meet(tp_bounded a, tp_bounded b) {
   return fabs(a.value - b.value) <= a.error + b.error;
 }
 
-/* Which of the other's pivots this one is: one of its kind, in its place and with its angle. Far
- * off, places alone do not tell neighbours apart. */
+static bool factors_meet(tp_fos a, tp_fos b) {
+  return a.state != TP_FOS_NUMBER || b.state != TP_FOS_NUMBER || meet(a.value, b.value);
+}
+
+/* Which of the other's pivots this one is: one of its kind, in its place, with its angle and its
+ * factor of safety. Far off, places alone do not tell neighbours apart. */
 static size_t counterpart(const comparison *c, const tp_case *one, const tp_case *other, size_t k) {
   if (!c->r->more_vertices) return c->r->mirrored ? one->pivot_count - 1 - k : k;
   for (size_t i = k; i < other->pivot_count; i++) {
     const tp_pivot *p = one->pivots + k, *q = other->pivots + i;
     if (p->kind == q->kind && p->admissible == q->admissible && meet(p->x_m, q->x_m) &&
-        meet(p->y_m, q->y_m) && meet(p->critical_angle_deg, q->critical_angle_deg)) {
+        meet(p->y_m, q->y_m) && meet(p->critical_angle_deg, q->critical_angle_deg) &&
+        factors_meet(p->fos_resultant, q->fos_resultant)) {
       return i;
     }
   }

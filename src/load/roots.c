@@ -42,9 +42,10 @@ void tp_roots_keep(tp_roots *roots, const arb_t radians, bool rising, long bits)
   arb_clear(degrees);
 }
 
-/* Keep an angle if its cosine, reduced to the circle, is above zero. One at a right angle as far as
- * half the precision tells is out of range. */
+/* Keep an angle if its cosine, reduced to the circle, is above zero. One that many bits do not tell
+ * from a right angle is out of range. */
 static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bits) {
+  enum { SETTLING_BITS = 1280 };
   arb_t sine, cosine, radians;
   arb_init(sine);
   arb_init(cosine);
@@ -53,9 +54,9 @@ static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bi
   if (arb_is_positive(cosine)) {
     arb_atan2(radians, sine, cosine, bits);
     tp_roots_keep(roots, radians, rising, bits);
-  } else if (!arb_is_negative(cosine) &&
-             mag_get_d_log2_approx(arb_radref(cosine)) > -0.5 * (double)bits) {
-    roots->certain = false;
+  } else if (!arb_is_negative(cosine)) {
+    const bool narrow = mag_get_d_log2_approx(arb_radref(cosine)) <= -0.5 * (double)bits;
+    if (bits < SETTLING_BITS || !narrow) roots->certain = false;
   }
   arb_clear(sine);
   arb_clear(cosine);
