@@ -78,11 +78,16 @@ static void read_range(tp_chart_range *range, const char *text, struct argp_stat
   }
 }
 
-static void read_axis(tp_chart_axis *axis, char key[128], const char *text,
+static void read_axis(tp_chart_axis *axis, char key[TP_CHART_KEY_SIZE], const char *text,
                       struct argp_state *state) {
   const char *equals = strchr(text, '=');
   const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
-  if (length == 0 || length >= 128) {
+  if (length >= TP_CHART_KEY_SIZE) {
+    tp_cli_refuse(state, "the key in '%s' is longer than %d bytes; give a parameter a shorter name",
+                  text, TP_CHART_KEY_SIZE - 1);
+    return;
+  }
+  if (length == 0) {
     tp_cli_refuse(state, "'%s' is no KEY=FROM:TO, as block.slab.width=0.2:1.5", text);
     return;
   }

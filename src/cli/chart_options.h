@@ -18,6 +18,8 @@ typedef enum tp_chart_kind {
   TP_CHART_KINDS
 } tp_chart_kind;
 
+enum { TP_CHART_KEY_SIZE = 128 };
+
 extern const char *const tp_chart_kinds[TP_CHART_KINDS];
 
 typedef struct tp_chart_arguments {
@@ -31,7 +33,7 @@ typedef struct tp_chart_arguments {
   tp_chart_fos_options fos;
   tp_chart_mechanisms_options mechanisms;
   tp_chart_map_options map;
-  char keys[2][128]; /* of the map's axes */
+  char keys[2][TP_CHART_KEY_SIZE]; /* of the map's axes */
 } tp_chart_arguments;
 
 extern const struct argp tp_chart_parser;

@@ -365,6 +365,7 @@ class Errors(Chart):
         self.refuse(2, "another kind", "ranges", "--friction", 3)
         self.refuse(2, "must rise", "fos", "--tilt", "60:10")
         self.refuse(2, "must rise", "map", self.scene, "--x", "block.slab.width=3:1")
+        self.refuse(2, "longer than 127 bytes", "map", self.scene, "--x", "k" * 128 + "=1:3")
         self.refuse(2, "KEY=FROM:TO", "map", self.scene, "--x", "block.slab.width")
         self.refuse(2, "--x KEY=FROM:TO", "map", self.scene)
         self.refuse(2, "scene file is missing", "map")
