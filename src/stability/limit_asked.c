@@ -43,9 +43,7 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
   if (e->loaded == NULL) {
     set_weight(load, e, towards == TP_TOWARDS_RIGHT);
   } else {
-    tp_trig_add(&load->x, &e->loaded->sum.x, e->rung.bits);
-    tp_trig_add(&load->y, &e->loaded->sum.y, e->rung.bits);
-    tp_trig_add(&load->moment, &e->loaded->sum.moment, e->rung.bits);
+    tp_loaded_local_sum(load, e->loaded, e);
     arb_set(asked->range, e->loaded->range);
   }
   if (back) turn_back(load);

@@ -40,7 +40,18 @@ static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const 
   arb_set(scene_x, x);
   arb_set(scene_y, y);
   if (t->towards == TP_TOWARDS_RIGHT) arb_neg(scene_x, scene_x);
-  if (e->loaded == NULL) tp_loaded_metres(scene_x, scene_y, e);
+  if (e->loaded == NULL) {
+    tp_loaded_metres(scene_x, scene_y, e);
+  } else {
+    arb_t origin_x, origin_y;
+    arb_init(origin_x);
+    arb_init(origin_y);
+    tp_loaded_metres(origin_x, origin_y, e);
+    arb_add(scene_x, scene_x, origin_x, e->rung.bits);
+    arb_add(scene_y, scene_y, origin_y, e->rung.bits);
+    arb_clear(origin_x);
+    arb_clear(origin_y);
+  }
   *x_m = tp_evaluation_result_within(e, scene_x, log2_size);
   *y_m = tp_evaluation_result_within(e, scene_y, log2_size);
   arb_clear(scene_x);
@@ -93,8 +104,8 @@ static bool slides_along(const telling *t, long column) {
 }
 
 /* Of the facets along which it slides, the first from the toe that has a length: which two of them
- * the forces were put on is the solver's choice. They are parallel, or at an angle of 2 phi, so that
- * their forces are. -1 where all of them belong to the base that goes on past the block. */
+ * the forces were put on is the solver's choice. They are parallel, or at an angle of 2 phi, so
+ * that their forces are. -1 where all of them belong to the base that goes on past the block. */
 static long facet_of_slide(const telling *t) {
   const tp_cones *cones = t->question->cones;
   const tp_facet *facets = t->e->problem->contact.facets;

@@ -29,8 +29,13 @@ void tp_loaded_clear(tp_loaded *loaded);
 void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluation *evaluation,
                     long k);
 
-/* A point of the lattice in metres. */
+/* A point of the lattice in metres of the scene, and in metres from the lattice's origin. */
 void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *evaluation);
+void tp_loaded_local_metres(arb_t x, arb_t y, const tp_evaluation *evaluation);
+
+/* All loads, their moment about the lattice's origin: a block far from the scene's origin has
+ * moments about that that cancel, and friction is known only to so many bits. */
+void tp_loaded_local_sum(tp_wrench *sum, const tp_loaded *loaded, const tp_evaluation *evaluation);
 
 /* The moment of the contact's tensile bond about the axis at a contact point, positive, in N m:
  * against overturning, or against turning `back`. */

@@ -119,10 +119,16 @@ static bool lies_before(tp_evaluation *e, const arb_t tilt, const arb_t back) {
   return before;
 }
 
-/* By contact forces. */
+/* By contact forces. From which tilt they hold it may be open. */
 static void judge_up_dip(tp_evaluation *e, tp_case *result, const tp_direction_ball *back,
                          const arb_t tilt) {
   const tp_limit *l = &result->limit_back;
+  if (l->kind == TP_LIMIT_UNDECIDED) {
+    result->mechanism = TP_MECHANISM_UNDECIDED;
+    if (result->first == TP_INTERLOCKED) result->first = TP_MECHANISM_UNDECIDED;
+    result->limit.fos = (tp_fos){.state = TP_FOS_UNDECIDED};
+    return;
+  }
   result->falls_backwards = l->kind == TP_LIMIT_AT_ANGLE && lies_before(e, tilt, back->degrees);
   if (result->falls_backwards) result->mechanism = l->tie ? TP_SLIDES_AND_TOPPLES : l->mechanism;
 }

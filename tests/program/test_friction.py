@@ -85,6 +85,33 @@ class Friction(unittest.TestCase):
         angle = fixed_point(lambda x: barton(28, 8, 120000, 36 * math.cos(math.radians(x))))
         self.slides_at(case, angle)
 
+    def test_far_from_the_origin(self):
+        """On a flank of 45° under a pressure on its top it slips up-dip up to sin(alpha) = q tan(45° - phi), q
+        the force along y over the weight; far off the moments cancel to a part in 10^14, and the search for
+        phi at its own stress ended without an answer, which the verdict took for interlocked."""
+        top, weight = 200.0, 26.0 * 8  # kPa on 2 m; 26 kN/m³ on 8 m²
+        def image(alpha):
+            q = math.cos(alpha) + top / weight
+            friction = math.radians(barton(32, 5, 50000, weight / 2 * q))  # on the mean plane
+            return math.asin(q * math.tan(math.pi / 4 - friction))
+        expected = math.degrees(fixed_point(image))
+        for x, y in ((0, 0), (10 ** 14, -3 * 10 ** 14)):
+            def ring(*points):
+                return str([[x + a, y + b] for a, b in points])
+            with tempfile.TemporaryDirectory() as folder:
+                scene = pathlib.Path(folder) / "scene.yaml"
+                scene.write_text(
+                    "topple: 1\nlength_unit: m\n"
+                    f"block: {{outline: {ring((0, 0), (2, 2), (2, 5), (0, 5))}, unit_weight_kn_m3: 26}}\n"
+                    f"base: {{profile: {ring((0, 0), (2, 2), (16, -2))}}}\n"
+                    f"loads: {{pressures: [{{from: [{x + 2}, {y + 5}], to: [{x}, {y + 5}], kpa: [100, 100]}}]}}\n"
+                    "friction: {law: barton, residual_angle_deg: 32, jrc: 5, jcs_mpa: 50}\n"
+                    "tilt: {towards: right, angle_deg: 0}\n")
+                case = solve(scene)["cases"][0]
+            self.assertEqual(case["limit"]["holds_from"], "angle")
+            self.assertAlmostEqual(case["limit"]["holds_from_deg"]["value"], expected, delta=1e-9)
+            self.assertEqual(case["mechanism"], "slides")
+
     def test_patton(self):
         """phi_b + i is one angle: the same report as with the sum."""
         law = self.slab("friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 7.5}")
