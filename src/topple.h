@@ -145,7 +145,7 @@ typedef struct tp_case {
   tp_limit limit; /* with the base of the scene */
   tp_limit
       limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
-  bool base_matters;   /* the two differ */
+  bool base_matters;   /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
   tp_onset onset;      /* up to which tilt no motion can begin, with the base of the scene */
   tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
                           loads: at tilts below minus its angle the block lets go up-dip */

@@ -251,11 +251,15 @@ static bool share_mechanism(const tp_limit *a, const tp_limit *b) {
          (b->tie && b->tied_with == a->mechanism);
 }
 
-static bool differ(const tp_limit *a, const tp_limit *b) {
+/* Two angles that differ by less than a millionth of a degree are one to who builds on them. */
+static bool differ(const tp_limit *a, const tp_limit *b, tp_evaluation *e) {
+  static const double least_deg = 1e-6;
   if (a->kind != b->kind || !share_mechanism(a, b)) return true;
+  if (a->kind != TP_LIMIT_AT_ANGLE) return false;
   const double error = a->critical_angle_deg.error + b->critical_angle_deg.error;
-  return a->kind == TP_LIMIT_AT_ANGLE &&
-         fabs(a->critical_angle_deg.value - b->critical_angle_deg.value) > error;
+  const double apart = fabs(a->critical_angle_deg.value - b->critical_angle_deg.value);
+  if (fabs(apart - least_deg) <= error && !tp_evaluation_is_last_rung(e)) e->certain = false;
+  return apart > least_deg;
 }
 
 bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
@@ -267,6 +271,6 @@ bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *lim
   done = done && tp_limit_base_matters(&matters, e->problem, result->towards);
   if (done && matters) done = find_otherwise(result, e);
   result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
-  result->base_matters = differ(&result->limit, &result->limit_otherwise);
+  result->base_matters = differ(&result->limit, &result->limit_otherwise, e);
   return done;
 }
