@@ -62,7 +62,7 @@ static void draw_profile(random_scene *s, long count, uint64_t *state) {
  * over their depth. */
 static void draw_body(random_scene *s, uint64_t *state) {
   const bool small = draw_once_in(state, 2), regular = draw_once_in(state, 2);
-  const long steps = 1 + draw_below(state, draw_once_in(state, 40) ? 200 : small ? 3 : 9);
+  const long steps = 1 + draw_below(state, draw_once_in(state, 250) ? 200 : small ? 3 : 9);
   const long width = GRAIN * (1 + draw_below(state, small ? 4 : 40));
   const long depth = GRAIN * draw_below(state, small ? 3 : 20), phase = draw_below(state, 2);
   const long height = GRAIN * (1 + draw_below(state, small ? 8 : 60 + 8 * steps));
