@@ -66,10 +66,10 @@ typedef struct tp_derived_reaction {
   bool against_slip;
 } tp_derived_reaction;
 
-/* The static limit in symbols (mechanics section 6), with the base of the scene: the tangent of the
- * critical angle in the scene's parameters and tan(phi) from the two forces of the optimal basis,
- * which meet the weight in the centre of rotation. It holds wherever no condition, a formula, is
- * below zero; those that hold for all positive parameters are left out if these are. */
+/* The static limit in symbols (docs/mechanics.md section 6), with the base of the scene: the
+ * tangent of the critical angle in the scene's parameters and tan(phi) from the two forces of the
+ * optimal basis, which meet the weight in the centre of rotation. It holds wherever no condition, a
+ * formula, is below zero; those that hold for all positive parameters are left out if these are. */
 typedef struct tp_derived_limit {
   bool known; /* false: interlocked, or nothing holds it */
   tp_mechanism mechanism;

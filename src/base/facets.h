@@ -55,7 +55,7 @@ bool tp_facet_same_point(const tp_lattice *lattice, long a, long b);
 bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point point);
 
 /* Sign of (q - p) . t, t the direction of the facet: below zero where turning about p towards the
- * left presses q through it (mechanics section 3). */
+ * left presses q through it (docs/mechanics.md section 3). */
 int tp_facet_side(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point p,
                   tp_outline_point q);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Rounded corners (mechanics section 4; Appendix B of the paper).
+/* Rounded corners (docs/mechanics.md section 4; Appendix B of the paper).
  *
  * A convex vertex with interior angle theta and radius r loses its tip: the tangent points lie at
  * l = r / tan(theta / 2) from it along both edges. Model `exact` takes off the area between the

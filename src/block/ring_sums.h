@@ -4,7 +4,7 @@
 /* Moment sums over the boundary of a ring, in four arithmetics.
  *
  * With c = x_k y_{k+1} - x_{k+1} y_k over the edges of a counter-clockwise ring (Green's theorem;
- * mechanics section 2), each sum is a ring expression without division:
+ * docs/mechanics.md section 2), each sum is a ring expression without division:
  *     A2 = sum c = 2 int dA,                X6 = sum (x_k + x_{k+1}) c = 6 int x dA,   Y6 likewise,
  *     XX12 = sum (x_k^2 + x_k x_{k+1} + x_{k+1}^2) c = 12 int x^2 dA,                YY12 likewise,
  *     XY24 = sum (x_k y_{k+1} + x_{k+1} y_k + 2 x_k y_k + 2 x_{k+1} y_{k+1}) c = 24 int x y dA.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The moment sums and lever arms of a block in symbols (mechanics section 9). */
+/* The moment sums and lever arms of a block in symbols (docs/mechanics.md section 9). */
 
 #ifndef TP_FORMULAS_H
 #define TP_FORMULAS_H

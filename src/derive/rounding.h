@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A rounded corner at a pivot in symbols (Appendix B; mechanics section 4, model `paper`).
+/* A rounded corner at a pivot in symbols (Appendix B; docs/mechanics.md section 4, model `paper`).
  *
  * Rounding moves the axis from the sharp corner along the base facet up-dip by the length l (the
  * paper's r), with the mass kept. l, cos i and sin i are symbols of their own, i the angle of that

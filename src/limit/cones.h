@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The forces that a base can exert on a block (mechanics section 6).
+/* The forces that a base can exert on a block (docs/mechanics.md section 6).
  *
  * Contact points are both ends of every facet, each with its facet's direction t, up-dip, and
  * normal n, into the block. The friction cone of a point is spanned by its edges n + t tan(phi) and
@@ -44,7 +44,7 @@ bool tp_cones_init(tp_cones *cones, long count, long allowance_count);
 void tp_cones_clear(tp_cones *cones);
 
 /* Columns 2 k and 2 k + 1 are the edges n + t tan(phi) and n - t tan(phi) of point k; after those
- * of all points come four for each allowance: shear along t and against it, the pull, and none. */
+ * of all points come three for each allowance: shear along t, shear against it, the pull. */
 enum { TP_ALLOWANCE_COLUMNS = 3 };
 long tp_cones_column_count(const tp_cones *cones);
 bool tp_cones_is_edge(const tp_cones *cones, long column);

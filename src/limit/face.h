@@ -7,7 +7,7 @@
  * block can move by v without any contact resisting more than friction allows (v is admissible),
  * and no equilibrium exists where the loads do work on it: v . F > K, K being what cohesion and
  * bonds can hold. At v . F = K the two forces, if none is negative, hold the block: both together
- * prove the limit (duality of linear programs; mechanics section 6). */
+ * prove the limit (duality of linear programs; docs/mechanics.md section 6). */
 
 #ifndef TP_FACE_H
 #define TP_FACE_H

@@ -5,9 +5,9 @@
  *
  * In the block's frame, x mirrored towards the right so that the down-dip side is always -x, the
  * components of a force and its moment (counter-clockwise: overturning) are sums over the basis
- * cos a, sin a, 1, 1 / cos a, 1 / cos^2 a of the tilt a (mechanics section 5). Loads fixed to the
- * block give constants; gravity and pseudo-static forces cosines and sines; a level of water that
- * stays horizontal the rest. SI units. */
+ * cos a, sin a, 1, 1 / cos a, 1 / cos^2 a of the tilt a (docs/mechanics.md section 5). Loads fixed
+ * to the block give constants; gravity and pseudo-static forces cosines and sines; a level of water
+ * that stays horizontal the rest. SI units. */
 
 #ifndef TP_WRENCH_H
 #define TP_WRENCH_H

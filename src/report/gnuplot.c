@@ -49,9 +49,8 @@ static void close_all(int ends[STREAMS]) {
 
 /* What the user has set for other programs would change the figure, or end in it: GNUTERM,
  * GNUPLOT_LIB, POSIXLY_CORRECT, the language, the fonts of the home folder. */
-static char **environment(char *room[4]) {
+static char **environment(char *room[4], char *letters) {
   static const char *const kept[] = {"PATH", "LD_LIBRARY_PATH"};
-  static char letters[] = "LC_ALL=C.UTF-8";
   int count = 0;
   for (size_t k = 0; k < sizeof kept / sizeof kept[0]; k++) {
     for (char **own = environ; own != NULL && *own != NULL; own++) {
@@ -90,6 +89,7 @@ static int set_signals(posix_spawnattr_t *attributes) {
 
 static int spawn(pid_t *process, const int theirs[STREAMS]) {
   char name[] = "gnuplot", settings[] = "-d"; /* none but its own settings */
+  char letters[] = "LC_ALL=C.UTF-8";
   char *const arguments[] = {name, settings, NULL};
   char *room[4];
   posix_spawn_file_actions_t actions;
@@ -101,7 +101,8 @@ static int spawn(pid_t *process, const int theirs[STREAMS]) {
     why = set_streams(&actions, theirs);
     if (why == 0) why = set_signals(&attributes);
     if (why == 0) {
-      why = posix_spawnp(process, name, &actions, &attributes, arguments, environment(room));
+      why =
+          posix_spawnp(process, name, &actions, &attributes, arguments, environment(room, letters));
     }
     posix_spawnattr_destroy(&attributes);
   }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* First-order admissibility of pivots (Reuleaux; mechanics section 3). */
+/* First-order admissibility of pivots (Reuleaux; docs/mechanics.md section 3). */
 
 #ifndef TP_ADMISSIBLE_H
 #define TP_ADMISSIBLE_H

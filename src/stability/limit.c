@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The static limit of a problem (mechanics section 6): its contact and its loads put as a question
- * to limit/, and the answer as a result. */
+/* The static limit of a problem (docs/mechanics.md section 6): its contact and its loads put as a
+ * question to limit/, and the answer as a result. */
 
 #include "limit/program.h"
 #include "limit/reduction.h"

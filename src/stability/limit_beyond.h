@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Where the base ends, and what it would add if it went on (mechanics section 6).
+/* Where the base ends, and what it would add if it went on (docs/mechanics.md section 6).
  *
  * A base that ends below the block's sole goes on along it, mated: over the edges of the underside
  * that are nearer level than upright or go straight on. From there it is the next flank of a

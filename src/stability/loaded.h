@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Stability under the loads of a scene (mechanics section 5). */
+/* Stability under the loads of a scene (docs/mechanics.md section 5). */
 
 #ifndef TP_LOADED_H
 #define TP_LOADED_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moment equilibrium about every candidate pivot (mechanics section 3; Eqs. (2), (A1.3), (A1.7)).
+/* Moment equilibrium about every candidate pivot (docs/mechanics.md section 3; Eqs. (2), (A1.3),
+ * (A1.7)).
  */
 
 #include "stability/loaded.h"

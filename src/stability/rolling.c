@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a rounded toe does beyond its critical angle (mechanics section 4).
+/* What a rounded toe does beyond its critical angle (docs/mechanics.md section 4).
  *
  * The block rolls on the arc, on the plane of its facet. With n the facet's normal and q = G - C,
  * from the centre of curvature to the centroid, both in the world, the weight's arm about the

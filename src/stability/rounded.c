@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Points of a rounded outline in balls (mechanics section 4; Appendix B).
+/* Points of a rounded outline in balls (docs/mechanics.md section 4; Appendix B).
  *
  * The contact ends at the tangent points (base/facets_cut.c), and a block turns about them: the
  * axis at a rounded toe is the tangent point on the facet up-dip of it. */

@@ -4,7 +4,7 @@
 /* The quantities that claims may be about: derived from the block, its pivot and its base.
  *
  * area               of the section, holes taken off, parts weighted by relative density
- * x_arm, y_arm       lever arms of the weight about the pivot (mechanics section 3)
+ * x_arm, y_arm       lever arms of the weight about the pivot (docs/mechanics.md section 3)
  * critical_angle     atan2(x_arm, y_arm)
  * fos                x_arm cot alpha / y_arm: the resultant form, Eq. (2)
  * fos_elements       by elements, each moment on its own side, (A1.3)

@@ -103,7 +103,7 @@ def centroid(moments):
 
 
 def critical_angle(moments, pivot, towards="left"):
-    """atan2 of the lever arms of the weight about a pivot (mechanics section 3)."""
+    """atan2 of the lever arms of the weight about a pivot (docs/mechanics.md section 3)."""
     gx, gy = centroid(moments)
     arm = gx - pivot[0] if towards == "left" else pivot[0] - gx
     return atan2_degrees(arm, gy - pivot[1])

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The plan of the rooms (docs/architecture.md, tests/data/rooms.csv) holds: no file includes, and no compiled code
+calls, a room above its own; the command line knows the public headers alone; what lies below the public headers keeps
+no data that changes, prints nothing and ends no process."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from harness import ROOT, main, table
+
+BUILD = pathlib.Path(os.environ.get("TOPPLE_BUILD", ROOT / "build"))
+ROOMS = [row["room"] for row in table("rooms.csv")]
+EXCEPTIONS = {(row["from"], row["to"]) for row in table("rooms_exceptions.csv") if row["reason"].strip()}
+INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
+PUBLIC = re.compile(r"topple\w*\.h")
+NEVER_CALLED = {"printf", "puts", "putchar", "vprintf", "perror", "stdout", "stderr", "exit", "_exit", "quick_exit",
+                "abort", "raise", "__assert_fail", "setlocale", "__printf_chk"}
+
+
+def room_of(path):
+    """The room of a file, by its path from the root."""
+    parts = pathlib.PurePath(path).parts
+    if parts[0] == "geom":
+        return "geom"
+    return parts[1] if len(parts) == 3 else "common"
+
+
+def sources(root=ROOT):
+    """Every source file of the library and the program, and its text."""
+    for folder in ("src", "geom"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix in (".c", ".h", ".cpp", ".hpp"):
+                yield path.relative_to(root), path.read_text(encoding="utf-8")
+
+
+def included(path, name, root=ROOT):
+    """The file that an include of `path` names, from the root."""
+    for folder in (path.parent, "src", "geom"):
+        target = os.path.normpath(os.path.join(folder, name))
+        if os.path.isfile(os.path.join(root, target)):
+            return pathlib.PurePath(target)
+    raise AssertionError(f'{path}: "{name}" is no file of the project')
+
+
+def climbs(source, target):
+    """Does a file of the one room that uses the other look upwards? A room that is on no list is a mistake."""
+    for room in (source, target):
+        if room not in ROOMS:
+            raise AssertionError(f"src/{room} is no room of tests/data/rooms.csv: put it there (and on the plan in "
+                                 "docs/architecture.md) above the rooms that it uses")
+    return ROOMS.index(target) < ROOMS.index(source)
+
+
+def climbing_includes(root=ROOT):
+    """(from, to, line) of every include of a room above, and the number of includes looked at."""
+    found, looked_at = [], 0
+    for path, text in sources(root):
+        for number, line in enumerate(text.splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match is None:
+                continue
+            target = included(path, match.group(1), root)
+            looked_at += 1
+            if climbs(room_of(path), room_of(target)):
+                found.append((str(path), str(target), number))
+    return found, looked_at
+
+
+class Includes(unittest.TestCase):
+    def test_none_climbs(self):
+        found, looked_at = climbing_includes()
+        self.assertGreater(looked_at, 500)
+        for source, target, line in found:
+            self.assertIn((source, target), EXCEPTIONS,
+                          f"{source}:{line} includes {target} of a room above its own: move what it needs down")
+        needed = {(source, target) for source, target, _ in found}
+        for source, target in EXCEPTIONS:
+            if target.endswith(".h"):
+                self.assertIn((source, target), needed, "an exception that is no longer needed")
+
+    def test_one_that_climbs_is_seen(self):
+        """The check itself: a file of number/ that includes one of report/, in a copy."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("src", "geom"):
+                shutil.copytree(ROOT / name, root / name)
+            climber = root / "src/number/work.c"
+            climber.write_text('#include "report/text.h"\n' + climber.read_text(encoding="utf-8"), encoding="utf-8")
+            self.assertEqual(climbing_includes(root)[0], [("src/number/work.c", "src/report/text.h", 1)])
+
+    def test_rooms_are_those_of_the_plan(self):
+        """Every folder is a room of the list, and the plan on paper has the same rooms in the same order."""
+        self.assertEqual({room_of(path) for path, _ in sources()}, set(ROOMS))
+        plan = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+        self.assertEqual(re.findall(r"^\| `(\w+)` \|", plan, re.MULTILINE), ROOMS)
+
+    def test_the_command_line_sees_public_headers_alone(self):
+        for path, text in sources():
+            if room_of(path) != "cli":
+                continue
+            for name in INCLUDE.findall(text):
+                own = room_of(included(path, name)) == "cli"
+                self.assertTrue(own or PUBLIC.fullmatch(name), f"{path} includes {name}")
+
+    def test_public_headers_stand_alone(self):
+        """They include each other and the standard library, nothing else, and all of them are installed."""
+        build = (ROOT / "meson.build").read_text(encoding="utf-8")
+        headers = [(path, text) for path, text in sources() if PUBLIC.fullmatch(path.name)]
+        self.assertGreater(len(headers), 5)
+        for path, text in headers:
+            self.assertIn(f"'{path}'", build)
+            for name in re.findall(r'#include ["<]([^">]+)[">]', text):
+                self.assertTrue(PUBLIC.fullmatch(name) or name in ("stdbool.h", "stddef.h"), f"{path}: {name}")
+
+    def test_cpp_stays_in_its_room(self):
+        for path, text in sources():
+            if path.suffix in (".cpp", ".hpp") or "CGAL/" in text:
+                self.assertEqual(room_of(path), "geom", path)
+
+
+def compiled():
+    """Source and symbols, (name, class, section), of every compiled file of the library and the program."""
+    by_name = {str(path).replace("/", "_"): str(path) for path, _ in sources()}
+    objects = [path for folder in BUILD.glob("*topple*.p") for path in folder.glob("*.o") if path.stem in by_name]
+    if not objects:
+        raise AssertionError(f"no compiled library in {BUILD}")
+    lines = subprocess.run(["nm", "--format=sysv", *map(str, objects)], capture_output=True, text=True, check=True)
+    files = []
+    for line in lines.stdout.splitlines():
+        if line.startswith(("Symbols from ", "Undefined symbols from ")):
+            files.append((by_name[pathlib.PurePath(line.rstrip(":").split(" from ")[1]).stem], []))
+        fields = [field.strip() for field in line.split("|")]
+        if len(fields) == 7:
+            files[-1][1].append((fields[0], fields[2], fields[6]))
+    return files
+
+
+@unittest.skipUnless(shutil.which("nm"), "nm (binutils) is not installed")
+class Calls(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.files = compiled()
+        cls.defined = {name: source for source, all_of in cls.files for name, kind, _ in all_of if kind in "TDBRW"}
+
+    def library(self):
+        """The files of the library, without the C++ room, whose templates are CGAL's."""
+        kept = [(source, all_of) for source, all_of in self.files if room_of(source) not in ("cli", "geom")]
+        self.assertGreater(len(kept), 150)
+        return kept
+
+    def test_none_climbs(self):
+        """An include can be avoided by a declaration in the public headers; a call cannot hide."""
+        looked_at, needed = 0, set()
+        for source, all_of in self.files:
+            for name, kind, _ in all_of:
+                if kind != "U" or name not in self.defined:
+                    continue
+                looked_at += 1
+                target = self.defined[name]
+                if climbs(room_of(source), room_of(target)):
+                    needed.add((source, name))
+                    self.assertIn((source, name), EXCEPTIONS,
+                                  f"{source} uses {name} of {target}, a room above its own")
+        self.assertGreater(looked_at, 1500)
+        for source, name in EXCEPTIONS:
+            if not name.endswith(".h"):
+                self.assertIn((source, name), needed, "an exception that is no longer needed")
+
+    def test_no_data_that_changes(self):
+        """Threads share nothing: there is no variable that outlives a call."""
+        if any(re.match(r"__(\w*san|sanitizer)_", name) for _, all_of in self.files for name, _, _ in all_of):
+            self.skipTest("a sanitizer adds data of its own")
+        for source, all_of in self.library():
+            for name, _, section in all_of:
+                changes = re.match(r"\.(data|bss|tdata|tbss)|\*COM\*", section) and ".rel.ro" not in section
+                self.assertFalse(changes, f"{source}: {name} lies in {section}")
+
+    def test_neither_prints_nor_ends(self):
+        for source, all_of in self.library():
+            self.assertFalse(NEVER_CALLED & {name for name, kind, _ in all_of if kind == "U"}, source)
+
+
+if __name__ == "__main__":
+    main()
