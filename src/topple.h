@@ -222,6 +222,7 @@ typedef struct tp_solution {
   bool loaded; /* the scene calls for loads besides the weight */
   size_t case_count;
   tp_case cases[2];
+  tp_notes notes; /* of the scene's reading and of its solution */
   size_t effect_count;
   tp_effect effects[TP_EFFECTS_MAX];
   tp_level level;               /* the arithmetic that certified the numbers */

@@ -67,6 +67,24 @@ typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
 void tp_plain_text(char *plain, size_t size, const char *text);
 #define TP_OUTSIDE
 
+/* What stands beside an answer. A note says what the program made of its input; a caution names
+ * what may be wrong with the input, or what the answer does not cover. */
+typedef enum tp_note_kind { TP_NOTE, TP_CAUTION } tp_note_kind;
+
+typedef struct tp_note {
+  tp_note_kind kind;
+  TP_OUTSIDE char place[256]; /* file:line:column; empty where it is of no one place */
+  char text[512];             /* what, and what to do if it was not meant; plain */
+} tp_note;
+
+typedef struct tp_notes {
+  size_t count;
+  tp_note *items; /* owned by what holds the list */
+} tp_notes;
+
+/* note or caution */
+const char *tp_note_kind_name(tp_note_kind kind);
+
 /* The arithmetic of the moment sums, by rising price: double with a proven bound, compensated
  * double, balls, exact integers. */
 typedef enum tp_level {

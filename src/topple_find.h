@@ -28,8 +28,8 @@ typedef struct tp_find_options {
   const char *key;
   tp_find_target target;
   double value;
-  bool has_range;
-  double low, high; /* else 0 to ten times the scene's own value */
+  bool has_low, has_high; /* where one is not given: 0, or ten times the scene's own value */
+  double low, high;
 } tp_find_options;
 
 /* A stretch of solutions: the target has the same value, to 30 digits, at 9 numbers spread over it
@@ -48,8 +48,9 @@ typedef struct tp_found_interval {
  * the 512 points of the range that were looked at, solutions may be missed. */
 typedef struct tp_found {
   TP_OUTSIDE char *key;
-  double low, high; /* the range, cut to where the scene has an answer */
-  size_t count;     /* 0: none in the range */
+  double low, high;           /* the range, cut to where the scene has an answer */
+  tp_bounded least, greatest; /* of the results at the numbers that were looked at */
+  size_t count;               /* 0: none in the range */
   tp_bounded *solutions;
   size_t touching_count;
   tp_bounded *touching;

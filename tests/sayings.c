@@ -225,7 +225,8 @@ void say_everything(sayings *s) {
       {.key = "block.slab.width",
        .target = TP_FIND_LIMIT_ANGLE,
        .value = 30.5,
-       .has_range = true,
+       .has_low = true,
+       .has_high = true,
        .low = 10.5,
        .high = 100.25}};
   for (int k = 0; k < 2; k++) say_found(s, EXAMPLE("slab_left.yaml"), find + k);

@@ -128,9 +128,10 @@ START_TEST(back_analysis) {
     bad = good;
     bad.value = no_numbers[k];
     REFUSED(tp_find(&found, path, &bad, &message), "finite");
-    bad = (tp_find_options){.key = good.key, .value = 20, .has_range = true, .high = no_numbers[k]};
+    bad = (tp_find_options){.key = good.key, .value = 20, .has_high = true, .high = no_numbers[k]};
     REFUSED(tp_find(&found, path, &bad, &message), "finite");
     bad.low = no_numbers[k];
+    bad.has_low = true;
     REFUSED(tp_find(&found, path, &bad, &message), "finite");
   }
   ck_assert_ptr_eq(found, UNTOUCHED(tp_found));

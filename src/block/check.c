@@ -5,8 +5,9 @@
 
 #include <stdlib.h>
 
-/* Rings of a section may touch, and parts may share edges with anything; but no edges may cross,
- * and a hole that shares an edge with the outline is no hole. */
+/* Rings of a section may touch, and parts may share edges with anything; but no edges may cross, a
+ * hole that shares an edge with the outline is no hole, and two that share one are a single hole:
+ * what stands between them has no thickness. */
 typedef struct section_view {
   const tp_section *section;
   tp_geom_rings rings;
@@ -29,7 +30,8 @@ static bool counts_between_rings(const void *context, tp_geom_meeting meeting) {
   const section_view *view = context;
   const long a = ring_of_edge(view, meeting.a), b = ring_of_edge(view, meeting.b);
   if (meeting.kind == TP_GEOM_CROSS) return true;
-  return meeting.kind == TP_GEOM_OVERLAP && a == 0 && b <= view->section->hole_count;
+  return meeting.kind == TP_GEOM_OVERLAP && a <= view->section->hole_count &&
+         b <= view->section->hole_count;
 }
 
 static tp_status check_crossings(const section_view *view, tp_message *message) {
@@ -48,11 +50,12 @@ static tp_status check_crossings(const section_view *view, tp_message *message) 
   tp_section_ring_name(name_b, sizeof name_b, view->section, ring_b);
   tp_check_edge_text(one, sizeof one, b, edge_b);
   tp_check_edge_text(other, sizeof other, a, edge_a);
+  const char *advice = first.meeting.kind == TP_GEOM_CROSS ? "move its vertices"
+                       : ring_a == 0                       ? "a notch belongs to the outline itself"
+                                     : "nothing stands between them: give them as one hole";
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(b, edge_b), "%s %s %s: %s %s %s; %s",
                  name_b, first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "shares an edge with",
-                 name_a, one, tp_check_verb(first.meeting.kind), other,
-                 first.meeting.kind == TP_GEOM_CROSS ? "move its vertices"
-                                                     : "a notch belongs to the outline itself");
+                 name_a, one, tp_check_verb(first.meeting.kind), other, advice);
 }
 
 static tp_status fail_pair(const tp_section *section, long ring, const char *relation, long other,

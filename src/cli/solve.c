@@ -19,7 +19,7 @@ typedef struct arguments {
   bool json, elements, table;
   int digits;
   tp_level level;
-  bool has_target, has_low, has_high;
+  bool has_target;
   tp_find_options find; /* key NULL: nothing is to be found */
 } arguments;
 
@@ -41,8 +41,9 @@ static const struct argp_option options[] = {
      "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos has the "
      "value",
      1},
-    {"from", KEY_FROM, "LOW", 0, "Look for it from here (else 0)", 1},
-    {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is)", 1},
+    {"from", KEY_FROM, "LOW", 0,
+     "Look for it from here (else 0, or ten times what it is where that is below 0)", 1},
+    {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is, or 0 where that is below 0)", 1},
     {0}};
 
 static double read_number(const char *text, struct argp_state *state) {
@@ -91,12 +92,11 @@ static void read_figure(arguments *a, const char *path, struct argp_state *state
 static void check_find(arguments *a, struct argp_state *state) {
   const bool named = a->find.key != NULL;
   if (named != a->has_target) tp_cli_refuse(state, "--find KEY and --for RESULT=VALUE go together");
-  if ((a->has_low || a->has_high) && !named) tp_cli_refuse(state, "--from and --to go with --find");
-  if (a->has_low != a->has_high) tp_cli_refuse(state, "give both --from and --to, or neither");
+  if ((a->find.has_low || a->find.has_high) && !named)
+    tp_cli_refuse(state, "--from and --to go with --find");
   if (named && a->figure != NULL) {
     tp_cli_refuse(state, "--figure draws a solution as the scene has it; leave out --find");
   }
-  a->find.has_range = a->has_low;
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -130,11 +130,11 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_FROM:
     a->find.low = read_number(argument, state);
-    a->has_low = true;
+    a->find.has_low = true;
     return 0;
   case KEY_TO:
     a->find.high = read_number(argument, state);
-    a->has_high = true;
+    a->find.has_high = true;
     return 0;
   case ARGP_KEY_END:
     check_find(a, state);

@@ -9,6 +9,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What the result was instead of the value. */
+static void add_none(tp_text *t, const tp_found *f, const tp_find_options *options) {
+  char least[TP_NUMBER_SIZE], greatest[TP_NUMBER_SIZE];
+  tp_text_significant(least, f->least, 12);
+  tp_text_significant(greatest, f->greatest, 12);
+  tp_text_add(t, "  none in range: %s ", tp_find_target_name(options->target));
+  if (strcmp(least, greatest) == 0) {
+    tp_text_add(t, "is %s wherever it was looked at\n", least);
+  } else {
+    tp_text_add(t, "goes from %s to %s there\n", least, greatest);
+  }
+}
+
 tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
@@ -38,7 +51,7 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
                 tp_text_significant(end, f->intervals[k].high, 12), f->intervals[k].low.error,
                 f->intervals[k].high.error);
   }
-  if (f->count + f->touching_count + f->interval_count == 0) tp_text_add(&t, "  none in range\n");
+  if (f->count + f->touching_count + f->interval_count == 0) add_none(&t, f, options);
   tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
   return tp_text_finish(&t, text);
 }
@@ -56,7 +69,11 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   /* before the closing brace of the whole */
   tp_text_add(&t, "%.*s,\n  \"find\": {\"key\": ", (int)(length - 3), solved);
   tp_encode_json(&t, f->key);
-  tp_text_add(&t, ", \"from\": %.17g, \"to\": %.17g,\n    \"solutions\": [", f->low, f->high);
+  tp_text_add(&t, ", \"from\": %.17g, \"to\": %.17g,\n    ", f->low, f->high);
+  tp_json_number(&t, "least", f->least);
+  tp_text_add(&t, ", ");
+  tp_json_number(&t, "greatest", f->greatest);
+  tp_text_add(&t, ",\n    \"solutions\": [");
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
                 f->solutions[k].value, f->solutions[k].error);

@@ -7,6 +7,7 @@
 #include "report/json.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
+#include "report/report_notes.h"
 
 #include <math.h>
 #include <string.h>
@@ -271,8 +272,10 @@ tp_status tp_report_json(char **text, const tp_solution *solution) {
     tp_encode_json(&t, solution->title);
     tp_text_add(&t, ",\n");
   }
-  tp_text_add(&t, "  \"level\": \"%s\", \"bits\": %ld,\n  \"cases\": [\n",
-              tp_level_name(solution->level), solution->bits);
+  tp_text_add(&t, "  \"level\": \"%s\", \"bits\": %ld,\n", tp_level_name(solution->level),
+              solution->bits);
+  tp_json_notes(&t, &solution->notes);
+  tp_text_add(&t, "  \"cases\": [\n");
   for (size_t k = 0; k < solution->case_count; k++) {
     add_case(&t, solution, solution->cases + k);
     tp_text_add(&t, "%s\n", k + 1 < solution->case_count ? "," : "");

@@ -8,6 +8,7 @@
 #include "report/report_digits.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
+#include "report/report_notes.h"
 #include "report/report_verdict.h"
 
 #include <math.h>
@@ -277,6 +278,7 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
   add_teeth(&p);
   add_block(&p);
   add_base(&p);
+  tp_text_notes(&p.text, &solution->notes);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
   tp_page_add_digits(&p);
   add_effects(&p);

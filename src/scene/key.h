@@ -14,4 +14,15 @@
 TP_MUST_USE tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char *file,
                                   tp_message *message);
 
+/* What a number bears upon: itself, and of a parameter every number that names it, by way of others
+ * too. More at worst, never less. */
+typedef struct tp_reach {
+  bool friction; /* friction_angle_deg, friction, loads.cohesion_kpa: what holds against sliding */
+  bool tilt;     /* tilt.angle_deg */
+  bool other;    /* anything else */
+} tp_reach;
+
+TP_MUST_USE tp_status tp_key_reach(tp_reach *reach, const tp_node *root, const tp_node *number,
+                                   tp_message *message);
+
 #endif

@@ -58,6 +58,9 @@ void tp_friction_description_init(tp_friction_description *friction);
 void tp_friction_description_clear(tp_friction_description *friction);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
+/* Notes on numbers of the scene that look as if they stood in another unit. */
+TP_MUST_USE tp_status tp_read_cautions(const tp_reader *reader);
+
 /* Fail at a node. */
 tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -128,7 +128,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
-  return status;
+  return status == TP_OK ? tp_read_cautions(reader) : status;
 }
 
 static tp_scene *new_scene(const char *path) {
@@ -204,6 +204,7 @@ void tp_scene_free(tp_scene *scene) {
   free(scene->parameters.values);
   for (long k = 0; k < scene->file_count; k++) free(scene->files[k]);
   free(scene->files);
+  tp_notes_clear(&scene->notes);
   if (!scene->borrows_source) tp_node_free(scene->source);
   free(scene->title);
   free(scene->path);

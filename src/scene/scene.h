@@ -8,6 +8,7 @@
 #define TP_SCENE_H
 
 #include "message.h"
+#include "notes.h"
 #include "number/polyline.h"
 #include "scene/expression.h"
 #include "scene/node.h"
@@ -156,6 +157,7 @@ struct tp_scene {
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
   tp_node *source;            /* the file as read, for what is derived with symbols */
   bool borrows_source;
+  tp_notes notes;  /* on what was read */
   long file_count; /* names of files that places refer to */
   char **files;
 };

@@ -14,6 +14,7 @@
  * Where the result stays at the value, the ends of that stretch are bisected (find_level.c). */
 
 #include "host.h"
+#include "outside.h"
 #include "scene/key.h"
 #include "stability/find_search.h"
 
@@ -48,18 +49,59 @@ void tp_found_free(tp_found *found) {
   free(found);
 }
 
-/* The range to look in: as asked, or about the scene's own number. */
-static tp_status set_range(const tp_search *s, tp_found *found) {
-  double own = 0;
-  const tp_status status = tp_varied_check(&own, &s->scene, s->message);
-  if (status != TP_OK) return status;
-  found->low = s->options->has_range ? s->options->low : own < 0 ? 10 * own : 0;
-  found->high = s->options->has_range ? s->options->high : own < 0 ? 0 : 10 * own;
-  if (found->low < found->high) return TP_OK;
+static tp_place number_place(const tp_search *s) {
   tp_place place = tp_node_place(s->scene.numbers[0], s->scene.path);
   place.column += s->scene.numbers[0]->text_offset;
-  return tp_fail(s->message, TP_BAD_INPUT, place,
-                 "give the range to look in, as in --from 0 --to 10");
+  return place;
+}
+
+/* The range to look in: as asked, or about the scene's own number. */
+static tp_status set_range(tp_search *s, tp_found *found) {
+  const tp_find_options *o = s->options;
+  const tp_status status = tp_varied_check(&s->own, &s->scene, s->message);
+  if (status != TP_OK) return status;
+  found->low = o->has_low ? o->low : s->own < 0 ? 10 * s->own : 0;
+  found->high = o->has_high ? o->high : s->own < 0 ? 0 : 10 * s->own;
+  if (found->low < found->high) return TP_OK;
+  if (found->low == found->high) {
+    return tp_fail(s->message, TP_BAD_INPUT, number_place(s),
+                   "give the range to look in, as in --from 0 --to 10; this one has no width: both "
+                   "its ends are %.15g",
+                   found->low);
+  }
+  return tp_fail(
+      s->message, TP_BAD_INPUT, number_place(s),
+      "the range is reversed: it begins at %.15g%s and ends at %.15g%s; write the lesser "
+      "end as --from, the greater as --to",
+      found->low, o->has_low ? "" : " (where no --from is given)", found->high,
+      o->has_high ? "" : " (where no --to is given)");
+}
+
+/* What a result cannot depend on: moments about a pivot on what holds against sliding, an angle at
+ * which the block lets go on the tilt at which the scene has it. */
+static tp_status check_reach(const tp_search *s) {
+  const tp_find_target target = s->options->target;
+  tp_reach reach;
+  const tp_status status = tp_key_reach(&reach, s->scene.root, s->scene.numbers[0], s->message);
+  if (status != TP_OK || reach.other) return status;
+  const tp_quote key = tp_quote_all(s->options->key);
+  if (!reach.friction && !reach.tilt) {
+    return tp_fail(s->message, TP_NO_ANSWER, number_place(s),
+                   "nothing in the scene depends on '%s': no number names it", key.text);
+  }
+  const bool moments = target == TP_FIND_CRITICAL_ANGLE || target == TP_FIND_FOS;
+  const bool angle = target == TP_FIND_CRITICAL_ANGLE || target == TP_FIND_SLIDING_ANGLE ||
+                     target == TP_FIND_LIMIT_ANGLE;
+  if (reach.friction && (!moments || (reach.tilt && !angle))) return TP_OK;
+  if (reach.tilt && !angle) return TP_OK;
+  return tp_fail(s->message, TP_NO_ANSWER, number_place(s), "%s cannot depend on '%s': %s",
+                 targets[target], key.text,
+                 reach.friction
+                     ? "it is a balance of moments about a pivot, which the friction and "
+                       "the cohesion of the contact do not enter; limit_angle and "
+                       "limit_fos depend on them"
+                     : "it is a tilt at which the block lets go, whatever the tilt that "
+                       "the scene gives; a factor of safety depends on that");
 }
 
 /* What the target cannot be without. */
@@ -92,7 +134,7 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");
   }
   if (!isfinite(options->value) ||
-      (options->has_range && !isfinite(options->high - options->low))) {
+      !isfinite((options->has_high ? options->high : 0) - (options->has_low ? options->low : 0))) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
                    "the value to find for and the range to look in must be finite numbers");
   }
@@ -105,11 +147,14 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
   tp_found *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the solutions");
   own->key = strdup(options->key);
+  own->least.value = INFINITY; /* none yet */
+  own->greatest.value = -INFINITY;
   s.status = own->key != NULL ? tp_node_read(&s.scene.root, scene, message)
                               : tp_fail_memory(message, "the solutions");
   if (s.status == TP_OK) {
     s.status = tp_key_find(s.scene.numbers, s.scene.root, options->key, scene, message);
     if (s.status == TP_OK) s.status = check_target(&s);
+    if (s.status == TP_OK) s.status = check_reach(&s);
     if (s.status == TP_OK) s.status = set_range(&s, own);
     s.found = own;
     if (s.status == TP_OK) tp_search_scan(&s);

@@ -45,6 +45,12 @@ static void take_digits(char out[TP_SAMPLE_DIGITS], tp_bounded value) {
   if (value.digits != NULL && strlen(value.digits) < TP_SAMPLE_DIGITS) strcpy(out, value.digits);
 }
 
+static void note_result(tp_found *found, tp_bounded value) {
+  const bool first = found->least.value > found->greatest.value;
+  if (first || value.value < found->least.value) found->least = value;
+  if (first || value.value > found->greatest.value) found->greatest = value;
+}
+
 /* Solve the scene with the number replaced. */
 tp_sample tp_search_look(tp_search *s, double x) {
   tp_sample at = {.x = x};
@@ -54,6 +60,7 @@ tp_sample tp_search_look(tp_search *s, double x) {
     at.known = target_value(&at.gap, solution->cases, s->options->target);
     take_digits(at.digits, at.gap);
     at.gap.digits = NULL;
+    if (at.known) note_result(s->found, at.gap);
     at.gap.value -= s->options->value;
     /* the difference is rounded once */
     at.gap.error += fabs(at.gap.value) * 0x1p-52;
@@ -110,11 +117,10 @@ void tp_search_add_interval(tp_search *s, const double from[2], const double to[
 /* The last point with an answer between one that has some and one that has none. */
 static tp_sample domain_edge(tp_search *s, tp_sample inside, tp_sample outside) {
   enum { STEPS = 200 };
-  const double range = s->found->high - s->found->low;
   for (int k = 0; k < STEPS && s->status == TP_OK; k++) {
     const double x = inside.x + (outside.x - inside.x) / 2;
     if (x == inside.x || x == outside.x) break;
-    if (fabs(outside.x - inside.x) < 1e-12 * range) break;
+    if (fabs(outside.x - inside.x) < 1e-14 * fmax(fabs(x), fabs(s->own))) break;
     const tp_sample middle = tp_search_look(s, x);
     if (middle.known) {
       inside = middle;
@@ -217,15 +223,30 @@ static void look_at_all(tp_search *s, rows *r) {
   if (s->status == TP_OK) end_row(s, r);
 }
 
+/* Forget what was found. */
+static void start_again(tp_search *s, rows *r) {
+  tp_found *found = s->found;
+  found->count = found->touching_count = found->interval_count = 0;
+  found->low = r->first;
+  found->high = r->last;
+  *r = (rows){.count = 0};
+}
+
 void tp_search_scan(tp_search *s) {
   tp_found *found = s->found;
-  s->step = (found->high - found->low) / (POINTS - 1);
+  const double width = found->high - found->low;
   rows *r = calloc(1, sizeof *r);
   if (r == NULL) {
     s->status = tp_fail_memory(s->message, "the points of the range");
     return;
   }
+  s->step = width / (POINTS - 1);
   look_at_all(s, r);
+  if (s->status == TP_OK && r->any && r->last > r->first && r->last - r->first < width / 2) {
+    start_again(s, r); /* few of the points had an answer */
+    s->step = (found->high - found->low) / (POINTS - 1);
+    look_at_all(s, r);
+  }
   if (s->status == TP_OK && !r->any) {
     s->status = tp_fail(s->message, TP_NO_ANSWER, tp_node_place(s->scene.numbers[0], s->scene.path),
                         "nowhere from %g to %g the scene has a %s; %s", found->low, found->high,

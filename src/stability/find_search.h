@@ -13,6 +13,7 @@ typedef struct tp_search {
   const tp_find_options *options;
   tp_varied scene;
   tp_found *found;
+  double own;  /* the number that the scene has */
   double step; /* between the points of the range */
   tp_message *message;
   tp_status status; /* of the system: memory; that a scene has no answer is none */

@@ -3,6 +3,7 @@
 
 #include "stability/solution.h"
 
+#include "notes.h"
 #include "stability/evaluation.h"
 #include "stability/loaded.h"
 
@@ -18,6 +19,7 @@ void tp_solution_free(tp_solution *solution) {
     free(solution->cases[k].limits);
   }
   tp_decimals_free(solution->decimals);
+  tp_notes_clear(&solution->notes);
   free(solution->title);
   free(solution);
 }

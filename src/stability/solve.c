@@ -5,6 +5,7 @@
 
 #include "stability/solve.h"
 #include "host.h"
+#include "notes.h"
 #include "number/ladder.h"
 #include "stability/effects.h"
 #include "stability/loaded.h"
@@ -172,7 +173,8 @@ tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
 static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
                       tp_message *message) {
   tp_problem problem;
-  tp_status status = tp_problem_init(&problem, scene, options, solution, message);
+  tp_status status = tp_notes_append(&solution->notes, &scene->notes, message);
+  if (status == TP_OK) status = tp_problem_init(&problem, scene, options, solution, message);
   if (status != TP_OK) return status;
   status = tp_solve_problem(solution, &problem, options, message);
   tp_problem_clear(&problem);

@@ -56,12 +56,14 @@ static void find(const char *scene, fuzz_bytes *b) {
   tp_found *found = NULL;
   char *text = NULL;
   tp_message message = {""};
-  const tp_find_options options = {.key = draw_key(b),
-                                   .target = (tp_find_target)fuzz_pick(b, TP_FIND_LIMIT_FOS + 1),
-                                   .value = draw_number(b),
-                                   .has_range = fuzz_pick(b, 2) != 0,
-                                   .low = draw_number(b),
-                                   .high = draw_number(b)};
+  tp_find_options options = {.key = draw_key(b),
+                             .target = (tp_find_target)fuzz_pick(b, TP_FIND_LIMIT_FOS + 1),
+                             .value = draw_number(b)};
+  const unsigned ends = fuzz_pick(b, 4); /* none, both, the upper one, the lower one */
+  options.has_low = ends % 2 != 0;
+  options.has_high = ends == 1 || ends == 2;
+  options.low = draw_number(b);
+  options.high = draw_number(b);
   const tp_status status = tp_find(&found, scene, &options, &message);
   fuzz_judge(status, found, &message);
   if (status == TP_OK) {

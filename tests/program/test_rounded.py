@@ -326,7 +326,7 @@ class Rounded(unittest.TestCase):
             self.assertEqual((status, out), (3, ""), err)
             self.assertIn(message, err)
         for wrong in (("--find", "x"), ("--for", "fos=1"), ("--find", "x", "--for", "fos"),
-                      ("--find", "x", "--for", "area=1"), ("--find", "x", "--for", "fos=1", "--from", "0")):
+                      ("--find", "x", "--for", "area=1"), ("--from", "0"), ("--to", "9")):
             self.assertEqual(run("solve", *wrong, self.scene)[0], 2)
 
     def test_all_solutions(self):

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Numbers that are accepted, yet look as if they stood in another unit.
+ *
+ * A rock weighs between 5 (pumice) and 80 kN/m3 (galena, 7.5 t/m3); a number beyond that is often
+ * its density in kg/m3 or t/m3, or its weight in N/m3 or MN/m3. A block is between 1 cm, smaller
+ * than any on a tilting table, and 300 m; beyond that its lengths are often off by a thousand. */
+
+#include "scene/read.h"
+
+static const long lightest = 5, heaviest = 80; /* kN/m3 */
+static const double gravity = 9.81;            /* m/s2, as for water; in the words of a caution */
+
+/* What the number may have been meant as; false where nothing comes near a rock. */
+static bool likely_meaning(double *kn_m3, const char **unit, double given) {
+  const struct {
+    const char *unit;
+    double factor;
+  } units[] = {{"kg/m³", gravity / 1000}, {"t/m³", gravity}, {"N/m³", 0.001}, {"MN/m³", 1000}};
+  for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
+    *kn_m3 = given * units[k].factor;
+    *unit = units[k].unit;
+    if (*kn_m3 >= 10 && *kn_m3 <= 60) return true;
+  }
+  return false;
+}
+
+static tp_status check_unit_weight(const tp_reader *reader, const tp_quantity *quantity) {
+  if (!quantity->given || (fmpq_cmp_si(quantity->value, lightest) >= 0 &&
+                           fmpq_cmp_si(quantity->value, heaviest) <= 0)) {
+    return TP_OK;
+  }
+  const double given = fmpq_get_d(quantity->value);
+  double meant = 0;
+  const char *unit = NULL;
+  if (!likely_meaning(&meant, &unit, given)) {
+    return tp_notes_add(&reader->scene->notes, reader->message, TP_CAUTION, quantity->place,
+                        "%.6g kN/m³ is far from any rock, which weighs %ld to %ld", given, lightest,
+                        heaviest);
+  }
+  return tp_notes_add(&reader->scene->notes, reader->message, TP_CAUTION, quantity->place,
+                      "%.6g kN/m³ is far from any rock, which weighs %ld to %ld; if it is in %s, "
+                      "write %.3g",
+                      given, lightest, heaviest, unit, meant);
+}
+
+/* The larger of width and height of a chain, in scene lengths; its arcs may reach farther. */
+static void extent_of(fmpq_t extent, const tp_polyline *line) {
+  fmpq_t size;
+  fmpq_init(size);
+  fmpq_zero(extent);
+  const fmpq *const axes[2] = {line->x, line->y};
+  for (int axis = 0; axis < 2 && line->count > 0; axis++) {
+    const fmpq *least = axes[axis], *most = axes[axis];
+    for (const fmpq *at = axes[axis]; at < axes[axis] + line->count; at++) {
+      if (fmpq_cmp(at, least) < 0) least = at;
+      if (fmpq_cmp(at, most) > 0) most = at;
+    }
+    fmpq_sub(size, most, least);
+    if (fmpq_cmp(size, extent) > 0) fmpq_swap(size, extent);
+  }
+  fmpq_clear(size);
+}
+
+static void block_extent(fmpq_t extent, const tp_block_description *block) {
+  fmpq_t other;
+  fmpq_init(other);
+  switch (block->form) {
+  case TP_OUTLINE_VERTICES:
+    extent_of(extent, &block->outline);
+    break;
+  case TP_OUTLINE_TEETH:
+  case TP_OUTLINE_SLAB:
+    fmpq_mul_si(extent, block->teeth.width, block->teeth.count);
+    fmpq_add(other, block->teeth.height, block->teeth.depth);
+    break;
+  case TP_OUTLINE_ELLIPSE:
+    fmpq_set(extent, block->ellipse.width.value);
+    fmpq_set(other, block->ellipse.height.value);
+    break;
+  }
+  if (fmpq_cmp(other, extent) > 0) fmpq_swap(extent, other);
+  fmpq_clear(other);
+}
+
+/* `length` is in scene lengths; it is all of the length, or as much of it as is known here. */
+static tp_status check_length(const tp_reader *reader, const fmpq_t length, bool whole,
+                              const char *what, tp_place place) {
+  fmpq_t metres, least;
+  fmpq_init(metres);
+  fmpq_init(least);
+  fmpq_mul(metres, length, reader->scene->metres_per_unit);
+  fmpq_set_si(least, 1, 100);
+  const bool large = fmpq_cmp_si(metres, 300) > 0, small = fmpq_cmp(metres, least) < 0;
+  const double size = fmpq_get_d(metres);
+  fmpq_clear(metres);
+  fmpq_clear(least);
+  if (!large && !(small && whole)) return TP_OK;
+  const char *unit = small ? "mm" : size < 1000 ? "m" : "km";
+  return tp_notes_add(&reader->scene->notes, reader->message, TP_CAUTION, place,
+                      "%s %.4g %s, which is hardly meant; is 'length_unit: %s' right?", what,
+                      small         ? 1000 * size
+                      : size < 1000 ? size
+                                    : size / 1000,
+                      unit, reader->scene->length_unit);
+}
+
+tp_status tp_read_cautions(const tp_reader *reader) {
+  const tp_block_description *block = &reader->scene->block;
+  fmpq_t extent;
+  fmpq_init(extent);
+  block_extent(extent, block);
+  tp_status status =
+      check_length(reader, extent, block->arc_count == 0, "the block measures", block->place);
+  fmpq_clear(extent);
+  if (status == TP_OK && block->thickness.given) {
+    status = check_length(reader, block->thickness.value, true, "the block's thickness is",
+                          block->thickness.place);
+  }
+  if (status == TP_OK) status = check_unit_weight(reader, &block->unit_weight_kn_m3);
+  for (long k = 0; k < block->part_count && status == TP_OK; k++) {
+    status = check_unit_weight(reader, &block->parts[k].unit_weight_kn_m3);
+  }
+  return status;
+}

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Notes and cautions: what a report says beside its numbers about what the scene gives.
+
+The story: a unit weight of 2600, the density in kg/m³, and a block of 2.5 km, millimetres read as
+metres, went through without a word."""
+
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+
+from harness import ROOT, main, run
+
+SLAB = ("topple: 1\nlength_unit: {unit}\nblock: {{slab: {{width: {width}, height: {height}}}{more}}}\n"
+        "base: {{mated: true}}\n")
+
+
+class Notes(unittest.TestCase):
+    def notes(self, text):
+        """The notes in JSON; the page has the same words, on lines of 80 columns."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(text)
+            status, out, err = run("solve", "--json", "scene.yaml", folder=folder)
+            self.assertEqual((status, err), (0, ""))
+            notes = json.loads(out)["notes"]
+            page = run("solve", "scene.yaml", folder=folder)[1]
+        at = re.search("^(Note|Caution) ", page, re.M)
+        for line in page[at.start():].split("\n\n")[0].splitlines() if at else ():
+            self.assertLessEqual(len(line), 80)
+        words = " ".join(page.split())
+        for note in notes:
+            self.assertIn(f"{note['kind'].capitalize()} {note['text']} ({note['place']})", words)
+        self.assertEqual(sum(line.startswith(("Note ", "Caution ")) for line in page.splitlines()), len(notes))
+        return notes
+
+    def slab(self, width="1", height="2", unit="m", more=""):
+        return self.notes(SLAB.format(width=width, height=height, unit=unit, more=more))
+
+    def test_unit_weights(self):
+        """Density in kg/m³ or t/m³, or newtons or meganewtons, in place of kN/m³: the caution says what the number
+        would be. 2600 x 9.81 / 1000 = 25.5. Rocks from pumice to galena pass in silence."""
+        for given, unit, meant in (("2600", "kg/m³", "25.5"), ("2.6", "t/m³", "25.5"), ("26000", "N/m³", "26"),
+                                   ("0.026", "MN/m³", "26")):
+            notes = self.slab(more=f", unit_weight_kn_m3: {given}")
+            self.assertEqual([(note["kind"], note["place"]) for note in notes], [("caution", "scene.yaml:3:57")])
+            self.assertIn(f"{given} kN/m³ is far from any rock", notes[0]["text"])
+            self.assertIn(f"if it is in {unit}, write {meant}", notes[0]["text"])
+        for given in ("1e-20", "300", "1e20"):  # no unit makes a rock of it
+            notes = self.slab(more=f", unit_weight_kn_m3: {given}")
+            self.assertNotIn("if it is in", notes[0]["text"])
+        for given in ("5", "25.8", "80"):
+            self.assertEqual(self.slab(more=f", unit_weight_kn_m3: {given}"), [])
+
+    def test_unit_weights_of_parts(self):
+        text = ("topple: 1\nlength_unit: m\nblock:\n  outline: [[0, 0], [2, 0], [2, 3], [0, 3]]\n  unit_weight_kn_m3: 26\n"
+                "  parts: [{outline: [[0, 0], [1, 0], [1, 1]], unit_weight_kn_m3: 2700}]\nbase: {mated: true}\n")
+        self.assertEqual([note["place"] for note in self.notes(text)], ["scene.yaml:6:66"])
+
+    def test_lengths(self):
+        """Beyond 300 m or below a centimetre, in every unit and form of outline; the bounds themselves pass."""
+        for height, unit, said in (("2500", "m", "2.5 km"), ("301", "m", "301 m"), ("2.5", "km", "2.5 km"),
+                                   ("9.9", "mm", "9.9 mm"), ("0.39", "in", "9.906 mm"), ("985", "ft", "300.2 m")):
+            notes = self.slab(width=f"{height} / 2", height=height, unit=unit)
+            self.assertEqual([(note["kind"], note["place"]) for note in notes], [("caution", "scene.yaml:3:8")])
+            self.assertIn(f"the block measures {said}", notes[0]["text"])
+            self.assertIn(f"'length_unit: {unit}'", notes[0]["text"])
+        for height, unit in (("300", "m"), ("10", "mm"), ("0.3", "km"), ("1", "cm")):
+            self.assertEqual(self.slab(width=f"{height} / 2", height=height, unit=unit), [])
+        for block in ("outline: [[0, 0], [999, 0], [999, 1]]", "ellipse: {width: 999, height: 20, flat: 1}",
+                      "teeth: {count: 333, width: 3, height: 2, depth: 1, left_end: valley}"):
+            notes = self.notes(f"topple: 1\nlength_unit: m\nblock: {{{block}}}\nbase: {{mated: true}}\n")
+            self.assertIn("the block measures 999 m", notes[0]["text"])
+        notes = self.slab(more=", thickness: 2000")
+        self.assertIn("the block's thickness is 2 km", notes[0]["text"])
+        self.assertEqual(notes[0]["place"], "scene.yaml:3:49")
+
+    def test_arcs_reach_beyond_their_ends(self):
+        """A circle of 3.14 m on a flat of a nanometre is not small."""
+        status, out, _ = run("solve", "--json", ROOT / "tests" / "hard" / "arc_of_all_but_1e_9.yaml")
+        self.assertEqual((status, json.loads(out)["notes"]), (0, []))
+
+    def test_examples_have_none(self):
+        for scene in sorted((ROOT / "examples").glob("*.yaml")):
+            with self.subTest(scene.name):
+                self.assertEqual(json.loads(run("solve", "--json", scene)[1])["notes"], [])
+
+
+if __name__ == "__main__":
+    main()
