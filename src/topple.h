@@ -269,6 +269,7 @@ bool tp_solution_is_undecided(const tp_solution *solution);
  * begin, it is not met; what is not decided, or as near to the factor as its bound, is open. */
 typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
 tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
+tp_design tp_case_meets(const tp_case *own, double design_fos); /* one of them */
 
 /* Reports: `*text` is allocated with malloc and is the caller's to free. */
 TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
@@ -286,10 +287,13 @@ typedef enum tp_pivots_listed {
 } tp_pivots_listed;
 TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
                                             tp_pivots_listed listed);
-/* A table in Markdown, a row for each direction of each solution: moments, sliding, and the limit
- * on a base that ends at the toe and on one that goes on. */
+/* A table, a row for each direction of each solution: tilt, verdict, governing factor, and the
+ * angles by every way. In Markdown, with the limit on a base that ends at the toe and on one that
+ * goes on; in CSV, each number followed by its bound, with the limit on the scene's base. A factor
+ * that is but an upper bound, since another is undecided, is left out of CSV. */
 TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *solutions,
                                       size_t count);
+TP_MUST_USE tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count);
 
 #ifdef __cplusplus
 }

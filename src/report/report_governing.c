@@ -84,7 +84,7 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
     return "moments: stabilising over overturning";
   case TP_FOS_BY_SHEAR:
     return loaded ? "shear strength over shear force, on the facet"
-                  : "shear strength on the facet, tan φ / tan(α - i)";
+                  : "shear strength on the facet, tan φ / tan(α − i)";
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength, mean plane, tan(φ + i) / tan α";
   case TP_FOS_BY_REDUCTION:

@@ -183,7 +183,9 @@ static tp_design meets(const tp_governing_fos *g, double design_fos) {
   return g->complete && fos.value - fos.error >= design_fos ? TP_DESIGN_MET : TP_DESIGN_OPEN;
 }
 
-static tp_design case_meets(const tp_case *c, double design_fos) {
+tp_design tp_case_meets(const tp_case *c, double design_fos) {
+  TP_GUARD_HOST;
+  if (c == NULL || isnan(design_fos)) return TP_DESIGN_OPEN;
   const tp_design by_factor = meets(&c->governing_fos, design_fos);
   if (by_factor == TP_DESIGN_NOT_MET) return by_factor;
   if (c->mechanism == TP_MECHANISM_UNDECIDED || c->onset.kind == TP_ONSET_UNDECIDED) {
@@ -198,7 +200,7 @@ tp_design tp_solution_meets(const tp_solution *solution, double design_fos) {
   if (solution == NULL || isnan(design_fos)) return TP_DESIGN_OPEN;
   tp_design all = TP_DESIGN_MET;
   for (size_t k = 0; k < solution->case_count; k++) {
-    const tp_design own = case_meets(solution->cases + k, design_fos);
+    const tp_design own = tp_case_meets(solution->cases + k, design_fos);
     if (own == TP_DESIGN_NOT_MET) return own;
     if (own == TP_DESIGN_OPEN) all = own;
   }
