@@ -146,8 +146,10 @@ static void govern(tp_case *c, const tp_solution *solution) {
                           .complete = solution->has_friction};
   if (!solution->has_tilt_angle) return;
   g->fos.state = TP_FOS_NOT_ASKED;
-  add_moments(g, c);
-  add_sliding(g, c, solution->loaded);
+  if (c->limit.kind != TP_LIMIT_NOWHERE) { /* else no pivot and no facet carries it */
+    add_moments(g, c);
+    add_sliding(g, c, solution->loaded);
+  }
   if (c->limit.kind != TP_LIMIT_NOT_ASKED) add_reduction(g, &c->limit);
   if (c->limit.fos.state == TP_FOS_NOT_ASKED || c->limit.kind == TP_LIMIT_NOT_ASKED) {
     g->complete = false;
