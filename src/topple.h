@@ -37,6 +37,7 @@
 #ifndef TOPPLE_H
 #define TOPPLE_H
 
+#include "topple_governing.h"
 #include "topple_limit.h"
 #include "topple_onset.h"
 
@@ -97,6 +98,7 @@ typedef struct tp_sliding {
   bool known;  /* the scene gives a friction angle */
   bool never;  /* at no tilt: phi_b + i reaches 90 degrees */
   bool always; /* at every tilt: its loads push it down-dip harder than it resists at any */
+  bool opens;  /* no other facet stands in the way of sliding along this one */
   tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
@@ -157,6 +159,7 @@ typedef struct tp_case {
   tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
   bool slides_sooner;    /* the friction that a bond adds apart, it slides before `limit` */
   bool falls_backwards;  /* at this tilt it topples or slides the other way, up-dip */
+  tp_governing_fos governing_fos; /* at the scene's tilt */
   tp_account account;
   tp_bounded *limits; /* of all pivots, with loads */
   size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */
@@ -216,6 +219,7 @@ typedef struct tp_solution {
   bool has_friction;
   tp_bounded friction_angle_deg;
   bool friction_is_residual; /* Barton's law: the angle at a stress is above it */
+  bool friction_is_patton;   /* Patton's law: phi_b + i of the scene */
   tp_block_result block;
   tp_teeth_result teeth;
   tp_contact_result contact;
@@ -261,14 +265,36 @@ void tp_solution_free(tp_solution *solution);
 /* Did the precision allowed leave a mechanism open? Every number given is certain all the same. */
 bool tp_solution_is_undecided(const tp_solution *solution);
 
+/* Does every case meet a design factor of safety: is its governing one certainly as much, at a tilt
+ * at which the block stands? Cautious: without a tilt or a friction angle, and where a motion can
+ * begin, it is not met; what is not decided, or as near to the factor as its bound, is open. */
+typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
+tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
+tp_design tp_case_meets(const tp_case *own, double design_fos); /* one of them */
+
 /* Reports: `*text` is allocated with malloc and is the caller's to free. */
 TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
-/* A table in Markdown, a row for each direction of each solution: moments, sliding, and the limit
- * on a base that ends at the toe and on one that goes on. */
+/* What ran: effects, what called for each, and what each cost. */
+TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution);
+
+/* JSON with all pivots, or with those that can govern or hold the block alone: they bear their
+ * index. tp_report_json lists them all up to 300. */
+typedef enum tp_pivots_listed {
+  TP_PIVOTS_BY_COUNT,
+  TP_PIVOTS_ALL,
+  TP_PIVOTS_GOVERNING
+} tp_pivots_listed;
+TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
+                                            tp_pivots_listed listed);
+/* A table, a row for each direction of each solution: tilt, verdict, governing factor, and the
+ * angles by every way. In Markdown, with the limit on a base that ends at the toe and on one that
+ * goes on; in CSV, each number followed by its bound, with the limit on the scene's base. A factor
+ * that is but an upper bound, since another is undecided, is left out of CSV. */
 TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *solutions,
                                       size_t count);
+TP_MUST_USE tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count);
 
 #ifdef __cplusplus
 }

@@ -50,7 +50,8 @@ typedef struct tp_limit {
   tp_reaction reactions[2];
   tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which the
                  limit comes down to the scene's tilt */
-  bool base_beyond_toe; /* of the base that this is the limit for: it goes on past the toe */
+  tp_mechanism fos_mechanism; /* what happens there; TP_MECHANISM_UNDECIDED where there is no fos */
+  bool base_beyond_toe;       /* of the base that this is the limit for: it goes on past the toe */
 } tp_limit;
 
 #ifdef __cplusplus

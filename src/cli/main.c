@@ -85,8 +85,9 @@ static void print_help(FILE *out) {
                "'topple COMMAND --help' tells the options of a command.\n\n"
                "  --help     print this help\n"
                "  --version  print the version\n\n"
-               "Exit status: 0 done, 1 a claim was refuted, 2 wrong usage, 3 bad input,\n"
-               "4 undecided at the precision allowed, 5 the system failed.\n");
+               "Exit status: 0 done, 1 a claim was refuted or a design factor of safety not met,\n"
+               "2 wrong usage, 3 bad input, 4 undecided at the precision allowed, 5 the system\n"
+               "failed.\n");
 }
 
 static int run_command(const struct command *command, int argc, char **argv) {

@@ -3,214 +3,110 @@
 
 /* topple solve SCENE */
 
-#include "cli/cli.h"
+#include "cli/solve_words.h"
 
-#include <argp.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-typedef struct arguments {
-  const char *scene; /* the first of `scenes` */
-  char **scenes;     /* those of --table */
-  int scene_count;
-  const char *figure; /* file to draw into; NULL: none */
-  bool json, elements, table;
-  int digits;
-  tp_level level;
-  bool has_target;
-  tp_find_options find; /* key NULL: nothing is to be found */
-} arguments;
-
-enum { KEY_FIGURE = 256, KEY_LEVEL, KEY_FIND, KEY_FOR, KEY_FROM, KEY_TO };
-
-static const struct argp_option options[] = {
-    {"json", 'j', NULL, 0, "Print the solution as JSON", 0},
-    {"table", 't', NULL, 0, "Print a table (Markdown) of several scenes, a row a case", 0},
-    {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
-    {"figure", KEY_FIGURE, "FILE", 0,
-     "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
-    {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
-    {"level", KEY_LEVEL, "LEVEL", 0,
-     "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
-     "given); exit status 4 where it is not enough",
-     0},
-    {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
-    {"for", KEY_FOR, "RESULT=VALUE", 0,
-     "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos has the "
-     "value",
-     1},
-    {"from", KEY_FROM, "LOW", 0,
-     "Look for it from here (else 0, or ten times what it is where that is below 0)", 1},
-    {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is, or 0 where that is below 0)", 1},
-    {0}};
-
-static double read_number(const char *text, struct argp_state *state) {
-  char *end = NULL;
-  const double value = strtod(text, &end);
-  if (end == text || *end != '\0' || !isfinite(value)) {
-    tp_cli_refuse(state, "'%s' is no number", text);
-  }
-  return value;
+static const char *direction(const tp_case *c) {
+  return c->towards == TP_TOWARDS_LEFT ? "left" : "right";
 }
 
-static int read_digits(const char *text, struct argp_state *state) {
-  const double digits = read_number(text, state);
-  if (!(digits >= 1 && digits <= TP_DIGITS_MAX && digits == floor(digits))) {
-    tp_cli_refuse(state, "--digits takes a whole number from 1 to %d, not '%s'", TP_DIGITS_MAX,
-                  text);
-    return 1;
+/* What a case leaves open; NULL: nothing. */
+static const char *what_is_open(const tp_case *c) {
+  if (c->limit.kind == TP_LIMIT_UNDECIDED) return "the limit by contact forces";
+  if (c->limit.fos.state == TP_FOS_UNDECIDED) return "the factor of safety by contact forces";
+  if (c->onset.kind == TP_ONSET_UNDECIDED) return "the tilt up to which it is certain to stand";
+  if (c->mechanism == TP_MECHANISM_UNDECIDED || c->first == TP_MECHANISM_UNDECIDED) {
+    return "the mechanism";
   }
-  return (int)digits;
+  return NULL;
 }
 
-/* RESULT=VALUE */
-static void read_target(arguments *a, const char *text, struct argp_state *state) {
-  char name[40] = "";
-  const char *equals = strchr(text, '=');
-  const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
-  if (length < sizeof name) memcpy(name, text, length);
-  if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
-    tp_cli_refuse(state,
-                  "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
-                  "sliding_fos, limit_angle, limit_fos; not '%s'",
-                  text);
-    return;
-  }
-  a->find.value = read_number(equals + 1, state);
-  a->has_target = true;
-}
-
-static void read_figure(arguments *a, const char *path, struct argp_state *state) {
-  if (!tp_figure_is_file_name(path)) {
-    tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
-  }
-  a->figure = path;
-}
-
-static void check_find(arguments *a, struct argp_state *state) {
-  const bool named = a->find.key != NULL;
-  if (named != a->has_target) tp_cli_refuse(state, "--find KEY and --for RESULT=VALUE go together");
-  if ((a->find.has_low || a->find.has_high) && !named)
-    tp_cli_refuse(state, "--from and --to go with --find");
-  if (named && a->figure != NULL) {
-    tp_cli_refuse(state, "--figure draws a solution as the scene has it; leave out --find");
-  }
-}
-
-static error_t parse(int key, char *argument, struct argp_state *state) {
-  arguments *a = state->input;
-  switch (key) {
-  case 'j':
-    a->json = true;
-    return 0;
-  case 'e':
-    a->elements = true;
-    return 0;
-  case 't':
-    a->table = true;
-    return 0;
-  case 'd':
-    a->digits = read_digits(argument, state);
-    return 0;
-  case KEY_LEVEL:
-    if (!tp_level_read(&a->level, argument)) {
-      tp_cli_refuse(state, "--level takes double, compensated, ball or exact, not '%s'", argument);
-    }
-    return 0;
-  case KEY_FIGURE:
-    read_figure(a, argument, state);
-    return 0;
-  case KEY_FIND:
-    a->find.key = argument;
-    return 0;
-  case KEY_FOR:
-    read_target(a, argument, state);
-    return 0;
-  case KEY_FROM:
-    a->find.low = read_number(argument, state);
-    a->find.has_low = true;
-    return 0;
-  case KEY_TO:
-    a->find.high = read_number(argument, state);
-    a->find.has_high = true;
-    return 0;
-  case ARGP_KEY_END:
-    check_find(a, state);
-    if (a->scene_count > 1 && !a->table) {
-      tp_cli_refuse(state, "one scene at a time, or several with --table; '%s' is one too many",
-                    a->scenes[1]);
-    }
-    if (a->table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL)) {
-      tp_cli_refuse(state,
-                    "--table prints a table alone; drop --json, --elements, --figure and --find");
-    }
-    return 0;
-  case ARGP_KEY_ARGS: /* all that are left */
-    a->scenes = state->argv + state->next;
-    a->scene_count = state->argc - state->next;
-    a->scene = a->scenes[0];
-    return 0;
-  case ARGP_KEY_NO_ARGS:
-    tp_cli_refuse(state, "a scene file is missing, for example examples/block_e_valley.yaml");
-    return 0;
-  default:
-    return ARGP_ERR_UNKNOWN;
-  }
-}
-
-static const struct argp parser = {
-    .options = options,
-    .parser = parse,
-    .args_doc = "SCENE…",
-    .doc = "Does the block of a scene stand, slide or topple, and at which tilt?\v"
-           "SCENE is a YAML file; README.md shows one, docs/scene.md lists every key. Every "
-           "number is certain to all digits printed; --json gives each with its proven error "
-           "bound. Exit status: 0 done, 2 wrong usage, 3 bad input, 4 undecided, 5 system failed."};
-
-/* What a case leaves open, why, and what would help. */
+/* That, why, and what would help. */
 static void print_open(const tp_case *c, const tp_solution *solution, const char *scene) {
-  const bool factor = c->limit.fos.state == TP_FOS_UNDECIDED;
-  const char *what = c->limit.kind == TP_LIMIT_UNDECIDED ? "the limit by contact forces"
-                     : factor                            ? "the factor of safety by contact forces"
-                                                         : "the mechanism";
-  if (c->mechanism != TP_MECHANISM_UNDECIDED && c->first != TP_MECHANISM_UNDECIDED && !factor) {
-    return;
-  }
+  const char *what = what_is_open(c);
+  if (what == NULL) return;
   tp_cli_complain(
       "%s: undecided at %ld bits: %s, tilted towards the %s; %s", scene, solution->bits, what,
-      c->towards == TP_TOWARDS_LEFT ? "left" : "right",
-      c->limit.too_dear
+      direction(c),
+      c->limit.too_dear || c->onset.too_dear
           ? "its proof takes more work than is allowed: coordinates and loads of fewer digits "
             "help, or a tilt farther from where the block lets go"
           : "what decides it is nearer to a tie than these bits tell, or holds at single tilts "
             "only: a little friction or cohesion, or another tilt, decides it");
 }
 
-/* After the report: what it leaves open is a failure of its own. */
-static int end_undecided(const tp_solution *solution, const char *scene, int written) {
-  if (written != 0 || !tp_solution_is_undecided(solution)) return written;
+/* Why a case does not meet the design factor. */
+static void print_short_of(const tp_case *c, const tp_solve_words *a, const char *scene) {
+  const tp_governing_fos *g = &c->governing_fos;
+  const char *why =
+      g->fos.state == TP_FOS_NO_TILT ? "the scene gives no tilt, so no factor: add tilt.angle_deg"
+      : !g->sliding_judged
+          ? "sliding is not judged: the scene gives no friction angle; add friction_angle_deg"
+      : c->mechanism != TP_STANDS && c->mechanism != TP_INTERLOCKED
+          ? "at this tilt it is not certain to stand"
+          : "its governing factor is below";
+  tp_cli_complain("%s: tilted towards the %s, the design factor of safety %g is not met: %s", scene,
+                  direction(c), a->design_fos, why);
+}
+
+static int judge(const tp_solution *solution, const tp_solve_words *a, const char *scene) {
+  if (!a->has_design_fos) return 0;
+  const tp_design all = tp_solution_meets(solution, a->design_fos);
+  if (all == TP_DESIGN_MET) return 0;
+  if (all == TP_DESIGN_OPEN) {
+    tp_cli_complain("%s: whether the design factor of safety %g is met is undecided", scene,
+                    a->design_fos);
+    return tp_status_exit(TP_UNDECIDED);
+  }
+  for (size_t k = 0; k < solution->case_count; k++) {
+    if (tp_case_meets(solution->cases + k, a->design_fos) == TP_DESIGN_NOT_MET) {
+      print_short_of(solution->cases + k, a, scene);
+    }
+  }
+  return TP_EXIT_REFUTED;
+}
+
+/* After the report: what it leaves open is a failure of its own, and so is a design factor that is
+ * not met, which is certain and comes before it. */
+static int end_open(const tp_solution *solution, const tp_solve_words *a, const char *scene) {
+  const int judged = judge(solution, a, scene);
+  if (!tp_solution_is_undecided(solution)) return judged;
   for (size_t k = 0; k < solution->case_count; k++) {
     print_open(solution->cases + k, solution, scene);
   }
-  return tp_status_exit(TP_UNDECIDED);
+  return judged != 0 ? judged : tp_status_exit(TP_UNDECIDED);
 }
 
-static tp_status print_solution(const tp_solution *solution, const arguments *a, int *written) {
-  char *report = NULL, *account = NULL;
-  tp_status status =
-      a->json ? tp_report_json(&report, solution) : tp_report_text(&report, solution);
-  if (status == TP_OK && a->elements && !a->json) status = tp_report_elements(&account, solution);
-  if (status == TP_OK) *written = tp_cli_print(report);
-  if (status == TP_OK && *written == 0 && account != NULL) *written = tp_cli_print(account);
-  if (status == TP_OK) *written = end_undecided(solution, a->scene, *written);
-  free(report);
-  free(account);
+/* The next of several reports, once those before it are written. */
+static tp_status print_next(char **report, tp_status status, int *written) {
+  if (status == TP_OK && *written == 0) *written = tp_cli_print(*report);
+  free(*report);
+  *report = NULL;
   return status;
 }
 
-static tp_status print_found(const tp_solution *solution, const arguments *a, int *written,
+static tp_status print_text(const tp_solution *solution, const tp_solve_words *a, int *written) {
+  char *report = NULL, *account = NULL, *effects = NULL;
+  tp_status status = tp_report_text(&report, solution);
+  if (status == TP_OK && a->verbose) status = tp_report_effects(&effects, solution);
+  if (status == TP_OK && a->elements) status = tp_report_elements(&account, solution);
+  status = print_next(&report, status, written);
+  if (effects != NULL) status = print_next(&effects, status, written);
+  if (account != NULL) status = print_next(&account, status, written);
+  return status;
+}
+
+static tp_status print_solution(const tp_solution *solution, const tp_solve_words *a,
+                                int *written) {
+  if (!a->json) return print_text(solution, a, written);
+  char *report = NULL;
+  const tp_status status = tp_report_json_pivots(&report, solution, a->pivots);
+  return print_next(&report, status, written);
+}
+
+static tp_status print_found(const tp_solution *solution, const tp_solve_words *a, int *written,
                              tp_message *message) {
   tp_found *found = NULL;
   char *report = NULL;
@@ -225,62 +121,106 @@ static tp_status print_found(const tp_solution *solution, const arguments *a, in
   return status;
 }
 
-static tp_status solve_scene(tp_solution **solution, const char *path, const arguments *a,
-                             tp_message *message) {
-  tp_scene *scene = NULL;
+static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const char *path,
+                             const tp_solve_words *a, tp_message *message) {
   tp_solve_options solve = tp_solve_options_default();
   solve.elements = a->elements;
   solve.digits = a->digits;
   solve.level = a->level;
-  tp_status status = tp_scene_read(&scene, path, message);
-  if (status == TP_OK) status = tp_solve(solution, scene, &solve, message);
-  if (status == TP_OK && a->figure != NULL) {
-    status = tp_cli_draw(a->figure, scene, *solution, message);
+  const tp_status status = tp_scene_read(scene, path, message);
+  return status == TP_OK ? tp_solve(solution, *scene, &solve, message) : status;
+}
+
+/* ---- several scenes ----------------------------------------------------------------------------
+ */
+
+/* Of two exit statuses the one that tells more: the system, bad input, a design factor that is not
+ * met, undecided, done. */
+static int graver(int one, int other) {
+  static const int order[] = {TP_EXIT_SYSTEM, 3, TP_EXIT_REFUTED, 4, 0};
+  for (size_t k = 0; k < sizeof order / sizeof order[0]; k++) {
+    if (one == order[k] || other == order[k]) return order[k];
   }
-  tp_scene_free(scene);
+  return one;
+}
+
+/* Of one scene alone: the others go on. */
+static bool is_of_scene(tp_status status) {
+  return status == TP_BAD_INPUT || status == TP_NO_ANSWER || status == TP_UNDECIDED;
+}
+
+/* Those that can be solved, in their order; what is wrong with the others is told. */
+static tp_status solve_all(tp_solution **solutions, const char **paths, size_t *count, int *ended,
+                           const tp_solve_words *a, tp_message *message) {
+  tp_status status = TP_OK;
+  for (int k = 0; k < a->scene_count && status == TP_OK; k++) {
+    tp_scene *scene = NULL;
+    status = solve_scene(solutions + *count, &scene, a->scenes[k], a, message);
+    tp_scene_free(scene);
+    if (status == TP_OK) {
+      paths[(*count)++] = a->scenes[k];
+    } else if (is_of_scene(status)) {
+      *ended = graver(*ended, tp_cli_end(status, message, 0));
+      message->text[0] = '\0';
+      status = TP_OK;
+    }
+  }
   return status;
 }
 
-static tp_status print_table(const arguments *a, int *written, tp_message *message) {
-  const size_t count = (size_t)a->scene_count;
+static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *message) {
+  const size_t most = (size_t)a->scene_count;
+  size_t count = 0;
   char *report = NULL;
-  tp_solution **solutions = calloc(count, sizeof *solutions);
-  tp_status status = solutions != NULL ? TP_OK : TP_OUT_OF_MEMORY;
-  for (size_t k = 0; k < count && status == TP_OK; k++) {
-    status = solve_scene(solutions + k, a->scenes[k], a, message);
+  tp_solution **solutions = calloc(most, sizeof *solutions);
+  const char **paths = calloc(most, sizeof *paths);
+  tp_status status = solutions != NULL && paths != NULL ? TP_OK : TP_OUT_OF_MEMORY;
+  if (status == TP_OK) status = solve_all(solutions, paths, &count, ended, a, message);
+  if (status == TP_OK && count > 0) {
+    const tp_solution *const *own = (const tp_solution *const *)solutions;
+    status = a->csv ? tp_report_csv(&report, own, count) : tp_report_table(&report, own, count);
   }
-  if (status == TP_OK) {
-    status = tp_report_table(&report, (const tp_solution *const *)solutions, count);
-  }
-  if (status == TP_OK) *written = tp_cli_print(report);
+  if (status == TP_OK && count > 0) *ended = graver(*ended, tp_cli_print(report));
   for (size_t k = 0; k < count && status == TP_OK; k++) {
-    *written = end_undecided(solutions[k], a->scenes[k], *written);
+    *ended = graver(*ended, end_open(solutions[k], a, paths[k]));
   }
   free(report);
   for (size_t k = 0; solutions != NULL && k < count; k++) tp_solution_free(solutions[k]);
   free(solutions);
+  free(paths);
   return status;
 }
 
-static tp_status print_one(const arguments *a, int *written, tp_message *message) {
+/* ---- one scene ---------------------------------------------------------------------------------
+ */
+
+/* The figure last: it is not left behind by a report that could not be written. */
+static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
+  tp_scene *scene = NULL;
   tp_solution *solution = NULL;
-  tp_status status = solve_scene(&solution, a->scene, a, message);
+  tp_status status = solve_scene(&solution, &scene, a->scene, a, message);
   if (status == TP_OK) {
-    status = a->find.key != NULL ? print_found(solution, a, written, message)
-                                 : print_solution(solution, a, written);
+    status = a->find.key != NULL ? print_found(solution, a, ended, message)
+                                 : print_solution(solution, a, ended);
+  }
+  if (status == TP_OK && *ended == 0 && a->figure != NULL) {
+    status = tp_cli_draw(a->figure, scene, solution, message);
+  }
+  if (status == TP_OK && *ended == 0 && a->find.key == NULL) {
+    *ended = end_open(solution, a, a->scene);
   }
   tp_solution_free(solution);
+  tp_scene_free(scene);
   return status;
 }
 
 int tp_cli_solve(int argc, char **argv) {
-  const tp_solve_options unless_given = tp_solve_options_default();
-  arguments a = {.digits = unless_given.digits, .level = unless_given.level};
-  const int refused = tp_cli_parse(&parser, argc, argv, &a);
+  tp_solve_words a;
+  const int refused = tp_cli_read_solve(&a, argc, argv);
   if (refused != 0) return refused;
   tp_message message = {""};
-  int written = 0;
+  int ended = 0;
   const tp_status status =
-      a.table ? print_table(&a, &written, &message) : print_one(&a, &written, &message);
-  return tp_cli_end(status, &message, written);
+      a.table || a.csv ? print_table(&a, &ended, &message) : print_one(&a, &ended, &message);
+  return tp_cli_end(status, &message, ended);
 }

@@ -61,12 +61,15 @@ tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_
   question.sketch = &r->reduced;
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
   at->side = 0;
+  at->has_motion = false;
   arb_indeterminate(at->degrees);
   if (outcome == TP_LIMIT_PROVEN) {
     if (answer.kind == TP_LIMIT_INTERLOCKED) at->side = 1;
     if (answer.kind == TP_LIMIT_NOWHERE) at->side = -1;
     if (answer.kind == TP_LIMIT_AT_ANGLE) {
       arb_set(at->degrees, answer.degrees);
+      at->has_motion = true;
+      at->motion = answer.face.motion;
       if (arb_gt(answer.degrees, degrees)) at->side = 1;
       if (arb_lt(answer.degrees, degrees)) at->side = -1;
     }

@@ -33,6 +33,8 @@ double tp_reduced_margin(tp_reduced *reduced, double log_factor);
 typedef struct tp_reduced_limit {
   int side;
   arb_t degrees; /* where there is one */
+  bool has_motion;
+  tp_face_motion motion; /* at that limit */
 } tp_reduced_limit;
 
 tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, const arf_t factor,

@@ -81,11 +81,11 @@ static tp_limit_outcome refine(arf_t factor, tp_reduced *r, const arb_t degrees,
 }
 
 /* Is the factor within 2^-places of its size of the estimate? Proven by the limits at both ends. */
-static tp_limit_outcome prove_about(arb_t factor, bool *proven, tp_reduced *r, const arf_t estimate,
-                                    slong places, const arb_t degrees) {
+static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_reduced *r,
+                                    const arf_t estimate, slong places, const arb_t degrees) {
   const long bits = r->question->judge.bits;
   arf_t width, end;
-  tp_reduced_limit at;
+  tp_reduced_limit at = {.side = 0};
   arf_init(width);
   arf_init(end);
   arb_init(at.degrees);
@@ -93,15 +93,17 @@ static tp_limit_outcome prove_about(arb_t factor, bool *proven, tp_reduced *r, c
   arf_sub(end, estimate, width, bits, ARF_RND_DOWN);
   tp_limit_outcome outcome = tp_reduced_find(&at, r, end, degrees);
   *proven = outcome == TP_LIMIT_PROVEN && at.side > 0;
+  reduction->has_motion = at.has_motion;
+  if (at.has_motion) reduction->motion = at.motion;
   if (*proven) {
     arf_add(end, estimate, width, bits, ARF_RND_UP);
     outcome = tp_reduced_find(&at, r, end, degrees);
     *proven = outcome == TP_LIMIT_PROVEN && at.side < 0;
   }
   if (*proven) {
-    arb_set_arf(factor, estimate);
+    arb_set_arf(reduction->factor, estimate);
     arf_mul_2exp_si(width, width, 1); /* the rounded ends lie within */
-    arf_get_mag(arb_radref(factor), width);
+    arf_get_mag(arb_radref(reduction->factor), width);
   }
   arf_clear(width);
   arf_clear(end);
@@ -111,14 +113,14 @@ static tp_limit_outcome prove_about(arb_t factor, bool *proven, tp_reduced *r, c
 
 /* Widen about the estimate from so many places until both sides are proven, to what is asked for.
  */
-static tp_limit_outcome enclose(arb_t factor, tp_reduced *r, const arf_t about, slong places,
-                                const arb_t degrees, int digits) {
+static tp_limit_outcome enclose(tp_reduction *reduction, tp_reduced *r, const arf_t about,
+                                slong places, const arb_t degrees, int digits) {
   const slong widest = (slong)(place * (digits + 1)) + 1;
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   bool proven = false;
   for (; places >= widest && !proven; places -= 3) {
     if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) break;
-    outcome = prove_about(factor, &proven, r, about, places, degrees);
+    outcome = prove_about(reduction, &proven, r, about, places, degrees);
   }
   if (proven) return TP_LIMIT_PROVEN;
   return outcome == TP_LIMIT_PROVEN ? TP_LIMIT_OPEN : outcome;
@@ -166,8 +168,8 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
 }
 
 /* By doubles, and for many digits by secants from there. */
-static tp_limit_outcome find_quickly(arb_t factor, tp_reduced *r, double low, double high,
-                                     const arb_t degrees, int digits) {
+static tp_limit_outcome find_quickly(tp_reduction *reduction, tp_reduced *r, double low,
+                                     double high, const arb_t degrees, int digits) {
   enum { OF_DOUBLES = 11, SPARE = 10 };
   const double at_low = tp_reduced_margin(r, log(low)), at_high = tp_reduced_margin(r, log(high));
   if (!(at_low > 0 && at_high < 0)) return TP_LIMIT_OPEN;
@@ -175,14 +177,14 @@ static tp_limit_outcome find_quickly(arb_t factor, tp_reduced *r, double low, do
   arf_init(about);
   arf_set_d(about, exp(solve(r, log(low), log(high), at_low, at_high)));
   if (digits > OF_DOUBLES) (void)refine(about, r, degrees, digits + SPARE);
-  const tp_limit_outcome outcome = enclose(factor, r, about, narrowest(digits), degrees, digits);
+  const tp_limit_outcome outcome = enclose(reduction, r, about, narrowest(digits), degrees, digits);
   arf_clear(about);
   return outcome;
 }
 
 /* On proven limits alone: those at both ends tell what kind of answer there is. */
-static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, tp_reduced *r,
-                                    double low, double high, const arb_t degrees, int digits) {
+static tp_limit_outcome find_surely(tp_reduction *reduction, tp_reduced *r, double low, double high,
+                                    const arb_t degrees, int digits) {
   int strong = 0, weak = 0;
   arf_t about;
   arf_init(about);
@@ -192,12 +194,12 @@ static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, tp_re
     arf_set_d(about, low);
     outcome = tp_reduced_side(&strong, r, about, degrees);
   }
-  *kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
+  reduction->kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
   if (strong > 0 && weak < 0) {
-    *kind = TP_REDUCTION_FACTOR;
+    reduction->kind = TP_REDUCTION_FACTOR;
     outcome = halve(about, r, low, high, degrees, digits);
     if (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN) {
-      outcome = enclose(factor, r, about, narrowest(digits), degrees, digits);
+      outcome = enclose(reduction, r, about, narrowest(digits), degrees, digits);
     }
   } else if (outcome == TP_LIMIT_PROVEN && weak <= 0 && strong >= 0) {
     outcome = TP_LIMIT_OPEN;
@@ -206,18 +208,27 @@ static tp_limit_outcome find_surely(tp_reduction_kind *kind, arb_t factor, tp_re
   return outcome;
 }
 
-static tp_limit_outcome find(tp_reduction_kind *kind, arb_t factor, tp_reduced *r,
-                             const arb_t degrees, int digits) {
-  *kind = TP_REDUCTION_FACTOR;
+static tp_limit_outcome find(tp_reduction *reduction, tp_reduced *r, const arb_t degrees,
+                             int digits) {
+  reduction->kind = TP_REDUCTION_FACTOR;
   const tp_limit_outcome quick =
-      find_quickly(factor, r, least_factor, most_factor, degrees, digits);
+      find_quickly(reduction, r, least_factor, most_factor, degrees, digits);
   if (quick != TP_LIMIT_OPEN) return quick;
-  return find_surely(kind, factor, r, least_factor, most_factor, degrees, digits);
+  return find_surely(reduction, r, least_factor, most_factor, degrees, digits);
 }
 
-tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
-                                   const tp_limit_question *question, tp_cones *cones,
-                                   const arb_t degrees, int digits) {
+void tp_reduction_init(tp_reduction *reduction) {
+  reduction->kind = TP_REDUCTION_NONE;
+  reduction->has_motion = false;
+  arb_init(reduction->factor);
+}
+
+void tp_reduction_clear(tp_reduction *reduction) {
+  arb_clear(reduction->factor);
+}
+
+tp_limit_outcome tp_reduction_find(tp_reduction *reduction, const tp_limit_question *question,
+                                   tp_cones *cones, const arb_t degrees, int digits) {
   tp_reduced r = {.question = question,
                   .cones = cones,
                   .degrees = arf_get_d(arb_midref(degrees), ARF_RND_NEAR)};
@@ -229,7 +240,7 @@ tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
   tp_limit_outcome outcome = TP_LIMIT_OUT_OF_MEMORY;
   if (tp_sketch_copy(&r.reduced, r.given)) {
     tp_reduced_init(&r);
-    outcome = find(kind, factor, &r, degrees, digits);
+    outcome = find(reduction, &r, degrees, digits);
     tp_reduced_clear(&r);
     tp_sketch_clear(&r.reduced);
   }

@@ -18,10 +18,21 @@ typedef enum tp_reduction_kind {
   TP_REDUCTION_NONE       /* no strength would hold it there */
 } tp_reduction_kind;
 
-/* The question's cones are scaled for it and left as they were. `degrees` is the tilt; `factor` is
- * known to 10^-digits of its size. */
-tp_limit_outcome tp_reduction_find(tp_reduction_kind *kind, arb_t factor,
-                                   const tp_limit_question *question, tp_cones *cones,
-                                   const arb_t degrees, int digits);
+/* A factor, and how the block moves at a strength divided by all but as much: at the lower end of
+ * the factor's bound. */
+typedef struct tp_reduction {
+  tp_reduction_kind kind;
+  arb_t factor;
+  bool has_motion; /* false: there it would still hold at every tilt */
+  tp_face_motion motion;
+} tp_reduction;
+
+void tp_reduction_init(tp_reduction *reduction);
+void tp_reduction_clear(tp_reduction *reduction);
+
+/* The question's cones are scaled for it and left as they were. `degrees` is the tilt; the factor
+ * is known to 10^-digits of its size. */
+tp_limit_outcome tp_reduction_find(tp_reduction *reduction, const tp_limit_question *question,
+                                   tp_cones *cones, const arb_t degrees, int digits);
 
 #endif

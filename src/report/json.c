@@ -36,3 +36,12 @@ void tp_json_fos(tp_text *t, const char *key, tp_fos fos) {
   const char *why = tp_text_fos(fos);
   if (why != NULL) tp_text_add(t, ", \"%s_is\": \"%s\"", key, why);
 }
+
+void tp_json_critical_angle(tp_text *t, const tp_pivot *p) {
+  if (p->never || p->always) {
+    tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"%s\"",
+                p->never ? "never" : "always");
+  } else {
+    tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
+  }
+}

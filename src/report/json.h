@@ -22,4 +22,7 @@ void tp_json_fraction(tp_text *text, const char *key, const tp_fraction *fractio
 /* true or false. */
 const char *tp_json_truth(bool value);
 
+/* The key `critical_angle_deg` of a pivot; null where loads leave it none, and why. */
+void tp_json_critical_angle(tp_text *text, const tp_pivot *pivot);
+
 #endif

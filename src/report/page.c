@@ -58,9 +58,19 @@ const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos) {
   return "-";
 }
 
-void tp_page_add_pivot(tp_page *p, const tp_case *c) {
-  const tp_pivot *pivot = c->pivots + c->governing;
+static bool overlap(tp_bounded a, tp_bounded b) {
+  return fabs(a.value - b.value) <= a.error + b.error;
+}
+
+void tp_page_add_centre(tp_page *p, const tp_case *c, tp_bounded x_m, tp_bounded y_m) {
   char n[2][TP_NUMBER_SIZE];
-  tp_text_add(&p->text, "the %s at (%s, %s)", tp_text_pivot_kind(pivot->kind),
-              tp_page_coordinate(p, n[0], pivot->x_m), tp_page_coordinate(p, n[1], pivot->y_m));
+  tp_text_add(&p->text, " about ");
+  for (size_t k = 0; k < c->pivot_count; k++) {
+    const tp_pivot *pivot = c->pivots + k;
+    if (!overlap(x_m, pivot->x_m) || !overlap(y_m, pivot->y_m)) continue;
+    tp_text_add(&p->text, "pivot %zu, the %s at ", k + 1, tp_text_pivot_kind(pivot->kind));
+    break;
+  }
+  tp_text_add(&p->text, "(%s, %s)", tp_page_coordinate(p, n[0], x_m),
+              tp_page_coordinate(p, n[1], y_m));
 }

@@ -31,7 +31,7 @@ const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos);
 /* A force or a pressure, in thousands where it is large. */
 void tp_page_add_quantity(tp_page *page, tp_bounded number, const char *unit);
 
-/* "the valley at (0, 0)": the governing pivot. */
-void tp_page_add_pivot(tp_page *page, const tp_case *own);
+/* " about pivot 1, the valley at (0, 0)" of a pivot's place, " about (x, y)" of another. */
+void tp_page_add_centre(tp_page *page, const tp_case *own, tp_bounded x_m, tp_bounded y_m);
 
 #endif

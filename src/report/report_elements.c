@@ -14,8 +14,8 @@ static void add_account(tp_page *p, const tp_case *c) {
   const char *weight = s->block.has_weight ? "N" : "W";
   char n[5][TP_NUMBER_SIZE], head[4][32];
   if (a->count == 0) return;
-  tp_text_add(&p->text, "\nMoments by elements about ");
-  tp_page_add_pivot(p, c);
+  tp_text_add(&p->text, "\nMoments by elements");
+  tp_page_add_centre(p, c, c->pivots[c->governing].x_m, c->pivots[c->governing].y_m);
   tp_text_add(&p->text, ",\ntilted towards the %s by %s°%s\n", tp_text_direction(c->towards),
               tp_page_degrees(n[0], a->angle_deg),
               a->at_critical_angle ? ", the critical angle" : "");

@@ -5,9 +5,11 @@
 
 #include "host.h"
 #include "report/json.h"
+#include "report/report_governing.h"
 #include "report/report_limit.h"
 #include "report/report_loads.h"
 #include "report/report_notes.h"
+#include "report/report_pivots.h"
 
 #include <math.h>
 #include <string.h>
@@ -83,30 +85,6 @@ static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight)
   tp_text_add(t, "\n      },\n");
 }
 
-/* null where loads leave it none. */
-static void add_critical_angle(tp_text *t, const tp_pivot *p) {
-  if (p->never || p->always) {
-    tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"%s\"",
-                p->never ? "never" : "always");
-  } else {
-    tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
-  }
-}
-
-static void add_pivot(tp_text *t, const tp_pivot *p, bool loaded) {
-  const named numbers[] = {{"x_m", p->x_m}, {"y_m", p->y_m}};
-  tp_text_add(t, "        {\"kind\": \"%s\", ", tp_text_pivot_kind(p->kind));
-  add_numbers(t, numbers, sizeof numbers / sizeof numbers[0], " ");
-  add_critical_angle(t, p);
-  tp_text_add(t, ", ");
-  tp_json_fos(t, "fos", p->fos_resultant);
-  tp_text_add(t, ", ");
-  tp_json_fos(t, "fos_elements", p->fos_elements);
-  if (loaded) tp_json_limits(t, p);
-  tp_text_add(t, ", \"admissible\": %s%s}", tp_json_truth(p->admissible),
-              p->rounded ? ", \"rounded\": true" : "");
-}
-
 static void add_toppling(tp_text *t, const tp_case *c) {
   if (!c->has_governing) {
     tp_text_add(t, "      \"toppling\": null,\n");
@@ -115,7 +93,7 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   const tp_pivot *p = c->pivots + c->governing;
   tp_text_add(t, "      \"toppling\": {\"pivot\": %zu, \"tie\": %s, ", c->governing,
               tp_json_truth(c->governing_tie));
-  add_critical_angle(t, p);
+  tp_json_critical_angle(t, p);
   tp_text_add(t, ", ");
   tp_json_fos(t, "fos", p->fos_resultant);
   tp_text_add(t, ", ");
@@ -130,10 +108,12 @@ static void add_toppling(tp_text *t, const tp_case *c) {
   tp_text_add(t, "},\n");
 }
 
-static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded) {
+static void add_sliding(tp_text *t, const tp_sliding *s, bool loaded, bool patton) {
   if (!s->known) return;
   tp_text_add(t, "      \"sliding\": {\"method\": \"%s\", ",
-              loaded ? "forces along and across the facet" : "Patton, phi_b + i");
+              loaded   ? "forces along and across the facet"
+              : patton ? "Patton, phi_b + i"
+                       : "phi + i");
   if (s->never) {
     tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"never\", "
                    "\"fos\": null, \"fos_is\": \"unbounded: it never slides\"},\n");
@@ -227,7 +207,11 @@ static void add_effects(tp_text *t, const tp_solution *s) {
   tp_text_add(t, "\n      ]\n");
 }
 
-static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
+static void add_case(tp_text *t, const tp_solution *s, const tp_case *c, tp_pivots_listed shown) {
+  enum { MOST_PIVOTS = 300 };
+  if (shown == TP_PIVOTS_BY_COUNT) {
+    shown = c->pivot_count > MOST_PIVOTS ? TP_PIVOTS_GOVERNING : TP_PIVOTS_ALL;
+  }
   tp_text_add(t, "    {\n      \"towards\": \"%s\",\n", tp_text_direction(c->towards));
   if (s->has_tilt_angle) {
     tp_text_add(t, "      ");
@@ -244,16 +228,12 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   add_block(t, &s->block);
   add_teeth(t, &s->teeth);
   add_contact(t, &s->contact, s->block.has_weight);
-  tp_text_add(t, "      \"pivots\": [\n");
-  for (size_t k = 0; k < c->pivot_count; k++) {
-    add_pivot(t, c->pivots + k, s->loaded);
-    tp_text_add(t, "%s\n", k + 1 < c->pivot_count ? "," : "");
-  }
-  tp_text_add(t, "      ],\n");
+  tp_json_pivots(t, s, c, shown == TP_PIVOTS_ALL);
   add_toppling(t, c);
-  add_sliding(t, &c->sliding, s->loaded);
+  add_sliding(t, &c->sliding, s->loaded, s->friction_is_patton);
   add_toe(t, &c->toe);
   tp_json_limit(t, c);
+  tp_json_governing(t, c);
   add_account(t, &c->account, s->block.has_weight);
   tp_json_loads(t, c);
   add_mechanism(t, c);
@@ -262,6 +242,10 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
 }
 
 tp_status tp_report_json(char **text, const tp_solution *solution) {
+  return tp_report_json_pivots(text, solution, TP_PIVOTS_BY_COUNT);
+}
+
+tp_status tp_report_json_pivots(char **text, const tp_solution *solution, tp_pivots_listed listed) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solution);
@@ -277,7 +261,7 @@ tp_status tp_report_json(char **text, const tp_solution *solution) {
   tp_json_notes(&t, &solution->notes);
   tp_text_add(&t, "  \"cases\": [\n");
   for (size_t k = 0; k < solution->case_count; k++) {
-    add_case(&t, solution, solution->cases + k);
+    add_case(&t, solution, solution->cases + k, listed);
     tp_text_add(&t, "%s\n", k + 1 < solution->case_count ? "," : "");
   }
   tp_text_add(&t, "  ]\n}\n");

@@ -3,17 +3,12 @@
 
 #include "report/report_limit.h"
 
-#include <math.h>
-
-/* "slides and topples about (-21.6, -57.7)", "slides on the facet from … to …" */
-static void add_motion(tp_page *p, const tp_limit *l) {
-  char n[4][TP_NUMBER_SIZE];
+/* "slides and topples about (-21.6, -57.7)" */
+static void add_motion(tp_page *p, const tp_case *c, const tp_limit *l) {
   tp_text_add(&p->text, "%s", tp_text_mechanism(l->mechanism));
-  if (l->has_centre) {
-    tp_text_add(&p->text, "%s about (%s, %s)", l->turns_up_dip ? " turning up-dip" : "",
-                tp_page_coordinate(p, n[0], l->centre_x_m),
-                tp_page_coordinate(p, n[1], l->centre_y_m));
-  }
+  if (!l->has_centre) return;
+  if (l->turns_up_dip) tp_text_add(&p->text, " turning up-dip");
+  tp_page_add_centre(p, c, l->centre_x_m, l->centre_y_m);
 }
 
 static const char *base_text(const tp_limit *l) {
@@ -21,12 +16,12 @@ static const char *base_text(const tp_limit *l) {
 }
 
 /* What the limit says, as an end of the sentence "On such a base …". */
-static void add_outcome(tp_page *p, const tp_limit *l) {
+static void add_outcome(tp_page *p, const tp_case *c, const tp_limit *l) {
   char n[TP_NUMBER_SIZE];
   switch (l->kind) {
   case TP_LIMIT_AT_ANGLE:
     tp_text_add(&p->text, "it ");
-    add_motion(p, l);
+    add_motion(p, c, l);
     tp_text_add(&p->text, " at %s°", tp_text_fixed(n, l->critical_angle_deg, 3));
     break;
   case TP_LIMIT_INTERLOCKED:
@@ -42,93 +37,108 @@ static void add_outcome(tp_page *p, const tp_limit *l) {
   }
 }
 
-static bool overlap(tp_bounded a, tp_bounded b) {
-  return fabs(a.value - b.value) <= a.error + b.error;
-}
-
-/* Does it topple about the pivot that governs its moments? */
-static bool topples_about_governing(const tp_case *c) {
-  if (c->first != TP_TOPPLES || !c->has_governing) return false;
-  if (c->limit.kind != TP_LIMIT_AT_ANGLE) return true;
-  const tp_pivot *pivot = c->pivots + c->governing;
-  return overlap(c->limit.centre_x_m, pivot->x_m) && overlap(c->limit.centre_y_m, pivot->y_m);
-}
-
 void tp_page_add_first(tp_page *p, const tp_case *c) {
-  if (!topples_about_governing(c)) {
-    if (c->limit.kind == TP_LIMIT_AT_ANGLE && !c->slides_sooner) {
-      add_motion(p, &c->limit);
-    } else {
-      tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
-    }
+  if (c->limit.kind == TP_LIMIT_AT_ANGLE && !c->slides_sooner) {
+    add_motion(p, c, &c->limit);
     return;
   }
   tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
-  tp_text_add(&p->text, " about ");
-  tp_page_add_pivot(p, c);
+  if (c->first != TP_TOPPLES || !c->has_governing) return;
+  const tp_pivot *pivot = c->pivots + c->governing;
+  tp_page_add_centre(p, c, pivot->x_m, pivot->y_m);
+}
+
+/* "φ - 9.462° = 20.538°" */
+static void add_toe_friction(tp_page *p, const tp_toe *toe) {
+  const tp_solution *s = p->solution;
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_fixed(n[0], toe->limit_angle_deg, 3);
+  if (s->friction_is_residual) {
+    tp_text_add(&p->text, "%s°", n[0]);
+    return;
+  }
+  tp_bounded i = tp_text_less(toe->limit_angle_deg, s->friction_angle_deg);
+  const bool climbs = i.value >= 0;
+  if (!climbs) i.value = -i.value;
+  tp_text_add(&p->text, "φ %s %s° = %s°", climbs ? "+" : "−", tp_page_degrees(n[1], i), n[0]);
 }
 
 /* Where moments and contact forces disagree. */
 static void add_moments(tp_page *p, const tp_case *c) {
-  char n[2][TP_NUMBER_SIZE];
+  char n[TP_NUMBER_SIZE];
   if (!c->has_governing || c->limit.kind != TP_LIMIT_AT_ANGLE) return;
   const tp_pivot *pivot = c->pivots + c->governing;
   if (pivot->never || pivot->always) {
-    tp_text_add(&p->text, "  Moments alone say that it %s, about the toe.\n",
-                pivot->never ? "never topples" : "topples at every tilt");
+    tp_text_add(&p->text, "  Moments alone say that it %s, about pivot %zu.\n",
+                pivot->never ? "never topples" : "topples at every tilt", c->governing + 1);
     return;
   }
   const tp_bounded toppling = pivot->critical_angle_deg;
   const tp_bounded limit = c->limit.critical_angle_deg;
+  tp_text_fixed(n, toppling, 3);
   if (limit.value - limit.error > toppling.value + toppling.error) {
     tp_text_add(&p->text,
-                "  Moments alone say %s°, about the toe: friction on the other contacts\n"
+                "  Moments alone say %s°, about pivot %zu: friction on the other contacts\n"
                 "  can hold it beyond, if it is mobilised.\n",
-                tp_text_fixed(n[0], toppling, 3));
+                n, c->governing + 1);
   } else if (c->toe.known && !c->toe.holds && c->limit.mechanism != TP_SLIDES) {
     tp_text_add(&p->text,
-                "  Moments alone say %s°, where all its weight would rest on the toe; but\n"
-                "  friction ends there at φ_b + i = %s°.\n",
-                tp_text_fixed(n[0], toppling, 3), tp_text_fixed(n[1], c->toe.limit_angle_deg, 3));
+                "  Moments alone say %s°, where all its weight would rest on pivot %zu; but\n"
+                "  friction ends there at ",
+                n, c->governing + 1);
+    add_toe_friction(p, &c->toe);
+    tp_text_add(&p->text, ".\n");
   }
 }
 
-static void add_fos(tp_page *p, tp_fos fos) {
-  char n[TP_NUMBER_SIZE];
-  switch (fos.state) {
-  case TP_FOS_NUMBER:
-    tp_text_add(&p->text, ",\n  FoS %s by strength reduction", tp_text_fixed(n, fos.value, 3));
-    break;
-  case TP_FOS_NO_OVERTURNING:
-    tp_text_add(&p->text, ",\n  and at this tilt it would hold without any strength");
-    break;
-  case TP_FOS_UNDEFINED:
-    tp_text_add(&p->text, ",\n  and at this tilt no strength would hold it");
-    break;
-  case TP_FOS_UNDECIDED:
-    tp_text_add(&p->text, ",\n  FoS by strength reduction undecided");
-    break;
-  case TP_FOS_NO_TILT:
-  case TP_FOS_NOT_ASKED:
+/* From the least safe on; what is undecided may be anything. */
+static int safety(const tp_limit *l) {
+  switch (l->kind) {
+  case TP_LIMIT_NOWHERE:
+    return 0;
+  case TP_LIMIT_AT_ANGLE:
+    return 1;
+  case TP_LIMIT_INTERLOCKED:
+    return 2;
+  case TP_LIMIT_NOT_ASKED:
+  case TP_LIMIT_UNDECIDED:
     break;
   }
+  return -1;
+}
+
+static bool may_be_less_safe(const tp_limit *l, const tp_limit *than) {
+  const int own = safety(l), other = safety(than);
+  if (own != 1 || other != 1) return own < other;
+  const tp_bounded a = l->critical_angle_deg, b = than->critical_angle_deg;
+  return a.value + a.error < b.value - b.error;
+}
+
+/* A caution where the other kind of base would be the less safe one. */
+static void add_otherwise(tp_page *p, const tp_case *c) {
+  const tp_limit *other = &c->limit_otherwise;
+  if (!c->base_matters) return;
+  tp_text_add(&p->text, "  %s a base that %s%s",
+              may_be_less_safe(other, &c->limit) ? "Caution: on" : "On", base_text(other),
+              other->kind == TP_LIMIT_AT_ANGLE ? "\n  " : ", ");
+  add_outcome(p, c, other);
+  tp_text_add(&p->text, ".\n");
 }
 
 void tp_page_add_limit(tp_page *p, const tp_case *c) {
   const tp_limit *l = &c->limit;
   char n[TP_NUMBER_SIZE];
   if (l->kind == TP_LIMIT_NOT_ASKED) return;
-  tp_text_add(&p->text, "  By contact forces, on a base that %s: ", base_text(l));
+  tp_text_add(&p->text, "  By contact forces, on a base that %s", base_text(l));
   if (l->kind == TP_LIMIT_AT_ANGLE) {
-    tp_text_add(&p->text, "%s°", tp_text_fixed(n, l->critical_angle_deg, 3));
+    tp_text_add(&p->text, ": %s°", tp_text_fixed(n, l->critical_angle_deg, 3));
     if (p->solution->friction_is_residual) {
       tp_text_add(&p->text, ",\n  with φ = %s° at its normal stress there (Eq. 8)",
                   tp_text_fixed(n, l->friction_angle_deg, 3));
     }
-    add_fos(p, l->fos);
   } else {
-    tp_text_add(&p->text, "\n  ");
-    add_outcome(p, l);
+    tp_text_add(&p->text, ",\n  ");
+    add_outcome(p, c, l);
   }
   tp_text_add(&p->text, ".\n");
   if (l->kind == TP_LIMIT_AT_ANGLE &&
@@ -139,11 +149,7 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "  Tie: it %s and it %s at the same limit.\n",
                 tp_text_mechanism(l->mechanism), tp_text_mechanism(l->tied_with));
   }
-  if (c->base_matters) {
-    tp_text_add(&p->text, "  Caution: on a base that %s,\n  ", base_text(&c->limit_otherwise));
-    add_outcome(p, &c->limit_otherwise);
-    tp_text_add(&p->text, ".\n");
-  }
+  add_otherwise(p, c);
   if (c->slides_sooner) {
     tp_text_add(&p->text,
                 "  Caution: these forces let the bond press the contact together, which adds\n"

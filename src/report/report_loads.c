@@ -65,7 +65,7 @@ void tp_page_add_loads(tp_page *p, const tp_case *c) {
   if (!c->has_governing) return;
   add_limits(p, c);
   if (c->load_count == 0) return;
-  tp_text_add(&p->text, "\n  Moments about the governing pivot, overturning positive\n");
+  tp_text_add(&p->text, "  Moments about the governing pivot, overturning positive\n");
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     char n[TP_NUMBER_SIZE];

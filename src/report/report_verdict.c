@@ -4,84 +4,129 @@
 #include "report/report_verdict.h"
 
 #include "report/report_limit.h"
+#include "report/report_onset.h"
 
-void tp_page_add_verdict(tp_page *p, const tp_case *c) {
-  const tp_solution *s = p->solution;
-  char n[3][TP_NUMBER_SIZE];
-  tp_page_degrees(n[0], s->tilt_angle_deg);
-  tp_text_add(&p->text, "\n  ");
-  if (c->falls_backwards && c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
-    const tp_bounded from = {.value = 0 - c->limit_back.critical_angle_deg.value,
-                             .error = c->limit_back.critical_angle_deg.error};
-    tp_text_add(&p->text, "Lets go up-dip already %s%s%s: below %s° it %s.\n",
-                s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
-                s->has_tilt_angle ? "°" : "", tp_text_fixed(n[1], from, 3),
-                tp_text_mechanism(c->limit_back.mechanism));
-    return;
+#include <stdio.h>
+
+/* "at 20°", or "on level ground" */
+static void write_where(char where[TP_NUMBER_SIZE + 8], const tp_solution *s) {
+  char n[TP_NUMBER_SIZE];
+  if (s->has_tilt_angle) {
+    snprintf(where, TP_NUMBER_SIZE + 8, "at %s°", tp_page_degrees(n, s->tilt_angle_deg));
+  } else {
+    snprintf(where, TP_NUMBER_SIZE + 8, "on level ground");
   }
+}
+
+static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
+  char n[TP_NUMBER_SIZE];
+  if (!c->falls_backwards) return false;
+  if (c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
+    const tp_bounded from = tp_text_less((tp_bounded){0}, c->limit_back.critical_angle_deg);
+    tp_text_add(&p->text, "  Lets go up-dip already %s: below %s° it %s.\n", where,
+                tp_text_fixed(n, from, 3), tp_text_mechanism(c->limit_back.mechanism));
+    return true;
+  }
+  tp_text_add(&p->text,
+              "  Topples up-dip already %s: its centroid lies past the up-dip end of\n"
+              "  the contact.\n",
+              where);
+  return true;
+}
+
+/* Where there is no tilt to speak of. */
+static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
+  const char *said = NULL;
   if (c->limit.kind == TP_LIMIT_NOWHERE) {
-    tp_text_add(&p->text, "Does not stand: no forces of the base hold it at any tilt%s.\n",
-                s->contact.corner_points > 0
+    tp_text_add(&p->text, "  Does not stand: no forces of the base hold it at any tilt%s.\n",
+                p->solution->contact.corner_points > 0
                     ? ";\n  its contacts of a corner on a corner count as no support"
                     : "");
-    return;
+    return true;
   }
+  if (add_up_dip(p, c, where)) return true;
+  if (tp_onset_is_known(&c->onset)) return false;
   if (c->limit.kind == TP_LIMIT_UNDECIDED) {
-    tp_text_add(&p->text, "Undecided at the precision allowed.\n");
-    return;
+    said = "Whether it stands is undecided at the precision allowed.";
+  } else if (c->has_governing && c->pivots[c->governing].always) {
+    said = "Its loads topple it at any tilt.";
+  } else if (c->slides_sooner && !c->has_first_angle) {
+    said = "Its loads slide it at any tilt.";
+  } else if (c->first == TP_INTERLOCKED) {
+    said = "Interlocked: it neither slides nor topples at any tilt up to 90°.";
+  } else if (c->first == TP_STANDS) {
+    said = "Does not topple at any tilt up to 90°; without friction_angle_deg sliding is\n"
+           "  not judged.";
   }
-  if (c->falls_backwards) {
-    tp_text_add(&p->text,
-                "Topples up-dip already %s%s%s:\n  its centroid lies past the up-dip "
-                "end of the contact.\n",
-                s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
-                s->has_tilt_angle ? "°" : "");
-    return;
-  }
-  if (c->has_governing && c->pivots[c->governing].always) {
-    tp_text_add(&p->text, "Its loads topple it at any tilt.\n");
-    return;
-  }
-  if (c->slides_sooner && !c->has_first_angle) {
-    tp_text_add(&p->text, "Its loads slide it at any tilt.\n");
-    return;
-  }
-  if (c->first == TP_INTERLOCKED) {
-    tp_text_add(&p->text, "Interlocked: it neither slides nor topples at any tilt up to 90°.\n");
-    return;
-  }
-  if (c->first == TP_STANDS) {
-    tp_text_add(&p->text, "Does not topple at any tilt up to 90°; without friction_angle_deg\n"
-                          "  sliding is not judged.\n");
-    return;
-  }
-  tp_text_fixed(n[1], c->first_angle_deg, 3);
+  if (said != NULL) tp_text_add(&p->text, "  %s\n", said);
+  return said != NULL;
+}
+
+/* By moments, or by the static limit alone. */
+static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_fixed(n[0], c->first_angle_deg, 3);
   if (!c->has_margin && c->first_angle_deg.value < 0) {
-    tp_text_add(&p->text, "Does not hold even on level ground: it\n  ");
+    tp_text_add(&p->text, "  Does not hold even on level ground: it\n  ");
     tp_page_add_first(p, c);
-    tp_text_add(&p->text, " at %s°.\n", n[1]);
+    tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
   }
   if (!c->has_margin || c->mechanism == TP_MECHANISM_UNDECIDED) {
+    tp_text_add(&p->text, "  ");
     if (c->mechanism == TP_MECHANISM_UNDECIDED) {
-      tp_text_add(&p->text, "Whether it stands %s%s%s is undecided. ",
-                  s->has_tilt_angle ? "at " : "on level ground", s->has_tilt_angle ? n[0] : "",
-                  s->has_tilt_angle ? "°" : "");
+      tp_text_add(&p->text, "Whether it stands %s is undecided. ", where);
     }
     tp_text_add(&p->text, "As the table is tilted, it\n  ");
     tp_page_add_first(p, c);
-    tp_text_add(&p->text, " at %s°.\n", n[1]);
+    tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
   }
-  tp_text_fixed(n[2], c->margin_deg, 3);
   if (c->mechanism == TP_STANDS) {
-    tp_text_add(&p->text, "Stands at %s°%s. Tilted further, it\n  ", n[0],
+    tp_text_add(&p->text, "  Stands %s%s. Tilted further, it\n  ", where,
                 c->limit.kind == TP_LIMIT_NOT_ASKED ? " by its moments" : "");
-    tp_page_add_first(p, c);
-    tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[1], n[2]);
   } else {
-    tp_text_add(&p->text, "Does not stand at %s°: it\n  ", n[0]);
-    tp_page_add_first(p, c);
-    tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[1], n[2]);
+    tp_text_add(&p->text, "  Does not stand %s: it\n  ", where);
   }
+  tp_page_add_first(p, c);
+  tp_text_add(&p->text, " at %s°, a margin of %s°.\n", n[0], tp_text_fixed(n[1], c->margin_deg, 3));
+}
+
+/* What holds at the scene's tilt, in the light of the onset. */
+static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
+  switch (c->mechanism) {
+  case TP_STANDS:
+  case TP_INTERLOCKED:
+    tp_text_add(&p->text, "  Stands %s.\n", where);
+    return;
+  case TP_MAY_MOVE:
+    tp_text_add(&p->text, "  May move %s, or stand: history decides.\n", where);
+    return;
+  case TP_MECHANISM_UNDECIDED:
+    tp_text_add(&p->text, "  Whether it stands %s is undecided at the precision allowed.\n", where);
+    return;
+  case TP_SLIDES:
+  case TP_TOPPLES:
+  case TP_SLIDES_AND_TOPPLES:
+  case TP_LEAVES_BASE:
+    tp_text_add(&p->text, "  Does not stand %s: it %s.\n", where, tp_text_mechanism(c->mechanism));
+    return;
+  }
+}
+
+void tp_page_add_verdict(tp_page *p, const tp_case *c) {
+  char where[TP_NUMBER_SIZE + 8];
+  write_where(where, p->solution);
+  if (add_without_tilt(p, c, where)) return;
+  if (!tp_onset_is_known(&c->onset)) {
+    add_by_first(p, c, where);
+    if (c->onset.kind == TP_ONSET_UNDECIDED) {
+      tp_text_add(&p->text, "  Up to which tilt it is certain to stand is undecided%s.\n",
+                  c->onset.too_dear ? ": its proof takes\n  more work than is allowed" : "");
+    }
+    return;
+  }
+  if (p->solution->has_tilt_angle) add_at_tilt(p, c, where);
+  tp_page_add_onset(p, c);
+  tp_page_add_motions(p, c);
 }

@@ -46,6 +46,11 @@ tp_status tp_text_finish(tp_text *text, char **result) {
   return TP_OK;
 }
 
+void tp_text_drop(tp_text *text) {
+  free(text->data);
+  *text = (tp_text){0};
+}
+
 static void drop_minus_of_zero(char *number) {
   if (number[0] == '-' && strtod(number, NULL) == 0) memmove(number, number + 1, strlen(number));
 }
@@ -102,6 +107,12 @@ tp_bounded tp_text_over(tp_bounded number, double divisor) {
                       .error = 1.01 * number.error / divisor + 2 * DBL_EPSILON * fabs(value)};
 }
 
+tp_bounded tp_text_less(tp_bounded number, tp_bounded other) {
+  const double value = number.value - other.value;
+  return (tp_bounded){.value = value,
+                      .error = 1.01 * (number.error + other.error) + DBL_EPSILON * fabs(value)};
+}
+
 const char *tp_text_fos(tp_fos fos) {
   switch (fos.state) {
   case TP_FOS_NUMBER:
@@ -153,6 +164,21 @@ const char *tp_text_mechanism(tp_mechanism mechanism) {
     return "undecided";
   }
   return "unknown";
+}
+
+const char *tp_text_to_move(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_SLIDES:
+    return "slide";
+  case TP_TOPPLES:
+    return "topple";
+  case TP_SLIDES_AND_TOPPLES:
+    return "slide and topple";
+  case TP_LEAVES_BASE:
+    return "leave its base";
+  default:
+    return "move";
+  }
 }
 
 const char *tp_text_direction(tp_direction direction) {

@@ -19,6 +19,9 @@ void tp_text_add(tp_text *text, const char *format, ...) __attribute__((format(p
 /* Hand the text over to the caller; TP_OUT_OF_MEMORY if anything was dropped. */
 TP_MUST_USE tp_status tp_text_finish(tp_text *text, char **result);
 
+/* Give its memory back, of a text that is not handed over. */
+void tp_text_drop(tp_text *text);
+
 enum { TP_NUMBER_SIZE = 48 };
 
 /* The number with at most `decimals` decimals, or `digits` significant digits: as many as round
@@ -29,12 +32,16 @@ const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int
 /* The number over a positive divisor that is a double rounded to nearest (a unit). */
 tp_bounded tp_text_over(tp_bounded number, double divisor);
 
+/* One number less another: rounded, with a bound. */
+tp_bounded tp_text_less(tp_bounded number, tp_bounded other);
+
 /* What a factor of safety is that is no number above zero; NULL of one that is, and of one that was
  * not asked for. */
 const char *tp_text_fos(tp_fos fos);
 
 const char *tp_text_pivot_kind(tp_pivot_kind kind);
 const char *tp_text_mechanism(tp_mechanism mechanism);
+const char *tp_text_to_move(tp_mechanism mechanism); /* "slide and topple" */
 const char *tp_text_direction(tp_direction direction);
 
 #endif

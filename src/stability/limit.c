@@ -118,30 +118,32 @@ static void reduce_strength(tp_limit *result, asking *a) {
   tp_evaluation *e = a->e;
   const tp_quantity *given = &e->problem->scene->tilt_angle_deg;
   result->fos = (tp_fos){.state = TP_FOS_NO_TILT};
+  result->fos_mechanism = TP_MECHANISM_UNDECIDED;
   if (!given->given) return;
   if (!e->reduces_strength) {
     result->fos.state = TP_FOS_NOT_ASKED;
     return;
   }
-  tp_reduction_kind kind = TP_REDUCTION_NONE;
-  arb_t factor, tilt, friction;
-  arb_init(factor);
+  tp_reduction found;
+  arb_t tilt, friction;
+  tp_reduction_init(&found);
   arb_init(tilt);
   arb_init(friction);
   arb_set_fmpq(tilt, given->value, e->rung.bits);
   tp_friction_at(friction, e, tilt);
   tp_friction_tangent(a->cones->friction, friction, e->rung.bits);
   tp_work_begin(e->work, tp_cones_column_count(a->cones));
-  a->outcome = tp_reduction_find(&kind, factor, a->question, a->cones, tilt, e->digits);
+  a->outcome = tp_reduction_find(&found, a->question, a->cones, tilt, e->digits);
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
     leave_open(result, a);
-  } else if (kind == TP_REDUCTION_FACTOR) {
-    result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_bounded(e, factor)};
+  } else if (found.kind == TP_REDUCTION_FACTOR) {
+    result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_bounded(e, found.factor)};
+    if (found.has_motion) result->fos_mechanism = tp_limit_mechanism(found.motion);
   } else {
-    result->fos.state = kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
+    result->fos.state = found.kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
   }
-  arb_clear(factor);
+  tp_reduction_clear(&found);
   arb_clear(tilt);
   arb_clear(friction);
 }

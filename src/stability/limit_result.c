@@ -16,8 +16,8 @@ typedef struct telling {
   tp_direction towards;
 } telling;
 
-static tp_mechanism mechanism_of(const tp_face *face) {
-  switch (face->motion) {
+tp_mechanism tp_limit_mechanism(tp_face_motion motion) {
+  switch (motion) {
   case TP_MOTION_SLIDE:
     return TP_SLIDES;
   case TP_MOTION_TURN_AT_SITE:
@@ -190,10 +190,10 @@ void tp_limit_describe(tp_limit *result, tp_evaluation *e, const tp_limit_questi
   result->kind = answer->kind;
   result->mechanism = answer->kind == TP_LIMIT_INTERLOCKED ? TP_INTERLOCKED : TP_SLIDES_AND_TOPPLES;
   if (answer->kind != TP_LIMIT_AT_ANGLE) return;
-  result->mechanism = mechanism_of(&answer->face);
+  result->mechanism = tp_limit_mechanism(answer->face.motion);
   result->critical_angle_deg = tp_evaluation_result(e, answer->degrees);
   result->tie = answer->tie;
-  if (answer->tie) result->tied_with = mechanism_of(&answer->other);
+  if (answer->tie) result->tied_with = tp_limit_mechanism(answer->other.motion);
   result->turns_up_dip =
       result->mechanism != TP_SLIDES && arf_sgn(arb_midref(answer->face.twist.of + 2)) < 0;
   set_centre(&t);

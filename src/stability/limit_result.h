@@ -9,6 +9,9 @@
 #include "limit/limit.h"
 #include "stability/evaluation.h"
 
+/* How a face moves, in the words of the field. */
+tp_mechanism tp_limit_mechanism(tp_face_motion motion);
+
 /* Fill in all but base_beyond_toe; notes in the evaluation what is not certain enough. */
 void tp_limit_describe(tp_limit *result, tp_evaluation *evaluation,
                        const tp_limit_question *question, const tp_limit_answer *answer,

@@ -79,6 +79,14 @@ static bool slides_sooner(const tp_evaluation *e, const tp_case *result,
   return s->always || arb_lt(sliding->degrees, limit->degrees); /* of a tie the limit tells */
 }
 
+/* Does any contact restrain it? A corner on a corner does not. */
+static bool has_support(const tp_problem *problem) {
+  for (long k = 0; k < problem->contact.facet_count; k++) {
+    if (problem->contact.facets[k].t0 != problem->contact.facets[k].t1) return true;
+  }
+  return false;
+}
+
 /* By statics. */
 static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
                                            const tp_direction_ball *toppling,
@@ -97,7 +105,7 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
     result->first = TP_INTERLOCKED;
     return NULL;
   case TP_LIMIT_NOWHERE:
-    result->first = TP_SLIDES_AND_TOPPLES;
+    result->first = has_support(e->problem) ? TP_SLIDES_AND_TOPPLES : TP_LEAVES_BASE;
     return NULL;
   case TP_LIMIT_UNDECIDED:
     result->first = TP_MECHANISM_UNDECIDED;
@@ -188,7 +196,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   }
   if (result->limit.kind == TP_LIMIT_AT_ANGLE || result->limit.kind == TP_LIMIT_INTERLOCKED) {
     judge_up_dip(e, result, back, angle);
-  } else {
+  } else if (result->limit.kind != TP_LIMIT_NOWHERE) { /* there is no way up-dip alone */
     bool open = false;
     result->falls_backwards = topples_up_dip(&open, e, result->towards, angle);
     if (result->falls_backwards) result->mechanism = TP_TOPPLES;

@@ -167,3 +167,28 @@ void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_directio
   fmpz_clear(f.high);
   arb_clear(f.position);
 }
+
+bool tp_sliding_facet_opens(const tp_evaluation *e, const tp_sliding_facet *best,
+                            tp_direction towards) {
+  const tp_contact *contact = &e->problem->contact;
+  const tp_lattice *l = &e->problem->lattice;
+  bool opens = best->facet >= 0;
+  fmpz_t dx, dy, apart;
+  fmpz_init(dx);
+  fmpz_init(dy);
+  fmpz_init(apart);
+  for (long k = 0; k < contact->facet_count && opens; k++) {
+    const tp_facet *f = contact->facets + k;
+    fmpz_sub(dx, l->x + f->t1, l->x + f->t0);
+    fmpz_sub(dy, l->y + f->t1, l->y + f->t0);
+    /* v . n, v = (-run, rise) or (run, rise), n = (-dy, dx) into the block */
+    fmpz_mul(apart, best->run, dy);
+    if (towards == TP_TOWARDS_RIGHT) fmpz_neg(apart, apart);
+    fmpz_addmul(apart, best->rise, dx);
+    opens = fmpz_sgn(apart) >= 0;
+  }
+  fmpz_clear(dx);
+  fmpz_clear(dy);
+  fmpz_clear(apart);
+  return opens;
+}

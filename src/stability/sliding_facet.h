@@ -27,4 +27,8 @@ void tp_sliding_facet_consider(const tp_evaluation *evaluation, long facet, tp_d
 void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *evaluation, tp_direction towards,
                            bool all);
 
+/* Does sliding down-dip along the facet open every other one, or slip along it? */
+bool tp_sliding_facet_opens(const tp_evaluation *evaluation, const tp_sliding_facet *best,
+                            tp_direction towards);
+
 #endif

@@ -43,6 +43,8 @@ static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp
   solution->has_friction = scene->friction_angle_deg.given;
   solution->friction_angle_deg = tp_evaluation_rational(scene->friction_angle_deg.value);
   solution->friction_is_residual = scene->friction.load_dependent;
+  solution->friction_is_patton =
+      scene->friction.roughness_angle_deg.given && !scene->friction.load_dependent;
   if (scene->title == NULL) return TP_OK;
   solution->title = strdup(scene->title);
   return solution->title != NULL ? TP_OK : tp_fail_memory(message, "the solution");

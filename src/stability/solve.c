@@ -8,6 +8,7 @@
 #include "notes.h"
 #include "number/ladder.h"
 #include "stability/effects.h"
+#include "stability/governing.h"
 #include "stability/loaded.h"
 #include "stability/solution.h"
 
@@ -167,7 +168,10 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
 tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
                            const tp_solve_options *options, tp_message *message) {
   const tp_status status = tp_solution_describe(solution, problem, options, message);
-  return status == TP_OK ? climb_ladder(problem, options, solution, message) : status;
+  if (status != TP_OK) return status;
+  const tp_status climbed = climb_ladder(problem, options, solution, message);
+  if (climbed == TP_OK) tp_solution_govern(solution);
+  return climbed;
 }
 
 static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,

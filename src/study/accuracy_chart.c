@@ -6,7 +6,7 @@
 
 #include "host.h"
 #include "study/accuracy.h"
-#include "study/chart.h"
+#include "study/chart_labels.h"
 
 #include <float.h>
 #include <math.h>
@@ -103,8 +103,9 @@ static void add_names(tp_chart *chart, const tp_accuracy *a) {
     const bool named = run->method == TP_ACCURACY_BOUNDARY && run->level < TP_LEVEL_BALL;
     const double x = digits(a, run);
     if (!isfinite(x) || (run->has_bound && !named)) continue;
-    tp_chart_add_label(chart, x, 1e6 * run->seconds, TP_LABEL_BELOW,
-                       run->has_bound ? tp_level_name(run->level) : "limit in doubles, not proven");
+    const char *text = run->has_bound ? tp_level_name(run->level) : "limit in doubles, not proven";
+    const double time = 1e6 * run->seconds;
+    tp_chart_add_label(chart, x, time, tp_chart_free_side(chart, x, time, text), text);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "host.h"
 #include "outside.h"
 #include "scene/key.h"
+#include "study/axis_label.h"
 #include "study/map.h"
 #include "study/mechanism_style.h"
 
@@ -16,8 +17,6 @@
 #include <string.h>
 
 enum { LABEL_SIZE = 180 };
-
-static const char tilt_label[] = "Tilt angle {/:Italic α} (°)";
 
 static bool is_tilt(const tp_chart_axis *axis) {
   return strcmp(axis->key, "tilt") == 0;
@@ -68,34 +67,13 @@ static tp_status find_numbers(tp_map *map) {
   return status;
 }
 
-/* A length carries the scene's unit; all else has its unit in the key, if any. Which a parameter is
- * cannot be told. */
-static bool is_length(const char *key) {
-  static const char *const ends[] = {"width",       "height",    "depth",      "flat",
-                                     "radius",      "thickness", "left",       "right",
-                                     "block_width", "amplitude", "wavelength", "mean_height"};
-  static const char *const begins[] = {"block.outline.", "block.holes.", "base.profile.",
-                                       "base.between."};
-  const char *last = strrchr(key, '.');
-  for (size_t k = 0; last != NULL && k < sizeof ends / sizeof ends[0]; k++) {
-    if (strcmp(last + 1, ends[k]) == 0) return true;
-  }
-  for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
-    if (strncmp(key, begins[k], strlen(begins[k])) == 0) return true;
-  }
-  return false;
-}
-
 /* `label` holds the text as long as the axis is used. */
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
   const tp_node *unit = tp_node_get(map->scene.root, "length_unit");
-  const int shown = (int)tp_whole_characters(from->key, 140);
-  snprintf(label, LABEL_SIZE, "%.*s", is_tilt(from) ? (int)sizeof tilt_label : shown,
-           is_tilt(from) ? tilt_label : from->key);
-  if (!is_tilt(from) && is_length(from->key)) {
-    snprintf(label, LABEL_SIZE, "%.*s (%.20s)", shown, from->key, unit->text);
-  }
-  return (tp_panel_axis){.label = label, .plain = !is_tilt(from), .range = from->range};
+  tp_panel_axis axis = {.label = label, .range = from->range};
+  tp_axis_label(label, LABEL_SIZE, &axis.plain, is_tilt(from) ? "tilt.angle_deg" : from->key,
+                unit->text);
+  return axis;
 }
 
 static void add_legend(tp_chart *chart, bool along_one) {

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "cli/solve_words.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  KEY_FIGURE = 256,
+  KEY_LEVEL,
+  KEY_FIND,
+  KEY_FOR,
+  KEY_FROM,
+  KEY_TO,
+  KEY_CSV,
+  KEY_FAIL_BELOW,
+  KEY_PIVOTS
+};
+
+static const struct argp_option options[] = {
+    {"json", 'j', NULL, 0, "Print the solution as JSON", 0},
+    {"table", 't', NULL, 0, "Print a table (Markdown) of several scenes, a row a case", 0},
+    {"csv", KEY_CSV, NULL, 0, "The same table as CSV, each number with its error bound", 0},
+    {"fail-below", KEY_FAIL_BELOW, "FOS", 0,
+     "End with exit status 1 where a case does not certainly have this design factor of safety, or "
+     "a motion can begin; also where there is no tilt or no friction angle to judge it by",
+     0},
+    {"pivots", KEY_PIVOTS, "WHICH", 0,
+     "List in JSON all pivots, or those that can govern or hold the block (governing); unless "
+     "given "
+     "all, up to 300 of them",
+     0},
+    {"verbose", 'v', NULL, 0, "Tell what ran, what called for it, and what it cost", 0},
+    {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
+    {"figure", KEY_FIGURE, "FILE", 0,
+     "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
+    {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
+    {"level", KEY_LEVEL, "LEVEL", 0,
+     "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
+     "given); exit status 4 where it is not enough",
+     0},
+    {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
+    {"for", KEY_FOR, "RESULT=VALUE", 0,
+     "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos has the "
+     "value",
+     1},
+    {"from", KEY_FROM, "LOW", 0,
+     "Look for it from here (else 0, or ten times what it is where that is below 0)", 1},
+    {"to", KEY_TO, "HIGH", 0, "to here (else ten times what it is, or 0 where that is below 0)", 1},
+    {0}};
+
+static double read_number(const char *text, struct argp_state *state) {
+  char *end = NULL;
+  const double value = strtod(text, &end);
+  if (end == text || *end != '\0' || !isfinite(value)) {
+    tp_cli_refuse(state, "'%s' is no number", text);
+  }
+  return value;
+}
+
+static int read_digits(const char *text, struct argp_state *state) {
+  const double digits = read_number(text, state);
+  if (!(digits >= 1 && digits <= TP_DIGITS_MAX && digits == floor(digits))) {
+    tp_cli_refuse(state, "--digits takes a whole number from 1 to %d, not '%s'", TP_DIGITS_MAX,
+                  text);
+    return 1;
+  }
+  return (int)digits;
+}
+
+/* RESULT=VALUE */
+static void read_target(tp_solve_words *a, const char *text, struct argp_state *state) {
+  char name[40] = "";
+  const char *equals = strchr(text, '=');
+  const size_t length = equals != NULL ? (size_t)(equals - text) : 0;
+  if (length < sizeof name) memcpy(name, text, length);
+  if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
+    tp_cli_refuse(state,
+                  "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
+                  "sliding_fos, limit_angle, limit_fos; not '%s'",
+                  text);
+    return;
+  }
+  a->find.value = read_number(equals + 1, state);
+  a->has_target = true;
+}
+
+static void read_figure(tp_solve_words *a, const char *path, struct argp_state *state) {
+  if (!tp_figure_is_file_name(path)) {
+    tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
+  }
+  a->figure = path;
+}
+
+static void read_pivots(tp_solve_words *a, const char *which, struct argp_state *state) {
+  if (strcmp(which, "all") == 0) {
+    a->pivots = TP_PIVOTS_ALL;
+  } else if (strcmp(which, "governing") == 0) {
+    a->pivots = TP_PIVOTS_GOVERNING;
+  } else {
+    tp_cli_refuse(state, "--pivots takes all or governing, not '%s'", which);
+  }
+}
+
+static void read_design_fos(tp_solve_words *a, const char *text, struct argp_state *state) {
+  a->design_fos = read_number(text, state);
+  a->has_design_fos = true;
+  if (!(a->design_fos > 0)) {
+    tp_cli_refuse(state, "--fail-below takes a factor of safety above 0, not '%s'", text);
+  }
+}
+
+static void check_find(tp_solve_words *a, struct argp_state *state) {
+  const bool named = a->find.key != NULL;
+  if (named != a->has_target) tp_cli_refuse(state, "--find KEY and --for RESULT=VALUE go together");
+  if ((a->find.has_low || a->find.has_high) && !named)
+    tp_cli_refuse(state, "--from and --to go with --find");
+  if (named && a->figure != NULL) {
+    tp_cli_refuse(state, "--figure draws a solution as the scene has it; leave out --find");
+  }
+  if (named && a->has_design_fos) {
+    tp_cli_refuse(state, "--fail-below judges a solution as the scene has it; leave out --find");
+  }
+}
+
+/* What goes with what. */
+static void check(tp_solve_words *a, struct argp_state *state) {
+  const bool table = a->table || a->csv;
+  check_find(a, state);
+  if (a->scene_count > 1 && !table) {
+    tp_cli_refuse(state,
+                  "one scene at a time, or several with --table or --csv; '%s' is one too many",
+                  a->scenes[1]);
+  }
+  if (table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL || a->verbose ||
+                (a->table && a->csv))) {
+    tp_cli_refuse(state, "--table and --csv print a table alone; drop --json, --elements, "
+                         "--figure, --find, --verbose and the other of the two");
+  }
+  if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
+    tp_cli_refuse(state, "--pivots goes with --json");
+  }
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+  tp_solve_words *a = state->input;
+  switch (key) {
+  case 'j':
+    a->json = true;
+    return 0;
+  case 'e':
+    a->elements = true;
+    return 0;
+  case 't':
+    a->table = true;
+    return 0;
+  case KEY_CSV:
+    a->csv = true;
+    return 0;
+  case 'v':
+    a->verbose = true;
+    return 0;
+  case KEY_PIVOTS:
+    read_pivots(a, argument, state);
+    return 0;
+  case KEY_FAIL_BELOW:
+    read_design_fos(a, argument, state);
+    return 0;
+  case 'd':
+    a->digits = read_digits(argument, state);
+    return 0;
+  case KEY_LEVEL:
+    if (!tp_level_read(&a->level, argument)) {
+      tp_cli_refuse(state, "--level takes double, compensated, ball or exact, not '%s'", argument);
+    }
+    return 0;
+  case KEY_FIGURE:
+    read_figure(a, argument, state);
+    return 0;
+  case KEY_FIND:
+    a->find.key = argument;
+    return 0;
+  case KEY_FOR:
+    read_target(a, argument, state);
+    return 0;
+  case KEY_FROM:
+    a->find.low = read_number(argument, state);
+    a->find.has_low = true;
+    return 0;
+  case KEY_TO:
+    a->find.high = read_number(argument, state);
+    a->find.has_high = true;
+    return 0;
+  case ARGP_KEY_END:
+    check(a, state);
+    return 0;
+  case ARGP_KEY_ARGS: /* all that are left */
+    a->scenes = state->argv + state->next;
+    a->scene_count = state->argc - state->next;
+    a->scene = a->scenes[0];
+    return 0;
+  case ARGP_KEY_NO_ARGS:
+    tp_cli_refuse(state, "a scene file is missing, for example examples/block_e_valley.yaml");
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "SCENE…",
+    .doc = "Does the block of a scene stand, slide or topple, and at which tilt?\v"
+           "SCENE is a YAML file; README.md shows one, docs/scene.md lists every key. Every "
+           "number is certain to all digits printed; --json gives each with its proven error "
+           "bound. Exit status: 0 done, 1 below the design FoS, 2 wrong usage, 3 bad input, 4 "
+           "undecided, 5 system failed."};
+
+int tp_cli_read_solve(tp_solve_words *words, int argc, char **argv) {
+  const tp_solve_options unless_given = tp_solve_options_default();
+  *words = (tp_solve_words){.digits = unless_given.digits, .level = unless_given.level};
+  return tp_cli_parse(&parser, argc, argv, words);
+}

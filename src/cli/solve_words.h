@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The words of `topple solve`. */
+
+#ifndef TP_SOLVE_WORDS_H
+#define TP_SOLVE_WORDS_H
+
+#include "cli/cli.h"
+
+typedef struct tp_solve_words {
+  const char *scene; /* the first of `scenes` */
+  char **scenes;     /* those of --table and --csv */
+  int scene_count;
+  const char *figure; /* file to draw into; NULL: none */
+  bool json, elements, table, csv, verbose;
+  tp_pivots_listed pivots;
+  bool has_design_fos;
+  double design_fos;
+  int digits;
+  tp_level level;
+  bool has_target;
+  tp_find_options find; /* key NULL: nothing is to be found */
+} tp_solve_words;
+
+/* Read them: 0, or the exit status, complained about. */
+int tp_cli_read_solve(tp_solve_words *words, int argc, char **argv);
+
+#endif

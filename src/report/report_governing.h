@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The factor of safety that governs, in the reports. */
+
+#ifndef TP_REPORT_GOVERNING_H
+#define TP_REPORT_GOVERNING_H
+
+#include "report/page.h"
+
+/* "FoS 2.292 against toppling about the toe (moments)", or why there is none; nothing where the
+ * scene gives no tilt. No line end. */
+void tp_text_governing(tp_text *text, const tp_case *own);
+
+/* "toppling about the toe" */
+void tp_text_against(tp_text *text, const tp_factor *factor);
+
+/* The line, and all factors with their definitions. */
+void tp_page_add_governing(tp_page *page, const tp_case *own);
+
+/* The keys `governing_fos` and `factors`. */
+void tp_json_governing(tp_text *text, const tp_case *own);
+
+#endif

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/report_onset.h"
+
+#include "report/report_limit.h"
+
+bool tp_onset_is_known(const tp_onset *o) {
+  return o->kind == TP_ONSET_AT_ANGLE || o->kind == TP_ONSET_NEVER || o->kind == TP_ONSET_NOWHERE;
+}
+
+bool tp_onset_leaves_window(const tp_case *c) {
+  if (c->onset.kind == TP_ONSET_AT_ANGLE) return c->onset.below_limit;
+  return c->onset.kind == TP_ONSET_NOWHERE && c->limit.kind != TP_LIMIT_NOWHERE;
+}
+
+/* By how much the scene's tilt is short of the angle. */
+static void add_margin(tp_page *p, tp_bounded angle) {
+  char n[TP_NUMBER_SIZE];
+  const tp_bounded margin = tp_text_less(angle, p->solution->tilt_angle_deg);
+  if (p->solution->has_tilt_angle && margin.value > margin.error) {
+    tp_text_add(&p->text, ", a margin of %s°", tp_text_fixed(n, margin, 3));
+  }
+}
+
+/* "; from there on it can begin to topple about pivot 1, the peak at (0, 0)" */
+static void add_beginning(tp_page *p, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  tp_text_add(&p->text, ".\n  From there it can begin to %s", tp_text_to_move(o->mechanism));
+  if (o->has_centre) tp_page_add_centre(p, c, o->centre_x_m, o->centre_y_m);
+  if (o->tie) tp_text_add(&p->text, ", or to %s (a tie)", tp_text_to_move(o->tied_with));
+  tp_text_add(&p->text, ".\n");
+}
+
+/* Up to which tilt it is certain to stand. */
+static void add_stands(tp_page *p, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  char n[TP_NUMBER_SIZE];
+  if (o->kind == TP_ONSET_NEVER) {
+    tp_text_add(&p->text, "  Certain to stand at every tilt up to 90°: no motion can begin.\n");
+    return;
+  }
+  if (o->kind == TP_ONSET_NOWHERE) {
+    tp_text_add(&p->text, o->window_count > 1
+                              ? "  Not certain to stand on level ground, however it is tilted back"
+                              : "  Not certain to stand at any tilt");
+    add_beginning(p, c);
+    return;
+  }
+  tp_text_fixed(n, o->critical_angle_deg, 3);
+  if (o->critical_angle_deg.value < 0) {
+    tp_text_add(&p->text, "  Not certain to stand even on level ground, but only below %s°", n);
+    add_beginning(p, c);
+    return;
+  }
+  tp_text_add(&p->text, "  Certain to stand up to α_s = %s°", n);
+  add_margin(p, o->critical_angle_deg);
+  if (o->below_limit || c->limit.kind != TP_LIMIT_AT_ANGLE) {
+    add_beginning(p, c);
+  } else {
+    tp_text_add(&p->text, ",\n  and to move beyond: it ");
+    tp_page_add_first(p, c);
+    tp_text_add(&p->text, ".\n");
+  }
+}
+
+/* Beyond which tilt it is certain to move. */
+static void add_moves(tp_page *p, const tp_case *c) {
+  char n[TP_NUMBER_SIZE];
+  switch (c->limit.kind) {
+  case TP_LIMIT_AT_ANGLE:
+    if (!tp_onset_leaves_window(c)) return;
+    tp_text_add(
+        &p->text, "  Certain to move beyond α_w = %s°: it ",
+        tp_text_fixed(
+            n, c->slides_sooner ? c->sliding.critical_angle_deg : c->limit.critical_angle_deg, 3));
+    tp_page_add_first(p, c);
+    tp_text_add(&p->text, ".\n");
+    return;
+  case TP_LIMIT_INTERLOCKED:
+    if (c->onset.kind != TP_ONSET_NEVER) {
+      tp_text_add(&p->text,
+                  "  Not certain to move at any tilt up to 90°: some forces would hold it.\n");
+    }
+    return;
+  case TP_LIMIT_UNDECIDED:
+    tp_text_add(&p->text, "  Beyond which tilt it is certain to move is undecided.\n");
+    return;
+  case TP_LIMIT_NOWHERE:
+  case TP_LIMIT_NOT_ASKED:
+    return;
+  }
+}
+
+static void add_window(tp_page *p, const tp_window *w) {
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_fixed(n[0], w->from_deg, 3);
+  tp_text_fixed(n[1], w->to_deg, 3);
+  if (w->from_below && w->to_above) {
+    tp_text_add(&p->text, "at every tilt");
+  } else if (w->from_below) {
+    tp_text_add(&p->text, "up to %s°", n[1]);
+  } else if (w->to_above) {
+    tp_text_add(&p->text, "from %s° on", n[0]);
+  } else {
+    tp_text_add(&p->text, "from %s° to %s°", n[0], n[1]);
+  }
+  tp_text_add(&p->text, " it can %s", tp_text_to_move(w->begins));
+}
+
+/* Where one tilt does not tell all of it. */
+static void add_windows(tp_page *p, const tp_onset *o) {
+  enum { SHOWN = 8 };
+  const bool plain = o->window_count == 1 && o->windows[0].to_above;
+  if (o->window_count == 0 || plain) return;
+  tp_text_add(&p->text, "  Motions can begin in %zu window%s of tilts:\n", o->window_count,
+              o->window_count == 1 ? "" : "s");
+  for (size_t k = 0; k < o->window_count && k < SHOWN; k++) {
+    tp_text_add(&p->text, "    ");
+    add_window(p, o->windows + k);
+    tp_text_add(&p->text, ",\n");
+  }
+  if (o->window_count > SHOWN) {
+    tp_text_add(&p->text, "    and %zu more (--json lists them),\n", o->window_count - SHOWN);
+  }
+  tp_text_add(&p->text, "  and at no other tilt.\n");
+}
+
+void tp_page_add_onset(tp_page *p, const tp_case *c) {
+  add_stands(p, c);
+  add_moves(p, c);
+  if (tp_onset_leaves_window(c)) {
+    tp_text_add(
+        &p->text,
+        "  Between them history decides: friction on facets that nothing has pressed could\n"
+        "  hold it. How it came to lie there would tell, a tilt test, or the tilting table.\n");
+  }
+  add_windows(p, &c->onset);
+  if (c->onset.paradox) {
+    tp_text_add(&p->text,
+                "  Caution: a slipping contact would press itself harder (Painlevé's paradox):\n"
+                "  rigid bodies with Coulomb friction have no unique motion at this tilt.\n");
+  }
+}
+
+static const char *state_text(tp_contact_state state) {
+  switch (state) {
+  case TP_CONTACT_OPENS:
+    return "opens";
+  case TP_CONTACT_STICKS:
+    return "sticks";
+  case TP_CONTACT_SLIPS_DOWN_DIP:
+    return "slips down-dip";
+  case TP_CONTACT_SLIPS_UP_DIP:
+    return "slips up-dip";
+  }
+  return "unknown";
+}
+
+/* "facet 1, left end: sticks" */
+static void add_contacts(tp_page *p, const tp_motion *m) {
+  enum { SHOWN = 6 };
+  char n[2][TP_NUMBER_SIZE];
+  if (m->contact_count == 0) tp_text_add(&p->text, "      every contact opens\n");
+  for (size_t k = 0; k < m->contact_count && k < SHOWN; k++) {
+    const tp_motion_contact *own = m->contacts + k;
+    if (own->of_facet) {
+      tp_text_add(&p->text, "      facet %zu, %s end: %s", own->facet + 1,
+                  own->at_right_end ? "right" : "left", state_text(own->state));
+    } else {
+      tp_text_add(&p->text, "      the base past the toe: %s", state_text(own->state));
+    }
+    if (own->has_force) {
+      tp_text_add(&p->text, ", force (%s, %s) W", tp_text_significant(n[0], own->share_x, 4),
+                  tp_text_significant(n[1], own->share_y, 4));
+    }
+    tp_text_add(&p->text, "\n");
+  }
+  if (m->contact_count > SHOWN) {
+    tp_text_add(&p->text, "      and %zu more\n", m->contact_count - SHOWN);
+  }
+}
+
+void tp_page_add_motions(tp_page *p, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  char n[4][TP_NUMBER_SIZE];
+  if (!o->has_motions || o->motion_count == 0) return;
+  tp_text_add(&p->text, "\n  Motions that can begin at %s°\n  %-36s %11s %11s %12s\n",
+              tp_page_degrees(n[0], p->solution->tilt_angle_deg), "", "a_x (g)", "a_y (g)",
+              "a_θ (g/m)");
+  for (size_t k = 0; k < o->motion_count; k++) {
+    const tp_motion *m = o->motions + k;
+    tp_text name = {0};
+    tp_page title = {name, p->solution};
+    tp_text_add(&title.text, "%s", tp_text_mechanism(m->mechanism));
+    if (m->has_centre) {
+      tp_text_add(&title.text, " about (%s, %s)", tp_page_coordinate(p, n[0], m->centre_x_m),
+                  tp_page_coordinate(p, n[1], m->centre_y_m));
+    }
+    tp_text_add(&p->text, "  %-36s %11s %11s %12s%s\n", title.text.failed ? "" : title.text.data,
+                tp_text_significant(n[1], m->acceleration_x_g, 4),
+                tp_text_significant(n[2], m->acceleration_y_g, 4),
+                tp_text_significant(n[3], m->angular_g_per_m, 4),
+                m->accelerations_fixed ? "" : " at least");
+    p->text.failed = p->text.failed || title.text.failed;
+    tp_text_drop(&title.text);
+    add_contacts(p, m);
+  }
+}

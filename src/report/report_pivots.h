@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#ifndef TP_REPORT_PIVOTS_H
+#define TP_REPORT_PIVOTS_H
+
+#include "report/page.h"
+
+/* The table of pivots, numbered as in figures. */
+void tp_page_add_pivots(tp_page *page, const tp_case *own);
+
+/* How it turns about the pivot: "governs", "free" or "blocked". */
+const char *tp_text_turning(const tp_case *own, size_t pivot);
+
+/* The key `pivots`: all of them, or those that can govern and those that hold the block. */
+void tp_json_pivots(tp_text *text, const tp_solution *solution, const tp_case *own, bool all);
+
+#endif

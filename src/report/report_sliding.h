@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#ifndef TP_REPORT_SLIDING_H
+#define TP_REPORT_SLIDING_H
+
+#include "report/page.h"
+
+void tp_page_add_sliding(tp_page *page, const tp_case *own);
+
+#endif
