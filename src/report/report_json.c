@@ -6,6 +6,7 @@
 #include "host.h"
 #include "report/json.h"
 #include "report/report_limit.h"
+#include "report/report_onset.h"
 #include "report/report_loads.h"
 
 #include <math.h>
@@ -253,6 +254,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   add_sliding(t, &c->sliding, s->loaded);
   add_toe(t, &c->toe);
   tp_json_limit(t, c);
+  tp_json_onset(t, c);
   add_account(t, &c->account, s->block.has_weight);
   tp_json_loads(t, c);
   add_mechanism(t, c);

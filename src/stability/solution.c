@@ -5,6 +5,7 @@
 
 #include "stability/evaluation.h"
 #include "stability/loaded.h"
+#include "stability/onset.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +17,7 @@ void tp_solution_free(tp_solution *solution) {
     free(solution->cases[k].account.elements);
     free(solution->cases[k].loads);
     free(solution->cases[k].limits);
+    tp_onset_clear(&solution->cases[k].onset);
   }
   tp_decimals_free(solution->decimals);
   free(solution->title);
