@@ -22,7 +22,7 @@ typedef enum tp_onset_kind {
   TP_ONSET_NOT_ASKED, /* the scene gives no friction angle, or the limit was not asked for */
   TP_ONSET_AT_ANGLE,
   TP_ONSET_NEVER,    /* no motion can begin at any tilt up to 90 degrees */
-  TP_ONSET_NOWHERE,  /* a motion can begin at every tilt */
+  TP_ONSET_NOWHERE,  /* a motion can begin level, and at every tilt back from it */
   TP_ONSET_UNDECIDED /* at the precision allowed */
 } tp_onset_kind;
 

@@ -7,6 +7,7 @@
 #include "report/json.h"
 #include "report/report_governing.h"
 #include "report/report_limit.h"
+#include "report/report_onset.h"
 #include "report/report_loads.h"
 #include "report/report_notes.h"
 #include "report/report_pivots.h"
@@ -234,6 +235,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c, tp_pivo
   add_toe(t, &c->toe);
   tp_json_limit(t, c);
   tp_json_governing(t, c);
+  tp_json_onset(t, c);
   add_account(t, &c->account, s->block.has_weight);
   tp_json_loads(t, c);
   add_mechanism(t, c);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The onset of motion on the page: up to which tilt the block is certain to stand, beyond which it
- * is certain to move, and between them the window in which history decides (mechanics section 6a).
- */
+/* The onset of motion in the reports: up to which tilt the block is certain to stand, beyond which
+ * it is certain to move, and between them the window in which history decides (docs/mechanics.md
+ * section 6a). */
 
 #ifndef TP_REPORT_ONSET_H
 #define TP_REPORT_ONSET_H
@@ -21,5 +21,8 @@ void tp_page_add_onset(tp_page *page, const tp_case *own);
 
 /* The motions that can begin at the scene's tilt, as a table. */
 void tp_page_add_motions(tp_page *page, const tp_case *own);
+
+/* The keys `onset` and `motions` of a case. */
+void tp_json_onset(tp_text *text, const tp_case *own);
 
 #endif

@@ -130,11 +130,17 @@ void tp_evaluate_toe(tp_evaluation *evaluation, tp_case *result, const tp_direct
 TP_MUST_USE bool tp_evaluate_limit(tp_evaluation *evaluation, tp_case *result,
                                    tp_direction_ball *limit, tp_direction_ball *back);
 
-/* The mechanism of one direction, from the limit, or where no friction is given from the critical
- * angle of toppling. */
+/* The limit, that of tilting back, and the onset of motion (stability/onset.h). */
+typedef struct tp_statics {
+  const tp_direction_ball *limit, *back;
+  const struct tp_onset_found *onset;
+} tp_statics;
+
+/* The mechanism of one direction, from the limit and the onset of motion, or where no friction is
+ * given from the critical angle of toppling. */
 void tp_evaluate_mechanism(tp_evaluation *evaluation, tp_case *result,
                            const tp_direction_ball *toppling, const tp_direction_ball *sliding,
-                           const tp_direction_ball *limit, const tp_direction_ball *back);
+                           const tp_statics *statics);
 
 /* The account of moments by elements about the governing pivot. `result->account.elements` has room
  * for all of them. */

@@ -35,6 +35,12 @@ static bool is_settled(const tp_evaluation *e) {
          (double)e->rung.bits >= 2 * (of_digit * e->digits + SPARE);
 }
 
+tp_judge tp_limit_asked_judge(const tp_evaluation *e) {
+  return (tp_judge){.bits = e->rung.bits,
+                    .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
+                    .settled = is_settled(e)};
+}
+
 void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_evaluation *e,
                          tp_direction towards, bool back) {
   tp_wrench *load = &asked->load;
@@ -47,14 +53,11 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
     arb_set(asked->range, e->loaded->range);
   }
   if (back) turn_back(load);
-  asked->question = (tp_limit_question){
-      .cones = cones,
-      .load = load,
-      .range = asked->range,
-      .work = e->work,
-      .judge = {.bits = e->rung.bits,
-                .precision = e->loaded == NULL ? tp_evaluation_bits(e) : e->rung.bits,
-                .settled = is_settled(e)}};
+  asked->question = (tp_limit_question){.cones = cones,
+                                        .load = load,
+                                        .range = asked->range,
+                                        .work = e->work,
+                                        .judge = tp_limit_asked_judge(e)};
 }
 
 void tp_limit_asked_clear(tp_limit_asked *asked) {

@@ -16,6 +16,9 @@ typedef struct tp_limit_asked {
   arb_t range;
 } tp_limit_asked;
 
+/* How a rung of the ladder judges balls about zero. */
+tp_judge tp_limit_asked_judge(const tp_evaluation *evaluation);
+
 /* `back`: tilted the other way. The cones are borrowed, and its own friction is theirs. */
 void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones,
                          const tp_evaluation *evaluation, tp_direction towards, bool back);

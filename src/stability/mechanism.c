@@ -4,6 +4,7 @@
 /* What happens first as the table is tilted, and what holds at the scene's tilt. */
 
 #include "stability/loaded.h"
+#include "stability/onset.h"
 
 #include "base/facets.h"
 #include "number/ball.h"
@@ -87,11 +88,22 @@ static bool has_support(const tp_problem *problem) {
   return false;
 }
 
+/* Where some forces hold it at every tilt, but a motion can begin, that is the first to tell. */
+static const tp_direction_ball *first_of_interlocked(tp_case *result,
+                                                     const tp_direction_ball *onset) {
+  const tp_onset_kind kind = result->onset.kind;
+  result->first = kind == TP_ONSET_AT_ANGLE || kind == TP_ONSET_NOWHERE ? TP_MAY_MOVE
+                  : kind == TP_ONSET_UNDECIDED                          ? TP_MECHANISM_UNDECIDED
+                                                                        : TP_INTERLOCKED;
+  return kind == TP_ONSET_AT_ANGLE ? onset : NULL;
+}
+
 /* By statics. */
 static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
                                            const tp_direction_ball *toppling,
                                            const tp_direction_ball *sliding,
-                                           const tp_direction_ball *limit) {
+                                           const tp_direction_ball *limit,
+                                           const tp_direction_ball *onset) {
   result->slides_sooner = slides_sooner(e, result, sliding, limit);
   if (result->slides_sooner) {
     result->first = TP_SLIDES;
@@ -102,8 +114,7 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
     result->first = result->limit.tie ? TP_SLIDES_AND_TOPPLES : result->limit.mechanism;
     return limit;
   case TP_LIMIT_INTERLOCKED:
-    result->first = TP_INTERLOCKED;
-    return NULL;
+    return first_of_interlocked(result, onset);
   case TP_LIMIT_NOWHERE:
     result->first = has_support(e->problem) ? TP_SLIDES_AND_TOPPLES : TP_LEAVES_BASE;
     return NULL;
@@ -171,11 +182,27 @@ static void set_margin(arb_t margin, const tp_evaluation *e, const tp_direction_
   fmpq_clear(rest);
 }
 
+/* Where forces would hold it: certain to stand only if no motion can begin. Without a tilt `first`
+ * says it all. */
+static void judge_onset(const tp_evaluation *e, tp_case *result, const tp_onset_found *onset) {
+  tp_mechanism *m = &result->mechanism;
+  const bool holds = *m == TP_STANDS || *m == TP_INTERLOCKED || *m == TP_MAY_MOVE;
+  if (!holds || result->onset.kind == TP_ONSET_NOT_ASKED ||
+      !e->problem->scene->tilt_angle_deg.given) {
+    return;
+  }
+  if (onset->at_tilt == TP_YES) *m = TP_MAY_MOVE;
+  if (onset->at_tilt == TP_OPEN) *m = TP_MECHANISM_UNDECIDED;
+  if (onset->at_tilt == TP_NO && *m == TP_MAY_MOVE) *m = TP_STANDS;
+}
+
 void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
-                           const tp_direction_ball *sliding, const tp_direction_ball *limit,
-                           const tp_direction_ball *back) {
+                           const tp_direction_ball *sliding, const tp_statics *statics) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
-  const tp_direction_ball *first = find_first(e, result, toppling, sliding, limit);
+  tp_direction_ball onset;
+  tp_direction_ball_init(&onset);
+  arb_set(onset.degrees, statics->onset->degrees);
+  const tp_direction_ball *first = find_first(e, result, toppling, sliding, statics->limit, &onset);
   arb_t angle, margin;
   arb_init(angle);
   arb_init(margin);
@@ -195,15 +222,17 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
     result->margin_deg = tp_evaluation_result(e, margin);
   }
   if (result->limit.kind == TP_LIMIT_AT_ANGLE || result->limit.kind == TP_LIMIT_INTERLOCKED) {
-    judge_up_dip(e, result, back, angle);
+    judge_up_dip(e, result, statics->back, angle);
   } else if (result->limit.kind != TP_LIMIT_NOWHERE) { /* there is no way up-dip alone */
     bool open = false;
     result->falls_backwards = topples_up_dip(&open, e, result->towards, angle);
     if (result->falls_backwards) result->mechanism = TP_TOPPLES;
     if (open) result->mechanism = TP_MECHANISM_UNDECIDED;
   }
+  judge_onset(e, result, statics->onset);
   /* more friction would hold what slips up-dip, but that is not what the factor is about */
   if (result->falls_backwards) result->limit.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   arb_clear(angle);
   arb_clear(margin);
+  tp_direction_ball_clear(&onset);
 }

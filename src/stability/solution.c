@@ -6,6 +6,7 @@
 #include "notes.h"
 #include "stability/evaluation.h"
 #include "stability/loaded.h"
+#include "stability/onset.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@ void tp_solution_free(tp_solution *solution) {
     free(solution->cases[k].account.elements);
     free(solution->cases[k].loads);
     free(solution->cases[k].limits);
+    tp_onset_clear(&solution->cases[k].onset);
   }
   tp_decimals_free(solution->decimals);
   tp_notes_clear(&solution->notes);

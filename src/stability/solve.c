@@ -10,6 +10,7 @@
 #include "stability/effects.h"
 #include "stability/governing.h"
 #include "stability/loaded.h"
+#include "stability/onset.h"
 #include "stability/solution.h"
 
 #include <stdlib.h>
@@ -24,6 +25,7 @@ tp_solve_options tp_solve_options_default(void) {
 typedef struct kept_limit {
   bool settled;
   tp_direction_ball limit, back;
+  tp_onset_found onset;
 } kept_limit;
 
 typedef struct climb {
@@ -61,8 +63,12 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
     began = tp_effects_begin(c->solution);
     done = tp_evaluate_limit(evaluation, own, &kept->limit, &kept->back);
     tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
+    began = tp_effects_begin(c->solution);
+    done = done && tp_evaluate_onset(evaluation, own, &kept->onset);
+    tp_effects_note(c->solution, "onset", scene->friction_angle_deg.place, "", began);
   }
-  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding, &kept->limit, &kept->back);
+  tp_evaluate_mechanism(evaluation, own, &toppling, &sliding,
+                        &(tp_statics){&kept->limit, &kept->back, &kept->onset});
   kept->settled = evaluation->certain;
   evaluation->certain = certain && evaluation->certain;
   if (c->options->elements) tp_evaluate_account(evaluation, own, &toppling);
@@ -121,7 +127,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
 static void note_level(tp_solution *solution, tp_rung reached) {
   solution->level = reached.level;
   solution->bits = reached.bits;
-  static const char *const climbing[] = {"moments", "toppling", "sliding", "limit"};
+  static const char *const climbing[] = {"moments", "toppling", "sliding", "limit", "onset"};
   for (size_t k = 0; k < solution->effect_count; k++) {
     for (size_t c = 0; c < sizeof climbing / sizeof climbing[0]; c++) {
       if (strcmp(solution->effects[k].name, climbing[c]) == 0) {
@@ -138,6 +144,7 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
   for (int d = 0; d < 2; d++) {
     tp_direction_ball_init(&kept[d].limit);
     tp_direction_ball_init(&kept[d].back);
+    tp_onset_found_init(&kept[d].onset);
   }
   tp_work work = {.spent = 0};
   climb c = {problem, options, solution, {calloc(points, 1), calloc(points, 1)},
@@ -161,6 +168,7 @@ static tp_status climb_ladder(const tp_problem *problem, const tp_solve_options 
     free(c.settled[d]);
     tp_direction_ball_clear(&kept[d].limit);
     tp_direction_ball_clear(&kept[d].back);
+    tp_onset_found_clear(&kept[d].onset);
   }
   return status;
 }

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The loads under which a mode can begin: the cone C of M a - sum f over its twists a and its
+ * forces f, M a being what accelerates the block, by the half-spaces h . w >= 0 that bound it.
+ *
+ * C is spanned by M r for its rays and by -e for its edges; a plane through two of those with all
+ * others on one side bounds it. The loads lie in C also where forces alone balance them: those that
+ * move lie in C less some of its bounding planes, and come as close to these as one likes, so that
+ * but for loads that stay within a plane all that counts is C. A plane therefore notes which rays
+ * lie in it. */
+
+#ifndef TP_BOUNDS_H
+#define TP_BOUNDS_H
+
+#include "motion/motion.h"
+
+/* What a plane is spanned by: the same for planes of two modes that are one by construction, and
+ * for planes that weight alone, whose moment is none, meets at one tilt. */
+typedef enum tp_source_kind {
+  TP_FROM_SITE,     /* all forces through one place */
+  TP_FROM_PARALLEL, /* all forces of one direction: an axis and a side of its cones */
+  TP_FROM_AXIS,     /* weight along a facet */
+  TP_FROM_NORMAL,   /* M times the twists on one normal line */
+  TP_FROM_PAIR      /* two generators */
+} tp_source_kind;
+
+typedef struct tp_bound {
+  tp_vector h;
+  tp_source source;
+  unsigned rays; /* bit k: M times the k-th ray of the mode lies in the plane */
+} tp_bound;
+
+typedef struct tp_bounds {
+  long count, room;
+  tp_bound *items;
+} tp_bounds;
+
+/* Into `bounds`, which may hold those of another mode. */
+TP_MUST_USE tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_motion_question *question,
+                                             const tp_normals *normals, const tp_twists *twists,
+                                             const tp_mode *mode);
+void tp_bounds_clear(tp_bounds *bounds);
+
+/* The same vector M r or -e, three balls. */
+void tp_bounds_of_ray(tp_vector *own, const tp_motion_question *question, const tp_ray *ray);
+void tp_bounds_of_edge(tp_vector *own, const tp_motion_question *question,
+                       const tp_normals *normals, const tp_mode_edge *edge);
+
+#endif

@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "motion/closed.h"
+
+#include "number/ball.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPEN_SIGN = 2 };
+
+void tp_closed_clear(tp_closed *closed) {
+  free(closed->edges);
+  memset(closed, 0, sizeof *closed);
+}
+
+static bool add_edge(tp_closed *closed, long point, bool against) {
+  if (closed->edge_count == closed->edge_room) {
+    const long room = 2 * closed->edge_room + 8;
+    tp_mode_edge *more = realloc(closed->edges, (size_t)room * sizeof *more);
+    if (more == NULL) return false;
+    closed->edges = more;
+    closed->edge_room = room;
+  }
+  closed->edges[closed->edge_count++] = (tp_mode_edge){point, against};
+  return true;
+}
+
+/* Friction acts against the slip; without friction both edges are one. */
+static tp_motion_outcome add_contact(tp_closed *closed, const tp_normals *n, long point, int slip) {
+  if (slip == OPEN_SIGN) return TP_MOTION_OPEN;
+  const bool rough = !arb_is_zero(n->cones->friction);
+  if (slip == 0) closed->sticks = true;
+  bool done = true;
+  if (slip <= 0 || !rough) done = add_edge(closed, point, false);
+  if (slip >= 0 && rough) done = done && add_edge(closed, point, true);
+  return done ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
+}
+
+int tp_closed_slip(const tp_normals *n, long point, const tp_ray *ray) {
+  if (ray->site >= 0 && ray->site == n->cones->points[point].site) return 0;
+  return tp_normals_slip(n, point, &ray->twist);
+}
+
+/* x f_y - y f_x of the force f = n +- t tan(phi) at a point. */
+static void edge_moment(arb_t moment, const tp_normals *n, long point, bool against) {
+  const tp_cones *cones = n->cones;
+  const long bits = n->judge.bits;
+  tp_vector force;
+  tp_vector_init(&force);
+  tp_normals_edge(&force, n, point, against);
+  arb_mul(moment, cones->x + point, force.of + 1, bits);
+  arb_submul(moment, cones->y + point, force.of, bits);
+  tp_vector_clear(&force);
+}
+
+/* Of a family that slips, all forces have one direction: the two with the least and the largest
+ * moment. */
+static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
+                                     const tp_contact_family *family, int slip) {
+  const bool against = slip > 0 && !arb_is_zero(n->cones->friction);
+  const long first = n->items[family->first].first;
+  const tp_normal *last = n->items + family->first + family->count - 1;
+  long ends[2] = {n->order[first], n->order[first]};
+  arb_t moment, most[2], gap;
+  arb_init(moment);
+  arb_init(gap);
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (int e = 0; e < 2; e++) {
+    arb_init(most[e]);
+    edge_moment(most[e], n, ends[e], against);
+  }
+  for (long k = first + 1; k < last->first + last->count && done == TP_MOTION_PROVEN; k++) {
+    const long point = n->order[k];
+    if (n->same[point] != point) continue;
+    edge_moment(moment, n, point, against);
+    for (int e = 0; e < 2; e++) { /* 0: the least, 1: the largest */
+      if (n->cones->points[point].site == n->cones->points[ends[e]].site) continue;
+      arb_sub(gap, moment, most[e], n->judge.bits);
+      const int sign = tp_judge_sign(&n->judge, gap, tp_ball_log2_above(most[e]));
+      if (sign == OPEN_SIGN) done = TP_MOTION_OPEN;
+      if (sign != (e == 0 ? -1 : 1)) continue;
+      arb_set(most[e], moment);
+      ends[e] = point;
+    }
+  }
+  arb_clear(moment);
+  arb_clear(gap);
+  for (int e = 0; e < 2; e++) arb_clear(most[e]);
+  if (done != TP_MOTION_PROVEN) return done;
+  const bool added = add_edge(closed, ends[0], against) &&
+                     (ends[0] == ends[1] || add_edge(closed, ends[1], against));
+  return added ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
+}
+
+/* Those of one normal line, each place once. */
+static tp_motion_outcome add_line(tp_closed *closed, const tp_normals *n, const tp_normal *line,
+                                  const tp_ray *ray) {
+  for (long k = line->first; k < line->first + line->count; k++) {
+    const long point = n->order[k];
+    if (n->same[point] != point) continue;
+    const tp_motion_outcome done = add_contact(closed, n, point, tp_closed_slip(n, point, ray));
+    if (done != TP_MOTION_PROVEN) return done;
+  }
+  return TP_MOTION_PROVEN;
+}
+
+static tp_motion_outcome add_family(tp_closed *closed, const tp_normals *n,
+                                    const tp_contact_family *family, const tp_ray *ray) {
+  if (ray->axis >= 0) {
+    if (ray->axis != family->axis) return TP_MOTION_PROVEN;
+    const int slip = tp_normals_slip(n, n->order[n->items[family->first].first], &ray->twist);
+    return slip == OPEN_SIGN ? TP_MOTION_OPEN : add_sliding(closed, n, family, slip);
+  }
+  for (long k = 0; k < (family->count > 1 ? 2 : 1); k++) {
+    const tp_normal *line = n->items + family->first + (k == 0 ? 0 : family->count - 1);
+    const int sign = tp_normal_sign(n, line, &ray->twist, ray->near, ray->site);
+    if (sign == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (sign != 0) continue;
+    const tp_motion_outcome done = add_line(closed, n, line, ray);
+    if (done != TP_MOTION_PROVEN) return done;
+  }
+  return TP_MOTION_PROVEN;
+}
+
+tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_ray *ray, const tp_normals *n) {
+  closed->edge_count = 0;
+  closed->sticks = false;
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (long k = 0; k < n->family_count && done == TP_MOTION_PROVEN; k++) {
+    done = add_family(closed, n, n->families + k, ray);
+  }
+  return done;
+}
+
+tp_mechanism tp_closed_mechanism(const tp_closed *closed, const tp_ray *ray) {
+  if (ray->axis >= 0) return TP_SLIDES;
+  return closed->sticks ? TP_TOPPLES : TP_SLIDES_AND_TOPPLES;
+}
+
+static int slip_between(const tp_normals *n, long point, const tp_ray *from, const tp_ray *to) {
+  const int slip = tp_closed_slip(n, point, from);
+  return slip != 0 ? slip : tp_closed_slip(n, point, to);
+}
+
+static tp_motion_outcome add_line_between(tp_closed *closed, const tp_normals *n, long line,
+                                          const tp_ray *from, const tp_ray *to) {
+  const tp_normal *own = n->items + line;
+  for (long k = own->first; k < own->first + own->count; k++) {
+    const long point = n->order[k];
+    if (n->same[point] != point) continue;
+    const tp_motion_outcome done = add_contact(closed, n, point, slip_between(n, point, from, to));
+    if (done != TP_MOTION_PROVEN) return done;
+  }
+  return TP_MOTION_PROVEN;
+}
+
+/* On a face both rays lie on its line, and on one of the family with -t where K is flat. */
+tp_motion_outcome tp_closed_of_sector(tp_closed *closed, const tp_ray *from, const tp_ray *to,
+                                      long normal, const tp_normals *n) {
+  closed->edge_count = 0;
+  closed->sticks = false;
+  tp_motion_outcome done = add_line_between(closed, n, normal, from, to);
+  const long family = n->items[normal].family;
+  for (long other = family - 1; other <= family + 1 && done == TP_MOTION_PROVEN; other += 2) {
+    if (other < 0 || other >= n->family_count) continue;
+    const tp_contact_family *own = n->families + other;
+    if (own->axis != n->families[family].axis) continue;
+    for (long k = own->first; k<own->first + own->count; k += own->count> 1 ? own->count - 1 : 1) {
+      const tp_normal *line = n->items + k;
+      const int a = tp_normal_sign(n, line, &from->twist, from->near, from->site);
+      const int b = tp_normal_sign(n, line, &to->twist, to->near, to->site);
+      if (a == OPEN_SIGN || b == OPEN_SIGN) return TP_MOTION_OPEN;
+      if (a == 0 && b == 0) done = add_line_between(closed, n, k, from, to);
+    }
+  }
+  return done;
+}

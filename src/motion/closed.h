@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The contacts that stay closed in a mode (motion/strata.h), and the forces that they can exert. */
+
+#ifndef TP_CLOSED_H
+#define TP_CLOSED_H
+
+#include "motion/strata.h"
+
+typedef struct tp_closed {
+  long edge_count, edge_room;
+  tp_mode_edge *edges;
+  bool sticks; /* one of them, with which the block turns about it */
+} tp_closed;
+
+void tp_closed_clear(tp_closed *closed);
+
+/* Those of one ray. */
+TP_MUST_USE tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_ray *ray,
+                                               const tp_normals *normals);
+tp_mechanism tp_closed_mechanism(const tp_closed *closed, const tp_ray *ray);
+
+/* Those between two rays on a normal line, none of which sticks there. */
+TP_MUST_USE tp_motion_outcome tp_closed_of_sector(tp_closed *closed, const tp_ray *from,
+                                                  const tp_ray *to, long normal,
+                                                  const tp_normals *normals);
+
+/* The sense in which a point slips, up-dip 1 or down-dip -1; 0 where it sticks, 2 where open. */
+int tp_closed_slip(const tp_normals *normals, long point, const tp_ray *ray);
+
+#endif

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The contact points of cones, put together by the lines of their normals.
+ *
+ * A twist a = (v_x, v_y, theta) about the origin gives the point q the velocity
+ * (v_x - theta q_y, v_y + theta q_x). With the facet's direction t in whole numbers without common
+ * divisor and n = (-t_y, t_x) its components are
+ *
+ *     along n: h . a,  h = (-t_y, t_x, t . q);      along t: g . a,  g = (t_x, t_y, t_y q_x - t_x
+ * q_y).
+ *
+ * Points with the same h lie on one normal line. Those with one t are a family, sorted by t . q:
+ * its first and its last line alone decide what a twist may do. Families with t and with -t have
+ * the same axis. Coordinates are whole numbers, but for the tangent points of rounded corners. */
+
+#ifndef TP_NORMALS_H
+#define TP_NORMALS_H
+
+#include "limit/face.h"
+#include "topple.h"
+
+typedef struct tp_normal {
+  long first, count; /* in `order` */
+  long family;
+  tp_vector h;
+  double near[3]; /* h in doubles, each to 2^-50 of itself or so */
+} tp_normal;
+
+typedef struct tp_contact_family {
+  long first, count; /* of the normals */
+  long axis;
+  int sense; /* of t along the axis: 1 or -1 */
+} tp_contact_family;
+
+typedef struct tp_normals {
+  const tp_cones *cones;
+  tp_judge judge;  /* its precision is that of the coordinates */
+  long *order;     /* all points, line after line */
+  long *family_of; /* by point */
+  long *same;      /* by point: the first with its site on its line */
+  fmpz *tx, *ty;   /* by point, without common divisor */
+  long count;
+  tp_normal *items;
+  long family_count;
+  tp_contact_family *families;
+} tp_normals;
+
+typedef enum tp_motion_outcome {
+  TP_MOTION_PROVEN,
+  TP_MOTION_OPEN, /* more bits are needed */
+  TP_MOTION_TOO_DEAR,
+  TP_MOTION_OUT_OF_MEMORY
+} tp_motion_outcome;
+
+/* The cones are borrowed. On failure `normals` is cleared. */
+TP_MUST_USE tp_motion_outcome tp_normals_init(tp_normals *normals, const tp_cones *cones,
+                                              const tp_judge *judge);
+void tp_normals_clear(tp_normals *normals);
+
+/* Sign of h . a, by doubles where they tell, 2 where open: `near` is a in doubles. A twist about a
+ * site, or -1, lies on the lines through it. */
+int tp_normal_sign(const tp_normals *normals, const tp_normal *normal, const tp_vector *twist,
+                   const double near[3], long site);
+
+/* g . a of a point; its sign, 2 where open. */
+void tp_normals_slip_ball(arb_t along, const tp_normals *normals, long point,
+                          const tp_vector *twist);
+int tp_normals_slip(const tp_normals *normals, long point, const tp_vector *twist);
+
+/* n + t tan(phi), or n - t tan(phi) `against` t, at the judge's bits; the moment is left alone. */
+void tp_normals_edge(tp_vector *force, const tp_normals *normals, long point, bool against);
+
+/* Does a point on the line lie in the site? */
+bool tp_normal_has_site(const tp_normals *normals, const tp_normal *normal, long site);
+
+/* A vector in doubles, each to 2^-50 of itself or so; zeros where it may be out of their range. */
+void tp_normals_near(double near[3], const tp_vector *vector);
+
+#endif

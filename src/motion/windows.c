@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "motion/windows.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void tp_windows_clear(tp_motion_windows *w) {
+  for (long k = 0; k < w->count; k++) {
+    tp_tilt_clear(&w->items[k].from);
+    tp_tilt_clear(&w->items[k].to);
+  }
+  free(w->items);
+  memset(w, 0, sizeof *w);
+}
+
+/* By lower ends; an order of search, proven by what follows. */
+static int by_lower_end(const void *left, const void *right) {
+  const tp_tilt_span *a = *(const tp_tilt_span *const *)left,
+                     *b = *(const tp_tilt_span *const *)right;
+  if (a->from.endless || b->from.endless) return (int)b->from.endless - (int)a->from.endless;
+  const int order = arf_cmp(arb_midref(a->from.degrees), arb_midref(b->from.degrees));
+  return order != 0 ? order : (a->mode > b->mode) - (a->mode < b->mode);
+}
+
+/* The larger of two upper ends. Where their order is open, a ball that holds it, with the source of
+ * one that it does not lie below. */
+static void extend(tp_tilt *to, const tp_tilt *other, const tp_judge *judge) {
+  if (to->endless) return;
+  if (other->endless) {
+    to->endless = true;
+    return;
+  }
+  const int order = tp_tilt_compare(other, to, judge);
+  if (order == 1) tp_tilt_set(to, other);
+  if (order == TP_TILT_OPEN) arb_max(to->degrees, to->degrees, other->degrees, judge->bits);
+}
+
+/* Does the span begin beyond what is put together so far? */
+static tp_answer lies_beyond(const tp_tilt_span *span, const tp_tilt *to, const tp_judge *judge) {
+  if (to->endless || span->from.endless) return TP_NO;
+  const int order = tp_tilt_compare(&span->from, to, judge);
+  return order == TP_TILT_OPEN ? TP_OPEN : order > 0 ? TP_YES : TP_NO;
+}
+
+/* What moves at the end of an span: of a mode of two rays the one whose plane bounds it there. */
+static tp_motion_outcome describe(tp_motion_window *w, const tp_motions *m,
+                                  const tp_tilt_span *span, const tp_tilt *end) {
+  const tp_motion_mode *mode = m->modes + span->mode;
+  w->mechanism = mode->mechanism;
+  w->has_ray = mode->ray_count == 1;
+  w->ray = mode->rays[0];
+  if (mode->ray_count != 2 || end->endless || (end->rays != 1 && end->rays != 2)) {
+    return TP_MOTION_PROVEN;
+  }
+  w->has_ray = true;
+  w->ray = mode->rays[end->rays == 1 ? 0 : 1];
+  return tp_strata_mechanism(&w->mechanism, &m->twists, &m->normals, w->ray);
+}
+
+/* Does an end of the span end the window there, too? */
+static int shares_end(const tp_tilt *end, const tp_tilt *own, const tp_judge *judge) {
+  if (end->endless || own->endless) return end->endless == own->endless ? 0 : 1;
+  return tp_tilt_compare(end, own, judge);
+}
+
+/* Is the motion named before another that begins at the same tilt? That of one ray before a mode of
+ * two, of which it is a part. */
+static bool goes_first(const tp_motion_window *named, const tp_motion_window *other) {
+  return named->begins >= 0 && (named->has_ray || !other->has_ray);
+}
+
+/* Of the spans that share the end of a window, the one that is named; and whether another one
+ * begins there by another mechanism. */
+static tp_motion_outcome name(tp_motion_window *w, const tp_motions *m, tp_tilt_span *const *spans,
+                              long count, const tp_judge *judge) {
+  const bool upper = w->from.endless;
+  const tp_tilt *own = upper ? &w->to : &w->from;
+  w->begins = -1;
+  for (int round = 0; round < 2; round++) {
+    for (long k = 0; k < count; k++) {
+      const tp_tilt *end = upper ? &spans[k]->to : &spans[k]->from;
+      const int order = shares_end(end, own, judge);
+      if (order == TP_TILT_OPEN) return TP_MOTION_OPEN;
+      if (order != 0) continue;
+      tp_motion_window other = {.begins = spans[k] - m->spans.items};
+      const tp_motion_outcome done = describe(&other, m, spans[k], end);
+      if (done != TP_MOTION_PROVEN) return done;
+      if (round == 0 && !goes_first(w, &other)) {
+        w->begins = other.begins;
+        w->has_ray = other.has_ray;
+        w->ray = other.ray;
+        w->mechanism = other.mechanism;
+      }
+      if (round == 1 && other.has_ray == w->has_ray && other.mechanism != w->mechanism) {
+        w->tie = true;
+        w->tied_with = other.mechanism;
+      }
+    }
+  }
+  return TP_MOTION_PROVEN;
+}
+
+static tp_motion_outcome merge(tp_motion_windows *w, const tp_motions *m, tp_tilt_span **spans,
+                               const tp_judge *judge) {
+  const long count = m->spans.count;
+  for (long k = 0; k < count;) {
+    tp_motion_window *own = w->items + w->count++;
+    tp_tilt_set(&own->from, &spans[k]->from);
+    tp_tilt_set(&own->to, &spans[k]->to);
+    const long first = k++;
+    for (; k < count; k++) {
+      const tp_answer beyond = lies_beyond(spans[k], &own->to, judge);
+      if (beyond == TP_OPEN) return TP_MOTION_OPEN;
+      if (beyond == TP_YES) break;
+      extend(&own->to, &spans[k]->to, judge);
+    }
+    const tp_motion_outcome named = name(own, m, spans + first, k - first, judge);
+    if (named != TP_MOTION_PROVEN) return named;
+  }
+  return TP_MOTION_PROVEN;
+}
+
+tp_motion_outcome tp_windows_init(tp_motion_windows *w, const tp_motions *m,
+                                  const tp_judge *judge) {
+  memset(w, 0, sizeof *w);
+  tp_tilt_span **spans = calloc((size_t)m->spans.count + 1, sizeof *spans);
+  w->items = calloc((size_t)m->spans.count + 1, sizeof *w->items);
+  tp_motion_outcome done = TP_MOTION_OUT_OF_MEMORY;
+  if (spans != NULL && w->items != NULL) {
+    for (long k = 0; k < m->spans.count; k++) {
+      spans[k] = m->spans.items + k;
+      tp_tilt_init(&w->items[k].from);
+      tp_tilt_init(&w->items[k].to);
+    }
+    qsort(spans, (size_t)m->spans.count, sizeof *spans, by_lower_end);
+    done = merge(w, m, spans, judge);
+    for (long k = w->count; k < m->spans.count; k++) {
+      tp_tilt_clear(&w->items[k].from);
+      tp_tilt_clear(&w->items[k].to);
+    }
+  }
+  free(spans);
+  if (done != TP_MOTION_PROVEN) tp_windows_clear(w);
+  return done;
+}
+
+tp_answer tp_window_holds(const tp_motion_window *w, const arb_t degrees) {
+  if ((!w->from.endless && arb_lt(degrees, w->from.degrees)) ||
+      (!w->to.endless && arb_gt(degrees, w->to.degrees))) {
+    return TP_NO;
+  }
+  const bool above = w->from.endless || arb_le(w->from.degrees, degrees);
+  const bool below = w->to.endless || arb_le(degrees, w->to.degrees);
+  return above && below ? TP_YES : TP_OPEN;
+}

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/report_onset.h"
+
+#include "report/json.h"
+
+static const char *kind_of(tp_onset_kind kind) {
+  switch (kind) {
+  case TP_ONSET_AT_ANGLE:
+    return "angle";
+  case TP_ONSET_NEVER:
+    return "never";
+  case TP_ONSET_NOWHERE:
+    return "nowhere";
+  case TP_ONSET_NOT_ASKED:
+  case TP_ONSET_UNDECIDED:
+    break;
+  }
+  return "undecided";
+}
+
+static void add_end(tp_text *t, const char *key, bool endless, tp_bounded degrees) {
+  if (endless) {
+    tp_text_add(t, "\"%s\": null", key);
+  } else {
+    tp_json_number(t, key, degrees);
+  }
+}
+
+static void add_windows(tp_text *t, const tp_onset *o) {
+  tp_text_add(t, ",\n        \"windows\": [");
+  for (size_t k = 0; k < o->window_count; k++) {
+    const tp_window *w = o->windows + k;
+    tp_text_add(t, "%s\n          {", k > 0 ? "," : "");
+    add_end(t, "from_deg", w->from_below, w->from_deg);
+    tp_text_add(t, ", ");
+    add_end(t, "to_deg", w->to_above, w->to_deg);
+    tp_text_add(t, ", \"begins\": \"%s\"}", tp_text_mechanism(w->begins));
+  }
+  tp_text_add(t, "]");
+}
+
+void tp_json_onset(tp_text *t, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  if (o->kind == TP_ONSET_NOT_ASKED) return;
+  tp_text_add(t, "      \"onset\": {\"kind\": \"%s\", ", kind_of(o->kind));
+  add_end(t, "critical_angle_deg", o->kind != TP_ONSET_AT_ANGLE, o->critical_angle_deg);
+  tp_text_add(t, ", \"mechanism\": \"%s\"", tp_text_mechanism(o->mechanism));
+  if (o->tie) tp_text_add(t, ", \"tied_with\": \"%s\"", tp_text_mechanism(o->tied_with));
+  if (o->kind == TP_ONSET_UNDECIDED) {
+    tp_text_add(t, ", \"too_dear\": %s", tp_json_truth(o->too_dear));
+  }
+  if (o->has_centre) {
+    tp_text_add(t, ", ");
+    tp_json_number(t, "centre_x_m", o->centre_x_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "centre_y_m", o->centre_y_m);
+  }
+  tp_text_add(t, ", \"below_limit\": %s", tp_json_truth(o->below_limit));
+  add_windows(t, o);
+  tp_text_add(t, "},\n");
+}

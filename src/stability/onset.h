@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The onset of motion of a case (mechanics section 6a), with the base and the friction of the
+ * scene. */
+
+#ifndef TP_STABILITY_ONSET_H
+#define TP_STABILITY_ONSET_H
+
+#include "limit/face.h"
+#include "stability/evaluation.h"
+
+/* What the verdict takes from it. */
+typedef struct tp_onset_found {
+  arb_t degrees;     /* where the kind says that there is an angle */
+  tp_answer at_tilt; /* can a motion begin at the scene's tilt? */
+} tp_onset_found;
+
+void tp_onset_found_init(tp_onset_found *found);
+void tp_onset_found_clear(tp_onset_found *found);
+
+/* Fills in the onset of the case, whose limit is there, and notes in the evaluation what is not
+ * certain. False when memory is exhausted. */
+TP_MUST_USE bool tp_evaluate_onset(tp_evaluation *evaluation, tp_case *result,
+                                   tp_onset_found *found);
+void tp_onset_clear(tp_onset *onset);
+
+#endif
