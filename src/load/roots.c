@@ -146,6 +146,7 @@ bool tp_roots_critical(arb_t degrees, bool *always, tp_roots *roots, const arb_t
   }
   bool found = false;
   for (long k = 0; k < roots->count; k++) {
+    if (arb_contains_zero(roots->degrees + k)) roots->certain = false; /* on which side of level? */
     const bool above = arf_sgn(arb_midref(roots->degrees + k)) > 0;
     if (!roots->rising[k] || above != stable) continue;
     arb_set(degrees, roots->degrees + k);
