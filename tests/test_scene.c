@@ -87,14 +87,15 @@ START_TEST(suggestions) {
 }
 END_TEST
 
-static tp_status read_csv(tp_polyline *line, const char *text, bool closed, tp_message *message) {
+static tp_status read_csv(tp_polyline *line, const char *text, bool closed, tp_notes *notes,
+                          tp_message *message) {
   static char path[] = "/tmp/topple-test-XXXXXX";
   strcpy(path + strlen(path) - 6, "XXXXXX");
   const int handle = mkstemp(path);
   ck_assert_int_ge(handle, 0);
   ck_assert_int_eq(write(handle, text, strlen(text)), (ssize_t)strlen(text));
   close(handle);
-  const tp_status status = tp_csv_read(line, path, closed, message);
+  const tp_status status = tp_csv_read(line, path, closed, notes, message);
   unlink(path);
   return status;
 }
@@ -112,8 +113,9 @@ START_TEST(csv_dialects) {
   };
   for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
     tp_polyline line;
+    tp_notes notes = {0};
     tp_message message = {""};
-    ck_assert_msg(read_csv(&line, texts[k], true, &message) == TP_OK, "%s", message.text);
+    ck_assert_msg(read_csv(&line, texts[k], true, &notes, &message) == TP_OK, "%s", message.text);
     ck_assert_int_eq(line.count, 3);
     ck_assert(fmpq_is_zero(line.x) && fmpq_is_zero(line.y));
     ck_assert(fmpq_equal_si(line.y + 2, 2));
@@ -128,8 +130,9 @@ END_TEST
  * where it equals the first. */
 START_TEST(csv_places) {
   tp_polyline line;
+  tp_notes notes = {0};
   tp_message message;
-  ck_assert_int_eq(read_csv(&line, "x,y\n0,0\n\n  1,2\n0,0\n", false, &message), TP_OK);
+  ck_assert_int_eq(read_csv(&line, "x,y\n0,0\n\n  1,2\n0,0\n", false, &notes, &message), TP_OK);
   ck_assert_int_eq(line.count, 3);
   ck_assert_int_eq(line.marks[1].line, 4);
   ck_assert_int_eq(line.marks[1].column, 3);
@@ -146,8 +149,9 @@ START_TEST(csv_seams) {
   for (long k = 0; k < count; k++)
     length += (size_t)sprintf(text + length, "%ld,%ld.25\n", k, k * k);
   tp_polyline line;
+  tp_notes notes = {0};
   tp_message message = {""};
-  ck_assert_msg(read_csv(&line, text, true, &message) == TP_OK, "%s", message.text);
+  ck_assert_msg(read_csv(&line, text, true, &notes, &message) == TP_OK, "%s", message.text);
   ck_assert_int_eq(line.count, count);
   for (long k = 0; k < count; k++) {
     ck_assert(fmpq_equal_si(line.x + k, k));

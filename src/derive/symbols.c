@@ -56,6 +56,26 @@ static tp_status read_number(const builder *b, fmpz_mpoly_q_t value, const tp_no
   return tp_field_read(value, &b->symbols->field, node, b->scene, b->message);
 }
 
+/* A last vertex that closes a ring is none of its own: for every value of the parameters. */
+static tp_status check_closing(const builder *b, const tp_symbolic_chain *chain, long first,
+                               const tp_node *last) {
+  const fmpz_mpoly_ctx_struct *ring = b->symbols->field.ring;
+  fmpz_mpoly_q_t x, y;
+  fmpz_mpoly_q_init(x, ring);
+  fmpz_mpoly_q_init(y, ring);
+  tp_status status = read_number(b, x, last->first);
+  if (status == TP_OK) status = read_number(b, y, last->last);
+  if (status == TP_OK && !(fmpz_mpoly_q_equal(x, chain->x + first, ring) &&
+                           fmpz_mpoly_q_equal(y, chain->y + first, ring))) {
+    status = tp_fail(b->message, TP_BAD_INPUT, tp_node_place(last, b->scene->path),
+                     "this vertex closes the outline for the parameters as they are, but not for "
+                     "others; leave it out, or move it");
+  }
+  fmpz_mpoly_q_clear(x, ring);
+  fmpz_mpoly_q_clear(y, ring);
+  return status;
+}
+
 /* A chain given as a list of [x, y], or by a file: then its numbers. */
 static tp_status set_points(const builder *b, tp_symbolic_chain *chain, const tp_node *node,
                             const tp_polyline *numbers) {
@@ -75,6 +95,9 @@ static tp_status set_points(const builder *b, tp_symbolic_chain *chain, const tp
       fmpz_mpoly_q_set_fmpq(chain->x + k, numbers->x + k, ring);
       fmpz_mpoly_q_set_fmpq(chain->y + k, numbers->y + k, ring);
     }
+  }
+  if (status == TP_OK && point != NULL) {
+    status = check_closing(b, chain, numbers->reversed ? count - 1 : 0, point);
   }
   return status;
 }

@@ -65,6 +65,16 @@ bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line) {
   return true;
 }
 
+void tp_polyline_drop_closing_point(tp_polyline *line) {
+  const long last = line->count - 1;
+  if (last < 3 || !fmpq_equal(line->x, line->x + last) || !fmpq_equal(line->y, line->y + last)) {
+    return;
+  }
+  fmpq_clear(line->x + last);
+  fmpq_clear(line->y + last);
+  line->count--;
+}
+
 void tp_polyline_reverse(tp_polyline *line) {
   for (long i = 0, k = line->count - 1; i < k; i++, k--) {
     fmpq_swap(line->x + i, line->x + k);

@@ -4,15 +4,15 @@
 #include "scene/csv.h"
 
 #include "number/ratio.h"
+#include "scene/csv_row.h"
 #include "scene/expression.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST_LINE = 1 << 16, MOST_POINTS = 50000000 };
+enum { LONGEST_LINE = 1 << 16, MOST_POINTS = 50000000, MOST_HEADER_LINES = 2 };
 
 typedef struct reader {
   const char *path;
@@ -20,8 +20,15 @@ typedef struct reader {
   char *buffer; /* LONGEST_LINE bytes, of which from … to are still to be read */
   size_t from, to;
   int line;
-  bool header_seen;
+  int header_lines;
+  int columns;    /* that a header names; 0: none does */
+  char named;     /* its separator, if it is no blank */
+  int column[2];  /* of x and y, counted from 0 */
+  char separator; /* of the last point */
+  long repeated;  /* points left out */
+  tp_mark first_repeated;
   tp_polyline *points;
+  tp_notes *notes;
   tp_message *message;
 } reader;
 
@@ -61,76 +68,160 @@ static bool next_line(reader *r, const char **text, size_t *length, tp_status *s
   }
 }
 
-static bool separates(char c) {
-  return c == ',' || c == ';' || c == '\t' || c == ' ';
+static bool is_header(const tp_csv_row *row) {
+  int numbers = 0;
+  for (int k = 0; k < row->count; k++) {
+    const tp_csv_field *f = row->fields + k;
+    char word[16] = "";
+    strncat(word, row->text + f->at, f->length < 15 ? f->length : 15);
+    if (tp_expression_is_not_finite(word)) return false;
+    numbers += tp_csv_is_numeric(row, k);
+  }
+  if (row->count > 0 && tp_csv_is_numeric(row, 0)) return false;
+  /* "Profile 3" is a title; "o,0" is a point with a slip in it */
+  return numbers == 0 || (numbers == 1 && (row->separator == ' ' || row->count > 2));
 }
 
-/* The next field of a line from `*at`; its length. Blanks around one separator are skipped. */
-static size_t field(const char *text, size_t length, size_t *at) {
-  while (*at < length && (text[*at] == ' ' || text[*at] == '\t')) ++*at;
-  size_t end = *at;
-  while (end < length && !separates(text[end])) end++;
-  return end - *at;
+/* "x (m) y (m)", separated by blanks: a unit in brackets belongs to the name before it. */
+static void join_units(tp_csv_row *row) {
+  int kept = 0;
+  for (int k = 0; k < row->count && row->separator == ' '; k++) {
+    const tp_csv_field own = row->fields[k];
+    const char first = own.length > 0 ? row->text[own.at] : '\0';
+    if (kept > 0 && (first == '(' || first == '[')) {
+      row->fields[kept - 1].length = own.at + own.length - row->fields[kept - 1].at;
+    } else {
+      row->fields[kept++] = own;
+    }
+  }
+  if (row->separator == ' ') row->count = kept;
 }
 
-static void skip_separator(const char *text, size_t length, size_t *at) {
-  while (*at < length && (text[*at] == ' ' || text[*at] == '\t')) ++*at;
-  if (*at < length && (text[*at] == ',' || text[*at] == ';')) ++*at;
+/* Which columns the header names x and y, counted from 0; -1: none. */
+static tp_status find_named(const reader *r, const tp_csv_row *row, int found[2]) {
+  for (int axis = 0; axis < 2; axis++) {
+    const char name = axis == 0 ? 'x' : 'y';
+    for (int k = 0; k < row->count; k++) {
+      if (!tp_csv_names(row, k, name)) continue;
+      if (found[axis] >= 0) {
+        return fail(r, row->fields[k].at,
+                    name == 'x' ? "the header names two columns x"
+                                : "the header names two columns y");
+      }
+      found[axis] = k;
+    }
+  }
+  return TP_OK;
 }
 
-static bool is_header(const char *text, size_t length) {
-  char word[32] = "";
-  strncat(word, text, length < 31 ? length : 31);
-  const bool named = isalpha((unsigned char)word[0]) || word[0] == '"';
-  return named && !tp_expression_is_not_finite(word);
+/* A line above the points: a title, names of columns, or their units. */
+static tp_status read_header(reader *r, tp_csv_row *row) {
+  int named[2] = {-1, -1};
+  join_units(row);
+  const tp_status status = find_named(r, row, named);
+  r->header_lines++;
+  if (status != TP_OK || (named[0] < 0 && named[1] < 0)) return status;
+  r->separator = row->separator;
+  const bool both = named[0] >= 0 && named[1] >= 0;
+  if (!both && row->count == 2 && (named[0] == 0 || named[1] == 1)) return TP_OK;
+  if (!both) {
+    return fail(r, row->fields[named[0] < 0 ? named[1] : named[0]].at,
+                named[0] < 0 ? "the header names a column y, but none x; name both"
+                             : "the header names a column x, but none y; name both");
+  }
+  r->columns = row->count;
+  if (row->separator != ' ') r->named = row->separator;
+  r->column[0] = named[0];
+  r->column[1] = named[1];
+  if (row->count == 2 && named[0] == 0) return TP_OK;
+  return tp_notes_add(r->notes, r->message, TP_NOTE, (tp_place){r->path, r->line, 1},
+                      "columns %d and %d of %d are read as x and y, as the header names them",
+                      named[0] + 1, named[1] + 1, row->count);
+}
+
+static tp_status fail_comma(const reader *r, size_t at) {
+  return fail(r, at,
+              "a comma within a number; write decimals with a point, 1.5 for 1,5, and thousands "
+              "without a mark");
 }
 
 /* What stands in the file is not quoted: it may be any file, which the scene names by mistake. */
-static tp_status read_number(const reader *r, fmpq_t value, const char *text, size_t column,
-                             size_t length) {
+static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *row, int column) {
   const char *problem = NULL;
-  if (tp_ratio_read_field(value, text + column, length, &problem)) return TP_OK;
-  if (length == 0) return fail(r, column, "a number is missing; each line holds x, y");
+  const tp_csv_field f = column < row->count ? row->fields[column] : (tp_csv_field){row->length, 0};
+  size_t comma = 0;
+  if (tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) return TP_OK;
+  if (tp_csv_has_decimal_comma(row, &comma)) return fail_comma(r, comma);
+  if (f.length == 0) return fail(r, f.at, "a number is missing; each line holds x, y");
   char word[16] = "", what[160];
-  strncat(word, text + column, length < 15 ? length : 15);
+  strncat(word, row->text + f.at, f.length < 15 ? f.length : 15);
   if (tp_expression_is_not_finite(word)) {
     snprintf(what, sizeof what, "'%s' is not a finite number", word);
   } else {
     snprintf(what, sizeof what, "what stands here %s; each line holds x, y", problem);
   }
-  return fail(r, column, what);
+  return fail(r, f.at, what);
 }
 
-static tp_status read_point(reader *r, const char *text, size_t length, fmpq_t x, fmpq_t y) {
-  size_t at = 0;
-  const size_t x_length = field(text, length, &at);
-  if (!r->header_seen && is_header(text + at, x_length)) {
-    r->header_seen = true;
+/* More columns than there may be, or none of those that the points above had. */
+static tp_status check_columns(reader *r, const tp_csv_row *row) {
+  const int most = r->columns > 0 ? r->columns : 2;
+  size_t comma = 0;
+  if (row->open_quote) return fail(r, row->fields[row->count - 1].at, "this quote is not closed");
+  if (r->separator == ';' && row->separator == ',') {
+    return fail(r, 0,
+                "the columns were separated by ';' so far, here by ','; if this is a decimal "
+                "comma, write a point");
+  }
+  r->separator = row->separator;
+  if (row->count <= most && !row->too_many) return TP_OK;
+  if (tp_csv_has_decimal_comma(row, &comma)) return fail_comma(r, comma);
+  return fail(r, row->fields[most].at,
+              r->columns > 0 ? "more columns than the header names; decimals take a point, not a "
+                               "comma"
+                             : "more than two columns; each line holds x, y, or a header line such "
+                               "as 'id,x,y' says which they are; decimals take a point, not a "
+                               "comma");
+}
+
+static bool repeats_last(const tp_polyline *line, const fmpq_t x, const fmpq_t y) {
+  const long last = line->count - 1;
+  return last >= 0 && fmpq_equal(line->x + last, x) && fmpq_equal(line->y + last, y);
+}
+
+static tp_status read_point(reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
+  tp_status status = check_columns(r, row);
+  if (status == TP_OK) status = read_number(r, x, row, r->column[0]);
+  if (status == TP_OK) status = read_number(r, y, row, r->column[1]);
+  if (status != TP_OK) return status;
+  const int first = r->column[0] < r->column[1] ? r->column[0] : r->column[1];
+  const tp_mark mark = {r->line, (int)row->fields[first].at + 1};
+  if (repeats_last(r->points, x, y)) {
+    if (r->repeated++ == 0) r->first_repeated = mark;
     return TP_OK;
   }
-  r->header_seen = true;
-  tp_status status = read_number(r, x, text, at, x_length);
-  if (status != TP_OK) return status;
-  const int column = (int)at + 1;
-  at += x_length;
-  skip_separator(text, length, &at);
-  const size_t y_length = field(text, length, &at);
-  status = read_number(r, y, text, at, y_length);
-  if (status != TP_OK) return status;
-  at += y_length;
-  skip_separator(text, length, &at);
-  if (at < length) return fail(r, at, "more than two columns; each line holds x, y");
   if (r->points->count == MOST_POINTS) return fail(r, 0, "more than 50 million points");
-  if (!tp_polyline_append(r->points, x, y, (tp_mark){r->line, column})) {
-    return tp_fail_memory(r->message, "an outline");
+  return tp_polyline_append(r->points, x, y, mark) ? TP_OK
+                                                   : tp_fail_memory(r->message, "an outline");
+}
+
+static tp_status note_repeated(const reader *r) {
+  if (r->repeated == 0) return TP_OK;
+  const tp_place place = {r->path, r->first_repeated.line, r->first_repeated.column};
+  if (r->repeated == 1) {
+    return tp_notes_add(r->notes, r->message, TP_NOTE, place,
+                        "a point that repeats the one before it is left out");
   }
-  return TP_OK;
+  return tp_notes_add(r->notes, r->message, TP_NOTE, place,
+                      "points that repeat the one before them are left out, %ld in all",
+                      r->repeated);
 }
 
 static tp_status read_lines(reader *r) {
   tp_status status = TP_OK;
   const char *text = NULL;
   size_t length = 0;
+  tp_csv_row row;
   fmpq_t x, y;
   fmpq_init(x);
   fmpq_init(y);
@@ -139,31 +230,26 @@ static tp_status read_lines(reader *r) {
       text += 3; /* byte order mark */
       length -= 3;
     }
-    const char *comment = memchr(text, '#', length);
-    if (comment != NULL) length = (size_t)(comment - text);
-    while (length > 0 && isspace((unsigned char)text[length - 1])) length--;
-    if (length > 0) status = read_point(r, text, length, x, y);
+    tp_csv_split(&row, text, length, r->named);
+    if (row.length == 0) continue;
+    const bool above = r->header_lines < MOST_HEADER_LINES && r->points->count == 0;
+    status = above && is_header(&row) ? read_header(r, &row) : read_point(r, &row, x, y);
   }
   fmpq_clear(x);
   fmpq_clear(y);
-  return status;
-}
-
-static void drop_closing_point(tp_polyline *line) {
-  const long last = line->count - 1;
-  if (last < 3 || !fmpq_equal(line->x, line->x + last) || !fmpq_equal(line->y, line->y + last)) {
-    return;
-  }
-  fmpq_clear(line->x + last);
-  fmpq_clear(line->y + last);
-  line->count--;
+  return status == TP_OK ? note_repeated(r) : status;
 }
 
 /* Closes the file. */
 static tp_status read_file(tp_polyline *line, FILE *file, const char *path, bool closed,
-                           tp_message *message) {
+                           tp_notes *notes, tp_message *message) {
   *line = (tp_polyline){.file = path};
-  reader r = {.path = path, .points = line, .message = message, .file = file};
+  reader r = {.path = path,
+              .column = {0, 1},
+              .points = line,
+              .notes = notes,
+              .message = message,
+              .file = file};
   r.buffer = calloc(1, LONGEST_LINE);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
@@ -175,12 +261,13 @@ static tp_status read_file(tp_polyline *line, FILE *file, const char *path, bool
   if (status != TP_OK) {
     tp_polyline_clear(line);
   } else if (closed) {
-    drop_closing_point(line);
+    tp_polyline_drop_closing_point(line);
   }
   return status;
 }
 
-tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_message *message) {
+tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_notes *notes,
+                      tp_message *message) {
   FILE *file = fopen(path, "rb");
   if (file == NULL) {
     *line = (tp_polyline){.file = path};
@@ -188,15 +275,15 @@ tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_messa
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
                    strerror(errno));
   }
-  return read_file(line, file, path, closed, message);
+  return read_file(line, file, path, closed, notes, message);
 }
 
 tp_status tp_csv_read_text(tp_polyline *line, const char *text, const char *name, bool closed,
-                           tp_message *message) {
+                           tp_notes *notes, tp_message *message) {
   FILE *file = fmemopen((void *)text, strlen(text), "rb"); /* it only reads */
   if (file == NULL) {
     *line = (tp_polyline){.file = name};
     return tp_fail_memory(message, "an outline");
   }
-  return read_file(line, file, name, closed, message);
+  return read_file(line, file, name, closed, notes, message);
 }

@@ -133,11 +133,12 @@ tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_no
   if (node->kind == TP_NODE_SCALAR) {
     const char *path = keep_path(reader->scene, node->text);
     if (path == NULL) return tp_fail_memory(reader->message, name);
-    status = tp_csv_read(&points, path, closed, reader->message);
+    status = tp_csv_read(&points, path, closed, &reader->scene->notes, reader->message);
   } else if (node->kind == TP_NODE_SEQUENCE) {
     for (const tp_node *p = node->first; p != NULL && status == TP_OK; p = p->next) {
       status = read_vertex(reader, &points, p, name);
     }
+    if (closed) tp_polyline_drop_closing_point(&points);
   } else {
     status =
         tp_read_fail(reader, node, "%s must be a list of [x, y] or the name of a CSV file", name);

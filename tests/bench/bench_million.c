@@ -50,7 +50,10 @@ typedef struct work {
 } work;
 
 static tp_status read_csv(work *w) {
-  return tp_csv_read(&w->made.line, w->csv, true, &w->message);
+  tp_notes notes = {0};
+  const tp_status status = tp_csv_read(&w->made.line, w->csv, true, &notes, &w->message);
+  tp_notes_clear(&notes);
+  return status;
 }
 
 static tp_status make_section(work *w) {

@@ -12,8 +12,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size == 0) return -1;
   char *text = fuzz_text(data + 1, size - 1);
   tp_polyline line;
+  tp_notes notes = {0};
   tp_message message = {""};
-  const tp_status status = tp_csv_read_text(&line, text, "text", data[0] % 2 != 0, &message);
+  const tp_status status =
+      tp_csv_read_text(&line, text, "text", data[0] % 2 != 0, &notes, &message);
   if (status == TP_OK) {
     FUZZ_EXPECT(line.count > 0);
     for (long k = 0; k < line.count; k++) {
@@ -24,6 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     FUZZ_EXPECT(message.text[0] != '\0' && line.count == 0);
   }
   tp_polyline_clear(&line);
+  tp_notes_clear(&notes);
   free(text);
   return 0;
 }

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The JSON of every command against its schema (docs/schema, JSON Schema draft 2020-12), by a validator of others.
+
+A key that no schema explains fails here, and so does one that is explained and never printed by all that runs below:
+whoever adds a key to an output describes it in the schema and has it printed by a scene."""
+
+import copy
+import json
+import pathlib
+import tempfile
+import unittest
+
+try:
+    import jsonschema
+except ImportError as missing:
+    raise SystemExit("python3-jsonschema is missing: apt-get install python3-jsonschema") from missing
+
+import hard_case
+from harness import ROOT, main, run
+
+SCHEMAS = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in (ROOT / "docs" / "schema").glob("*.json")}
+EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+E = ROOT / "examples" / "block_e_valley.yaml"
+LOADED = ("rounded:", "ellipse:", "loads:", "arcs:")
+
+# What the examples and the hard cases do not bring forth.
+SCENES = {
+    "barton": "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
+              "friction: {law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: 50}\ntilt: {angle_deg: 20}\n",
+    "rolls": "block: {slab: {width: 10, height: 20}, rounded: {corners: [{at: left_end, radius: 2}]}}\n"
+             "tilt: {towards: left, angle_deg: 22}\n",
+    "cautions": "block: {slab: {width: 1000, height: 2000}, unit_weight_kn_m3: 2600}\ntilt: {towards: left}\n",
+    "slides at every tilt": "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n"
+                            "loads: {anchors: [{at: [0, 0], direction_deg: 180, force_kn: 2000}]}\n"
+                            "tilt: {towards: left, angle_deg: 10}\n",
+    "water overtops": "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n"
+                      "loads: {water: {height: 3, stays_level: true}}\ntilt: {towards: left, angle_deg: 5}\n",
+    "upright toe": "block: {outline: [[0, 0], [1, 0], [1, 1], [3, 1], [3, 4], [0, 4]]}\nfriction_angle_deg: 30\n"
+                   "tilt: {towards: right}\n",
+}
+
+
+def properties_of(schema, place=""):
+    """Every set of properties of a schema with where it stands; sub-schemas too."""
+    if isinstance(schema, list):
+        for k, part in enumerate(schema):
+            yield from properties_of(part, f"{place}[{k}]")
+    elif isinstance(schema, dict):
+        if isinstance(schema.get("properties"), dict) and schema.get("type") in ("object", ["object", "null"]):
+            yield place, schema
+        for key, part in schema.items():
+            yield from properties_of(part, f"{place}/{key}")
+
+
+class Schema(unittest.TestCase):
+    seen = set()
+
+    @classmethod
+    def setUpClass(cls):
+        own = jsonschema.Draft202012Validator.VALIDATORS["properties"]
+
+        def properties(validator, value, instance, schema):
+            if isinstance(instance, dict):
+                cls.seen.update((id(value), key) for key in instance if key in value)
+            yield from own(validator, value, instance, schema)
+
+        recording = jsonschema.validators.extend(jsonschema.Draft202012Validator, {"properties": properties})
+        cls.validators = {name: recording(schema) for name, schema in SCHEMAS.items()}
+
+    def fits(self, name, out):
+        document = json.loads(out)
+        wrong = [f"{'/'.join(map(str, error.absolute_path))}: {error.message[:300]}"
+                 for error in self.validators[name].iter_errors(document)]
+        self.assertEqual(wrong[:5], [])
+        return document
+
+    def prints(self, *words, statuses=(0,), folder=ROOT):
+        with self.subTest(words=" ".join(map(str, words))):
+            status, out, err = run(*words, folder=folder)
+            self.assertIn(status, statuses, err)
+            return self.fits(words[0], out) if out or status != 4 else None  # a number is left open
+
+    def test_1_schemas(self):
+        """They are schemas, closed to keys that they do not describe, and describe each that they know."""
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "solve", "verify"})
+        for name, schema in SCHEMAS.items():
+            jsonschema.Draft202012Validator.check_schema(schema)
+            self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
+            count = 0
+            for place, part in properties_of(schema, name):
+                self.assertIs(part.get("additionalProperties"), False, place)
+                self.assertLessEqual(set(part.get("required", ())), set(part["properties"]), place)
+                for key, own in part["properties"].items():
+                    count += 1
+                    self.assertGreater(len(own.get("description", "")), 5, f"{place}: {key} is not explained")
+            self.assertGreater(count, 15, name)
+
+    def test_2_solve_examples(self):
+        for scene in EXAMPLES:
+            self.prints("solve", "--json", scene)
+            self.prints("solve", "--json", "--digits", "40", scene)
+            if not any(word in scene.read_text(encoding="utf-8") for word in LOADED):
+                self.prints("solve", "--json", "--elements", scene)
+
+    def test_2_solve_hard_cases(self):
+        count = 0
+        for path in sorted((ROOT / "tests" / "hard").glob("*.yaml")):
+            case = hard_case.Case(path)
+            if case.big or case.refusal:
+                continue
+            count += 1
+            with tempfile.TemporaryDirectory() as folder:
+                case.write(pathlib.Path(folder))
+                self.prints("solve", "--json", *case.options, path.name, statuses=(0, 4), folder=folder)
+        self.assertGreater(count, 60)
+
+    def test_2_solve_further(self):
+        for name, text in SCENES.items():
+            with tempfile.TemporaryDirectory() as folder, self.subTest(name):
+                (pathlib.Path(folder) / "scene.yaml").write_text(
+                    f"topple: 1\ntitle: {name}\nlength_unit: m\nbase: {{mated: true}}\n{text}")
+                self.prints("solve", "--json", "scene.yaml", folder=folder)
+
+    def test_2_find(self):
+        found = [self.prints("solve", "--json", "--find", key, "--for", target, scene)["find"] for key, target, scene in (
+            ("a", "critical_angle=20", E), ("friction_angle_deg", "limit_fos=1.3", E), ("block.teeth.count", "sliding_angle=89", E),
+            ("loads.seismic.horizontal", "fos=1", ROOT / "examples" / "block_seismic.yaml"))]
+        self.assertTrue(any(own["solutions"] for own in found) and not all(own["solutions"] for own in found))
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(
+                "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 1}}\nbase: {mated: true}\n"
+                "friction_angle_deg: 30\ntilt: {towards: left}\n")
+            found = self.prints("solve", "--json", "--find", "block.slab.height", "--for", "limit_angle=30", "scene.yaml",
+                                folder=folder)["find"]
+            self.assertEqual(len(found["intervals"]), 1)
+
+    def test_2_derive(self):
+        rounded = [scene for scene in EXAMPLES if "teeth:" in scene.read_text(encoding="utf-8")]
+        count = 0
+        for scene in EXAMPLES:
+            for words in ((), ("--elements",), ("--limit",)):
+                status, out, _ = run("derive", "--json", *words, scene)
+                if status == 0:
+                    count += 1
+                    self.fits("derive", out)
+        self.assertGreater(count, 30)
+        for scene in rounded:
+            for words in (("--rounded",), ("--for-all", "count")):
+                status, out, _ = run("derive", "--json", *words, scene)
+                if status == 0:
+                    self.fits("derive", out)
+
+    def test_2_verify(self):
+        document = self.prints("verify", "--json", ROOT / "examples" / "paper" / "claims.yaml", statuses=(1,))
+        self.assertGreater(len(document["claims"]), 400)
+
+    def test_2_accuracy(self):
+        for scene in ("block_e_valley", "block_a_worn", "boulder"):
+            self.prints("accuracy", "--json", ROOT / "examples" / f"{scene}.yaml")
+        self.prints("accuracy", "--json", "--sweep=10:100")
+
+    def test_2_chart(self):
+        for kind in ("fos", "mechanisms", "ranges"):
+            self.prints("chart", "--json", kind)
+        slab = ROOT / "examples" / "slab_left.yaml"
+        self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150")
+        self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150", "--y", "block.slab.height=10:150")
+
+    def test_3_strange_keys_are_found(self):
+        """The schema refuses a key that it does not know, one that is missing, and another kind of value, wherever
+        they are put: at every object of a solution in turn."""
+        solution = self.prints("solve", "--json", "--find", "a", "--for", "critical_angle=20", E)
+        validator = jsonschema.Draft202012Validator(SCHEMAS["solve"])
+
+        def objects(tree):
+            if isinstance(tree, dict):
+                yield tree
+            for part in tree.values() if isinstance(tree, dict) else tree if isinstance(tree, list) else ():
+                yield from objects(part)
+
+        count = len(list(objects(solution)))
+        self.assertGreater(count, 60)
+        for k in range(count):
+            strange, lacking, other = (copy.deepcopy(solution) for _ in range(3))
+            list(objects(strange))[k]["unheard_of"] = 1
+            self.assertFalse(validator.is_valid(strange))
+            own = list(objects(lacking))[k]
+            del own["value" if "value" in own else next(iter(own))]
+            self.assertFalse(validator.is_valid(lacking))
+            own = list(objects(other))[k]
+            own[next(iter(own))] = {"text": "no number, text or list of these"}
+            self.assertFalse(validator.is_valid(other))
+
+    def test_4_nothing_is_explained_that_is_not_printed(self):
+        """Runs last: every key of every schema was printed by a command above."""
+        never = [f"{place}: {key}" for name, validator in self.validators.items()
+                 for place, part in properties_of(validator.schema, name)
+                 for key in part["properties"] if (id(part["properties"]), key) not in self.seen]
+        self.assertEqual(never, [])
+
+
+if __name__ == "__main__":
+    main()
