@@ -55,8 +55,9 @@ static void add_least(tp_text *t, const tp_governing_fos *g) {
     if (g->up_dip) {
       tp_text_add(t, "No FoS: at this tilt it lets go up-dip");
     } else {
-      tp_text_add(t, "No FoS: nothing holds it at this tilt");
+      tp_text_add(t, "No FoS");
       add_way(t, g);
+      tp_text_add(t, ": nothing holds it");
     }
     return;
   case TP_FOS_UNDECIDED:
