@@ -152,7 +152,9 @@ static void govern(tp_case *c, const tp_solution *solution) {
                           .complete = solution->has_friction};
   if (!solution->has_tilt_angle) return;
   g->fos.state = TP_FOS_NOT_ASKED;
-  if (c->limit.kind != TP_LIMIT_NOWHERE) { /* else no pivot and no facet carries it */
+  const tp_contact_result *contact = &solution->contact;
+  if (contact->facets > 0 ||
+      contact->points > contact->corner_points) { /* else nothing carries it */
     add_moments(g, c);
     add_sliding(g, c, solution->loaded);
   }
