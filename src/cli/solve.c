@@ -194,17 +194,16 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
 /* ---- one scene ---------------------------------------------------------------------------------
  */
 
-/* The figure last: it is not left behind by a report that could not be written. */
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
   tp_status status = solve_scene(&solution, &scene, a->scene, a, message);
+  if (status == TP_OK && a->figure != NULL) {
+    status = tp_cli_draw(a->figure, scene, solution, message);
+  }
   if (status == TP_OK) {
     status = a->find.key != NULL ? print_found(solution, a, ended, message)
                                  : print_solution(solution, a, ended);
-  }
-  if (status == TP_OK && *ended == 0 && a->figure != NULL) {
-    status = tp_cli_draw(a->figure, scene, solution, message);
   }
   if (status == TP_OK && *ended == 0 && a->find.key == NULL) {
     *ended = end_open(solution, a, a->scene);

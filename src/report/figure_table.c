@@ -4,6 +4,7 @@
 /* The pivots below a panel. */
 
 #include "report/figure.h"
+#include "report/report_pivots.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,7 +33,6 @@ static void fill_head(table *t, const tp_figure *figure) {
 static void fill_row(table *t, const tp_figure *figure, const tp_case *own, size_t k) {
   const tp_page page = {.solution = figure->solution};
   const tp_pivot *pivot = own->pivots + k;
-  const bool governs = own->has_governing && k == own->governing;
   char(*cells)[CELL_SIZE] = t->cells[t->rows++];
   char n[TP_NUMBER_SIZE];
   snprintf(cells[NUMBER], CELL_SIZE, "%zu", k + 1);
@@ -48,10 +48,7 @@ static void fill_row(table *t, const tp_figure *figure, const tp_case *own, size
   if (figure->solution->has_tilt_angle) {
     snprintf(cells[FACTOR], CELL_SIZE, "%s", tp_page_fos(n, pivot->fos_resultant));
   }
-  snprintf(cells[TURNING], CELL_SIZE, "%s",
-           governs             ? "governs"
-           : pivot->admissible ? "admissible"
-                               : "blocked");
+  snprintf(cells[TURNING], CELL_SIZE, "%s", tp_text_turning(own, k));
 }
 
 /* Columns as wide as their widest cell in bold, what is left between them; smaller letters where
@@ -124,6 +121,7 @@ double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *sta
   rule(cr, x, y, width, 0.8);
   if (count == own->pivot_count) return y;
   char more[96];
-  snprintf(more, sizeof more, "and %zu more (--json lists all)", own->pivot_count - count);
+  snprintf(more, sizeof more, "and %zu more (--json --pivots=all lists all)",
+           own->pivot_count - count);
   return tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, false, more);
 }

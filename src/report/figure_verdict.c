@@ -4,6 +4,8 @@
 /* What a panel says in words, above and below its drawing. */
 
 #include "report/figure.h"
+#include "report/report_governing.h"
+#include "report/report_onset.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -58,6 +60,7 @@ static void add_base(tp_text *t, const tp_figure *figure, const tp_state *state)
 static void add_moments(tp_text *t, const tp_figure *figure, const tp_state *state) {
   const tp_case *own = state->own;
   char n[TP_NUMBER_SIZE];
+  if (own->limit.kind == TP_LIMIT_NOWHERE) return; /* no pivot carries it */
   if (!own->has_governing) {
     tp_text_add(t, " By moments: turning is blocked about every pivot.");
     return;
@@ -75,12 +78,45 @@ static void add_moments(tp_text *t, const tp_figure *figure, const tp_state *sta
   }
 }
 
+/* "Certain to stand up to 26.22° and to move beyond 30.25°; between them history decides." */
+static void add_onset(tp_text *t, const tp_case *own) {
+  const tp_onset *o = &own->onset;
+  char n[2][TP_NUMBER_SIZE];
+  degrees(n[0], o->critical_angle_deg);
+  degrees(n[1],
+          own->slides_sooner ? own->sliding.critical_angle_deg : own->limit.critical_angle_deg);
+  const bool limited = own->limit.kind == TP_LIMIT_AT_ANGLE;
+  switch (o->kind) {
+  case TP_ONSET_AT_ANGLE:
+    tp_text_add(t, " Certain to stand up to α_s = %s°", n[0]);
+    if (tp_onset_leaves_window(own)) {
+      tp_text_add(t, ", where it can begin to %s", tp_text_to_move(o->mechanism));
+      tp_text_add(
+          t, limited ? ", and to move beyond α_w = %s°; between them history decides." : ".", n[1]);
+    } else {
+      tp_text_add(t, ", and to move beyond.");
+    }
+    return;
+  case TP_ONSET_NEVER:
+    tp_text_add(t, " Certain to stand at every tilt up to 90°.");
+    return;
+  case TP_ONSET_NOWHERE:
+    tp_text_add(t, " Not certain to stand at any tilt.");
+    return;
+  case TP_ONSET_UNDECIDED:
+    tp_text_add(t, " Up to which tilt it is certain to stand is undecided.");
+    return;
+  case TP_ONSET_NOT_ASKED:
+    return;
+  }
+}
+
 static void add_scene_tilt(tp_text *t, const tp_figure *figure, const tp_state *state) {
   const tp_solution *solution = figure->solution;
   const tp_case *own = state->own;
   char n[2][TP_NUMBER_SIZE];
   if (own->falls_backwards) {
-    tp_text_add(t, " At %s° it topples the other way, up-dip.",
+    tp_text_add(t, " At %s° it lets go the other way, up-dip.",
                 solution->has_tilt_angle ? tp_page_degrees(n[0], solution->tilt_angle_deg) : "0");
     return;
   }
@@ -158,6 +194,9 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
 bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp_state *state,
                        double x, double width) {
   tp_text verdict = {0}, more = {0};
+  tp_text_governing(&verdict, state->own);
+  if (verdict.length > 0) tp_text_add(&verdict, ". ");
+  const size_t begin = verdict.length;
   if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
     tp_text_add(&verdict, "Does not hold even on level ground: ");
   }
@@ -166,16 +205,19 @@ bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp
   if (state->own->limit.kind == TP_LIMIT_NOT_ASKED) {
     tp_text_add(&verdict, "Without a friction angle only moments are judged.");
   }
+  add_onset(&more, state->own);
   add_moments(&more, figure, state);
   add_scene_tilt(&more, figure, state);
   add_reactions(&more, figure, state);
   add_loads(&more, figure);
   const bool done = !verdict.failed && !more.failed;
   if (done) {
-    verdict.data[0] = (char)toupper((unsigned char)verdict.data[0]);
+    verdict.data[begin] = (char)toupper((unsigned char)verdict.data[begin]);
     tp_figure_ink(cr, TP_INK_BLACK);
     *y = tp_figure_paragraph(cr, x, *y, width, TP_BODY_SIZE, true, verdict.data);
-    *y = tp_figure_paragraph(cr, x, *y + 1, width, TP_BODY_SIZE, false, more.data);
+    if (more.data != NULL) {
+      *y = tp_figure_paragraph(cr, x, *y + 1, width, TP_BODY_SIZE, false, more.data);
+    }
   }
   free(verdict.data);
   free(more.data);

@@ -55,8 +55,9 @@ static void add_least(tp_text *t, const tp_governing_fos *g) {
     if (g->up_dip) {
       tp_text_add(t, "No FoS: at this tilt it lets go up-dip");
     } else {
-      tp_text_add(t, "No FoS: nothing holds it at this tilt");
+      tp_text_add(t, "No FoS");
       add_way(t, g);
+      tp_text_add(t, ": nothing holds it");
     }
     return;
   case TP_FOS_UNDECIDED:
@@ -83,10 +84,10 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
   case TP_FOS_BY_MOMENTS:
     return "moments: stabilising over overturning";
   case TP_FOS_BY_SHEAR:
-    return loaded ? "shear strength over shear force, on the facet"
-                  : "shear strength on the facet, tan φ / tan(α − i)";
+    return loaded ? "shear strength over force along the facet"
+                  : "shear strength on the facet: tan φ/tan(α−i)";
   case TP_FOS_BY_ROUGHNESS:
-    return "shear strength, mean plane, tan(φ + i) / tan α";
+    return "shear strength, mean plane: tan(φ+i)/tan α";
   case TP_FOS_BY_REDUCTION:
     return "strength reduction, by contact forces";
   }
@@ -98,11 +99,11 @@ static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
   char n[TP_NUMBER_SIZE];
   tp_text against = {0};
   tp_text_against(&against, factor);
-  tp_text_add(&p->text, "%s %-9s  %-24s %s\n", g->has_factor && k == g->factor ? ">" : " ",
+  tp_text_add(&p->text, "%s %-9s %-23s %s\n", g->has_factor && k == g->factor ? ">" : " ",
               tp_page_fos(n, factor->fos), against.failed ? "" : against.data,
               long_definition(factor, p->solution->loaded));
   if (!factor->counts) {
-    tp_text_add(&p->text, "%38s(does not count: another facet stands in the way)\n", "");
+    tp_text_add(&p->text, "%36s(does not count: a facet stands in the way)\n", "");
   }
   p->text.failed = p->text.failed || against.failed;
   tp_text_drop(&against);
@@ -121,7 +122,7 @@ void tp_page_add_governing(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "\n");
     return;
   }
-  tp_text_add(&p->text, "\n  %-9s  %-24s %s\n", "FoS", "against", "by");
+  tp_text_add(&p->text, "\n  %-9s %-23s %s\n", "FoS", "against", "by");
   for (size_t k = 0; k < g->factor_count; k++) add_row(p, g, k);
   tp_text_add(&p->text, "\n");
 }

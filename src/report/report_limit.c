@@ -3,6 +3,8 @@
 
 #include "report/report_limit.h"
 
+#include "report/report_onset.h"
+
 /* "slides and topples about (-21.6, -57.7)" */
 static void add_motion(tp_page *p, const tp_case *c, const tp_limit *l) {
   tp_text_add(&p->text, "%s", tp_text_mechanism(l->mechanism));
@@ -77,6 +79,7 @@ static void add_moments(tp_page *p, const tp_case *c) {
   const tp_bounded limit = c->limit.critical_angle_deg;
   tp_text_fixed(n, toppling, 3);
   if (limit.value - limit.error > toppling.value + toppling.error) {
+    if (tp_onset_leaves_window(c)) return; /* said of the onset */
     tp_text_add(&p->text,
                 "  Moments alone say %s°, about pivot %zu: friction on the other contacts\n"
                 "  can hold it beyond, if it is mobilised.\n",

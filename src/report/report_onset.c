@@ -58,7 +58,7 @@ static void add_stands(tp_page *p, const tp_case *c) {
   if (o->below_limit || c->limit.kind != TP_LIMIT_AT_ANGLE) {
     add_beginning(p, c);
   } else {
-    tp_text_add(&p->text, ",\n  and to move beyond: it ");
+    tp_text_add(&p->text, ",\n  and to move beyond:\n  it ");
     tp_page_add_first(p, c);
     tp_text_add(&p->text, ".\n");
   }
@@ -71,7 +71,7 @@ static void add_moves(tp_page *p, const tp_case *c) {
   case TP_LIMIT_AT_ANGLE:
     if (!tp_onset_leaves_window(c)) return;
     tp_text_add(
-        &p->text, "  Certain to move beyond α_w = %s°: it ",
+        &p->text, "  Certain to move beyond α_w = %s°:\n  it ",
         tp_text_fixed(
             n, c->slides_sooner ? c->sliding.critical_angle_deg : c->limit.critical_angle_deg, 3));
     tp_page_add_first(p, c);
@@ -92,6 +92,11 @@ static void add_moves(tp_page *p, const tp_case *c) {
   }
 }
 
+/* Does it reach above level? What happens when it is tilted back is no question here. */
+static bool is_above_level(const tp_window *w) {
+  return w->to_above || w->to_deg.value > 0;
+}
+
 static void add_window(tp_page *p, const tp_window *w) {
   char n[2][TP_NUMBER_SIZE];
   tp_text_fixed(n[0], w->from_deg, 3);
@@ -105,35 +110,41 @@ static void add_window(tp_page *p, const tp_window *w) {
   } else {
     tp_text_add(&p->text, "from %s° to %s°", n[0], n[1]);
   }
-  tp_text_add(&p->text, " it can %s", tp_text_to_move(w->begins));
 }
 
 /* Where one tilt does not tell all of it. */
 static void add_windows(tp_page *p, const tp_onset *o) {
   enum { SHOWN = 8 };
-  const bool plain = o->window_count == 1 && o->windows[0].to_above;
-  if (o->window_count == 0 || plain) return;
-  tp_text_add(&p->text, "  Motions can begin in %zu window%s of tilts:\n", o->window_count,
-              o->window_count == 1 ? "" : "s");
-  for (size_t k = 0; k < o->window_count && k < SHOWN; k++) {
-    tp_text_add(&p->text, "    ");
-    add_window(p, o->windows + k);
-    tp_text_add(&p->text, ",\n");
+  size_t count = 0, shown = 0;
+  bool ends = false;
+  for (size_t k = 0; k < o->window_count; k++) {
+    count += is_above_level(o->windows + k);
+    ends = ends || (is_above_level(o->windows + k) && !o->windows[k].to_above);
   }
-  if (o->window_count > SHOWN) {
-    tp_text_add(&p->text, "    and %zu more (--json lists them),\n", o->window_count - SHOWN);
+  if (!ends) return;
+  tp_text_add(&p->text, "  Motions can begin ");
+  for (size_t k = 0; k < o->window_count && shown < SHOWN; k++) {
+    const tp_window *w = o->windows + k;
+    if (!is_above_level(w)) continue;
+    tp_text_add(&p->text, "%s", shown > 0 ? ",\n    " : "");
+    add_window(p, w);
+    tp_text_add(&p->text, " (first to %s)", tp_text_to_move(w->begins));
+    shown++;
   }
-  tp_text_add(&p->text, "  and at no other tilt.\n");
+  if (count > shown) {
+    tp_text_add(&p->text, ",\n    and in %zu more windows (--json lists them)", count - shown);
+  }
+  tp_text_add(&p->text, "\n  and at no other tilt up to 90°.\n");
 }
 
 void tp_page_add_onset(tp_page *p, const tp_case *c) {
   add_stands(p, c);
   add_moves(p, c);
   if (tp_onset_leaves_window(c)) {
-    tp_text_add(
-        &p->text,
-        "  Between them history decides: friction on facets that nothing has pressed could\n"
-        "  hold it. How it came to lie there would tell, a tilt test, or the tilting table.\n");
+    tp_text_add(&p->text,
+                "  Between them history decides: friction on facets that nothing has pressed\n"
+                "  could hold it. How it came to lie there would tell, or a tilt test, or the\n"
+                "  tilting table.\n");
   }
   add_windows(p, &c->onset);
   if (c->onset.paradox) {

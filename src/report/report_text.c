@@ -156,9 +156,7 @@ static double seconds(const tp_solution *s) {
 /* What is left of what ran: one line. */
 static void add_certainty(tp_page *p) {
   const tp_solution *s = p->solution;
-  tp_text_add(&p->text,
-              "\nCertain to every digit printed, by %s arithmetic, in %.2g ms (--verbose: what "
-              "ran).\n",
+  tp_text_add(&p->text, "\nCertain to every digit printed; %s, %.2g ms (--verbose: what ran).\n",
               tp_level_name(s->level), 1e3 * seconds(s));
 }
 

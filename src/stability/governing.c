@@ -114,10 +114,16 @@ static bool overlap(tp_bounded a, tp_bounded b) {
   return fabs(a.value - b.value) <= a.error + b.error;
 }
 
+/* No strength holds a block that topples by its moments: their factor below 1 tells by how much. */
+static bool is_told_by_moments(const tp_governing_fos *g, const tp_factor *own) {
+  return own->definition == TP_FOS_BY_REDUCTION && own->fos.state == TP_FOS_UNDEFINED &&
+         rank_of(g->fos) == RANK_NUMBER && g->fos.value.value + g->fos.value.error < 1;
+}
+
 static void take_least(tp_governing_fos *g) {
   for (size_t k = 0; k < g->factor_count; k++) {
     const tp_factor *own = g->factors + k;
-    if (!own->counts) continue;
+    if (!own->counts || is_told_by_moments(g, own)) continue;
     if (rank_of(own->fos) == RANK_UNDECIDED) g->complete = false;
     const tp_factor *held = g->has_factor ? g->factors + g->factor : NULL;
     if (held != NULL && rank_of(own->fos) == RANK_NUMBER && rank_of(held->fos) == RANK_NUMBER) {
@@ -146,7 +152,9 @@ static void govern(tp_case *c, const tp_solution *solution) {
                           .complete = solution->has_friction};
   if (!solution->has_tilt_angle) return;
   g->fos.state = TP_FOS_NOT_ASKED;
-  if (c->limit.kind != TP_LIMIT_NOWHERE) { /* else no pivot and no facet carries it */
+  const tp_contact_result *contact = &solution->contact;
+  if (contact->facets > 0 ||
+      contact->points > contact->corner_points) { /* else nothing carries it */
     add_moments(g, c);
     add_sliding(g, c, solution->loaded);
   }

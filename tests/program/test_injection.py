@@ -59,7 +59,7 @@ class Outputs(hostile.Case):
 
     def test_titles_in_a_table(self):
         for _, out, lines in self.each_title("solve", "--table"):
-            hostile.as_markdown(out, self, 9)
+            hostile.as_markdown(out, self, 14)
             self.assertEqual(out.count(b"\n"), lines)
 
     def test_titles_in_figures(self):
