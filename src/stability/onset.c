@@ -173,20 +173,19 @@ static tp_motion_outcome find(asking *a) {
 
 bool tp_evaluate_onset(tp_evaluation *e, tp_case *result, tp_onset_found *found) {
   tp_onset_clear(&result->onset);
-  tp_cones cones;
-  tp_motion_question q;
-  if (!tp_onset_question_init(&q, &cones, e, result->towards)) return false;
+  tp_onset_asked asked;
+  if (!tp_onset_asked_init(&asked, e, result->towards)) return false;
   arb_t friction;
   arb_init(friction);
   tp_friction_at(friction, e, friction);
-  tp_friction_tangent(cones.friction, friction, e->rung.bits);
+  tp_friction_tangent(asked.cones.friction, friction, e->rung.bits);
   arb_clear(friction);
-  asking a = {.e = e, .result = result, .found = found, .q = &q};
-  tp_work_begin(e->work, tp_cones_column_count(&cones));
+  asking a = {.e = e, .result = result, .found = found, .q = &asked.question};
+  tp_work_begin(e->work, tp_cones_column_count(&asked.cones));
   const tp_motion_outcome outcome = find(&a);
   if (outcome == TP_MOTION_OPEN || outcome == TP_MOTION_TOO_DEAR) {
     leave_open(&a, outcome == TP_MOTION_TOO_DEAR);
   }
-  tp_onset_question_clear(&q, &cones);
+  tp_onset_asked_clear(&asked);
   return outcome != TP_MOTION_OUT_OF_MEMORY;
 }
