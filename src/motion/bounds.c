@@ -294,22 +294,27 @@ static tp_motion_outcome bound_pairs(spanning *s) {
   return flat_pair[0] < 0 ? TP_MOTION_OPEN : bound_flat(s, flat_pair);
 }
 
-/* The interior: h . a >= 0 on every face of K, for a = (w_x, w_y, w_m / k^2), times k^2. */
+void tp_bounds_of_normal(tp_vector *own, const tp_motion_question *q, const tp_normals *n,
+                         long normal) {
+  const long bits = q->judge.precision;
+  const tp_vector *h = &n->items[normal].h;
+  arb_mul(own->of, h->of, q->gyration, bits);
+  arb_mul(own->of + 1, h->of + 1, q->gyration, bits);
+  arb_mul(own->of + 2, h->of + 2, q->scale, bits); /* s t . q - t . (x, y) */
+  arb_submul(own->of + 2, h->of + 1, q->x, bits);
+  arb_addmul(own->of + 2, h->of, q->y, bits);
+}
+
+/* The interior: h . a >= 0 on every face of K, for a = M^-1 w, times k^2. */
 static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_motion_question *q,
                                         const tp_normals *n, const tp_twists *twists,
                                         const tp_strength *strength) {
-  const long bits = q->judge.precision;
   for (long k = 0; k < twists->face_count; k++) {
     const long normal = twists->faces[k].normal;
     if (k > 0 && normal == twists->faces[k - 1].normal) continue;
     tp_bound *own = add_bound(bounds);
     if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
-    const tp_vector *h = &n->items[normal].h;
-    arb_mul(own->h.of, h->of, q->gyration, bits);
-    arb_mul(own->h.of + 1, h->of + 1, q->gyration, bits);
-    arb_mul(own->h.of + 2, h->of + 2, q->scale, bits); /* s t . q - t . (x, y) */
-    arb_submul(own->h.of + 2, h->of + 1, q->x, bits);
-    arb_addmul(own->h.of + 2, h->of, q->y, bits);
+    tp_bounds_of_normal(&own->h, q, n, normal);
     own->source = q->through_centroid ? (tp_source){.kind = TP_FROM_AXIS,
                                                     .a = n->families[n->items[normal].family].axis}
                                       : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};

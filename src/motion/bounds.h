@@ -49,4 +49,8 @@ void tp_bounds_of_ray(tp_vector *own, const tp_motion_question *question, const 
 void tp_bounds_of_edge(tp_vector *own, const tp_motion_question *question,
                        const tp_normals *normals, const tp_mode_edge *edge);
 
+/* k^2 M^-1 h of a normal line: times a force it is the acceleration along the normal, times k^2. */
+void tp_bounds_of_normal(tp_vector *own, const tp_motion_question *question,
+                         const tp_normals *normals, long normal);
+
 #endif
