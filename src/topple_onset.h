@@ -66,6 +66,7 @@ typedef struct tp_motion {
 typedef struct tp_onset {
   tp_onset_kind kind;
   bool too_dear;                 /* undecided, since the proof takes more work than is allowed */
+  tp_bounded friction_angle_deg; /* at the normal stress of the onset */
   tp_bounded critical_angle_deg; /* alpha_s; below 0: certain to stand only when tilted back */
   tp_mechanism mechanism;        /* what can begin there */
   bool tie;                      /* another mechanism can begin at the same tilt: */
@@ -77,7 +78,8 @@ typedef struct tp_onset {
   tp_window *windows;
   bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder
                    (Painleve): rigid bodies with Coulomb friction have no unique answer there */
-  bool has_motions; /* motions at the scene's tilt were asked for and are certain */
+  bool has_motions; /* at the scene's tilt, where there is one; not under cohesion or bonds, and not
+                       where they stay open */
   size_t motion_count;
   tp_motion *motions; /* owned by the case */
 } tp_onset;

@@ -23,12 +23,17 @@ typedef struct spanning {
   const tp_motion_question *q;
   const tp_normals *n;
   const tp_mode *mode;
-  long count;
+  const tp_strength *strength; /* or NULL */
+  long count;                  /* of the generators */
+  long free_count;             /* of those behind them that may be anything within bounds */
   generator *items;
 } spanning;
 
 void tp_bounds_clear(tp_bounds *bounds) {
-  for (long k = 0; k < bounds->room; k++) tp_vector_clear(&bounds->items[k].h);
+  for (long k = 0; k < bounds->room; k++) {
+    tp_vector_clear(&bounds->items[k].h);
+    arb_clear(bounds->items[k].held);
+  }
   free(bounds->items);
   memset(bounds, 0, sizeof *bounds);
 }
@@ -38,11 +43,30 @@ static tp_bound *add_bound(tp_bounds *bounds) {
     const long room = 2 * bounds->room + 8;
     tp_bound *more = realloc(bounds->items, (size_t)room * sizeof *more);
     if (more == NULL) return NULL;
-    for (long k = bounds->room; k < room; k++) tp_vector_init(&more[k].h);
+    for (long k = bounds->room; k < room; k++) {
+      tp_vector_init(&more[k].h);
+      arb_init(more[k].held);
+    }
     bounds->items = more;
     bounds->room = room;
   }
+  arb_zero(bounds->items[bounds->count].held);
   return bounds->items + bounds->count++;
+}
+
+/* h . (w + fixed) + sum |h . free| >= 0 */
+static void set_held(tp_bound *bound, const tp_strength *s, const tp_judge *judge) {
+  if (s == NULL) return;
+  arb_t own;
+  arb_init(own);
+  tp_vector_dot(bound->held, &bound->h, &s->fixed, judge->precision);
+  for (long k = 0; k < s->free_count; k++) {
+    tp_vector_dot(own, &bound->h, s->free + k, judge->precision);
+    arb_abs(own, own);
+    arb_add(bound->held, bound->held, own, judge->precision);
+  }
+  arb_neg(bound->held, bound->held);
+  arb_clear(own);
 }
 
 /* The centroid moves by (s v_x - theta y, s v_y + theta x). */
@@ -96,6 +120,22 @@ static void add_edge(spanning *s, const tp_mode_edge *edge) {
   tp_bounds_of_edge(&own->of, s->q, s->n, edge);
 }
 
+/* What cohesion and bonds add: pulls beside the generators, free forces behind them. */
+static void add_strength(spanning *s) {
+  const tp_strength *strength = s->strength;
+  if (strength == NULL) return;
+  const long first = 3 * s->n->cones->count; /* of the numbers of those */
+  for (long k = 0; k < strength->pull_count + strength->free_count; k++) {
+    const bool pull = k < strength->pull_count;
+    const tp_vector *from = pull ? strength->pulls + k : strength->free + k - strength->pull_count;
+    generator *own = s->items + s->count + s->free_count;
+    *own = (generator){.id = first + s->n->cones->count + k, .axis = -1 - k, .site = -1 - k};
+    tp_vector_init(&own->of);
+    for (int e = 0; e < 3; e++) arb_set(own->of.of + e, from->of + e);
+    *(pull ? &s->count : &s->free_count) += 1;
+  }
+}
+
 static tp_source source_of(const spanning *s, const generator *a, const generator *b) {
   if (!a->is_ray && !b->is_ray) {
     if (a->site == b->site) return (tp_source){.kind = TP_FROM_SITE, .a = a->site};
@@ -106,11 +146,11 @@ static tp_source source_of(const spanning *s, const generator *a, const generato
     const generator *ray = a->is_ray ? a : b;
     const long family = a->is_ray && b->is_ray ? s->n->items[s->mode->normal].family : 0;
     if (a->is_ray && b->is_ray) {
-      return s->q->weight_alone
+      return s->q->through_centroid
                  ? (tp_source){.kind = TP_FROM_AXIS, .a = s->n->families[family].axis}
                  : (tp_source){.kind = TP_FROM_NORMAL, .a = s->mode->normal};
     }
-    if (s->q->weight_alone && ray->axis >= 0) {
+    if (s->q->through_centroid && ray->axis >= 0) {
       return (tp_source){.kind = TP_FROM_AXIS, .a = ray->axis};
     }
   }
@@ -180,6 +220,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   }
   if ((above > 0 && below > 0) || (above == 0 && below == 0)) return TP_MOTION_PROVEN;
   if (below > 0) tp_vector_neg(&own->h);
+  set_held(own, s->strength, &s->q->judge);
   s->bounds->count++;
   return TP_MOTION_PROVEN;
 }
@@ -204,6 +245,7 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
     if (side == 1) tp_vector_neg(&own->h);
     own->source = source;
     own->rays = ~0U;
+    set_held(own, s->strength, &s->q->judge);
   }
   for (long g = 0; g < s->count && done == TP_MOTION_PROVEN; g++) {
     tp_bound *own = add_bound(s->bounds);
@@ -227,6 +269,7 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
     }
     if ((above > 0) == (below > 0)) continue;
     if (below > 0) tp_vector_neg(&own->h);
+    set_held(own, s->strength, &s->q->judge);
     s->bounds->count++;
   }
   tp_vector_clear(&normal);
@@ -236,12 +279,13 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
 static tp_motion_outcome bound_pairs(spanning *s) {
   bool solid = false;
   long flat_pair[2] = {-1, -1};
-  const double steps = (double)(s->count * s->count);
-  if (s->count > MOST_GENERATORS || !tp_work_spend(s->q->work, steps, s->count, s->q->judge.bits)) {
+  const long all = s->count + s->free_count;
+  if (all > MOST_GENERATORS ||
+      !tp_work_spend(s->q->work, (double)(all * all), all, s->q->judge.bits)) {
     return TP_MOTION_TOO_DEAR;
   }
-  for (long i = 0; i < s->count; i++) {
-    for (long j = i + 1; j < s->count; j++) {
+  for (long i = 0; i < all; i++) {
+    for (long j = i + 1; j < all; j++) {
       const tp_motion_outcome done = try_pair(s, &solid, flat_pair, i, j);
       if (done != TP_MOTION_PROVEN) return done;
     }
@@ -250,41 +294,50 @@ static tp_motion_outcome bound_pairs(spanning *s) {
   return flat_pair[0] < 0 ? TP_MOTION_OPEN : bound_flat(s, flat_pair);
 }
 
-/* The interior: h . a >= 0 on every face of K, for a = (w_x, w_y, w_m / k^2), times k^2. */
-static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_motion_question *q,
-                                        const tp_normals *n, const tp_twists *twists) {
+void tp_bounds_of_normal(tp_vector *own, const tp_motion_question *q, const tp_normals *n,
+                         long normal) {
   const long bits = q->judge.precision;
+  const tp_vector *h = &n->items[normal].h;
+  arb_mul(own->of, h->of, q->gyration, bits);
+  arb_mul(own->of + 1, h->of + 1, q->gyration, bits);
+  arb_mul(own->of + 2, h->of + 2, q->scale, bits); /* s t . q - t . (x, y) */
+  arb_submul(own->of + 2, h->of + 1, q->x, bits);
+  arb_addmul(own->of + 2, h->of, q->y, bits);
+}
+
+/* The interior: h . a >= 0 on every face of K, for a = M^-1 w, times k^2. */
+static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_motion_question *q,
+                                        const tp_normals *n, const tp_twists *twists,
+                                        const tp_strength *strength) {
   for (long k = 0; k < twists->face_count; k++) {
     const long normal = twists->faces[k].normal;
     if (k > 0 && normal == twists->faces[k - 1].normal) continue;
     tp_bound *own = add_bound(bounds);
     if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
-    const tp_vector *h = &n->items[normal].h;
-    arb_mul(own->h.of, h->of, q->gyration, bits);
-    arb_mul(own->h.of + 1, h->of + 1, q->gyration, bits);
-    arb_mul(own->h.of + 2, h->of + 2, q->scale, bits); /* s t . q - t . (x, y) */
-    arb_submul(own->h.of + 2, h->of + 1, q->x, bits);
-    arb_addmul(own->h.of + 2, h->of, q->y, bits);
-    own->source = q->weight_alone ? (tp_source){.kind = TP_FROM_AXIS,
-                                                .a = n->families[n->items[normal].family].axis}
-                                  : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};
+    tp_bounds_of_normal(&own->h, q, n, normal);
+    own->source = q->through_centroid ? (tp_source){.kind = TP_FROM_AXIS,
+                                                    .a = n->families[n->items[normal].family].axis}
+                                      : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};
     own->rays = ~0U;
+    set_held(own, strength, &q->judge);
   }
   return TP_MOTION_PROVEN;
 }
 
 tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_motion_question *q,
-                                 const tp_normals *n, const tp_twists *twists,
-                                 const tp_mode *mode) {
+                                 const tp_normals *n, const tp_twists *twists, const tp_mode *mode,
+                                 const tp_strength *strength) {
   bounds->count = 0;
-  if (mode->ray_count == 0) return bound_interior(bounds, q, n, twists);
-  spanning s = {.bounds = bounds, .q = q, .n = n, .mode = mode};
-  s.items = calloc((size_t)(mode->ray_count + mode->edge_count), sizeof *s.items);
+  if (mode->ray_count == 0) return bound_interior(bounds, q, n, twists, strength);
+  spanning s = {.bounds = bounds, .q = q, .n = n, .mode = mode, .strength = strength};
+  const long more = strength != NULL ? strength->pull_count + strength->free_count : 0;
+  s.items = calloc((size_t)(mode->ray_count + mode->edge_count + more), sizeof *s.items);
   if (s.items == NULL) return TP_MOTION_OUT_OF_MEMORY;
   for (int k = 0; k < mode->ray_count; k++) add_ray(&s, twists, mode->rays[k]);
   for (long k = 0; k < mode->edge_count; k++) add_edge(&s, mode->edges + k);
+  add_strength(&s);
   const tp_motion_outcome done = bound_pairs(&s);
-  for (long k = 0; k < s.count; k++) tp_vector_clear(&s.items[k].of);
+  for (long k = 0; k < s.count + s.free_count; k++) tp_vector_clear(&s.items[k].of);
   free(s.items);
   return done;
 }

@@ -14,6 +14,7 @@
 #define TP_BOUNDS_H
 
 #include "motion/motion.h"
+#include "motion/strength.h"
 
 /* What a plane is spanned by: the same for planes of two modes that are one by construction, and
  * for planes that weight alone, whose moment is none, meets at one tilt. */
@@ -29,6 +30,7 @@ typedef struct tp_bound {
   tp_vector h;
   tp_source source;
   unsigned rays; /* bit k: M times the k-th ray of the mode lies in the plane */
+  arb_t held;    /* h . w >= held, below zero or above by cohesion and bonds */
 } tp_bound;
 
 typedef struct tp_bounds {
@@ -36,15 +38,19 @@ typedef struct tp_bounds {
   tp_bound *items;
 } tp_bounds;
 
-/* Into `bounds`, which may hold those of another mode. */
+/* Into `bounds`, which may hold those of another mode; `strength` is that of the mode, or NULL. */
 TP_MUST_USE tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_motion_question *question,
                                              const tp_normals *normals, const tp_twists *twists,
-                                             const tp_mode *mode);
+                                             const tp_mode *mode, const tp_strength *strength);
 void tp_bounds_clear(tp_bounds *bounds);
 
 /* The same vector M r or -e, three balls. */
 void tp_bounds_of_ray(tp_vector *own, const tp_motion_question *question, const tp_ray *ray);
 void tp_bounds_of_edge(tp_vector *own, const tp_motion_question *question,
                        const tp_normals *normals, const tp_mode_edge *edge);
+
+/* k^2 M^-1 h of a normal line: times a force it is the acceleration along the normal, times k^2. */
+void tp_bounds_of_normal(tp_vector *own, const tp_motion_question *question,
+                         const tp_normals *normals, long normal);
 
 #endif

@@ -42,6 +42,8 @@ typedef struct collecting {
   tp_motions *m;
   const tp_motion_question *q;
   tp_bounds bounds;
+  tp_strength strength;
+  long mode;           /* from 1 on */
   tp_tilts own, other; /* of the mode, of one bound */
 } collecting;
 
@@ -81,8 +83,13 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   tp_trig_init(&f);
   tp_tilt_init(&zero);
   zero.source = bound->source;
+  if (c->q->strong != NULL) zero.source.mode = c->mode; /* each holds otherwise */
   zero.rays = bound->rays;
-  const double log2_scale = set_work(&f, &bound->h, c->q);
+  double log2_scale = set_work(&f, &bound->h, c->q);
+  if (!arb_is_zero(bound->held)) {
+    arb_sub(f.of + TP_ONE, f.of + TP_ONE, bound->held, c->q->judge.precision);
+    log2_scale = fmax(log2_scale, tp_ball_log2_above(bound->held));
+  }
   const tp_answer nothing = is_nothing(&f, log2_scale, judge);
   tp_answer told = nothing == TP_OPEN ? TP_OPEN : TP_YES;
   bool done = true;
@@ -132,7 +139,15 @@ static tp_motion_outcome keep(collecting *c, const tp_mode *mode) {
 
 static tp_motion_outcome collect(void *context, const tp_mode *mode) {
   collecting *c = context;
-  tp_motion_outcome done = tp_bounds_find(&c->bounds, c->q, &c->m->normals, &c->m->twists, mode);
+  const tp_motions *m = c->m;
+  const bool strong = c->q->strong != NULL;
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  c->mode++;
+  if (strong) done = tp_strength_find(&c->strength, c->q, &m->normals, &m->twists, mode);
+  if (done == TP_MOTION_PROVEN) {
+    done = tp_bounds_find(&c->bounds, c->q, &m->normals, &m->twists, mode,
+                          strong ? &c->strength : NULL);
+  }
   tp_tilts_empty(&c->own);
   if (done == TP_MOTION_PROVEN && tp_tilts_add(&c->own) == NULL) done = TP_MOTION_OUT_OF_MEMORY;
   unsigned rays = ~0U;
@@ -153,8 +168,10 @@ tp_motion_outcome tp_motions_init(tp_motions *m, const tp_motion_question *q) {
   done = tp_twists_init(&m->twists, &m->normals, q->work);
   if (done == TP_MOTION_PROVEN) {
     collecting c = {.m = m, .q = q};
+    tp_strength_init(&c.strength);
     done = tp_strata_visit(&m->twists, &m->normals, collect, &c);
     tp_bounds_clear(&c.bounds);
+    tp_strength_clear(&c.strength);
     tp_tilts_clear(&c.own);
     tp_tilts_clear(&c.other);
   }

@@ -17,7 +17,9 @@ typedef struct tp_motion_question {
   arb_t scale, x, y;
   arb_t gyration; /* square of its radius about the centroid */
   tp_wrench load; /* of all loads, about the centroid, as functions of the tilt; any factor */
-  bool weight_alone;
+  bool through_centroid; /* the loads have no moment about it */
+  const tp_cones
+      *strong; /* the same cones with their allowances, for cohesion and bonds; or NULL */
   tp_judge judge;
   tp_work *work;
 } tp_motion_question;

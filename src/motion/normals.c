@@ -18,6 +18,7 @@ void tp_normals_clear(tp_normals *n) {
   free(n->order);
   free(n->same);
   free(n->family_of);
+  free(n->normal_of);
   memset(n, 0, sizeof *n);
 }
 
@@ -139,6 +140,7 @@ static tp_motion_outcome gather(tp_normals *n, const entry *entries) {
       add_normal(n, e, k);
     }
     n->family_of[e->point] = n->family_count - 1;
+    n->normal_of[e->point] = n->count - 1;
     const bool same_site = same_line && before->site == e->site;
     n->same[e->point] = same_site ? n->same[before->point] : e->point;
   }
@@ -149,11 +151,12 @@ static bool make_room(tp_normals *n, const tp_cones *cones) {
   const size_t room = (size_t)cones->count + 1;
   n->order = calloc(room, sizeof *n->order);
   n->same = calloc(room, sizeof *n->same);
+  n->normal_of = calloc(room, sizeof *n->normal_of);
   n->family_of = calloc(room, sizeof *n->family_of);
   n->items = calloc(room, sizeof *n->items);
   n->families = calloc(room, sizeof *n->families);
-  if (n->order == NULL || n->same == NULL || n->family_of == NULL || n->items == NULL ||
-      n->families == NULL) {
+  if (n->order == NULL || n->same == NULL || n->family_of == NULL || n->normal_of == NULL ||
+      n->items == NULL || n->families == NULL) {
     return false;
   }
   n->tx = _fmpz_vec_init(cones->count);

@@ -35,11 +35,11 @@ typedef struct tp_contact_family {
 
 typedef struct tp_normals {
   const tp_cones *cones;
-  tp_judge judge;  /* its precision is that of the coordinates */
-  long *order;     /* all points, line after line */
-  long *family_of; /* by point */
-  long *same;      /* by point: the first with its site on its line */
-  fmpz *tx, *ty;   /* by point, without common divisor */
+  tp_judge judge;              /* its precision is that of the coordinates */
+  long *order;                 /* all points, line after line */
+  long *normal_of, *family_of; /* by point */
+  long *same;                  /* by point: the first with its site on its line */
+  fmpz *tx, *ty;               /* by point, without common divisor */
   long count;
   tp_normal *items;
   long family_count;

@@ -25,7 +25,8 @@ void tp_tilt_set(tp_tilt *tilt, const tp_tilt *other) {
 }
 
 static bool share_source(const tp_source *a, const tp_source *b) {
-  return a->kind == b->kind && a->a == b->a && a->b == b->b && a->root == b->root;
+  return a->kind == b->kind && a->a == b->a && a->b == b->b && a->root == b->root &&
+         a->mode == b->mode;
 }
 
 int tp_tilt_compare(const tp_tilt *a, const tp_tilt *b, const tp_judge *judge) {

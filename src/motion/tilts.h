@@ -14,10 +14,11 @@
 #include "load/roots.h"
 #include "topple.h"
 
-/* Where a bound of loads comes from (motion/bounds.h), and which of its zeros. */
+/* Where a bound of loads comes from (motion/bounds.h), and which of its zeros; `mode` is 0 where
+ * all modes share it. */
 typedef struct tp_source {
   int kind;
-  long a, b, root;
+  long a, b, root, mode;
 } tp_source;
 
 typedef struct tp_tilt {

@@ -146,12 +146,20 @@ tp_motion_outcome tp_windows_init(tp_motion_windows *w, const tp_motions *m,
   return done;
 }
 
-tp_answer tp_window_holds(const tp_motion_window *w, const arb_t degrees) {
-  if ((!w->from.endless && arb_lt(degrees, w->from.degrees)) ||
-      (!w->to.endless && arb_gt(degrees, w->to.degrees))) {
+static tp_answer lies_between(const tp_tilt *from, const tp_tilt *to, const arb_t degrees) {
+  if ((!from->endless && arb_lt(degrees, from->degrees)) ||
+      (!to->endless && arb_gt(degrees, to->degrees))) {
     return TP_NO;
   }
-  const bool above = w->from.endless || arb_le(w->from.degrees, degrees);
-  const bool below = w->to.endless || arb_le(degrees, w->to.degrees);
+  const bool above = from->endless || arb_le(from->degrees, degrees);
+  const bool below = to->endless || arb_le(degrees, to->degrees);
   return above && below ? TP_YES : TP_OPEN;
+}
+
+tp_answer tp_window_holds(const tp_motion_window *w, const arb_t degrees) {
+  return lies_between(&w->from, &w->to, degrees);
+}
+
+tp_answer tp_tilt_span_holds(const tp_tilt_span *span, const arb_t degrees) {
+  return lies_between(&span->from, &span->to, degrees);
 }

@@ -27,7 +27,8 @@ TP_MUST_USE tp_motion_outcome tp_windows_init(tp_motion_windows *windows, const 
                                               const tp_judge *judge);
 void tp_windows_clear(tp_motion_windows *windows);
 
-/* Does the window, its ends included, hold the tilt in degrees? */
+/* Does the window, or the span, its ends included, hold the tilt in degrees? */
 tp_answer tp_window_holds(const tp_motion_window *window, const arb_t degrees);
+tp_answer tp_tilt_span_holds(const tp_tilt_span *span, const arb_t degrees);
 
 #endif

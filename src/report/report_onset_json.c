@@ -41,10 +41,75 @@ static void add_windows(tp_text *t, const tp_onset *o) {
   tp_text_add(t, "]");
 }
 
+static const char *state_of(tp_contact_state state) {
+  switch (state) {
+  case TP_CONTACT_OPENS:
+    return "opens";
+  case TP_CONTACT_STICKS:
+    return "sticks";
+  case TP_CONTACT_SLIPS_DOWN_DIP:
+    return "slips down-dip";
+  case TP_CONTACT_SLIPS_UP_DIP:
+    break;
+  }
+  return "slips up-dip";
+}
+
+static void add_contact(tp_text *t, const tp_motion_contact *c) {
+  tp_text_add(t, "{\"facet\": ");
+  if (c->of_facet) {
+    tp_text_add(t, "%zu, \"end\": \"%s\"", c->facet, c->at_right_end ? "right" : "left");
+  } else {
+    tp_text_add(t, "null");
+  }
+  tp_text_add(t, ", \"state\": \"%s\"", state_of(c->state));
+  if (c->has_force) {
+    tp_text_add(t, ", ");
+    tp_json_number(t, "share_x", c->share_x);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "share_y", c->share_y);
+  }
+  tp_text_add(t, "}");
+}
+
+static void add_motion(tp_text *t, const tp_motion *m) {
+  tp_text_add(t, "{\"mechanism\": \"%s\", ", tp_text_mechanism(m->mechanism));
+  tp_json_number(t, "acceleration_x_g", m->acceleration_x_g);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "acceleration_y_g", m->acceleration_y_g);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "angular_g_per_m", m->angular_g_per_m);
+  tp_text_add(t, ", \"accelerations_fixed\": %s", tp_json_truth(m->accelerations_fixed));
+  if (m->has_centre) {
+    tp_text_add(t, ", ");
+    tp_json_number(t, "centre_x_m", m->centre_x_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "centre_y_m", m->centre_y_m);
+  }
+  tp_text_add(t, ",\n          \"contacts\": [");
+  for (size_t k = 0; k < m->contact_count; k++) {
+    tp_text_add(t, "%s", k > 0 ? ",\n            " : "");
+    add_contact(t, m->contacts + k);
+  }
+  tp_text_add(t, "]}");
+}
+
+static void add_motions(tp_text *t, const tp_onset *o) {
+  if (!o->has_motions) return;
+  tp_text_add(t, "      \"motions\": [");
+  for (size_t k = 0; k < o->motion_count; k++) {
+    tp_text_add(t, "%s\n        ", k > 0 ? "," : "");
+    add_motion(t, o->motions + k);
+  }
+  tp_text_add(t, "],\n");
+}
+
 void tp_json_onset(tp_text *t, const tp_case *c) {
   const tp_onset *o = &c->onset;
   if (o->kind == TP_ONSET_NOT_ASKED) return;
   tp_text_add(t, "      \"onset\": {\"kind\": \"%s\", ", kind_of(o->kind));
+  tp_json_number(t, "friction_angle_deg", o->friction_angle_deg);
+  tp_text_add(t, ", ");
   add_end(t, "critical_angle_deg", o->kind != TP_ONSET_AT_ANGLE, o->critical_angle_deg);
   tp_text_add(t, ", \"mechanism\": \"%s\"", tp_text_mechanism(o->mechanism));
   if (o->tie) tp_text_add(t, ", \"tied_with\": \"%s\"", tp_text_mechanism(o->tied_with));
@@ -58,6 +123,8 @@ void tp_json_onset(tp_text *t, const tp_case *c) {
     tp_json_number(t, "centre_y_m", o->centre_y_m);
   }
   tp_text_add(t, ", \"below_limit\": %s", tp_json_truth(o->below_limit));
+  if (o->has_motions) tp_text_add(t, ", \"paradox\": %s", tp_json_truth(o->paradox));
   add_windows(t, o);
   tp_text_add(t, "},\n");
+  add_motions(t, o);
 }

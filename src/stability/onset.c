@@ -3,15 +3,12 @@
 
 #include "stability/onset.h"
 
-#include "motion/windows.h"
-#include "number/ball.h"
 #include "stability/friction.h"
-#include "stability/loaded.h"
+#include "stability/onset_motions.h"
 #include "stability/onset_question.h"
+#include "stability/onset_result.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 void tp_onset_found_init(tp_onset_found *found) {
   arb_init(found->degrees);
@@ -22,10 +19,17 @@ void tp_onset_found_clear(tp_onset_found *found) {
   arb_clear(found->degrees);
 }
 
-void tp_onset_clear(tp_onset *onset) {
-  free(onset->windows);
+static void clear_motions(tp_onset *onset) {
   for (size_t k = 0; k < onset->motion_count; k++) free(onset->motions[k].contacts);
   free(onset->motions);
+  onset->motions = NULL;
+  onset->motion_count = 0;
+  onset->has_motions = false;
+}
+
+void tp_onset_clear(tp_onset *onset) {
+  free(onset->windows);
+  clear_motions(onset);
   *onset = (tp_onset){.kind = TP_ONSET_NOT_ASKED};
 }
 
@@ -34,159 +38,132 @@ typedef struct asking {
   tp_evaluation *e;
   tp_case *result;
   tp_onset_found *found;
-  tp_motion_question *q;
+  tp_onset_asked asked;
+  tp_motion_outcome outcome;
+  bool has_windows;
   tp_motions motions;
   tp_motion_windows windows;
 } asking;
 
-static void leave_open(asking *a, bool too_dear) {
-  tp_onset *onset = &a->result->onset;
-  onset->kind = TP_ONSET_UNDECIDED;
-  onset->mechanism = TP_MECHANISM_UNDECIDED;
-  onset->too_dear = too_dear;
-  a->found->at_tilt = TP_OPEN;
-  if (!too_dear && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
-}
-
-/* The centre of a ray's rotation, (-v_y, v_x) / theta, in metres of the scene. */
-static void set_centre(asking *a, long ray) {
-  tp_evaluation *e = a->e;
-  tp_onset *onset = &a->result->onset;
-  const tp_ray *own = a->motions.twists.rays + ray;
-  onset->has_centre = own->axis < 0;
-  if (!onset->has_centre) return;
-  const tp_lattice *l = &e->problem->lattice;
-  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
-  arb_t x, y;
-  arb_init(x);
-  arb_init(y);
-  arb_div(x, own->twist.of + 1, own->twist.of + 2, e->rung.bits);
-  arb_neg(x, x);
-  arb_div(y, own->twist.of, own->twist.of + 2, e->rung.bits);
-  if (a->result->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
-  tp_loaded_metres(x, y, e);
-  onset->centre_x_m = tp_evaluation_result_within(e, x, log2_size);
-  onset->centre_y_m = tp_evaluation_result_within(e, y, log2_size);
-  arb_clear(x);
-  arb_clear(y);
-}
-
-static bool fill_windows(asking *a) {
-  const tp_motion_windows *w = &a->windows;
-  tp_onset *onset = &a->result->onset;
-  onset->windows = calloc((size_t)w->count + 1, sizeof *onset->windows);
-  if (onset->windows == NULL) return false;
-  onset->window_count = (size_t)w->count;
-  for (long k = 0; k < w->count; k++) {
-    const tp_motion_window *from = w->items + k;
-    tp_window *own = onset->windows + k;
-    own->from_below = from->from.endless;
-    own->to_above = from->to.endless;
-    own->begins = from->mechanism;
-    if (!own->from_below) own->from_deg = tp_evaluation_result(a->e, from->from.degrees);
-    if (!own->to_above) own->to_deg = tp_evaluation_result(a->e, from->to.degrees);
-  }
-  return true;
-}
-
-/* The window that holds level ground, or else the first above it; -1 where there is none, -2 where
- * that is open. */
-static long first_window(const asking *a) {
-  arb_t level;
-  arb_init(level);
-  long found = -1;
-  for (long k = 0; k < a->windows.count && found == -1; k++) {
-    const tp_motion_window *w = a->windows.items + k;
-    const tp_answer holds = tp_window_holds(w, level);
-    const bool above = !w->from.endless && arb_is_positive(w->from.degrees);
-    if (holds == TP_YES || above) {
-      found = k;
-    } else if (holds == TP_OPEN) { /* its lower end is level ground, or its upper one */
-      found =
-          !w->from.endless && arb_contains_zero(w->from.degrees) && a->q->judge.settled ? k : -2;
-    }
-  }
-  arb_clear(level);
-  return found;
-}
-
-static void set_angle(asking *a, const tp_motion_window *w) {
-  tp_onset *onset = &a->result->onset;
-  const tp_limit *limit = &a->result->limit;
-  onset->mechanism = w->mechanism;
-  onset->tie = w->tie;
-  onset->tied_with = w->tied_with;
-  onset->kind = w->from.endless ? TP_ONSET_NOWHERE : TP_ONSET_AT_ANGLE;
-  if (w->from.endless) return;
-  arb_set(a->found->degrees, w->from.degrees);
-  onset->critical_angle_deg = tp_evaluation_result(a->e, w->from.degrees);
-  if (w->has_ray) set_centre(a, w->ray);
-  const double error = onset->critical_angle_deg.error + limit->critical_angle_deg.error;
-  const double below = limit->critical_angle_deg.value - onset->critical_angle_deg.value;
-  onset->below_limit =
-      limit->kind == TP_LIMIT_INTERLOCKED || (limit->kind == TP_LIMIT_AT_ANGLE && below > error);
-}
-
-/* Can a motion begin at the scene's tilt? */
-static void look_at_tilt(asking *a) {
-  const tp_quantity *tilt = &a->e->problem->scene->tilt_angle_deg;
-  arb_t degrees;
-  arb_init(degrees);
-  arb_set_fmpq(degrees, tilt->value, a->e->rung.bits);
-  a->found->at_tilt = TP_NO;
-  for (long k = 0; k < a->windows.count && a->found->at_tilt == TP_NO && tilt->given; k++) {
-    a->found->at_tilt = tp_window_holds(a->windows.items + k, degrees);
-  }
-  if (a->found->at_tilt == TP_OPEN && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
-  arb_clear(degrees);
-}
-
-static bool describe(asking *a) {
-  tp_onset *onset = &a->result->onset;
-  if (!fill_windows(a)) return false;
-  const long first = first_window(a);
-  if (first == -2) {
-    leave_open(a, false);
-    return true;
-  }
-  if (first >= 0) {
-    set_angle(a, a->windows.items + first);
-  } else {
-    onset->kind = TP_ONSET_NEVER;
-    onset->mechanism = TP_STANDS;
-  }
-  look_at_tilt(a);
-  return true;
-}
-
-static tp_motion_outcome find(asking *a) {
-  tp_motion_outcome outcome = tp_motions_init(&a->motions, a->q);
-  if (outcome != TP_MOTION_PROVEN) return outcome;
-  outcome = tp_windows_init(&a->windows, &a->motions, &a->q->judge);
-  if (outcome == TP_MOTION_PROVEN) {
-    if (!describe(a)) outcome = TP_MOTION_OUT_OF_MEMORY;
-    tp_windows_clear(&a->windows);
-  }
+static void forget(asking *a) {
+  if (!a->has_windows) return;
+  tp_windows_clear(&a->windows);
   tp_motions_clear(&a->motions);
-  return outcome;
+  a->has_windows = false;
+}
+
+/* The windows with a friction angle. */
+static bool find(asking *a, const arb_t friction) {
+  const tp_motion_question *q = &a->asked.question;
+  forget(a);
+  tp_friction_tangent(a->asked.cones.friction, friction, a->e->rung.bits);
+  a->outcome = tp_motions_init(&a->motions, q);
+  if (a->outcome != TP_MOTION_PROVEN) return false;
+  a->outcome = tp_windows_init(&a->windows, &a->motions, &q->judge);
+  if (a->outcome != TP_MOTION_PROVEN) {
+    tp_motions_clear(&a->motions);
+    return false;
+  }
+  a->has_windows = true;
+  return true;
+}
+
+/* A friction angle to the onset that it gives (tp_friction_limit). */
+static bool onset_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
+  asking *a = context;
+  if (!find(a, degrees)) return false;
+  const long first = tp_onset_first_window(&a->windows, &a->asked.question.judge);
+  if (first == -2) {
+    a->outcome = TP_MOTION_OPEN;
+    return false;
+  }
+  const tp_motion_window *w = first >= 0 ? a->windows.items + first : NULL;
+  arb_set_si(tilt, w == NULL ? 90 : -90);
+  if (w != NULL && !w->from.endless) arb_set(tilt, w->from.degrees);
+  if (estimate) mag_zero(arb_radref(tilt));
+  return true;
+}
+
+/* With the scene's friction; where that depends on the stress, with that at the onset. */
+static void find_onset(asking *a) {
+  tp_onset *onset = &a->result->onset;
+  arb_t friction, tilt;
+  arb_init(friction);
+  arb_init(tilt);
+  if (tp_friction_is_load_dependent(a->e)) {
+    if (!tp_friction_meet(friction, a->e, onset_of, a, false) && a->outcome == TP_MOTION_PROVEN) {
+      a->outcome = TP_MOTION_OPEN;
+    }
+  } else {
+    tp_friction_at(friction, a->e, tilt);
+    (void)onset_of(tilt, a, friction, false);
+  }
+  onset->friction_angle_deg = tp_evaluation_bounded(a->e, friction);
+  arb_clear(friction);
+  arb_clear(tilt);
+}
+
+static void tell_onset(asking *a) {
+  const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
+  const long first = tp_onset_first_window(&a->windows, &a->asked.question.judge);
+  if (first >= 0) arb_set(a->found->degrees, a->windows.items[first].from.degrees);
+  if (!tp_onset_describe(&t, first)) a->outcome = TP_MOTION_OUT_OF_MEMORY;
+}
+
+/* Where they stay open, or are too dear, the rest is told without them. */
+static void set_motions(asking *a, const arb_t tilt) {
+  const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
+  const tp_motion_outcome outcome = tp_onset_motions(&t, tilt);
+  if (outcome == TP_MOTION_PROVEN) return;
+  clear_motions(&a->result->onset);
+  if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
+  if (outcome == TP_MOTION_OPEN && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
+}
+
+/* Can a motion begin at the scene's tilt, with the friction there, and which? */
+static void look_at_tilt(asking *a) {
+  const tp_quantity *given = &a->e->problem->scene->tilt_angle_deg;
+  if (!given->given) return;
+  arb_t tilt, friction;
+  arb_init(tilt);
+  arb_init(friction);
+  arb_set_fmpq(tilt, given->value, a->e->rung.bits);
+  tp_friction_at(friction, a->e, tilt);
+  if (!tp_friction_is_load_dependent(a->e) || find(a, friction)) {
+    for (long k = 0; k < a->windows.count && a->found->at_tilt == TP_NO; k++) {
+      a->found->at_tilt = tp_window_holds(a->windows.items + k, tilt);
+    }
+    if (a->found->at_tilt == TP_OPEN && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
+    if (a->found->at_tilt != TP_OPEN) set_motions(a, tilt);
+  }
+  arb_clear(tilt);
+  arb_clear(friction);
+}
+
+/* What is open a higher rung may tell, if there is one and work is left for it. */
+static void leave_open(asking *a) {
+  tp_onset *onset = &a->result->onset;
+  free(onset->windows);
+  clear_motions(onset);
+  *onset = (tp_onset){.kind = TP_ONSET_UNDECIDED,
+                      .mechanism = TP_MECHANISM_UNDECIDED,
+                      .friction_angle_deg = onset->friction_angle_deg,
+                      .too_dear = a->outcome == TP_MOTION_TOO_DEAR};
+  a->found->at_tilt = TP_OPEN;
+  if (!onset->too_dear && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
 }
 
 bool tp_evaluate_onset(tp_evaluation *e, tp_case *result, tp_onset_found *found) {
   tp_onset_clear(&result->onset);
-  tp_cones cones;
-  tp_motion_question q;
-  if (!tp_onset_question_init(&q, &cones, e, result->towards)) return false;
-  arb_t friction;
-  arb_init(friction);
-  tp_friction_at(friction, e, friction);
-  tp_friction_tangent(cones.friction, friction, e->rung.bits);
-  arb_clear(friction);
-  asking a = {.e = e, .result = result, .found = found, .q = &q};
-  tp_work_begin(e->work, tp_cones_column_count(&cones));
-  const tp_motion_outcome outcome = find(&a);
-  if (outcome == TP_MOTION_OPEN || outcome == TP_MOTION_TOO_DEAR) {
-    leave_open(&a, outcome == TP_MOTION_TOO_DEAR);
-  }
-  tp_onset_question_clear(&q, &cones);
-  return outcome != TP_MOTION_OUT_OF_MEMORY;
+  asking a = {.e = e, .result = result, .found = found};
+  if (!tp_onset_asked_init(&a.asked, e, result->towards)) return false;
+  found->at_tilt = TP_NO;
+  tp_work_begin(e->work, tp_cones_column_count(&a.asked.cones));
+  find_onset(&a);
+  if (a.outcome == TP_MOTION_PROVEN) tell_onset(&a);
+  if (a.outcome == TP_MOTION_PROVEN) look_at_tilt(&a);
+  if (a.outcome == TP_MOTION_OPEN || a.outcome == TP_MOTION_TOO_DEAR) leave_open(&a);
+  forget(&a);
+  tp_onset_asked_clear(&a.asked);
+  return a.outcome != TP_MOTION_OUT_OF_MEMORY;
 }

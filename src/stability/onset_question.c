@@ -7,6 +7,8 @@
 #include "stability/limit_cones.h"
 #include "stability/loaded.h"
 
+#include <string.h>
+
 /* Of the weight: lengths times 3 A2 make the centroid (X6, Y6) and the square of the radius of
  * gyration 3/2 A2 (XX12 + YY12) - X6^2 - Y6^2. */
 static void set_inertia(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
@@ -47,24 +49,46 @@ static void set_moment(tp_motion_question *q, const tp_evaluation *e, bool mirro
   arb_clear(factor);
 }
 
+/* Weight and inertia act at the centroid. */
+static bool acts_at_centroid(const tp_loaded *loaded) {
+  for (long k = 0; k < loaded->count; k++) {
+    const tp_load_kind kind = loaded->items[k].kind;
+    if (kind != TP_LOAD_WEIGHT && kind != TP_LOAD_SEISMIC) return false;
+  }
+  return true;
+}
+
 static void set_load(tp_motion_question *q, const tp_evaluation *e, bool mirrored) {
-  q->weight_alone = e->loaded == NULL;
-  if (q->weight_alone) {
+  q->through_centroid = e->loaded == NULL || acts_at_centroid(e->loaded);
+  if (e->loaded == NULL) {
     arb_set_si(q->load.x.of + TP_SIN, -1);
     arb_set_si(q->load.y.of + TP_COS, -1);
     return;
   }
   tp_trig_add(&q->load.x, &e->loaded->sum.x, e->rung.bits);
   tp_trig_add(&q->load.y, &e->loaded->sum.y, e->rung.bits);
-  set_moment(q, e, mirrored);
+  if (!q->through_centroid) set_moment(q, e, mirrored);
 }
 
-bool tp_onset_question_init(tp_motion_question *q, tp_cones *cones, const tp_evaluation *e,
-                            tp_direction towards) {
+static bool has_strength(const tp_evaluation *e) {
+  const tp_loads_description *loads = &e->problem->scene->loads;
+  return e->loaded != NULL &&
+         !(fmpq_is_zero(loads->cohesion_kpa.value) && fmpq_is_zero(loads->bond_kpa.value));
+}
+
+bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direction towards) {
+  memset(asked, 0, sizeof *asked);
+  tp_motion_question *q = &asked->question;
   tp_evaluation bare = *e; /* whole numbers, and friction alone */
   bare.loaded = NULL;
-  if (!tp_limit_cones_init(cones, &bare, towards, false)) return false;
-  tp_motion_question_init(q, cones);
+  if (!tp_limit_cones_init(&asked->cones, &bare, towards, false)) return false;
+  const bool strong = has_strength(e);
+  if (strong && !tp_limit_cones_init(&asked->strong, e, towards, false)) {
+    tp_cones_clear(&asked->cones);
+    return false;
+  }
+  tp_motion_question_init(q, &asked->cones);
+  if (strong) q->strong = &asked->strong;
   set_inertia(q, e, towards == TP_TOWARDS_RIGHT);
   set_load(q, e, towards == TP_TOWARDS_RIGHT);
   q->judge = tp_limit_asked_judge(e);
@@ -72,7 +96,8 @@ bool tp_onset_question_init(tp_motion_question *q, tp_cones *cones, const tp_eva
   return true;
 }
 
-void tp_onset_question_clear(tp_motion_question *q, tp_cones *cones) {
-  tp_motion_question_clear(q);
-  tp_cones_clear(cones);
+void tp_onset_asked_clear(tp_onset_asked *asked) {
+  tp_motion_question_clear(&asked->question);
+  tp_cones_clear(&asked->cones);
+  tp_cones_clear(&asked->strong);
 }

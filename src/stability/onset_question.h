@@ -9,9 +9,16 @@
 #include "motion/motion.h"
 #include "stability/evaluation.h"
 
-/* The friction of the cones is left at zero. False when memory is exhausted. */
-TP_MUST_USE bool tp_onset_question_init(tp_motion_question *question, tp_cones *cones,
-                                        const tp_evaluation *evaluation, tp_direction towards);
-void tp_onset_question_clear(tp_motion_question *question, tp_cones *cones);
+/* A question and what it points to; its own friction is that of its cones, zero to begin with. */
+typedef struct tp_onset_asked {
+  tp_motion_question question;
+  tp_cones cones;  /* in lattice units */
+  tp_cones strong; /* in metres, with cohesion and bonds, where there are any */
+} tp_onset_asked;
+
+/* False when memory is exhausted. */
+TP_MUST_USE bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *evaluation,
+                                     tp_direction towards);
+void tp_onset_asked_clear(tp_onset_asked *asked);
 
 #endif

@@ -240,7 +240,8 @@ class RandomContacts(unittest.TestCase):
         self.assertLessEqual(abs(sums[2]), slack[2])
 
     def verdict(self, case, ends, tilt):
-        """What statics rules out must not be said to stand."""
+        """What statics rules out must not be said to stand; whether a motion can begin below that
+        test_onset.py tells."""
         tan = exact.sin_cos(tilt)
         tan = Fraction(tan[0] / tan[1])
         margin = Fraction(1, 10**9)  # nearer to an end of the range is not judged here
@@ -249,7 +250,7 @@ class RandomContacts(unittest.TestCase):
         if fails:
             self.assertNotIn(case["mechanism"], ("stands", "interlocked"))
         if holds:
-            self.assertIn(case["mechanism"], ("stands", "interlocked"))
+            self.assertIn(case["mechanism"], ("stands", "interlocked", "may move"))
 
     def run_random(self, make, rounds, seed):
         random.seed(seed)

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/onset_motions.h"
+
+#include "motion/accelerations.h"
+#include "motion/bounds.h"
+#include "motion/closed.h"
+#include "stability/loaded.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The loads at the tilt, over the weight. */
+static void set_loads(tp_vector *loads, const tp_onset_telling *t, const arb_t tilt) {
+  const long bits = t->e->rung.bits;
+  const tp_wrench *load = &t->question->load;
+  arb_t turn, sine, cosine;
+  arb_init(turn);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_div_ui(turn, tilt, 180, bits);
+  arb_sin_cos_pi(sine, cosine, turn, bits);
+  tp_trig_evaluate(loads->of, &load->x, sine, cosine, bits);
+  tp_trig_evaluate(loads->of + 1, &load->y, sine, cosine, bits);
+  tp_trig_evaluate(loads->of + 2, &load->moment, sine, cosine, bits);
+  if (t->e->loaded != NULL) {
+    const arb_struct *weight = t->e->loaded->items[0].wrench.y.of + TP_COS; /* downwards */
+    for (int k = 0; k < 3; k++) {
+      arb_div(loads->of + k, loads->of + k, weight, bits);
+      arb_neg(loads->of + k, loads->of + k);
+    }
+  }
+  arb_clear(turn);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+/* Angular acceleration from the question's lengths to metres, and all of it to the scene's x. */
+static void set_accelerations(tp_motion *motion, const tp_onset_telling *t, const tp_start *start) {
+  tp_evaluation *e = t->e;
+  const tp_lattice *l = &e->problem->lattice;
+  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  const bool mirrored = t->result->towards == TP_TOWARDS_RIGHT;
+  arb_t own, step;
+  arb_init(own);
+  arb_init(step);
+  arb_set(own, start->acceleration.of);
+  if (mirrored) arb_neg(own, own);
+  motion->acceleration_x_g = tp_evaluation_result_within(e, own, 0);
+  motion->acceleration_y_g = tp_evaluation_result_within(e, start->acceleration.of + 1, 0);
+  arb_set_fmpq(step, l->step_m, e->rung.bits);
+  arb_mul(own, start->acceleration.of + 2, t->question->scale, e->rung.bits);
+  arb_div(own, own, step, e->rung.bits);
+  if (mirrored) arb_neg(own, own);
+  motion->angular_g_per_m = tp_evaluation_result_within(e, own, -log2_size);
+  motion->has_centre = !arb_contains_zero(start->twist.of + 2);
+  if (motion->has_centre) {
+    tp_onset_centre(&motion->centre_x_m, &motion->centre_y_m, t, &start->twist);
+  }
+  arb_clear(own);
+  arb_clear(step);
+}
+
+/* Does the point stay closed in all of the mode? 1, 0, or 2 where open. */
+static int is_closed(const tp_motions *m, const tp_motion_mode *mode, long point) {
+  const tp_normal *line = m->normals.items + m->normals.normal_of[point];
+  for (int k = 0; k < mode->ray_count; k++) {
+    const tp_ray *ray = m->twists.rays + mode->rays[k];
+    const int sign = tp_normal_sign(&m->normals, line, &ray->twist, ray->near, ray->site);
+    if (sign != 0) return sign == TP_TILT_OPEN ? TP_TILT_OPEN : 0;
+  }
+  return mode->ray_count > 0;
+}
+
+static tp_contact_state state_of(const tp_motions *m, const tp_motion_mode *mode, long point) {
+  int slip = 0;
+  for (int k = 0; k < mode->ray_count && slip == 0; k++) {
+    slip = tp_closed_slip(&m->normals, point, m->twists.rays + mode->rays[k]);
+  }
+  return slip == 0  ? TP_CONTACT_STICKS
+         : slip > 0 ? TP_CONTACT_SLIPS_UP_DIP
+                    : TP_CONTACT_SLIPS_DOWN_DIP;
+}
+
+/* The sum of the mode's forces at a contact, where these are fixed. */
+static void set_share(tp_motion_contact *own, const tp_onset_telling *t, const tp_motion_mode *mode,
+                      const tp_start *start, long point) {
+  const long bits = t->e->rung.bits;
+  tp_vector edge, sum;
+  tp_vector_init(&edge);
+  tp_vector_init(&sum);
+  for (long k = 0; k < mode->edge_count; k++) {
+    if (mode->edges[k].point != point) continue;
+    tp_bounds_of_edge(&edge, t->question, &t->motions->normals, mode->edges + k);
+    for (int row = 0; row < 2; row++) {
+      arb_submul(sum.of + row, edge.of + row, start->forces + k, bits);
+    }
+  }
+  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(sum.of, sum.of);
+  own->share_x = tp_evaluation_result_within(t->e, sum.of, 0);
+  own->share_y = tp_evaluation_result_within(t->e, sum.of + 1, 0);
+  tp_vector_clear(&edge);
+  tp_vector_clear(&sum);
+}
+
+/* Is every contact that stays closed one whose forces the mode is made of? */
+static bool has_all(const tp_motion_mode *mode, const tp_motion *motion, const long *points) {
+  for (size_t k = 0; k < motion->contact_count; k++) {
+    bool found = false;
+    for (long e = 0; e < mode->edge_count && !found; e++) {
+      found = mode->edges[e].point == points[k];
+    }
+    if (!found) return false;
+  }
+  return true;
+}
+
+static tp_motion_outcome set_contacts(tp_motion *motion, const tp_onset_telling *t,
+                                      const tp_motion_mode *mode, const tp_start *start) {
+  const tp_cones *cones = t->question->cones;
+  long *points = calloc((size_t)cones->count + 1, sizeof *points);
+  tp_motion_outcome done = points != NULL ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
+  for (long k = 0; k < cones->count && done == TP_MOTION_PROVEN; k++) {
+    const int closed = is_closed(t->motions, mode, k);
+    if (closed == TP_TILT_OPEN) done = TP_MOTION_OPEN;
+    if (closed == 1) points[motion->contact_count++] = k;
+  }
+  if (done == TP_MOTION_PROVEN) {
+    motion->contacts = calloc(motion->contact_count + 1, sizeof *motion->contacts);
+    if (motion->contacts == NULL) done = TP_MOTION_OUT_OF_MEMORY;
+  }
+  const bool told =
+      done == TP_MOTION_PROVEN && start->forces_fixed && has_all(mode, motion, points);
+  for (size_t k = 0; k < motion->contact_count && done == TP_MOTION_PROVEN; k++) {
+    const long point = points[k], facet = cones->points[point].facet;
+    tp_motion_contact *own = motion->contacts + k;
+    own->of_facet = facet >= 0;
+    own->facet = facet >= 0 ? (size_t)facet : 0;
+    own->at_right_end = facet >= 0 && point > 0 && cones->points[point - 1].facet == facet;
+    own->state = state_of(t->motions, mode, point);
+    own->has_force = told;
+    if (told) set_share(own, t, mode, start, point);
+  }
+  free(points);
+  return done;
+}
+
+static tp_motion_outcome add_motion(const tp_onset_telling *t, const tp_motion_mode *mode,
+                                    const tp_vector *loads) {
+  tp_onset *onset = &t->result->onset;
+  tp_start start;
+  if (!tp_start_init(&start, mode)) return TP_MOTION_OUT_OF_MEMORY;
+  tp_motion_outcome done = tp_start_find(&start, t->question, t->motions, mode, loads);
+  if (done == TP_MOTION_PROVEN && start.moves) {
+    tp_motion *own = onset->motions + onset->motion_count++;
+    own->mechanism = mode->mechanism;
+    own->accelerations_fixed = start.fixed;
+    set_accelerations(own, t, &start);
+    onset->paradox = onset->paradox || start.paradox;
+    done = set_contacts(own, t, mode, &start);
+  }
+  tp_start_clear(&start);
+  return done;
+}
+
+/* Is the tilt in one of the mode's spans? */
+static tp_answer holds(const tp_motions *m, long mode, const arb_t tilt) {
+  tp_answer answer = TP_NO;
+  for (long k = 0; k < m->spans.count && answer != TP_YES; k++) {
+    const tp_tilt_span *own = m->spans.items + k;
+    if (own->mode != mode) continue;
+    const tp_answer here = tp_tilt_span_holds(own, tilt);
+    if (here != TP_NO) answer = here;
+  }
+  return answer;
+}
+
+tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) {
+  tp_onset *onset = &t->result->onset;
+  if (t->question->strong != NULL) return TP_MOTION_PROVEN;
+  const tp_motions *m = t->motions;
+  onset->motions = calloc((size_t)m->mode_count + 1, sizeof *onset->motions);
+  if (onset->motions == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  tp_vector loads;
+  tp_vector_init(&loads);
+  set_loads(&loads, t, tilt);
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (long k = 0; k < m->mode_count && done == TP_MOTION_PROVEN; k++) {
+    const tp_answer here = holds(m, k, tilt);
+    if (here == TP_OPEN) done = TP_MOTION_OPEN;
+    if (here == TP_YES) done = add_motion(t, m->modes + k, &loads);
+  }
+  onset->has_motions = done == TP_MOTION_PROVEN;
+  tp_vector_clear(&loads);
+  return done;
+}
