@@ -151,6 +151,9 @@ static tp_scene *new_scene(const char *path) {
   fmpq_init(block->unit_weight_kn_m3.value);
   fmpq_init(scene->base.beyond_left.value);
   fmpq_init(scene->base.beyond_right.value);
+  fmpq_init(scene->base.below.value);
+  fmpq_init(scene->base.left_of.value);
+  fmpq_init(scene->base.right_of.value);
   tp_loads_description_init(&scene->loads);
   fmpq_init(scene->friction_angle_deg.value);
   tp_friction_description_init(&scene->friction);
@@ -192,6 +195,9 @@ void tp_scene_free(tp_scene *scene) {
   tp_polyline_clear(&scene->base.profile);
   fmpq_clear(scene->base.beyond_left.value);
   fmpq_clear(scene->base.beyond_right.value);
+  fmpq_clear(scene->base.below.value);
+  fmpq_clear(scene->base.left_of.value);
+  fmpq_clear(scene->base.right_of.value);
   fmpq_clear(scene->metres_per_unit);
   fmpq_clear(scene->friction_angle_deg.value);
   tp_friction_description_clear(&scene->friction);

@@ -90,7 +90,10 @@ typedef struct tp_block_description {
 typedef struct tp_base_description {
   tp_place place;
   bool mated;          /* the base is the counterpart of the underside; else `profile` */
+  bool whole;          /* mated with all of the underside, walls included */
   tp_polyline between; /* of a mated base: empty, or the two vertices where the contact ends */
+  tp_place between_place;
+  tp_quantity below, left_of, right_of; /* or where its vertices lie */
   tp_quantity beyond_left, beyond_right;
   tp_polyline profile;
 } tp_base_description;

@@ -3,6 +3,7 @@
 
 #include "stability/problem.h"
 
+#include "base/underside.h"
 #include "block/check.h"
 #include "load/check.h"
 #include "load/loads.h"
@@ -199,6 +200,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK) {
     status = tp_check_section(triangulation, &problem->section, &problem->lattice, message);
   }
+  if (status == TP_OK && problem->base.nowhere_level) status = tp_underside_fail(scene, message);
   if (status != TP_OK) return status;
   tp_effects_note(solution, "outline", scene->block.place, "", began);
   if (scene->block.arc_count > 0) {
