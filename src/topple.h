@@ -208,6 +208,7 @@ typedef struct tp_solution {
   bool friction_is_residual; /* Barton's law: the angle at a stress is above it */
   tp_block_result block;
   tp_teeth_result teeth;
+  tp_frame_result frame;
   tp_contact_result contact;
   bool loaded; /* the scene calls for loads besides the weight */
   size_t case_count;

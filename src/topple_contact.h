@@ -21,6 +21,20 @@ typedef enum tp_contact_end {
   TP_END_PROFILE   /* a profile of its own: where the block touches it first, or last */
 } tp_contact_end;
 
+/* What the coordinates of the scene lie along. In the world's frame all results are along the mean
+ * plane and normal to it: turned about one point, which keeps its coordinates. */
+typedef struct tp_frame_result {
+  bool stated;
+  bool world;                      /* y runs up: the block lies as it lies */
+  bool fitted;                     /* the mean plane, to the contact; else given */
+  bool dips;                       /* the mean plane is not level, ... */
+  tp_direction dips_towards;       /* ... its lower side, ... */
+  tp_bounded dip_deg;              /* ... and at which angle, 0 to 90: part of the tilt angle */
+  tp_bounded about_x_m, about_y_m; /* the point that stays */
+  bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
+  tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */
+} tp_frame_result;
+
 typedef struct tp_contact_result {
   bool mated;
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */

@@ -138,9 +138,16 @@ static bool allowed(const tp_base_description *base, const tp_polyline *line, lo
            (base->right_of.given && fmpq_cmp(line->x + k, base->right_of.value) < 0));
 }
 
-/* The stretch of the underside about its lowest vertex that the scene's limits allow. */
+/* The stretch of the underside about its lowest vertex that the scene's limits allow; on a side
+ * that they leave open the default holds. */
 static tp_status limit(tp_underside *u, const tp_base_description *base, const tp_polyline *line,
                        tp_message *message) {
+  const tp_underside whole = *u;
+  const bool left = base->below.given || base->right_of.given;
+  const bool right = base->below.given || base->left_of.given;
+  if (!left || !right) cut(u, line);
+  if (left) u->first = whole.first;
+  if (right) u->last = whole.last;
   long from = -1;
   for (long k = u->first;; k = next_vertex(line, k)) {
     if (allowed(base, line, k) && (from < 0 || fmpq_cmp(line->y + k, line->y + from) < 0)) from = k;
@@ -158,8 +165,8 @@ static tp_status limit(tp_underside *u, const tp_base_description *base, const t
                    "no edge of the underside lies within 'between': its ends are vertices, and "
                    "'below', 'left_of' and 'right_of' must leave two of them next to each other");
   }
-  u->left = first != u->first ? TP_END_STATED : TP_END_WHOLE;
-  u->right = last != u->last ? TP_END_STATED : TP_END_WHOLE;
+  if (left) u->left = first != whole.first ? TP_END_STATED : TP_END_WHOLE;
+  if (right) u->right = last != whole.last ? TP_END_STATED : TP_END_WHOLE;
   u->first = first;
   u->last = last;
   u->stated = true;

@@ -84,10 +84,38 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
   }
 }
 
+static void add_frame(tp_page *p) {
+  const tp_frame_result *f = &p->solution->frame;
+  char n[3][TP_NUMBER_SIZE];
+  if (f->world) {
+    tp_text_add(&p->text, "Frame    world: the block as it lies. The mean plane, %s,\n         ",
+                f->fitted ? "fitted to the contact" : "as the scene gives it");
+    if (f->dips) {
+      tp_text_add(&p->text, "dips by %s° towards the %s", tp_text_fixed(n[0], f->dip_deg, 3),
+                  tp_text_direction(f->dips_towards));
+    } else {
+      tp_text_add(&p->text, "is level");
+    }
+    tp_text_add(&p->text,
+                "; x runs along it and y normal to it\n         from here on, turned about "
+                "(%s, %s), which keeps its place\n",
+                tp_page_coordinate(p, n[1], f->about_x_m),
+                tp_page_coordinate(p, n[2], f->about_y_m));
+  } else if (f->inclined) {
+    tp_text_add(&p->text,
+                "Frame    Caution: the mean line of the contact is inclined to x by %s°, and the\n"
+                "         scene does not say 'frame'. x is taken along the mean plane of the base,"
+                "\n         level at a tilt of 0: say 'frame: base'. If y runs upwards and the "
+                "block\n         lies on a slope as drawn, say 'frame: world'.\n",
+                tp_text_fixed(n[0], f->inclination_deg, 3));
+  }
+}
+
 void tp_page_add_contact(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
   char n[2][TP_NUMBER_SIZE];
+  add_frame(p);
   tp_text_add(&p->text, "Base     ");
   if (c->mated) {
     tp_text_add(&p->text, "mated; it ");
@@ -131,6 +159,26 @@ static void json_end(tp_text *t, const char *side, tp_contact_end end, tp_bounde
   tp_text_add(t, ", ");
   tp_json_number(t, "y_m", y_m);
   tp_text_add(t, "},\n        ");
+}
+
+void tp_json_frame(tp_text *t, const tp_frame_result *f) {
+  tp_text_add(t, "      \"frame\": {\"is\": \"%s\", \"stated\": %s", f->world ? "world" : "base",
+              tp_json_truth(f->stated));
+  if (f->world) {
+    tp_text_add(t, ", \"mean_plane\": \"%s\", \"dips_towards\": %s%s%s, ",
+                f->fitted ? "fitted" : "given", f->dips ? "\"" : "",
+                f->dips ? tp_text_direction(f->dips_towards) : "null", f->dips ? "\"" : "");
+    tp_json_number(t, "dip_deg", f->dip_deg);
+    tp_text_add(t, ",\n        \"turned_about\": {");
+    tp_json_number(t, "x_m", f->about_x_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "y_m", f->about_y_m);
+    tp_text_add(t, "}");
+  } else if (!f->stated) {
+    tp_text_add(t, ", \"inclined\": %s, ", tp_json_truth(f->inclined));
+    tp_json_number(t, "inclination_deg", f->inclination_deg);
+  }
+  tp_text_add(t, "},\n");
 }
 
 void tp_json_contact(tp_text *t, const tp_contact_result *c, bool has_weight) {

@@ -9,6 +9,7 @@
 #include "report/page.h"
 
 void tp_page_add_contact(tp_page *page);
+void tp_json_frame(tp_text *text, const tp_frame_result *frame);
 void tp_json_contact(tp_text *text, const tp_contact_result *contact, bool has_weight);
 
 #endif

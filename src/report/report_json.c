@@ -218,6 +218,7 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   }
   add_block(t, &s->block);
   add_teeth(t, &s->teeth);
+  tp_json_frame(t, &s->frame);
   tp_json_contact(t, &s->contact, s->block.has_weight);
   tp_text_add(t, "      \"pivots\": [\n");
   for (size_t k = 0; k < c->pivot_count; k++) {

@@ -108,7 +108,7 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
       "topple", "title", "length_unit",        "parameters", "block", "base",
-      "loads",  "tilt",  "friction_angle_deg", "friction",   NULL};
+      "loads",  "tilt",  "friction_angle_deg", "friction",   "frame", NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -128,6 +128,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
+  if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   return status;
 }
 
@@ -193,6 +194,7 @@ void tp_scene_free(tp_scene *scene) {
   tp_loads_description_clear(&scene->loads);
   tp_polyline_clear(&scene->base.between);
   tp_polyline_clear(&scene->base.profile);
+  tp_polyline_clear(&scene->mean_plane);
   fmpq_clear(scene->base.beyond_left.value);
   fmpq_clear(scene->base.beyond_right.value);
   fmpq_clear(scene->base.below.value);

@@ -143,6 +143,10 @@ typedef struct tp_friction_description {
   tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
 } tp_friction_description;
 
+/* What x and y of a scene lie along: the mean plane of the base and its normal, said or taken so;
+ * or the horizontal and the vertical, with the block as it lies. */
+typedef enum tp_frame { TP_FRAME_UNSTATED, TP_FRAME_BASE, TP_FRAME_WORLD } tp_frame;
+
 struct tp_scene {
   char *path;
   char *title;
@@ -151,6 +155,9 @@ struct tp_scene {
   tp_parameters parameters;
   tp_block_description block;
   tp_base_description base;
+  tp_frame frame;
+  tp_place frame_place;
+  tp_polyline mean_plane; /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
   tp_loads_description loads;
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
   tp_friction_description friction;

@@ -3,6 +3,7 @@
 
 /* The contact: where it begins and ends, its length, its steepest facet, the weight on it. */
 
+#include "base/mean_plane.h"
 #include "stability/evaluation.h"
 
 #include "number/ball.h"
@@ -204,4 +205,55 @@ void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
   arb_clear(length);
   arb_clear(newton);
   arb_clear(value);
+}
+
+static tp_bounded metres(const tp_problem *problem, const fmpq_t length) {
+  fmpq_t value;
+  fmpq_init(value);
+  fmpq_mul(value, length, problem->scene->metres_per_unit);
+  const tp_bounded result = tp_evaluation_rational(value);
+  fmpq_clear(value);
+  return result;
+}
+
+/* Is the mean line of the contact inclined to x by more than 1 in 10? */
+static void find_inclination(tp_frame_result *frame, const tp_problem *problem) {
+  enum { BITS = 256 };
+  fmpq_t u, v, ten;
+  fmpq_init(u);
+  fmpq_init(v);
+  fmpq_init(ten);
+  if (tp_mean_plane_of_contact(u, v, &problem->contact, &problem->lattice)) {
+    fmpq_abs(ten, v);
+    fmpq_mul_ui(ten, ten, 10);
+    frame->inclined = fmpq_cmp(ten, u) > 0;
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    arb_set_fmpq(x, u, BITS);
+    arb_set_fmpq(y, v, BITS);
+    tp_ball_atan2_degrees(y, y, x, BITS);
+    frame->inclination_deg = tp_ball_bounded(y);
+    arb_clear(x);
+    arb_clear(y);
+  }
+  fmpq_clear(u);
+  fmpq_clear(v);
+  fmpq_clear(ten);
+}
+
+void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
+  tp_frame_result *frame = &solution->frame;
+  const tp_scene *scene = problem->scene;
+  const tp_world *world = problem->world;
+  *frame = (tp_frame_result){.stated = scene->frame != TP_FRAME_UNSTATED, .world = world != NULL};
+  if (world != NULL) {
+    frame->fitted = world->fitted;
+    frame->dips = world->rises != 0;
+    frame->dips_towards = world->rises > 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+    frame->dip_deg = tp_evaluation_rational(world->dip_deg);
+    frame->about_x_m = metres(problem, world->x);
+    frame->about_y_m = metres(problem, world->y);
+  }
+  if (!frame->stated && scene->block.form == TP_OUTLINE_VERTICES) find_inclination(frame, problem);
 }

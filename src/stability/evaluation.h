@@ -107,6 +107,9 @@ void tp_evaluate_moments(tp_evaluation *evaluation);
 void tp_evaluate_block(tp_evaluation *evaluation, tp_solution *solution);
 void tp_evaluate_contact(tp_evaluation *evaluation, tp_solution *solution);
 
+/* What the coordinates lie along; once for all rungs. */
+void tp_describe_frame(tp_solution *solution, const tp_problem *problem);
+
 /* Pivots of one direction of tilt; the critical angle of the governing one is left in `toppling`,
  * where there is one. */
 void tp_evaluate_pivots(tp_evaluation *evaluation, tp_case *result, tp_direction_ball *toppling);

@@ -136,10 +136,11 @@ class Mated(unittest.TestCase):
         self.assertEqual(self.ends(case)[1], (4, 0, "overhang"))
 
     def test_between_bounds(self):
-        """The ends named by what lies within: below a height, left and right of an abscissa."""
+        """The ends named by what lies within: below a height, left and right of an abscissa. The other end is the
+        default's."""
         outline = [(-2, 3), (0, 0), (1, Fraction(1, 4)), (3, 0), (4, 1), (5, 5), (-2, 5)]
         for between, ends in (("{below: 1}", [(0, 0), (4, 1)]), ("{below: 0.5}", [(0, 0), (3, 0)]),
-                              ("{right_of: 0.5}", [(1, 0.25), (5, 5)]), ("{left_of: 2}", [(-2, 3), (1, 0.25)]),
+                              ("{right_of: 0.5}", [(1, 0.25), (4, 1)]), ("{left_of: 2}", [(0, 0), (1, 0.25)]),
                               ("{right_of: 0, left_of: 3}", [(0, 0), (3, 0)])):
             case = self.case(outline, f"base: {{mated: true, between: {between}}}")
             self.assertEqual([end[:2] for end in self.ends(case)], ends, between)
