@@ -38,6 +38,7 @@
 #define TOPPLE_H
 
 #include "topple_governing.h"
+#include "topple_contact.h"
 #include "topple_limit.h"
 #include "topple_onset.h"
 
@@ -189,17 +190,6 @@ typedef struct tp_teeth_result {
   tp_pivot_kind left_end, right_end;
 } tp_teeth_result;
 
-typedef struct tp_contact_result {
-  bool mated;
-  bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
-  tp_bounded beyond_left_m, beyond_right_m; /* how far the base goes on past the block */
-  size_t facets, points;       /* facets of positive length; contacts in a single point */
-  size_t corner_points;        /* of the points: a corner on a corner, which restrains nothing */
-  tp_bounded length_m;         /* along the facets */
-  tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
-  tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
-} tp_contact_result;
-
 /* What ran, and what in the scene called for it. */
 typedef struct tp_effect {
   const char *name;
@@ -222,6 +212,7 @@ typedef struct tp_solution {
   bool friction_is_patton;   /* Patton's law: phi_b + i of the scene */
   tp_block_result block;
   tp_teeth_result teeth;
+  tp_frame_result frame;
   tp_contact_result contact;
   bool loaded; /* the scene calls for loads besides the weight */
   size_t case_count;

@@ -263,7 +263,8 @@ static void write_base(FILE *file, const random_scene *s) {
     return;
   }
   if (!s->beyond_stated && !s->effects.has_between) return;
-  fputs("\nbase:\n  mated: true", file);
+  /* where nothing is said of the base, the default cuts its steep ends off */
+  fprintf(file, "\nbase:\n  mated: %s", s->effects.has_between ? "true" : "whole");
   random_effects_write_between(file, s);
   if (!s->beyond_stated) return;
   random_scene_number(file, "\n  beyond: {left: ", n + BEYOND_LEFT, "");

@@ -82,6 +82,48 @@ static void collect_points(tp_contact *contact, const tp_base *base, const tp_la
   }
 }
 
+/* Is a direction farther from that of the mean plane than another: its angle 0 to 180 degrees, up
+ * or down alike? */
+static bool is_steeper(const fmpz_t dx, const fmpz_t dy, const fmpz_t other_dx,
+                       const fmpz_t other_dy) {
+  fmpz_t a, b;
+  fmpz_init(a);
+  fmpz_init(b);
+  fmpz_abs(a, dy);
+  fmpz_mul(a, a, other_dx);
+  fmpz_abs(b, other_dy);
+  fmpz_mul(b, b, dx);
+  const int side = fmpz_cmp(a, b);
+  fmpz_clear(a);
+  fmpz_clear(b);
+  return side > 0;
+}
+
+static void find_steepest(tp_contact *contact, const tp_lattice *l) {
+  fmpz_t dx, dy, most_dx, most_dy;
+  fmpz_init(dx);
+  fmpz_init(dy);
+  fmpz_init_set_ui(most_dx, 1);
+  fmpz_init(most_dy);
+  contact->steepest = -1;
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (f->q0 == f->q1) continue;
+    fmpz_sub(dx, l->x + f->t1, l->x + f->t0);
+    fmpz_sub(dy, l->y + f->t1, l->y + f->t0);
+    if (contact->steepest >= 0 && !is_steeper(dx, dy, most_dx, most_dy)) continue;
+    contact->steepest = k;
+    fmpz_swap(most_dx, dx);
+    fmpz_swap(most_dy, dy);
+  }
+  contact->steep =
+      contact->steepest >= 0 && (fmpz_sgn(most_dx) <= 0 || fmpz_cmpabs(most_dy, most_dx) > 0);
+  fmpz_clear(dx);
+  fmpz_clear(dy);
+  fmpz_clear(most_dx);
+  fmpz_clear(most_dy);
+}
+
 /* What to do where nothing touches: rounding may have taken it all. */
 static tp_status fail_apart(bool cut, const tp_base *base, tp_message *message) {
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
@@ -108,6 +150,7 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
   }
   if (contact->points != NULL) {
     collect_points(contact, base, lattice, ring);
+    find_steepest(contact, lattice);
     return TP_OK;
   }
   tp_contact_clear(contact);

@@ -29,6 +29,8 @@ typedef struct tp_contact {
   tp_facet *facets; /* along the base from left to right */
   long point_count;
   tp_contact_point *points;
+  long steepest; /* the facet farthest from level: of those alike, the first */
+  bool steep;    /* it is nearer upright than level, or overhangs */
 } tp_contact;
 
 /* The contact of a checked section, its corners rounded (NULL: sharp), with its base, whose ring is

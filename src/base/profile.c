@@ -3,6 +3,7 @@
 
 #include "base/profile.h"
 
+#include "base/underside.h"
 #include "block/outline.h"
 #include "number/ratio.h"
 
@@ -13,16 +14,6 @@ enum { MOST_TEETH_BEYOND = 1000000 };
 void tp_base_clear(tp_base *base) {
   tp_polyline_clear(&base->ring);
   memset(base, 0, sizeof *base);
-}
-
-/* The rightmost vertex, the lowest of them. */
-static long rightmost(const tp_polyline *line) {
-  long best = 0;
-  for (long k = 1; k < line->count; k++) {
-    const int side = fmpq_cmp(line->x + k, line->x + best);
-    if (side > 0 || (side == 0 && fmpq_cmp(line->y + k, line->y + best) < 0)) best = k;
-  }
-  return best;
 }
 
 /* Level ground from `from` by `beyond` to the left (-1) or the right (1). */
@@ -124,7 +115,7 @@ static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyl
                             long from, int side, tp_message *message) {
   const tp_quantity *beyond = side < 0 ? &scene->base.beyond_left : &scene->base.beyond_right;
   bool done = true;
-  if (scene->block.form == TP_OUTLINE_TEETH && scene->base.between.count == 0) {
+  if (scene->block.form == TP_OUTLINE_TEETH && base->mated) {
     bool piece = false;
     const long count = whole_teeth(beyond->value, &scene->block.teeth, &piece);
     if (count < 0) {
@@ -138,45 +129,18 @@ static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyl
   return done ? TP_OK : tp_fail_memory(message, "the base");
 }
 
-static tp_status find_vertex(long *vertex, const tp_polyline *outline, const tp_polyline *between,
-                             long k, tp_message *message) {
-  for (*vertex = 0; *vertex < outline->count; ++*vertex) {
-    if (fmpq_equal(outline->x + *vertex, between->x + k) &&
-        fmpq_equal(outline->y + *vertex, between->y + k)) {
-      return TP_OK;
-    }
-  }
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, k),
-                 "this is no vertex of the outline; 'between' names two of its vertices exactly");
-}
-
 static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_section *section,
                            tp_message *message) {
-  const tp_polyline *outline = section->rings, *between = &scene->base.between;
-  long first = 0, last = 0;
-  tp_status status = TP_OK;
-  if (between->count == 2) {
-    status = find_vertex(&first, outline, between, 0, message);
-    if (status == TP_OK) status = find_vertex(&last, outline, between, 1, message);
-    if (status == TP_OK && first == last) {
-      status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 1),
-                       "the contact begins and ends in the same vertex");
-    }
-  } else if (section->ellipse !=
-             NULL) { /* the flat: from the last vertex of the hull to the first */
-    first = outline->count - 1;
-    last = 0;
-  } else {
-    first = tp_polyline_leftmost(outline);
-    last = rightmost(outline);
-  }
-  if (status == TP_OK && between->count == 2 &&
-      fmpq_cmp(outline->x + first, outline->x + last) > 0) {
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 0),
-                     "'between' names the left end of the contact first");
-  }
+  const tp_polyline *outline = section->rings;
+  tp_underside underside;
+  tp_status status = tp_underside_find(&underside, scene, section, message);
   if (status != TP_OK) return status;
-  base->mated = between->count == 0;
+  const long first = underside.first, last = underside.last;
+  base->left = underside.left;
+  base->right = underside.right;
+  base->nowhere_level = underside.nowhere_level;
+  base->mated =
+      underside.left == TP_END_WHOLE && underside.right == TP_END_WHOLE && !underside.stated;
   base->outline_first = first;
   base->mated_count = (last - first + outline->count) % outline->count;
   status = add_beyond(base, scene, outline, first, -1, message);
@@ -211,6 +175,7 @@ static tp_status set_profile(tp_base *base, const tp_polyline *profile, tp_messa
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
                    "the base profile has no width: all its points lie on one upright line");
   }
+  base->left = base->right = TP_END_PROFILE;
   tp_polyline_clear(&base->ring);
   return tp_polyline_copy(&base->ring, profile) ? TP_OK : tp_fail_memory(message, "the base");
 }

@@ -3,20 +3,24 @@
 
 /* The base of a scene as a polyline of exact points from left to right, the rock below it.
  *
- * A mated base is the counterpart of the block's underside: the lower chain of the outline from its
- * leftmost to its rightmost vertex, or between two named vertices. Past the block it goes on as far
+ * A mated base is the counterpart of the block's underside, or of a part of it
+ * (base/underside.h). Past the contact it goes on as far
  * as the scene says: along the teeth of a toothed block, level otherwise. */
 
 #ifndef TP_PROFILE_H
 #define TP_PROFILE_H
 
 #include "block/section.h"
+#include "topple.h"
 
 typedef struct tp_base {
   tp_polyline ring; /* the profile, closed by two corners below everything else */
   long edge_count;  /* edges of the profile: the ring's first */
-  bool mated;       /* edges mated_first … are the outline's edges outline_first … */
+  bool mated;       /* with all of the underside: nothing else can touch */
+  /* of any mated base: edges mated_first … are the outline's edges outline_first …, as many */
   long mated_first, outline_first, mated_count;
+  tp_contact_end left, right; /* why it begins and ends there */
+  bool nowhere_level;         /* tp_underside_fail, once the block is checked */
 } tp_base;
 
 /* On failure `base` is cleared. */

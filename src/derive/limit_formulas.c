@@ -42,7 +42,7 @@ static bool beyond_direction(fmpz_mpoly_q_t tx, fmpz_mpoly_q_t ty, const tp_mode
   const tp_contact *contact = &m->problem.contact;
   const tp_scene *scene = m->problem.scene;
   if (!scene->base.mated) return false;
-  if (scene->block.form != TP_OUTLINE_TEETH || scene->base.between.count > 0) {
+  if (scene->block.form != TP_OUTLINE_TEETH || !m->problem.base.mated) {
     fmpz_mpoly_q_one(tx, m->symbols.field.ring);
     fmpz_mpoly_q_zero(ty, m->symbols.field.ring);
     return true;

@@ -46,6 +46,11 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
     return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
                    "formulas are derived for the weight alone; leave out 'loads'");
   }
+  if (scene->frame == TP_FRAME_WORLD) {
+    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
+                   "formulas are derived along the mean plane of the base; give coordinates along "
+                   "it, and leave out 'frame'");
+  }
   model->solution = calloc(1, sizeof *model->solution);
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");
   tp_solve_options options = tp_solve_options_default();

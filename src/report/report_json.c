@@ -5,11 +5,12 @@
 
 #include "host.h"
 #include "report/json.h"
+#include "report/report_contact.h"
 #include "report/report_governing.h"
 #include "report/report_limit.h"
-#include "report/report_onset.h"
 #include "report/report_loads.h"
 #include "report/report_notes.h"
+#include "report/report_onset.h"
 #include "report/report_pivots.h"
 
 #include <math.h>
@@ -60,30 +61,6 @@ static void add_teeth(tp_text *t, const tp_teeth_result *teeth) {
   tp_text_add(t, "\"left_end\": \"%s\", \"right_end\": \"%s\"\n      },\n",
               tp_text_pivot_kind(teeth->left_end), tp_text_pivot_kind(teeth->right_end));
 }
-
-static void add_contact(tp_text *t, const tp_contact_result *c, bool has_weight) {
-  tp_text_add(
-      t,
-      "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
-      "\"points\": %zu, \"corner_points\": %zu,\n        ",
-      tp_json_truth(c->mated), tp_json_truth(c->beyond_stated), c->facets, c->points,
-      c->corner_points);
-  if (c->mated) {
-    tp_json_number(t, "beyond_left_m", c->beyond_left_m);
-    tp_text_add(t, ",\n        ");
-    tp_json_number(t, "beyond_right_m", c->beyond_right_m);
-    tp_text_add(t, ",\n        ");
-  }
-  tp_json_number(t, "length_m", c->length_m);
-  tp_text_add(t, ",\n        ");
-  tp_json_number(t, "nominal_length_m", c->nominal_length_m);
-  if (has_weight) {
-    tp_text_add(t, ",\n        ");
-    tp_json_number(t, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
-    tp_text_add(t, ",\n        ");
-    tp_json_number(t, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
-  }
-  tp_text_add(t, "\n      },\n");
 }
 
 static void add_toppling(tp_text *t, const tp_case *c) {
@@ -228,7 +205,8 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c, tp_pivo
   }
   add_block(t, &s->block);
   add_teeth(t, &s->teeth);
-  add_contact(t, &s->contact, s->block.has_weight);
+  tp_json_frame(t, &s->frame);
+  tp_json_contact(t, &s->contact, s->block.has_weight);
   tp_json_pivots(t, s, c, shown == TP_PIVOTS_ALL);
   add_toppling(t, c);
   add_sliding(t, &c->sliding, s->loaded, s->friction_is_patton);

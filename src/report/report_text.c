@@ -5,6 +5,7 @@
 
 #include "host.h"
 #include "report/encode.h"
+#include "report/report_contact.h"
 #include "report/report_digits.h"
 #include "report/report_governing.h"
 #include "report/report_limit.h"
@@ -58,62 +59,6 @@ static void add_block(tp_page *p) {
   if (b->parts > 0) {
     tp_text_add(&p->text, ", %zu part%s of other density", b->parts, b->parts == 1 ? "" : "s");
   }
-  tp_text_add(&p->text, "\n");
-}
-
-static void add_ends(tp_page *p, const tp_contact_result *c) {
-  const char *unit = p->solution->length_unit;
-  char n[2][TP_NUMBER_SIZE];
-  const bool left = c->beyond_left_m.value > 0, right = c->beyond_right_m.value > 0;
-  tp_page_length(p, n[0], c->beyond_left_m, 6);
-  tp_page_length(p, n[1], c->beyond_right_m, 6);
-  if (!left && !right) {
-    tp_text_add(&p->text, "ends with the block on both sides");
-  } else if (left && right) {
-    tp_text_add(&p->text, "goes on by %s %s on the left, %s %s on the right", n[0], unit, n[1],
-                unit);
-  } else {
-    tp_text_add(&p->text, "ends with the block on the %s, goes on for %s %s on the %s",
-                left ? "right" : "left", left ? n[0] : n[1], unit, left ? "left" : "right");
-  }
-}
-
-static void add_corner_points(tp_page *p, const tp_contact_result *c) {
-  if (c->corner_points == 0) return;
-  tp_text_add(&p->text,
-              ";\n         %zu of the points %s a corner on a corner, which counts as no support:\n"
-              "         neither has a face there for a force to be normal to",
-              c->corner_points, c->corner_points == 1 ? "is" : "are");
-}
-
-static void add_base(tp_page *p) {
-  const tp_solution *s = p->solution;
-  const tp_contact_result *c = &s->contact;
-  char n[2][TP_NUMBER_SIZE];
-  tp_text_add(&p->text, "Base     ");
-  if (c->mated) {
-    tp_text_add(&p->text, "mated; it ");
-    add_ends(p, c);
-    if (!c->beyond_stated) {
-      tp_text_add(&p->text, "\n         (taken so: the scene does not say 'beyond')");
-    }
-  } else {
-    tp_text_add(&p->text, "a profile of its own, which ends where the scene ends it");
-  }
-  tp_text_add(&p->text, "\nContact  %zu facet%s", c->facets, c->facets == 1 ? "" : "s");
-  if (c->points > 0) {
-    tp_text_add(&p->text, " and %zu contact%s in a point", c->points, c->points == 1 ? "" : "s");
-  }
-  tp_text_add(&p->text, ",\n         %s %s long, %s %s along the mean plane",
-              tp_page_length(p, n[0], c->length_m, 6), s->length_unit,
-              tp_page_length(p, n[1], c->nominal_length_m, 6), s->length_unit);
-  if (s->block.has_weight && c->facets > 0) {
-    tp_text_add(&p->text, ";\n         weight per area ");
-    tp_page_add_quantity(p, c->weight_per_contact_area_pa, "Pa");
-    tp_text_add(&p->text, ", per area of the mean plane ");
-    tp_page_add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
-  }
-  add_corner_points(p, c);
   tp_text_add(&p->text, "\n");
 }
 
@@ -185,7 +130,7 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
   }
   add_teeth(&p);
   add_block(&p);
-  add_base(&p);
+  tp_page_add_contact(&p);
   tp_text_notes(&p.text, &solution->notes);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
   tp_page_add_digits(&p);

@@ -56,6 +56,7 @@ TP_MUST_USE tp_status tp_read_angle(const tp_reader *reader, tp_quantity *angle,
 TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
 void tp_friction_description_init(tp_friction_description *friction);
 void tp_friction_description_clear(tp_friction_description *friction);
+TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
 /* Notes on numbers of the scene that look as if they stood in another unit. */

@@ -27,15 +27,47 @@ static tp_status read_beyond(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
+/* Two vertices by their coordinates, or what bounds them. */
 static tp_status read_between(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"below", "left_of", "right_of", NULL};
+  tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
-  if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
+  base->between_place = tp_node_place(node, reader->scene->path);
+  if (node->kind == TP_NODE_SEQUENCE && node->count == 2) {
+    return tp_read_points(reader, &base->between, node, false, "between");
+  }
+  if (node->kind != TP_NODE_MAPPING || node->count == 0) {
     return tp_read_fail(
         reader, node,
-        "between names the two vertices of the outline where the contact begins and "
-        "ends: [[x, y], [x, y]], the left one first");
+        "between says where the contact begins and ends: two vertices of the outline, "
+        "[[x, y], [x, y]], the left one first, or what all its vertices lie within, as "
+        "{below: y} or {right_of: x, left_of: x}");
   }
-  return tp_read_points(reader, &reader->scene->base.between, node, false, "between");
+  tp_status status =
+      tp_node_expect_keys(node, keys, "between", reader->scene->path, reader->message);
+  tp_quantity *const bounds[] = {&base->below, &base->left_of, &base->right_of};
+  for (int k = 0; keys[k] != NULL && status == TP_OK; k++) {
+    status = tp_read_quantity(reader, bounds[k], tp_node_get(node, keys[k]), keys[k]);
+  }
+  return status;
+}
+
+/* true, false, or whole. */
+static tp_status read_mated(const tp_reader *reader, const tp_node *node) {
+  tp_base_description *base = &reader->scene->base;
+  if (node == NULL) return TP_OK;
+  base->whole = node->kind == TP_NODE_SCALAR && strcmp(node->text, "whole") == 0;
+  if (!base->whole && node->kind == TP_NODE_SCALAR && strcmp(node->text, "true") != 0 &&
+      strcmp(node->text, "false") != 0) {
+    return tp_read_fail(reader, node,
+                        "mated must be true, false, or 'whole' for all of the underside from its "
+                        "leftmost to its rightmost vertex, however steep");
+  }
+  if (base->whole) {
+    base->mated = true;
+    return TP_OK;
+  }
+  return tp_read_bool(reader, &base->mated, node, "mated");
 }
 
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
@@ -49,8 +81,13 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   if (status != TP_OK) return status;
   const tp_node *mated = tp_node_get(node, "mated"), *profile = tp_node_get(node, "profile");
   base->mated = profile == NULL;
-  if (mated != NULL) status = tp_read_bool(reader, &base->mated, mated, "mated");
+  status = read_mated(reader, mated);
   if (status != TP_OK) return status;
+  if (base->whole && tp_node_get(node, "between") != NULL) {
+    return tp_read_fail(reader, tp_node_get(node, "between"),
+                        "'mated: whole' takes in all of the underside, and 'between' a part of it; "
+                        "drop one of them");
+  }
   if (base->mated && profile != NULL) {
     return tp_read_fail(reader, profile,
                         "a base is either mated or has a profile of its own; drop one of them");

@@ -108,7 +108,7 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
       "topple", "title", "length_unit",        "parameters", "block", "base",
-      "loads",  "tilt",  "friction_angle_deg", "friction",   NULL};
+      "loads",  "tilt",  "friction_angle_deg", "friction",   "frame", NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -128,6 +128,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
+  if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   return status == TP_OK ? tp_read_cautions(reader) : status;
 }
 
@@ -151,6 +152,9 @@ static tp_scene *new_scene(const char *path) {
   fmpq_init(block->unit_weight_kn_m3.value);
   fmpq_init(scene->base.beyond_left.value);
   fmpq_init(scene->base.beyond_right.value);
+  fmpq_init(scene->base.below.value);
+  fmpq_init(scene->base.left_of.value);
+  fmpq_init(scene->base.right_of.value);
   tp_loads_description_init(&scene->loads);
   fmpq_init(scene->friction_angle_deg.value);
   tp_friction_description_init(&scene->friction);
@@ -190,8 +194,12 @@ void tp_scene_free(tp_scene *scene) {
   tp_loads_description_clear(&scene->loads);
   tp_polyline_clear(&scene->base.between);
   tp_polyline_clear(&scene->base.profile);
+  tp_polyline_clear(&scene->mean_plane);
   fmpq_clear(scene->base.beyond_left.value);
   fmpq_clear(scene->base.beyond_right.value);
+  fmpq_clear(scene->base.below.value);
+  fmpq_clear(scene->base.left_of.value);
+  fmpq_clear(scene->base.right_of.value);
   fmpq_clear(scene->metres_per_unit);
   fmpq_clear(scene->friction_angle_deg.value);
   tp_friction_description_clear(&scene->friction);

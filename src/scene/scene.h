@@ -91,7 +91,10 @@ typedef struct tp_block_description {
 typedef struct tp_base_description {
   tp_place place;
   bool mated;          /* the base is the counterpart of the underside; else `profile` */
+  bool whole;          /* mated with all of the underside, walls included */
   tp_polyline between; /* of a mated base: empty, or the two vertices where the contact ends */
+  tp_place between_place;
+  tp_quantity below, left_of, right_of; /* or where its vertices lie */
   tp_quantity beyond_left, beyond_right;
   tp_polyline profile;
 } tp_base_description;
@@ -141,6 +144,10 @@ typedef struct tp_friction_description {
   tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
 } tp_friction_description;
 
+/* What x and y of a scene lie along: the mean plane of the base and its normal, said or taken so;
+ * or the horizontal and the vertical, with the block as it lies. */
+typedef enum tp_frame { TP_FRAME_UNSTATED, TP_FRAME_BASE, TP_FRAME_WORLD } tp_frame;
+
 struct tp_scene {
   char *path;
   char *title;
@@ -149,6 +156,9 @@ struct tp_scene {
   tp_parameters parameters;
   tp_block_description block;
   tp_base_description base;
+  tp_frame frame;
+  tp_place frame_place;
+  tp_polyline mean_plane; /* TP_FRAME_WORLD: two points of it, or none: fitted to the contact */
   tp_loads_description loads;
   tp_quantity friction_angle_deg; /* 0 <= value < 90 */
   tp_friction_description friction;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Area, centroid, second moments, weight; the teeth; the length of the contact. */
+/* Area, centroid, second moments, weight. */
 
 #include "stability/evaluation.h"
 
@@ -21,8 +21,7 @@ static void scale(arb_t value, const tp_evaluation *e, int degree) {
   arb_clear(step);
 }
 
-/* value = coefficient * lattice quantity * step^degree, as a result. */
-static tp_bounded in_metres(tp_evaluation *e, arb_t value, int degree) {
+tp_bounded tp_evaluation_metres(tp_evaluation *e, arb_t value, int degree) {
   scale(value, e, degree);
   const double step_m = fmpq_get_d(e->problem->lattice.step_m);
   const double log2_size = (double)e->problem->lattice.bits + log2(step_m > 0 ? step_m : DBL_MIN);
@@ -109,8 +108,7 @@ static void second_moments(tp_evaluation *e, tp_block_result *block) {
   arb_clear(xy);
 }
 
-/* Weight in newton. */
-static void weight(tp_evaluation *e, arb_t newton) {
+void tp_evaluation_weight(arb_t newton, const tp_evaluation *e) {
   fmpq_t factor;
   fmpq_init(factor);
   tp_problem_weight_factor(factor, e->problem);
@@ -128,7 +126,7 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
   arb_init(value);
   fmpq_init(thickness);
   arb_mul_2exp_si(value, e->moments.area2, -1);
-  block->area_m2 = in_metres(e, value, 2);
+  block->area_m2 = tp_evaluation_metres(e, value, 2);
   block->centroid_x_m = centroid(e, sums + TP_X6, problem->lattice.origin_x);
   block->centroid_y_m = centroid(e, sums + TP_Y6, problem->lattice.origin_y);
   second_moments(e, block);
@@ -136,7 +134,7 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
   block->thickness_m = tp_evaluation_rational(thickness);
   block->has_weight = problem->scene->block.unit_weight_kn_m3.given;
   if (block->has_weight) {
-    weight(e, value);
+    tp_evaluation_weight(value, e);
     block->weight_n = tp_evaluation_result(e, value);
   }
   const bool curved = problem->section.ellipse != NULL;
@@ -146,142 +144,4 @@ void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
   block->triangles = curved ? 0 : problem->triangle_count;
   arb_clear(value);
   fmpq_clear(thickness);
-}
-
-/* Sum of the lengths of the facets in balls, in lattice units. */
-static void contact_length_ball(tp_evaluation *e, arb_t length) {
-  arb_t dx, dy;
-  arb_init(dx);
-  arb_init(dy);
-  arb_zero(length);
-  for (long k = 0; k < e->problem->contact.facet_count; k++) {
-    tp_evaluation_facet(dx, dy, e, e->problem->contact.facets + k);
-    arb_hypot(dx, dx, dy, e->rung.bits);
-    arb_add(length, length, dx, e->rung.bits);
-  }
-  arb_clear(dx);
-  arb_clear(dy);
-}
-
-/* The same in double, for exact coordinates: differences (1 rounding each), squares, sum, root make
- * at most 3.1 unit roundoffs for each length; two levels of summation add at most 1024 + n / 1024
- * more to a sum of positive terms. */
-static void contact_length_double(tp_evaluation *e, arb_t length) {
-  const tp_lattice *l = &e->problem->lattice;
-  const long count = e->problem->contact.facet_count;
-  double total = 0;
-  for (long from = 0; from < count; from += 1024) {
-    double part = 0;
-    for (long k = from; k < count && k < from + 1024; k++) {
-      const tp_facet *f = e->problem->contact.facets + k;
-      const double dx = l->u[f->q1] - l->u[f->q0], dy = l->v[f->q1] - l->v[f->q0];
-      part += sqrt(dx * dx + dy * dy);
-    }
-    total += part;
-  }
-  const long parts = count / 1024;
-  const double roundings = 1030 + (double)parts;
-  tp_ball_set_bounded(length, total, 1.01 * roundings * DBL_EPSILON / 2 * total);
-}
-
-/* Length of the contact along the mean plane: what ends in points of the lattice exactly. */
-static void nominal_length(const tp_evaluation *e, arb_t length) {
-  const tp_problem *problem = e->problem;
-  fmpz_t sum, dx;
-  arb_t cut, cut_dx, cut_dy;
-  fmpz_init(sum);
-  fmpz_init(dx);
-  arb_init(cut);
-  arb_init(cut_dx);
-  arb_init(cut_dy);
-  for (long k = 0; k < problem->contact.facet_count; k++) {
-    const tp_facet *f = problem->contact.facets + k;
-    if (f->cut0 != NULL || f->cut1 != NULL) {
-      tp_evaluation_facet(cut_dx, cut_dy, e, f);
-      arb_abs(cut_dx, cut_dx);
-      arb_add(cut, cut, cut_dx, e->rung.bits);
-      continue;
-    }
-    fmpz_sub(dx, problem->lattice.x + f->q1, problem->lattice.x + f->q0);
-    fmpz_abs(dx, dx);
-    fmpz_add(sum, sum, dx);
-  }
-  arb_set_fmpz(length, sum);
-  if (problem->corners.count > 0) arb_add(length, length, cut, e->rung.bits);
-  fmpz_clear(sum);
-  fmpz_clear(dx);
-  arb_clear(cut);
-  arb_clear(cut_dx);
-  arb_clear(cut_dy);
-}
-
-/* Weight over length times thickness; a contact in points alone has no area. */
-static tp_bounded pressure(arb_t value, tp_evaluation *e, const tp_bounded length_m,
-                           const arb_t length, const arb_t newton) {
-  if (length_m.value <= 0) {
-    arb_indeterminate(value);
-    return (tp_bounded){.error = INFINITY};
-  }
-  const long bits = e->rung.bits;
-  fmpq_t width;
-  fmpq_init(width);
-  tp_problem_thickness(width, e->problem);
-  arb_div(value, newton, length, bits);
-  arb_div_fmpz(value, value, fmpq_numref(width), bits);
-  arb_mul_fmpz(value, value, fmpq_denref(width), bits);
-  fmpq_clear(width);
-  return tp_evaluation_result(e, value);
-}
-
-static tp_bounded length_in_metres(tp_evaluation *e, const tp_quantity *quantity) {
-  fmpq_t metres;
-  fmpq_init(metres);
-  fmpq_mul(metres, quantity->value, e->problem->scene->metres_per_unit);
-  const tp_bounded result = tp_evaluation_rational(metres);
-  fmpq_clear(metres);
-  return result;
-}
-
-void tp_evaluate_contact(tp_evaluation *e, tp_solution *solution) {
-  const tp_problem *problem = e->problem;
-  const tp_base_description *base = &problem->scene->base;
-  tp_contact_result *contact = &solution->contact;
-  contact->mated = base->mated;
-  contact->beyond_stated = !base->mated || base->beyond_left.given;
-  contact->beyond_left_m = length_in_metres(e, &base->beyond_left);
-  contact->beyond_right_m = length_in_metres(e, &base->beyond_right);
-  contact->facets = contact->points = contact->corner_points = 0;
-  for (long k = 0; k < problem->contact.facet_count; k++) {
-    const tp_facet *f = problem->contact.facets + k;
-    if (f->q0 != f->q1) {
-      contact->facets++;
-    } else {
-      contact->points++;
-      contact->corner_points += f->t0 == f->t1;
-    }
-  }
-  arb_t length, newton, value;
-  arb_init(value);
-  arb_init(length);
-  arb_init(newton);
-  weight(e, newton);
-  if (e->rung.level == TP_LEVEL_DOUBLE && tp_lattice_is_exact(&problem->lattice) &&
-      problem->corners.count == 0) {
-    contact_length_double(e, length);
-  } else {
-    contact_length_ball(e, length);
-  }
-  contact->length_m = in_metres(e, length, 1);
-  if (solution->block.has_weight) {
-    contact->weight_per_contact_area_pa = pressure(value, e, contact->length_m, length, newton);
-  }
-  nominal_length(e, length);
-  contact->nominal_length_m = in_metres(e, length, 1);
-  if (solution->block.has_weight) {
-    contact->weight_per_nominal_area_pa =
-        pressure(e->weight_per_area_pa, e, contact->nominal_length_m, length, newton);
-  }
-  arb_clear(length);
-  arb_clear(newton);
-  arb_clear(value);
 }

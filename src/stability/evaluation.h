@@ -72,6 +72,12 @@ bool tp_evaluation_is_settled(const tp_evaluation *evaluation, const arb_t ball)
 /* An exact rational as a result. */
 tp_bounded tp_evaluation_rational(const fmpq_t value);
 
+/* A quantity of the lattice times step^degree, in metres to that power; `value` becomes that. */
+tp_bounded tp_evaluation_metres(tp_evaluation *evaluation, arb_t value, int degree);
+
+/* The block's weight in newton. */
+void tp_evaluation_weight(arb_t newton, const tp_evaluation *evaluation);
+
 /* Coordinates of a lattice point in metres. */
 tp_bounded tp_evaluation_x(const tp_problem *problem, long point);
 tp_bounded tp_evaluation_y(const tp_problem *problem, long point);
@@ -100,6 +106,9 @@ void tp_evaluate_moments(tp_evaluation *evaluation);
 /* The block, its teeth and its contact. */
 void tp_evaluate_block(tp_evaluation *evaluation, tp_solution *solution);
 void tp_evaluate_contact(tp_evaluation *evaluation, tp_solution *solution);
+
+/* What the coordinates lie along; once for all rungs. */
+void tp_describe_frame(tp_solution *solution, const tp_problem *problem);
 
 /* Pivots of one direction of tilt; the critical angle of the governing one is left in `toppling`,
  * where there is one. */

@@ -104,11 +104,17 @@ static tp_status check_reach(const tp_search *s) {
                        "the scene gives; a factor of safety depends on that");
 }
 
+/* Does the scene lie at a tilt: one that it gives, or that of a slope? */
+static bool has_tilt(const tp_node *root) {
+  const tp_node *tilt = tp_node_get(root, "tilt"), *frame = tp_node_get(root, "frame");
+  const bool level =
+      frame == NULL || (frame->kind == TP_NODE_SCALAR && strcmp(frame->text, "base") == 0);
+  return !level || (tilt != NULL && tp_node_get(tilt, "angle_deg") != NULL);
+}
+
 /* What the target cannot be without. */
 static tp_status check_target(const tp_search *s) {
-  const tp_node *tilt = tp_node_get(s->scene.root, "tilt");
   const tp_find_target target = s->options->target;
-  const bool has_tilt = tilt != NULL && tp_node_get(tilt, "angle_deg") != NULL;
   const tp_place place = {s->scene.path, 0, 0};
   if (target >= TP_FIND_SLIDING_ANGLE && !tp_varied_has_friction(&s->scene)) {
     return tp_fail(s->message, TP_BAD_INPUT, place,
@@ -117,7 +123,7 @@ static tp_status check_target(const tp_search *s) {
   }
   const bool needs_tilt =
       target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS;
-  if (!needs_tilt || has_tilt) return TP_OK;
+  if (!needs_tilt || has_tilt(s->scene.root)) return TP_OK;
   return tp_fail(s->message, TP_BAD_INPUT, place,
                  "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
                  targets[target]);

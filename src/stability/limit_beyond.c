@@ -137,8 +137,7 @@ static void set_flank(tp_limit_beyond *b, const tp_problem *problem, tp_directio
   const tp_scene *scene = problem->scene;
   tp_limit_direction(b->tx, b->ty, &problem->lattice, last, towards);
   b->rises = fmpz_sgn(b->ty) > 0;
-  if (scene->block.form == TP_OUTLINE_TEETH && scene->base.mated &&
-      scene->base.between.count == 0) {
+  if (scene->block.form == TP_OUTLINE_TEETH && problem->base.mated) {
     fmpz_neg(b->ty, b->ty);
   } else {
     fmpz_one(b->tx);

@@ -3,6 +3,7 @@
 
 #include "stability/problem.h"
 
+#include "base/underside.h"
 #include "block/check.h"
 #include "load/check.h"
 #include "load/loads.h"
@@ -22,6 +23,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_corners_clear(&problem->corners);
   free(problem->admissible[0]);
   free(problem->admissible[1]);
+  tp_world_free(problem->world);
   memset(problem, 0, sizeof *problem);
 }
 
@@ -199,6 +201,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK) {
     status = tp_check_section(triangulation, &problem->section, &problem->lattice, message);
   }
+  if (status == TP_OK && problem->base.nowhere_level) status = tp_underside_fail(scene, message);
   if (status != TP_OK) return status;
   tp_effects_note(solution, "outline", scene->block.place, "", began);
   if (scene->block.arc_count > 0) {
@@ -228,13 +231,32 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   return status;
 }
 
+static tp_status turn(tp_problem *problem, const tp_solve_options *options, tp_solution *solution,
+                      tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  const tp_effect_begin began = tp_effects_begin(solution);
+  if (options->digits > TP_WORLD_DIGITS) {
+    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
+                   "where 'frame' is 'world' numbers are certain to %d digits at most; give the "
+                   "coordinates along the mean plane for more",
+                   TP_WORLD_DIGITS);
+  }
+  const tp_status status = tp_world_init(&problem->world, scene, message);
+  if (status != TP_OK) return status;
+  problem->scene = &problem->world->scene;
+  tp_effects_note(solution, "frame", scene->frame_place, "", began);
+  return TP_OK;
+}
+
 tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
                           const tp_solve_options *options, tp_solution *solution,
                           tp_message *message) {
   tp_geom_triangulation triangulation = {0};
   memset(problem, 0, sizeof *problem);
   problem->scene = scene;
-  const tp_status status = prepare(problem, options, &triangulation, solution, message);
+  tp_status status = TP_OK;
+  if (scene->frame == TP_FRAME_WORLD) status = turn(problem, options, solution, message);
+  if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
   /* Euler: any triangulation of n vertices and h holes has n + 2 h - 2 triangles. */
   problem->triangle_count = triangulation.count;
   if (triangulation.count == 0 && status == TP_OK) {

@@ -9,13 +9,15 @@
 #include "base/contact.h"
 #include "block/corners.h"
 #include "block/elements.h"
+#include "stability/world.h"
 
 /* Above this many vertices the elements form of the factor of safety, which needs a triangulation
  * at some hundred times the cost of everything else, is drawn up only when asked for. */
 enum { TP_ELEMENTS_UNASKED = 10000 };
 
 typedef struct tp_problem {
-  const tp_scene *scene;
+  const tp_scene *scene; /* in the frame of its base */
+  tp_world *world;       /* the scene lies as it lies: turned into that frame; else NULL */
   tp_section section;
   tp_base base;
   tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */

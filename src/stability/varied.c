@@ -30,7 +30,7 @@ tp_status tp_varied_check(double *own, const tp_varied *scene, tp_message *messa
   fmpq_init(value);
   tp_place place = tp_node_place(scene->numbers[0], scene->path);
   place.column += scene->numbers[0]->text_offset;
-  if (read->towards_left && read->towards_right) {
+  if (read->towards_left && read->towards_right && read->frame != TP_FRAME_WORLD) {
     status = tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
                      "this scene tilts both ways; say which, 'tilt: {towards: left}'");
   } else {

@@ -22,13 +22,13 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
                               tp_message *message) {
   tp_solve_options options = tp_solve_options_default();
   options.limit = false;
-  *s = (tp_accuracy_subject){.scene = *scene,
-                             .towards = scene->towards_left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT};
+  *s = (tp_accuracy_subject){.scene = *scene};
   tp_rounded_description *rounded = &s->scene.block.rounded;
   if (as == CORNERS_SHARP) rounded->count = 0;
   if (as != CORNERS_AS_THEY_ARE) rounded->keeps_mass = as == CORNERS_PAPER;
   tp_status status = tp_solve(&s->noted, &s->scene, &options, message);
   if (status != TP_OK) return status;
+  s->towards = s->noted->cases[0].towards;
   status = tp_problem_init(&s->problem, &s->scene, &options, s->noted, message);
   if (status != TP_OK) {
     tp_solution_free(s->noted);

@@ -32,7 +32,7 @@ class Scene:
         rounded = ", ".join(f"{{at: [{self.outline[k][0]}, {self.outline[k][1]}], radius: {r}}}"
                             for k, r in self.corners.items())
         base = (f"profile: {points_text(self.base)}" if isinstance(self.base[0], tuple) else
-                f"mated: true, beyond: {{left: {self.base[0]}, right: {self.base[1]}}}")
+                f"mated: whole, beyond: {{left: {self.base[0]}, right: {self.base[1]}}}")
         return (f"topple: 1\nlength_unit: m\nblock:\n  outline: {points_text(self.outline)}\n"
                 f"  rounded: {{model: {self.model}, corners: [{rounded}]}}\n  unit_weight_kn_m3: 26\n"
                 f"base: {{{base}}}\nfriction_angle_deg: {self.friction}\ntilt: {{towards: both}}\n")

@@ -137,7 +137,7 @@ class Derive(unittest.TestCase):
             body = ", ".join(f"[{x}, {y}]" for x, y in texts)
             numbers = ", ".join(f"{n}: {v}" for n, v in values.items())
             self.scene.write_text(f"topple: 1\nlength_unit: m\nparameters: {{{numbers}}}\nblock: "
-                                  f"{{outline: [{body}]}}\ntilt: {{towards: left}}\n")
+                                  f"{{outline: [{body}]}}\nbase: {{mated: whole}}\ntilt: {{towards: left}}\n")
             status, out, err = run("derive", "--json", self.scene)
             if status == 3:  # the random expressions made it cross itself
                 self.assertRegex(err, "crosses|touches|repeats")

@@ -78,7 +78,7 @@ def mated_teeth():
             far = (2 * inner[0] - other[0], other[1])
             profile = [far] + profile if side == 0 else profile + [far]
     block = f"teeth: {{count: {count}, width: {a}, height: {b}, depth: {c}, left_end: {end}}}"
-    return block, f"mated: true, beyond: {{left: {more[0]}, right: {more[1]}}}", outline, profile
+    return block, f"mated: whole, beyond: {{left: {more[0]}, right: {more[1]}}}", outline, profile
 
 
 def mated_polygon():
@@ -88,7 +88,7 @@ def mated_polygon():
     left, right = random.choice([0, 3]), random.choice([0, 3])
     profile = [(under[0][0] - left, under[0][1])] * (left > 0) + under
     profile += [(under[-1][0] + right, under[-1][1])] * (right > 0)
-    return (f"outline: {text_of(outline)}", f"mated: true, beyond: {{left: {left}, right: {right}}}",
+    return (f"outline: {text_of(outline)}", f"mated: whole, beyond: {{left: {left}, right: {right}}}",
             outline, profile)
 
 

@@ -222,7 +222,7 @@ class Cases(unittest.TestCase):
     def test_never_stands_by_formula(self):
         """A wedge on one steep facet that rises down-dip slides up-dip off it below i - phi, though angles
         alone would let it stand."""
-        case = self.solve("outline: [[1, 4], [-4, 4], [1, -5]]", "mated: true", 3.8)
+        case = self.solve("outline: [[1, 4], [-4, 4], [1, -5]]", "mated: whole", 3.8)
         self.assertEqual((case["mechanism"], case["falls_backwards"]), ("slides", True))
         self.holds(case["limit"]["holds_from_deg"], math.degrees(math.atan2(9, 5)) - 3.8)
         self.holds(case["limit"]["critical_angle_deg"], math.degrees(math.atan2(9, 5)) + 3.8)

@@ -70,7 +70,7 @@ class RandomBlocks(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def solve_text(self, block, base="mated: true, beyond: {left: 0, right: 0}", tilt="",
+    def solve_text(self, block, base="mated: whole, beyond: {left: 0, right: 0}", tilt="",
                    unit="m"):
         self.scene.write_text(f"topple: 1\nlength_unit: {unit}\nblock:\n{block}base: {{{base}}}\n"
                               f"friction_angle_deg: 33\ntilt: {{towards: both{tilt}}}\n")

@@ -118,7 +118,7 @@ class Water(unittest.TestCase):
 
     def solve(self, outline, water, friction, towards, tilt, digits=9):
         self.text = ("topple: 1\nlength_unit: m\nblock: {outline: %s, unit_weight_kn_m3: 26}\n"
-                     "base: {mated: true, beyond: {left: 0, right: 0}}\nfriction_angle_deg: %s\n"
+                     "base: {mated: whole, beyond: {left: 0, right: 0}}\nfriction_angle_deg: %s\n"
                      "loads: {water: %s}\ntilt: {towards: %s, angle_deg: %s}\n"
                      % (text(outline), friction, water, towards, tilt))
         self.scene.write_text(self.text)

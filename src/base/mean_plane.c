@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "base/mean_plane.h"
+
+void tp_mean_plane_init(tp_mean_plane *p) {
+  fmpq *const all[] = {p->along[0], p->along[1], p->length, p->a, p->b, p->aa, p->ab};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
+}
+
+void tp_mean_plane_clear(tp_mean_plane *p) {
+  fmpq *const all[] = {p->along[0], p->along[1], p->length, p->a, p->b, p->aa, p->ab};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
+}
+
+void tp_mean_plane_ends(tp_mean_plane *p, const fmpq_t dx, const fmpq_t dy) {
+  fmpq_set(p->along[0], dx);
+  fmpq_set(p->along[1], dy);
+}
+
+/* Along the line between the ends and normal to it, both times its length. */
+static void turn(fmpq_t a, fmpq_t b, const tp_mean_plane *p, const fmpq_t x, const fmpq_t y) {
+  fmpq_mul(a, p->along[0], x);
+  fmpq_addmul(a, p->along[1], y);
+  fmpq_mul(b, p->along[0], y);
+  fmpq_submul(b, p->along[1], x);
+}
+
+/* sum += weight * (f0 * 2 g0 + f0 g1 + f1 g0 + f1 * 2 g1) / 6 */
+static void add_product(fmpq_t sum, const fmpq_t weight, const fmpq_t f0, const fmpq_t f1,
+                        const fmpq_t g0, const fmpq_t g1) {
+  fmpq_t own, twice;
+  fmpq_init(own);
+  fmpq_init(twice);
+  fmpq_add(twice, g0, g0);
+  fmpq_add(twice, twice, g1);
+  fmpq_mul(own, f0, twice);
+  fmpq_add(twice, g1, g1);
+  fmpq_add(twice, twice, g0);
+  fmpq_addmul(own, f1, twice);
+  fmpq_div_2exp(own, own, 1);
+  fmpq_set_si(twice, 1, 3);
+  fmpq_mul(own, own, twice);
+  fmpq_addmul(sum, weight, own);
+  fmpq_clear(own);
+  fmpq_clear(twice);
+}
+
+void tp_mean_plane_add(tp_mean_plane *p, const fmpq_t x0, const fmpq_t y0, const fmpq_t x1,
+                       const fmpq_t y1) {
+  fmpq_t a0, b0, a1, b1, weight, mean;
+  fmpq *const all[] = {a0, b0, a1, b1, weight, mean};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
+  turn(a0, b0, p, x0, y0);
+  turn(a1, b1, p, x1, y1);
+  fmpq_sub(weight, a1, a0);
+  fmpq_abs(weight, weight);
+  fmpq_add(p->length, p->length, weight);
+  fmpq_add(mean, a0, a1);
+  fmpq_div_2exp(mean, mean, 1);
+  fmpq_addmul(p->a, weight, mean);
+  fmpq_add(mean, b0, b1);
+  fmpq_div_2exp(mean, mean, 1);
+  fmpq_addmul(p->b, weight, mean);
+  add_product(p->aa, weight, a0, a1, a0, a1);
+  add_product(p->ab, weight, a0, a1, b0, b1);
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
+}
+
+bool tp_mean_plane_direction(fmpq_t u, fmpq_t v, const tp_mean_plane *p) {
+  if (fmpq_is_zero(p->along[0]) && fmpq_is_zero(p->along[1])) return false;
+  fmpq_set(u, p->along[0]);
+  fmpq_set(v, p->along[1]);
+  fmpq_t slope, variance;
+  fmpq_init(slope);
+  fmpq_init(variance);
+  fmpq_mul(variance, p->aa, p->length);
+  fmpq_submul(variance, p->a, p->a);
+  if (!fmpq_is_zero(variance)) { /* else no facet lies along the line at all */
+    fmpq_mul(slope, p->ab, p->length);
+    fmpq_submul(slope, p->a, p->b);
+    fmpq_div(slope, slope, variance);
+    fmpq_submul(u, slope, p->along[1]);
+    fmpq_addmul(v, slope, p->along[0]);
+  }
+  fmpq_clear(slope);
+  fmpq_clear(variance);
+  return true;
+}
+
+bool tp_mean_plane_of_outline(fmpq_t u, fmpq_t v, const tp_polyline *line, long first, long last) {
+  tp_mean_plane plane;
+  fmpq_t x0, y0, x1, y1;
+  tp_mean_plane_init(&plane);
+  fmpq_init(x0);
+  fmpq_init(y0);
+  fmpq_init(x1);
+  fmpq_init(y1);
+  fmpq_sub(x1, line->x + last, line->x + first);
+  fmpq_sub(y1, line->y + last, line->y + first);
+  tp_mean_plane_ends(&plane, x1, y1);
+  for (long k = first; k != last;) {
+    k = k + 1 == line->count ? 0 : k + 1;
+    fmpq_sub(x1, line->x + k, line->x + first);
+    fmpq_sub(y1, line->y + k, line->y + first);
+    tp_mean_plane_add(&plane, x0, y0, x1, y1);
+    fmpq_swap(x0, x1);
+    fmpq_swap(y0, y1);
+  }
+  const bool found = tp_mean_plane_direction(u, v, &plane);
+  tp_mean_plane_clear(&plane);
+  fmpq_clear(x0);
+  fmpq_clear(y0);
+  fmpq_clear(x1);
+  fmpq_clear(y1);
+  return found;
+}
+
+static void set_relative(fmpq_t x, fmpq_t y, const tp_lattice *l, long point, long from) {
+  fmpz_sub(fmpq_numref(x), l->x + point, l->x + from);
+  fmpz_sub(fmpq_numref(y), l->y + point, l->y + from);
+  fmpz_one(fmpq_denref(x));
+  fmpz_one(fmpq_denref(y));
+}
+
+bool tp_mean_plane_of_contact(fmpq_t u, fmpq_t v, const tp_contact *contact, const tp_lattice *l) {
+  const long first = contact->points[0].point;
+  const long last = contact->points[contact->point_count - 1].point;
+  tp_mean_plane plane;
+  fmpq_t x0, y0, x1, y1;
+  tp_mean_plane_init(&plane);
+  fmpq_init(x0);
+  fmpq_init(y0);
+  fmpq_init(x1);
+  fmpq_init(y1);
+  set_relative(x1, y1, l, last, first);
+  tp_mean_plane_ends(&plane, x1, y1);
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (f->q0 == f->q1) continue;
+    set_relative(x0, y0, l, f->q0, first);
+    set_relative(x1, y1, l, f->q1, first);
+    tp_mean_plane_add(&plane, x0, y0, x1, y1);
+  }
+  const bool found = tp_mean_plane_direction(u, v, &plane);
+  tp_mean_plane_clear(&plane);
+  fmpq_clear(x0);
+  fmpq_clear(y0);
+  fmpq_clear(x1);
+  fmpq_clear(y1);
+  return found;
+}

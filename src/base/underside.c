@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "base/underside.h"
+
+/* The rightmost vertex, the lowest of them. */
+static long rightmost(const tp_polyline *line) {
+  long best = 0;
+  for (long k = 1; k < line->count; k++) {
+    const int side = fmpq_cmp(line->x + k, line->x + best);
+    if (side > 0 || (side == 0 && fmpq_cmp(line->y + k, line->y + best) < 0)) best = k;
+  }
+  return best;
+}
+
+static long next_vertex(const tp_polyline *line, long k) {
+  return k + 1 == line->count ? 0 : k + 1;
+}
+
+static long vertex_before(const tp_polyline *line, long k) {
+  return (k == 0 ? line->count : k) - 1;
+}
+
+/* The last vertex of the chain, from its lower end up, from which on the rest rises by more than it
+ * runs to every point: the largest x - y (`right`), or the smallest x + y. */
+static long support(const tp_polyline *line, long first, long last, bool right) {
+  long best = right ? first : last;
+  fmpq_t most, own;
+  fmpq_init(most);
+  fmpq_init(own);
+  for (long k = best, end = right ? last : first, seen = 0;; seen++) {
+    if (right) {
+      fmpq_sub(own, line->x + k, line->y + k);
+    } else {
+      fmpq_add(own, line->x + k, line->y + k);
+      fmpq_neg(own, own);
+    }
+    const int side = seen == 0 ? 1 : fmpq_cmp(own, most);
+    if (side >= 0) { /* of those alike, the one furthest out: on a line at 45 degrees, the later */
+      const int out = side > 0 ? 1 : fmpq_cmp(line->x + k, line->x + best);
+      if (side > 0 || (right ? out > 0 : out < 0)) best = k;
+      fmpq_set(most, own);
+    }
+    if (k == end) break;
+    k = right ? next_vertex(line, k) : vertex_before(line, k);
+  }
+  fmpq_clear(most);
+  fmpq_clear(own);
+  return best;
+}
+
+/* The lowest vertex of the chain, of several the one furthest to that side. */
+static long lowest(const tp_polyline *line, long first, long last, bool right) {
+  long best = first;
+  for (long k = first; k != last;) {
+    k = next_vertex(line, k);
+    const int side = fmpq_cmp(line->y + k, line->y + best);
+    const int out = side == 0 ? fmpq_cmp(line->x + k, line->x + best) : 0;
+    if (side < 0 || (right ? out > 0 : out < 0)) best = k;
+  }
+  return best;
+}
+
+/* How far in an edge between two vertices reaches, where it passes below the vertex `under`, whose
+ * upright end face would cut it; NULL where it does not. */
+static const fmpq *blocks(const tp_polyline *line, long from, long to, long under, bool right) {
+  const fmpq *x = line->x + under, *x0 = line->x + from, *x1 = line->x + to;
+  const bool upwards = fmpq_cmp(x0, x1) < 0;
+  const fmpq *low = upwards ? x0 : x1, *high = upwards ? x1 : x0;
+  if (fmpq_cmp(low, x) > 0 || fmpq_cmp(high, x) < 0 || fmpq_equal(low, high)) return NULL;
+  fmpq_t a, b, c; /* (x1 - x0) (y - y0) - (y1 - y0) (x - x0): above zero left of the edge */
+  fmpq_init(a);
+  fmpq_init(b);
+  fmpq_init(c);
+  fmpq_sub(a, x1, x0);
+  fmpq_sub(b, line->y + under, line->y + from);
+  fmpq_mul(a, a, b);
+  fmpq_sub(b, line->y + to, line->y + from);
+  fmpq_sub(c, x, x0);
+  fmpq_submul(a, b, c);
+  const int side = fmpq_sgn(a);
+  fmpq_clear(a);
+  fmpq_clear(b);
+  fmpq_clear(c);
+  if (upwards ? side <= 0 : side >= 0) return NULL;
+  return right ? low : high;
+}
+
+/* From the lowest vertex out to `end`: the vertex before the first edge that runs back. Where the
+ * block then passes below that vertex, it is the last one before what does. */
+static long before_overhang(const tp_polyline *line, long from, long end, bool right) {
+  long k = from;
+  while (k != end) {
+    const long next = right ? next_vertex(line, k) : vertex_before(line, k);
+    const int side = fmpq_cmp(line->x + next, line->x + k);
+    if (right ? side < 0 : side > 0) break;
+    k = next;
+  }
+  if (k == end) return end;
+  for (long j = right ? next_vertex(line, k) : vertex_before(line, k); j != from && k != from;) {
+    const long next = right ? next_vertex(line, j) : vertex_before(line, j);
+    const fmpq *reach = blocks(line, j, next, k, right);
+    j = next;
+    while (reach != NULL && k != from && (fmpq_cmp(line->x + k, reach) >= 0) == right) {
+      k = right ? vertex_before(line, k) : next_vertex(line, k);
+    }
+  }
+  return k;
+}
+
+/* The default. */
+static void cut(tp_underside *u, const tp_polyline *line) {
+  const long first = support(line, u->first, u->last, false);
+  const long last = support(line, u->first, u->last, true);
+  u->nowhere_level = first == last;
+  if (u->nowhere_level) return;
+  const long from = before_overhang(line, lowest(line, first, last, false), first, false);
+  const long to = before_overhang(line, lowest(line, first, last, true), last, true);
+  u->left = from != first ? TP_END_OVERHANG : first != u->first ? TP_END_STEEP : TP_END_WHOLE;
+  u->right = to != last ? TP_END_OVERHANG : last != u->last ? TP_END_STEEP : TP_END_WHOLE;
+  u->first = from;
+  u->last = to;
+}
+
+tp_status tp_underside_fail(const tp_scene *scene, tp_message *message) {
+  const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "the underside is steeper than 45° from the mean plane all over, and the scene "
+                 "does not say where on it the block rests: say 'base: {mated: true, between: [[x, "
+                 "y], [x, y]]}' with the first and the last vertex of the contact, 'mated: whole' "
+                 "for all of the underside, or 'frame: world' for coordinates as they lie on a "
+                 "slope");
+}
+
+static bool allowed(const tp_base_description *base, const tp_polyline *line, long k) {
+  return !((base->below.given && fmpq_cmp(line->y + k, base->below.value) > 0) ||
+           (base->left_of.given && fmpq_cmp(line->x + k, base->left_of.value) > 0) ||
+           (base->right_of.given && fmpq_cmp(line->x + k, base->right_of.value) < 0));
+}
+
+/* The stretch of the underside about its lowest vertex that the scene's limits allow; on a side
+ * that they leave open the default holds. */
+static tp_status limit(tp_underside *u, const tp_base_description *base, const tp_polyline *line,
+                       tp_message *message) {
+  const tp_underside whole = *u;
+  const bool left = base->below.given || base->right_of.given;
+  const bool right = base->below.given || base->left_of.given;
+  if (!left || !right) cut(u, line);
+  if (left) u->first = whole.first;
+  if (right) u->last = whole.last;
+  long from = -1;
+  for (long k = u->first;; k = next_vertex(line, k)) {
+    if (allowed(base, line, k) && (from < 0 || fmpq_cmp(line->y + k, line->y + from) < 0)) from = k;
+    if (k == u->last) break;
+  }
+  long first = from, last = from;
+  while (from >= 0 && first != u->first && allowed(base, line, vertex_before(line, first))) {
+    first = vertex_before(line, first);
+  }
+  while (from >= 0 && last != u->last && allowed(base, line, next_vertex(line, last))) {
+    last = next_vertex(line, last);
+  }
+  if (first == last) {
+    return tp_fail(message, TP_BAD_INPUT, base->between_place,
+                   "no edge of the underside lies within 'between': its ends are vertices, and "
+                   "'below', 'left_of' and 'right_of' must leave two of them next to each other");
+  }
+  if (left) u->left = first != whole.first ? TP_END_STATED : TP_END_WHOLE;
+  if (right) u->right = last != whole.last ? TP_END_STATED : TP_END_WHOLE;
+  u->first = first;
+  u->last = last;
+  u->stated = true;
+  return TP_OK;
+}
+
+static tp_status find_vertex(long *vertex, const tp_polyline *outline, const tp_polyline *between,
+                             long k, tp_message *message) {
+  for (*vertex = 0; *vertex < outline->count; ++*vertex) {
+    if (fmpq_equal(outline->x + *vertex, between->x + k) &&
+        fmpq_equal(outline->y + *vertex, between->y + k)) {
+      return TP_OK;
+    }
+  }
+  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, k),
+                 "this is no vertex of the outline; 'between' names two of its vertices exactly");
+}
+
+static tp_status find_named(tp_underside *u, const tp_polyline *line, const tp_polyline *between,
+                            tp_message *message) {
+  *u = (tp_underside){.left = TP_END_STATED, .right = TP_END_STATED, .stated = true};
+  tp_status status = find_vertex(&u->first, line, between, 0, message);
+  if (status == TP_OK) status = find_vertex(&u->last, line, between, 1, message);
+  if (status == TP_OK && u->first == u->last) {
+    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 1),
+                     "the contact begins and ends in the same vertex");
+  }
+  if (status == TP_OK && fmpq_cmp(line->x + u->first, line->x + u->last) > 0) {
+    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(between, 0),
+                     "'between' names the left end of the contact first");
+  }
+  return status;
+}
+
+tp_status tp_underside_find(tp_underside *u, const tp_scene *scene, const tp_section *section,
+                            tp_message *message) {
+  const tp_base_description *base = &scene->base;
+  const tp_polyline *line = section->rings;
+  if (base->between.count == 2) return find_named(u, line, &base->between, message);
+  *u = (tp_underside){.left = TP_END_WHOLE, .right = TP_END_WHOLE};
+  if (section->ellipse != NULL) { /* the flat: from the last vertex of the hull to the first */
+    u->first = line->count - 1;
+    return TP_OK;
+  }
+  u->first = tp_polyline_leftmost(line);
+  u->last = rightmost(line);
+  if (base->below.given || base->left_of.given || base->right_of.given) {
+    return limit(u, base, line, message);
+  }
+  /* teeth and slabs have no walls that lean out */
+  if (!base->whole && scene->block.form == TP_OUTLINE_VERTICES) cut(u, line);
+  return TP_OK;
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The base and the contact, as text and as JSON. */
+
+#ifndef TP_REPORT_CONTACT_H
+#define TP_REPORT_CONTACT_H
+
+#include "report/page.h"
+
+void tp_page_add_contact(tp_page *page);
+void tp_json_frame(tp_text *text, const tp_frame_result *frame);
+void tp_json_contact(tp_text *text, const tp_contact_result *contact, bool has_weight);
+
+#endif

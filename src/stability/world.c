@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/world.h"
+
+#include "base/mean_plane.h"
+#include "base/underside.h"
+#include "block/check.h"
+#include "number/ball.h"
+#include "stability/world_turn.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { CUT_BITS = 256, MOST_ROUNDS = 16 };
+
+/* Direction of the mean plane, the point that stays, and the ends of the contact where they have to
+ * be kept by name. */
+typedef struct found {
+  fmpq_t u, v, x, y;
+  bool keeps_ends;
+  long first, last;
+} found;
+
+static tp_status fail_direction(const tp_scene *scene, tp_message *message) {
+  return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
+                 "the contact tells no mean plane that runs from left to right; give it: 'frame: "
+                 "{mean_plane: [[x, y], [x, y]]}'");
+}
+
+/* The outline turned by the direction, as large as that makes it. */
+static bool turn_ring(tp_polyline *turned, const tp_polyline *ring, const found *f) {
+  tp_polyline_clear(turned);
+  if (!tp_polyline_copy(turned, ring)) return false;
+  fmpq_t x;
+  fmpq_init(x);
+  for (long k = 0; k < ring->count; k++) {
+    fmpq_mul(x, f->u, ring->x + k);
+    fmpq_addmul(x, f->v, ring->y + k);
+    fmpq_mul(turned->y + k, f->u, ring->y + k);
+    fmpq_submul(turned->y + k, f->v, ring->x + k);
+    fmpq_swap(turned->x + k, x);
+  }
+  fmpq_clear(x);
+  return true;
+}
+
+/* Ends and mean plane in turn, until they stay. */
+static tp_status settle(found *f, tp_underside *u, const tp_scene *scene, const tp_section *section,
+                        tp_message *message) {
+  const tp_polyline *ring = section->rings;
+  tp_polyline turned = {0};
+  tp_section seen = {.ring_count = 1, .rings = &turned};
+  tp_status status = TP_OK;
+  bool stays = false;
+  for (int round = 0; round < MOST_ROUNDS && !stays && status == TP_OK; round++) {
+    if (u->nowhere_level) status = tp_underside_fail(scene, message);
+    if (status == TP_OK &&
+        (!tp_mean_plane_of_outline(f->u, f->v, ring, u->first, u->last) || fmpq_sgn(f->u) <= 0)) {
+      status = fail_direction(scene, message);
+    }
+    if (status == TP_OK && !turn_ring(&turned, ring, f)) {
+      status = tp_fail_memory(message, "the mean plane");
+    }
+    const long first = u->first, last = u->last;
+    if (status == TP_OK) status = tp_underside_find(u, scene, &seen, message);
+    stays = first == u->first && last == u->last;
+  }
+  tp_polyline_clear(&turned);
+  if (status != TP_OK || stays) return status;
+  return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
+                 "the ends of the contact and its mean plane depend on each other and do not "
+                 "settle; name the ends, 'base: {between: [[x, y], [x, y]]}', or the plane, "
+                 "'frame: {mean_plane: [[x, y], [x, y]]}'");
+}
+
+/* Is it a block, and which lattice do it and its base lie on? As its author gave it, so that
+ * messages speak of those coordinates. */
+static tp_status check_as_given(tp_lattice *lattice, const tp_scene *scene,
+                                const tp_section *section, const tp_polyline *base,
+                                tp_message *message) {
+  const long rings = section->ring_count;
+  tp_geom_triangulation triangulation = {0};
+  const tp_polyline **chains = calloc((size_t)rings + 1, sizeof *chains);
+  if (chains == NULL) return tp_fail_memory(message, "the mean plane");
+  for (long r = 0; r < rings; r++) chains[r] = section->rings + r;
+  chains[rings] = base;
+  tp_status status = tp_lattice_init(lattice, chains, base == NULL ? rings : rings + 1,
+                                     scene->metres_per_unit, message);
+  free(chains);
+  if (status != TP_OK) return status;
+  status = tp_check_section(&triangulation, section, lattice, message);
+  tp_geom_triangulation_clear(&triangulation);
+  if (status != TP_OK) tp_lattice_clear(lattice);
+  return status;
+}
+
+/* By the contact with a profile as the coordinates lie. */
+static tp_status find_contact(found *f, const tp_scene *scene, const tp_section *section,
+                              const tp_base *base, const tp_lattice *lattice, tp_message *message) {
+  tp_contact contact;
+  tp_status status = tp_contact_init(&contact, section, NULL, base, lattice, message);
+  if (status != TP_OK) return status;
+  if (!tp_mean_plane_of_contact(f->u, f->v, &contact, lattice)) {
+    status = fail_direction(scene, message);
+  }
+  const long left = contact.points[0].point;
+  tp_lattice_metres_x(f->x, lattice, lattice->x + left);
+  tp_lattice_metres_y(f->y, lattice, lattice->y + left);
+  fmpq_div(f->x, f->x, scene->metres_per_unit);
+  fmpq_div(f->y, f->y, scene->metres_per_unit);
+  tp_contact_clear(&contact);
+  return status;
+}
+
+static tp_status find_on_profile(found *f, const tp_scene *scene, const tp_section *section,
+                                 tp_message *message) {
+  tp_base base;
+  tp_lattice lattice;
+  tp_status status = tp_base_init(&base, scene, section, message);
+  if (status != TP_OK) return status;
+  status = check_as_given(&lattice, scene, section, &base.ring, message);
+  if (status == TP_OK) {
+    status = find_contact(f, scene, section, &base, &lattice, message);
+    tp_lattice_clear(&lattice);
+  }
+  tp_base_clear(&base);
+  return status;
+}
+
+static tp_status find_mated(found *f, const tp_scene *scene, const tp_section *section,
+                            tp_message *message) {
+  const tp_base_description *base = &scene->base;
+  const tp_polyline *ring = section->rings;
+  tp_underside u;
+  tp_lattice lattice;
+  const bool stated =
+      base->between.count == 2 || base->below.given || base->left_of.given || base->right_of.given;
+  const bool given = scene->mean_plane.count == 2;
+  tp_status status = check_as_given(&lattice, scene, section, NULL, message);
+  if (status != TP_OK) return status;
+  tp_lattice_clear(&lattice);
+  if (given && !stated) return TP_OK;
+  status = tp_underside_find(&u, scene, section, message);
+  if (status == TP_OK && !stated) status = settle(f, &u, scene, section, message);
+  if (status != TP_OK) return status;
+  f->keeps_ends = stated;
+  f->first = u.first;
+  f->last = u.last;
+  if (!given) {
+    fmpq_set(f->x, ring->x + u.first);
+    fmpq_set(f->y, ring->y + u.first);
+  }
+  return given || tp_mean_plane_of_outline(f->u, f->v, ring, u.first, u.last)
+             ? TP_OK
+             : fail_direction(scene, message);
+}
+
+static tp_status find(found *f, const tp_scene *scene, tp_message *message) {
+  if (scene->mean_plane.count == 2) {
+    const tp_polyline *plane = &scene->mean_plane;
+    fmpq_sub(f->u, plane->x + 1, plane->x);
+    fmpq_sub(f->v, plane->y + 1, plane->y);
+    fmpq_set(f->x, plane->x);
+    fmpq_set(f->y, plane->y);
+  }
+  tp_section section;
+  tp_status status = tp_section_init(&section, &scene->block, message);
+  if (status != TP_OK) return status;
+  if (scene->base.mated) {
+    status = find_mated(f, scene, &section, message);
+  } else if (scene->mean_plane.count == 0) {
+    status = find_on_profile(f, scene, &section, message);
+  }
+  tp_section_clear(&section);
+  return status == TP_OK && fmpq_sgn(f->u) <= 0 ? fail_direction(scene, message) : status;
+}
+
+/* Cosine and sine of the direction, and its dip. */
+static void set_turn(tp_world *w, const found *f) {
+  fmpz_t p, q, square, root, rest;
+  fmpz_init(p);
+  fmpz_init(q);
+  fmpz_init(square);
+  fmpz_init(root);
+  fmpz_init(rest);
+  fmpq_div(w->cosine, f->v, f->u); /* q / p in lowest terms */
+  fmpz_set(q, fmpq_numref(w->cosine));
+  fmpz_set(p, fmpq_denref(w->cosine));
+  fmpz_mul(square, p, p);
+  fmpz_addmul(square, q, q);
+  fmpz_sqrtrem(root, rest, square);
+  unsigned long cut = 0;
+  if (!fmpz_is_zero(rest)) {
+    cut = CUT_BITS;
+    fmpz_mul_2exp(square, square, 2 * cut);
+    fmpz_sqrt(root, square);
+  }
+  fmpq_set_fmpz_frac(w->cosine, p, root);
+  fmpq_set_fmpz_frac(w->sine, q, root);
+  fmpq_mul_2exp(w->cosine, w->cosine, cut);
+  fmpq_mul_2exp(w->sine, w->sine, cut);
+  w->rises = fmpz_sgn(q);
+  arb_t x, y;
+  arf_t above;
+  arb_init(x);
+  arb_init(y);
+  arf_init(above);
+  fmpz_abs(q, q);
+  arb_set_fmpz(x, p);
+  arb_set_fmpz(y, q);
+  tp_ball_atan2_degrees(y, y, x, 2 * CUT_BITS);
+  arb_mul_2exp_si(y, y, CUT_BITS);
+  arb_get_ubound_arf(above, y, 4 * CUT_BITS);
+  arf_get_fmpz(fmpq_numref(w->dip_deg), above, ARF_RND_CEIL);
+  fmpz_one(fmpq_denref(w->dip_deg));
+  fmpq_div_2exp(w->dip_deg, w->dip_deg, CUT_BITS);
+  arb_clear(x);
+  arb_clear(y);
+  arf_clear(above);
+  fmpz_clear(p);
+  fmpz_clear(q);
+  fmpz_clear(square);
+  fmpz_clear(root);
+  fmpz_clear(rest);
+}
+
+/* The scene's tilt is added to the dip: it lies tilted. */
+static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *message) {
+  tp_quantity *tilt = &w->scene.tilt_angle_deg;
+  const char *way = w->rises > 0 ? "left" : "right";
+  if (w->rises != 0) {
+    const bool along = w->rises > 0 ? scene->towards_left : scene->towards_right;
+    if (!along) {
+      return tp_fail(message, TP_BAD_INPUT, scene->tilt_place,
+                     "the mean plane dips to the %s as the coordinates lie, and the scene tilts "
+                     "the other way; leave 'towards' out, or say %s",
+                     way, way);
+    }
+    w->scene.towards_left = w->rises > 0;
+    w->scene.towards_right = w->rises < 0;
+  }
+  fmpq_add(tilt->value, scene->tilt_angle_deg.value, w->dip_deg);
+  if (!tilt->given) tilt->place = scene->frame_place;
+  tilt->given = true;
+  if (fmpq_cmp_si(tilt->value, 90) <= 0) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, tilt->place,
+                 "the dip of the mean plane and the tilt make more than 90°; the tilt is added to "
+                 "the dip where 'frame' is 'world'");
+}
+
+void tp_world_free(tp_world *w) {
+  if (w == NULL) return;
+  tp_world_turned_clear(&w->scene);
+  fmpq_clear(w->scene.tilt_angle_deg.value);
+  fmpq_clear(w->dip_deg);
+  fmpq_clear(w->x);
+  fmpq_clear(w->y);
+  fmpq_clear(w->cosine);
+  fmpq_clear(w->sine);
+  free(w);
+}
+
+static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
+                      tp_message *message) {
+  tp_world *w = calloc(1, sizeof *w);
+  if (w == NULL) return tp_fail_memory(message, "the mean plane");
+  fmpq *const all[] = {w->dip_deg, w->x, w->y, w->cosine, w->sine};
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
+  w->scene = *scene;
+  tp_world_turned_reset(&w->scene);
+  fmpq_init(w->scene.tilt_angle_deg.value);
+  w->fitted = scene->mean_plane.count == 0;
+  fmpq_set(w->x, f->x);
+  fmpq_set(w->y, f->y);
+  set_turn(w, f);
+  tp_status status = set_tilt(w, scene, message);
+  if (status == TP_OK && !tp_world_turn_scene(w, scene, f->keeps_ends, f->first, f->last)) {
+    status = tp_fail_memory(message, "the turned scene");
+  }
+  if (status == TP_OK) {
+    *world = w;
+  } else {
+    tp_world_free(w);
+  }
+  return status;
+}
+
+tp_status tp_world_init(tp_world **world, const tp_scene *scene, tp_message *message) {
+  if (scene->block.form != TP_OUTLINE_VERTICES) {
+    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
+                   "teeth, slabs and ellipses have a mean plane of their own, level in their own "
+                   "coordinates; 'frame: world' is for an outline");
+  }
+  found f = {.keeps_ends = false};
+  fmpq_init(f.u);
+  fmpq_init(f.v);
+  fmpq_init(f.x);
+  fmpq_init(f.y);
+  tp_status status = find(&f, scene, message);
+  if (status == TP_OK) status = turn(world, scene, &f, message);
+  fmpq_clear(f.u);
+  fmpq_clear(f.v);
+  fmpq_clear(f.x);
+  fmpq_clear(f.y);
+  return status;
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene whose coordinates are those of the world, y up, turned into the frame of its base.
+ *
+ * The mean plane is given by two points, or fitted to the contact (base/mean_plane.h): its
+ * direction (p, q) is exact, in whole numbers. All points are turned by -atan(q / p) about one that
+ * stays, with cosine p / k and sine q / k, k the root of p^2 + q^2. Where that is no whole number k
+ * is cut off after 256 binary digits: lengths come out too long by less than a share of 1e-77, and
+ * all angles, on which verdicts and factors under the weight alone rest, exactly. The dip is
+ * rounded up to 256 binary digits, and added to the scene's tilt: the block is never taken for
+ * lying flatter than it does.
+ *
+ * Where the scene leaves the contact to the default, its ends and the mean plane depend on each
+ * other: from the ends that the coordinates themselves have, plane and ends are found in turn until
+ * they stay. */
+
+#ifndef TP_WORLD_H
+#define TP_WORLD_H
+
+#include "scene/scene.h"
+#include "topple.h"
+
+/* Digits that a number of such a scene can be asked for. */
+enum { TP_WORLD_DIGITS = 60 };
+
+typedef struct tp_world {
+  tp_scene scene; /* in the frame of the base; shares with the scene what is not turned */
+  bool fitted;
+  int rises;      /* 1: the mean plane rises to the right, so that it dips to the left; -1; 0 */
+  fmpq_t dip_deg; /* 0 and above */
+  fmpq_t x, y;    /* of the point that stays, in scene lengths */
+  fmpq_t cosine, sine; /* of the turn */
+} tp_world;
+
+/* On failure `*world` stays NULL. */
+TP_MUST_USE tp_status tp_world_init(tp_world **world, const tp_scene *scene, tp_message *message);
+void tp_world_free(tp_world *world);
+
+#endif

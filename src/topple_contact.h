@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Where a block touches its base, as a solution tells it. Included by topple.h. */
+
+#ifndef TOPPLE_CONTACT_H
+#define TOPPLE_CONTACT_H
+
+#include "topple_basics.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Why the contact of a base begins, or ends, where it does. */
+typedef enum tp_contact_end {
+  TP_END_WHOLE,    /* all of a mated underside: its leftmost or rightmost vertex */
+  TP_END_STATED,   /* the scene's 'between' */
+  TP_END_STEEP,    /* the default: from there on it rises by more than it runs (over 45 degrees) */
+  TP_END_OVERHANG, /* the default: beyond it the underside turns back over its support */
+  TP_END_PROFILE   /* a profile of its own: where the block touches it first, or last */
+} tp_contact_end;
+
+/* What the coordinates of the scene lie along. In the world's frame all results are along the mean
+ * plane and normal to it: turned about one point, which keeps its coordinates. */
+typedef struct tp_frame_result {
+  bool stated;
+  bool world;                      /* y runs up: the block lies as it lies */
+  bool fitted;                     /* the mean plane, to the contact; else given */
+  bool dips;                       /* the mean plane is not level, ... */
+  tp_direction dips_towards;       /* ... its lower side, ... */
+  tp_bounded dip_deg;              /* ... and at which angle, 0 to 90: part of the tilt angle */
+  tp_bounded about_x_m, about_y_m; /* the point that stays */
+  bool inclined; /* not stated, and the contact's mean line lies at more than 1 in 10 */
+  tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */
+} tp_frame_result;
+
+typedef struct tp_contact_result {
+  bool mated;
+  bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
+  tp_bounded beyond_left_m, beyond_right_m; /* how far the base goes on past the block */
+  tp_contact_end left_end, right_end;
+  tp_bounded left_x_m, left_y_m, right_x_m, right_y_m; /* where it begins and ends */
+  bool steep;              /* some facet lies at more than 45 degrees from the mean plane, ... */
+  tp_bounded steepest_deg; /* ... the steepest of all at this, 0 to 180: beyond 90 it overhangs */
+  tp_bounded reach;        /* the highest contact over the lowest, a share of the block's height */
+  bool reaches_far;        /* above a half */
+  size_t facets, points;   /* facets of positive length; contacts in a single point */
+  size_t corner_points;    /* of the points: a corner on a corner, which restrains nothing */
+  tp_bounded length_m;     /* along the facets */
+  tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
+  tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
+} tp_contact_result;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
