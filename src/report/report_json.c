@@ -61,7 +61,6 @@ static void add_teeth(tp_text *t, const tp_teeth_result *teeth) {
   tp_text_add(t, "\"left_end\": \"%s\", \"right_end\": \"%s\"\n      },\n",
               tp_text_pivot_kind(teeth->left_end), tp_text_pivot_kind(teeth->right_end));
 }
-}
 
 static void add_toppling(tp_text *t, const tp_case *c) {
   if (!c->has_governing) {
