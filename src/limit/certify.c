@@ -82,7 +82,7 @@ tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *ques
 }
 
 tp_answer tp_certify_beaten(const tp_limit_question *question, tp_sketch *sketch,
-                            const tp_limit_answer *limit, bool to_level) {
+                            const tp_limit_answer *limit) {
   const tp_limit_question strict = without_zeros(question), *q = &strict;
   tp_vector push;
   arb_t start, end;
@@ -90,7 +90,8 @@ tp_answer tp_certify_beaten(const tp_limit_question *question, tp_sketch *sketch
   arb_init(start);
   arb_init(end);
   tp_balance_push(&push, q, sketch);
-  if (!to_level) set_range(end, q);
+  arb_get_mid_arb(end, limit->degrees);
+  arb_neg(end, end);
   if (limit->bracketed) set_end_of_bracket(start, limit, false);
   const tp_answer answer =
       limit->bracketed

@@ -20,10 +20,10 @@ void tp_certify_held_end(arb_t end, const tp_limit_answer *limit);
 tp_answer tp_certify_holds(tp_search_tilts *tilts, const tp_limit_question *question,
                            tp_sketch *sketch, const arb_t start, const tp_limit_answer *limit);
 
-/* Does nothing hold the block beyond the limit of the answer, to the end of the range or, if
- * `to_level`, to level ground? */
+/* Does nothing hold the block from the limit of the answer, which is below level, to as far above
+ * level? */
 tp_answer tp_certify_beaten(const tp_limit_question *question, tp_sketch *sketch,
-                            const tp_limit_answer *limit, bool to_level);
+                            const tp_limit_answer *limit);
 
 /* Does nothing hold it at any tilt of the range? */
 tp_answer tp_certify_never(const tp_limit_question *question, tp_sketch *sketch);

@@ -124,7 +124,7 @@ static void set_mirrored(tp_wrench *load, const tp_wrench *of, long bits) {
 }
 
 /* Between a tilt that does not hold and one above that does lies where forces begin to hold: the
- * limit as the tilt falls. Nothing holds from there down to level ground. */
+ * limit as the tilt falls. Nothing holds from there down to level ground, and as far below. */
 static tp_limit_outcome find_entry(arb_t degrees, const tp_limit_question *q,
                                    const tp_search_tilts *tilts, tp_sketch *sketch) {
   tp_limit_answer entry;
@@ -136,7 +136,7 @@ static tp_limit_outcome find_entry(arb_t degrees, const tp_limit_question *q,
   mirrored.load = &load;
   const double near = tp_search_between(sketch, &mirrored, -tilts->held, -tilts->before);
   tp_limit_outcome outcome = find_at(&entry, &mirrored, near, sketch);
-  if (outcome == TP_LIMIT_PROVEN && tp_certify_beaten(&mirrored, sketch, &entry, true) != TP_YES) {
+  if (outcome == TP_LIMIT_PROVEN && tp_certify_beaten(&mirrored, sketch, &entry) != TP_YES) {
     outcome = TP_LIMIT_OPEN;
   }
   tp_certify_held_end(degrees, &entry);
@@ -157,7 +157,7 @@ static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_quest
       const tp_limit_outcome outcome = find_at(answer, q, tilts->lets_go, sketch);
       if (outcome != TP_LIMIT_PROVEN) return outcome;
       if (start == NULL && arb_is_negative(answer->degrees)) { /* doubles were wrong of level */
-        return outcome_of(tp_certify_beaten(q, sketch, answer, false));
+        return outcome_of(tp_certify_beaten(q, sketch, answer));
       }
     }
     const tp_answer done = tp_certify_holds(tilts, q, sketch, start, always ? NULL : answer);
@@ -186,7 +186,7 @@ tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *
     if (outcome != TP_LIMIT_PROVEN) return outcome;
     return outcome_of(arb_is_positive(answer->degrees)
                           ? tp_certify_holds(&tilts, q, sketch, NULL, answer)
-                          : tp_certify_beaten(q, sketch, answer, false));
+                          : tp_certify_beaten(q, sketch, answer));
   }
   arb_t start;
   arb_init(start);

@@ -165,15 +165,13 @@ static bool find_between(double *found, tp_sketch *sketch, const loads *l, doubl
          (right < high && find_between(found, sketch, l, right, high, looks));
 }
 
-static double halve(tp_sketch *sketch, const loads *l, double low, double high) {
-  for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2) {
-    if (holds(sketch, l, middle)) {
-      low = middle;
-    } else {
-      high = middle;
-    }
+/* The last tilt that holds on the way from one that does to one that does not. */
+static double halve(tp_sketch *sketch, const loads *l, double held, double fails) {
+  double middle = (held + fails) / 2;
+  for (; middle != held && middle != fails; middle = (held + fails) / 2) {
+    *(holds(sketch, l, middle) ? &held : &fails) = middle;
   }
-  return low;
+  return held;
 }
 
 /* The first tilt at which the base holds, in steps from level; at a step or between two. */
@@ -211,16 +209,32 @@ bool tp_search_pay(const tp_limit_question *q, const tp_sketch *sketch) {
   return tp_work_spend(q->work, steps, sketch->count, FEW_BITS);
 }
 
+/* Where level ground does not hold: of the tilts that do, those nearest to level, on either side.
+ */
+static tp_search_found find_nearest(tp_search_tilts *tilts, tp_sketch *sketch, const loads *l,
+                                    double step) {
+  tp_search_tilts below;
+  const tp_search_found up = find_held(tilts, sketch, l, step);
+  const tp_search_found down = find_held(&below, sketch, l, -step);
+  if (up != TP_SEARCH_TILT && down != TP_SEARCH_TILT) return up == TP_SEARCH_OPEN ? up : down;
+  if (down == TP_SEARCH_TILT &&
+      (up != TP_SEARCH_TILT || -halve(sketch, l, below.held, below.before) <
+                                   halve(sketch, l, tilts->held, tilts->before))) {
+    *tilts = below;
+  }
+  return TP_SEARCH_TILT;
+}
+
 tp_search_found tp_search_near(tp_search_tilts *tilts, tp_sketch *sketch,
                                const tp_limit_question *q) {
   loads l;
   set_loads(&l, sketch, q);
   const double range = arf_get_d(arb_midref(q->range), ARF_RND_DOWN) * (180 / M_PI);
   const double step = range / STEPS;
-  const tp_search_found above = find_held(tilts, sketch, &l, step);
-  if (above != TP_SEARCH_TILT) {
-    const tp_search_found below = find_held(tilts, sketch, &l, -step);
-    if (below != TP_SEARCH_TILT) return above == TP_SEARCH_OPEN ? above : below;
+  *tilts = (tp_search_tilts){.held = 0};
+  if (!holds(sketch, &l, 0)) {
+    const tp_search_found found = find_nearest(tilts, sketch, &l, step);
+    if (found != TP_SEARCH_TILT) return found;
   }
   double held = tilts->held;
   while (held < range) {

@@ -26,8 +26,8 @@ tp_answer tp_search_tilt(tp_limit_answer *answer, const tp_face *face,
                          const tp_limit_question *question, double near_degrees);
 
 /* In doubles: the first tilt from level at which nothing holds the block any more, looking at every
- * degree and halving between two; where level ground does not do, after the first tilt that does;
- * and where none above does, from level backwards. Unproven (certify.h). */
+ * degree and halving between two. Where level ground does not do: of the tilts that do those
+ * nearest to it, above or below, and where it lets go after those. Unproven (certify.h). */
 typedef enum tp_search_found {
   TP_SEARCH_TILT,
   TP_SEARCH_HOLDS_ALWAYS,
