@@ -51,6 +51,7 @@ static tp_bound *add_bound(tp_bounds *bounds) {
     bounds->room = room;
   }
   arb_zero(bounds->items[bounds->count].held);
+  bounds->items[bounds->count].ray_and_edge = false;
   return bounds->items + bounds->count++;
 }
 
@@ -241,6 +242,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   if (line == 1) return TP_MOTION_PROVEN;
   own->source = source_of(s, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
+  own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
   sharpen(own, s, a);
   long above = 0, below = 0;
   for (long k = 0; k < s->count; k++) {

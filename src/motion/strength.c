@@ -213,3 +213,39 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
   if (done == TP_MOTION_PROVEN && slides && bonds) add_slide_pulls(&g);
   return done;
 }
+
+/* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */
+static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const tp_mode *mode) {
+  const tp_cones *strong = q->strong;
+  if (mode->ray_count == 0 || mode->edge_count == 0) return true;
+  if (mode->ray_count != 1 || twists->rays[mode->rays[0]].axis < 0) return false;
+  for (long k = 0; k < strong->allowance_count; k++) {
+    if (!arb_is_zero(strong->allowances[k].pull)) return true;
+  }
+  return false;
+}
+
+tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *q, const tp_normals *n,
+                                     const tp_twists *twists, const tp_mode *mode) {
+  const gathering g = {.q = q, .n = n, .twists = twists, .mode = mode};
+  *number = 0;
+  if (is_alone(q, twists, mode)) return TP_MOTION_PROVEN;
+  const long first = mode->edges[0].point;
+  const bool slides = mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
+  for (long k = 1; k < mode->edge_count; k++) {
+    const int shared = share_line(&g, first, mode->edges[k].point);
+    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == 0) return TP_MOTION_PROVEN;
+  }
+  long least = first;
+  for (long k = 0; k < q->cones->count; k++) { /* the line goes by its first point */
+    const int shared = k == first ? 1 : share_line(&g, first, k);
+    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == 1 && k < least) least = k;
+    const bool slides_too =
+        n->families[n->family_of[k]].axis == n->families[n->family_of[first]].axis;
+    if (slides && shared == 0 && slides_too) return TP_MOTION_PROVEN; /* on more lines than one */
+  }
+  *number = least + 1;
+  return TP_MOTION_PROVEN;
+}

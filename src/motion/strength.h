@@ -37,4 +37,12 @@ TP_MUST_USE tp_motion_outcome tp_strength_find(tp_strength *strength,
                                                const tp_normals *normals, const tp_twists *twists,
                                                const tp_mode *mode);
 
+/* What cohesion and bonds do is the same in modes of one number, as far as planes of a ray and an
+ * edge in common tell: those whose closed contacts lie on one straight line have that of the line,
+ * from 1 on; any other 0. Where the line sticks in one mode and slips in another, such a plane has
+ * what holds on the side of the slip. */
+TP_MUST_USE tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *question,
+                                                 const tp_normals *normals, const tp_twists *twists,
+                                                 const tp_mode *mode);
+
 #endif

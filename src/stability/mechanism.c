@@ -180,7 +180,8 @@ static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found 
   if (onset->at_tilt == TP_YES) *m = TP_MAY_MOVE;
   if (onset->at_tilt == TP_OPEN) {
     *m = TP_MECHANISM_UNDECIDED;
-    if (!tp_evaluation_is_last_rung(e) && !result->onset.too_dear) e->certain = false;
+    const bool told = result->onset.kind != TP_ONSET_UNDECIDED; /* else that is noted */
+    if (told && !tp_evaluation_is_last_rung(e)) e->certain = false;
   }
   if (onset->at_tilt == TP_NO && *m == TP_MAY_MOVE) *m = TP_STANDS;
 }
