@@ -41,4 +41,7 @@ void compare_fos(const comparison *c, tp_fos one, tp_fos other, const char *what
 /* Limits, sliding and verdict of a case; limits alone where a turn leaves nothing else. */
 void compare_all_limits(const comparison *c, const tp_case *one, const tp_case *other);
 
+/* The onset of motion of a case, where nothing is turned. */
+void compare_onsets(const comparison *c, const tp_case *one, const tp_case *other);
+
 #endif

@@ -123,6 +123,7 @@ void compare_all_limits(const comparison *c, const tp_case *one, const tp_case *
   if (c->r->turned) return;
   compare_limits(c, &one->limit_otherwise, &other->limit_otherwise, "limit otherwise");
   compare_limits(c, &one->limit_back, &other->limit_back, "limit of tilting back");
+  compare_onsets(c, one, other);
   compare_sliding(c, one, other);
   compare_verdicts(c, one, other);
 }

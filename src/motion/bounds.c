@@ -11,9 +11,9 @@ enum { OPEN_SIGN = 2, MOST_GENERATORS = 64 };
 typedef struct generator {
   tp_vector of;
   bool is_ray;
-  long id;   /* no two have the same */
-  long axis; /* of a force; of a ray that does not turn; else -1 */
-  long site; /* of a force */
+  long id;          /* no two have the same */
+  long axis;        /* of a force; of a ray that does not turn; else -1 */
+  long site, point; /* of a force */
   bool against;
 } generator;
 
@@ -51,6 +51,7 @@ static tp_bound *add_bound(tp_bounds *bounds) {
     bounds->room = room;
   }
   arb_zero(bounds->items[bounds->count].held);
+  bounds->items[bounds->count].ray_and_edge = false;
   return bounds->items + bounds->count++;
 }
 
@@ -115,6 +116,7 @@ static void add_edge(spanning *s, const tp_mode_edge *edge) {
   *own = (generator){.id = 2 * s->n->same[edge->point] + edge->against,
                      .axis = axis_of(s->n, edge->point),
                      .site = s->n->cones->points[edge->point].site,
+                     .point = edge->point,
                      .against = edge->against};
   tp_vector_init(&own->of);
   tp_bounds_of_edge(&own->of, s->q, s->n, edge);
@@ -187,6 +189,42 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
   return line;
 }
 
+/* The same plane by its place or its direction alone, without the roundings of friction: forces
+ * through a place have no moment about it, forces of one direction none across it. */
+static void sharpen(tp_bound *bound, const spanning *s, const generator *a) {
+  if (bound->source.kind == TP_FROM_PARALLEL) {
+    arb_set(bound->h.of, a->of.of + 1);
+    arb_neg(bound->h.of + 1, a->of.of);
+    arb_zero(bound->h.of + 2);
+  }
+  if (bound->source.kind != TP_FROM_SITE) return;
+  const tp_cones *cones = s->q->cones;
+  const long bits = s->q->judge.precision;
+  arb_mul(bound->h.of, cones->y + a->point, s->q->scale, bits);
+  arb_sub(bound->h.of, bound->h.of, s->q->y, bits);
+  arb_mul(bound->h.of + 1, cones->x + a->point, s->q->scale, bits);
+  arb_sub(bound->h.of + 1, s->q->x, bound->h.of + 1, bits);
+  arb_one(bound->h.of + 2);
+}
+
+/* Where the loads have no moment, the plane of a slide and a force meets them along the slide,
+ * whatever the force: M r x -e is its moment times (v_y, -v_x), beside a part that does no work. */
+static tp_motion_outcome sharpen_slide(tp_bound *bound, const spanning *s, const generator *ray,
+                                       const generator *force, bool below) {
+  if (bound->source.kind != TP_FROM_AXIS || s->strength != NULL || force->is_ray) {
+    return TP_MOTION_PROVEN;
+  }
+  const int side = tp_judge_sign(&s->q->judge, force->of.of + 2, tp_vector_log2_size(&force->of));
+  if (side == OPEN_SIGN) return TP_MOTION_OPEN;
+  if (side == 0) return TP_MOTION_PROVEN;
+  const bool turned = arb_is_negative(force->of.of + 2) != 0;
+  arb_set(bound->h.of, ray->of.of + 1);
+  arb_neg(bound->h.of + 1, ray->of.of);
+  arb_zero(bound->h.of + 2);
+  if (turned != below) tp_vector_neg(&bound->h);
+  return TP_MOTION_PROVEN;
+}
+
 static unsigned bit_of(long generator_index, const spanning *s) {
   return s->items[generator_index].is_ray ? 1U << generator_index : 0;
 }
@@ -204,6 +242,8 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   if (line == 1) return TP_MOTION_PROVEN;
   own->source = source_of(s, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
+  own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
+  sharpen(own, s, a);
   long above = 0, below = 0;
   for (long k = 0; k < s->count; k++) {
     if (k == i || k == j) continue;
@@ -222,7 +262,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   if (below > 0) tp_vector_neg(&own->h);
   set_held(own, s->strength, &s->q->judge);
   s->bounds->count++;
-  return TP_MOTION_PROVEN;
+  return sharpen_slide(own, s, a, b, below > 0);
 }
 
 /* All of C in the plane with normal N: that plane, from both sides, and within it the lines of

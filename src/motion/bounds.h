@@ -29,8 +29,9 @@ typedef enum tp_source_kind {
 typedef struct tp_bound {
   tp_vector h;
   tp_source source;
-  unsigned rays; /* bit k: M times the k-th ray of the mode lies in the plane */
-  arb_t held;    /* h . w >= held, below zero or above by cohesion and bonds */
+  bool ray_and_edge; /* the pair is */
+  unsigned rays;     /* bit k: M times the k-th ray of the mode lies in the plane */
+  arb_t held;        /* h . w >= held, below zero or above by cohesion and bonds */
 } tp_bound;
 
 typedef struct tp_bounds {

@@ -44,6 +44,7 @@ typedef struct collecting {
   tp_bounds bounds;
   tp_strength strength;
   long mode;           /* from 1 on */
+  long number;         /* tp_strength_number */
   tp_tilts own, other; /* of the mode, of one bound */
 } collecting;
 
@@ -83,7 +84,10 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   tp_trig_init(&f);
   tp_tilt_init(&zero);
   zero.source = bound->source;
-  if (c->q->strong != NULL) zero.source.mode = c->mode; /* each holds otherwise */
+  if (c->q->strong != NULL) { /* each mode holds otherwise, but for these */
+    const bool shared = c->number > 0 && bound->ray_and_edge;
+    zero.source.mode = shared ? c->number : c->q->cones->count + c->mode;
+  }
   zero.rays = bound->rays;
   double log2_scale = set_work(&f, &bound->h, c->q);
   if (!arb_is_zero(bound->held)) {
@@ -144,6 +148,9 @@ static tp_motion_outcome collect(void *context, const tp_mode *mode) {
   tp_motion_outcome done = TP_MOTION_PROVEN;
   c->mode++;
   if (strong) done = tp_strength_find(&c->strength, c->q, &m->normals, &m->twists, mode);
+  if (strong && done == TP_MOTION_PROVEN) {
+    done = tp_strength_number(&c->number, c->q, &m->normals, &m->twists, mode);
+  }
   if (done == TP_MOTION_PROVEN) {
     done = tp_bounds_find(&c->bounds, c->q, &m->normals, &m->twists, mode,
                           strong ? &c->strength : NULL);

@@ -6,6 +6,8 @@
 #include "motion/closed.h"
 #include "number/ball.h"
 
+#include <math.h>
+
 enum { OPEN_SIGN = 2 };
 
 void tp_strength_init(tp_strength *s) {
@@ -29,18 +31,6 @@ typedef struct gathering {
   const tp_twists *twists;
   const tp_mode *mode;
 } gathering;
-
-/* Does the point stay closed in all of the mode? 1, 0, or open. */
-static int is_closed(const gathering *g, long point) {
-  if (g->mode->ray_count == 0) return 0;
-  const tp_normal *line = g->n->items + g->n->normal_of[point];
-  for (int k = 0; k < g->mode->ray_count; k++) {
-    const tp_ray *ray = g->twists->rays + g->mode->rays[k];
-    const int sign = tp_normal_sign(g->n, line, &ray->twist, ray->near, ray->site);
-    if (sign != 0) return sign == OPEN_SIGN ? OPEN_SIGN : 0;
-  }
-  return 1;
-}
 
 /* The sense of slip within the mode. */
 static int slip_of(const gathering *g, long point) {
@@ -69,6 +59,12 @@ static void set_force(tp_vector *force, const gathering *g, const arb_t x, const
   arb_sub(arm, arm, q->y, bits);
   arb_submul(force->of + 2, arm, force->of, bits);
   arb_clear(arm);
+}
+
+static void begin_free(tp_strength *s, long point) {
+  s->sticks[s->free_count] = point;
+  for (int k = 0; k < 3; k++) arb_zero(s->free[s->free_count].of + k);
+  s->free_count++;
 }
 
 static void set_pull(tp_vector *force, const gathering *g, const tp_allowance *own,
@@ -121,38 +117,83 @@ static void add_slide_pulls(gathering *g) {
   }
 }
 
-static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long closed_end) {
+/* The cohesion of a facet of which a point of its line stays closed: fixed, or, where that point
+ * sticks, with that of all other facets of the line. */
+static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long closed) {
   tp_strength *s = g->strength;
   const tp_cones *cones = g->q->cones;
-  const int slip = slip_of(g, closed_end);
+  const int slip = slip_of(g, closed);
   if (slip == OPEN_SIGN) return TP_MOTION_OPEN;
   if (arb_is_zero(own->shear)) return TP_MOTION_PROVEN;
-  if (slip == 0) {
-    if (s->free_count == TP_STRENGTH_FREE) return TP_MOTION_TOO_DEAR;
-    set_force(s->free + s->free_count++, g, cones->x + own->point, cones->y + own->point,
-              own->shear, own->point, false);
-    return TP_MOTION_PROVEN;
-  }
   tp_vector force;
   tp_vector_init(&force);
   set_force(&force, g, cones->x + own->point, cones->y + own->point, own->shear, own->point, false);
-  add_fixed(g, &force, slip > 0);
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  if (slip != 0) {
+    add_fixed(g, &force, slip > 0);
+  } else {
+    long at = 0;
+    while (at < s->free_count && s->sticks[at] != closed) at++;
+    if (at == TP_STRENGTH_FREE) {
+      done = TP_MOTION_TOO_DEAR;
+    } else {
+      if (at == s->free_count) begin_free(s, closed);
+      for (int k = 0; k < 3; k++) {
+        arb_add(s->free[at].of + k, s->free[at].of + k, force.of + k, g->q->judge.bits);
+      }
+    }
+  }
   tp_vector_clear(&force);
+  return done;
+}
+
+/* Do a point and a facet lie on one straight line, with the same side of it free? 1, 0, or open. */
+static int share_line(const gathering *g, long point, long end) {
+  const tp_normals *n = g->n;
+  const tp_cones *cones = g->q->cones;
+  if (n->family_of[point] != n->family_of[end]) return 0;
+  if (cones->points[point].facet >= 0 && cones->points[point].facet == cones->points[end].facet) {
+    return 1;
+  }
+  const long bits = n->judge.precision;
+  arb_t across, part;
+  arb_init(across);
+  arb_init(part);
+  arb_sub(part, cones->y + end, cones->y + point, bits);
+  arb_mul_fmpz(across, part, n->tx + point, bits);
+  const double log2_scale =
+      fmax(tp_ball_log2_above(cones->y + end), tp_ball_log2_above(cones->x + end)) +
+      (double)fmpz_bits(n->tx + point) + (double)fmpz_bits(n->ty + point);
+  arb_sub(part, cones->x + end, cones->x + point, bits);
+  arb_submul_fmpz(across, part, n->ty + point, bits);
+  const int sign = tp_judge_sign(&n->judge, across, log2_scale);
+  arb_clear(across);
+  arb_clear(part);
+  return sign == OPEN_SIGN ? OPEN_SIGN : sign == 0;
+}
+
+/* Of a mode that turns, every closed point is one of its edges': the first on the facet's line. */
+static tp_motion_outcome add_turning(gathering *g, const tp_allowance *own) {
+  for (long k = 0; k < g->mode->edge_count; k++) {
+    const int shared = share_line(g, g->mode->edges[k].point, own->point);
+    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == 1) return add_shear(g, own, g->mode->edges[k].point);
+  }
   return TP_MOTION_PROVEN;
 }
 
 static tp_motion_outcome add_facet(gathering *g, const tp_allowance *own) {
-  const int first = is_closed(g, own->point), last = is_closed(g, own->point + 1);
-  if (first == OPEN_SIGN || last == OPEN_SIGN) return TP_MOTION_OPEN;
-  if ((first == 0 || last == 0) && !arb_is_zero(own->pull)) {
+  const long axis = g->n->families[g->n->family_of[own->point]].axis;
+  const tp_ray *ray = g->twists->rays + g->mode->rays[0];
+  if (g->mode->ray_count == 1 && ray->axis == axis) return add_shear(g, own, own->point);
+  if (!arb_is_zero(own->pull)) {
     tp_vector pull;
     tp_vector_init(&pull);
     set_pull(&pull, g, own, own->pull);
     add_fixed(g, &pull, false);
     tp_vector_clear(&pull);
   }
-  if (first == 0 && last == 0) return TP_MOTION_PROVEN;
-  return add_shear(g, own, own->point + (first == 0 ? 1 : 0));
+  return add_turning(g, own);
 }
 
 tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, const tp_normals *n,
@@ -171,4 +212,40 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
   const bool slides = mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
   if (done == TP_MOTION_PROVEN && slides && bonds) add_slide_pulls(&g);
   return done;
+}
+
+/* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */
+static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const tp_mode *mode) {
+  const tp_cones *strong = q->strong;
+  if (mode->ray_count == 0 || mode->edge_count == 0) return true;
+  if (mode->ray_count != 1 || twists->rays[mode->rays[0]].axis < 0) return false;
+  for (long k = 0; k < strong->allowance_count; k++) {
+    if (!arb_is_zero(strong->allowances[k].pull)) return true;
+  }
+  return false;
+}
+
+tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *q, const tp_normals *n,
+                                     const tp_twists *twists, const tp_mode *mode) {
+  const gathering g = {.q = q, .n = n, .twists = twists, .mode = mode};
+  *number = 0;
+  if (is_alone(q, twists, mode)) return TP_MOTION_PROVEN;
+  const long first = mode->edges[0].point;
+  const bool slides = mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
+  for (long k = 1; k < mode->edge_count; k++) {
+    const int shared = share_line(&g, first, mode->edges[k].point);
+    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == 0) return TP_MOTION_PROVEN;
+  }
+  long least = first;
+  for (long k = 0; k < q->cones->count; k++) { /* the line goes by its first point */
+    const int shared = k == first ? 1 : share_line(&g, first, k);
+    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == 1 && k < least) least = k;
+    const bool slides_too =
+        n->families[n->family_of[k]].axis == n->families[n->family_of[first]].axis;
+    if (slides && shared == 0 && slides_too) return TP_MOTION_PROVEN; /* on more lines than one */
+  }
+  *number = least + 1;
+  return TP_MOTION_PROVEN;
 }

@@ -3,12 +3,14 @@
 
 /* Cohesion and bonds in the modes of motion: what a mode has to overcome beside friction.
  *
- * By Mohr and Coulomb's law a facet of which an end stays closed and slips is sheared against its
- * slip by all of its cohesion; where that end sticks, by anything up to it either way. A facet
- * whose middle opens is pulled there by all of its bond; one that slides in one piece by any share
- * of it, and more than all would do no harm: a pull adds friction, so that the slide then begins
- * without. So the loads w at which a mode can begin are those of friction alone (motion/bounds.h)
- * less what is fixed, plus what may be anything within its bounds, plus the pulls of slides. */
+ * By Mohr and Coulomb's law what slips is sheared against its slip by all of its cohesion. All
+ * facets on one straight line slip alike, so that where a point of the line stays closed its
+ * cohesion is that of all of them, however many pieces they are written in: against the slip, or,
+ * where the point sticks, anything up to it either way. A facet whose middle opens is pulled there
+ * by all of its bond; one that slides in one piece by any share of it, and more than all would do
+ * no harm: a pull adds friction, so that the slide begins without. So the loads w at which a mode
+ * can begin are those of friction alone (motion/bounds.h) less what is fixed, plus what may be
+ * anything within its bounds, plus the pulls of slides. */
 
 #ifndef TP_STRENGTH_H
 #define TP_STRENGTH_H
@@ -20,7 +22,8 @@ enum { TP_STRENGTH_FREE = 16, TP_STRENGTH_PULLS = 4 };
 typedef struct tp_strength {
   tp_vector fixed; /* on the block */
   long free_count;
-  tp_vector free[TP_STRENGTH_FREE]; /* times anything from -1 to 1 */
+  tp_vector free[TP_STRENGTH_FREE]; /* times anything from -1 to 1, */
+  long sticks[TP_STRENGTH_FREE];    /* each for a point that sticks */
   long pull_count;
   tp_vector pulls[TP_STRENGTH_PULLS]; /* turned round, times anything above zero, as M r and -e */
 } tp_strength;
@@ -33,5 +36,13 @@ TP_MUST_USE tp_motion_outcome tp_strength_find(tp_strength *strength,
                                                const tp_motion_question *question,
                                                const tp_normals *normals, const tp_twists *twists,
                                                const tp_mode *mode);
+
+/* What cohesion and bonds do is the same in modes of one number, as far as planes of a ray and an
+ * edge in common tell: those whose closed contacts lie on one straight line have that of the line,
+ * from 1 on; any other 0. Where the line sticks in one mode and slips in another, such a plane has
+ * what holds on the side of the slip. */
+TP_MUST_USE tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *question,
+                                                 const tp_normals *normals, const tp_twists *twists,
+                                                 const tp_mode *mode);
 
 #endif

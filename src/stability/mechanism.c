@@ -184,7 +184,7 @@ static void set_margin(arb_t margin, const tp_evaluation *e, const tp_direction_
 
 /* Where forces would hold it: certain to stand only if no motion can begin. Without a tilt `first`
  * says it all. */
-static void judge_onset(const tp_evaluation *e, tp_case *result, const tp_onset_found *onset) {
+static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found *onset) {
   tp_mechanism *m = &result->mechanism;
   const bool holds = *m == TP_STANDS || *m == TP_INTERLOCKED || *m == TP_MAY_MOVE;
   if (!holds || result->onset.kind == TP_ONSET_NOT_ASKED ||
@@ -192,7 +192,11 @@ static void judge_onset(const tp_evaluation *e, tp_case *result, const tp_onset_
     return;
   }
   if (onset->at_tilt == TP_YES) *m = TP_MAY_MOVE;
-  if (onset->at_tilt == TP_OPEN) *m = TP_MECHANISM_UNDECIDED;
+  if (onset->at_tilt == TP_OPEN) {
+    *m = TP_MECHANISM_UNDECIDED;
+    const bool told = result->onset.kind != TP_ONSET_UNDECIDED; /* else that is noted */
+    if (told && !tp_evaluation_is_last_rung(e)) e->certain = false;
+  }
   if (onset->at_tilt == TP_NO && *m == TP_MAY_MOVE) *m = TP_STANDS;
 }
 

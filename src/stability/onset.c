@@ -117,7 +117,7 @@ static void set_motions(asking *a, const arb_t tilt) {
   if (outcome == TP_MOTION_PROVEN) return;
   clear_motions(&a->result->onset);
   if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
-  if (outcome == TP_MOTION_OPEN && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
+  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->e->certain = false;
 }
 
 /* Can a motion begin at the scene's tilt, with the friction there, and which? */
@@ -133,7 +133,6 @@ static void look_at_tilt(asking *a) {
     for (long k = 0; k < a->windows.count && a->found->at_tilt == TP_NO; k++) {
       a->found->at_tilt = tp_window_holds(a->windows.items + k, tilt);
     }
-    if (a->found->at_tilt == TP_OPEN && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
     if (a->found->at_tilt != TP_OPEN) set_motions(a, tilt);
   }
   arb_clear(tilt);

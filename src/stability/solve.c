@@ -21,9 +21,9 @@ tp_solve_options tp_solve_options_default(void) {
       .limit = true, .strength_reduction = true, .digits = 9, .level = TP_LEVEL_EXACT};
 }
 
-/* A limit that a lower rung made certain, its mechanism included. */
+/* A limit and an onset that a lower rung made certain, each, the mechanism included. */
 typedef struct kept_limit {
-  bool settled;
+  bool settled, onset_settled;
   tp_direction_ball limit, back;
   tp_onset_found onset;
 } kept_limit;
@@ -37,6 +37,28 @@ typedef struct climb {
   kept_limit *kept; /* by direction */
   tp_work *work;
 } climb;
+
+/* By contact forces, what is not settled yet. False when memory is exhausted. */
+static bool evaluate_statics(tp_evaluation *evaluation, tp_case *own, kept_limit *kept,
+                             const climb *c) {
+  const tp_place place = c->problem->scene->friction_angle_deg.place;
+  bool done = true;
+  if (!kept->settled) {
+    const tp_effect_begin began = tp_effects_begin(c->solution);
+    evaluation->certain = true;
+    done = tp_evaluate_limit(evaluation, own, &kept->limit, &kept->back);
+    kept->settled = evaluation->certain;
+    tp_effects_note(c->solution, "limit", place, "", began);
+  }
+  if (done && !kept->onset_settled) {
+    const tp_effect_begin began = tp_effects_begin(c->solution);
+    evaluation->certain = true;
+    done = tp_evaluate_onset(evaluation, own, &kept->onset);
+    kept->onset_settled = evaluation->certain;
+    tp_effects_note(c->solution, "onset", place, "", began);
+  }
+  return done;
+}
 
 /* False when memory is exhausted. */
 static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const climb *c) {
@@ -58,19 +80,18 @@ static bool evaluate_motions(tp_evaluation *evaluation, tp_case *own, const clim
     tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
   }
   const bool certain = evaluation->certain;
-  evaluation->certain = true;
-  if (scene->friction_angle_deg.given && c->options->limit && !kept->settled) {
-    began = tp_effects_begin(c->solution);
-    done = tp_evaluate_limit(evaluation, own, &kept->limit, &kept->back);
-    tp_effects_note(c->solution, "limit", scene->friction_angle_deg.place, "", began);
-    began = tp_effects_begin(c->solution);
-    done = done && tp_evaluate_onset(evaluation, own, &kept->onset);
-    tp_effects_note(c->solution, "onset", scene->friction_angle_deg.place, "", began);
+  if (scene->friction_angle_deg.given && c->options->limit) {
+    done = evaluate_statics(evaluation, own, kept, c);
+  } else {
+    kept->settled = kept->onset_settled = true;
   }
+  const bool statics[2] = {kept->settled, kept->onset_settled};
+  evaluation->certain = true;
   tp_evaluate_mechanism(evaluation, own, &toppling, &sliding,
                         &(tp_statics){&kept->limit, &kept->back, &kept->onset});
-  kept->settled = evaluation->certain;
-  evaluation->certain = certain && evaluation->certain;
+  kept->settled = statics[0] && evaluation->certain;
+  kept->onset_settled = statics[1] && evaluation->certain;
+  evaluation->certain = certain && kept->settled && kept->onset_settled;
   if (c->options->elements) tp_evaluate_account(evaluation, own, &toppling);
   tp_direction_ball_clear(&toppling);
   tp_direction_ball_clear(&sliding);
