@@ -138,10 +138,11 @@ typedef struct tp_case {
   size_t pivot_count;
   tp_pivot *pivots; /* from left to right along the contact */
   bool has_governing;
-  size_t governing;   /* index of the admissible pivot with the least critical angle */
-  bool governing_tie; /* another admissible pivot has exactly the same critical angle */
-  tp_rolls rolls;     /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
-  bool rests; /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
+  size_t governing;        /* index of the admissible pivot with the least critical angle */
+  bool governing_tie;      /* another admissible pivot has the same critical angle: */
+  long governing_tie_bits; /* 0: exactly; else so many bits do not tell the two apart */
+  tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
+  bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
   tp_bounded rest_turn_deg; /* ... turned by this on its base */
   tp_sliding sliding;
   tp_toe toe;

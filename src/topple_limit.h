@@ -41,8 +41,9 @@ typedef struct tp_limit {
   tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
   bool tie;                      /* another mechanism has the same limit: */
   tp_mechanism tied_with;
-  bool turns_up_dip;                 /* against the sense of toppling */
-  bool has_centre;                   /* of rotation */
+  long tie_bits;     /* 0: exactly; else half of so many bits do not tell the two apart */
+  bool turns_up_dip; /* against the sense of toppling */
+  bool has_centre;   /* of rotation */
   tp_bounded centre_x_m, centre_y_m; /* a contact point where it topples */
   bool has_facet;                    /* along which it slides */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;

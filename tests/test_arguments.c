@@ -97,6 +97,10 @@ START_TEST(solutions) {
   REFUSED(tp_report_figure(NULL, scene, own, &message), "'path'");
   REFUSED(tp_report_figure("/tmp/x.svg", NULL, own, &message), "'scene'");
   REFUSED(tp_report_figure("/tmp/x.svg", scene, NULL, &message), "'solution'");
+  const tp_figure_consent none = {0};
+  REFUSED(tp_report_figure_if(NULL, scene, own, none, &message), "'path'");
+  REFUSED(tp_report_figure_if("/tmp/x.svg", NULL, own, none, &message), "'scene'");
+  REFUSED(tp_report_figure_if("/tmp/x.svg", scene, NULL, none, &message), "'solution'");
   ck_assert(!tp_figure_is_file_name(NULL));
   ck_assert_ptr_eq(text, &untouched);
   tp_solution_free(NULL);

@@ -26,9 +26,10 @@ void tp_cli_guard_memory(void);
 /* Read the words of a command: 0, or the exit status, complained about. */
 int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments);
 
-/* tp_report_figure, from the library that draws. */
+/* tp_report_figure_if, from the library that draws. */
 TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
-                                  const tp_solution *solution, tp_message *message);
+                                  const tp_solution *solution, tp_figure_consent consent,
+                                  tp_message *message);
 
 /* The end of a command: its complaint on stderr unless the status is TP_OK; the exit status, which
  * is `written` (of tp_cli_print) then. */

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,7 +24,8 @@
 #define LIBRARY "libtopple-figure.so"
 
 typedef tp_status (*draw_function)(const char *path, const tp_scene *scene,
-                                   const tp_solution *solution, tp_message *message);
+                                   const tp_solution *solution, tp_figure_consent consent,
+                                   tp_message *message);
 
 /* Is it there, and of someone who could as well have replaced the program: its owner, this user, or
  * the system's? A folder such as /tmp may hold the files of others. */
@@ -57,18 +59,20 @@ static void *load_library(void) {
   return dlopen(TP_LIBRARY_FOLDER "/" LIBRARY, RTLD_NOW);
 }
 
-/* What the process that draws has to tell. */
+/* What the process that draws has to tell: that all is ready, and it waits for a byte as consent;
+ * or what it came to. */
 typedef struct outcome {
+  bool asks;
   tp_status status;
   tp_message message;
 } outcome;
 
 static tp_status draw_here(const char *path, const tp_scene *scene, const tp_solution *solution,
-                           tp_message *message) {
+                           tp_figure_consent consent, tp_message *message) {
   void *library = load_library();
   draw_function draw = NULL;
-  if (library != NULL) *(void **)&draw = dlsym(library, "tp_report_figure");
-  if (draw != NULL) return draw(path, scene, solution, message);
+  if (library != NULL) *(void **)&draw = dlsym(library, "tp_report_figure_if");
+  if (draw != NULL) return draw(path, scene, solution, consent, message);
   const char *why = dlerror();
   snprintf(message->text, sizeof message->text,
            "figures are drawn by " LIBRARY ", which does not load (%s); install it beside Topple's "
@@ -77,16 +81,29 @@ static tp_status draw_here(const char *path, const tp_scene *scene, const tp_sol
   return TP_DEPENDENCY_FAILED;
 }
 
-/* True when all of it came; it is less than what a pipe takes at once. */
-static bool receive(outcome *told, int from) {
+/* True when all of it came; it is less than what a socket takes at once. */
+static bool receive(void *told, size_t size, int from) {
   size_t got = 0;
-  while (got < sizeof *told) {
-    const ssize_t more = read(from, (char *)told + got, sizeof *told - got);
+  while (got < size) {
+    const ssize_t more = read(from, (char *)told + got, size - got);
     if (more < 0 && errno == EINTR) continue;
     if (more <= 0) break;
     got += (size_t)more;
   }
-  return got == sizeof *told;
+  return got == size;
+}
+
+/* Without a signal where nobody is there to take it. */
+static bool tell(int to, const void *what, size_t size) {
+  return send(to, what, size, MSG_NOSIGNAL) == (ssize_t)size;
+}
+
+/* In the process that draws: ask the other one. It has ended, or says no, where no byte comes. */
+static bool ask_parent(void *context) {
+  const int other = *(const int *)context;
+  const outcome asking = {.asks = true};
+  char consent = 0;
+  return tell(other, &asking, sizeof asking) && receive(&consent, 1, other);
 }
 
 static tp_status fail(tp_message *message, tp_status status, const char *what) {
@@ -94,10 +111,25 @@ static tp_status fail(tp_message *message, tp_status status, const char *what) {
   return status;
 }
 
+/* Its last word; true when it came. Consent is asked for once, here where the figure needs none. */
+static bool converse(outcome *told, int other, tp_figure_consent consent) {
+  bool complete = receive(told, sizeof *told, other), asked = false;
+  while (complete && told->asks) {
+    const char yes = 1;
+    asked = true;
+    if (!consent.give(consent.context) || !tell(other, &yes, sizeof yes)) {
+      shutdown(other, SHUT_WR);
+    }
+    complete = receive(told, sizeof *told, other);
+  }
+  if (complete && !asked && told->status == TP_OK) (void)consent.give(consent.context);
+  return complete;
+}
+
 /* What the other process came to. */
-static tp_status await(pid_t process, int from, tp_message *message) {
-  outcome told = {TP_OK, {""}};
-  const bool complete = receive(&told, from);
+static tp_status await(pid_t process, int other, tp_figure_consent consent, tp_message *message) {
+  outcome told = {.status = TP_OK};
+  const bool complete = converse(&told, other, consent);
   int ended = 0;
   while (waitpid(process, &ended, 0) < 0) {
     if (errno != EINTR) return fail(message, TP_SYSTEM_FAILED, strerror(errno));
@@ -116,23 +148,24 @@ static tp_status await(pid_t process, int from, tp_message *message) {
 }
 
 tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
-                      tp_message *message) {
+                      tp_figure_consent consent, tp_message *message) {
   int ends[2];
-  if (fflush(NULL) != 0 || pipe(ends) != 0) {
+  if (fflush(NULL) != 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     return fail(message, TP_SYSTEM_FAILED, strerror(errno));
   }
   const pid_t parent = getpid(), process = fork();
   if (process == 0) {
-    outcome own = {TP_OK, {""}};
+    outcome own = {.status = TP_OK};
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(TP_EXIT_SYSTEM); /* it has ended already */
     close(ends[0]);
-    own.status = draw_here(path, scene, solution, &own.message);
-    exit(write(ends[1], &own, sizeof own) == sizeof own ? 0 : TP_EXIT_SYSTEM);
+    own.status =
+        draw_here(path, scene, solution, (tp_figure_consent){ask_parent, &ends[1]}, &own.message);
+    exit(tell(ends[1], &own, sizeof own) ? 0 : TP_EXIT_SYSTEM);
   }
   const int why = errno;
   close(ends[1]);
-  const tp_status status = process > 0 ? await(process, ends[0], message)
+  const tp_status status = process > 0 ? await(process, ends[0], consent, message)
                                        : fail(message, TP_SYSTEM_FAILED, strerror(why));
   close(ends[0]);
   return status;

@@ -194,15 +194,38 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
 /* ---- one scene ---------------------------------------------------------------------------------
  */
 
+/* The report that goes with a figure. */
+typedef struct report {
+  const tp_solution *solution;
+  const tp_solve_words *words;
+  int *ended;
+  tp_status status;
+} report;
+
+/* The figure is ready: it is left behind only if the report is written. */
+static bool print_with_figure(void *context) {
+  report *own = context;
+  own->status = print_solution(own->solution, own->words, own->ended);
+  return own->status == TP_OK && *own->ended == 0;
+}
+
+static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
+                                const tp_solution *solution, int *ended, tp_message *message) {
+  report own = {solution, a, ended, TP_OK};
+  const tp_status drawn = tp_cli_draw(a->figure, scene, solution,
+                                      (tp_figure_consent){print_with_figure, &own}, message);
+  if (own.status == TP_OK && *ended == 0) return drawn;
+  message->text[0] = '\0'; /* of the figure, for want of the report */
+  return own.status;
+}
+
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
   tp_status status = solve_scene(&solution, &scene, a->scene, a, message);
-  if (status == TP_OK && a->figure != NULL) {
-    status = tp_cli_draw(a->figure, scene, solution, message);
-  }
   if (status == TP_OK) {
     status = a->find.key != NULL ? print_found(solution, a, ended, message)
+             : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
                                  : print_solution(solution, a, ended);
   }
   if (status == TP_OK && *ended == 0 && a->find.key == NULL) {

@@ -9,20 +9,27 @@
 #include <stdlib.h>
 
 static tp_status draw_problem(const char *path, const tp_problem *problem,
-                              const tp_solution *solution, bool elements, tp_message *message) {
+                              const tp_solution *solution, tp_figure_consent consent,
+                              tp_message *message) {
+  const bool elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
   tp_figure figure = {.problem = problem, .solution = solution};
   tp_status status = tp_shape_init(&figure.shape, problem, elements, message);
   if (status != TP_OK) return status;
   for (size_t k = 0; k < solution->case_count; k++) {
     tp_state_init(figure.states + figure.panel_count++, &figure, solution->cases + k);
   }
-  status = tp_figure_write(path, &figure, message);
+  status = tp_figure_write(path, &figure, consent, message);
   tp_shape_clear(&figure.shape);
   return status;
 }
 
 tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_solution *solution,
                            tp_message *message) {
+  return tp_report_figure_if(path, scene, solution, (tp_figure_consent){0}, message);
+}
+
+tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_solution *solution,
+                              tp_figure_consent consent, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, path);
   TP_REFUSE_NULL(message, scene);
@@ -38,7 +45,7 @@ tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_sol
   options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
   tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
   if (status == TP_OK) {
-    status = draw_problem(path, &problem, solution, options.elements, message);
+    status = draw_problem(path, &problem, solution, consent, message);
     tp_problem_clear(&problem);
   }
   free(notes);

@@ -190,6 +190,6 @@ double tp_figure_width(const tp_figure *figure);
 TP_MUST_USE bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure);
 
 TP_MUST_USE tp_status tp_figure_write(const char *path, const tp_figure *figure,
-                                      tp_message *message);
+                                      tp_figure_consent consent, tp_message *message);
 
 #endif

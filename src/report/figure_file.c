@@ -107,18 +107,19 @@ static cairo_status_t write_figure(tp_figure_kind kind, sink *s, const tp_figure
 
 /* Not over a file that the scene was read from. */
 static tp_status write_file(const char *path, const sink *s, const tp_scene *scene,
-                            tp_message *message) {
+                            tp_figure_consent consent, tp_message *message) {
   const size_t count = 1 + (size_t)scene->file_count;
   const char **read = calloc(count, sizeof *read);
   if (read == NULL) return tp_fail_memory(message, "the names of files");
   for (size_t k = 0; k < count; k++) read[k] = k == 0 ? scene->path : scene->files[k - 1];
   const tp_status status =
-      tp_file_write(path, s->bytes, s->length, (tp_file_sources){count, read}, message);
+      tp_file_write_if(path, s->bytes, s->length, (tp_file_sources){count, read}, consent, message);
   free(read);
   return status;
 }
 
-tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message *message) {
+tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_figure_consent consent,
+                          tp_message *message) {
   sink s = {0};
   const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
   tp_status status = TP_OK;
@@ -128,7 +129,7 @@ tp_status tp_figure_write(const char *path, const tp_figure *figure, tp_message 
     status = tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){path, 0, 0},
                      "the figure cannot be drawn: %s", cairo_status_to_string(drawn));
   } else {
-    status = write_file(path, &s, figure->problem->scene, message);
+    status = write_file(path, &s, figure->problem->scene, consent, message);
   }
   free(s.bytes);
   return status;

@@ -18,6 +18,7 @@
 typedef struct output {
   const char *path, *bytes;
   size_t length;
+  tp_figure_consent consent;
   tp_message *message;
 } output;
 
@@ -29,8 +30,22 @@ static tp_status fail(const output *o, const char *why) {
       why);
 }
 
+/* All is ready. */
+static tp_status ask(const output *o) {
+  if (o->consent.give == NULL || o->consent.give(o->consent.context)) return TP_OK;
+  return tp_fail(o->message, TP_SYSTEM_FAILED, (tp_place){o->path, 0, 0},
+                 "not written: what goes with it could not be written");
+}
+
 static bool is_same(const struct stat *one, const struct stat *other) {
   return one->st_dev == other->st_dev && one->st_ino == other->st_ino;
+}
+
+/* A regular file that is the standard output by another name is to get our bytes where it is. */
+static bool is_standard(const struct stat *state) {
+  struct stat other;
+  return (fstat(STDOUT_FILENO, &other) == 0 && is_same(state, &other)) ||
+         (fstat(STDERR_FILENO, &other) == 0 && is_same(state, &other));
 }
 
 /* ---- signals -----------------------------------------------------------------------------------
@@ -102,6 +117,7 @@ static tp_status write_in_place(int descriptor, const struct stat *state, const 
       errno != EOPNOTSUPP && errno != ENOSYS) {
     status = fail(o, strerror(errno));
   }
+  if (status == TP_OK && regular && !is_standard(state)) status = ask(o);
   if (status == TP_OK) status = write_all(descriptor, o);
   if (status == TP_OK && regular && ftruncate(descriptor, (off_t)o->length) != 0) {
     status = fail(o, strerror(errno));
@@ -160,9 +176,9 @@ static bool replace(tp_status *status, const char *path, const struct stat *befo
   *status = kept ? write_all(descriptor, o) : TP_OK;
   /* some file systems tell of a full disk only now */
   const bool closed = close(descriptor) == 0;
-  if (kept && *status == TP_OK && (!closed || rename(name, path) != 0)) {
-    *status = fail(o, strerror(errno));
-  }
+  if (kept && *status == TP_OK && !closed) *status = fail(o, strerror(errno));
+  if (kept && *status == TP_OK) *status = ask(o);
+  if (kept && *status == TP_OK && rename(name, path) != 0) *status = fail(o, strerror(errno));
   if (!kept || *status != TP_OK) unlink(name);
   free(name);
   return kept;
@@ -195,13 +211,6 @@ static tp_status check_sources(const output *o, tp_file_sources sources) {
   return TP_OK;
 }
 
-/* A regular file that is the standard output by another name is to get our bytes where it is. */
-static bool is_standard(const struct stat *state) {
-  struct stat other;
-  return (fstat(STDOUT_FILENO, &other) == 0 && is_same(state, &other)) ||
-         (fstat(STDERR_FILENO, &other) == 0 && is_same(state, &other));
-}
-
 static tp_status write_over(int descriptor, const output *o) {
   struct stat before;
   if (fstat(descriptor, &before) != 0) return fail(o, strerror(errno));
@@ -228,7 +237,13 @@ static tp_status write_new(const output *o) {
 
 tp_status tp_file_write(const char *path, const char *bytes, size_t length, tp_file_sources sources,
                         tp_message *message) {
-  const output o = {path, bytes, length, message};
+  return tp_file_write_if(path, bytes, length, sources, (tp_figure_consent){0}, message);
+}
+
+tp_status tp_file_write_if(const char *path, const char *bytes, size_t length,
+                           tp_file_sources sources, tp_figure_consent consent,
+                           tp_message *message) {
+  const output o = {path, bytes, length, consent, message};
   tp_status status = check_sources(&o, sources);
   if (status != TP_OK) return status;
   const int descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);

@@ -11,7 +11,7 @@
 #ifndef TP_FILE_H
 #define TP_FILE_H
 
-#include "topple.h"
+#include "topple_figure.h"
 
 /* Files that are read, and must not be written to, by whatever name. */
 typedef struct tp_file_sources {
@@ -21,5 +21,11 @@ typedef struct tp_file_sources {
 
 TP_MUST_USE tp_status tp_file_write(const char *path, const char *bytes, size_t length,
                                     tp_file_sources sources, tp_message *message);
+
+/* The same with consent (topple_figure.h), which may be given by nobody: then it is not asked for.
+ */
+TP_MUST_USE tp_status tp_file_write_if(const char *path, const char *bytes, size_t length,
+                                       tp_file_sources sources, tp_figure_consent consent,
+                                       tp_message *message);
 
 #endif

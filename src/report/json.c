@@ -45,3 +45,12 @@ void tp_json_critical_angle(tp_text *t, const tp_pivot *p) {
     tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
   }
 }
+
+void tp_json_tie(tp_text *t, bool tie, long bits) {
+  if (!tie) return;
+  if (bits == 0) {
+    tp_text_add(t, ", \"tie_is\": \"exact\"");
+  } else {
+    tp_text_add(t, ", \"tie_is\": \"not told apart by %ld bits\"", bits);
+  }
+}

@@ -16,6 +16,9 @@ void tp_json_number(tp_text *text, const char *key, tp_bounded number);
  * it does of one below zero. */
 void tp_json_fos(tp_text *text, const char *key, tp_fos fos);
 
+/* `, "tie_is": "exact"`, or as far as so many bits tell; nothing where there is no tie. */
+void tp_json_tie(tp_text *text, bool tie, long bits);
+
 /* `"key": {"numerator": n, "denominator": d}` */
 void tp_json_fraction(tp_text *text, const char *key, const tp_fraction *fraction);
 

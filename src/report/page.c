@@ -58,6 +58,14 @@ const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos) {
   return "-";
 }
 
+void tp_page_add_tie(tp_page *p, long bits) {
+  if (bits == 0) {
+    tp_text_add(&p->text, ", exactly.\n");
+  } else {
+    tp_text_add(&p->text, ",\n  as far as %ld bits tell.\n", bits);
+  }
+}
+
 static bool overlap(tp_bounded a, tp_bounded b) {
   return fabs(a.value - b.value) <= a.error + b.error;
 }

@@ -28,6 +28,9 @@ const char *tp_page_degrees(char out[TP_NUMBER_SIZE], tp_bounded angle);
 /* A factor of safety, or what stands for it where it is no number. */
 const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos);
 
+/* How a tie is known, as the end of a sentence: exactly, or as far as so many bits tell. */
+void tp_page_add_tie(tp_page *page, long bits);
+
 /* A force or a pressure, in thousands where it is large. */
 void tp_page_add_quantity(tp_page *page, tp_bounded number, const char *unit);
 

@@ -68,8 +68,10 @@ static void add_toppling(tp_text *t, const tp_case *c) {
     return;
   }
   const tp_pivot *p = c->pivots + c->governing;
-  tp_text_add(t, "      \"toppling\": {\"pivot\": %zu, \"tie\": %s, ", c->governing,
+  tp_text_add(t, "      \"toppling\": {\"pivot\": %zu, \"tie\": %s", c->governing,
               tp_json_truth(c->governing_tie));
+  tp_json_tie(t, c->governing_tie, c->governing_tie_bits);
+  tp_text_add(t, ", ");
   tp_json_critical_angle(t, p);
   tp_text_add(t, ", ");
   tp_json_fos(t, "fos", p->fos_resultant);

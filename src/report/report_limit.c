@@ -149,8 +149,9 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "  Below 0: on level ground nothing holds it, nor at any tilt above.\n");
   }
   if (l->tie) {
-    tp_text_add(&p->text, "  Tie: it %s and it %s at the same limit.\n",
+    tp_text_add(&p->text, "  Tie: it %s and it %s at the same limit",
                 tp_text_mechanism(l->mechanism), tp_text_mechanism(l->tied_with));
+    tp_page_add_tie(p, l->tie_bits);
   }
   add_otherwise(p, c);
   if (c->slides_sooner) {

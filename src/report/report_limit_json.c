@@ -24,6 +24,7 @@ static void add_answer(tp_text *t, const tp_limit *l) {
               nowhere ? "holds nowhere" : tp_text_mechanism(l->mechanism));
   if (l->tie) {
     tp_text_add(t, "\"%s\"", tp_text_mechanism(l->tied_with));
+    tp_json_tie(t, l->tie, l->tie_bits);
   } else {
     tp_text_add(t, "null");
   }

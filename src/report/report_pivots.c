@@ -61,7 +61,8 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
   }
   if (!c->has_governing) tp_text_add(&p->text, "  Turning is blocked about every pivot.\n");
   if (c->governing_tie) {
-    tp_text_add(&p->text, "  Tie: another pivot has exactly the same critical angle.\n");
+    tp_text_add(&p->text, "  Tie: another free pivot has the same critical angle");
+    tp_page_add_tie(p, c->governing_tie_bits);
   }
 }
 

@@ -89,7 +89,8 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
     tp_text_add(&p->text, "  Does not stand %s: it\n  ", where);
   }
   tp_page_add_first(p, c);
-  tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0], tp_text_fixed(n[1], c->margin_deg, 3));
+  tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0],
+              tp_text_fixed(n[1], c->margin_deg, 3));
 }
 
 /* What holds at the scene's tilt, in the light of the onset. */

@@ -122,6 +122,7 @@ int tp_evaluation_compare(tp_evaluation *evaluation, const tp_direction_ball *a,
   if (arb_lt(a->degrees, b->degrees)) return -1;
   if (arb_gt(a->degrees, b->degrees)) return 1;
   int sign = 0;
+  evaluation->tie_bits = 0;
   if (arb_is_exact(a->degrees) && arb_is_exact(b->degrees)) return 0;
   if (evaluation->rung.level == TP_LEVEL_EXACT && a->exact_direction && b->exact_direction &&
       cross_sign(a, b, &sign)) {
@@ -131,5 +132,6 @@ int tp_evaluation_compare(tp_evaluation *evaluation, const tp_direction_ball *a,
       !tp_evaluation_is_settled(evaluation, b->degrees)) {
     evaluation->certain = false;
   }
+  evaluation->tie_bits = evaluation->rung.bits;
   return 0;
 }

@@ -22,6 +22,8 @@ typedef struct tp_evaluation {
   bool certain;             /* all numbers and decisions so far */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
   tp_work *work;    /* of the limit on all rungs; NULL: any */
+  long tie_bits; /* of the last tie that was compared: 0 where it is proven, else the bits that do
+                    not tell the two apart */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
 } tp_evaluation;
 

@@ -193,6 +193,9 @@ void tp_limit_describe(tp_limit *result, tp_evaluation *e, const tp_limit_questi
   result->mechanism = tp_limit_mechanism(answer->face.motion);
   result->critical_angle_deg = tp_evaluation_result(e, answer->degrees);
   result->tie = answer->tie;
+  const bool rational =
+      question->judge.precision == ARF_PREC_EXACT && arb_is_exact(question->cones->friction);
+  result->tie_bits = answer->tie && question->judge.settled && !rational ? question->judge.bits : 0;
   if (answer->tie) result->tied_with = tp_limit_mechanism(answer->other.motion);
   result->turns_up_dip =
       result->mechanism != TP_SLIDES && arf_sgn(arb_midref(answer->face.twist.of + 2)) < 0;

@@ -152,6 +152,7 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
   bool found = false;
+  long tie_bits = 0;
   *tie = false;
   for (long step = 0; step < contact->point_count; step++) {
     const long k = towards == TP_TOWARDS_LEFT ? step : contact->point_count - 1 - step;
@@ -161,6 +162,8 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
     const bool ties = side == 0 && has_angle(e, &angle);
     const bool governs = side < 0 || (side == 0 && is_less_safe(e, k, (long)*governing));
     *tie = side < 0 ? false : *tie || ties;
+    if (side < 0) tie_bits = 0;
+    if (ties && e->tie_bits > tie_bits) tie_bits = e->tie_bits;
     if (!governs) continue;
     const tp_direction_ball held = *toppling;
     *toppling = angle;
@@ -169,6 +172,7 @@ bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_b
     found = true;
   }
   tp_direction_ball_clear(&angle);
+  e->tie_bits = tie_bits;
   return found;
 }
 
@@ -215,6 +219,7 @@ void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *to
   }
   result->has_governing = tp_evaluate_toppling(e, result->towards, toppling, &result->governing,
                                                &result->governing_tie);
+  result->governing_tie_bits = result->governing_tie ? e->tie_bits : 0;
   tp_direction_ball_clear(&critical);
   arb_clear(t.sine);
   arb_clear(t.cosine);

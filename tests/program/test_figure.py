@@ -230,6 +230,23 @@ class Mistakes(unittest.TestCase):
         self.assertIn("cannot be written", err)
         self.assertEqual(list(self.path.iterdir()), [folder])
 
+    def test_report_that_cannot_be_written(self):
+        """Exit status 5, and no figure: neither a new one nor one in the place of the old."""
+        for kind in ("svg", "pdf", "png"):
+            for before in (None, "old"):
+                figure = self.path / f"figure.{kind}"
+                if before is not None:
+                    figure.write_text(before)
+                with open("/dev/full", "w", encoding="utf-8") as full:
+                    done = subprocess.run([PROGRAM, "solve", "--figure", figure, E_VALLEY], cwd=ROOT, stdout=full,
+                                          stderr=subprocess.PIPE, encoding="utf-8", check=False)
+                self.assertEqual(done.returncode, 5)
+                self.assertIn("cannot write the report: No space left", done.stderr)
+                self.assertEqual(list(self.path.iterdir()), [] if before is None else [figure])
+                if before is not None:
+                    self.assertEqual(figure.read_text(), before)
+                    figure.unlink()
+
     def test_full_disk(self):
         """A figure that cannot be written to its end leaves the file of that name as it was."""
         def limit():
