@@ -89,6 +89,8 @@ START_TEST(solutions) {
   UNWRITTEN(tp_report_text(&text, NULL));
   UNWRITTEN(tp_report_elements(NULL, own));
   UNWRITTEN(tp_report_elements(&text, NULL));
+  UNWRITTEN(tp_report_notes(NULL, own));
+  UNWRITTEN(tp_report_notes(&text, NULL));
   UNWRITTEN(tp_report_json(NULL, own));
   UNWRITTEN(tp_report_json(&text, NULL));
   UNWRITTEN(tp_report_table(NULL, two, 1));

@@ -164,6 +164,26 @@ static void solve_limit_precisely(void) {
   tp_scene_free(scene);
 }
 
+/* With notes: cautions, and what a repair moved. */
+static void solve_repaired(void) {
+  static const char text[] =
+      "topple: 1\nlength_unit: km\nblock:\n  unit_weight_kn_m3: 2600\n  repair: true\n"
+      "  outline: [[0, 0], [3.333, 0.777], [3.4, 3], [1.7, 0.396], [1.2, 2], [0, 2.5]]\n";
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  const tp_solve_options options = tp_solve_options_default();
+  if (DONE(tp_scene_read_text(&scene, text, "scene.yaml", &message), scene) &&
+      DONE(tp_solve(&solution, scene, &options, &message), solution)) {
+    char *page = NULL;
+    EXPECT(solution->notes.count == 4, "%zu notes", solution->notes.count);
+    const tp_status status = tp_report_text(&page, solution);
+    expect_report(status, page);
+  }
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+}
+
 /* Among its ways to the limit is the exact program of all columns. */
 static void measure_accuracy(void) {
   tp_scene *scene = NULL;
@@ -315,6 +335,7 @@ static const struct {
              {"solve parts", solve_parts, 100},
              {"solve an outline of a file", solve_outline_of_file, 100},
              {"solve water", solve_water, 100},
+             {"solve repaired", solve_repaired, 100},
              {"solve bond", solve_bond, 100},
              {"solve a limit precisely", solve_limit_precisely, 2000},
              {"measure accuracy", measure_accuracy, 60},

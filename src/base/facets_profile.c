@@ -263,7 +263,7 @@ tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, con
   size_t *start = calloc((size_t)rings + 2, sizeof *start);
   if (start == NULL) return tp_fail_memory(message, "the contact");
   const tp_geom_rings all = tp_check_rings(lattice, 0, rings + 1, start);
-  tp_status status = tp_check_ring(&base->ring, lattice, rings, "the base profile", message);
+  tp_status status = tp_check_ring(&base->ring, lattice, rings, false, "the base profile", message);
   if (status == TP_OK) {
     status = tp_check_geometry(tp_geom_find_meetings(&all, rings, take_meeting, &s), "the contact",
                                message);

@@ -132,7 +132,7 @@ tp_status tp_check_section(tp_geom_triangulation *triangulation, const tp_sectio
   for (long r = 0; r < section->ring_count && status == TP_OK; r++) {
     char name[40];
     tp_section_ring_name(name, sizeof name, section, r);
-    status = tp_check_ring(section->rings + r, lattice, r, name, message);
+    status = tp_check_ring(section->rings + r, lattice, r, section->repairable, name, message);
   }
   if (status != TP_OK || section->ring_count == 1) return status;
   size_t *start = calloc((size_t)section->ring_count + 1, sizeof *start);

@@ -35,9 +35,10 @@ bool tp_check_keep_first(void *context, tp_geom_meeting meeting);
 const char *tp_check_verb(tp_geom_meeting_kind kind);
 
 /* Refuse a closed ring with a vertex given twice in a row, all vertices on a line, or one that
- * meets itself. `name` is the ring in the message. */
+ * meets itself. `name` is the ring in the message, which offers a repair where it is `repairable`
+ * and that would help. */
 TP_MUST_USE tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,
-                                    const char *name, tp_message *message);
+                                    bool repairable, const char *name, tp_message *message);
 
 /* Refuse holes that cut the block: all of its triangles, with those of its holes, whose layers are
  * checked. */

@@ -3,6 +3,7 @@
 
 #include "block/check.h"
 
+#include "block/repair.h"
 #include "number/ratio.h"
 
 #include <stdio.h>
@@ -111,27 +112,30 @@ const char *tp_check_verb(tp_geom_meeting_kind kind) {
 }
 
 static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *rings,
-                                 const char *name, tp_message *message) {
+                                 bool repairable, const char *name, tp_message *message) {
   tp_first_meeting first = {0};
-  const tp_status status = tp_check_geometry(
+  tp_status status = tp_check_geometry(
       tp_geom_find_meetings(rings, -1, tp_check_keep_first, &first), "a crossing outline", message);
   if (status != TP_OK) return status;
   if (!first.found) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1), "%s crosses itself", name);
   }
+  char advice[300];
+  status = tp_repair_advice(advice, sizeof advice, ring, repairable, message);
+  if (status != TP_OK) return status;
   const long a = (long)first.meeting.a, b = (long)first.meeting.b;
   char one[320], other[320], where[300];
   tp_check_edge_text(one, sizeof one, ring, a);
   tp_check_edge_text(other, sizeof other, ring, b);
   tp_place_text(where, sizeof where, tp_polyline_place(ring, b));
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, a),
-                 "%s %s itself: %s %s %s (%s); reorder or move the vertices", name,
+                 "%s %s itself: %s %s %s (%s); %s", name,
                  first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "touches", one,
-                 tp_check_verb(first.meeting.kind), other, where);
+                 tp_check_verb(first.meeting.kind), other, where, advice);
 }
 
 tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,
-                        const char *name, tp_message *message) {
+                        bool repairable, const char *name, tp_message *message) {
   const long first = lattice->start[chain], count = ring->count;
   for (long k = 0; k < count; k++) {
     const long next = k + 1 == count ? 0 : k + 1;
@@ -149,5 +153,5 @@ tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long
   bool simple = false;
   const tp_status status = tp_check_geometry(tp_geom_is_simple(&simple, &rings, 0), name, message);
   if (status != TP_OK || simple) return status;
-  return fail_not_simple(ring, &rings, name, message);
+  return fail_not_simple(ring, &rings, repairable, name, message);
 }

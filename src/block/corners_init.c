@@ -178,7 +178,7 @@ static tp_status check_other(const tp_section *section, const fmpq_t metres_per_
   tp_lattice lattice;
   tp_status status = tp_lattice_init(&lattice, &other, 1, metres_per_unit, message);
   if (status != TP_OK) return status;
-  status = tp_check_ring(other, &lattice, 0, "the outline with its arcs", message);
+  status = tp_check_ring(other, &lattice, 0, false, "the outline with its arcs", message);
   tp_lattice_clear(&lattice);
   return status;
 }

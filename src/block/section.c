@@ -5,6 +5,7 @@
 
 #include "block/ellipse.h"
 #include "block/outline.h"
+#include "block/repair.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,6 +23,7 @@ void tp_section_clear(tp_section *section) {
   free(section->ring_weights);
   free(section->density_weights);
   tp_polyline_clear(&section->element_corners);
+  tp_notes_clear(&section->notes);
   tp_arc_tips_clear(&section->arc_tips);
   fmpq_clear(section->weight_unit);
   memset(section, 0, sizeof *section);
@@ -113,6 +115,18 @@ static tp_status check_counts(const tp_section *section, tp_message *message) {
   return TP_OK;
 }
 
+/* Those that cross themselves by less than their last digits, where the scene asks for it. */
+static tp_status repair_rings(tp_section *section, tp_message *message) {
+  tp_status status = TP_OK;
+  for (long r = 0; r < section->ring_count && status == TP_OK; r++) {
+    char name[40];
+    tp_section_ring_name(name, sizeof name, section, r);
+    status = tp_repair_with_notes(section->rings + r, name, &section->notes, message);
+    tp_polyline_orient(section->rings + r);
+  }
+  return status;
+}
+
 tp_status tp_section_init(tp_section *section, const tp_block_description *block,
                           tp_message *message) {
   memset(section, 0, sizeof *section);
@@ -132,6 +146,8 @@ tp_status tp_section_init(tp_section *section, const tp_block_description *block
   } else {
     status = check_counts(section, message);
   }
+  section->repairable = !block->repair && block->arc_count == 0;
+  if (status == TP_OK && block->repair) status = repair_rings(section, message);
   if (status == TP_OK) status = tp_arcs_apply(&section->arc_tips, section->rings, block, message);
   if (status == TP_OK) {
     set_weights(section, block);

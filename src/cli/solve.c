@@ -109,14 +109,17 @@ static tp_status print_solution(const tp_solution *solution, const tp_solve_word
 static tp_status print_found(const tp_solution *solution, const tp_solve_words *a, int *written,
                              tp_message *message) {
   tp_found *found = NULL;
-  char *report = NULL;
+  char *report = NULL, *notes = NULL;
   tp_status status = tp_find(&found, a->scene, &a->find, message);
   if (status == TP_OK) {
     status = a->json ? tp_report_found_json(&report, found, solution)
                      : tp_report_found(&report, found, &a->find);
   }
+  if (status == TP_OK && !a->json) status = tp_report_notes(&notes, solution);
   if (status == TP_OK) *written = tp_cli_print(report);
+  if (status == TP_OK && *written == 0 && notes != NULL) *written = tp_cli_print(notes);
   free(report);
+  free(notes);
   tp_found_free(found);
   return status;
 }

@@ -42,6 +42,10 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
     return tp_fail(message, TP_BAD_INPUT, scene->block.place,
                    "formulas are derived for outlines of straight edges, not for curves");
   }
+  if (scene->block.repair) {
+    return tp_fail(message, TP_BAD_INPUT, scene->block.repair_place,
+                   "formulas are derived for the outline as it is given; leave out 'repair'");
+  }
   if (tp_loads_are_called_for(&scene->loads)) {
     return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
                    "formulas are derived for the weight alone; leave out 'loads'");

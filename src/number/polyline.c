@@ -65,6 +65,21 @@ bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line) {
   return true;
 }
 
+static void spread(fmpq_t size, const fmpq *values, long count) {
+  const fmpq *least = values, *most = values;
+  fmpq_zero(size);
+  for (const fmpq *at = values; at < values + count; at++) {
+    if (fmpq_cmp(at, least) < 0) least = at;
+    if (fmpq_cmp(at, most) > 0) most = at;
+  }
+  if (count > 0) fmpq_sub(size, most, least);
+}
+
+void tp_polyline_size(fmpq_t width, fmpq_t height, const tp_polyline *line) {
+  spread(width, line->x, line->count);
+  spread(height, line->y, line->count);
+}
+
 void tp_polyline_drop_closing_point(tp_polyline *line) {
   const long last = line->count - 1;
   if (last < 3 || !fmpq_equal(line->x, line->x + last) || !fmpq_equal(line->y, line->y + last)) {

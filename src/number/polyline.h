@@ -31,6 +31,9 @@ TP_MUST_USE bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmp
                                     tp_mark mark);
 TP_MUST_USE bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line);
 
+/* Width and height of the box around the points, both at least zero. */
+void tp_polyline_size(fmpq_t width, fmpq_t height, const tp_polyline *line);
+
 /* Drop the last point where it equals the first, unless that leaves fewer than three. */
 void tp_polyline_drop_closing_point(tp_polyline *line);
 

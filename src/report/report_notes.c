@@ -3,6 +3,7 @@
 
 #include "report/report_notes.h"
 
+#include "host.h"
 #include "report/encode.h"
 
 #include <string.h>
@@ -48,6 +49,16 @@ void tp_text_notes(tp_text *t, const tp_notes *notes) {
     }
     tp_text_add(t, "\n");
   }
+}
+
+tp_status tp_report_notes(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
+  tp_text t = {0};
+  tp_text_add(&t, "%s", "");
+  tp_text_notes(&t, &solution->notes);
+  return tp_text_finish(&t, text);
 }
 
 void tp_json_notes(tp_text *t, const tp_notes *notes) {

@@ -241,10 +241,20 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
   return status;
 }
 
+static tp_status read_repair(const tp_reader *reader, const tp_node *node) {
+  tp_block_description *block = &reader->scene->block;
+  if (node == NULL) return TP_OK;
+  const tp_status status = tp_read_bool(reader, &block->repair, node, "repair");
+  block->repair_place = tp_node_place(node, reader->scene->path);
+  if (status != TP_OK || !block->repair || block->arc_count == 0) return status;
+  return tp_read_fail(reader, node,
+                      "an outline with arcs cannot be repaired; leave out 'repair' or the arcs");
+}
+
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"teeth", "slab",  "outline", "ellipse",   "arcs",
-                                     "holes", "parts", "rounded", "thickness", "unit_weight_kn_m3",
-                                     NULL};
+  static const char *const keys[] = {"teeth",  "slab",  "outline", "ellipse",   "arcs",
+                                     "holes",  "parts", "rounded", "thickness", "unit_weight_kn_m3",
+                                     "repair", NULL};
   tp_block_description *block = &reader->scene->block;
   block->place = tp_node_place(node, reader->scene->path);
   tp_status status =
@@ -263,5 +273,5 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));
   if (status == TP_OK) status = tp_read_arcs(reader, tp_node_get(node, "arcs"));
   if (status == TP_OK) status = tp_read_rounded(reader, tp_node_get(node, "rounded"));
-  return status;
+  return status == TP_OK ? read_repair(reader, tp_node_get(node, "repair")) : status;
 }

@@ -45,30 +45,13 @@ static tp_status check_unit_weight(const tp_reader *reader, const tp_quantity *q
                       given, lightest, heaviest, unit, meant);
 }
 
-/* The larger of width and height of a chain, in scene lengths; its arcs may reach farther. */
-static void extent_of(fmpq_t extent, const tp_polyline *line) {
-  fmpq_t size;
-  fmpq_init(size);
-  fmpq_zero(extent);
-  const fmpq *const axes[2] = {line->x, line->y};
-  for (int axis = 0; axis < 2 && line->count > 0; axis++) {
-    const fmpq *least = axes[axis], *most = axes[axis];
-    for (const fmpq *at = axes[axis]; at < axes[axis] + line->count; at++) {
-      if (fmpq_cmp(at, least) < 0) least = at;
-      if (fmpq_cmp(at, most) > 0) most = at;
-    }
-    fmpq_sub(size, most, least);
-    if (fmpq_cmp(size, extent) > 0) fmpq_swap(size, extent);
-  }
-  fmpq_clear(size);
-}
-
+/* The larger of width and height in scene lengths; arcs may reach farther. */
 static void block_extent(fmpq_t extent, const tp_block_description *block) {
   fmpq_t other;
   fmpq_init(other);
   switch (block->form) {
   case TP_OUTLINE_VERTICES:
-    extent_of(extent, &block->outline);
+    tp_polyline_size(extent, other, &block->outline);
     break;
   case TP_OUTLINE_TEETH:
   case TP_OUTLINE_SLAB:

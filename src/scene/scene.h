@@ -84,6 +84,8 @@ typedef struct tp_block_description {
   long arc_count;
   tp_arc_description *arcs;
   tp_rounded_description rounded;
+  bool repair;           /* move vertices where rings meet themselves by less than a last digit */
+  tp_place repair_place; /* that says so */
   tp_quantity thickness; /* scene lengths; 1 m where not given */
   tp_quantity unit_weight_kn_m3;
 } tp_block_description;

@@ -76,6 +76,18 @@ class Notes(unittest.TestCase):
         self.assertIn("the block's thickness is 2 km", notes[0]["text"])
         self.assertEqual(notes[0]["place"], "scene.yaml:3:49")
 
+    def test_back_analysis(self):
+        """A number that is found for a weight in kg/m³ bears the caution too, in text and in JSON."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(
+                SLAB.format(width=1, height=2, unit="m", more=", unit_weight_kn_m3: 2600") + "tilt: {towards: left}\n")
+            words = ("--find", "block.slab.width", "--for", "critical_angle=45", "scene.yaml")
+            out = run("solve", *words, folder=folder)[1]
+            notes = json.loads(run("solve", "--json", *words, folder=folder)[1])["notes"]
+            self.assertIn("\n  2  (within", out)
+            self.assertIn("Caution  2600 kN/m³ is far from any rock", out)
+            self.assertEqual(len(notes), 1)
+
     def test_arcs_reach_beyond_their_ends(self):
         """A circle of 3.14 m on a flat of a nanometre is not small."""
         status, out, _ = run("solve", "--json", ROOT / "tests" / "hard" / "arc_of_all_but_1e_9.yaml")
