@@ -159,6 +159,19 @@ static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_sectio
   return add_beyond(base, scene, outline, last, 1, message);
 }
 
+/* Rock ends in an upright face below the profile's last point: no step may stand in its way. */
+static tp_status check_end(const tp_polyline *profile, bool left, tp_message *message) {
+  const long end = left ? 0 : profile->count - 1;
+  for (long k = end; fmpq_equal(profile->x + k, profile->x + end); k += left ? 1 : -1) {
+    if (fmpq_cmp(profile->y + k, profile->y + end) >= 0) continue;
+    return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, end),
+                   "the base profile %s with an upright step up to its %s point: rock without "
+                   "thickness; let it go on past the step, or leave the step out",
+                   left ? "begins" : "ends", left ? "first" : "last");
+  }
+  return TP_OK;
+}
+
 static tp_status set_profile(tp_base *base, const tp_polyline *profile, tp_message *message) {
   if (profile->count < 2) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
@@ -174,6 +187,10 @@ static tp_status set_profile(tp_base *base, const tp_polyline *profile, tp_messa
   if (fmpq_equal(profile->x, profile->x + profile->count - 1)) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(profile, -1),
                    "the base profile has no width: all its points lie on one upright line");
+  }
+  for (int side = 0; side < 2; side++) {
+    const tp_status status = check_end(profile, side == 0, message);
+    if (status != TP_OK) return status;
   }
   base->left = base->right = TP_END_PROFILE;
   tp_polyline_clear(&base->ring);

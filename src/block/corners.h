@@ -26,12 +26,15 @@ typedef struct tp_corners {
   tp_corner *items; /* in the order of their vertices */
 } tp_corners;
 
-/* The scene's rounded corners on the outline, the first chain of the lattice. Reflex corners, radii
- * that do not fit their edges, roundings that overlap, and arcs that a hole or another part of the
- * outline reaches across are bad input. On failure `corners` is cleared. */
+/* The scene's rounded corners on the outline, the first chain of the lattice. `ends`: the vertices
+ * where the contact ends, left and right; NULL: its base has a profile, and the ends meant are
+ * those of the underside, the leftmost and the rightmost vertex. Reflex corners, radii that do not
+ * fit their edges, roundings that overlap, and arcs that a hole or another part of the outline
+ * reaches across are bad input. On failure `corners` is cleared. */
 TP_MUST_USE tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block,
-                                      const tp_section *section, const tp_lattice *lattice,
-                                      const fmpq_t metres_per_unit, tp_message *message);
+                                      const long ends[2], const tp_section *section,
+                                      const tp_lattice *lattice, const fmpq_t metres_per_unit,
+                                      tp_message *message);
 void tp_corners_clear(tp_corners *corners);
 
 /* A corner in lattice units: tangent points on the edges before and after the vertex, the centre of

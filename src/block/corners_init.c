@@ -62,11 +62,15 @@ static void name_corner(char *text, size_t size, const tp_section *section, long
   snprintf(text, size, "(%.40s, %.40s)", x, y);
 }
 
-static tp_status locate(tp_corner *corner, const tp_corner_description *c,
+static tp_status locate(tp_corner *corner, const tp_corner_description *c, const long ends[2],
                         const tp_section *section, const tp_lattice *l, tp_message *message) {
   const long count = section->rings[0].count;
-  corner->vertex = c->at == TP_CORNER_VERTEX ? find_vertex(section->rings, c)
-                                             : find_end(l, count, c->at == TP_CORNER_LEFT_END);
+  const bool left = c->at == TP_CORNER_LEFT_END;
+  if (c->at == TP_CORNER_VERTEX) {
+    corner->vertex = find_vertex(section->rings, c);
+  } else {
+    corner->vertex = ends != NULL ? ends[left ? 0 : 1] : find_end(l, count, left);
+  }
   if (corner->vertex < 0) {
     return tp_fail(message, TP_BAD_INPUT, c->place, "the outline has no such vertex to round");
   }
@@ -215,10 +219,10 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
 
 /* Add the corner of a description; one of radius zero is none. */
 static tp_status add(tp_corners *corners, const tp_corner_description *description,
-                     const tp_section *section, const tp_lattice *l, const fmpq_t metres_per_unit,
-                     tp_message *message) {
+                     const long ends[2], const tp_section *section, const tp_lattice *l,
+                     const fmpq_t metres_per_unit, tp_message *message) {
   tp_corner corner = {.radius_place = description->radius.place};
-  const tp_status status = locate(&corner, description, section, l, message);
+  const tp_status status = locate(&corner, description, ends, section, l, message);
   if (status != TP_OK || fmpq_is_zero(description->radius.value)) return status;
   for (long k = 0; k < corners->count; k++) {
     if (corners->items[k].vertex == corner.vertex) {
@@ -243,7 +247,7 @@ static int compare_vertices(const void *a, const void *b) {
 }
 
 tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block,
-                          const tp_section *section, const tp_lattice *lattice,
+                          const long ends[2], const tp_section *section, const tp_lattice *lattice,
                           const fmpq_t metres_per_unit, tp_message *message) {
   const tp_rounded_description *rounded = &block->rounded;
   *corners = (tp_corners){0};
@@ -253,7 +257,7 @@ tp_status tp_corners_init(tp_corners *corners, const tp_block_description *block
   if (corners->items == NULL) return tp_fail_memory(message, "the corners");
   tp_status status = TP_OK;
   for (long k = 0; k < rounded->count && status == TP_OK; k++) {
-    status = add(corners, rounded->corners + k, section, lattice, metres_per_unit, message);
+    status = add(corners, rounded->corners + k, ends, section, lattice, metres_per_unit, message);
   }
   qsort(corners->items, (size_t)corners->count, sizeof *corners->items, compare_vertices);
   for (long k = 0; k < corners->count && status == TP_OK; k++) {

@@ -105,8 +105,12 @@ static tp_status round_corners(tp_problem *problem, const tp_solve_options *opti
                                tp_solution *solution, tp_message *message) {
   const tp_scene *scene = problem->scene;
   const tp_effect_begin began = tp_effects_begin(solution);
-  const tp_status status = tp_corners_init(&problem->corners, &scene->block, &problem->section,
-                                           &problem->lattice, scene->metres_per_unit, message);
+  const tp_base *base = &problem->base;
+  const long ends[2] = {base->outline_first, (base->outline_first + base->mated_count) %
+                                                 problem->section.rings[0].count};
+  const tp_status status =
+      tp_corners_init(&problem->corners, &scene->block, scene->base.mated ? ends : NULL,
+                      &problem->section, &problem->lattice, scene->metres_per_unit, message);
   tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began);
   if (status == TP_OK && problem->corners.count > 0 && options->elements) {
     return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
