@@ -18,7 +18,7 @@ typedef enum tp_limit_kind {
   TP_LIMIT_NOT_ASKED, /* the scene gives no friction angle */
   TP_LIMIT_AT_ANGLE,
   TP_LIMIT_INTERLOCKED, /* forces hold it at every tilt up to 90 degrees */
-  TP_LIMIT_NOWHERE,     /* no forces hold it at any tilt */
+  TP_LIMIT_NOWHERE,     /* no forces hold it at any tilt, or at single ones alone */
   TP_LIMIT_UNDECIDED    /* at the precision allowed */
 } tp_limit_kind;
 

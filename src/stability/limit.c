@@ -113,6 +113,26 @@ static void leave_open(tp_limit *result, const asking *a) {
   if (!result->too_dear && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
 }
 
+/* Under loads that do not turn with the weight a contact in one place holds at single tilts at
+ * most, where all moments about it cancel: their sum is a combination of independent functions of
+ * the tilt, and not all of them vanish. No strength changes that. */
+static bool holds_at_single_tilts(const asking *a) {
+  const tp_cones *cones = a->cones;
+  if (a->e->loaded == NULL || a->outcome == TP_LIMIT_OUT_OF_MEMORY) return false;
+  for (long k = 1; k < cones->count; k++) {
+    if (cones->points[k].site != cones->points[0].site) return false;
+  }
+  tp_trig moment;
+  bool vanishes = true;
+  tp_trig_init(&moment);
+  tp_loaded_moment(&moment, a->e->loaded, a->e, 0);
+  for (int k = 0; k < TP_BASIS; k++) {
+    vanishes = vanishes && arb_contains_zero(moment.of + k);
+  }
+  tp_trig_clear(&moment);
+  return !vanishes;
+}
+
 /* The factor of safety by strength reduction, with the friction at the scene's tilt. */
 static void reduce_strength(tp_limit *result, asking *a) {
   tp_evaluation *e = a->e;
@@ -134,7 +154,9 @@ static void reduce_strength(tp_limit *result, asking *a) {
   tp_friction_tangent(a->cones->friction, friction, e->rung.bits);
   tp_work_begin(e->work, tp_cones_column_count(a->cones));
   a->outcome = tp_reduction_find(&found, a->question, a->cones, tilt, e->digits);
-  if (a->outcome != TP_LIMIT_PROVEN) {
+  if (a->outcome != TP_LIMIT_PROVEN && holds_at_single_tilts(a)) {
+    result->fos.state = TP_FOS_UNDEFINED;
+  } else if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
     leave_open(result, a);
   } else if (found.kind == TP_REDUCTION_FACTOR) {
@@ -151,6 +173,11 @@ static void reduce_strength(tp_limit *result, asking *a) {
 static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a,
                      tp_direction towards) {
   tp_evaluation *e = a->e;
+  if (a->outcome != TP_LIMIT_PROVEN && holds_at_single_tilts(a)) {
+    result->kind = TP_LIMIT_NOWHERE;
+    result->mechanism = TP_SLIDES_AND_TOPPLES;
+    return;
+  }
   if (a->outcome != TP_LIMIT_PROVEN) {
     result->kind = TP_LIMIT_UNDECIDED;
     result->mechanism = TP_MECHANISM_UNDECIDED;

@@ -7,6 +7,7 @@
 #include "host.h"
 #include "notes.h"
 #include "number/ladder.h"
+#include "stability/cautions.h"
 #include "stability/effects.h"
 #include "stability/governing.h"
 #include "stability/loaded.h"
@@ -209,7 +210,8 @@ static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_sol
   tp_status status = tp_notes_append(&solution->notes, &scene->notes, message);
   if (status == TP_OK) status = tp_problem_init(&problem, scene, options, solution, message);
   if (status != TP_OK) return status;
-  status = tp_solve_problem(solution, &problem, options, message);
+  status = tp_problem_cautions(&solution->notes, &problem, message);
+  if (status == TP_OK) status = tp_solve_problem(solution, &problem, options, message);
   tp_problem_clear(&problem);
   return status;
 }

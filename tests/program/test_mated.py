@@ -149,6 +149,50 @@ class Mated(unittest.TestCase):
         self.assertIn("mated must be true, false, or 'whole'", self.refused(outline, "base: {mated: all}"))
         self.assertIn("or what all its vertices lie within", self.refused(outline, "base: {between: 5}"))
 
+    def test_rounded_ends(self):
+        """A corner at the right end is that of the contact: of the block that leans out its sole's end, not its
+        uppermost vertex. The sole is left to its tangent point, at r tan of half the turn, and no pivot lies off it."""
+        leaning = [(0, 0), (2, 0), (3, 6), (1, 6)]
+        points = ", ".join(f"[{x}, {y}]" for x, y in leaning)
+        length = 0.3 * math.tan(math.atan2(6, 1) / 2)
+        for base in ("", "base: {between: [[0, 0], [2, 0]]}", "base: {between: {below: 1}}"):
+            self.path.write_text(f"topple: 1\nlength_unit: m\nblock: {{outline: [{points}], rounded: {{corners: [{{at: right_end, "
+                                 f"radius: 0.3}}]}}}}\n{base}\nfriction_angle_deg: 30\ntilt: {{towards: left, angle_deg: 5}}\n")
+            pivots = [(p["x_m"]["value"], p["y_m"]["value"]) for p in solve(self.path)["cases"][0]["pivots"]]
+            self.assertEqual(len(pivots), 2)
+            self.assertEqual(pivots[0], (0, 0))
+            self.assertAlmostEqual(pivots[1][0], 2 - length, delta=1e-12)
+            self.assertEqual(pivots[1][1], 0)
+
+    def notes(self):
+        return " ".join(note["text"] for note in json.loads(run("solve", "--json", self.path)[1])["notes"])
+
+    def test_water_on_a_leaning_side(self):
+        """Water is put on a face normal to the base: told where the side leans, and which way that errs."""
+        for outline, towards, said in (([(0, 0), (4, 0), (6, 8), (0, 8)], "left", "leans out over it: what it pushes upwards"),
+                                       ([(0, 0), (4, 0), (3, 8), (0, 8)], "left", "leans back from it: what it pushes downwards"),
+                                       ([(0, 0), (4, 0), (4, 8), (-1, 8)], "right", "leans out over it: what it pushes upwards"),
+                                       ([(0, 0), (4, 0), (4, 2), (5, 8), (0, 8)], "left", None),
+                                       ([(0, 0), (4, 0), (4, 8), (0, 8)], "left", None)):
+            points = ", ".join(f"[{x}, {y}]" for x, y in outline)
+            self.path.write_text(f"topple: 1\nlength_unit: m\nblock: {{outline: [{points}], unit_weight_kn_m3: 26}}\n"
+                                 f"loads: {{water: {{height: 2}}}}\ntilt: {{towards: {towards}, angle_deg: 5}}\n")
+            self.assertEqual(said in self.notes() if said else "leans" not in self.notes(), True, (outline, said))
+
+    def test_one_place(self):
+        """On a ridge under a pull that does not turn: moments about the ridge cancel where 208 * 2 sin a = 10 * 2 cos 200,
+        at a single tilt, and at 5 degrees they do not. That was undecided."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 0], [2, 4], [0, 4]], unit_weight_kn_m3: 26}\n"
+                             "base: {profile: [[-3, -1], [1, 0], [3, -1]]}\nfriction_angle_deg: 30\nloads: {anchors: [{at: [1, 2], "
+                             "direction_deg: 200, force_kn: 10}]}\ntilt: {towards: left, angle_deg: 5}\n")
+        status, out, err = run("solve", "--json", self.path)
+        self.assertEqual((status, err), (0, ""))
+        case = json.loads(out)["cases"][0]
+        self.assertEqual(case["mechanism"], "slides and topples")
+        self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"],
+                               math.degrees(math.asin(10 * 2 * math.cos(math.radians(200)) / (208 * 2))), delta=1e-9)
+        self.assertIn("in one place alone", self.notes())
+
     def test_upright_sole(self):
         """A contact without length along the mean plane has no weight per area of it."""
         self.path.write_text("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 0], [2, 4], [0, 4]], "

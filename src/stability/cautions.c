@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/cautions.h"
+
+#include "notes.h"
+
+/* How the side of the block that water wets differs from a face normal to the base. */
+typedef struct side {
+  bool out, back; /* it leans out over the water somewhere, or back from it */
+} side;
+
+/* Up the outline from the up-dip end of the contact, a vertex, as far as the water reaches. */
+static side wetted_side(const tp_problem *problem, long heel, bool left) {
+  const tp_lattice *l = &problem->lattice;
+  const tp_scene *scene = problem->scene;
+  const long count = l->start[1];
+  side found = {false, false};
+  fmpq_t level, height;
+  fmpq_init(level);
+  fmpq_init(height);
+  fmpq_mul(level, scene->loads.water.height.value, scene->metres_per_unit);
+  fmpq_div(level, level, l->step_m);
+  fmpq_add_fmpz(level, level, l->y + heel);
+  for (long k = heel, seen = 0; seen < count; seen++) {
+    const long next = left ? (k + 1) % count : (k + count - 1) % count;
+    fmpq_set_fmpz(height, l->y + k);
+    if (fmpq_cmp(height, level) >= 0) break;
+    const int out = fmpz_cmp(l->x + next, l->x + k);
+    found.out = found.out || (left ? out > 0 : out < 0);
+    found.back = found.back || (left ? out < 0 : out > 0);
+    k = next;
+  }
+  fmpq_clear(level);
+  fmpq_clear(height);
+  return found;
+}
+
+/* Water is put on a face normal to the base; its push along the base is the same on any side of the
+ * same height, but not the one normal to it. */
+static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool left,
+                            tp_message *message) {
+  const tp_contact *contact = &problem->contact;
+  const tp_water_description *water = &problem->scene->loads.water;
+  const tp_contact_point *heel = contact->points + (left ? contact->point_count - 1 : 0);
+  const tp_lattice *l = &problem->lattice;
+  const char *towards = left ? "left" : "right";
+  const long facet = left ? heel->left : heel->right;
+  if (facet >= 0) {
+    const tp_facet *f = contact->facets + facet;
+    if (fmpz_equal(l->x + f->t0, l->x + f->t1)) {
+      const tp_status status = tp_notes_add(
+          notes, message, TP_CAUTION, water->place,
+          "tilted towards the %s, the contact ends up-dip in an upright facet: the water is taken "
+          "to stand above the upper end of that facet, and none behind it",
+          towards);
+      if (status != TP_OK) return status;
+    }
+  }
+  if (heel->point >= l->start[1]) return TP_OK; /* inside an edge, which goes on under the water */
+  const side wetted = wetted_side(problem, heel->point, left);
+  if (!wetted.out && !wetted.back) return TP_OK;
+  return tp_notes_add(
+      notes, message, TP_CAUTION, water->place,
+      "tilted towards the %s, the water is put on a face normal to the base, but "
+      "the side of the block that it wets leans %s: what it pushes %s there is left "
+      "out, which is %s; give it as 'pressures' on the edges that it wets",
+      towards, wetted.out ? "out over it" : "back from it", wetted.out ? "upwards" : "downwards",
+      wetted.out ? "not cautious" : "cautious");
+}
+
+static bool is_one_place(const tp_contact *contact, const tp_lattice *l) {
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (!tp_facet_same_point(l, f->q0, f->q1) ||
+        !tp_facet_same_point(l, f->q0, contact->facets->q0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  tp_status status = TP_OK;
+  if (is_one_place(&problem->contact, &problem->lattice)) {
+    const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
+    status = tp_notes_add(notes, message, TP_CAUTION, place,
+                          "the block touches its base in one place alone: it can balance there at "
+                          "single tilts, where all moments about that place cancel, and stands at "
+                          "no other; whether it balances at one to the last digit may stay "
+                          "undecided");
+  }
+  if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
+  if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);
+  if (status == TP_OK && scene->towards_right) status = note_water(notes, problem, false, message);
+  return status;
+}
