@@ -188,7 +188,7 @@ class Mated(unittest.TestCase):
         status, out, err = run("solve", "--json", self.path)
         self.assertEqual((status, err), (0, ""))
         case = json.loads(out)["cases"][0]
-        self.assertEqual(case["mechanism"], "slides and topples")
+        self.assertEqual(case["limit"]["mechanism"], "holds nowhere")
         self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"],
                                math.degrees(math.asin(10 * 2 * math.cos(math.radians(200)) / (208 * 2))), delta=1e-9)
         self.assertIn("in one place alone", self.notes())
