@@ -167,7 +167,7 @@ static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *ro
 static tp_status check_columns(reader *r, const tp_csv_row *row) {
   const int most = r->columns > 0 ? r->columns : 2;
   size_t comma = 0;
-  if (row->open_quote) return fail(r, row->fields[row->count - 1].at, "this quote is not closed");
+  if (row->open_quote) return fail(r, row->quote, "this quote is not closed");
   if (r->separator == ';' && row->separator == ',') {
     return fail(r, 0,
                 "the columns were separated by ';' so far, here by ','; if this is a decimal "
@@ -231,7 +231,7 @@ static tp_status read_lines(reader *r) {
       length -= 3;
     }
     tp_csv_split(&row, text, length, r->named);
-    if (row.length == 0) continue;
+    if (row.count == 0 && !row.open_quote) continue; /* empty, or separators alone */
     const bool above = r->header_lines < MOST_HEADER_LINES && r->points->count == 0;
     status = above && is_header(&row) ? read_header(r, &row) : read_point(r, &row, x, y);
   }

@@ -59,7 +59,8 @@ static tp_csv_field read_field(tp_csv_row *row, size_t *at) {
   while (quoted && end < row->length && (text[end] != '"' || is_doubled(row, end))) {
     end += text[end] == '"' ? 2 : 1;
   }
-  row->open_quote = quoted && end == row->length;
+  row->open_quote = quoted && end >= row->length;
+  row->quote = *at;
   size_t next = end;
   while (next < row->length && !separates(row, text[next])) next++;
   if (!quoted) end = next;
@@ -85,7 +86,7 @@ void tp_csv_split(tp_csv_row *row, const char *text, size_t length, char named) 
     if (row->count < TP_CSV_FIELDS) row->fields[row->count++] = field;
     at++;
   }
-  while (row->count > 0 && row->fields[row->count - 1].length == 0) row->count--;
+  while (!row->too_many && row->count > 0 && row->fields[row->count - 1].length == 0) row->count--;
 }
 
 static bool starts_number(const char *text, size_t length) {

@@ -26,7 +26,8 @@ typedef struct tp_csv_row {
   char separator;
   int count;       /* of the fields; further ones are not kept */
   bool too_many;   /* there are */
-  bool open_quote; /* the last field begins with a quote that is not closed */
+  bool open_quote; /* the last field begins with a quote that is not closed, ... */
+  size_t quote;    /* ... here */
   tp_csv_field fields[TP_CSV_FIELDS];
 } tp_csv_row;
 

@@ -178,7 +178,11 @@ class Csv(unittest.TestCase):
         self.assertIn("scene.yaml:4:51: this vertex closes the outline for the parameters as they are", err)
 
     def test_quotes(self):
-        self.refuse('0,0\n"1,0\n1,1\n', "2:2", "this quote is not closed")
+        self.refuse('0,0\n"1,0\n1,1\n', "2:1", "this quote is not closed")
+        self.refuse('0,0\n"\n1,1\n', "2:1", "this quote is not closed")
+        self.refuse("0,0\n1,1" + "," * 70 + "9\n", "2:5", "more than two columns")
+        self.refuse("0,0\n" + "," * 70 + "9\n", "2:3", "more than two columns")
+        self.same(",,\n" + rows().replace("\n", "\n;;\n"))
 
 
 if __name__ == "__main__":
