@@ -37,8 +37,8 @@
 #ifndef TOPPLE_H
 #define TOPPLE_H
 
-#include "topple_governing.h"
 #include "topple_contact.h"
+#include "topple_governing.h"
 #include "topple_limit.h"
 #include "topple_onset.h"
 
@@ -221,9 +221,11 @@ typedef struct tp_solution {
   tp_notes notes; /* of the scene's reading and of its solution */
   size_t effect_count;
   tp_effect effects[TP_EFFECTS_MAX];
-  tp_level level;               /* the arithmetic that certified the numbers */
-  long bits;                    /* working precision of the last evaluation */
-  int digits;                   /* asked of every number */
+  tp_level level;   /* the arithmetic that certified the numbers */
+  long bits;        /* working precision of the last evaluation */
+  int digits;       /* asked of every number */
+  bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
+                       rule */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
 
@@ -254,7 +256,8 @@ TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
                                const tp_solve_options *options, tp_message *message);
 void tp_solution_free(tp_solution *solution);
 
-/* Did the precision allowed leave a mechanism open? Every number given is certain all the same. */
+/* Did the precision allowed leave a mechanism open, or a number less certain than was asked? Every
+ * other number is certain all the same, and each has its proven bound. */
 bool tp_solution_is_undecided(const tp_solution *solution);
 
 /* Does every case meet a design factor of safety: is its governing one certainly as much, at a tilt

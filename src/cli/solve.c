@@ -76,6 +76,12 @@ static int end_open(const tp_solution *solution, const tp_solve_words *a, const 
   for (size_t k = 0; k < solution->case_count; k++) {
     print_open(solution->cases + k, solution, scene);
   }
+  if (solution->open_number) {
+    tp_cli_complain(
+        "%s: a number is not certain to %d digit%s at %ld bits, and given with the bound "
+        "that it has",
+        scene, solution->digits, solution->digits == 1 ? "" : "s", solution->bits);
+  }
   return judged != 0 ? judged : tp_status_exit(TP_UNDECIDED);
 }
 

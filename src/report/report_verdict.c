@@ -38,10 +38,13 @@ static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
 static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
   const char *said = NULL;
   if (c->limit.kind == TP_LIMIT_NOWHERE) {
-    tp_text_add(&p->text, "  Does not stand: no forces of the base hold it at any tilt%s.\n",
+    tp_text_add(&p->text,
+                "  Does not stand: no forces of the base hold it at any tilt, and it\n  %s%s.\n",
+                tp_text_mechanism(c->mechanism),
                 p->solution->contact.corner_points > 0
-                    ? ";\n  its contacts of a corner on a corner count as no support"
+                    ? "; its contacts of a corner on a corner count as no support"
                     : "");
+    tp_page_add_motions(p, c);
     return true;
   }
   if (add_up_dip(p, c, where)) return true;

@@ -37,14 +37,21 @@ static bool is_certain(const tp_evaluation *e, const arb_t ball) {
   return tp_ball_certain(ball, e->decimals != NULL ? e->digits + SPARE : e->digits);
 }
 
+/* More bits may tell; on the last rung what is finite is given as it is. */
+static tp_bounded uncertain(tp_evaluation *evaluation, const arb_t ball) {
+  if (tp_evaluation_is_last_rung(evaluation) && arb_is_finite(ball)) {
+    evaluation->open_number = true;
+  } else {
+    evaluation->certain = false;
+  }
+  return tp_ball_bounded(ball);
+}
+
 tp_bounded tp_evaluation_result_scaled(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_scale) {
   const bool zero =
       arb_contains_zero(ball) && tp_evaluation_is_zero_width(evaluation, ball, log2_scale);
-  if (!zero && !is_certain(evaluation, ball)) {
-    evaluation->certain = false;
-    return tp_ball_bounded(ball);
-  }
+  if (!zero && !is_certain(evaluation, ball)) return uncertain(evaluation, ball);
   return tp_evaluation_bounded(evaluation, ball);
 }
 
@@ -57,8 +64,7 @@ tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ba
   const double asked = log2_size - 3.33 * evaluation->digits; /* 10^-digits > 2^(-3.33 digits) */
   if (!is_certain(evaluation, ball) &&
       !(arb_is_finite(ball) && tp_mag_log2(arb_radref(ball)) < asked)) {
-    evaluation->certain = false;
-    return tp_ball_bounded(ball);
+    return uncertain(evaluation, ball);
   }
   return tp_evaluation_bounded(evaluation, ball);
 }

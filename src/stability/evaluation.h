@@ -20,6 +20,8 @@ typedef struct tp_evaluation {
   tp_moments moments;
   arb_t weight_per_area_pa; /* on the mean plane, level; zero where the block has no weight */
   bool certain;             /* all numbers and decisions so far */
+  bool open_number; /* on the last rung: a number is not certain to the digits asked, and is given
+                       with its bound, so that the others are not lost */
   bool *settled[2]; /* by direction: pivots all of whose numbers a lower rung made certain */
   tp_work *work;    /* of the limit on all rungs; NULL: any */
   long tie_bits; /* of the last tie that was compared: 0 where it is proven, else the bits that do

@@ -148,7 +148,8 @@ static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const facet_fram
     fos.value = tp_evaluation_result(e, value);
   } else if (!arb_is_nonpositive(driving) &&
              !tp_evaluation_is_zero_width(e, driving, log2_scale(loaded, f))) {
-    e->certain = false;
+    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+    fos.state = TP_FOS_UNDECIDED;
   }
   arb_clear(sine);
   arb_clear(cosine);

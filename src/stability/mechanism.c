@@ -88,6 +88,12 @@ static bool has_support(const tp_problem *problem) {
   return false;
 }
 
+/* Where nothing holds it at any tilt, what begins. */
+static tp_mechanism first_of_nothing(const tp_evaluation *e, const tp_case *result) {
+  if (!has_support(e->problem)) return TP_LEAVES_BASE;
+  return result->onset.kind == TP_ONSET_NOWHERE ? result->onset.mechanism : TP_SLIDES_AND_TOPPLES;
+}
+
 /* Where some forces hold it at every tilt, but a motion can begin, that is the first to tell. */
 static const tp_direction_ball *first_of_interlocked(tp_case *result,
                                                      const tp_direction_ball *onset) {
@@ -116,7 +122,7 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
   case TP_LIMIT_INTERLOCKED:
     return first_of_interlocked(result, onset);
   case TP_LIMIT_NOWHERE:
-    result->first = has_support(e->problem) ? TP_SLIDES_AND_TOPPLES : TP_LEAVES_BASE;
+    result->first = first_of_nothing(e, result);
     return NULL;
   case TP_LIMIT_UNDECIDED:
     result->first = TP_MECHANISM_UNDECIDED;

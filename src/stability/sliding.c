@@ -105,7 +105,8 @@ static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
     arb_div(value, value, needed, bits);
     fos.value = tp_evaluation_result(e, value);
   } else if (!arb_is_nonpositive(needed)) {
-    e->certain = false;
+    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+    fos.state = TP_FOS_UNDECIDED;
   }
   arb_clear(needed);
   arb_clear(value);

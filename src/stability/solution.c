@@ -27,7 +27,7 @@ void tp_solution_free(tp_solution *solution) {
 }
 
 bool tp_solution_is_undecided(const tp_solution *solution) {
-  if (solution == NULL) return true;
+  if (solution == NULL || solution->open_number) return true;
   for (size_t k = 0; k < solution->case_count; k++) {
     const tp_case *own = solution->cases + k;
     if (own->mechanism == TP_MECHANISM_UNDECIDED || own->first == TP_MECHANISM_UNDECIDED ||

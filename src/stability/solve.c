@@ -141,6 +141,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_moments_clear(&evaluation.moments);
   arb_clear(evaluation.weight_per_area_pa);
   *certain = evaluation.certain;
+  c->solution->open_number = evaluation.open_number;
   done = done && (evaluation.decimals == NULL || !tp_decimals_failed(evaluation.decimals));
   return done ? TP_OK : tp_fail_memory(c->message, "the loads, the limit or the digits");
 }
