@@ -129,6 +129,12 @@ static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyl
   return done ? TP_OK : tp_fail_memory(message, "the base");
 }
 
+/* Does the rest of the block stay clear of a base that goes on level past this end? Where its side
+ * begins it rises by more than it runs from there. */
+static bool stays_clear(tp_contact_end end) {
+  return end == TP_END_WHOLE || end == TP_END_STEEP;
+}
+
 static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_section *section,
                            tp_message *message) {
   const tp_polyline *outline = section->rings;
@@ -139,8 +145,7 @@ static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_sectio
   base->left = underside.left;
   base->right = underside.right;
   base->nowhere_level = underside.nowhere_level;
-  base->mated =
-      underside.left == TP_END_WHOLE && underside.right == TP_END_WHOLE && !underside.stated;
+  base->mated = !underside.stated && stays_clear(underside.left) && stays_clear(underside.right);
   base->outline_first = first;
   base->mated_count = (last - first + outline->count) % outline->count;
   status = add_beyond(base, scene, outline, first, -1, message);
