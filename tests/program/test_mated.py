@@ -179,6 +179,15 @@ class Mated(unittest.TestCase):
                                  f"loads: {{water: {{height: 2}}}}\ntilt: {{towards: {towards}, angle_deg: 5}}\n")
             self.assertEqual(said in self.notes() if said else "leans" not in self.notes(), True, (outline, said))
 
+    def test_water_above_an_upright_end(self):
+        """A contact that ends up-dip in an upright facet: the water is counted from the upper end of that, and told so."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [4, 0], [4, 1], [4, 8], [0, 8]], unit_weight_kn_m3: 26}\n"
+                             "base: {profile: [[0, 0], [4, 0], [4, 1], [9, 1]]}\nloads: {water: {height: 2}}\n"
+                             "tilt: {towards: left, angle_deg: 5}\n")
+        self.assertIn("the contact ends up-dip in an upright facet", self.notes())
+        self.path.write_text(self.path.read_text().replace("[4, 1], [9, 1]", "[9, 0]"))
+        self.assertNotIn("upright facet", self.notes())
+
     def test_one_place(self):
         """On a ridge under a pull that does not turn: moments about the ridge cancel where 208 * 2 sin a = 10 * 2 cos 200,
         at a single tilt, and at 5 degrees they do not. That was undecided."""
