@@ -96,6 +96,16 @@ START_TEST(solutions) {
   UNWRITTEN(tp_report_table(NULL, two, 1));
   UNWRITTEN(tp_report_table(&text, NULL, 1));
   UNWRITTEN(tp_report_table(&text, two, 2));
+  UNWRITTEN(tp_report_csv(NULL, two, 1));
+  UNWRITTEN(tp_report_csv(&text, NULL, 1));
+  UNWRITTEN(tp_report_csv(&text, two, 2));
+  UNWRITTEN(tp_report_effects(NULL, own));
+  UNWRITTEN(tp_report_effects(&text, NULL));
+  UNWRITTEN(tp_report_json_pivots(NULL, own, TP_PIVOTS_ALL));
+  UNWRITTEN(tp_report_json_pivots(&text, NULL, TP_PIVOTS_ALL));
+  ck_assert_int_eq(tp_solution_meets(NULL, 1), TP_DESIGN_OPEN);
+  ck_assert_int_eq(tp_solution_meets(own, NAN), TP_DESIGN_OPEN);
+  ck_assert_int_eq(tp_case_meets(NULL, 1), TP_DESIGN_OPEN);
   REFUSED(tp_report_figure(NULL, scene, own, &message), "'path'");
   REFUSED(tp_report_figure("/tmp/x.svg", NULL, own, &message), "'scene'");
   REFUSED(tp_report_figure("/tmp/x.svg", scene, NULL, &message), "'solution'");

@@ -121,10 +121,21 @@ static void add_scene_tilt(tp_text *t, const tp_figure *figure, const tp_state *
     return;
   }
   if (!solution->has_tilt_angle) return;
+  const bool moves = own->mechanism == TP_SLIDES || own->mechanism == TP_TOPPLES ||
+                     own->mechanism == TP_SLIDES_AND_TOPPLES;
   tp_text_add(t, " At the scene's tilt of %s° it %s",
               tp_page_degrees(n[0], solution->tilt_angle_deg),
-              own->mechanism == TP_INTERLOCKED ? "stands" : tp_text_mechanism(own->mechanism));
-  if (own->has_margin) tp_text_add(t, ", a margin of %s°", degrees(n[1], own->margin_deg));
+              own->mechanism == TP_INTERLOCKED          ? "stands"
+              : moves && tp_onset_is_known(&own->onset) ? "does not stand"
+                                                        : tp_text_mechanism(own->mechanism));
+  tp_bounded margin = own->margin_deg;
+  if (own->onset.kind == TP_ONSET_AT_ANGLE &&
+      own->mechanism == TP_STANDS) { /* to where it may move */
+    margin = tp_text_less(own->onset.critical_angle_deg, solution->tilt_angle_deg);
+  }
+  if (own->has_margin && own->mechanism != TP_MAY_MOVE) {
+    tp_text_add(t, ", a margin of %s°", degrees(n[1], margin));
+  }
   tp_text_add(t, ".");
 }
 

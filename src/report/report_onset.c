@@ -71,7 +71,7 @@ static void add_moves(tp_page *p, const tp_case *c) {
   case TP_LIMIT_AT_ANGLE:
     if (!tp_onset_leaves_window(c)) return;
     tp_text_add(
-        &p->text, "  Certain to move beyond α_w = %s°:\n  it ",
+        &p->text, "  Certain to move beyond α_w = %s°:\n  by limit analysis it ",
         tp_text_fixed(
             n, c->slides_sooner ? c->sliding.critical_angle_deg : c->limit.critical_angle_deg, 3));
     tp_page_add_first(p, c);
@@ -142,9 +142,10 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
   add_moves(p, c);
   if (tp_onset_leaves_window(c)) {
     tp_text_add(&p->text,
-                "  Between them history decides: friction on facets that nothing has pressed\n"
+                "  %s history decides: friction on facets that nothing has pressed\n"
                 "  could hold it. How it came to lie there would tell, or a tilt test, or the\n"
-                "  tilting table.\n");
+                "  tilting table.\n",
+                c->limit.kind == TP_LIMIT_AT_ANGLE ? "Between them" : "Beyond that");
   }
   add_windows(p, &c->onset);
   if (c->onset.paradox) {

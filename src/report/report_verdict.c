@@ -96,6 +96,23 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
               tp_text_fixed(n[1], c->margin_deg, 3));
 }
 
+/* The motions that can begin there, each mechanism once; where none is known what is by limit
+ * analysis. */
+static void add_begun(tp_page *p, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  bool any = false;
+  for (int m = TP_SLIDES; m <= TP_LEAVES_BASE && o->has_motions; m++) {
+    for (size_t k = 0; k < o->motion_count; k++) {
+      if ((int)o->motions[k].mechanism != m) continue;
+      tp_text_add(&p->text, "%s%s", any ? ", or to " : "can begin to ",
+                  tp_text_to_move((tp_mechanism)m));
+      any = true;
+      break;
+    }
+  }
+  tp_text_add(&p->text, "%s.\n", any ? "" : tp_text_mechanism(c->mechanism));
+}
+
 /* What holds at the scene's tilt, in the light of the onset. */
 static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
   switch (c->mechanism) {
@@ -113,7 +130,8 @@ static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
   case TP_TOPPLES:
   case TP_SLIDES_AND_TOPPLES:
   case TP_LEAVES_BASE:
-    tp_text_add(&p->text, "  Does not stand %s: it %s.\n", where, tp_text_mechanism(c->mechanism));
+    tp_text_add(&p->text, "  Does not stand %s: it ", where);
+    add_begun(p, c);
     return;
   }
 }

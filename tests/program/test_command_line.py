@@ -67,7 +67,10 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(case["mechanism"], "stands")
         names = [effect["name"] for effect in case["effects"]]
         self.assertEqual(names, ["outline", "contact", "elements", "moments", "toppling", "sliding",
-                                 "limit"])
+                                 "limit", "onset"])
+        self.assertLessEqual({"fos", "mechanism", "definition"}, set(case["governing_fos"]))
+        self.assertLessEqual({"critical_angle_deg", "mechanism", "windows"}, set(case["onset"]))
+        self.assertIsInstance(case["motions"], list)
         for effect in case["effects"]:
             self.assertEqual(set(effect), {"name", "called_for_by", "seconds", "level"})
 

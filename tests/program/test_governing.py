@@ -136,7 +136,7 @@ class Governing(unittest.TestCase):
         for _ in range(60 * ROUNDS):
             xs = [0]
             for _ in range(random.randint(1, 4)):
-                xs.append(xs[-1] + random.randint(2, 9))
+                xs.append(xs[-1] + random.randint(4, 9))
             sole = [[x, random.randint(0, 3)] for x in xs]
             height = random.randint(5, 40)
             outline = sole + [[xs[-1], height], [0, height]]

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The verdict in words: certain to stand up to one tilt, certain to move beyond another, history between.
+
+Block A about its peak with a friction of 60 degrees: moments about the toe let it go at 26.215 degrees, forces on the
+steep facets could hold it up to 30.251 (docs/mechanics.md section 6a). The report said that it stands at 28. Text,
+JSON, table, CSV and figure are held to one another; the angles come from closed forms and from the mechanics page."""
+
+import csv
+import io
+import json
+import math
+import pathlib
+import tempfile
+import unittest
+
+from harness import ROOT, main, run
+
+BLOCK_A = (ROOT / "examples/block_a_peak.yaml").read_text(encoding="utf-8")
+
+
+class Verdict(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="topple verdict ")
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name) / "scene.yaml"
+
+    def block_a(self, friction, tilt):
+        self.path.write_text(BLOCK_A.replace("friction_angle_deg: 30", f"friction_angle_deg: {friction}").replace(
+            "tilt: {towards: left}", f"tilt: {{towards: left, angle_deg: {tilt}}}"))
+        return run("solve", self.path)[1], json.loads(run("solve", "--json", self.path)[1])["cases"][0]
+
+    def test_window(self):
+        """Below, within and beyond: the same two angles, and what holds at the tilt. The lower one is the moments'
+        closed form of the paper, atan2 of the lever arms about the peak."""
+        area = 3 * 15 * 94 + 3 * 15 * 5 / 2
+        arms = [(15 * k + 7.5, 5 + 47, 15 * 94) for k in range(3)]
+        arms += [(10, 10 / 3, 37.5), (20, 10 / 3, 37.5), (40, 10 / 3, 37.5)]
+        x = sum(a * w for a, _, w in arms) / area
+        y = sum(b * w for _, b, w in arms) / area
+        moments = math.degrees(math.atan2(x, y - 5))
+        for tilt, mechanism, said in ((20, "stands", "  Stands at 20°.\n"),
+                                      (28, "may move", "  May move at 28°, or stand: history decides.\n"),
+                                      (32, "slides and topples", "  Does not stand at 32°: it can begin to topple.\n")):
+            with self.subTest(tilt=tilt):
+                page, case = self.block_a(60, tilt)
+                self.assertEqual(case["mechanism"], mechanism)
+                self.assertIn(said, page)
+                onset = case["onset"]["critical_angle_deg"]
+                self.assertLessEqual(abs(onset["value"] - moments), onset["error"] + 1e-12)
+                self.assertIn(f"Certain to stand up to α_s = {moments:.3f}°" + (f", a margin of {moments - 20:.3f}°" if tilt == 20 else "") + ".\n", page)
+                self.assertIn("From there it can begin to topple about pivot 1, the peak at (0, 5).\n", page)
+                self.assertIn("Certain to move beyond α_w = 30.251°:\n  by limit analysis it slides and topples about", page)
+                self.assertIn("Between them history decides: friction on facets that nothing has pressed\n", page)
+                self.assertEqual("Motions that can begin" in page, tilt > moments)
+                self.assertLessEqual(max(map(len, page.splitlines())), 80)
+
+    def test_no_window(self):
+        """With 30 degrees both are one, and nothing is said of history."""
+        page, case = self.block_a(30, 20)
+        self.assertFalse(case["onset"]["below_limit"])
+        self.assertIn("Certain to stand up to α_s = 26.215°, a margin of 6.215°,\n  and to move beyond:\n  it topples about pivot 1",
+                      page)
+        self.assertNotIn("history", page)
+
+    def test_interlocked(self):
+        """Pegs that no motion leaves, and a notch whose friction could hold the block at every tilt though it can
+        begin to topple: `interlocked` was said of both."""
+        page = run("solve", "tests/hard/limit_interlocked.yaml")[1]
+        self.assertIn("Certain to stand at every tilt up to 90°: no motion can begin.\n", page)
+        page = run("solve", "tests/hard/limit_parallel_cones.yaml")[1]
+        self.assertNotIn("nterlocked", page)
+        self.assertIn("Not certain to move at any tilt up to 90°: some forces would hold it.\n  Beyond that history decides", page)
+        for case in json.loads(run("solve", "--json", "tests/hard/limit_parallel_cones.yaml")[1])["cases"]:
+            self.assertEqual((case["limit"]["mechanism"], case["mechanism"]), ("interlocked", "stands"))
+
+    def test_motions(self):
+        """Of a block that turns about a toe that sticks, the weight's moment over the inertia about it; the centroid
+        moves across the line from the toe."""
+        page, case = self.block_a(60, 28)
+        (motion,) = case["motions"]
+        block = case["block"]
+        a = math.radians(28)
+        x, y = block["centroid_x_m"]["value"], block["centroid_y_m"]["value"] - 0.005
+        gyration = (block["second_moment_xx_m4"]["value"] + block["second_moment_yy_m4"]["value"]) / block["area_m2"]["value"]
+        angular = (y * math.sin(a) - x * math.cos(a)) / (gyration + x * x + y * y)
+        row = [line for line in page.splitlines() if line.startswith("  topples about (0, 5) ")][0].split()[-3:]
+        for told, truth in zip(map(float, row), (-angular * y, angular * x, angular)):
+            self.assertAlmostEqual(told, truth, delta=1e-3 * abs(truth))
+        self.assertEqual(motion["mechanism"], "topples")
+        self.assertIn("      facet 1, left end: sticks, force (", page)
+
+    def test_fail_below_where_history_decides(self):
+        """A factor above the design factor is no promise where a motion can begin; below it is told either way."""
+        self.block_a(60, 28)
+        status, _, err = run("solve", "--fail-below=0.5", self.path)
+        self.assertEqual(status, 1)
+        self.assertIn("at this tilt it is not certain to stand", err)
+        self.block_a(60, 20)
+        self.assertEqual(run("solve", "--fail-below=1.3", self.path)[0], 0)
+
+    def test_table(self):
+        """A column of the tilt up to which it is certain to stand."""
+        self.block_a(60, 28)
+        cells = [cell.strip() for cell in run("solve", "--table", self.path)[1].splitlines()[2].split("|")]
+        self.assertEqual((cells[4], cells[7], cells[11]), ("may move", "26.215°", "30.251°"))
+        (row,) = csv.DictReader(io.StringIO(run("solve", "--csv", self.path)[1]))
+        self.assertEqual((row["verdict"], round(float(row["certain_to_stand_deg"]), 3)), ("may move", 26.215))
+
+    def test_figure_is_drawn(self):
+        for tilt in (20, 28, 32):
+            self.block_a(60, tilt)
+            figure = self.path.parent / "figure.svg"
+            self.assertEqual(run("solve", "--figure", figure, self.path)[0], 0)
+            self.assertTrue(figure.read_text(encoding="utf-8").startswith("<?xml"))
+
+
+if __name__ == "__main__":
+    main()
