@@ -13,23 +13,12 @@ from fractions import Fraction
 import exact
 from harness import main
 from limit_oracle import contacts
-from onset_oracle import Onset
-from test_limit import Scene, mated_polygon, mated_teeth, mirrored, dropped, text_of, worn_profile
+from onset_oracle import Onset, gyration
+from test_limit import Scene, mated_polygon, mated_teeth, dropped, mirrored, worn_profile
 
 ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 TIE = Decimal(10) ** -35  # degrees: what tan(phi) to 1e-44 leaves
 MOST_POINTS = 7
-
-
-def gyration(outline, centroid):
-    """Square of the radius of gyration of a polygon about its centroid."""
-    area = xx = Fraction(0)
-    ring = [(Fraction(x) - centroid[0], Fraction(y) - centroid[1]) for x, y in outline]
-    for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
-        c = x0 * y1 - x1 * y0
-        area += c / 2
-        xx += c * (x0 * x0 + x0 * x1 + x1 * x1 + y0 * y0 + y0 * y1 + y1 * y1) / 12
-    return xx / area
 
 
 def degrees_of(tangent):
