@@ -19,7 +19,8 @@ typedef enum tp_find_target {
   TP_FIND_SLIDING_ANGLE,  /* of sliding, degrees */
   TP_FIND_SLIDING_FOS,
   TP_FIND_LIMIT_ANGLE, /* the static limit, degrees */
-  TP_FIND_LIMIT_FOS    /* by strength reduction */
+  TP_FIND_LIMIT_FOS,   /* by strength reduction */
+  TP_FIND_ONSET_ANGLE  /* the onset of motion, degrees */
 } tp_find_target;
 
 /* `key` is the way to a number in the scene, as in block.rounded.corners.1.radius (entries of lists
@@ -63,8 +64,8 @@ TP_MUST_USE tp_status tp_find(tp_found **found, const char *scene, const tp_find
                               tp_message *message);
 void tp_found_free(tp_found *found);
 
-/* critical_angle, fos, sliding_angle, sliding_fos, limit_angle or limit_fos; false for another
- * name.
+/* critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or onset_angle; false for
+ * another name.
  */
 bool tp_find_target_read(tp_find_target *target, const char *name);
 const char *tp_find_target_name(tp_find_target target);

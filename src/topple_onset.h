@@ -7,7 +7,12 @@
  * asks whether the block, released from rest, can begin to move by forces that Coulomb friction
  * allows (Pang and Trinkle 2000: strong against weak stability). Below the onset it is certain to
  * stand; beyond the limit it is certain to move; between them the forces that the way it came to
- * lie there has locked in decide. */
+ * lie there has locked in decide.
+ *
+ * Friction is the scene's, where it depends on the stress that at the onset's, and for motions that
+ * at the scene's tilt. Cohesion has to be overcome in full along every straight line of contact of
+ * which a point stays closed and slips, a bond in full on every facet that opens; the onset never
+ * lies above the limit. */
 
 #ifndef TOPPLE_ONSET_H
 #define TOPPLE_ONSET_H
@@ -26,7 +31,8 @@ typedef enum tp_onset_kind {
   TP_ONSET_UNDECIDED /* at the precision allowed */
 } tp_onset_kind;
 
-/* Tilts between -90 and 90 degrees at which a motion can begin. */
+/* Tilts between -90 and 90 degrees at which a motion can begin, both ends included. Between two
+ * windows none can: there it is certain to stand again. */
 typedef struct tp_window {
   bool from_below, to_above; /* it has no lower end, no upper end, within that range */
   tp_bounded from_deg, to_deg;
@@ -67,7 +73,9 @@ typedef struct tp_onset {
   tp_onset_kind kind;
   bool too_dear;                 /* undecided, since the proof takes more work than is allowed */
   tp_bounded friction_angle_deg; /* at the normal stress of the onset */
-  tp_bounded critical_angle_deg; /* alpha_s; below 0: certain to stand only when tilted back */
+  tp_bounded critical_angle_deg; /* alpha_s, the lower end of the window that holds level ground, or
+                                    else of the first above it; below 0: certain to stand only when
+                                    tilted back */
   tp_mechanism mechanism;        /* what can begin there */
   bool tie;                      /* another mechanism can begin at the same tilt: */
   tp_mechanism tied_with;

@@ -133,7 +133,7 @@ START_TEST(back_analysis) {
   REFUSED(tp_find(&found, path, NULL, &message), "'options'");
   bad.key = NULL;
   REFUSED(tp_find(&found, path, &bad, &message), "key");
-  for (int k = -1; k <= TP_FIND_LIMIT_FOS + 1; k += TP_FIND_LIMIT_FOS + 2) {
+  for (int k = -1; k <= TP_FIND_ONSET_ANGLE + 1; k += TP_FIND_ONSET_ANGLE + 2) {
     bad = good;
     bad.target = (tp_find_target)k;
     REFUSED(tp_find(&found, path, &bad, &message), "result");

@@ -126,12 +126,13 @@ static void add_edge(spanning *s, const tp_mode_edge *edge) {
 static void add_strength(spanning *s) {
   const tp_strength *strength = s->strength;
   if (strength == NULL) return;
-  const long first = 3 * s->n->cones->count; /* of the numbers of those */
   for (long k = 0; k < strength->pull_count + strength->free_count; k++) {
     const bool pull = k < strength->pull_count;
     const tp_vector *from = pull ? strength->pulls + k : strength->free + k - strength->pull_count;
+    const long point = pull ? strength->pulled[k] : strength->sticks[k - strength->pull_count];
     generator *own = s->items + s->count + s->free_count;
-    *own = (generator){.id = first + s->n->cones->count + k, .axis = -1 - k, .site = -1 - k};
+    *own = (generator){
+        .id = -2 - k, .axis = -1 - k, .site = s->n->cones->points[point].site, .point = point};
     tp_vector_init(&own->of);
     for (int e = 0; e < 3; e++) arb_set(own->of.of + e, from->of + e);
     *(pull ? &s->count : &s->free_count) += 1;

@@ -134,6 +134,13 @@ tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_ray *ray, const t
   return done;
 }
 
+tp_motion_outcome tp_closed_of_cut(tp_closed *closed, const tp_ray *ray, long normal,
+                                   const tp_normals *n) {
+  closed->edge_count = 0;
+  closed->sticks = false;
+  return add_line(closed, n, n->items + normal, ray);
+}
+
 tp_mechanism tp_closed_mechanism(const tp_closed *closed, const tp_ray *ray) {
   if (ray->axis >= 0) return TP_SLIDES;
   return closed->sticks ? TP_TOPPLES : TP_SLIDES_AND_TOPPLES;

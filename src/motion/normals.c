@@ -25,26 +25,15 @@ void tp_normals_clear(tp_normals *n) {
 /* A point as it is sorted: by axis, sense, t . q. */
 typedef struct entry {
   const fmpz *tx, *ty;
+  fmpz axis_x, axis_y; /* t times its sense */
   int sense;
   arb_t along; /* t . q */
   long site, point;
 } entry;
 
 static int axis_order(const entry *a, const entry *b) {
-  fmpz_t x, y;
-  fmpz_init(x);
-  fmpz_init(y);
-  fmpz_mul_si(x, a->tx, a->sense);
-  fmpz_mul_si(y, b->tx, b->sense);
-  int order = fmpz_cmp(x, y);
-  if (order == 0) {
-    fmpz_mul_si(x, a->ty, a->sense);
-    fmpz_mul_si(y, b->ty, b->sense);
-    order = fmpz_cmp(x, y);
-  }
-  fmpz_clear(x);
-  fmpz_clear(y);
-  return order;
+  const int order = fmpz_cmp(&a->axis_x, &b->axis_x);
+  return order != 0 ? order : fmpz_cmp(&a->axis_y, &b->axis_y);
 }
 
 static int compare(const void *left, const void *right) {
@@ -189,12 +178,20 @@ tp_motion_outcome tp_normals_init(tp_normals *n, const tp_cones *cones, const tp
                          .sense = sense_of(n->tx + k, n->ty + k),
                          .site = cones->points[k].site,
                          .point = k};
+    fmpz_init(&entries[k].axis_x);
+    fmpz_init(&entries[k].axis_y);
+    fmpz_mul_si(&entries[k].axis_x, n->tx + k, entries[k].sense);
+    fmpz_mul_si(&entries[k].axis_y, n->ty + k, entries[k].sense);
     arb_init(entries[k].along);
     set_along(entries[k].along, n, k);
   }
   qsort(entries, (size_t)cones->count, sizeof *entries, compare);
   const tp_motion_outcome outcome = gather(n, entries);
-  for (long k = 0; k < cones->count; k++) arb_clear(entries[k].along);
+  for (long k = 0; k < cones->count; k++) {
+    fmpz_clear(&entries[k].axis_x);
+    fmpz_clear(&entries[k].axis_y);
+    arb_clear(entries[k].along);
+  }
   free(entries);
   if (outcome != TP_MOTION_PROVEN) tp_normals_clear(n);
   return outcome;

@@ -109,6 +109,7 @@ static void add_slide_pulls(gathering *g) {
       arb_t one;
       arb_init(one);
       arb_one(one);
+      s->pulled[s->pull_count] = point;
       tp_vector *pull = s->pulls + s->pull_count++;
       set_force(pull, g, n->cones->x + point, n->cones->y + point, one, point, true);
       tp_vector_neg(pull);

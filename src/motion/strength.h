@@ -22,9 +22,9 @@ enum { TP_STRENGTH_FREE = 16, TP_STRENGTH_PULLS = 4 };
 typedef struct tp_strength {
   tp_vector fixed; /* on the block */
   long free_count;
-  tp_vector free[TP_STRENGTH_FREE]; /* times anything from -1 to 1, */
-  long sticks[TP_STRENGTH_FREE];    /* each for a point that sticks */
-  long pull_count;
+  tp_vector free[TP_STRENGTH_FREE];           /* times anything from -1 to 1, */
+  long sticks[TP_STRENGTH_FREE];              /* each for a point that sticks */
+  long pull_count, pulled[TP_STRENGTH_PULLS]; /* at points of the cones */
   tp_vector pulls[TP_STRENGTH_PULLS]; /* turned round, times anything above zero, as M r and -e */
 } tp_strength;
 

@@ -22,8 +22,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const targets[] = {"critical_angle", "fos",         "sliding_angle",
-                                      "sliding_fos",    "limit_angle", "limit_fos"};
+static const char *const targets[] = {"critical_angle", "fos",       "sliding_angle", "sliding_fos",
+                                      "limit_angle",    "limit_fos", "onset_angle"};
 enum { TARGETS = sizeof targets / sizeof targets[0] };
 
 bool tp_find_target_read(tp_find_target *target, const char *name) {
@@ -91,15 +91,15 @@ static tp_status check_reach(const tp_search *s) {
   }
   const bool moments = target == TP_FIND_CRITICAL_ANGLE || target == TP_FIND_FOS;
   const bool angle = target == TP_FIND_CRITICAL_ANGLE || target == TP_FIND_SLIDING_ANGLE ||
-                     target == TP_FIND_LIMIT_ANGLE;
+                     target == TP_FIND_LIMIT_ANGLE || target == TP_FIND_ONSET_ANGLE;
   if (reach.friction && (!moments || (reach.tilt && !angle))) return TP_OK;
   if (reach.tilt && !angle) return TP_OK;
   return tp_fail(s->message, TP_NO_ANSWER, number_place(s), "%s cannot depend on '%s': %s",
                  targets[target], key.text,
                  reach.friction
                      ? "it is a balance of moments about a pivot, which the friction and "
-                       "the cohesion of the contact do not enter; limit_angle and "
-                       "limit_fos depend on them"
+                       "the cohesion of the contact do not enter; limit_angle, limit_fos and "
+                       "onset_angle depend on them"
                      : "it is a tilt at which the block lets go, whatever the tilt that "
                        "the scene gives; a factor of safety depends on that");
 }
@@ -148,8 +148,9 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
   s.scene.options = tp_solve_options_default();
   s.scene.options.digits = 15;
   s.scene.options.strength_reduction = options->target == TP_FIND_LIMIT_FOS;
-  s.scene.options.limit =
-      options->target == TP_FIND_LIMIT_ANGLE || s.scene.options.strength_reduction;
+  s.scene.options.limit = options->target == TP_FIND_LIMIT_ANGLE ||
+                          options->target == TP_FIND_ONSET_ANGLE ||
+                          s.scene.options.strength_reduction;
   tp_found *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the solutions");
   own->key = strdup(options->key);

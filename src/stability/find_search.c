@@ -32,6 +32,9 @@ static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target t
   case TP_FIND_LIMIT_ANGLE:
     *value = own->limit.critical_angle_deg;
     return own->limit.kind == TP_LIMIT_AT_ANGLE;
+  case TP_FIND_ONSET_ANGLE:
+    *value = own->onset.critical_angle_deg;
+    return own->onset.kind == TP_ONSET_AT_ANGLE;
   case TP_FIND_LIMIT_FOS:
     *value = own->limit.fos.value;
     return own->limit.fos.state == TP_FOS_NUMBER;

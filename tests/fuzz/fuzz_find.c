@@ -57,7 +57,7 @@ static void find(const char *scene, fuzz_bytes *b) {
   char *text = NULL;
   tp_message message = {""};
   tp_find_options options = {.key = draw_key(b),
-                             .target = (tp_find_target)fuzz_pick(b, TP_FIND_LIMIT_FOS + 1),
+                             .target = (tp_find_target)fuzz_pick(b, TP_FIND_ONSET_ANGLE + 1),
                              .value = draw_number(b)};
   const unsigned ends = fuzz_pick(b, 4); /* none, both, the upper one, the lower one */
   options.has_low = ends % 2 != 0;

@@ -26,6 +26,17 @@ def sign(x):
     return (x > 0) - (x < 0)
 
 
+def gyration(outline, centroid):
+    """Square of the radius of gyration of a polygon about its centroid."""
+    area = xx = Fraction(0)
+    ring = [(Fraction(x) - centroid[0], Fraction(y) - centroid[1]) for x, y in outline]
+    for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
+        c = x0 * y1 - x1 * y0
+        area += c / 2
+        xx += c * (x0 * x0 + x0 * x1 + x1 * x1 + y0 * y0 + y0 * y1 + y1 * y1) / 12
+    return xx / area
+
+
 def maximise(cost, rows, free):
     """max cost . x subject to row . x <= bound or == bound, x >= 0 but for the `free`; rows are
     (coefficients, bound, is_equality). None: not possible; "unbounded". By Bland's rule."""

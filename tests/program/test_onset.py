@@ -13,23 +13,12 @@ from fractions import Fraction
 import exact
 from harness import main
 from limit_oracle import contacts
-from onset_oracle import Onset
-from test_limit import Scene, mated_polygon, mated_teeth, mirrored, dropped, text_of, worn_profile
+from onset_oracle import Onset, gyration
+from test_limit import Scene, mated_polygon, mated_teeth, dropped, mirrored, worn_profile
 
 ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 TIE = Decimal(10) ** -35  # degrees: what tan(phi) to 1e-44 leaves
 MOST_POINTS = 7
-
-
-def gyration(outline, centroid):
-    """Square of the radius of gyration of a polygon about its centroid."""
-    area = xx = Fraction(0)
-    ring = [(Fraction(x) - centroid[0], Fraction(y) - centroid[1]) for x, y in outline]
-    for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
-        c = x0 * y1 - x1 * y0
-        area += c / 2
-        xx += c * (x0 * x0 + x0 * x1 + x1 * x1 + y0 * y0 + y0 * y1 + y1 * y1) / 12
-    return xx / area
 
 
 def degrees_of(tangent):
@@ -51,9 +40,118 @@ def rough_tangent():
                           Fraction(random.randint(1, 40), random.randint(1, 12))])
 
 
+class Known(unittest.TestCase):
+    """Values of mechanics section 6a, and closed forms."""
+
+    def setUp(self):
+        self.scene = Scene()
+
+    def tearDown(self):
+        self.scene.folder.cleanup()
+
+    def close(self, number, value, places=3):
+        self.assertAlmostEqual(number["value"], value, places=places)
+        self.assertLess(number["error"], 1e-9)
+
+    def test_block_a_at_60_degrees(self):
+        """Its weight has passed the toe, and friction on the other flanks could pull it back: forces
+        hold it up to 30.251 degrees, but nothing need have put them there."""
+        teeth = "teeth: {count: 3, width: 15, height: 94, depth: 5, left_end: peak}"
+        base = "mated: true, beyond: {left: 0, right: 0}"
+        for tilt, verdict in ((26, "stands"), (28, "may move"), (31, "slides and topples")):
+            case = self.scene.solve(teeth, base, 60, tilt=f", angle_deg: {tilt}", unit="mm")["left"]
+            self.close(case["onset"]["critical_angle_deg"], 26.215)
+            self.close(case["limit"]["critical_angle_deg"], 30.251)
+            self.assertTrue(case["onset"]["below_limit"])
+            self.assertEqual(case["onset"]["mechanism"], "topples")
+            self.assertEqual(case["mechanism"], verdict)
+
+    def test_an_irregular_block(self):
+        outline = ("outline: [[0, 1.123], [0.588, 0.901], [1.536, -0.465], [0.967, 4.599], "
+                   "[-0.569, 4.599]]")
+        case = self.scene.solve(outline, "profile: [[0, 1.123], [0.588, 0.901], [1.536, -0.465]]",
+                                "61.36")["left"]
+        self.close(case["onset"]["critical_angle_deg"], 19.453)
+        self.close(case["limit"]["critical_angle_deg"], 25.091)
+        self.assertEqual(case["onset"]["mechanism"], "topples")
+
+    def test_where_the_toe_begins_to_slip(self):
+        """Block A about its peak, 83.07 degrees; a slab of 1 on 3 by the closed form of the dynamic
+        border, 57.7366: below it turns about a toe that sticks, above about one that slips."""
+        cases = (("teeth: {count: 3, width: 15, height: 94, depth: 5, left_end: peak}", 83.06, 83.08),
+                 ("slab: {width: 1, height: 3}", 57.736, 57.737))
+        for block, below, above in cases:
+            for tilt, mechanism, state in ((below, "topples", "sticks"),
+                                           (above, "slides and topples", "slips down-dip")):
+                case = self.scene.solve(block, "mated: true, beyond: {left: 0, right: 0}", 30,
+                                        tilt=f", angle_deg: {tilt}")["left"]
+                self.assertEqual([m["mechanism"] for m in case["motions"]], [mechanism])
+                self.assertEqual([c["state"] for c in case["motions"][0]["contacts"]], [state])
+
+    def test_a_slab_that_slides(self):
+        """It slides at its friction angle with (sin - tan(phi) cos) of gravity, and leaves its base
+        nowhere below upright."""
+        case = self.scene.solve("slab: {width: 3, height: 1}",
+                                "mated: true, beyond: {left: 1, right: 1}", 20,
+                                tilt=", angle_deg: 35")["left"]
+        self.close(case["onset"]["critical_angle_deg"], 20, 9)
+        self.assertEqual(case["onset"]["mechanism"], "slides")
+        sine, cosine = (float(x) for x in exact.sin_cos(35))
+        motion, = case["motions"]
+        self.assertEqual(motion["mechanism"], "slides")
+        self.close(motion["acceleration_x_g"], -(sine - cosine * 0.36397023426620234), 9)
+        self.close(motion["acceleration_y_g"], 0, 9)
+        self.close(motion["angular_g_per_m"], 0, 9)
+
+    def test_wedged_between_upright_flanks(self):
+        """Pegs that no tilt up to 90 degrees turns out of their holes: nothing can begin."""
+        case = self.scene.solve(
+            "outline: [[0, 0], [1, 0], [1, -1], [2, -1], [2, 0], [3, 0], [3, 2], [0, 2]]",
+            "profile: [[-1, 0], [1, 0], [1, -1], [2, -1], [2, 0], [4, 0]]", 30,
+            tilt=", angle_deg: 80")["left"]
+        self.assertEqual(case["onset"]["kind"], "never")
+        self.assertEqual(case["onset"]["windows"], [])
+        self.assertEqual(case["mechanism"], "interlocked")
+        self.assertEqual(case["motions"], [])
+
+    def test_cohesion_and_bonds(self):
+        """A slab turns about its toe against all of its bond, and slides against all of its cohesion:
+        its onset is its static limit. On any base it never lies above that."""
+        flat = "mated: true, beyond: {left: 1, right: 1}"
+        for more in ("loads: {cohesion_kpa: 8}\n", "loads: {bond_kpa: 10, cohesion_kpa: 2}\n"):
+            for block in ("slab: {width: 2, height: 6}", "slab: {width: 6, height: 2}"):
+                case = self.scene.solve(block, flat, 20, more)["left"]
+                onset, limit = (case[k]["critical_angle_deg"] for k in ("onset", "limit"))
+                if limit is not None and not case["limit"]["slides_sooner"]:
+                    self.assertLess(abs(onset["value"] - limit["value"]),
+                                    onset["error"] + limit["error"])
+        random.seed(91)
+        compared = 0
+        for _ in range(40):
+            block, base, outline, _ = random.choice([mated_polygon, mated_teeth])()
+            size = float(max(abs(x) + abs(y) for x, y in outline))
+            more = (f"loads: {{cohesion_kpa: {size * random.random():.3f}, "
+                    f"bond_kpa: {random.choice([0, size * random.random() / 5]):.3f}}}\n")
+            try:
+                cases = self.scene.solve(block, base, random.randint(5, 60), more)
+            except AssertionError as error:
+                if "undecided" in str(error) and "the limit by contact forces" in str(error):
+                    continue  # then there is nothing to compare with
+                raise
+            for case in cases.values():
+                onset, limit = (case[k]["critical_angle_deg"] for k in ("onset", "limit"))
+                if limit is None or case["onset"]["kind"] == "nowhere":
+                    continue
+                compared += 1
+                self.assertLessEqual(onset["value"] - onset["error"], limit["value"] + limit["error"],
+                                     self.scene.text)
+        self.assertGreater(compared, 20)
+
+
 class Trial(unittest.TestCase):
     def setUp(self):
         self.scene = Scene()
+        self.seen = 0
 
     def tearDown(self):
         self.scene.folder.cleanup()
@@ -106,6 +204,25 @@ class Trial(unittest.TestCase):
         if outside:
             self.assertIn(case["mechanism"], ("stands", "interlocked"))
 
+    def newton(self, case, truth, tilt, side):
+        """A motion that begins is one of the trial's modes, and its forces and the weight give the
+        centroid its acceleration."""
+        sine, cosine = (float(x) for x in exact.sin_cos(tilt))
+        names = truth.names(Fraction(exact.sin_cos(tilt)[0] / exact.sin_cos(tilt)[1]))
+        if case["onset"]["windows"] and not case["motions"]:
+            self.assertFalse(names)
+        for motion in case["motions"]:
+            self.assertIn(motion["mechanism"], names)
+            shares = [c for c in motion["contacts"] if "share_x" in c]
+            if len(shares) != len(motion["contacts"]):
+                continue
+            down = -sine if side == "left" else sine
+            for own, key, share in ((down, "acceleration_x_g", "share_x"),
+                                    (-cosine, "acceleration_y_g", "share_y")):
+                force = own + sum(c[share]["value"] for c in shares)
+                self.assertAlmostEqual(force, motion[key]["value"], delta=1e-9)
+            self.seen += 1
+
     def solve(self, block, base, tangent, tilt):
         angle = degrees_of(tangent) if tangent not in (0, 1) else {0: 0, 1: 45}[tangent]
         return self.scene.solve(block, base, angle, tilt=f", angle_deg: {tilt}")
@@ -127,6 +244,8 @@ class Trial(unittest.TestCase):
                 with self.subTest(scene=self.scene.text, side=side, tangent=tangent):
                     self.compare(cases[side], truth[side])
                     self.verdict(cases[side], truth[side], tilt)
+                    self.newton(cases[side], truth[side], tilt, side)
+        self.assertGreater(self.seen, rounds // 4)
 
     def test_polygons(self):
         self.run_random(mated_polygon, 25, 81)

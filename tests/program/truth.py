@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import exact
 import limit_oracle
+import onset_oracle
 
 EXACT = (int, Fraction)
 
@@ -93,6 +94,20 @@ def limit_angle(outline, profile, friction, towards="left"):
     return angle_or_none(limit_tangent(outline, profile, friction, towards))
 
 
+def onset_angle(outline, profile, friction, towards="left"):
+    """The onset of motion by trial of all contact modes, at a friction of 0 or 45 degrees: the lower end
+    of the window that holds level ground or else of the first above; None where there is none."""
+    if towards == "right":
+        outline = [(-x, y) for x, y in reversed(outline)]
+        profile = [(-x, y) for x, y in reversed(profile)]
+    points = limit_oracle.contacts([tuple(p) for p in outline], [tuple(p) for p in profile])
+    middle = centroid(outline)
+    tangent = {0: Fraction(0), 45: Fraction(1)}[friction]
+    onset = onset_oracle.Onset(points, middle, onset_oracle.gyration(outline, middle), tangent)
+    first = next((w for w in onset.windows if w[1] is None or w[1] >= 0), (None, None))
+    return None if first[0] is None else atan2(first[0], 1)
+
+
 def angle_or_none(tangents):
     """Of a pair of tangents that enclose one; None as it is."""
     if tangents is None:
@@ -113,6 +128,7 @@ FUNCTIONS = {
     "atan2": atan2, "atan": lambda t: atan2(t, 1), "asin": asin, "acos": lambda v: 90 - asin(v),
     "root": root, "log10": lambda v: number(v).log10(), "pi": lambda: exact.PI, "min": min, "max": max,
     "area": area, "centroid": centroid, "mixed_centroid": mixed_centroid, "critical": critical, "limit_angle": limit_angle,
+    "onset_angle": onset_angle,
     "between": Enclosure,
 }
 OPERATORS = {
