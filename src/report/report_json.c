@@ -223,6 +223,9 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c, tp_pivo
 }
 
 tp_status tp_report_json(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
   return tp_report_json_pivots(text, solution, TP_PIVOTS_BY_COUNT);
 }
 
