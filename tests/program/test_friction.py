@@ -113,11 +113,13 @@ class Friction(unittest.TestCase):
             self.assertEqual(case["mechanism"], "slides")
 
     def test_patton(self):
-        """phi_b + i is one angle: the same report as with the sum."""
+        """phi_b + i is one angle: the same report as with the sum, but for the law's name."""
         law = self.slab("friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 7.5}")
         sum_of = self.slab("friction_angle_deg: 37.5")
         for case in (law, sum_of):
             case.pop("effects")
+        methods = [case["sliding"].pop("method") for case in (law, sum_of)]
+        self.assertEqual(methods, ["Patton, phi_b + i", "phi + i"])
         self.assertEqual(law, sum_of)
 
     def test_factor_of_safety(self):
