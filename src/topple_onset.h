@@ -81,7 +81,8 @@ typedef struct tp_onset {
   tp_mechanism tied_with;
   bool has_centre; /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m;
-  bool below_limit; /* alpha_s is certainly below the static limit: between them history decides */
+  bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them history
+                          decides */
   size_t window_count; /* all of them, from below; owned by the case */
   tp_window *windows;
   bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder

@@ -25,6 +25,10 @@ static tp_status draw_problem(const char *path, const tp_problem *problem,
 
 tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_solution *solution,
                            tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, solution);
   return tp_report_figure_if(path, scene, solution, (tp_figure_consent){0}, message);
 }
 

@@ -195,27 +195,22 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
 
 void tp_page_add_motions(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
-  char n[4][TP_NUMBER_SIZE];
+  char n[3][TP_NUMBER_SIZE];
   if (!o->has_motions || o->motion_count == 0) return;
-  tp_text_add(&p->text, "\n  Motions that can begin at %s°\n  %-36s %11s %11s %12s\n",
-              tp_page_degrees(n[0], p->solution->tilt_angle_deg), "", "a_x (g)", "a_y (g)",
-              "a_θ (g/m)");
+  tp_text_add(&p->text, "\n  Motions that can begin at %s°, with accelerations of the centroid\n",
+              tp_page_degrees(n[0], p->solution->tilt_angle_deg));
   for (size_t k = 0; k < o->motion_count; k++) {
     const tp_motion *m = o->motions + k;
-    tp_text name = {0};
-    tp_page title = {name, p->solution};
-    tp_text_add(&title.text, "%s", tp_text_mechanism(m->mechanism));
+    tp_text_add(&p->text, "    %s", tp_text_mechanism(m->mechanism));
     if (m->has_centre) {
-      tp_text_add(&title.text, " about (%s, %s)", tp_page_coordinate(p, n[0], m->centre_x_m),
+      tp_text_add(&p->text, " about (%s, %s)", tp_page_coordinate(p, n[0], m->centre_x_m),
                   tp_page_coordinate(p, n[1], m->centre_y_m));
     }
-    tp_text_add(&p->text, "  %-36s %11s %11s %12s%s\n", title.text.failed ? "" : title.text.data,
-                tp_text_significant(n[1], m->acceleration_x_g, 4),
-                tp_text_significant(n[2], m->acceleration_y_g, 4),
-                tp_text_significant(n[3], m->angular_g_per_m, 4),
+    tp_text_add(&p->text, ":\n      x %s g, y %s g, turning %s g/m%s\n",
+                tp_text_significant(n[0], m->acceleration_x_g, 4),
+                tp_text_significant(n[1], m->acceleration_y_g, 4),
+                tp_text_significant(n[2], m->angular_g_per_m, 4),
                 m->accelerations_fixed ? "" : " at least");
-    p->text.failed = p->text.failed || title.text.failed;
-    tp_text_drop(&title.text);
     add_contacts(p, m);
   }
 }

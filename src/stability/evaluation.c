@@ -5,6 +5,8 @@
 
 #include "number/ball.h"
 
+#include <math.h>
+
 long tp_evaluation_bits(const tp_evaluation *evaluation) {
   return evaluation->rung.level == TP_LEVEL_EXACT ? ARF_PREC_EXACT : evaluation->rung.bits;
 }
@@ -23,6 +25,14 @@ bool tp_evaluation_is_zero_width(const tp_evaluation *e, const arb_t ball, doubl
 bool tp_evaluation_is_settled(const tp_evaluation *e, const arb_t ball) {
   enum { SETTLING_BITS = 1280 };
   return e->rung.bits >= SETTLING_BITS && tp_evaluation_is_zero_width(e, ball, 0);
+}
+
+bool tp_evaluation_is_above(tp_evaluation *e, tp_bounded high, tp_bounded low) {
+  static const double least_deg = 1e-6;
+  const double apart = high.value - low.value;
+  const bool open = fabs(apart - least_deg) <= high.error + low.error;
+  if (open && !tp_evaluation_is_last_rung(e)) e->certain = false;
+  return apart > least_deg;
 }
 
 tp_bounded tp_evaluation_bounded(const tp_evaluation *e, const arb_t ball) {

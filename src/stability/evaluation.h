@@ -50,6 +50,10 @@ long tp_evaluation_bits(const tp_evaluation *evaluation);
 /* Has no rung of the ladder more bits? A verdict that is open there stays undecided. */
 bool tp_evaluation_is_last_rung(const tp_evaluation *evaluation);
 
+/* Does one angle in degrees lie above another by more than a millionth of a degree? Less is one
+ * angle to who builds on it. */
+bool tp_evaluation_is_above(tp_evaluation *evaluation, tp_bounded high, tp_bounded low);
+
 /* The ball as a result, certain or not. */
 tp_bounded tp_evaluation_bounded(const tp_evaluation *evaluation, const arb_t ball);
 

@@ -280,15 +280,11 @@ static bool share_mechanism(const tp_limit *a, const tp_limit *b) {
          (b->tie && b->tied_with == a->mechanism);
 }
 
-/* Two angles that differ by less than a millionth of a degree are one to who builds on them. */
 static bool differ(const tp_limit *a, const tp_limit *b, tp_evaluation *e) {
-  static const double least_deg = 1e-6;
   if (a->kind != b->kind || !share_mechanism(a, b)) return true;
-  if (a->kind != TP_LIMIT_AT_ANGLE) return false;
-  const double error = a->critical_angle_deg.error + b->critical_angle_deg.error;
-  const double apart = fabs(a->critical_angle_deg.value - b->critical_angle_deg.value);
-  if (fabs(apart - least_deg) <= error && !tp_evaluation_is_last_rung(e)) e->certain = false;
-  return apart > least_deg;
+  return a->kind == TP_LIMIT_AT_ANGLE &&
+         (tp_evaluation_is_above(e, a->critical_angle_deg, b->critical_angle_deg) ||
+          tp_evaluation_is_above(e, b->critical_angle_deg, a->critical_angle_deg));
 }
 
 bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit,

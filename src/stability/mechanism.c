@@ -68,8 +68,7 @@ static bool is_free_to_slip(const tp_problem *problem) {
 /* Contact forces let a bond pull in one place and press in another, which counts as friction of
  * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
  * is more than the scene gives it: then it slides where the forces along the facet say so. */
-static bool slides_sooner(const tp_evaluation *e, const tp_case *result,
-                          const tp_direction_ball *sliding, const tp_direction_ball *limit) {
+static bool slides_sooner(tp_evaluation *e, const tp_case *result) {
   const tp_sliding *s = &result->sliding;
   if (fmpq_is_zero(e->problem->scene->loads.bond_kpa.value) || !s->known || s->never ||
       !is_free_to_slip(e->problem)) {
@@ -77,7 +76,8 @@ static bool slides_sooner(const tp_evaluation *e, const tp_case *result,
   }
   if (result->limit.kind == TP_LIMIT_INTERLOCKED) return true;
   if (result->limit.kind != TP_LIMIT_AT_ANGLE) return false;
-  return s->always || arb_lt(sliding->degrees, limit->degrees); /* of a tie the limit tells */
+  return s->always || tp_evaluation_is_above(e, result->limit.critical_angle_deg,
+                                             s->critical_angle_deg); /* of a tie the limit tells */
 }
 
 /* Does any contact restrain it? A corner on a corner does not. */
@@ -110,7 +110,7 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
                                            const tp_direction_ball *sliding,
                                            const tp_direction_ball *limit,
                                            const tp_direction_ball *onset) {
-  result->slides_sooner = slides_sooner(e, result, sliding, limit);
+  result->slides_sooner = slides_sooner(e, result);
   if (result->slides_sooner) {
     result->first = TP_SLIDES;
     return result->sliding.always ? NULL : sliding;

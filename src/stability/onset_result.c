@@ -75,10 +75,10 @@ static void set_first(const tp_onset_telling *t, const tp_motion_window *w) {
     tp_onset_centre(&onset->centre_x_m, &onset->centre_y_m, t,
                     &t->motions->twists.rays[w->ray].twist);
   }
-  const double error = onset->critical_angle_deg.error + limit->critical_angle_deg.error;
-  const double below = limit->critical_angle_deg.value - onset->critical_angle_deg.value;
   onset->below_limit =
-      limit->kind == TP_LIMIT_INTERLOCKED || (limit->kind == TP_LIMIT_AT_ANGLE && below > error);
+      limit->kind == TP_LIMIT_INTERLOCKED ||
+      (limit->kind == TP_LIMIT_AT_ANGLE &&
+       tp_evaluation_is_above(t->e, limit->critical_angle_deg, onset->critical_angle_deg));
 }
 
 /* From here on, till the next window, no forces hold it: a motion begins, by the limit's mechanism.

@@ -11,6 +11,7 @@ import io
 import json
 import math
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -84,9 +85,10 @@ class Verdict(unittest.TestCase):
         x, y = block["centroid_x_m"]["value"], block["centroid_y_m"]["value"] - 0.005
         gyration = (block["second_moment_xx_m4"]["value"] + block["second_moment_yy_m4"]["value"]) / block["area_m2"]["value"]
         angular = (y * math.sin(a) - x * math.cos(a)) / (gyration + x * x + y * y)
-        row = [line for line in page.splitlines() if line.startswith("  topples about (0, 5) ")][0].split()[-3:]
-        for told, truth in zip(map(float, row), (-angular * y, angular * x, angular)):
-            self.assertAlmostEqual(told, truth, delta=1e-3 * abs(truth))
+        row = page.splitlines()[page.splitlines().index("    topples about (0, 5):") + 1]
+        told = re.fullmatch(r"      x (\S+) g, y (\S+) g, turning (\S+) g/m", row).groups()
+        for number, truth in zip(map(float, told), (-angular * y, angular * x, angular)):
+            self.assertAlmostEqual(number, truth, delta=1e-3 * abs(truth))
         self.assertEqual(motion["mechanism"], "topples")
         self.assertIn("      facet 1, left end: sticks, force (", page)
 

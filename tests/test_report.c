@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The verdict's words on solutions that are filled in by hand: kinds of onset that scenes come to
+ * rarely. Every line fits a terminal, and no report says that a block stands where a motion can
+ * begin. */
+
+#include "runner.h"
+
+#include "topple.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static tp_bounded number(double value) {
+  return (tp_bounded){.value = value, .error = 1e-12};
+}
+
+/* A square on friction, tilted to the left by 20 degrees, with a limit of 40. */
+static tp_solution filled(void) {
+  tp_solution s = {.length_unit = "m", .metres_per_unit = 1, .has_tilt_angle = true};
+  s.tilt_angle_deg = (tp_bounded){.value = 20};
+  s.has_friction = true;
+  s.friction_angle_deg = (tp_bounded){.value = 40};
+  s.block.area_m2 = number(1);
+  s.block.vertices = 4;
+  s.contact = (tp_contact_result){.facets = 1};
+  s.digits = 9;
+  s.case_count = 1;
+  tp_case *c = s.cases;
+  c->limit = (tp_limit){.kind = TP_LIMIT_AT_ANGLE, .mechanism = TP_SLIDES};
+  c->limit.critical_angle_deg = number(40);
+  c->mechanism = TP_STANDS;
+  c->first = TP_SLIDES;
+  c->has_first_angle = c->has_margin = true;
+  c->first_angle_deg = number(40);
+  c->margin_deg = number(20);
+  c->governing_fos.fos.state = TP_FOS_NUMBER;
+  c->governing_fos.fos.value = number(2);
+  c->governing_fos.sliding_judged = c->governing_fos.complete = true;
+  return s;
+}
+
+/* Characters of the longest line. */
+static size_t longest_line(const char *text) {
+  size_t longest = 0, length = 0;
+  for (; *text != '\0'; text++) {
+    length = *text == '\n' ? 0 : length + (((unsigned char)*text & 0xc0) != 0x80);
+    if (length > longest) longest = length;
+  }
+  return longest;
+}
+
+/* The report has the words, and not those others. */
+static void says(const tp_solution *s, const char *words, const char *others) {
+  char *text = NULL;
+  ck_assert_int_eq(tp_report_text(&text, s), TP_OK);
+  ck_assert_msg(strstr(text, words) != NULL, "'%s' is not in\n%s", words, text);
+  ck_assert_msg(others == NULL || strstr(text, others) == NULL, "'%s' is in\n%s", others, text);
+  ck_assert_uint_le(longest_line(text), 80);
+  free(text);
+}
+
+START_TEST(windows) {
+  tp_solution s = filled();
+  tp_window own[3] = {{.from_below = true, .to_deg = number(-10), .begins = TP_SLIDES},
+                      {.from_deg = number(15), .to_deg = number(18), .begins = TP_TOPPLES},
+                      {.from_deg = number(35), .to_above = true, .begins = TP_SLIDES}};
+  tp_onset *o = &s.cases[0].onset;
+  *o = (tp_onset){.kind = TP_ONSET_AT_ANGLE, .mechanism = TP_TOPPLES, .below_limit = true};
+  o->critical_angle_deg = number(15);
+  o->window_count = 3;
+  o->windows = own;
+  says(&s, "Stands at 20°.\n  Certain to stand up to α_s = 15.000°.\n", "margin");
+  says(
+      &s,
+      "Motions can begin from 15.000° to 18.000° (first to topple),\n    from 35.000° on (first to "
+      "slide)\n  and at no other tilt up to 90°.\n",
+      "-10");
+  s.cases[0].mechanism = TP_MAY_MOVE;
+  says(&s, "May move at 20°, or stand: history decides.\n", "Stands at");
+  says(&s, "Caution: a motion can begin at this tilt all the same", NULL);
+}
+END_TEST
+
+START_TEST(onset_that_is_open) {
+  tp_solution s = filled();
+  tp_onset *o = &s.cases[0].onset;
+  *o = (tp_onset){.kind = TP_ONSET_UNDECIDED, .too_dear = true};
+  s.cases[0].mechanism = TP_MECHANISM_UNDECIDED;
+  says(&s, "Whether it stands at 20° is undecided.", "Stands at");
+  says(&s, "Up to which tilt it is certain to stand is undecided: its proof takes\n  more work",
+       NULL);
+  ck_assert_int_eq(tp_solution_meets(&s, 1), TP_DESIGN_OPEN);
+  ck_assert_int_eq(tp_solution_meets(&s, 3), TP_DESIGN_NOT_MET);
+}
+END_TEST
+
+START_TEST(onset_at_the_ends) {
+  tp_solution s = filled();
+  tp_onset *o = &s.cases[0].onset;
+  *o = (tp_onset){.kind = TP_ONSET_NEVER};
+  s.cases[0].limit.kind = TP_LIMIT_INTERLOCKED;
+  says(&s, "Certain to stand at every tilt up to 90°: no motion can begin.\n", "history");
+  *o = (tp_onset){.kind = TP_ONSET_NOWHERE, .mechanism = TP_SLIDES};
+  s.cases[0].mechanism = TP_MAY_MOVE;
+  says(&s, "Not certain to stand at any tilt.\n  From there it can begin to slide.\n", "Stands at");
+  says(&s, "Beyond that history decides", NULL);
+  *o = (tp_onset){.kind = TP_ONSET_AT_ANGLE, .mechanism = TP_SLIDES, .below_limit = true};
+  o->critical_angle_deg = number(-3);
+  says(&s, "Not certain to stand even on level ground, but only below -3.000°.\n", "Stands at");
+}
+END_TEST
+
+START_TEST(motions) {
+  tp_solution s = filled();
+  tp_motion_contact contact = {
+      .of_facet = true, .facet = 2, .state = TP_CONTACT_SLIPS_DOWN_DIP, .has_force = true};
+  contact.share_x = contact.share_y = number(0.5);
+  tp_motion own[2] = {{.mechanism = TP_SLIDES, .contact_count = 1, .contacts = &contact},
+                      {.mechanism = TP_LEAVES_BASE, .accelerations_fixed = true}};
+  tp_onset *o = &s.cases[0].onset;
+  *o =
+      (tp_onset){.kind = TP_ONSET_AT_ANGLE, .has_motions = true, .motion_count = 2, .motions = own};
+  o->critical_angle_deg = number(15);
+  o->paradox = true;
+  s.cases[0].mechanism = TP_SLIDES;
+  says(&s, "Does not stand at 20°: it can begin to slide, or to leave its base.\n", "Stands at");
+  says(&s,
+       "    slides:\n      x 0 g, y 0 g, turning 0 g/m at least\n      facet 3, left end: slips "
+       "down-dip, force (0.5, 0.5) W\n",
+       NULL);
+  says(&s, "every contact opens\n", NULL);
+  says(&s, "Painlevé's paradox", NULL);
+}
+END_TEST
+
+START_TEST(design_factors) {
+  tp_solution s = filled();
+  ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_MET);
+  ck_assert_int_eq(tp_solution_meets(&s, 2.1), TP_DESIGN_NOT_MET);
+  ck_assert_int_eq(tp_solution_meets(&s, 2), TP_DESIGN_OPEN); /* within the bound */
+  s.cases[0].governing_fos.complete = false;
+  ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_OPEN);
+  ck_assert_int_eq(tp_solution_meets(&s, 2.1), TP_DESIGN_NOT_MET);
+  says(&s, "FoS at most 2.000", NULL);
+  s = filled();
+  s.cases[0].mechanism = TP_MAY_MOVE;
+  ck_assert_int_eq(tp_solution_meets(&s, 1), TP_DESIGN_NOT_MET);
+  s = filled();
+  s.cases[1] = s.cases[0]; /* the worse of two directions tells */
+  s.case_count = 2;
+  s.cases[1].governing_fos.fos.state = TP_FOS_UNDECIDED;
+  ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_OPEN);
+  s.cases[1].governing_fos.fos.state = TP_FOS_UNDEFINED;
+  ck_assert_int_eq(tp_solution_meets(&s, 1.9), TP_DESIGN_NOT_MET);
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("report");
+  TCase *cases = tcase_create("report");
+  tcase_add_test(cases, windows);
+  tcase_add_test(cases, onset_that_is_open);
+  tcase_add_test(cases, onset_at_the_ends);
+  tcase_add_test(cases, motions);
+  tcase_add_test(cases, design_factors);
+  suite_add_tcase(suite, cases);
+  return run_suite(suite);
+}
