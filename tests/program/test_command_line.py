@@ -67,7 +67,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(case["mechanism"], "stands")
         names = [effect["name"] for effect in case["effects"]]
         self.assertEqual(names, ["outline", "contact", "elements", "moments", "toppling", "sliding",
-                                 "limit"])
+                                 "limit", "onset"])
         for effect in case["effects"]:
             self.assertEqual(set(effect), {"name", "called_for_by", "seconds", "level"})
 
