@@ -69,12 +69,34 @@ static void set_direction(tp_normals *n, long point) {
   fmpz_clear(common);
 }
 
-void tp_normals_near(double near[3], const tp_vector *vector) {
+/* The exponent of the largest entry. */
+static void largest_exponent(fmpz_t exponent, const tp_vector *vector) {
+  bool any = false;
   for (int k = 0; k < 3; k++) {
-    near[k] = arf_get_d(arb_midref(vector->of + k), ARF_RND_NEAR);
+    const arf_struct *own = arb_midref(vector->of + k);
+    if (arf_is_special(own) || (any && fmpz_cmp(ARF_EXPREF(own), exponent) <= 0)) continue;
+    fmpz_set(exponent, ARF_EXPREF(own));
+    any = true;
+  }
+  fmpz_neg(exponent, exponent);
+}
+
+void tp_normals_near(double near[3], const tp_vector *vector) {
+  fmpz_t exponent;
+  arf_t scaled;
+  fmpz_init(exponent);
+  arf_init(scaled);
+  largest_exponent(exponent, vector);
+  for (int k = 0; k < 3; k++) {
+    arf_mul_2exp_fmpz(scaled, arb_midref(vector->of + k), exponent);
+    near[k] = arf_get_d(scaled, ARF_RND_NEAR);
+  }
+  fmpz_clear(exponent);
+  arf_clear(scaled);
+  for (int k = 0; k < 3; k++) {
     const bool told = arb_is_exact(vector->of + k) || arb_rel_accuracy_bits(vector->of + k) > 51;
     const bool fits = near[k] == 0 ? arb_is_zero(vector->of + k) != 0
-                                   : fabs(near[k]) > 1e-60 && fabs(near[k]) < 1e60;
+                                   : fabs(near[k]) > 1e-60 && fabs(near[k]) <= 1;
     if (told && fits) continue;
     near[0] = near[1] = near[2] = 0;
     return;

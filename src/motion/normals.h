@@ -24,7 +24,7 @@ typedef struct tp_normal {
   long first, count; /* in `order` */
   long family;
   tp_vector h;
-  double near[3]; /* h in doubles, each to 2^-50 of itself or so */
+  double near[3]; /* h in doubles (tp_normals_near) */
 } tp_normal;
 
 typedef struct tp_contact_family {
@@ -74,7 +74,8 @@ void tp_normals_edge(tp_vector *force, const tp_normals *normals, long point, bo
 /* Does a point on the line lie in the site? */
 bool tp_normal_has_site(const tp_normals *normals, const tp_normal *normal, long site);
 
-/* A vector in doubles, each to 2^-50 of itself or so; zeros where it may be out of their range. */
+/* A vector in doubles, times a power of two, each to 2^-50 of itself or so; zeros where one is too
+ * small beside the largest. */
 void tp_normals_near(double near[3], const tp_vector *vector);
 
 #endif

@@ -19,10 +19,13 @@ typedef struct tp_onset_found {
 void tp_onset_found_init(tp_onset_found *found);
 void tp_onset_found_clear(tp_onset_found *found);
 
-/* Fills in the onset of the case, whose limit is there, and notes in the evaluation what is not
+/* Fills in the onset of the case, and notes in the evaluation what is not
  * certain. False when memory is exhausted. */
 TP_MUST_USE bool tp_evaluate_onset(tp_evaluation *evaluation, tp_case *result,
                                    tp_onset_found *found);
 void tp_onset_clear(tp_onset *onset);
+
+/* Where the onset lies beside the limit, once both are certain; it never lies above it. */
+void tp_onset_meet_limit(tp_case *result, tp_evaluation *evaluation);
 
 #endif

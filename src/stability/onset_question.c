@@ -70,7 +70,7 @@ static void set_load(tp_motion_question *q, const tp_evaluation *e, bool mirrore
   if (!q->through_centroid) set_moment(q, e, mirrored);
 }
 
-static bool has_strength(const tp_evaluation *e) {
+bool tp_onset_has_strength(const tp_evaluation *e) {
   const tp_loads_description *loads = &e->problem->scene->loads;
   return e->loaded != NULL &&
          !(fmpq_is_zero(loads->cohesion_kpa.value) && fmpq_is_zero(loads->bond_kpa.value));
@@ -82,7 +82,7 @@ bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direc
   tp_evaluation bare = *e; /* whole numbers, and friction alone */
   bare.loaded = NULL;
   if (!tp_limit_cones_init(&asked->cones, &bare, towards, false)) return false;
-  const bool strong = has_strength(e);
+  const bool strong = tp_onset_has_strength(e);
   if (strong && !tp_limit_cones_init(&asked->strong, e, towards, false)) {
     tp_cones_clear(&asked->cones);
     return false;

@@ -21,4 +21,7 @@ TP_MUST_USE bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation 
                                      tp_direction towards);
 void tp_onset_asked_clear(tp_onset_asked *asked);
 
+/* Does cohesion or a bond act? */
+bool tp_onset_has_strength(const tp_evaluation *evaluation);
+
 #endif

@@ -63,7 +63,6 @@ static bool set_windows(const tp_onset_telling *t) {
 
 static void set_first(const tp_onset_telling *t, const tp_motion_window *w) {
   tp_onset *onset = &t->result->onset;
-  const tp_limit *limit = &t->result->limit;
   onset->mechanism = w->mechanism;
   onset->tie = w->tie;
   onset->tied_with = w->tied_with;
@@ -75,44 +74,6 @@ static void set_first(const tp_onset_telling *t, const tp_motion_window *w) {
     tp_onset_centre(&onset->centre_x_m, &onset->centre_y_m, t,
                     &t->motions->twists.rays[w->ray].twist);
   }
-  onset->below_limit =
-      limit->kind == TP_LIMIT_INTERLOCKED ||
-      (limit->kind == TP_LIMIT_AT_ANGLE &&
-       tp_evaluation_is_above(t->e, limit->critical_angle_deg, onset->critical_angle_deg));
-}
-
-/* From here on, till the next window, no forces hold it: a motion begins, by the limit's mechanism.
- */
-static void begin_at_limit(const tp_onset_telling *t, long first) {
-  const tp_limit *limit = &t->result->limit;
-  tp_onset *onset = &t->result->onset;
-  tp_window *own = onset->windows + (first >= 0 ? (size_t)first : onset->window_count++);
-  if (first < 0) own->to_above = true;
-  own->from_below = limit->kind == TP_LIMIT_NOWHERE;
-  own->from_deg = limit->critical_angle_deg;
-  own->begins = onset->mechanism = limit->mechanism;
-  onset->kind = own->from_below ? TP_ONSET_NOWHERE : TP_ONSET_AT_ANGLE;
-  onset->critical_angle_deg = limit->critical_angle_deg;
-  onset->tie = limit->tie;
-  onset->tied_with = limit->tied_with;
-  onset->has_centre = limit->has_centre;
-  onset->centre_x_m = limit->centre_x_m;
-  onset->centre_y_m = limit->centre_y_m;
-  onset->below_limit = false;
-}
-
-/* Under cohesion, modes alone may leave a gap beyond the static limit: what opens loses it at once,
- * and so does not resist as the limit lets it. */
-static void stay_below_limit(const tp_onset_telling *t, long first) {
-  const tp_limit *limit = &t->result->limit;
-  const tp_onset *onset = &t->result->onset;
-  if (t->question->strong == NULL) return;
-  const bool angle = limit->kind == TP_LIMIT_AT_ANGLE, nowhere = limit->kind == TP_LIMIT_NOWHERE;
-  const tp_bounded *a = &onset->critical_angle_deg, *b = &limit->critical_angle_deg;
-  const bool beyond =
-      onset->kind == TP_ONSET_NEVER ||
-      (onset->kind == TP_ONSET_AT_ANGLE && (nowhere || a->value - a->error > b->value + b->error));
-  if ((angle || nowhere) && beyond) begin_at_limit(t, first);
 }
 
 bool tp_onset_describe(const tp_onset_telling *t, long first) {
@@ -123,6 +84,5 @@ bool tp_onset_describe(const tp_onset_telling *t, long first) {
     t->result->onset.kind = TP_ONSET_NEVER;
     t->result->onset.mechanism = TP_STANDS;
   }
-  stay_below_limit(t, first);
   return true;
 }

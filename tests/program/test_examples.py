@@ -50,7 +50,7 @@ class Examples(unittest.TestCase):
 
     def test_bounds(self):
         """Every computed number of every example is certain to 1e-9 of its size; what is zero on a symmetric
-        block, the centroid and the mixed second moment, and centres, to 1e-9 of what they could be."""
+        block, the centroid and the mixed second moment, or in a motion, to 1e-9 of what it could be."""
         def walk(node, sizes, key=None):
             if isinstance(node, dict) and set(node) == {"value", "error"}:
                 self.assertLessEqual(node["error"], max(abs(node["value"]), sizes.get(key, 0)) * 1e-9)
@@ -61,6 +61,9 @@ class Examples(unittest.TestCase):
                         ("centroid_x_m", "centroid_y_m"), math.sqrt(node["area_m2"]["value"]))
                 if "motions" in node:  # places: to that of the block's size
                     sizes = dict.fromkeys(("centre_x_m", "centre_y_m"), math.sqrt(node["block"]["area_m2"]["value"]))
+                if "acceleration_x_g" in node:
+                    sizes = dict.fromkeys(("acceleration_x_g", "acceleration_y_g", "angular_g_per_m", "centre_x_m",
+                                           "centre_y_m", "share_x", "share_y"), 1)
                 for child in node:
                     walk(node[child], sizes, child)
             elif isinstance(node, list):
