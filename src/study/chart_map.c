@@ -90,6 +90,8 @@ static void add_legend(tp_chart *chart, bool along_one) {
       {"limit", "topples", "limit: topples", tp_line_topples},
       {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
       {"limit", "tie", "limit: tie", tp_line_both},
+      {"certain to stand", "", "certain to stand up to", tp_line_onset},
+      {"certain to stand", "", "history decides", tp_region_history},
       {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
       {"Patton's sliding", "", "Patton's sliding", tp_line_patton},
       {"slides and topples from rest", "", "slides and topples at once, from rest",

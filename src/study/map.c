@@ -68,6 +68,8 @@ static void take(tp_look *look, const tp_solution *solution) {
   double delta = 0, kappa = 0;
   look->regime = regime_of(&own->limit);
   look->limit_deg = own->limit.critical_angle_deg;
+  look->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
+  if (look->has_onset) look->onset_deg = own->onset.critical_angle_deg;
   look->has_toppling = own->has_governing && !own->pivots[own->governing].never &&
                        !own->pivots[own->governing].always;
   look->governing = own->governing;

@@ -39,6 +39,8 @@ typedef struct tp_look {
   double values[TP_VARIED_MAX];
   tp_regime regime;
   tp_bounded limit_deg; /* slides, topples, both, tie */
+  bool has_onset;       /* below the limit: from there on history decides */
+  tp_bounded onset_deg;
   bool has_toppling, has_sliding, has_dynamic;
   size_t governing;
   tp_bounded toppling_deg, sliding_deg;

@@ -63,6 +63,12 @@ static size_t piece_end(const line *l, size_t begin) {
   return end;
 }
 
+/* Up to where it is certain to stand. */
+static double stands_to(const line *l, const tp_look *look) {
+  const tp_bounded end = look->has_onset ? look->onset_deg : look->limit_deg;
+  return clamped(l, end.value);
+}
+
 /* How far a place keeps from the curves of moments, of sliding and of dynamics, and from the bounds
  * of its region, over the width of a name; in degrees. */
 static double clearance(const line *l, double scalar, double tilt, bool below) {
@@ -72,7 +78,7 @@ static double clearance(const line *l, double scalar, double tilt, bool below) {
     const tp_look *look = l->looks + k;
     if (fabs(at(l, k) - scalar) > reach) continue;
     const double limit = clamped(l, look->limit_deg.value);
-    least = fmin(least, below ? limit - tilt : tilt - limit);
+    least = fmin(least, below ? stands_to(l, look) - tilt : tilt - limit);
     if (look->has_toppling) least = fmin(least, fabs(look->toppling_deg.value - tilt));
     if (look->has_sliding) least = fmin(least, fabs(look->sliding_deg.value - tilt));
     if (look->has_dynamic) least = fmin(least, fabs(look->dynamic_deg - tilt));
@@ -126,6 +132,28 @@ static void add_regions(const line *l) {
   }
 }
 
+/* One past the last of the looks from `begin` on that leave history a window. */
+static size_t window_end(const line *l, size_t begin) {
+  size_t end = begin;
+  while (end < l->count && l->looks[end].has_onset) end++;
+  return end;
+}
+
+/* From where a motion can begin up to the limit, or, where forces hold at every tilt, to the top.
+ */
+static void add_windows(const line *l) {
+  for (size_t k = 0, end; k < l->count; k = end + 1) {
+    end = window_end(l, k);
+    if (end < k + 2) continue;
+    tp_chart_add_guide(l->map->chart, tp_region_history);
+    for (size_t j = k; j < end; j++) place(l, at(l, j), l->looks[j].onset_deg.value);
+    for (size_t j = end; j-- > k;) {
+      const tp_look *look = l->looks + j;
+      place(l, at(l, j), tp_look_has_limit(look) ? look->limit_deg.value : l->tilt.to);
+    }
+  }
+}
+
 static void add_limits(const line *l) {
   for (size_t k = 0, end; k < l->count; k = end) {
     end = piece_end(l, k);
@@ -152,6 +180,11 @@ static void add_borders(const line *l) {
     add(l, root, both ? limited->limit_deg : tp_chart_exactly(l->tilt.from));
     add(l, root, tp_chart_exactly(l->tilt.to));
   }
+}
+
+static bool read_onset(tp_bounded *value, const tp_look *look) {
+  *value = look->onset_deg;
+  return look->has_onset;
 }
 
 typedef bool (*reader)(tp_bounded *value, const tp_look *look);
@@ -202,8 +235,10 @@ void tp_map_draw_line(tp_map *map, bool scalar_is_x) {
   for (size_t k = 0; k < l.count; k++) any |= l.looks[k].regime != TP_REGIME_NONE;
   if (map->status == TP_OK && any) {
     add_regions(&l);
+    add_windows(&l);
     add_limits(&l);
     add_borders(&l);
+    add_curve(&l, "certain to stand", tp_line_onset, read_onset);
     add_curve(&l, "moment equilibrium", tp_line_moments, read_toppling);
     add_curve(&l, "Patton's sliding", tp_line_patton, read_sliding);
     add_curve(&l, "slides and topples from rest", tp_line_dynamic, read_dynamic);

@@ -17,7 +17,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import PROGRAM, ROOT, main, run
+from harness import PROGRAM, ROOT, main, run, solve
 
 DEGREE = math.pi / 180
 SLAB = ("topple: 1\ntitle: {title}\nlength_unit: m\nblock: {{slab: {{width: {width}, height: {height}}}}}\n"
@@ -211,6 +211,24 @@ class Map(Chart):
             topples = math.atan(float(row["block.slab.width"]) / 2) / DEGREE
             self.assertAlmostEqual(float(row["tilt_deg"]), topples, delta=1e-12)
         self.assertEqual({float(r["tilt_deg"]) for r in select(rows, series="Patton's sliding")}, {30})
+
+    def test_window_of_history(self):
+        """Block A towards its peak passes its toe at atan of the arms, 26.215°, at any friction; the limit leaves that
+        tilt where friction on the flank behind the toe begins to hold it. There the window opens, and stays open
+        where the limit alone says interlocked."""
+        peak = ROOT / "examples" / "block_a_peak.yaml"
+        rows = chart("map", peak, "--x", "friction_angle_deg=20:80")
+        limit = {r["friction_angle_deg"]: float(r["tilt_deg"]) for r in select(rows, series="limit")}
+        onset = {r["friction_angle_deg"]: float(r["tilt_deg"]) for r in select(rows, series="certain to stand")}
+        pivot = solve(peak)["cases"][0]["toppling"]["critical_angle_deg"]["value"]
+        self.assertGreater(len(onset), 50)
+        for friction, tilt in onset.items():
+            self.assertAlmostEqual(tilt, pivot, delta=1e-9)
+            self.assertGreater(limit.get(friction, 90), tilt)
+        for friction, tilt in limit.items():
+            if friction not in onset:
+                self.assertAlmostEqual(tilt, pivot, delta=1e-6)
+        self.assertGreater(max(map(float, onset)), max(map(float, limit)))
 
     def test_axes_change_places(self):
         """The same map with the tilt on the x axis."""
