@@ -218,6 +218,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   arb_init(margin);
   arb_set_fmpq(angle, tilt->value, e->rung.bits); /* 0 where not given */
   result->mechanism = result->first;
+  result->falls_backwards = false; /* whatever a lower rung took it for */
   result->has_margin = first != NULL && tilt->given;
   result->has_first_angle = first != NULL;
   if (first != NULL) result->first_angle_deg = tp_evaluation_result(e, first->degrees);
