@@ -66,13 +66,22 @@ static int shares_end(const tp_tilt *end, const tp_tilt *own, const tp_judge *ju
 }
 
 /* Is the motion named before another that begins at the same tilt? That of one ray before a mode of
- * two, of which it is a part. */
-static bool goes_first(const tp_motion_window *named, const tp_motion_window *other) {
-  return named->begins >= 0 && (named->has_ray || !other->has_ray);
+ * two, of which it is a part; of several the first mode. */
+static bool goes_first(const tp_motion_window *named, const tp_motion_window *other,
+                       const tp_tilt_span *spans) {
+  if (named->begins < 0) return false;
+  if (named->has_ray != other->has_ray) return named->has_ray;
+  return spans[named->begins].mode <= spans[other->begins].mode;
 }
 
-/* Of the spans that share the end of a window, the one that is named; and whether another one
- * begins there by another mechanism. */
+/* Motions about different points are different, whatever they are called. */
+static bool ties_with(const tp_motion_window *named, const tp_motion_window *other) {
+  return other->has_ray == named->has_ray &&
+         (other->mechanism != named->mechanism || (named->has_ray && other->ray != named->ray));
+}
+
+/* Of the spans that share the end of a window, the one that is named; and whether another motion
+ * begins there. */
 static tp_motion_outcome name(tp_motion_window *w, const tp_motions *m, tp_tilt_span *const *spans,
                               long count, const tp_judge *judge) {
   const bool upper = w->from.endless;
@@ -87,13 +96,13 @@ static tp_motion_outcome name(tp_motion_window *w, const tp_motions *m, tp_tilt_
       tp_motion_window other = {.begins = spans[k] - m->spans.items};
       const tp_motion_outcome done = describe(&other, m, spans[k], end);
       if (done != TP_MOTION_PROVEN) return done;
-      if (round == 0 && !goes_first(w, &other)) {
+      if (round == 0 && !goes_first(w, &other, m->spans.items)) {
         w->begins = other.begins;
         w->has_ray = other.has_ray;
         w->ray = other.ray;
         w->mechanism = other.mechanism;
       }
-      if (round == 1 && other.has_ray == w->has_ray && other.mechanism != w->mechanism) {
+      if (round == 1 && ties_with(w, &other)) {
         w->tie = true;
         w->tied_with = other.mechanism;
       }
