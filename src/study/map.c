@@ -10,9 +10,9 @@
 enum { STEPS = 1100 }; /* no range of doubles takes more halvings */
 
 const char *tp_regime_name(tp_regime regime) {
-  static const char *const names[] = {"no answer",          "slides",   "topples",
-                                      "slides and topples", "tie",      "interlocked",
-                                      "does not stand",     "undecided"};
+  static const char *const names[] = {"no answer", "slides",   "topples",     "slides and topples",
+                                      "tie",       "may move", "interlocked", "does not stand",
+                                      "undecided"};
   return names[regime];
 }
 
@@ -31,6 +31,8 @@ tp_chart_style tp_regime_region(tp_regime regime) {
   case TP_REGIME_BOTH:
   case TP_REGIME_TIE:
     return tp_region_both;
+  case TP_REGIME_MAY_MOVE:
+    return tp_region_history;
   case TP_REGIME_INTERLOCKED:
     return tp_region_interlocked;
   case TP_REGIME_NONE:
@@ -45,7 +47,9 @@ bool tp_look_has_limit(const tp_look *look) {
   return look->regime >= TP_REGIME_SLIDES && look->regime <= TP_REGIME_TIE;
 }
 
-static tp_regime regime_of(const tp_limit *limit) {
+static tp_regime regime_of(const tp_case *own) {
+  const tp_limit *limit = &own->limit;
+  const tp_onset_kind onset = own->onset.kind;
   switch (limit->kind) {
   case TP_LIMIT_AT_ANGLE:
     if (limit->tie && limit->tied_with != limit->mechanism) return TP_REGIME_TIE;
@@ -53,7 +57,9 @@ static tp_regime regime_of(const tp_limit *limit) {
            : limit->mechanism == TP_TOPPLES ? TP_REGIME_TOPPLES
                                             : TP_REGIME_BOTH;
   case TP_LIMIT_INTERLOCKED:
-    return TP_REGIME_INTERLOCKED;
+    return onset == TP_ONSET_NEVER || onset == TP_ONSET_NOT_ASKED ? TP_REGIME_INTERLOCKED
+           : onset == TP_ONSET_UNDECIDED                          ? TP_REGIME_UNDECIDED
+                                                                  : TP_REGIME_MAY_MOVE;
   case TP_LIMIT_NOWHERE:
     return TP_REGIME_NOWHERE;
   case TP_LIMIT_NOT_ASKED:
@@ -66,7 +72,7 @@ static tp_regime regime_of(const tp_limit *limit) {
 static void take(tp_look *look, const tp_solution *solution) {
   const tp_case *own = solution->cases;
   double delta = 0, kappa = 0;
-  look->regime = regime_of(&own->limit);
+  look->regime = regime_of(own);
   look->limit_deg = own->limit.critical_angle_deg;
   look->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
   if (look->has_onset) look->onset_deg = own->onset.critical_angle_deg;

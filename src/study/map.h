@@ -17,6 +17,7 @@ typedef enum tp_regime {
   TP_REGIME_TOPPLES,
   TP_REGIME_BOTH,
   TP_REGIME_TIE,         /* two mechanisms have the same limit */
+  TP_REGIME_MAY_MOVE,    /* forces hold it at every tilt, but a motion can begin */
   TP_REGIME_INTERLOCKED, /* nothing does */
   TP_REGIME_NOWHERE,     /* it does not stand at any tilt */
   TP_REGIME_UNDECIDED

@@ -229,6 +229,10 @@ class Map(Chart):
             if friction not in onset:
                 self.assertAlmostEqual(tilt, pivot, delta=1e-6)
         self.assertGreater(max(map(float, onset)), max(map(float, limit)))
+        borders = {r["of"]: float(r["friction_angle_deg"]) for r in select(rows, series="border")}
+        self.assertEqual(set(borders), {"topples | slides and topples", "slides and topples | may move"})
+        # two cones on opposite flanks of slope 1/3 see each other: 90° less their inclination
+        self.assertAlmostEqual(borders["slides and topples | may move"], 90 - math.atan(1 / 3) / DEGREE, delta=1e-9)
 
     def test_axes_change_places(self):
         """The same map with the tilt on the x axis."""
