@@ -87,8 +87,8 @@ static void join_units(tp_csv_row *row) {
   int kept = 0;
   for (int k = 0; k < row->count && row->separator == ' '; k++) {
     const tp_csv_field own = row->fields[k];
-    const char first = own.length > 0 ? row->text[own.at] : '\0';
-    if (kept > 0 && (first == '(' || first == '[')) {
+    const char *first = row->text + own.at;
+    if (kept > 0 && own.length > 0 && (*first == '(' || *first == '[')) {
       row->fields[kept - 1].length = own.at + own.length - row->fields[kept - 1].at;
     } else {
       row->fields[kept++] = own;

@@ -38,7 +38,11 @@ static void look_over(tp_csv_row *row, char named) {
   }
   while (k > 0 && isspace((unsigned char)row->text[k - 1])) k--;
   row->length = k;
-  row->separator = has_named ? named : semicolon ? ';' : tab ? '\t' : comma ? ',' : ' ';
+  row->separator = ' ';
+  if (comma) row->separator = ',';
+  if (tab) row->separator = '\t';
+  if (semicolon) row->separator = ';';
+  if (has_named) row->separator = named;
 }
 
 static bool separates(const tp_csv_row *row, char c) {
