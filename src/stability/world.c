@@ -116,7 +116,7 @@ static tp_status find_contact(found *f, const tp_scene *scene, const tp_section 
 static tp_status find_on_profile(found *f, const tp_scene *scene, const tp_section *section,
                                  tp_message *message) {
   tp_base base;
-  tp_lattice lattice;
+  tp_lattice lattice = {0};
   tp_status status = tp_base_init(&base, scene, section, message);
   if (status != TP_OK) return status;
   status = check_as_given(&lattice, scene, section, &base.ring, message);

@@ -27,15 +27,15 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
   if (as == CORNERS_SHARP) rounded->count = 0;
   if (as != CORNERS_AS_THEY_ARE) rounded->keeps_mass = as == CORNERS_PAPER;
   tp_status status = tp_solve(&s->noted, &s->scene, &options, message);
-  if (status != TP_OK) return status;
+  if (s->noted == NULL) return status; /* outputs of a call that fails stay untouched */
   s->towards = s->noted->cases[0].towards;
   status = tp_problem_init(&s->problem, &s->scene, &options, s->noted, message);
   if (status != TP_OK) {
     tp_solution_free(s->noted);
     return status;
   }
-  const tp_case *own = s->noted != NULL ? s->noted->cases : NULL;
-  s->has_pivot = own != NULL && own->has_governing;
+  const tp_case *own = s->noted->cases;
+  s->has_pivot = own->has_governing;
   if (s->has_pivot) s->point = (long)own->governing;
   return TP_OK;
 }
