@@ -3,8 +3,8 @@
 
 #include "motion/accelerations.h"
 
-#include "motion/bounds.h"
 #include "motion/closed.h"
+#include "motion/newton.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -146,9 +146,9 @@ static tp_motion_outcome look_for_paradox(starting *s) {
   tp_motion_outcome done = TP_MOTION_PROVEN;
   for (long k = 0; k < s->mode->edge_count && done == TP_MOTION_PROVEN; k++) {
     const tp_mode_edge *own = s->mode->edges + k;
-    tp_bounds_of_edge(&edge, s->q, n, own);
+    tp_newton_force(&edge, s->q, n, own);
     tp_vector_neg(&edge);
-    tp_bounds_of_normal(&normal, s->q, n, n->normal_of[own->point]);
+    tp_newton_normal(&normal, s->q, n, n->normal_of[own->point]);
     tp_vector_dot(press, &normal, &edge, bits);
     const double scale = tp_vector_log2_size(&normal) + tp_vector_log2_size(&edge);
     const int sign = tp_judge_sign(&s->q->judge, press, scale);
@@ -185,7 +185,7 @@ static void start_freely(starting *s) {
 
 static void set_acceleration(starting *s) {
   const tp_ray turn = {.twist = s->start->twist, .axis = -1};
-  tp_bounds_of_ray(&s->start->acceleration, s->q, &turn);
+  tp_newton_inertia(&s->start->acceleration, s->q, &turn);
   arb_set(s->start->acceleration.of + 2, s->start->twist.of + 2);
 }
 
@@ -204,9 +204,9 @@ tp_motion_outcome tp_start_find(tp_start *start, const tp_motion_question *q, co
   for (long k = 0; k < s.count; k++) {
     tp_vector_init(s.items + k);
     if (k < mode->ray_count) {
-      tp_bounds_of_ray(s.items + k, q, m->twists.rays + mode->rays[k]);
+      tp_newton_inertia(s.items + k, q, m->twists.rays + mode->rays[k]);
     } else {
-      tp_bounds_of_edge(s.items + k, q, &m->normals, mode->edges + k - mode->ray_count);
+      tp_newton_force(s.items + k, q, &m->normals, mode->edges + k - mode->ray_count);
     }
   }
   tp_motion_outcome done = try_all(&s);

@@ -13,18 +13,7 @@
 #ifndef TP_BOUNDS_H
 #define TP_BOUNDS_H
 
-#include "motion/motion.h"
-#include "motion/strength.h"
-
-/* What a plane is spanned by: the same for planes of two modes that are one by construction, and
- * for planes that weight alone, whose moment is none, meets at one tilt. */
-typedef enum tp_source_kind {
-  TP_FROM_SITE,     /* all forces through one place */
-  TP_FROM_PARALLEL, /* all forces of one direction: an axis and a side of its cones */
-  TP_FROM_AXIS,     /* weight along a facet */
-  TP_FROM_NORMAL,   /* M times the twists on one normal line */
-  TP_FROM_PAIR      /* two generators */
-} tp_source_kind;
+#include "motion/generators.h"
 
 typedef struct tp_bound {
   tp_vector h;
@@ -44,14 +33,5 @@ TP_MUST_USE tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_motion_
                                              const tp_normals *normals, const tp_twists *twists,
                                              const tp_mode *mode, const tp_strength *strength);
 void tp_bounds_clear(tp_bounds *bounds);
-
-/* The same vector M r or -e, three balls. */
-void tp_bounds_of_ray(tp_vector *own, const tp_motion_question *question, const tp_ray *ray);
-void tp_bounds_of_edge(tp_vector *own, const tp_motion_question *question,
-                       const tp_normals *normals, const tp_mode_edge *edge);
-
-/* k^2 M^-1 h of a normal line: times a force it is the acceleration along the normal, times k^2. */
-void tp_bounds_of_normal(tp_vector *own, const tp_motion_question *question,
-                         const tp_normals *normals, long normal);
 
 #endif

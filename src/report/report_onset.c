@@ -155,20 +155,6 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
   }
 }
 
-static const char *state_text(tp_contact_state state) {
-  switch (state) {
-  case TP_CONTACT_OPENS:
-    return "opens";
-  case TP_CONTACT_STICKS:
-    return "sticks";
-  case TP_CONTACT_SLIPS_DOWN_DIP:
-    return "slips down-dip";
-  case TP_CONTACT_SLIPS_UP_DIP:
-    return "slips up-dip";
-  }
-  return "unknown";
-}
-
 /* "facet 1, left end: sticks" */
 static void add_contacts(tp_page *p, const tp_motion *m) {
   enum { SHOWN = 6 };
@@ -178,9 +164,9 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
     const tp_motion_contact *own = m->contacts + k;
     if (own->of_facet) {
       tp_text_add(&p->text, "      facet %zu, %s end: %s", own->facet + 1,
-                  own->at_right_end ? "right" : "left", state_text(own->state));
+                  own->at_right_end ? "right" : "left", tp_text_contact_state(own->state));
     } else {
-      tp_text_add(&p->text, "      the base past the toe: %s", state_text(own->state));
+      tp_text_add(&p->text, "      the base past the toe: %s", tp_text_contact_state(own->state));
     }
     if (own->has_force) {
       tp_text_add(&p->text, ", force (%s, %s) W", tp_text_significant(n[0], own->share_x, 4),

@@ -41,20 +41,6 @@ static void add_windows(tp_text *t, const tp_onset *o) {
   tp_text_add(t, "]");
 }
 
-static const char *state_of(tp_contact_state state) {
-  switch (state) {
-  case TP_CONTACT_OPENS:
-    return "opens";
-  case TP_CONTACT_STICKS:
-    return "sticks";
-  case TP_CONTACT_SLIPS_DOWN_DIP:
-    return "slips down-dip";
-  case TP_CONTACT_SLIPS_UP_DIP:
-    break;
-  }
-  return "slips up-dip";
-}
-
 static void add_contact(tp_text *t, const tp_motion_contact *c) {
   tp_text_add(t, "{\"facet\": ");
   if (c->of_facet) {
@@ -62,7 +48,7 @@ static void add_contact(tp_text *t, const tp_motion_contact *c) {
   } else {
     tp_text_add(t, "null");
   }
-  tp_text_add(t, ", \"state\": \"%s\"", state_of(c->state));
+  tp_text_add(t, ", \"state\": \"%s\"", tp_text_contact_state(c->state));
   if (c->has_force) {
     tp_text_add(t, ", ");
     tp_json_number(t, "share_x", c->share_x);

@@ -72,7 +72,22 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_text_add(t, " |\n");
 }
 
-static const char *const head =
+typedef void (*row)(tp_text *text, const tp_solution *solution, const tp_case *own);
+
+/* A head and a row for each case. */
+static tp_status write(char **text, const char *head, row add, const tp_solution *const *solutions,
+                       size_t count) {
+  tp_text t = {0};
+  tp_text_add(&t, "%s", head);
+  for (size_t k = 0; k < count; k++) {
+    for (size_t c = 0; c < solutions[k]->case_count; c++) {
+      add(&t, solutions[k], solutions[k]->cases + c);
+    }
+  }
+  return tp_text_finish(&t, text);
+}
+
+static const char *const columns =
     "| scene | towards | tilt | verdict | FoS | against | certain to stand up to | toe | moments | "
     "φ + i | base ends at the toe: limit | mechanism | base goes on: limit | mechanism |\n"
     "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
@@ -82,14 +97,7 @@ tp_status tp_report_table(char **text, const tp_solution *const *solutions, size
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
-  tp_text t = {0};
-  tp_text_add(&t, "%s", head);
-  for (size_t k = 0; k < count; k++) {
-    for (size_t c = 0; c < solutions[k]->case_count; c++) {
-      add_case(&t, solutions[k], solutions[k]->cases + c);
-    }
-  }
-  return tp_text_finish(&t, text);
+  return write(text, columns, add_case, solutions, count);
 }
 
 /* A number in full, or an empty field. */
@@ -134,12 +142,5 @@ tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
-  tp_text t = {0};
-  tp_text_add(&t, "%s", fields);
-  for (size_t k = 0; k < count; k++) {
-    for (size_t c = 0; c < solutions[k]->case_count; c++) {
-      add_fields(&t, solutions[k], solutions[k]->cases + c);
-    }
-  }
-  return tp_text_finish(&t, text);
+  return write(text, fields, add_fields, solutions, count);
 }

@@ -181,6 +181,20 @@ const char *tp_text_to_move(tp_mechanism mechanism) {
   }
 }
 
+const char *tp_text_contact_state(tp_contact_state state) {
+  switch (state) {
+  case TP_CONTACT_OPENS:
+    return "opens";
+  case TP_CONTACT_STICKS:
+    return "sticks";
+  case TP_CONTACT_SLIPS_DOWN_DIP:
+    return "slips down-dip";
+  case TP_CONTACT_SLIPS_UP_DIP:
+    return "slips up-dip";
+  }
+  return "unknown";
+}
+
 const char *tp_text_direction(tp_direction direction) {
   return direction == TP_TOWARDS_LEFT ? "left" : "right";
 }

@@ -4,8 +4,8 @@
 #include "stability/onset_motions.h"
 
 #include "motion/accelerations.h"
-#include "motion/bounds.h"
 #include "motion/closed.h"
+#include "motion/newton.h"
 #include "stability/loaded.h"
 
 #include <math.h>
@@ -92,7 +92,7 @@ static void set_share(tp_motion_contact *own, const tp_onset_telling *t, const t
   tp_vector_init(&sum);
   for (long k = 0; k < mode->edge_count; k++) {
     if (mode->edges[k].point != point) continue;
-    tp_bounds_of_edge(&edge, t->question, &t->motions->normals, mode->edges + k);
+    tp_newton_force(&edge, t->question, &t->motions->normals, mode->edges + k);
     for (int row = 0; row < 2; row++) {
       arb_submul(sum.of + row, edge.of + row, start->forces + k, bits);
     }
