@@ -141,12 +141,19 @@ static bool mirror(random_scene *s, relation *r, uint64_t *state) {
   return true;
 }
 
+static bool repeats_the_one_before(const polygon *p, long k) {
+  const long before = (k + p->count - 1) % p->count;
+  return p->x[k] == p->x[before] && p->y[k] == p->y[before];
+}
+
+/* A ring may close by its first vertex once more, but not repeat another. */
 static bool renumber(random_scene *s, relation *r, uint64_t *state) {
   (void)r;
   polygon *rings[] = {&s->outline, &s->hole, &s->part};
   for (size_t i = 0; i < sizeof rings / sizeof *rings; i++) {
     const polygon old = *rings[i];
-    const long first = old.count > 0 ? draw_below(state, old.count) : 0;
+    long first = old.count > 0 ? draw_below(state, old.count) : 0;
+    while (old.count > 1 && repeats_the_one_before(&old, first) && first > 0) first--;
     for (long k = 0; k < old.count; k++) {
       rings[i]->x[k] = old.x[(first + k) % old.count];
       rings[i]->y[k] = old.y[(first + k) % old.count];

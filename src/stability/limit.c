@@ -154,7 +154,7 @@ static void reduce_strength(tp_limit *result, asking *a) {
   tp_friction_tangent(a->cones->friction, friction, e->rung.bits);
   tp_work_begin(e->work, tp_cones_column_count(a->cones));
   a->outcome = tp_reduction_find(&found, a->question, a->cones, tilt, e->digits);
-  if (a->outcome != TP_LIMIT_PROVEN && holds_at_single_tilts(a)) {
+  if (holds_at_single_tilts(a)) {
     result->fos.state = TP_FOS_UNDEFINED;
   } else if (a->outcome != TP_LIMIT_PROVEN) {
     result->fos.state = TP_FOS_UNDECIDED;
@@ -173,7 +173,7 @@ static void reduce_strength(tp_limit *result, asking *a) {
 static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a,
                      tp_direction towards) {
   tp_evaluation *e = a->e;
-  if (a->outcome != TP_LIMIT_PROVEN && holds_at_single_tilts(a)) {
+  if (holds_at_single_tilts(a)) { /* a search may come upon one of them, or not */
     result->kind = TP_LIMIT_NOWHERE;
     result->mechanism = TP_SLIDES_AND_TOPPLES;
     return;
