@@ -38,9 +38,10 @@ static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
 static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
   const char *said = NULL;
   if (c->limit.kind == TP_LIMIT_NOWHERE) {
+    const bool open = c->mechanism == TP_MECHANISM_UNDECIDED;
     tp_text_add(&p->text,
-                "  Does not stand: no forces of the base hold it at any tilt, and it\n  %s%s.\n",
-                tp_text_mechanism(c->mechanism),
+                "  Does not stand: no forces of the base hold it at any tilt, and %s\n  %s%s.\n",
+                open ? "how it moves is" : "it", tp_text_mechanism(c->mechanism),
                 p->solution->contact.corner_points > 0
                     ? "; its contacts of a corner on a corner count as no support"
                     : "");

@@ -91,7 +91,14 @@ static bool has_support(const tp_problem *problem) {
 /* Where nothing holds it at any tilt, what begins. */
 static tp_mechanism first_of_nothing(const tp_evaluation *e, const tp_case *result) {
   if (!has_support(e->problem)) return TP_LEAVES_BASE;
-  return result->onset.kind == TP_ONSET_NOWHERE ? result->onset.mechanism : TP_SLIDES_AND_TOPPLES;
+  switch (result->onset.kind) {
+  case TP_ONSET_NOWHERE:
+    return result->onset.mechanism;
+  case TP_ONSET_UNDECIDED:
+    return TP_MECHANISM_UNDECIDED;
+  default:
+    return TP_SLIDES_AND_TOPPLES;
+  }
 }
 
 /* Where some forces hold it at every tilt, but a motion can begin, that is the first to tell. */
