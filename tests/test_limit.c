@@ -27,7 +27,7 @@ typedef struct scene {
 
 static void scene_init(scene *s) {
   const long facets = 1 + draw_below(&state, 4);
-  ck_assert(tp_cones_init(&s->cones, 2 * facets, 0));
+  ck_assert(tp_cones_init(&s->cones, 2 * facets));
   long x = 0, y = draw_below(&state, 9);
   for (long k = 0; k < facets; k++) {
     const long dx = 1 + draw_below(&state, 9), dy = draw_below(&state, 13) - 6;

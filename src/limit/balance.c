@@ -215,6 +215,20 @@ static tp_answer bears_without(const tp_limit_question *q, tp_sketch *sketch,
   return tp_balance_of(&basis, q, sketch, wrench) == TP_YES ? TP_YES : TP_OPEN;
 }
 
+/* With all of the push, where any share of it can be borne: flanks that grip bear any wrench. Three
+ * columns rarely balance the sum with nothing on one of them, as they may the wrench itself. */
+static tp_answer bears_beside(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
+                              const tp_vector *wrench) {
+  tp_vector sum;
+  tp_vector_init(&sum);
+  for (int row = 0; row < 3; row++) {
+    arb_add(sum.of + row, wrench->of + row, push->of + row, q->judge.precision);
+  }
+  const tp_answer answer = bears_without(q, sketch, &sum);
+  tp_vector_clear(&sum);
+  return answer;
+}
+
 tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
                            const tp_vector *wrench) {
   for (int engine = 0; engine < 2; engine++) {
@@ -225,6 +239,9 @@ tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const 
     const tp_basis basis = tp_basis_of(&found);
     if (found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 2 && found.t > 0 &&
         bears_with(&basis, q, sketch, push, wrench) == TP_YES) {
+      return TP_YES;
+    }
+    if (found.outcome == TP_SIMPLEX_UNBOUNDED && bears_beside(q, sketch, push, wrench) == TP_YES) {
       return TP_YES;
     }
   }

@@ -6,23 +6,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool tp_cones_init(tp_cones *cones, long count, long allowance_count) {
+bool tp_cones_init(tp_cones *cones, long count) {
   memset(cones, 0, sizeof *cones);
   cones->points = calloc((size_t)count + 1, sizeof *cones->points);
-  cones->allowances = calloc((size_t)allowance_count + 1, sizeof *cones->allowances);
-  if (cones->points == NULL || cones->allowances == NULL) {
-    free(cones->points);
-    free(cones->allowances);
-    memset(cones, 0, sizeof *cones);
-    return false;
-  }
+  if (cones->points == NULL) return false;
   cones->count = count;
-  cones->allowance_count = allowance_count;
   cones->x = _arb_vec_init(count);
   cones->y = _arb_vec_init(count);
   cones->tx = _fmpz_vec_init(count);
   cones->ty = _fmpz_vec_init(count);
   arb_init(cones->friction);
+  return true;
+}
+
+bool tp_cones_allow(tp_cones *cones, long allowance_count) {
+  cones->allowances = calloc((size_t)allowance_count + 1, sizeof *cones->allowances);
+  if (cones->allowances == NULL) return false;
+  cones->allowance_count = allowance_count;
   for (long k = 0; k < allowance_count; k++) {
     arb_init(cones->allowances[k].shear);
     arb_init(cones->allowances[k].pull);
@@ -147,28 +147,41 @@ bool tp_cones_share_site(const tp_cones *cones, long column, long other) {
          cones->points[column / 2].site == cones->points[other / 2].site;
 }
 
-/* Places that the line of a column passes through: one or two, none for a pull. */
-static int sites_of(long sites[2], const tp_cones *cones, long column) {
-  const long point = tp_cones_point_of(cones, column);
-  sites[0] = cones->points[point].site;
-  if (tp_cones_is_edge(cones, column)) return 1;
-  int kind = 0;
+static bool is_shear(const tp_cones *cones, long column) {
+  int kind = ALONG;
+  if (tp_cones_is_edge(cones, column)) return false;
   (void)allowance_of(cones, column, &kind);
-  if (kind == PULL) return 0;
-  sites[1] = cones->points[point + 1].site;
-  return 2;
+  return kind != PULL;
+}
+
+/* Does a sheared line pass through the place? */
+static bool passes(const tp_cones *cones, long line, long site) {
+  for (long k = 0; k < cones->count; k++) {
+    if (cones->points[k].line == line && cones->points[k].site == site) return true;
+  }
+  return false;
+}
+
+/* Lines that differ have one place in common at most. */
+static bool lines_meet(long *site, const tp_cones *cones, long line, long other) {
+  for (long k = 0; k < cones->count && line != other; k++) {
+    *site = cones->points[k].site;
+    if (cones->points[k].line == line && passes(cones, other, *site)) return true;
+  }
+  return false;
 }
 
 bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other) {
-  long own[2], others[2];
-  const int count = sites_of(own, cones, column), of_other = sites_of(others, cones, other);
-  int common = 0;
-  for (int k = 0; k < count; k++) {
-    for (int j = 0; j < of_other; j++) {
-      if (own[k] != others[j]) continue;
-      *site = own[k];
-      common++;
-    }
+  const tp_cone_point *own = cones->points + tp_cones_point_of(cones, column);
+  const tp_cone_point *others = cones->points + tp_cones_point_of(cones, other);
+  const bool shear = is_shear(cones, column), other_shear = is_shear(cones, other);
+  if (shear && other_shear) return lines_meet(site, cones, own->line, others->line);
+  if (shear && tp_cones_is_edge(cones, other)) {
+    *site = others->site;
+    return passes(cones, own->line, *site);
   }
-  return common == 1; /* with two they are one line */
+  if (!tp_cones_is_edge(cones, column)) return false;
+  *site = own->site;
+  if (other_shear) return passes(cones, others->line, *site);
+  return tp_cones_is_edge(cones, other) && others->site == *site;
 }

@@ -6,7 +6,8 @@
  * Contact points are both ends of every facet, each with its facet's direction t, up-dip, and
  * normal n, into the block. The friction cone of a point is spanned by its edges n + t tan(phi) and
  * n - t tan(phi). A force counts as the column (f_x, f_y, moment about the origin). Cohesion lets a
- * facet carry a shear of either sense along it, a bond a pull at its middle, both up to a bound.
+ * straight line of facets carry a shear of either sense along it, a bond a facet a pull at its
+ * middle, both up to a bound.
  * Any one unit of length and force; x mirrored towards the right, so that down-dip is -x. */
 
 #ifndef TP_CONES_H
@@ -20,9 +21,11 @@
 typedef struct tp_cone_point {
   long site;  /* the same for points in one place */
   long facet; /* the caller's */
+  long line;  /* the straight line of its facet: the same for all on it; needed for allowances */
 } tp_cone_point;
 
-/* Two successive points: the ends of a facet that cohesion or a bond acts on. */
+/* Two successive points: the ends of a facet that a bond acts on, or the first on a line that
+ * cohesion does. */
 typedef struct tp_allowance {
   long point;        /* its first end */
   arb_t shear, pull; /* bounds of the factor on t and on -n */
@@ -38,9 +41,10 @@ typedef struct tp_cones {
   tp_allowance *allowances;
 } tp_cones;
 
-/* Room for `count` points and `allowance_count` allowances, zeros all; false when memory is
- * exhausted, and `cones` is cleared. */
-bool tp_cones_init(tp_cones *cones, long count, long allowance_count);
+/* Room for `count` points, and for allowances, zeros all; false when memory is exhausted: without
+ * points there is nothing to clear. */
+bool tp_cones_init(tp_cones *cones, long count);
+bool tp_cones_allow(tp_cones *cones, long allowance_count);
 void tp_cones_clear(tp_cones *cones);
 
 /* Columns 2 k and 2 k + 1 are the edges n + t tan(phi) and n - t tan(phi) of point k; after those
@@ -56,9 +60,8 @@ void tp_cones_bound(arb_t most, const tp_cones *cones, long column);
 /* The point whose force the column is, and a unit of force along it: for the report. */
 long tp_cones_point_of(const tp_cones *cones, long column);
 
-/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? Do the
- * lines of both pass through one place, that of an edge's point or of either end of a sheared
- * facet? */
+/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? Do both
+ * pass through one place alone, that of an edge's point or of one on a sheared line? */
 bool tp_cones_are_parallel(const tp_cones *cones, long column, long other);
 bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other);
 bool tp_cones_share_site(const tp_cones *cones, long column, long other);

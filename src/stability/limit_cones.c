@@ -3,6 +3,7 @@
 
 #include "stability/limit_cones.h"
 
+#include "stability/limit_lines.h"
 #include "stability/loaded.h"
 
 #include <stdlib.h>
@@ -77,7 +78,7 @@ static long add_point(filling *f, tp_outline_point at, long site, long facet) {
   tp_evaluation_place(x, y, f->e, at);
   if (f->e->loaded != NULL) tp_loaded_local_metres(x, y, f->e);
   if (f->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
-  f->cones->points[own] = (tp_cone_point){.site = site, .facet = facet};
+  f->cones->points[own] = (tp_cone_point){site, facet, facet};
   return own;
 }
 
@@ -132,51 +133,106 @@ static long count_beyond(const tp_limit_beyond *beyond) {
   return count;
 }
 
-/* Length of the facet of two points, over the length of its t. */
-static void facet_length(arb_t length, const tp_cones *cones, long point, long bits) {
+static void add_length(arb_t length, const tp_cones *cones, long point, long bits) {
   arb_t dx, dy;
   arb_init(dx);
   arb_init(dy);
   arb_sub(dx, cones->x + point + 1, cones->x + point, bits);
   arb_sub(dy, cones->y + point + 1, cones->y + point, bits);
-  arb_hypot(length, dx, dy, bits);
-  arb_set_fmpz(dx, cones->tx + point);
-  arb_set_fmpz(dy, cones->ty + point);
   arb_hypot(dx, dx, dy, bits);
-  arb_div(length, length, dx, bits);
+  arb_add(length, length, dx, bits);
   arb_clear(dx);
   arb_clear(dy);
 }
 
-/* kPa on a metre of thickness, N per metre of facet. */
+/* kPa on a length and the thickness, over the length of t. */
 static void set_strength(arb_t bound, const arb_t length, const tp_quantity *kpa,
-                         const tp_evaluation *e) {
+                         const tp_evaluation *e, const tp_cones *cones, long point) {
   const long bits = e->rung.bits;
   fmpq_t factor;
+  arb_t x, y;
   fmpq_init(factor);
+  arb_init(x);
+  arb_init(y);
   tp_problem_thickness(factor, e->problem);
   fmpq_mul(factor, factor, kpa->value);
   fmpq_mul_ui(factor, factor, 1000);
   arb_mul_fmpz(bound, length, fmpq_numref(factor), bits);
   arb_div_fmpz(bound, bound, fmpq_denref(factor), bits);
+  arb_set_fmpz(x, cones->tx + point);
+  arb_set_fmpz(y, cones->ty + point);
+  arb_hypot(x, x, y, bits);
+  arb_div(bound, bound, x, bits);
   fmpq_clear(factor);
+  arb_clear(x);
+  arb_clear(y);
 }
 
-static void fill_allowances(tp_cones *cones, const tp_evaluation *e) {
+static bool begins_facet(const tp_cones *cones, long point) {
+  const tp_cone_point *own = cones->points + point;
+  return own->facet >= 0 && point + 1 < cones->count && own[1].facet == own->facet;
+}
+
+/* Where there is no bond, an allowance for each line alone. */
+static bool has_allowance(const tp_cones *cones, long point, bool bonded) {
+  const tp_cone_point *own = cones->points + point;
+  return begins_facet(cones, point) && (bonded || own->line == own->facet);
+}
+
+static long count_allowances(const tp_cones *cones, bool bonded) {
+  long count = 0;
+  for (long k = 0; k < cones->count; k++) count += has_allowance(cones, k, bonded);
+  return count;
+}
+
+/* `lengths`, one for each facet of the contact, are zeros: those of lines are summed there. */
+static void fill_allowances(tp_cones *cones, const tp_evaluation *e, arb_ptr lengths) {
   const tp_loads_description *loads = &e->problem->scene->loads;
+  const bool bonded = !fmpq_is_zero(loads->bond_kpa.value);
+  const long bits = e->rung.bits;
+  for (long k = 0; k < cones->count; k++) {
+    if (begins_facet(cones, k)) add_length(lengths + cones->points[k].line, cones, k, bits);
+  }
   arb_t length;
   arb_init(length);
   long own = 0;
-  for (long k = 0; own < cones->allowance_count; k++) {
-    if (cones->points[k].facet < 0 || cones->points[k].facet != cones->points[k + 1].facet)
-      continue;
+  for (long k = 0; k < cones->count; k++) {
+    if (!has_allowance(cones, k, bonded)) continue;
     tp_allowance *a = cones->allowances + own++;
+    const tp_cone_point *point = cones->points + k;
     a->point = k;
-    facet_length(length, cones, k, e->rung.bits);
-    set_strength(a->shear, length, &loads->cohesion_kpa, e);
-    set_strength(a->pull, length, &loads->bond_kpa, e);
+    if (point->line == point->facet) {
+      set_strength(a->shear, lengths + point->line, &loads->cohesion_kpa, e, cones, k);
+    }
+    if (!bonded) continue;
+    arb_zero(length);
+    add_length(length, cones, k, bits);
+    set_strength(a->pull, length, &loads->bond_kpa, e, cones, k);
   }
   arb_clear(length);
+}
+
+/* Cohesion and bonds of the contact that the scene has. */
+static bool add_strength(tp_cones *cones, const tp_evaluation *e) {
+  const tp_loads_description *loads = &e->problem->scene->loads;
+  const bool bonded = !fmpq_is_zero(loads->bond_kpa.value);
+  /* strength of nothing adds no forces, and no ties of mechanisms that hold them */
+  if (e->loaded == NULL || !(bonded || !fmpq_is_zero(loads->cohesion_kpa.value))) return true;
+  const long facets = e->problem->contact.facet_count;
+  long *lines = calloc((size_t)facets + 1, sizeof *lines);
+  if (lines == NULL) return false;
+  bool done = tp_limit_lines_find(lines, e->problem);
+  for (long k = 0; k < cones->count && done; k++) {
+    tp_cone_point *own = cones->points + k;
+    if (own->facet >= 0) own->line = lines[own->facet];
+  }
+  free(lines);
+  done = done && tp_cones_allow(cones, count_allowances(cones, bonded));
+  if (!done) return false;
+  arb_ptr lengths = _arb_vec_init(facets);
+  fill_allowances(cones, e, lengths);
+  _arb_vec_clear(lengths, facets);
+  return true;
 }
 
 /* The facets of the contact, less those that a base that ends at the toe has not, and what one that
@@ -185,26 +241,22 @@ static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, 
                  const tp_limit_beyond *beyond) {
   const tp_problem *problem = e->problem;
   const tp_contact *contact = &problem->contact;
-  const tp_loads_description *loads = &problem->scene->loads;
-  /* strength of nothing adds no forces, and no ties of mechanisms that hold them */
-  const bool strong = e->loaded != NULL && !(fmpq_is_zero(loads->cohesion_kpa.value) &&
-                                             fmpq_is_zero(loads->bond_kpa.value));
-  long count = beyond != NULL ? count_beyond(beyond) : 0, lengths = 0;
+  long count = beyond != NULL ? count_beyond(beyond) : 0;
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
     if (!restrains(f) || (ends && lies_beyond(problem, f, towards))) continue;
     count += f->q0 == f->q1 ? 1 : 2;
-    if (f->q0 != f->q1) lengths++;
   }
-  if (!tp_cones_init(cones, count, strong ? lengths : 0)) return false;
+  if (!tp_cones_init(cones, count)) return false;
   filling f = {.cones = cones, .e = e, .towards = towards};
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
     if (restrains(facet) && !(ends && lies_beyond(problem, facet, towards))) add_facet(&f, k);
   }
   if (beyond != NULL) add_beyond(&f, beyond);
-  fill_allowances(cones, e);
-  return true;
+  const bool done = add_strength(cones, e);
+  if (!done) tp_cones_clear(cones);
+  return done;
 }
 
 bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
