@@ -191,7 +191,7 @@ START_TEST(test_effects_of_random_scenes) {
   if (count < ENOUGH) return;
   ck_assert_int_lt(seen.refused, count / 2);
   ck_assert_int_lt(seen.undecided, count / 100 + 1);
-  for (int p = 0; p < PROPERTIES; p++) ck_assert_int_gt(seen.compared[p], count / 200);
+  for (int p = 0; p < PROPERTIES; p++) ck_assert_int_gt(seen.compared[p], count / 400);
 }
 END_TEST
 
