@@ -113,6 +113,13 @@ static void need_limits(const comparison *c, const tp_pivot *p, const tp_pivot *
   }
 }
 
+/* From the scene's tilt, which a turned block has not. */
+static void compare_rolling(const comparison *c, const tp_case *one, const tp_case *other) {
+  if (c->r->turned) return;
+  compare_need(c, one->rolls == other->rolls && one->rests == other->rests, "rolling");
+  if (one->rests) compare_angle(c, one->rest_turn_deg, other->rest_turn_deg, "turn of the rest");
+}
+
 static void compare_pivots(const comparison *c, const tp_case *one, const tp_case *other) {
   const bool counted = one->pivot_count == other->pivot_count;
   compare_need(c, counted || (c->r->more_vertices && one->pivot_count < other->pivot_count),
@@ -128,8 +135,7 @@ static void compare_pivots(const comparison *c, const tp_case *one, const tp_cas
     }
     compare_fos(c, p->fos_resultant, q->fos_resultant, "factor of safety of a pivot");
   }
-  compare_need(c, one->rolls == other->rolls && one->rests == other->rests, "rolling");
-  if (one->rests) compare_angle(c, one->rest_turn_deg, other->rest_turn_deg, "turn of the rest");
+  compare_rolling(c, one, other);
   compare_need(c, one->has_governing == other->has_governing, "some pivot governs");
   if (c->r->uncertain || !one->has_governing || goes_round(c, one)) return;
   compare_need(c, one->governing_tie == other->governing_tie, "tie of pivots");
