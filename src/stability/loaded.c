@@ -134,6 +134,13 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   for (long k = 0; k < loaded->count; k++) tp_wrench_init(&loaded->items[k].wrench);
   tp_wrench_init(&loaded->sum);
   arb_init(loaded->range);
+  if (!fmpq_is_zero(scene->loads.bond_kpa.value)) {
+    loaded->bond = tp_bond_new(e);
+    if (loaded->bond == NULL) {
+      tp_loaded_clear(loaded);
+      return false;
+    }
+  }
   tp_load_setting setting;
   tp_load_setting_init(&setting, scene, loaded->mirrored, e->rung.bits);
   fill_setting(&setting, e);
@@ -155,6 +162,7 @@ void tp_loaded_clear(tp_loaded *loaded) {
   for (long k = 0; k < loaded->count; k++) tp_wrench_clear(&loaded->items[k].wrench);
   free(loaded->items);
   tp_wrench_clear(&loaded->sum);
+  tp_bond_free(loaded->bond);
   arb_clear(loaded->range);
 }
 
@@ -187,85 +195,12 @@ void tp_loaded_axis(arb_t x, arb_t y, const tp_loaded *loaded, const tp_evaluati
   if (loaded->mirrored) arb_neg(x, x);
 }
 
-/* (q - P) . t for an end q of the facet, in squares of lattice steps: P the k-th contact point, t
- * from one end to the other, not normalised. Exact but for rounded corners; an end that is P gives
- * 0. */
-static void along_facet(arb_t distance, tp_outline_point end, const arb_t tx, const arb_t ty,
-                        const tp_evaluation *e, long k) {
-  const tp_outline_point pivot = tp_contact_place(e->problem->contact.points + k);
-  arb_zero(distance);
-  if (tp_outline_point_is_same(&e->problem->lattice, end, pivot)) return;
-  const long bits = end.cut == NULL && pivot.cut == NULL ? ARF_PREC_EXACT : e->rung.bits;
-  arb_t x, y, px, py;
-  arb_init(x);
-  arb_init(y);
-  arb_init(px);
-  arb_init(py);
-  tp_evaluation_place(x, y, e, end);
-  tp_evaluation_place(px, py, e, pivot);
-  arb_sub(x, x, px, bits);
-  arb_sub(y, y, py, bits);
-  arb_mul(distance, x, tx, bits);
-  arb_addmul(distance, y, ty, bits);
-  arb_clear(x);
-  arb_clear(y);
-  arb_clear(px);
-  arb_clear(py);
-}
-
-/* The moment of a tensile bond of strength 1 on the part of a facet that opens as the block turns
- * about P, overturning or back, in squares of lattice steps. With s the distance (q - P) . t / |t|
- * along the facet, towards the up-dip side, it opens where s > 0: the integral of s is
- * (s1^2 - s0^2) / 2 with s0 and s1 not below 0. However the facet is divided, the sum is the same.
- */
-static void facet_bond(arb_t sum, const tp_facet *f, bool from_left, const tp_evaluation *e,
-                       long k) {
-  if (f->q0 == f->q1) return; /* a contact in a point has no length */
-  const long bits = e->rung.bits;
-  arb_t x[2], y[2], near, far, zero;
-  for (int i = 0; i < 2; i++) {
-    arb_init(x[i]);
-    arb_init(y[i]);
-  }
-  arb_init(near);
-  arb_init(far);
-  arb_init(zero);
-  const tp_outline_point first = from_left ? tp_facet_begin(f) : tp_facet_end(f);
-  const tp_outline_point last = from_left ? tp_facet_end(f) : tp_facet_begin(f);
-  const bool sharp = first.cut == NULL && last.cut == NULL;
-  tp_evaluation_place(x[0], y[0], e, first);
-  tp_evaluation_place(x[1], y[1], e, last);
-  arb_sub(x[1], x[1], x[0], sharp ? ARF_PREC_EXACT : bits);
-  arb_sub(y[1], y[1], y[0], sharp ? ARF_PREC_EXACT : bits);
-  along_facet(near, first, x[1], y[1], e, k);
-  along_facet(far, last, x[1], y[1], e, k);
-  arb_max(near, near, zero, bits);
-  arb_max(far, far, zero, bits);
-  arb_mul(near, near, near, bits);
-  arb_mul(far, far, far, bits);
-  arb_sub(far, far, near, bits);
-  arb_mul(x[1], x[1], x[1], bits);
-  arb_addmul(x[1], y[1], y[1], bits);
-  arb_mul_2exp_si(x[1], x[1], 1);
-  arb_div(far, far, x[1], bits);
-  arb_add(sum, sum, far, bits);
-  for (int i = 0; i < 2; i++) {
-    arb_clear(x[i]);
-    arb_clear(y[i]);
-  }
-  arb_clear(near);
-  arb_clear(far);
-  arb_clear(zero);
-}
-
 void tp_loaded_bond(arb_t moment, long k, bool back, const tp_loaded *loaded,
                     const tp_evaluation *e) {
   const tp_problem *problem = e->problem;
   arb_zero(moment);
-  if (fmpq_is_zero(problem->scene->loads.bond_kpa.value)) return;
-  for (long i = 0; i < problem->contact.facet_count; i++) {
-    facet_bond(moment, problem->contact.facets + i, loaded->mirrored == back, e, k);
-  }
+  if (loaded->bond == NULL) return;
+  tp_bond_moment(moment, loaded->bond, e, k, loaded->mirrored == back);
   fmpq_t factor;
   fmpq_init(factor);
   tp_problem_thickness(factor, problem);

@@ -9,6 +9,7 @@
 #include "load/loads.h"
 #include "load/roots.h"
 #include "stability/evaluation.h"
+#include "stability/loaded_bond.h"
 
 /* The loads for one direction of tilt at one rung, in SI units and the frame of load/wrench.h. */
 typedef struct tp_loaded tp_loaded;
@@ -17,7 +18,8 @@ struct tp_loaded {
   long count;
   tp_load *items;
   tp_wrench sum;
-  arb_t range; /* radians up to which a static limit is looked for */
+  tp_bond *bond; /* NULL: there is none */
+  arb_t range;   /* radians up to which a static limit is looked for */
 };
 
 /* False when memory is exhausted. */

@@ -8,6 +8,7 @@ import pathlib
 import random
 import tempfile
 import unittest
+from fractions import Fraction
 
 from harness import main, run, solve
 
@@ -20,6 +21,13 @@ def slab(width, height, loads, tilt=None, towards="left", friction=None, extra="
             "loads: %s\n%stilt: {towards: %s%s}\n"
             % (width, height, extra, loads, f"friction_angle_deg: {friction!r}\n" if friction else "",
                towards, f", angle_deg: {tilt!r}" if tilt is not None else ""))
+
+
+def opening(q0, q1, pivot, side):
+    """Of the facet from q0 to q1, as the block turns about the pivot towards the left (1) or right (-1)."""
+    t = (q1[0] - q0[0], q1[1] - q0[1])
+    ends = [max(0, side * ((q[0] - pivot[0]) * t[0] + (q[1] - pivot[1]) * t[1])) for q in (q0, q1)]
+    return side * (ends[1] ** 2 - ends[0] ** 2) / (2 * (t[0] ** 2 + t[1] ** 2))
 
 
 class Loads(unittest.TestCase):
@@ -166,6 +174,45 @@ class Loads(unittest.TestCase):
         self.assert_angle(case, math.degrees(d + math.asin(2 * held / (weight * math.hypot(b, h)))))
         tilt = math.radians(20)
         self.assert_fos(case, (weight * b / 2 * math.cos(tilt) + held) / (weight * h / 2 * math.sin(tilt)))
+
+    def test_bond_of_a_rough_base(self):
+        """About every pivot of rough bases, what opens facet by facet in fractions: with s = (q - P) . t and
+        t = q1 - q0 it opens where s > 0, and resists with (s1^2 - s0^2) / (2 t^2), s not below 0."""
+        generator = random.Random(71)
+        for count in (3, 17, 60, 200):
+            points = [(Fraction(k), Fraction(generator.randrange(-150, 151), 100)) for k in range(count + 1)]
+            points[0] = (points[0][0], Fraction(0))
+            points[-1] = (points[-1][0], Fraction(0))
+            ring = points + [(Fraction(count), Fraction(count)), (Fraction(0), Fraction(count))]
+            self.compare_bonds(points, ring, generator.choice([1, 7]))
+
+    def compare_bonds(self, points, ring, bond):
+        outline = ", ".join(f"[{float(x)}, {float(y)}]" for x, y in ring)
+        self.scene.write_text("topple: 1\nlength_unit: m\nblock: {unit_weight_kn_m3: 26, outline: [%s]}\n"
+                              "base: {mated: whole}\nloads: {bond_kpa: %d}\ntilt: {towards: both}\n" % (outline, bond))
+        cross = [a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1])]
+        area = sum(cross) / 2
+        centre = [sum((a[axis] + b[axis]) * c for a, b, c in zip(ring, ring[1:] + ring[:1], cross)) / (6 * area)
+                  for axis in range(2)]
+        compared = 0
+        for case in solve(self.scene, "--pivots", "all")["cases"]:
+            side = 1 if case["towards"] == "left" else -1
+            for pivot in case["pivots"]:
+                p = min(points, key=lambda q: abs(float(q[0]) - pivot["x_m"]["value"]) + abs(float(q[1]) - pivot["y_m"]["value"]))
+                held = bond * sum(opening(a, b, p, side) for a, b in zip(points, points[1:]))
+                # 26 area ((y_G - y_P) sin a - side (x_G - x_P) cos a) = held
+                up, along = 26 * area * (centre[1] - p[1]), 26 * area * (centre[0] - p[0]) * side
+                size = math.hypot(up, along)
+                if held > size:
+                    self.assertIsNone(pivot["critical_angle_deg"])
+                    continue
+                expected = math.degrees(math.atan2(along, up) + math.asin(held / size))
+                if not -90 < expected < 90:
+                    continue
+                found = pivot["critical_angle_deg"]
+                self.assertLessEqual(abs(found["value"] - expected), found["error"] + 1e-10)
+                compared += 1
+        self.assertGreater(compared, len(points))
 
     def test_sliding(self):
         """W sin a = W cos a tan f + c b: sin(a - f) = c b cos f / W. With k_h: tan(a + atan k) = tan f."""
