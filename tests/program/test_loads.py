@@ -198,7 +198,8 @@ class Loads(unittest.TestCase):
         for case in solve(self.scene, "--pivots", "all")["cases"]:
             side = 1 if case["towards"] == "left" else -1
             for pivot in case["pivots"]:
-                p = min(points, key=lambda q: abs(float(q[0]) - pivot["x_m"]["value"]) + abs(float(q[1]) - pivot["y_m"]["value"]))
+                at = (pivot["x_m"]["value"], pivot["y_m"]["value"])
+                p = min(points, key=lambda q: math.dist((float(q[0]), float(q[1])), at))
                 held = bond * sum(opening(a, b, p, side) for a, b in zip(points, points[1:]))
                 # 26 area ((y_G - y_P) sin a - side (x_G - x_P) cos a) = held
                 up, along = 26 * area * (centre[1] - p[1]), 26 * area * (centre[0] - p[0]) * side
