@@ -45,6 +45,7 @@ typedef struct tp_governing_fos {
   size_t factor;   /* ... this one of the factors */
   bool tie;        /* one against another mechanism is the same, as far as their bounds tell */
   bool up_dip;     /* none: at this tilt it lets go up-dip */
+  bool beyond;     /* none: it lets go at a lesser tilt, though forces would hold it at this one */
   bool sliding_judged; /* false: the scene gives no friction angle */
   bool complete;       /* every way is judged and decided; false: `fos` is an upper bound */
   size_t factor_count;

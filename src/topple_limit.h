@@ -49,8 +49,8 @@ typedef struct tp_limit {
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
   size_t reaction_count;
   tp_reaction reactions[2];
-  tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which the
-                 limit comes down to the scene's tilt */
+  tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which forces
+                 just hold it at the scene's tilt */
   tp_mechanism fos_mechanism; /* what happens there; TP_MECHANISM_UNDECIDED where there is no fos */
   bool base_beyond_toe;       /* of the base that this is the limit for: it goes on past the toe */
 } tp_limit;

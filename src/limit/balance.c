@@ -203,12 +203,12 @@ tp_simplex_answer tp_balance_solve_precisely(const tp_limit_question *q, tp_sket
 
 /* Without a push: any three columns that balance it. */
 static tp_answer bears_without(const tp_limit_question *q, tp_sketch *sketch,
-                               const tp_vector *wrench) {
-  static const double none[3] = {0, 0, 0};
-  double target[3];
-  tp_sketch_wrench(target, sketch, wrench);
-  for (int row = 0; row < 3; row++) target[row] = -target[row];
-  const tp_simplex_answer found = tp_sketch_solve(sketch, none, target);
+                               const tp_vector *wrench, bool precisely) {
+  tp_vector none;
+  tp_vector_init(&none);
+  const tp_simplex_answer found = precisely ? tp_balance_solve_precisely(q, sketch, &none, wrench)
+                                            : tp_balance_solve(sketch, &none, wrench);
+  tp_vector_clear(&none);
   if (found.outcome == TP_SIMPLEX_INFEASIBLE) return TP_NO;
   if (found.outcome != TP_SIMPLEX_OPTIMAL) return TP_OPEN;
   tp_basis basis = tp_basis_of(&found);
@@ -218,13 +218,13 @@ static tp_answer bears_without(const tp_limit_question *q, tp_sketch *sketch,
 /* With all of the push, where any share of it can be borne: flanks that grip bear any wrench. Three
  * columns rarely balance the sum with nothing on one of them, as they may the wrench itself. */
 static tp_answer bears_beside(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
-                              const tp_vector *wrench) {
+                              const tp_vector *wrench, bool precisely) {
   tp_vector sum;
   tp_vector_init(&sum);
   for (int row = 0; row < 3; row++) {
     arb_add(sum.of + row, wrench->of + row, push->of + row, q->judge.precision);
   }
-  const tp_answer answer = bears_without(q, sketch, &sum);
+  const tp_answer answer = bears_without(q, sketch, &sum, precisely);
   tp_vector_clear(&sum);
   return answer;
 }
@@ -241,9 +241,10 @@ tp_answer tp_balance_bears(const tp_limit_question *q, tp_sketch *sketch, const 
         bears_with(&basis, q, sketch, push, wrench) == TP_YES) {
       return TP_YES;
     }
-    if (found.outcome == TP_SIMPLEX_UNBOUNDED && bears_beside(q, sketch, push, wrench) == TP_YES) {
+    if (found.outcome == TP_SIMPLEX_UNBOUNDED &&
+        bears_beside(q, sketch, push, wrench, engine == 1) == TP_YES) {
       return TP_YES;
     }
   }
-  return bears_without(q, sketch, wrench);
+  return bears_without(q, sketch, wrench, false);
 }

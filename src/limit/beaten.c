@@ -10,24 +10,48 @@
 
 enum { MOST_LOOKS = 128 };
 
-/* Where there is but one column or the rest is artificial, the one that spans the widest face. */
-static bool span(long columns[2], const tp_simplex_answer *found, const tp_sketch *sketch) {
-  const tp_basis basis = tp_basis_of(found);
-  if (basis.count == 0) return false;
-  columns[0] = basis.columns[0];
-  columns[1] = basis.columns[1];
-  if (basis.count > 1) return true;
+static const double rounding = 1e-9;
+
+/* Of those against which the dual does no work, or of all, the column that spans the widest face
+ * with the first. */
+static bool span_widest(long columns[2], const tp_sketch *sketch, long count, const double *dual) {
   const double *a = sketch->columns[columns[0]];
   double most = 0;
-  for (long k = 0; k < sketch->count; k++) {
+  for (long k = 0; k < count; k++) {
     const double *b = sketch->columns[k];
+    const double work = dual == NULL ? 0 : fabs(dual[0] * b[0] + dual[1] * b[1] + dual[2] * b[2]);
     const double own = fabs(a[1] * b[2] - a[2] * b[1]) + fabs(a[2] * b[0] - a[0] * b[2]) +
                        fabs(a[0] * b[1] - a[1] * b[0]);
-    if (own <= most) continue;
+    if (own <= most || work > rounding) continue;
     most = own;
     columns[1] = k;
   }
   return most > 0;
+}
+
+/* Where no push helps, because all forces lie in one plane: two edges against which the separating
+ * twist does no work. */
+static bool span_idle(long columns[2], const tp_simplex_answer *found, const tp_sketch *sketch,
+                      long edges) {
+  const double size = fabs(found->dual[0]) + fabs(found->dual[1]) + fabs(found->dual[2]);
+  if (found->outcome != TP_SIMPLEX_INFEASIBLE || !(size > 0)) return false;
+  const double dual[3] = {found->dual[0] / size, found->dual[1] / size, found->dual[2] / size};
+  for (columns[0] = 0; columns[0] < edges; columns[0]++) {
+    const double *a = sketch->columns[columns[0]];
+    if (fabs(dual[0] * a[0] + dual[1] * a[1] + dual[2] * a[2]) < rounding) break;
+  }
+  return columns[0] < edges && span_widest(columns, sketch, edges, dual);
+}
+
+/* Where there is but one column or the rest is artificial, the one that spans the widest face. */
+static bool span(long columns[2], const tp_simplex_answer *found, const tp_sketch *sketch,
+                 long edges) {
+  if (span_idle(columns, found, sketch, edges)) return true;
+  const tp_basis basis = tp_basis_of(found);
+  if (basis.count == 0) return false;
+  columns[0] = basis.columns[0];
+  columns[1] = basis.columns[1];
+  return basis.count > 1 || span_widest(columns, sketch, sketch->count, NULL);
 }
 
 /* The face through which the loads leave what the base bears, seen from the push. */
@@ -39,7 +63,7 @@ static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_sketch 
     const tp_simplex_answer found = engine == 0 ? tp_balance_solve(sketch, push, load)
                                                 : tp_balance_solve_precisely(q, sketch, push, load);
     long columns[2], violated = -1;
-    if (!span(columns, &found, sketch)) continue;
+    if (!span(columns, &found, sketch, 2 * q->cones->count)) continue;
     answer = tp_face_span(face, q->cones, columns[0], columns[1], load, &q->judge);
     if (answer == TP_YES) answer = tp_face_admit(face, q->cones, sketch, &q->judge, &violated);
     if (answer == TP_OPEN) answer = tp_relax(face, q, sketch);

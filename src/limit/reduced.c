@@ -4,10 +4,32 @@
 #include "limit/reduced.h"
 
 #include "limit/program.h"
+#include "limit/search.h"
+#include "limit/stretch.h"
 
 #include <math.h>
 
+static void set_target(tp_reduced *r) {
+  const tp_limit_question *q = r->question;
+  tp_vector load;
+  arb_t turn, sine, cosine;
+  tp_vector_init(&load);
+  arb_init(turn);
+  arb_init(sine);
+  arb_init(cosine);
+  arb_div_ui(turn, r->degrees, 180, q->judge.bits);
+  arb_sin_cos_pi(sine, cosine, turn, q->judge.bits);
+  tp_search_load_at(&load, q->load, sine, cosine, q->judge.bits);
+  tp_sketch_wrench(r->target, &r->reduced, &load);
+  for (int row = 0; row < 3; row++) r->target[row] = -r->target[row];
+  tp_vector_clear(&load);
+  arb_clear(turn);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
 void tp_reduced_init(tp_reduced *r) {
+  set_target(r);
   const tp_cones *cones = r->cones;
   arb_init(r->friction);
   arb_set(r->friction, cones->friction);
@@ -43,47 +65,70 @@ static void divide_by(const tp_reduced *r, const arf_t factor) {
   arb_clear(divisor);
 }
 
+/* The share of a push from within the cone that the base bears beside the loads (balance.h). */
 double tp_reduced_margin(tp_reduced *r, double log_factor) {
-  const double upright = 90, beyond = 180;
-  tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count, exp(log_factor));
-  const double limit = tp_program_estimate(&r->reduced, r->question);
-  return (limit < upright ? limit : beyond) - r->degrees;
+  static const double weights[4] = {1, 1.3125, 1.6875, 2.125}, much = 1e3;
+  const long edges = 2 * r->cones->count, columns[4] = {0, 1, edges - 2, edges - 1};
+  tp_sketch_divide_strength(&r->reduced, r->given, edges, exp(log_factor));
+  double push[3] = {0, 0, 0};
+  for (int k = 0; k < 4; k++) {
+    for (int row = 0; row < 3; row++) push[row] += weights[k] * r->reduced.columns[columns[k]][row];
+  }
+  const tp_simplex_answer found = tp_sketch_solve(&r->reduced, push, r->target);
+  if (found.outcome == TP_SIMPLEX_OPTIMAL) return fmin(found.t, much);
+  return found.outcome == TP_SIMPLEX_UNBOUNDED ? much : -1;
 }
 
-tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_t factor,
-                                 const arb_t degrees) {
-  tp_limit_answer answer;
-  if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
+static void divide(tp_reduced *r, const arf_t factor) {
   divide_by(r, factor);
   tp_sketch_divide_strength(&r->reduced, r->given, 2 * r->cones->count,
                             arf_get_d(factor, ARF_RND_NEAR));
+}
+
+tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_t factor) {
+  tp_limit_answer answer;
+  if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
+  divide(r, factor);
   tp_limit_question question = *r->question;
   question.sketch = &r->reduced;
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
-  at->side = 0;
-  at->has_motion = false;
+  at->kind = outcome == TP_LIMIT_PROVEN ? answer.kind : TP_LIMIT_UNDECIDED;
+  at->has_motion = at->kind == TP_LIMIT_AT_ANGLE;
   arb_indeterminate(at->degrees);
-  if (outcome == TP_LIMIT_PROVEN) {
-    if (answer.kind == TP_LIMIT_INTERLOCKED) at->side = 1;
-    if (answer.kind == TP_LIMIT_NOWHERE) at->side = -1;
-    if (answer.kind == TP_LIMIT_AT_ANGLE) {
-      arb_set(at->degrees, answer.degrees);
-      at->has_motion = true;
-      at->motion = answer.face.motion;
-      if (arb_gt(answer.degrees, degrees)) at->side = 1;
-      if (arb_lt(answer.degrees, degrees)) at->side = -1;
-    }
+  if (at->has_motion) {
+    arb_set(at->degrees, answer.degrees);
+    at->motion = answer.face.motion;
   }
   tp_limit_answer_clear(&answer);
   return outcome;
 }
 
-tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor,
-                                 const arb_t degrees) {
-  tp_reduced_limit at = {.side = 0};
+/* Where forces span less than all directions: held nowhere, or, where loads turn with the tilt so
+ * that it is held between two tilts alone, no longer. */
+static tp_limit_outcome beaten_by_limit(int *side, tp_reduced *r, const arf_t factor) {
+  tp_reduced_limit at;
   arb_init(at.degrees);
-  const tp_limit_outcome outcome = tp_reduced_find(&at, r, factor, degrees);
-  *side = at.side;
+  const tp_limit_outcome outcome = tp_reduced_find(&at, r, factor);
+  const bool before = at.kind == TP_LIMIT_AT_ANGLE && arb_lt(at.degrees, r->degrees);
+  if (at.kind == TP_LIMIT_NOWHERE || (before && tp_search_is_linear(r->question))) *side = -1;
   arb_clear(at.degrees);
-  return outcome;
+  return outcome == TP_LIMIT_PROVEN && *side == 0 ? TP_LIMIT_OPEN : outcome;
+}
+
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor) {
+  tp_limit_question strict = *r->question;
+  strict.judge.settled = false; /* a proof takes nothing for zero that only is so to so many bits */
+  tp_vector push;
+  tp_vector_init(&push);
+  divide(r, factor);
+  tp_balance_push(&push, &strict, &r->reduced);
+  *side = 0;
+  if (tp_stretch_bears_at(&strict, &r->reduced, &push, r->degrees) == TP_YES) {
+    *side = 1;
+  } else if (tp_stretch_is_beaten_at(&strict, &r->reduced, &push, r->degrees) == TP_YES) {
+    *side = -1;
+  }
+  tp_vector_clear(&push);
+  if (r->reduced.out_of_memory) return TP_LIMIT_OUT_OF_MEMORY;
+  return *side == 0 ? beaten_by_limit(side, r, factor) : TP_LIMIT_PROVEN;
 }

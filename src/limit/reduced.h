@@ -17,31 +17,30 @@ typedef struct tp_reduced {
   arb_ptr bounds; /* shear and pull of each allowance, as given */
   const tp_sketch *given;
   tp_sketch reduced; /* the caller's copy */
-  double degrees;    /* the tilt */
+  arb_srcptr degrees;
+  double target[3]; /* the loads at the tilt, turned round, in the sketch's units */
 } tp_reduced;
 
 /* Keeps the strength of the cones; `clear` gives it back to them. */
 void tp_reduced_init(tp_reduced *reduced);
 void tp_reduced_clear(tp_reduced *reduced);
 
-/* Limit less tilt in doubles, by the logarithm of the factor: it falls. Where forces hold the block
- * at every tilt, at 90 degrees as well, the limit counts as 180. */
+/* How much more than the loads the base bears at the tilt, in doubles, by the logarithm of the
+ * factor: it falls, and is below zero where they are more. */
 double tp_reduced_margin(tp_reduced *reduced, double log_factor);
 
-/* The limit at a factor, in degrees, and on which side of the tilt it is proven to lie: 1 where the
- * block holds beyond the tilt, -1 where not up to it, 0 open. */
+/* The limit at a factor, in degrees. */
 typedef struct tp_reduced_limit {
-  int side;
+  tp_limit_kind kind;
   arb_t degrees; /* where there is one */
   bool has_motion;
   tp_face_motion motion; /* at that limit */
 } tp_reduced_limit;
 
-tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, const arf_t factor,
-                                 const arb_t degrees);
+tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, const arf_t factor);
 
-/* The side alone. */
-tp_limit_outcome tp_reduced_side(int *side, tp_reduced *reduced, const arf_t factor,
-                                 const arb_t degrees);
+/* With the strength divided by the factor, is the block proven to be held at the tilt, 1, or not,
+ * -1? 0 where that is open. */
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced *reduced, const arf_t factor);
 
 #endif

@@ -42,7 +42,7 @@ static double solve(tp_reduced *r, double low, double high, double at_low, doubl
 
 /* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew.
  * Search alone: the proof comes after it. */
-static tp_limit_outcome refine(arf_t factor, tp_reduced *r, const arb_t degrees, int digits) {
+static tp_limit_outcome refine(arf_t factor, tp_reduced *r, int digits) {
   enum { MOST_STEPS = 64 };
   const long bits = r->question->judge.bits;
   const slong enough = -(slong)(3.33 * digits);
@@ -56,10 +56,10 @@ static tp_limit_outcome refine(arf_t factor, tp_reduced *r, const arb_t degrees,
   arf_mul_2exp_si(step, factor, -30);
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   for (int k = 0; k < MOST_STEPS && outcome == TP_LIMIT_PROVEN; k++) {
-    outcome = tp_reduced_find(&at, r, factor, degrees);
+    outcome = tp_reduced_find(&at, r, factor);
     if (!arb_is_finite(at.degrees)) break;
     arf_set(value_before, value);
-    arf_sub(value, arb_midref(at.degrees), arb_midref(degrees), bits, ARF_RND_NEAR);
+    arf_sub(value, arb_midref(at.degrees), arb_midref(r->degrees), bits, ARF_RND_NEAR);
     if (k > 0) { /* the next step is - value (last step) / (value - value_before) */
       arf_sub(slope, value, value_before, bits, ARF_RND_NEAR);
       if (arf_is_zero(slope)) break;
@@ -80,50 +80,58 @@ static tp_limit_outcome refine(arf_t factor, tp_reduced *r, const arb_t degrees,
   return outcome;
 }
 
-/* Is the factor within 2^-places of its size of the estimate? Proven by the limits at both ends. */
-static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_reduced *r,
-                                    const arf_t estimate, slong places, const arb_t degrees) {
-  const long bits = r->question->judge.bits;
-  arf_t width, end;
-  tp_reduced_limit at = {.side = 0};
-  arf_init(width);
-  arf_init(end);
+static tp_limit_outcome find_motion(tp_reduction *reduction, tp_reduced *r, const arf_t factor) {
+  tp_reduced_limit at;
   arb_init(at.degrees);
-  arf_mul_2exp_si(width, estimate, -places);
-  arf_sub(end, estimate, width, bits, ARF_RND_DOWN);
-  tp_limit_outcome outcome = tp_reduced_find(&at, r, end, degrees);
-  *proven = outcome == TP_LIMIT_PROVEN && at.side > 0;
+  const tp_limit_outcome outcome = tp_reduced_find(&at, r, factor);
   reduction->has_motion = at.has_motion;
   if (at.has_motion) reduction->motion = at.motion;
+  arb_clear(at.degrees);
+  return outcome == TP_LIMIT_OPEN ? TP_LIMIT_PROVEN : outcome;
+}
+
+/* Is the factor within 2^-places of its size of the estimate? Proven at both ends. */
+static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_reduced *r,
+                                    const arf_t estimate, slong places) {
+  const long bits = r->question->judge.bits;
+  arf_t width, low, high;
+  int side = 0;
+  arf_init(width);
+  arf_init(low);
+  arf_init(high);
+  arf_mul_2exp_si(width, estimate, -places);
+  arf_sub(low, estimate, width, bits, ARF_RND_DOWN);
+  arf_add(high, estimate, width, bits, ARF_RND_UP);
+  tp_limit_outcome outcome = tp_reduced_side(&side, r, low);
+  *proven = outcome == TP_LIMIT_PROVEN && side > 0;
   if (*proven) {
-    arf_add(end, estimate, width, bits, ARF_RND_UP);
-    outcome = tp_reduced_find(&at, r, end, degrees);
-    *proven = outcome == TP_LIMIT_PROVEN && at.side < 0;
+    outcome = tp_reduced_side(&side, r, high);
+    *proven = outcome == TP_LIMIT_PROVEN && side < 0;
   }
   if (*proven) {
     arb_set_arf(reduction->factor, estimate);
     arf_mul_2exp_si(width, width, 1); /* the rounded ends lie within */
     arf_get_mag(arb_radref(reduction->factor), width);
+    outcome = find_motion(reduction, r, low);
   }
   arf_clear(width);
-  arf_clear(end);
-  arb_clear(at.degrees);
+  arf_clear(low);
+  arf_clear(high);
   return outcome;
 }
 
 /* Widen about the estimate from so many places until both sides are proven, to what is asked for.
  */
 static tp_limit_outcome enclose(tp_reduction *reduction, tp_reduced *r, const arf_t about,
-                                slong places, const arb_t degrees, int digits) {
+                                slong places, int digits) {
   const slong widest = (slong)(place * (digits + 1)) + 1;
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   bool proven = false;
   for (; places >= widest && !proven; places -= 3) {
     if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) break;
-    outcome = prove_about(reduction, &proven, r, about, places, degrees);
+    outcome = prove_about(reduction, &proven, r, about, places);
   }
-  if (proven) return TP_LIMIT_PROVEN;
-  return outcome == TP_LIMIT_PROVEN ? TP_LIMIT_OPEN : outcome;
+  return outcome == TP_LIMIT_PROVEN && !proven ? TP_LIMIT_OPEN : outcome;
 }
 
 /* From what doubles tell apart to what is asked for, or, for more digits than that, from some more
@@ -136,8 +144,7 @@ static slong narrowest(int digits) {
 
 /* Halve between two factors on proven sides alone, to 10^-digits of the factor and some places
  * more: for limits too fine for doubles, and flat ones, on which secants go astray. */
-static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double most,
-                              const arb_t degrees, int digits) {
+static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double most, int digits) {
   enum { LEAST_PLACES = 52, SPARE = 20 };
   const long bits = r->question->judge.bits;
   const long asked = (long)(3.33 * digits) + SPARE;
@@ -158,7 +165,7 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
     if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
       break;
     }
-    outcome = tp_reduced_side(&side, r, factor, degrees);
+    outcome = tp_reduced_side(&side, r, factor);
     arf_set(side > 0 ? low : high, factor);
   }
   arf_clear(low);
@@ -169,37 +176,37 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
 
 /* By doubles, and for many digits by secants from there. */
 static tp_limit_outcome find_quickly(tp_reduction *reduction, tp_reduced *r, double low,
-                                     double high, const arb_t degrees, int digits) {
+                                     double high, int digits) {
   enum { OF_DOUBLES = 11, SPARE = 10 };
   const double at_low = tp_reduced_margin(r, log(low)), at_high = tp_reduced_margin(r, log(high));
   if (!(at_low > 0 && at_high < 0)) return TP_LIMIT_OPEN;
   arf_t about;
   arf_init(about);
   arf_set_d(about, exp(solve(r, log(low), log(high), at_low, at_high)));
-  if (digits > OF_DOUBLES) (void)refine(about, r, degrees, digits + SPARE);
-  const tp_limit_outcome outcome = enclose(reduction, r, about, narrowest(digits), degrees, digits);
+  if (digits > OF_DOUBLES) (void)refine(about, r, digits + SPARE);
+  const tp_limit_outcome outcome = enclose(reduction, r, about, narrowest(digits), digits);
   arf_clear(about);
   return outcome;
 }
 
 /* On proven limits alone: those at both ends tell what kind of answer there is. */
 static tp_limit_outcome find_surely(tp_reduction *reduction, tp_reduced *r, double low, double high,
-                                    const arb_t degrees, int digits) {
+                                    int digits) {
   int strong = 0, weak = 0;
   arf_t about;
   arf_init(about);
   arf_set_d(about, high);
-  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about, degrees);
+  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about);
   if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
     arf_set_d(about, low);
-    outcome = tp_reduced_side(&strong, r, about, degrees);
+    outcome = tp_reduced_side(&strong, r, about);
   }
   reduction->kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
   if (strong > 0 && weak < 0) {
     reduction->kind = TP_REDUCTION_FACTOR;
-    outcome = halve(about, r, low, high, degrees, digits);
+    outcome = halve(about, r, low, high, digits);
     if (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN) {
-      outcome = enclose(reduction, r, about, narrowest(digits), degrees, digits);
+      outcome = enclose(reduction, r, about, narrowest(digits), digits);
     }
   } else if (outcome == TP_LIMIT_PROVEN && weak <= 0 && strong >= 0) {
     outcome = TP_LIMIT_OPEN;
@@ -208,13 +215,11 @@ static tp_limit_outcome find_surely(tp_reduction *reduction, tp_reduced *r, doub
   return outcome;
 }
 
-static tp_limit_outcome find(tp_reduction *reduction, tp_reduced *r, const arb_t degrees,
-                             int digits) {
+static tp_limit_outcome find(tp_reduction *reduction, tp_reduced *r, int digits) {
   reduction->kind = TP_REDUCTION_FACTOR;
-  const tp_limit_outcome quick =
-      find_quickly(reduction, r, least_factor, most_factor, degrees, digits);
+  const tp_limit_outcome quick = find_quickly(reduction, r, least_factor, most_factor, digits);
   if (quick != TP_LIMIT_OPEN) return quick;
-  return find_surely(reduction, r, least_factor, most_factor, degrees, digits);
+  return find_surely(reduction, r, least_factor, most_factor, digits);
 }
 
 void tp_reduction_init(tp_reduction *reduction) {
@@ -229,9 +234,9 @@ void tp_reduction_clear(tp_reduction *reduction) {
 
 tp_limit_outcome tp_reduction_find(tp_reduction *reduction, const tp_limit_question *question,
                                    tp_cones *cones, const arb_t degrees, int digits) {
-  tp_reduced r = {.question = question,
-                  .cones = cones,
-                  .degrees = arf_get_d(arb_midref(degrees), ARF_RND_NEAR)};
+  tp_reduced r = {.question = question, .cones = cones, .degrees = degrees};
+  reduction->kind = TP_REDUCTION_NONE;
+  if (cones->count == 0) return TP_LIMIT_PROVEN; /* a corner on a corner alone bears nothing */
   tp_sketch own;
   if (question->sketch == NULL && !tp_program_sketch(&own, question)) {
     return TP_LIMIT_OUT_OF_MEMORY;
@@ -240,7 +245,7 @@ tp_limit_outcome tp_reduction_find(tp_reduction *reduction, const tp_limit_quest
   tp_limit_outcome outcome = TP_LIMIT_OUT_OF_MEMORY;
   if (tp_sketch_copy(&r.reduced, r.given)) {
     tp_reduced_init(&r);
-    outcome = find(reduction, &r, degrees, digits);
+    outcome = find(reduction, &r, digits);
     tp_reduced_clear(&r);
     tp_sketch_clear(&r.reduced);
   }

@@ -2,10 +2,10 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The factor of safety by strength reduction: by how much tan(phi), cohesion and bond may be
- * divided until the limit comes down to a given tilt.
+ * divided until no forces hold the block at a given tilt any more.
  *
- * The limit falls with the strength, so two factors with proven limits on either side of the tilt
- * enclose it. */
+ * What the base bears shrinks with its strength, so a factor at which some forces are proven to
+ * hold the block and one at which none do enclose it. */
 
 #ifndef TP_REDUCTION_H
 #define TP_REDUCTION_H

@@ -54,6 +54,8 @@ static void add_least(tp_text *t, const tp_governing_fos *g) {
   case TP_FOS_UNDEFINED:
     if (g->up_dip) {
       tp_text_add(t, "No FoS: at this tilt it lets go up-dip");
+    } else if (g->beyond) {
+      tp_text_add(t, "No FoS: it lets go at a lesser tilt already");
     } else {
       tp_text_add(t, "No FoS");
       add_way(t, g);
@@ -138,6 +140,8 @@ static void add_words(tp_text *t, const tp_factor *factor) {
 static void add_why(tp_text *t, const tp_governing_fos *g) {
   if (g->up_dip) {
     tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: at this tilt it lets go up-dip\"");
+  } else if (g->beyond) {
+    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: it lets go at a lesser tilt already\"");
   } else if (g->fos.state == TP_FOS_NO_TILT) {
     tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: the scene gives no tilt\"");
   } else if (g->fos.state == TP_FOS_NOT_ASKED) {

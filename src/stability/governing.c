@@ -145,6 +145,18 @@ static void take_least(tp_governing_fos *g) {
   if (g->has_factor && rank_of(g->fos) == RANK_NONE) g->fos = (tp_fos){.state = TP_FOS_UNDEFINED};
 }
 
+/* Under loads that do not turn with it, or friction that grows as the stress falls, a block that
+ * lets go may be held again farther on. It does not come there. */
+static bool lets_go_before(const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  const bool moves = c->mechanism == TP_SLIDES || c->mechanism == TP_TOPPLES ||
+                     c->mechanism == TP_SLIDES_AND_TOPPLES || c->mechanism == TP_LEAVES_BASE;
+  const bool above =
+      rank_of(g->fos) == RANK_UNBOUNDED ||
+      (rank_of(g->fos) == RANK_NUMBER && g->fos.value.value - g->fos.value.error > 1);
+  return moves && above && c->has_margin && c->margin_deg.value + c->margin_deg.error < 0;
+}
+
 static void govern(tp_case *c, const tp_solution *solution) {
   tp_governing_fos *g = &c->governing_fos;
   *g = (tp_governing_fos){.fos = {.state = TP_FOS_NO_TILT},
@@ -165,9 +177,13 @@ static void govern(tp_case *c, const tp_solution *solution) {
   g->up_dip = c->falls_backwards;
   if (g->up_dip) {
     g->fos.state = TP_FOS_UNDEFINED;
-  } else {
-    take_least(g);
+    return;
   }
+  take_least(g);
+  g->beyond = lets_go_before(c);
+  if (!g->beyond) return;
+  g->fos.state = TP_FOS_UNDEFINED;
+  g->has_factor = false;
 }
 
 void tp_solution_govern(tp_solution *solution) {

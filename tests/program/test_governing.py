@@ -149,6 +149,23 @@ class Governing(unittest.TestCase):
                 self.assertTrue(fos is None or fos["value"] - fos["error"] <= 1, json.dumps(case))
         self.assertGreater(moved, 5)
 
+    def test_held_again_farther_on(self):
+        """Pressures slide a block with Barton's friction off at 56.573 degrees; at 83 the stress is less, the friction
+        more, and forces would hold it again. It does not come there: no factor, and not one above 1."""
+        (case,) = self.solve(
+            "topple: 1\nlength_unit: km\nblock:\n  unit_weight_kn_m3: 26\n  thickness: 3/1000\n"
+            "  outline: [[24/19, 8/19], [0, 24/19], [-16/19, 8/19], [-8/19, -16/19], [8/19, -16/19]]\n"
+            "base: {mated: true, between: [[-8/19, -16/19], [24/19, 8/19]]}\nloads:\n  pressures:\n"
+            "  - {from: [16/19, -4/19], to: [24/19, 8/19], kpa: [6240000/133, 4160000/133]}\n"
+            "  - {from: [0, -16/19], to: [8/19, -16/19], kpa: [5200000/133, 2080000/133]}\n"
+            "friction: {law: barton, residual_angle_deg: 12, jcs_mpa: 3442400000/19/1000, roughness_angle_deg: 3}\n"
+            "tilt: {towards: right, angle_deg: 83}\n")
+        self.assertEqual(case["mechanism"], "slides")
+        self.assertGreater(self.by(case, "shear strength")["fos"]["value"], 1.8)
+        self.near(self.by(case, "strength reduction")["fos"], self.by(case, "shear strength")["fos"]["value"])
+        self.assertIsNone(case["governing_fos"]["fos"])
+        self.assertEqual(case["governing_fos"]["fos_is"], "none: it lets go at a lesser tilt already")
+
     def test_what_is_not_judged(self):
         """Without friction sliding is not judged, without a tilt nothing is; up-dip there is no factor."""
         (case,) = self.solve(slab(1, 2, None, 20))
