@@ -93,15 +93,15 @@ static void add_legend(tp_chart *chart, bool along_one) {
       {"certain to stand", "", "certain to stand up to", tp_line_onset},
       {"certain to stand", "", "history decides", tp_region_history},
       {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
-      {"Patton's sliding", "", "Patton's sliding", tp_line_patton},
-      {"slides and topples from rest", "", "slides and topples at once, from rest",
-       tp_line_dynamic},
+      {"Patton's sliding", "", "Patton's sliding", tp_line_sliding},
+      {"sliding", "", "sliding along a facet", tp_line_sliding},
+      {"motion", NULL, "between motions from rest", tp_line_dynamic},
   };
   for (size_t e = 0; e < sizeof entries / sizeof entries[0]; e++) {
     for (size_t k = 0; k < chart->series_count; k++) {
       const tp_chart_series *s = chart->series + k;
       if (s->drawn_only || s->count < 2 || strcmp(s->keys[0], entries[e].series) != 0) continue;
-      if (strcmp(s->keys[1], entries[e].of) != 0) continue;
+      if (entries[e].of != NULL && strcmp(s->keys[1], entries[e].of) != 0) continue;
       tp_chart_add_legend(chart, entries[e].text, entries[e].style);
       break;
     }
@@ -128,6 +128,7 @@ static void draw(tp_map *map) {
     map->status = tp_fail_memory(map->message, "the chart");
     return;
   }
+  map->scene.options.motion_ranges = along_one;
   add_sources(map);
   if (map->status != TP_OK) return;
   map->chart->panel_width_mm = 72;
