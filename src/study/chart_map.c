@@ -69,10 +69,9 @@ static tp_status find_numbers(tp_map *map) {
 
 /* `label` holds the text as long as the axis is used. */
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
-  const tp_node *unit = tp_node_get(map->scene.root, "length_unit");
   tp_panel_axis axis = {.label = label, .range = from->range};
   tp_axis_label(label, LABEL_SIZE, &axis.plain, is_tilt(from) ? "tilt.angle_deg" : from->key,
-                unit->text);
+                map->scene.root);
   return axis;
 }
 

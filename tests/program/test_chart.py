@@ -9,6 +9,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -305,6 +306,40 @@ class Map(Chart):
         self.assertEqual(set(borders), {"topples | slides and topples", "slides and topples | may move"})
         # two cones on opposite flanks of slope 1/3 see each other: 90° less their inclination
         self.assertAlmostEqual(borders["slides and topples | may move"], 90 - math.atan(1 / 3) / DEGREE, delta=1e-9)
+
+    def test_under_an_earthquake(self):
+        """A horizontal coefficient of k_h turns gravity by atan k_h: the borders between motions lie lower by that."""
+        text = SLAB.format(width=1, height=2, friction=35, title="A slab")
+        self.scene.write_text(text.replace("height: 2}}", "height: 2}, unit_weight_kn_m3: 25}") +
+                              "loads: {seismic: {horizontal: 0.1}}\n", encoding="utf-8")
+        turned = math.atan(0.1) / DEGREE
+        rows = select(chart("map", self.scene, "--x", "block.slab.width=0.3:3"), series="motion",
+                      of="topples | slides and topples")
+        self.assertGreater(len(rows), 50)
+        for row in rows:
+            delta = math.atan(float(row["block.slab.width"]) / 2)
+            self.assertAlmostEqual(lean(delta, 0.25, float(row["tilt_deg"]) + turned), 35, delta=1e-9)
+
+    def test_axes_carry_quantity_symbol_and_unit(self):
+        """Also where a parameter stands for the quantity; one that stands for several lengths has their unit, one that
+        is a part of expressions alone is called by its name."""
+        self.scene.write_text(
+            "topple: 1\nlength_unit: cm\nparameters: {w: 50, h: 120, e: 1, phi: 30, q: 2, s: 1}\n"
+            "block: {outline: [[0, 0], [w, 0], [w, h], [0, 100 + 5*e]], unit_weight_kn_m3: 25}\nfriction_angle_deg: phi\n"
+            "loads: {surcharges: [{from: [w, h], to: [0, 100 + 5*e], kpa: q}], anchors: [{at: [0, 50], "
+            "direction_deg: 10, force_kn: s}]}\ntilt: {towards: left}\n", encoding="utf-8")
+        path = self.folder / "map.svg"
+        for key, label in (("w", "Parameter w (cm)"), ("e", "Parameter e"), ("parameters.phi", "Friction angle phi (°)"),
+                           ("q", "Surcharge 1 q (kPa)"), ("s", "Force of anchor 1 s (kN)"),
+                           ("loads.anchors.1.at.2", "loads.anchors.1.at.2 (cm)"),
+                           ("loads.anchors.1.force_kn", "Force of anchor 1 T (kN)"),
+                           ("block.outline.1.1", "block.outline.1.1 (cm)")):
+            ends = "0:30" if key.startswith("block") else "5:60" if label.startswith(("Friction", "Par")) else "1:40"
+            self.assertEqual(run("chart", "map", self.scene, "--x", f"{key}={ends}", "-o", path), (0, "", ""), key)
+            drawn = [re.sub(r"\s+", " ", "".join(t.itertext())).strip()
+                     for t in xml.etree.ElementTree.fromstring(path.read_bytes()).iter()
+                     if t.tag.endswith("}text")]
+            self.assertIn(label, drawn)
 
     def test_axes_change_places(self):
         """The same map with the tilt on the x axis."""
