@@ -31,6 +31,7 @@ static const tp_chart_style tp_line_moments = {TP_MARK_LINE, TP_COLOUR_BLACK, TP
                                                0.7};
 static const tp_chart_style tp_line_sliding = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DOTTED, 0.9};
 static const tp_chart_style tp_line_contour = {TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.6};
+static const tp_chart_style tp_line_stands = {TP_MARK_LINE, TP_COLOUR_GREEN, TP_DASH_DASHED, 0.8};
 static const tp_chart_style tp_line_border = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_SOLID, 0.7};
 
 #endif

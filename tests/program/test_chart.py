@@ -482,6 +482,25 @@ class Map(Chart):
             self.assertLessEqual(off, float(row["x_error"]) + float(row["y_error"]) + 1e-15)
             self.assertLess(float(row["x_error"]) + float(row["y_error"]), 1e-8)
 
+    def test_certain_to_stand_over_two_scalars(self):
+        """Deep teeth and a high friction: the limit of block E rises to 90° and vanishes, while it is certain to stand up
+        to some 35° alone. Contours say so, and `solve` finds that onset at their points; a slab has none."""
+        scene = ROOT / "examples/block_e_valley.yaml"
+        text = scene.read_text(encoding="utf-8")
+        rows = chart("map", scene, "--x", "c=18:25", "--y", "friction_angle_deg=42:60")
+        self.assertGreater(max(float(r["of"]) for r in select(rows, series="limit")), 79)
+        stands = select(rows, series="certain to stand")
+        self.assertGreater(len(stands), 50)
+        self.assertLess(max(float(r["of"]) for r in stands), 40)
+        for row in stands[::len(stands) // 6]:
+            self.scene.write_text(text.replace("c: 5", f"c: {row['c']}").replace(
+                "friction_angle_deg: 30", f"friction_angle_deg: {row['friction_angle_deg']}"), encoding="utf-8")
+            own = solve(self.scene)["cases"][0]["onset"]
+            self.assertTrue(own["below_limit"])
+            self.assertAlmostEqual(own["critical_angle_deg"]["value"], float(row["of"]), delta=1e-7)
+        rows = chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y", "friction_angle_deg=10:50")
+        self.assertEqual(select(rows, series="certain to stand"), [])
+
     def test_curve_is_one(self):
         """A traced border comes as one curve: its points follow one another along it."""
         rows = select(chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y",
