@@ -245,6 +245,7 @@ typedef struct tp_solve_options {
   bool elements;           /* draw up the account of moments by elements */
   bool limit;              /* find the static limit, where the scene gives a friction angle */
   bool strength_reduction; /* and its factor of safety, where the scene gives a tilt angle */
+  bool motion_ranges;      /* find which motions can begin at every tilt (tp_onset.ranges) */
   int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
   tp_level level; /* the dearest arithmetic allowed; TP_UNDECIDED where it is not enough */
 } tp_solve_options;

@@ -18,9 +18,10 @@ typedef enum tp_accuracy_method {
   TP_ACCURACY_TRIANGLES,     /* the same by sums over its triangles, triangulating included */
   TP_ACCURACY_ROUNDED_PAPER, /* with rounded corners: axis moved, mass kept (Appendix B) */
   TP_ACCURACY_ROUNDED_EXACT, /* with rounded corners, their tips taken off */
-  TP_ACCURACY_LIMIT          /* static limit: in doubles, certified in balls, or exactly */
+  TP_ACCURACY_LIMIT,         /* static limit: in doubles, certified in balls, or exactly */
+  TP_ACCURACY_ONSET          /* onset of motion: sums as of the boundary, then balls */
 } tp_accuracy_method;
-enum { TP_ACCURACY_METHODS = TP_ACCURACY_LIMIT + 1 };
+enum { TP_ACCURACY_METHODS = TP_ACCURACY_ONSET + 1 };
 
 const char *tp_accuracy_method_name(tp_accuracy_method method);
 
@@ -56,14 +57,14 @@ typedef struct tp_accuracy {
 } tp_accuracy;
 
 /* Measure every method that the scene calls for, in the first direction in which it tilts. The
- * exact value is one at 6144 bits. TP_NO_ANSWER where the scene has neither a critical angle nor a
- * limit. */
+ * exact value is one at 6144 bits. TP_NO_ANSWER where the scene has neither a critical angle, nor a
+ * limit, nor an onset of motion. */
 TP_MUST_USE tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene,
                                            tp_message *message);
 
 /* The same for blocks on rough bases of `least` to `most` vertices (10 to 10^7), in steps of ten.
- * What costs more than some seconds is left out: triangles beyond 10^6 vertices, the limit beyond
- * 10^5. */
+ * What costs more than some seconds is left out: triangles beyond 10^6 vertices, the limit and
+ * the onset beyond 10^5. */
 TP_MUST_USE tp_status tp_accuracy_sweep(tp_accuracy **accuracy, size_t least, size_t most,
                                         tp_message *message);
 void tp_accuracy_free(tp_accuracy *accuracy);

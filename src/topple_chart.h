@@ -38,7 +38,8 @@ tp_chart_fos_options tp_chart_fos_options_default(void);
 TP_MUST_USE tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options,
                                    tp_message *message);
 
-/* Mechanism maps for a planar and for a rough base (Fig. 18), with the blocks of Table 7. */
+/* Mechanism maps for a planar and for a rough base (Fig. 18), with the blocks of Table 7, and with
+ * the borders between the motions that begin from rest, of slabs and of sawtooth blocks. */
 typedef struct tp_chart_mechanisms_options {
   double friction_deg;        /* above 0 */
   double roughness_angle_deg; /* i; friction + i at most 80. Below 2 no blocks are placed */
@@ -63,7 +64,8 @@ typedef struct tp_chart_axis {
 /* The mechanism map of a scene that tilts in one direction and has a friction angle. At most one
  * axis is the tilt. Every border is a root: on its two sides, as close as doubles lie, the
  * certified mechanism differs. A change and its reversal between two of the points that are looked
- * at, 241 along a scalar or a grid of 49 by 49, may be missed. */
+ * at, 241 along a scalar or a grid of 49 by 49, may be missed. Along one scalar it has the borders
+ * between motions from rest as well (tp_onset.ranges). */
 typedef struct tp_chart_map_options {
   const char *scene; /* a path */
   tp_chart_axis x, y;

@@ -39,6 +39,14 @@ typedef struct tp_window {
   tp_mechanism begins; /* what can begin at its lower end, or, without one, at its upper end */
 } tp_window;
 
+/* Tilts from one to another throughout which the same motions can begin. */
+typedef struct tp_motion_range {
+  bool from_below, to_above; /* as of a window */
+  tp_bounded from_deg, to_deg;
+  unsigned motions; /* the bit 1u << mechanism for each of slides, topples, slides and topples,
+                       leaves its base; never 0 */
+} tp_motion_range;
+
 typedef enum tp_contact_state {
   TP_CONTACT_OPENS,
   TP_CONTACT_STICKS,
@@ -85,6 +93,10 @@ typedef struct tp_onset {
                           decides */
   size_t window_count; /* all of them, from below; owned by the case */
   tp_window *windows;
+  bool has_ranges; /* where the options ask for them; not under cohesion or bonds, not with friction
+                      that depends on the stress, and not where they stay open */
+  size_t range_count;      /* from below; where two meet, one motion takes over from another */
+  tp_motion_range *ranges; /* owned by the case */
   bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder
                    (Painleve): rigid bodies with Coulomb friction have no unique answer there */
   bool has_motions; /* at the scene's tilt, where there is one; not under cohesion or bonds, and not

@@ -79,11 +79,12 @@ static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "SCENE",
-    .doc = "What does accuracy cost? Time, proven bound and true error of every arithmetic\v"
-           "Every way to the critical angle and to the static limit that SCENE calls for is "
-           "evaluated in doubles, in compensated doubles, in balls of 53 to 4096 bits and exactly; "
-           "angles are compared with their values at 6144 bits. docs/accuracy.md tells how to read "
-           "it."};
+    .doc =
+        "What does accuracy cost? Time, proven bound and true error of every arithmetic\v"
+        "Every way to the critical angle, to the static limit and to the onset of motion that "
+        "SCENE calls for is evaluated in doubles, in compensated doubles, in balls of 53 to 4096 "
+        "bits and exactly; angles are compared with their values at 6144 bits. docs/accuracy.md "
+        "tells how to read it."};
 
 static tp_status measure(tp_accuracy **accuracy, const arguments *a, tp_message *message) {
   if (a->sweep) return tp_accuracy_sweep(accuracy, a->least, a->most, message);

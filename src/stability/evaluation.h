@@ -17,6 +17,7 @@ typedef struct tp_evaluation {
   int digits;
   tp_decimals *decimals; /* where more digits are asked for than a double holds; else NULL */
   bool reduces_strength; /* for the factor of safety of the limit */
+  bool tells_ranges;     /* which motions can begin at every tilt */
   tp_moments moments;
   arb_t weight_per_area_pa; /* on the mean plane, level; zero where the block has no weight */
   bool certain;             /* all numbers and decisions so far */

@@ -6,6 +6,7 @@
 #include "stability/friction.h"
 #include "stability/onset_motions.h"
 #include "stability/onset_question.h"
+#include "stability/onset_ranges.h"
 #include "stability/onset_result.h"
 
 #include <stdlib.h>
@@ -19,6 +20,13 @@ void tp_onset_found_clear(tp_onset_found *found) {
   arb_clear(found->degrees);
 }
 
+static void clear_ranges(tp_onset *onset) {
+  free(onset->ranges);
+  onset->ranges = NULL;
+  onset->range_count = 0;
+  onset->has_ranges = false;
+}
+
 static void clear_motions(tp_onset *onset) {
   for (size_t k = 0; k < onset->motion_count; k++) free(onset->motions[k].contacts);
   free(onset->motions);
@@ -29,6 +37,7 @@ static void clear_motions(tp_onset *onset) {
 
 void tp_onset_clear(tp_onset *onset) {
   free(onset->windows);
+  clear_ranges(onset);
   clear_motions(onset);
   *onset = (tp_onset){.kind = TP_ONSET_NOT_ASKED};
 }
@@ -120,6 +129,17 @@ static void set_motions(asking *a, const arb_t tilt) {
   if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->e->certain = false;
 }
 
+/* Likewise which motions can begin at every tilt, where that was asked for. */
+static void set_ranges(asking *a) {
+  if (!a->e->tells_ranges) return;
+  const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
+  const tp_motion_outcome outcome = tp_onset_ranges(&t);
+  if (outcome == TP_MOTION_PROVEN) return;
+  clear_ranges(&a->result->onset);
+  if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
+  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->e->certain = false;
+}
+
 /* Can a motion begin at the scene's tilt, with the friction there, and which? */
 static void look_at_tilt(asking *a) {
   const tp_quantity *given = &a->e->problem->scene->tilt_angle_deg;
@@ -143,6 +163,7 @@ static void look_at_tilt(asking *a) {
 static void leave_open(asking *a) {
   tp_onset *onset = &a->result->onset;
   free(onset->windows);
+  clear_ranges(onset);
   clear_motions(onset);
   *onset = (tp_onset){.kind = TP_ONSET_UNDECIDED,
                       .mechanism = TP_MECHANISM_UNDECIDED,
@@ -160,6 +181,7 @@ bool tp_evaluate_onset(tp_evaluation *e, tp_case *result, tp_onset_found *found)
   tp_work_begin(e->work, tp_cones_column_count(&a.asked.cones));
   find_onset(&a);
   if (a.outcome == TP_MOTION_PROVEN) tell_onset(&a);
+  if (a.outcome == TP_MOTION_PROVEN) set_ranges(&a);
   if (a.outcome == TP_MOTION_PROVEN) look_at_tilt(&a);
   if (a.outcome == TP_MOTION_OPEN || a.outcome == TP_MOTION_TOO_DEAR) leave_open(&a);
   forget(&a);

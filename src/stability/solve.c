@@ -125,6 +125,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
                               .digits = c->options->digits,
                               .decimals = c->solution->decimals,
                               .reduces_strength = c->options->strength_reduction,
+                              .tells_ranges = c->options->motion_ranges,
                               .certain = true,
                               .work = c->work,
                               .settled = {c->settled[0], c->settled[1]}};

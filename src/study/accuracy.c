@@ -49,14 +49,16 @@ tp_accuracy_prices tp_accuracy_prices_of(tp_accuracy_method method, bool few) {
     break;
   case TP_ACCURACY_LIMIT:
     return few ? PRICES(few_limits) : PRICES(limits);
+  case TP_ACCURACY_ONSET:
+    return few ? PRICES(few_sums) : PRICES(sums);
   }
   return PRICES(balls);
 }
 
 const char *tp_accuracy_method_name(tp_accuracy_method method) {
-  static const char *const names[TP_ACCURACY_METHODS] = {"boundary sums", "triangles",
-                                                         "rounding, paper's model",
-                                                         "rounding, exact model", "limit analysis"};
+  static const char *const names[TP_ACCURACY_METHODS] = {
+      "boundary sums",         "triangles",      "rounding, paper's model",
+      "rounding, exact model", "limit analysis", "onset of motion"};
   return (int)method >= 0 && (int)method < TP_ACCURACY_METHODS ? names[method] : "unknown";
 }
 

@@ -13,11 +13,13 @@
 #include <stdio.h>
 
 static const tp_chart_colour method_colours[TP_ACCURACY_METHODS] = {
-    TP_COLOUR_BLUE, TP_COLOUR_SKY_BLUE, TP_COLOUR_ORANGE, TP_COLOUR_VERMILLION, TP_COLOUR_GREEN};
+    TP_COLOUR_BLUE,       TP_COLOUR_SKY_BLUE, TP_COLOUR_ORANGE,
+    TP_COLOUR_VERMILLION, TP_COLOUR_GREEN,    TP_COLOUR_PURPLE};
 static const tp_chart_colour level_colours[TP_LEVELS] = {TP_COLOUR_ORANGE, TP_COLOUR_VERMILLION,
                                                          TP_COLOUR_GREEN, TP_COLOUR_BLUE};
-static const tp_chart_dash method_dashes[TP_ACCURACY_METHODS] = {
-    TP_DASH_SOLID, TP_DASH_DASHED, TP_DASH_DASH_DOT, TP_DASH_DASH_DOT, TP_DASH_DOTTED};
+static const tp_chart_dash method_dashes[TP_ACCURACY_METHODS] = {TP_DASH_SOLID,    TP_DASH_DASHED,
+                                                                 TP_DASH_DASH_DOT, TP_DASH_DASH_DOT,
+                                                                 TP_DASH_DOTTED,   TP_DASH_LONG};
 
 static const char *const keys[] = {"method", "level", "bits", NULL};
 static const char *const notes[] = {"true_digits", NULL};

@@ -53,7 +53,8 @@ static const asked ways[TP_ACCURACY_METHODS] = {
     {TP_ACCURACY_TRIANGLES, CORNERS_SHARP, tp_accuracy_by_triangles, TP_LEVEL_EXACT},
     {TP_ACCURACY_ROUNDED_PAPER, CORNERS_PAPER, tp_accuracy_by_rounding, TP_LEVEL_BALL},
     {TP_ACCURACY_ROUNDED_EXACT, CORNERS_EXACT, tp_accuracy_by_rounding, TP_LEVEL_BALL},
-    {TP_ACCURACY_LIMIT, CORNERS_AS_THEY_ARE, tp_accuracy_by_limit, TP_LEVEL_BALL}};
+    {TP_ACCURACY_LIMIT, CORNERS_AS_THEY_ARE, tp_accuracy_by_limit, TP_LEVEL_BALL},
+    {TP_ACCURACY_ONSET, CORNERS_AS_THEY_ARE, tp_accuracy_by_onset, TP_LEVEL_BALL}};
 
 /* Only what the scene calls for: curves have no triangles, sharp blocks no rounding. */
 static bool is_called_for(const asked *way, const tp_scene *scene) {
@@ -68,6 +69,7 @@ static bool is_called_for(const asked *way, const tp_scene *scene) {
   case TP_ACCURACY_ROUNDED_EXACT: /* which part a tip belongs to is not known */
     return block->rounded.count > 0 && block->part_count == 0;
   case TP_ACCURACY_LIMIT:
+  case TP_ACCURACY_ONSET:
     return scene->friction_angle_deg.given;
   }
   return false;
@@ -88,7 +90,7 @@ static tp_status add_way(tp_accuracy *accuracy, const asked *way, const tp_scene
   tp_accuracy_subject s;
   tp_status status = subject_init(&s, scene, way->as, message);
   if (status != TP_OK) return status;
-  if (s.has_pivot || way->method == TP_ACCURACY_LIMIT) {
+  if (s.has_pivot || way->as == CORNERS_AS_THEY_ARE) { /* by contacts, which need no pivot */
     const tp_accuracy_way measured = {.method = way->method,
                                       .evaluate = way->evaluate,
                                       .subject = &s,
@@ -142,7 +144,8 @@ tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene, tp
   }
   if (status == TP_OK && own->run_count == 0) {
     status = tp_fail(message, TP_NO_ANSWER, (tp_place){scene->path, 0, 0},
-                     "no pivot is admissible, and there is no static limit: there is no angle "
+                     "no pivot is admissible, and there is neither a static limit nor an onset of "
+                     "motion: there is no angle "
                      "whose accuracy could be measured");
   }
   if (status == TP_OK) {

@@ -126,7 +126,8 @@ static tp_status add_limit(tp_accuracy *accuracy, size_t count, tp_message *mess
   tp_status status = tp_scene_read_text(&scene, text, "a rough block", message);
   free(text);
   if (status == TP_OK) {
-    status = tp_accuracy_add_scene(accuracy, scene, 1U << TP_ACCURACY_LIMIT, true, message);
+    status = tp_accuracy_add_scene(
+        accuracy, scene, 1U << TP_ACCURACY_LIMIT | 1U << TP_ACCURACY_ONSET, true, message);
   }
   tp_scene_free(scene);
   return status;

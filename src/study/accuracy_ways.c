@@ -7,6 +7,7 @@
 #include "block/triangle_sums.h"
 #include "stability/limit_price.h"
 #include "stability/loaded.h"
+#include "stability/onset_price.h"
 
 static tp_evaluation evaluation_of(const tp_accuracy_subject *s, tp_rung rung) {
   return (tp_evaluation){.problem = &s->problem, .rung = rung, .digits = 1, .certain = true};
@@ -91,6 +92,21 @@ tp_status tp_accuracy_by_limit(arb_t degrees, bool *found, const void *subject, 
   tp_status status = with_loads(s, &e, &loaded);
   if (status == TP_OK) {
     status = tp_evaluate_limit_at_price(degrees, found, &e, s->towards, price);
+    if (e.loaded != NULL) tp_loaded_clear(&loaded);
+  }
+  tp_moments_clear(&e.moments);
+  return status;
+}
+
+tp_status tp_accuracy_by_onset(arb_t degrees, bool *found, const void *subject, tp_rung rung) {
+  const tp_accuracy_subject *s = subject;
+  tp_evaluation e = evaluation_of(s, rung);
+  tp_loaded loaded;
+  tp_moments_init(&e.moments);
+  tp_evaluate_moments(&e);
+  tp_status status = with_loads(s, &e, &loaded);
+  if (status == TP_OK) {
+    status = tp_evaluate_onset_at_price(degrees, found, &e, s->towards);
     if (e.loaded != NULL) tp_loaded_clear(&loaded);
   }
   tp_moments_clear(&e.moments);

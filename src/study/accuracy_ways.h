@@ -29,4 +29,7 @@ tp_status tp_accuracy_by_rounding(arb_t degrees, bool *found, const void *subjec
  * program of all columns. */
 tp_status tp_accuracy_by_limit(arb_t degrees, bool *found, const void *subject, tp_rung rung);
 
+/* Onset of motion: by balls of the rung's bits, on sums of its level or cheaper exact ones. */
+tp_status tp_accuracy_by_onset(arb_t degrees, bool *found, const void *subject, tp_rung rung);
+
 #endif

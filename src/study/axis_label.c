@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { KEY_SIZE = 200 };
+
 /* A key, with # for the number of an item of a list. */
 typedef struct quantity {
   const char *key, *name, *symbol, *unit;
@@ -55,6 +57,8 @@ static const quantity quantities[] = {
     {"loads.anchors.#.force_kn", "Force of anchor #", SYMBOL("T"), "kN"},
     {"loads.anchors.#.direction_deg", "Direction of anchor #", NULL, "°"},
     {"loads.pressures.#.kpa", "Pressure #", SYMBOL("p"), "kPa"},
+    {"loads.pressures.#.kpa.1", "Pressure #, beginning", SYMBOL("p") "_0", "kPa"},
+    {"loads.pressures.#.kpa.2", "Pressure #, end", SYMBOL("p") "_1", "kPa"},
     {"loads.surcharges.#.kpa", "Surcharge #", SYMBOL("p"), "kPa"},
 };
 
@@ -73,11 +77,12 @@ static bool matches(const char *pattern, const char *key, long *number) {
   return *key == '\0';
 }
 
-/* "Force of anchor 2 T (kN)" */
+/* "Force of anchor 2 T (kN)"; a parameter has its own name for a symbol. */
 static void write_known(char *label, size_t size, const quantity *q, long number,
-                        const char *length_unit) {
+                        const char *length_unit, const char *parameter) {
   const char *hash = strchr(q->name, '#');
   const bool of_scene = q->unit != NULL && strcmp(q->unit, OF_SCENE) == 0;
+  const char *symbol = parameter != NULL ? parameter : q->symbol;
   char name[80], unit[40] = "";
   if (hash != NULL) {
     snprintf(name, sizeof name, "%.*s%ld%s", (int)(hash - q->name), q->name, number, hash + 1);
@@ -85,38 +90,105 @@ static void write_known(char *label, size_t size, const quantity *q, long number
     snprintf(name, sizeof name, "%s", q->name);
   }
   if (q->unit != NULL) snprintf(unit, sizeof unit, " (%.24s)", of_scene ? length_unit : q->unit);
-  snprintf(label, size, "%s%s%s%s", name, q->symbol != NULL ? " " : "",
-           q->symbol != NULL ? q->symbol : "", unit);
+  snprintf(label, size, "%s%s%s%s", name, symbol != NULL ? " " : "", symbol != NULL ? symbol : "",
+           unit);
 }
 
-/* A coordinate is a length; what a parameter is cannot be told. */
-static bool is_coordinate(const char *key) {
-  static const char *const begins[] = {"block.outline.", "block.holes.", "base.profile.",
-                                       "base.between."};
-  for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
-    if (strncmp(key, begins[k], strlen(begins[k])) == 0) return true;
+static const quantity *known(const char *key, long *number) {
+  for (size_t k = 0; k < sizeof quantities / sizeof quantities[0]; k++) {
+    if (matches(quantities[k].key, key, number)) return quantities + k;
   }
-  return false;
+  return NULL;
 }
 
-void tp_axis_label(char *label, size_t size, bool *plain, const char *key,
-                   const char *length_unit) {
+/* A point is a length along x or y. */
+static bool is_coordinate(const char *key) {
+  static const char *const begins[] = {"block.outline.", "block.holes.",     "block.arcs.",
+                                       "base.profile.",  "base.between.",    "frame.mean_plane.",
+                                       "loads.anchors.", "loads.pressures.", "loads.surcharges.",
+                                       "block.parts."};
+  static const char *const others[] = {".bulge", "_deg", "_kn", "_m3", "kpa"};
+  bool is = false;
+  for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
+    is = is || strncmp(key, begins[k], strlen(begins[k])) == 0;
+  }
+  for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
+    const size_t length = strlen(key), own = strlen(others[k]);
+    is = is && !(length > own && strcmp(key + length - own, others[k]) == 0);
+  }
+  return is;
+}
+
+/* What a parameter stands for, if it is one thing. */
+typedef struct use {
+  const char *parameter;
+  char key[KEY_SIZE]; /* where it stands alone; empty: nowhere yet */
+  bool lengths;       /* it stands alone for lengths, */
+  bool others;        /* for other things, */
+  bool several;       /* for more quantities than one */
+} use;
+
+static void look_at(use *u, const char *key) {
+  long number = 0;
+  const quantity *q = known(key, &number);
+  const bool length =
+      q != NULL ? q->unit != NULL && strcmp(q->unit, OF_SCENE) == 0 : is_coordinate(key);
+  u->several = u->several || q == NULL || u->key[0] != '\0';
+  *(length ? &u->lengths : &u->others) = true;
+  snprintf(u->key, sizeof u->key, "%s", key);
+}
+
+/* Every place in the scene that is the parameter alone; `way` is that of the node. */
+static void find_use(use *u, const tp_node *node, const char *way) {
+  if (node->kind == TP_NODE_SCALAR && strcmp(node->text, u->parameter) == 0) look_at(u, way);
+  long index = 0;
+  for (const tp_node *child = node->first; child != NULL; child = child->next) {
+    char key[KEY_SIZE], item[24];
+    snprintf(item, sizeof item, "%ld", ++index);
+    const char *name = node->kind == TP_NODE_MAPPING ? child->key : item;
+    const int written = snprintf(key, sizeof key, "%s%s%s", way, *way != '\0' ? "." : "", name);
+    if (written < (int)sizeof key && strcmp(key, "parameters") != 0) find_use(u, child, key);
+  }
+}
+
+/* "Depth of teeth c (mm)" where the parameter is that and nothing else; "Parameter c (mm)" where it
+ * is lengths; else "Parameter c". */
+static void write_parameter(char *label, size_t size, const char *name, int shown,
+                            const tp_node *root, const char *length_unit) {
+  enum { MOST_OF_SYMBOL = 60 };
+  use u = {.parameter = name};
+  long number = 0;
+  find_use(&u, root, "");
+  if (u.key[0] != '\0' && !u.several && strlen(name) <= MOST_OF_SYMBOL) {
+    const quantity *q = known(u.key, &number);
+    write_known(label, size, q, number, length_unit, name);
+  } else if (u.lengths && !u.others) {
+    snprintf(label, size, "Parameter %.*s (%.20s)", shown, name, length_unit);
+  } else {
+    snprintf(label, size, "Parameter %.*s", shown, name);
+  }
+}
+
+void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const tp_node *root) {
   enum { MOST_SHOWN = 140 };
   static const char parameters[] = "parameters.";
-  for (size_t k = 0; k < sizeof quantities / sizeof quantities[0]; k++) {
-    long number = 0;
-    if (!matches(quantities[k].key, key, &number)) continue;
-    *plain = false;
-    write_known(label, size, quantities + k, number, length_unit);
+  const char *unit = tp_node_get(root, "length_unit")->text;
+  long number = 0;
+  const quantity *q = known(key, &number);
+  *plain = q == NULL;
+  if (q != NULL) {
+    write_known(label, size, q, number, unit, NULL);
     return;
   }
-  *plain = true;
-  const bool parameter = strncmp(key, parameters, strlen(parameters)) == 0;
-  const char *name = parameter ? key + strlen(parameters) : key;
+  const size_t prefix = strlen(parameters);
+  const char *name = strncmp(key, parameters, prefix) == 0 ? key + prefix : key;
   const int shown = (int)tp_whole_characters(name, MOST_SHOWN);
-  if (is_coordinate(key)) {
-    snprintf(label, size, "%.*s (%.20s)", shown, name, length_unit);
+  const tp_node *all = tp_node_get(root, "parameters");
+  if (all != NULL && tp_node_get(all, name) != NULL) {
+    write_parameter(label, size, name, shown, root, unit);
+  } else if (is_coordinate(key)) {
+    snprintf(label, size, "%.*s (%.20s)", shown, name, unit);
   } else {
-    snprintf(label, size, "%s%.*s", parameter ? "Parameter " : "", shown, name);
+    snprintf(label, size, "%.*s", shown, name);
   }
 }

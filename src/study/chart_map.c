@@ -69,23 +69,32 @@ static tp_status find_numbers(tp_map *map) {
 
 /* `label` holds the text as long as the axis is used. */
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
-  const tp_node *unit = tp_node_get(map->scene.root, "length_unit");
   tp_panel_axis axis = {.label = label, .range = from->range};
   tp_axis_label(label, LABEL_SIZE, &axis.plain, is_tilt(from) ? "tilt.angle_deg" : from->key,
-                unit->text);
+                map->scene.root);
   return axis;
 }
 
-static void add_legend(tp_chart *chart, bool along_one) {
-  if (!along_one) {
-    tp_chart_add_legend(chart, "border of mechanisms", tp_line_border);
-    tp_chart_add_legend(chart, "critical angle, limit analysis", tp_line_contour);
-    return;
+/* A line of the legend, where the chart has such a series. */
+typedef struct legend_entry {
+  const char *series, *of, *text; /* of NULL: of anything */
+  tp_chart_style style;
+} legend_entry;
+
+static void add_entries(tp_chart *chart, const legend_entry *entries, size_t count) {
+  for (size_t e = 0; e < count; e++) {
+    for (size_t k = 0; k < chart->series_count; k++) {
+      const tp_chart_series *s = chart->series + k;
+      if (s->drawn_only || s->count < 2 || strcmp(s->keys[0], entries[e].series) != 0) continue;
+      if (entries[e].of != NULL && strcmp(s->keys[1], entries[e].of) != 0) continue;
+      tp_chart_add_legend(chart, entries[e].text, entries[e].style);
+      break;
+    }
   }
-  const struct entry {
-    const char *series, *of, *text;
-    tp_chart_style style;
-  } entries[] = {
+}
+
+static void add_legend_of_line(tp_chart *chart) {
+  const legend_entry entries[] = {
       {"limit", "slides", "limit: slides", tp_line_slides},
       {"limit", "topples", "limit: topples", tp_line_topples},
       {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
@@ -93,19 +102,20 @@ static void add_legend(tp_chart *chart, bool along_one) {
       {"certain to stand", "", "certain to stand up to", tp_line_onset},
       {"certain to stand", "", "history decides", tp_region_history},
       {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
-      {"Patton's sliding", "", "Patton's sliding", tp_line_patton},
-      {"slides and topples from rest", "", "slides and topples at once, from rest",
-       tp_line_dynamic},
+      {"Patton's sliding", "", "Patton's sliding", tp_line_sliding},
+      {"sliding", "", "sliding along a facet", tp_line_sliding},
+      {"motion", NULL, "between motions from rest", tp_line_dynamic},
   };
-  for (size_t e = 0; e < sizeof entries / sizeof entries[0]; e++) {
-    for (size_t k = 0; k < chart->series_count; k++) {
-      const tp_chart_series *s = chart->series + k;
-      if (s->drawn_only || s->count < 2 || strcmp(s->keys[0], entries[e].series) != 0) continue;
-      if (strcmp(s->keys[1], entries[e].of) != 0) continue;
-      tp_chart_add_legend(chart, entries[e].text, entries[e].style);
-      break;
-    }
-  }
+  add_entries(chart, entries, sizeof entries / sizeof entries[0]);
+}
+
+static void add_legend_of_plane(tp_chart *chart) {
+  const legend_entry entries[] = {
+      {"border", NULL, "border of mechanisms", tp_line_border},
+      {"limit", NULL, "critical angle, limit analysis", tp_line_contour},
+      {"certain to stand", NULL, "certain to stand up to, where that is less", tp_line_stands},
+  };
+  add_entries(chart, entries, sizeof entries / sizeof entries[0]);
 }
 
 /* The chart must not be written over what it is computed from. */
@@ -128,6 +138,7 @@ static void draw(tp_map *map) {
     map->status = tp_fail_memory(map->message, "the chart");
     return;
   }
+  map->scene.options.motion_ranges = along_one;
   add_sources(map);
   if (map->status != TP_OK) return;
   map->chart->panel_width_mm = 72;
@@ -142,7 +153,12 @@ static void draw(tp_map *map) {
   } else {
     tp_map_draw_plane(map);
   }
-  if (map->status == TP_OK && !map->chart->failed) add_legend(map->chart, along_one);
+  if (map->status != TP_OK || map->chart->failed) return;
+  if (along_one) {
+    add_legend_of_line(map->chart);
+  } else {
+    add_legend_of_plane(map->chart);
+  }
 }
 
 tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp_message *message) {

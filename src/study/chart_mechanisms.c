@@ -7,8 +7,8 @@
 
 #include "host.h"
 #include "message.h"
-#include "study/dynamic_border.h"
 #include "study/mechanism_style.h"
+#include "study/mechanisms_rest.h"
 #include "study/table_7.h"
 #include "study/teeth.h"
 
@@ -18,8 +18,6 @@
 enum { POINTS = 121 };
 
 static const double degree = 57.29577951308232;
-/* of a rectangle, whatever its slenderness: k^2 = (dx^2 + y^2) / 12, r^2 = (dx^2 + y^2) / 4 */
-static const double rectangle_kappa = 0.25;
 
 tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void) {
   return (tp_chart_mechanisms_options){
@@ -36,6 +34,7 @@ typedef struct drawing {
 
 static const tp_chart_style line_peak = {TP_MARK_LINE, TP_COLOUR_VERMILLION, TP_DASH_DASHED, 0};
 static const tp_chart_style line_valley = {TP_MARK_LINE, TP_COLOUR_VERMILLION, TP_DASH_DOTTED, 0};
+static const tp_chart_style dots = {TP_MARK_POINTS, TP_COLOUR_BLACK, TP_DASH_SOLID, 0};
 
 static tp_status check(const tp_chart_mechanisms_options *o, tp_message *message) {
   if (!(o->friction_deg > 0 && o->roughness_angle_deg >= 0 &&
@@ -117,35 +116,25 @@ static void add_region(const drawing *d, tp_chart_style style, edge low, edge hi
 }
 
 /* The regions by the mean border of toppling, that of the planar base. */
-static void add_regions(const drawing *d, double sliding) {
+static void add_regions(const drawing *d, double sliding, bool rough) {
   const double meet = tan(sliding / degree), width = d->x_most, top = d->y_most;
   add_region(d, tp_region_topples, EDGE_TOPPLES, EDGE_SLIDES, sliding, 0, meet);
   add_region(d, tp_region_slides, EDGE_SLIDES, EDGE_TOPPLES, sliding, meet, width);
   add_region(d, tp_region_both, EDGE_HIGHER, EDGE_TOP, sliding, 0, width);
   tp_chart_add_label(d->chart, 0.62 * width, 0.3 * sliding, TP_LABEL_CENTRE, "stable");
-  tp_chart_add_label(d->chart, 0.33 * meet, 0.72 * sliding, TP_LABEL_CENTRE, "topples");
-  tp_chart_add_label(d->chart, 0.62 * width, 0.92 * top, TP_LABEL_CENTRE, "slides and topples");
+  tp_chart_add_label(d->chart, (rough ? 0.2 : 0.33) * meet, 0.72 * sliding, TP_LABEL_CENTRE,
+                     "topples");
+  tp_chart_add_label(d->chart, 0.7 * width, 0.92 * top, TP_LABEL_CENTRE, "slides and topples");
   tp_chart_add_label(d->chart, 0.87 * width, sliding + 0.35 * (atan(width) * degree - sliding),
                      TP_LABEL_CENTRE, "slides");
 }
 
-static void add_dynamics(const drawing *d) {
-  const double friction = d->options->friction_deg;
-  begin_series(d, tp_line_dynamic, "slides and topples from rest");
-  for (int k = 0; k < POINTS; k++) {
-    const double delta = friction * k / (POINTS - 1);
-    const double angle = tp_dynamic_border_deg(delta, rectangle_kappa, friction);
-    const double error = 0x1p-48 * angle;
-    tp_chart_add_point(d->chart, tp_chart_exactly(tan(delta / degree)),
-                       (tp_bounded){.value = angle, .error = error});
-  }
-  tp_chart_add_place(d->chart, tan(friction / degree), d->y_most);
-}
-
 static void add_block(const drawing *d, const tp_table_7_block *block,
                       const tp_table_7_verdict *v) {
-  static const tp_label_side sides[TP_TABLE_7_BLOCKS] = {TP_LABEL_ABOVE, TP_LABEL_BELOW,
+  static const tp_label_side sides[TP_TABLE_7_BLOCKS] = {TP_LABEL_ABOVE, TP_LABEL_CENTRE,
                                                          TP_LABEL_LEFT, TP_LABEL_RIGHT};
+  /* below the line of the onset about a valley */
+  const double away = sides[block->number - 1] == TP_LABEL_CENTRE ? 0.04 : 0;
   char number[16];
   snprintf(number, sizeof number, "%d", block->number);
   tp_chart_add_place(d->chart, block->inverse_slenderness, block->tilt_deg);
@@ -154,12 +143,11 @@ static void add_block(const drawing *d, const tp_table_7_block *block,
   tp_chart_add_note(d->chart, 2, v->from_rest);
   tp_chart_add_note(d->chart, 3, v->paper);
   tp_chart_add_note(d->chart, 4, v->agrees ? "yes" : "no");
-  tp_chart_add_label(d->chart, block->inverse_slenderness, block->tilt_deg,
-                     sides[block->number - 1], number);
+  tp_chart_add_label(d->chart, block->inverse_slenderness + away * d->x_most,
+                     block->tilt_deg - away * d->y_most, sides[block->number - 1], number);
 }
 
 static tp_status add_blocks(const drawing *d, bool rough) {
-  static const tp_chart_style dots = {TP_MARK_POINTS, TP_COLOUR_BLACK, TP_DASH_SOLID, 0};
   tp_status status = TP_OK;
   if (d->options->roughness_angle_deg < TP_TABLE_7_LEAST_ROUGHNESS) return status;
   begin_series(d, dots, "Table 7");
@@ -190,9 +178,8 @@ static tp_status add_panel(drawing *d, bool rough) {
       (tp_panel_axis){.label = rough ? NULL : "Tilt angle {/:Italic α} (°)",
                       .range = {0, d->y_most},
                       .tick = 10});
-  add_regions(d, sliding);
+  add_regions(d, sliding, rough);
   add_sliding(d, sliding);
-  if (!rough) add_dynamics(d);
   tp_status status = TP_OK;
   if (rough) {
     status = add_toppling(d, TP_TOE_PEAK, line_peak);
@@ -200,17 +187,37 @@ static tp_status add_panel(drawing *d, bool rough) {
   } else {
     status = add_toppling(d, TP_TOE_PLANAR, tp_line_topples);
   }
+  const tp_mechanisms_rest rest = {d->chart, o, d->panel, d->x_most, d->y_most};
+  if (status == TP_OK) {
+    status = rough ? tp_mechanisms_rest_rough(&rest, d->message)
+                   : tp_mechanisms_rest_planar(&rest, d->message);
+  }
   return status == TP_OK ? add_blocks(d, rough) : status;
 }
 
 static void add_legend(tp_chart *chart) {
-  tp_chart_add_legend(chart, "slides", tp_line_slides);
-  tp_chart_add_legend(chart, "topples, planar base", tp_line_topples);
-  tp_chart_add_legend(chart, "topples about a peak", line_peak);
-  tp_chart_add_legend(chart, "topples about a valley", line_valley);
-  tp_chart_add_legend(chart, "between: slides and topples at once, from rest", tp_line_dynamic);
-  tp_chart_add_legend(chart, "blocks of Table 7",
-                      (tp_chart_style){TP_MARK_POINTS, TP_COLOUR_BLACK, TP_DASH_SOLID, 0});
+  const struct entry {
+    const char *text;
+    tp_chart_style style;
+  } entries[] = {
+      {"slides", tp_line_slides},
+      {"topples, planar base", tp_line_topples},
+      {"topples about a peak", line_peak},
+      {"topples about a valley", line_valley},
+      {"between motions from rest, planar or peak", tp_line_dynamic},
+      {"between motions from rest, valley", tp_line_dynamic_valley},
+      {"certain to stand up to, valley", tp_line_onset},
+      {"blocks of Table 7", dots},
+  };
+  for (size_t e = 0; e < sizeof entries / sizeof entries[0]; e++) {
+    bool any = false;
+    for (size_t k = 0; k < chart->series_count && !any; k++) {
+      const tp_chart_style *own = &chart->series[k].style;
+      any = !chart->series[k].drawn_only && own->mark == entries[e].style.mark &&
+            own->colour == entries[e].style.colour && own->dash == entries[e].style.dash;
+    }
+    if (any) tp_chart_add_legend(chart, entries[e].text, entries[e].style);
+  }
 }
 
 tp_status tp_chart_mechanisms(tp_chart **chart, const tp_chart_mechanisms_options *options,

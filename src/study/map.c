@@ -2,7 +2,6 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "study/map.h"
-#include "study/dynamic_border.h"
 #include "study/mechanism_style.h"
 
 #include <stdio.h>
@@ -69,9 +68,32 @@ static tp_regime regime_of(const tp_case *own) {
   return TP_REGIME_UNDECIDED;
 }
 
+static void add_strip(tp_look *look, unsigned motions, tp_bounded from, tp_bounded to) {
+  if (look->strip_count < TP_STRIPS_MAX) {
+    look->strips[look->strip_count++] = (tp_strip){motions, from, to};
+  } else {
+    look->has_strips = false;
+  }
+}
+
+/* From level on; two that meet have the same tilt for an end. */
+static void take_strips(tp_look *look, const tp_onset *onset) {
+  const tp_bounded level = {0}, upright = {.value = 90};
+  look->has_strips = onset->has_ranges;
+  for (size_t k = 0; k < onset->range_count; k++) {
+    const tp_motion_range *own = onset->ranges + k;
+    const tp_bounded to = own->to_above ? upright : own->to_deg;
+    tp_bounded from = own->from_below ? level : own->from_deg;
+    if (to.value <= 0) continue;
+    if (from.value < 0) from = level;
+    const tp_strip *last = look->strip_count > 0 ? look->strips + look->strip_count - 1 : NULL;
+    if (last != NULL && last->to_deg.value != from.value) add_strip(look, 0, last->to_deg, from);
+    add_strip(look, own->motions, from, to);
+  }
+}
+
 static void take(tp_look *look, const tp_solution *solution) {
   const tp_case *own = solution->cases;
-  double delta = 0, kappa = 0;
   look->regime = regime_of(own);
   look->limit_deg = own->limit.critical_angle_deg;
   look->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
@@ -82,11 +104,7 @@ static void take(tp_look *look, const tp_solution *solution) {
   if (look->has_toppling) look->toppling_deg = own->pivots[own->governing].critical_angle_deg;
   look->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
   if (look->has_sliding) look->sliding_deg = own->sliding.critical_angle_deg;
-  look->has_dynamic = tp_dynamic_border_of(&delta, &kappa, solution, own) &&
-                      delta <= own->limit.friction_angle_deg.value;
-  if (look->has_dynamic) {
-    look->dynamic_deg = tp_dynamic_border_deg(delta, kappa, own->limit.friction_angle_deg.value);
-  }
+  take_strips(look, &own->onset);
 }
 
 tp_look tp_map_look(tp_map *map, const double *values) {
@@ -94,7 +112,10 @@ tp_look tp_map_look(tp_map *map, const double *values) {
   tp_solution *solution = NULL;
   for (size_t k = 0; k < map->scene.count; k++) look.values[k] = values[k];
   const tp_status status = tp_varied_solve(&solution, &map->scene, values, &map->why);
-  if (status == TP_OK) take(&look, solution);
+  if (status == TP_OK) {
+    take(&look, solution);
+    map->patton = solution->friction_is_patton;
+  }
   if (status == TP_UNDECIDED) look.regime = TP_REGIME_UNDECIDED;
   if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
     map->status = status;
@@ -102,6 +123,17 @@ tp_look tp_map_look(tp_map *map, const double *values) {
   }
   tp_solution_free(solution);
   return look;
+}
+
+bool tp_look_is_like(const tp_look *one, const tp_look *other) {
+  if (one->regime != other->regime || one->has_strips != other->has_strips ||
+      one->strip_count != other->strip_count) {
+    return false;
+  }
+  for (size_t k = 0; k < one->strip_count; k++) {
+    if (one->strips[k].motions != other->strips[k].motions) return false;
+  }
+  return true;
 }
 
 void tp_map_border(tp_map *map, tp_look *low, tp_look *high) {
@@ -115,7 +147,7 @@ void tp_map_border(tp_map *map, tp_look *low, tp_look *high) {
     }
     if (!moved) return;
     const tp_look found = tp_map_look(map, middle);
-    if (found.regime == low->regime) {
+    if (tp_look_is_like(&found, low)) {
       *low = found;
     } else {
       *high = found;

@@ -9,6 +9,7 @@
 
 #include "stability/varied.h"
 #include "study/chart.h"
+#include "study/motion_names.h"
 
 /* What lets go first, by the limit analysis. */
 typedef enum tp_regime {
@@ -34,7 +35,17 @@ typedef struct tp_map {
   tp_message *message; /* not NULL */
   tp_status status;    /* of the system: memory; that a scene has no answer is none */
   tp_message why;      /* why the last scene had no answer */
+  bool patton;         /* its friction is Patton's law */
 } tp_map;
+
+/* Tilts throughout which the same motions can begin from rest, as in tp_motion_range; none: it is
+ * certain to stand there, between others. Each strip begins where the one before it ends. */
+typedef struct tp_strip {
+  unsigned motions;
+  tp_bounded from_deg, to_deg;
+} tp_strip;
+
+enum { TP_STRIPS_MAX = 12 };
 
 typedef struct tp_look {
   double values[TP_VARIED_MAX];
@@ -42,10 +53,12 @@ typedef struct tp_look {
   tp_bounded limit_deg; /* slides, topples, both, tie */
   bool has_onset;       /* below the limit: from there on history decides */
   tp_bounded onset_deg;
-  bool has_toppling, has_sliding, has_dynamic;
+  bool has_toppling, has_sliding;
   size_t governing;
   tp_bounded toppling_deg, sliding_deg;
-  double dynamic_deg;
+  bool has_strips; /* where they were asked for, and are no more than there is room for */
+  size_t strip_count;
+  tp_strip strips[TP_STRIPS_MAX]; /* from level, or the first beyond, to 90 degrees at most */
 } tp_look;
 
 bool tp_look_has_limit(const tp_look *look);
@@ -53,8 +66,11 @@ bool tp_look_has_limit(const tp_look *look);
 /* Solve the scene with the values. */
 tp_look tp_map_look(tp_map *map, const double *values);
 
-/* Along the line between two looks of different regimes: the last point of the first regime and the
- * next double, along the axis that moves, where it is another. */
+/* Are the regimes the same, and the motions of the strips, one after the other? */
+bool tp_look_is_like(const tp_look *one, const tp_look *other);
+
+/* Along the line between two looks that are not alike: the last point like the first and the next
+ * double, along the axis that moves, that is not. */
 void tp_map_border(tp_map *map, tp_look *low, tp_look *high);
 
 /* "slides | topples" */

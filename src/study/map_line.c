@@ -5,41 +5,54 @@
  * regime each, between borders that are bisected; over each piece the limit is a curve, and beyond
  * it the regime is what happens. */
 
-#include "study/map.h"
+#include "study/map_line.h"
 #include "study/mechanism_style.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { POINTS = 241, LOOKS_MAX = 1200 };
 
-typedef struct line {
-  tp_map *map;
-  bool scalar_is_x;
-  tp_chart_range scalar, tilt;
-  size_t count;
-  tp_look *looks; /* along the scalar; a border is two looks a double apart */
-} line;
-
-static double at(const line *l, size_t k) {
+double tp_line_at(const tp_map_line *l, size_t k) {
   return l->looks[k].values[0];
 }
 
-static void add(const line *l, tp_bounded scalar, tp_bounded tilt) {
+tp_bounded tp_line_root(const tp_look *low, const tp_look *high) {
+  const double half = (high->values[0] - low->values[0]) / 2;
+  return (tp_bounded){.value = low->values[0] + half,
+                      .error = half + fabs(low->values[0]) * 0x1p-52};
+}
+
+size_t tp_line_end(const tp_map_line *l, size_t begin) {
+  size_t end = begin + 1;
+  while (end < l->count && tp_look_is_like(l->looks + end, l->looks + begin)) end++;
+  return end;
+}
+
+void tp_line_add(const tp_map_line *l, tp_bounded scalar, tp_bounded tilt) {
   tp_chart_add_point(l->map->chart, l->scalar_is_x ? scalar : tilt, l->scalar_is_x ? tilt : scalar);
 }
 
-static double clamped(const line *l, double tilt) {
+double tp_line_clamped(const tp_map_line *l, double tilt) {
   return fmin(fmax(tilt, l->tilt.from), l->tilt.to);
 }
 
-static void place(const line *l, double scalar, double tilt) {
-  add(l, tp_chart_exactly(scalar), tp_chart_exactly(clamped(l, tilt)));
+void tp_line_place(const tp_map_line *l, double scalar, double tilt) {
+  tp_line_add(l, tp_chart_exactly(scalar), tp_chart_exactly(tp_line_clamped(l, tilt)));
+}
+
+double tp_line_moves_from(const tp_map_line *l, const tp_look *look) {
+  if (tp_look_has_limit(look)) return tp_line_clamped(l, look->limit_deg.value);
+  return look->regime == TP_REGIME_MAY_MOVE || look->regime == TP_REGIME_INTERLOCKED ? l->tilt.to
+                                                                                     : l->tilt.from;
+}
+
+double tp_line_stands_to(const tp_map_line *l, const tp_look *look) {
+  return look->has_onset ? tp_line_clamped(l, look->onset_deg.value) : tp_line_moves_from(l, look);
 }
 
 /* Look at the points of the range, and at every border between two of them. */
-static void scan(line *l) {
+static void scan(tp_map_line *l) {
   tp_map *map = l->map;
   for (int k = 0; k < POINTS && map->status == TP_OK; k++) {
     double x = l->scalar.from + (l->scalar.to - l->scalar.from) * k / (POINTS - 1);
@@ -47,93 +60,24 @@ static void scan(line *l) {
     const tp_look next = tp_map_look(map, &x);
     while (l->count > 0 && map->status == TP_OK && l->count + 3 < LOOKS_MAX) {
       tp_look low = l->looks[l->count - 1], high = next;
-      if (low.regime == high.regime) break;
+      if (tp_look_is_like(&low, &high)) break;
       tp_map_border(map, &low, &high);
-      if (low.values[0] > at(l, l->count - 1)) l->looks[l->count++] = low;
+      if (low.values[0] > tp_line_at(l, l->count - 1)) l->looks[l->count++] = low;
       l->looks[l->count++] = high;
     }
-    if (l->count == 0 || x > at(l, l->count - 1)) l->looks[l->count++] = next;
+    if (l->count == 0 || x > tp_line_at(l, l->count - 1)) l->looks[l->count++] = next;
   }
 }
 
 /* The end of the piece of one regime that begins at a look: one past its last. */
-static size_t piece_end(const line *l, size_t begin) {
+static size_t piece_end(const tp_map_line *l, size_t begin) {
   size_t end = begin + 1;
   while (end < l->count && l->looks[end].regime == l->looks[begin].regime) end++;
   return end;
 }
 
-/* Up to where it is certain to stand. */
-static double stands_to(const line *l, const tp_look *look) {
-  const tp_bounded end = look->has_onset ? look->onset_deg : look->limit_deg;
-  return clamped(l, end.value);
-}
-
-/* How far a place keeps from the curves of moments, of sliding and of dynamics, and from the bounds
- * of its region, over the width of a name; in degrees. */
-static double clearance(const line *l, double scalar, double tilt, bool below) {
-  const double reach = 0.12 * (l->scalar.to - l->scalar.from);
-  double least = fmin(tilt - l->tilt.from, l->tilt.to - tilt);
-  for (size_t k = 0; k < l->count; k++) {
-    const tp_look *look = l->looks + k;
-    if (fabs(at(l, k) - scalar) > reach) continue;
-    const double limit = clamped(l, look->limit_deg.value);
-    least = fmin(least, below ? stands_to(l, look) - tilt : tilt - limit);
-    if (look->has_toppling) least = fmin(least, fabs(look->toppling_deg.value - tilt));
-    if (look->has_sliding) least = fmin(least, fabs(look->sliding_deg.value - tilt));
-    if (look->has_dynamic) least = fmin(least, fabs(look->dynamic_deg - tilt));
-  }
-  return least;
-}
-
-/* A name where the piece leaves most room for it, if it leaves enough. */
-static void add_name(const line *l, size_t begin, size_t end, bool below) {
-  enum { HEIGHTS = 20 };
-  const double middle = (at(l, begin) + at(l, end - 1)) / 2;
-  const double high = l->tilt.to - l->tilt.from, wide = l->scalar.to - l->scalar.from;
-  const char *name = below ? "stable" : tp_regime_name(l->looks[begin].regime);
-  const double half_name =
-      fmin(0.01 * (double)strlen(name) * wide, 0.5 * (at(l, end - 1) - at(l, begin)));
-  double room = 0.03 * high, scalar = 0, tilt = 0;
-  bool found = false;
-  for (size_t k = begin; k < end; k++) {
-    const double x = at(l, k);
-    if (x - at(l, begin) < half_name || at(l, end - 1) - x < half_name) continue;
-    for (int h = 1; h < HEIGHTS; h++) {
-      const double y = l->tilt.from + high * h / HEIGHTS;
-      /* where much is free, the middle is best */
-      const double clear =
-          fmin(clearance(l, x, y, below), 0.15 * high) - 0.1 * high * fabs(x - middle) / wide;
-      if (clear <= room) continue;
-      room = clear;
-      scalar = x;
-      tilt = y;
-      found = true;
-    }
-  }
-  if (!found || at(l, end - 1) - at(l, begin) < 0.15 * wide) return;
-  tp_chart_add_label(l->map->chart, l->scalar_is_x ? scalar : tilt, l->scalar_is_x ? tilt : scalar,
-                     TP_LABEL_CENTRE, name);
-}
-
-static void add_regions(const line *l) {
-  for (size_t k = 0, end; k < l->count; k = end) {
-    end = piece_end(l, k);
-    if (!tp_look_has_limit(l->looks + k) || end - k < 2) continue;
-    tp_chart_add_guide(l->map->chart, tp_regime_region(l->looks[k].regime));
-    for (size_t j = k; j < end; j++) place(l, at(l, j), l->looks[j].limit_deg.value);
-    for (size_t j = end; j-- > k;) place(l, at(l, j), l->tilt.to);
-    add_name(l, k, end, false);
-  }
-  for (size_t k = 0, end = 0; k<l->count; k = end> k ? end : k + 1) { /* whatever the regime */
-    end = k;
-    while (end < l->count && tp_look_has_limit(l->looks + end)) end++;
-    if (end > k + 1) add_name(l, k, end, true);
-  }
-}
-
 /* One past the last of the looks from `begin` on that leave history a window. */
-static size_t window_end(const line *l, size_t begin) {
+static size_t window_end(const tp_map_line *l, size_t begin) {
   size_t end = begin;
   while (end < l->count && l->looks[end].has_onset) end++;
   return end;
@@ -141,44 +85,54 @@ static size_t window_end(const line *l, size_t begin) {
 
 /* From where a motion can begin up to the limit, or, where forces hold at every tilt, to the top.
  */
-static void add_windows(const line *l) {
+static void add_windows(const tp_map_line *l) {
   for (size_t k = 0, end; k < l->count; k = end + 1) {
     end = window_end(l, k);
     if (end < k + 2) continue;
     tp_chart_add_guide(l->map->chart, tp_region_history);
-    for (size_t j = k; j < end; j++) place(l, at(l, j), l->looks[j].onset_deg.value);
+    for (size_t j = k; j < end; j++)
+      tp_line_place(l, tp_line_at(l, j), l->looks[j].onset_deg.value);
     for (size_t j = end; j-- > k;) {
       const tp_look *look = l->looks + j;
-      place(l, at(l, j), tp_look_has_limit(look) ? look->limit_deg.value : l->tilt.to);
+      tp_line_place(l, tp_line_at(l, j),
+                    tp_look_has_limit(look) ? look->limit_deg.value : l->tilt.to);
     }
   }
 }
 
-static void add_limits(const line *l) {
+static void add_limits(const tp_map_line *l) {
   for (size_t k = 0, end; k < l->count; k = end) {
     end = piece_end(l, k);
     if (!tp_look_has_limit(l->looks + k)) continue;
     tp_map_begin(l->map, tp_regime_line(l->looks[k].regime), "limit",
                  tp_regime_name(l->looks[k].regime));
-    for (size_t j = k; j < end; j++) add(l, tp_chart_exactly(at(l, j)), l->looks[j].limit_deg);
+    for (size_t j = k; j < end; j++)
+      tp_line_add(l, tp_chart_exactly(tp_line_at(l, j)), l->looks[j].limit_deg);
   }
 }
 
-/* From the limit up; what the two looks beside it have no limit for, from the bottom. */
-static void add_borders(const line *l) {
+/* Where the limit's mechanism changes: a place on its curve, as what begins beyond is another
+ * question, which strips answer; without strips on both sides, up to the top. Where one side has no
+ * limit, from that of the other on; without any limit, all of the height. */
+static void add_border(const tp_map_line *l, const tp_look *low, const tp_look *high) {
+  const tp_bounded root = tp_line_root(low, high);
+  const bool one = tp_look_has_limit(low), other = tp_look_has_limit(high);
+  const bool strips = low->has_strips && high->has_strips;
+  char name[80];
+  tp_map_border_name(name, sizeof name, low->regime, high->regime);
+  tp_map_begin(l->map, tp_line_border, "border", name);
+  tp_line_add(l, root,
+              one     ? low->limit_deg
+              : other ? high->limit_deg
+                      : tp_chart_exactly(l->tilt.from));
+  if (!(one && other && strips)) tp_line_add(l, root, tp_chart_exactly(l->tilt.to));
+}
+
+static void add_borders(const tp_map_line *l) {
   for (size_t k = 0; k + 1 < l->count; k++) {
-    const tp_look *low = l->looks + k, *high = low + 1;
-    if (low->regime == high->regime) continue;
-    const double half = (high->values[0] - low->values[0]) / 2;
-    const tp_bounded root = {.value = low->values[0] + half,
-                             .error = half + fabs(low->values[0]) * 0x1p-52};
-    const tp_look *limited = tp_look_has_limit(low) ? low : high;
-    const bool both = tp_look_has_limit(low) && tp_look_has_limit(high);
-    char name[80];
-    tp_map_border_name(name, sizeof name, low->regime, high->regime);
-    tp_map_begin(l->map, tp_line_border, "border", name);
-    add(l, root, both ? limited->limit_deg : tp_chart_exactly(l->tilt.from));
-    add(l, root, tp_chart_exactly(l->tilt.to));
+    if (l->looks[k].regime != l->looks[k + 1].regime) {
+      add_border(l, l->looks + k, l->looks + k + 1);
+    }
   }
 }
 
@@ -199,13 +153,8 @@ static bool read_sliding(tp_bounded *value, const tp_look *look) {
   return look->has_sliding;
 }
 
-static bool read_dynamic(tp_bounded *value, const tp_look *look) {
-  *value = (tp_bounded){.value = look->dynamic_deg, .error = 0x1p-40 * look->dynamic_deg};
-  return look->has_dynamic;
-}
-
 /* In as many pieces as it takes: it ends where it is not known, and where the pivot changes. */
-static void add_curve(const line *l, const char *series, tp_chart_style style, reader read) {
+static void add_curve(const tp_map_line *l, const char *series, tp_chart_style style, reader read) {
   bool begun = false;
   for (size_t k = 0; k < l->count; k++) {
     tp_bounded value = {0};
@@ -215,17 +164,17 @@ static void add_curve(const line *l, const char *series, tp_chart_style style, r
       tp_map_begin(l->map, style, series, "");
     }
     begun = known;
-    if (known) add(l, tp_chart_exactly(at(l, k)), value);
+    if (known) tp_line_add(l, tp_chart_exactly(tp_line_at(l, k)), value);
   }
 }
 
 void tp_map_draw_line(tp_map *map, bool scalar_is_x) {
   const tp_chart_axis *x = &map->options->x, *y = &map->options->y;
-  line l = {.map = map,
-            .scalar_is_x = scalar_is_x,
-            .scalar = scalar_is_x ? x->range : y->range,
-            .tilt = scalar_is_x ? y->range : x->range,
-            .looks = calloc(LOOKS_MAX, sizeof *l.looks)};
+  tp_map_line l = {.map = map,
+                   .scalar_is_x = scalar_is_x,
+                   .scalar = scalar_is_x ? x->range : y->range,
+                   .tilt = scalar_is_x ? y->range : x->range,
+                   .looks = calloc(LOOKS_MAX, sizeof *l.looks)};
   if (l.looks == NULL) {
     map->status = tp_fail_memory(map->message, "the map");
     return;
@@ -234,14 +183,14 @@ void tp_map_draw_line(tp_map *map, bool scalar_is_x) {
   bool any = false;
   for (size_t k = 0; k < l.count; k++) any |= l.looks[k].regime != TP_REGIME_NONE;
   if (map->status == TP_OK && any) {
-    add_regions(&l);
+    tp_line_add_regions(&l);
     add_windows(&l);
     add_limits(&l);
     add_borders(&l);
     add_curve(&l, "certain to stand", tp_line_onset, read_onset);
     add_curve(&l, "moment equilibrium", tp_line_moments, read_toppling);
-    add_curve(&l, "Patton's sliding", tp_line_patton, read_sliding);
-    add_curve(&l, "slides and topples from rest", tp_line_dynamic, read_dynamic);
+    add_curve(&l, map->patton ? "Patton's sliding" : "sliding", tp_line_sliding, read_sliding);
+    tp_line_add_motions(&l);
   } else if (map->status == TP_OK) {
     map->status = tp_map_no_answer(map);
   }

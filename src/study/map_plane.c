@@ -12,11 +12,25 @@
 
 enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SECANTS = 60 };
 
+/* An angle of a look that has contours. */
+typedef bool (*reader)(tp_bounded *degrees, const tp_look *look);
+
+static bool read_limit(tp_bounded *degrees, const tp_look *look) {
+  *degrees = look->limit_deg;
+  return tp_look_has_limit(look);
+}
+
+static bool read_onset(tp_bounded *degrees, const tp_look *look) {
+  *degrees = look->onset_deg;
+  return look->has_onset;
+}
+
 typedef struct plane {
   tp_map *map;
   tp_look *grid;
   tp_place_2d *places;
-  double level_deg; /* of the present contour */
+  reader read;      /* of the present contour */
+  double level_deg; /* likewise */
 } plane;
 
 static double coordinate(const tp_chart_range *range, int k) {
@@ -54,15 +68,17 @@ static tp_crossing cross_regimes(void *context, tp_look low, tp_look high) {
 
 static int contour_region(const void *context, const tp_look *look) {
   const plane *p = context;
-  if (!tp_look_has_limit(look)) return 0;
-  return look->limit_deg.value < p->level_deg ? 1 : 2;
+  tp_bounded own;
+  if (!p->read(&own, look)) return 0;
+  return own.value < p->level_deg ? 1 : 2;
 }
 
 /* 1 above the present level for certain, -1 below it; 0 else. */
 static int side_of(const plane *p, const tp_look *look) {
-  if (!tp_look_has_limit(look)) return 0;
-  const double gap = look->limit_deg.value - p->level_deg, error = look->limit_deg.error;
-  return gap > error ? 1 : gap < -error ? -1 : 0;
+  tp_bounded own;
+  if (!p->read(&own, look)) return 0;
+  const double gap = own.value - p->level_deg;
+  return gap > own.error ? 1 : gap < -own.error ? -1 : 0;
 }
 
 static tp_look between(const plane *p, const tp_look *low, const tp_look *high, double share) {
@@ -83,17 +99,18 @@ static tp_crossing bracket(const plane *p, const tp_look *low, const tp_look *hi
 }
 
 /* Along an edge by false position (Illinois), which halves the weight of an end that stays, then
- * within a certain bracket. A limit that jumps over the level does not cross it. */
+ * within a certain bracket. An angle that jumps over the level does not cross it. */
 static tp_crossing cross_level(void *context, tp_look low, tp_look high) {
   const plane *p = context;
-  if (!tp_look_has_limit(&low) || !tp_look_has_limit(&high)) return (tp_crossing){0};
-  double a = low.limit_deg.value - p->level_deg, b = high.limit_deg.value - p->level_deg;
+  tp_bounded first_deg, last_deg, own;
+  if (!p->read(&first_deg, &low) || !p->read(&last_deg, &high)) return (tp_crossing){0};
+  double a = first_deg.value - p->level_deg, b = last_deg.value - p->level_deg;
   double first = 0, last = 1;
   for (int step = 0; step < SECANTS && p->map->status == TP_OK; step++) {
     const double share = first + a / (a - b) * (last - first);
     const tp_look found = between(p, &low, &high, share);
-    if (!tp_look_has_limit(&found)) return (tp_crossing){0};
-    const double gap = found.limit_deg.value - p->level_deg;
+    if (!p->read(&own, &found)) return (tp_crossing){0};
+    const double gap = own.value - p->level_deg;
     if (fabs(gap) <= 1e-11 * fabs(p->level_deg)) return bracket(p, &low, &high, share);
     if ((gap < 0) == (a < 0)) {
       first = share;
@@ -191,19 +208,21 @@ static double contour_step(double range) {
   return 10 * decade;
 }
 
-static void add_contours(plane *p) {
+static void add_contours(plane *p, reader read, tp_chart_style style, const char *series) {
   double low = INFINITY, high = -INFINITY;
+  tp_bounded own;
+  p->read = read;
   for (int k = 0; k < LOOKS; k++) {
-    if (!tp_look_has_limit(p->grid + k)) continue;
-    low = fmin(low, p->grid[k].limit_deg.value);
-    high = fmax(high, p->grid[k].limit_deg.value);
+    if (!read(&own, p->grid + k)) continue;
+    low = fmin(low, own.value);
+    high = fmax(high, own.value);
   }
   if (!(high > low)) return;
   const tp_field field = {p, contour_region, cross_level};
   const double step = contour_step(high - low);
   for (double k = floor(low / step) + 1; k * step < high && p->map->status == TP_OK; k++) {
     p->level_deg = k * step;
-    if (p->level_deg != 0) add_curves(p, &field, tp_line_contour, "limit", true);
+    if (p->level_deg != 0) add_curves(p, &field, style, series, true);
   }
 }
 
@@ -216,7 +235,8 @@ void tp_map_draw_plane(tp_map *map) {
   const bool any = scan(&p);
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
   const tp_field field = {&p, regime_region, cross_regimes};
-  if (map->status == TP_OK) add_contours(&p);
+  if (map->status == TP_OK) add_contours(&p, read_limit, tp_line_contour, "limit");
+  if (map->status == TP_OK) add_contours(&p, read_onset, tp_line_stands, "certain to stand");
   if (map->status == TP_OK) add_curves(&p, &field, tp_line_border, "border", false);
   free(p.places);
   free(p.grid);

@@ -25,10 +25,13 @@ static const tp_chart_style tp_line_topples = {TP_MARK_LINE, TP_COLOUR_VERMILLIO
 static const tp_chart_style tp_line_both = {TP_MARK_LINE, TP_COLOUR_PURPLE, TP_DASH_DASH_DOT, 0};
 static const tp_chart_style tp_line_onset = {TP_MARK_LINE, TP_COLOUR_GREEN, TP_DASH_SOLID, 0};
 static const tp_chart_style tp_line_dynamic = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_LONG, 0.7};
+static const tp_chart_style tp_line_dynamic_valley = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DOTTED,
+                                                      0.7};
 static const tp_chart_style tp_line_moments = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DASH_DOT,
                                                0.7};
-static const tp_chart_style tp_line_patton = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DOTTED, 0.9};
+static const tp_chart_style tp_line_sliding = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_DOTTED, 0.9};
 static const tp_chart_style tp_line_contour = {TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.6};
+static const tp_chart_style tp_line_stands = {TP_MARK_LINE, TP_COLOUR_GREEN, TP_DASH_DASHED, 0.8};
 static const tp_chart_style tp_line_border = {TP_MARK_LINE, TP_COLOUR_BLACK, TP_DASH_SOLID, 0.7};
 
 #endif

@@ -2,14 +2,13 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "study/table_7.h"
-#include "study/dynamic_border.h"
 #include "study/teeth.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double degree = 57.29577951308232;
-static const double rectangle_kappa = 0.25;
 
 static const char *const printed[TP_TABLE_7_BLOCKS][2] = {{"slides", "stable"},
                                                           {"slides", "stable, topples if valley"},
@@ -44,11 +43,23 @@ tp_table_7_block tp_table_7_place(int number, const tp_chart_mechanisms_options 
   return block;
 }
 
-static const char *from_rest(double delta, double friction, double tilt) {
-  if (tilt <= fmin(delta, friction)) return "stable";
-  if (friction <= delta) return "slides";
-  return tilt <= tp_dynamic_border_deg(delta, rectangle_kappa, friction) ? "topples"
-                                                                         : "slides and topples";
+/* What begins on the planar base at the block's tilt: the motions that can. */
+static tp_status from_rest(char text[TP_MOTIONS_NAME_SIZE], const tp_table_7_block *block,
+                           double friction_deg, tp_message *message) {
+  const tp_toothed_question question = {.block = {block->inverse_slenderness, 0, 2},
+                                        .toe = TP_TOE_PLANAR,
+                                        .friction_deg = friction_deg,
+                                        .tilt_deg = block->tilt_deg};
+  tp_solution *solution = NULL;
+  const tp_status status = tp_toothed_solve(&solution, &question, message);
+  if (status != TP_OK) return status;
+  const tp_onset *onset = &solution->cases[0].onset;
+  unsigned motions = 0;
+  for (size_t k = 0; k < onset->motion_count; k++) motions |= 1U << onset->motions[k].mechanism;
+  tp_motions_name(text, motions);
+  if (motions == 0) snprintf(text, TP_MOTIONS_NAME_SIZE, "stable");
+  tp_solution_free(solution);
+  return TP_OK;
 }
 
 tp_status tp_table_7_judge(tp_table_7_verdict *verdict, const tp_table_7_block *block,
@@ -56,19 +67,18 @@ tp_status tp_table_7_judge(tp_table_7_verdict *verdict, const tp_table_7_block *
   static const tp_toe_kind rising[3] = {TP_TOE_VALLEY, TP_TOE_PLANAR, TP_TOE_PEAK};
   const tp_toothed toothed = {block->inverse_slenderness, rough ? o->amplitude : 0, 2};
   const double sliding = o->friction_deg + (rough ? o->roughness_angle_deg : 0);
-  double planar = 0;
   int topples = 0;
   for (int k = 0; k < 3; k++) {
     tp_bounded angle = {0};
     const tp_status status = tp_toothed_critical_angle(&angle, &toothed, rising[k], message);
     if (status != TP_OK) return status;
-    if (rising[k] == TP_TOE_PLANAR) planar = angle.value;
     topples += angle.value < block->tilt_deg;
   }
   verdict->program = verdicts[block->tilt_deg > sliding][topples];
-  verdict->from_rest = rough ? NULL : from_rest(planar, o->friction_deg, block->tilt_deg);
+  tp_status status = TP_OK;
+  if (!rough) status = from_rest(verdict->from_rest, block, o->friction_deg, message);
   verdict->paper = printed[block->number - 1][rough];
   verdict->agrees = strcmp(verdict->paper, verdict->program) == 0 ||
                     (!rough && strcmp(verdict->paper, verdict->from_rest) == 0);
-  return TP_OK;
+  return status;
 }

@@ -13,7 +13,7 @@
 #ifndef TP_TABLE_7_H
 #define TP_TABLE_7_H
 
-#include "topple.h"
+#include "study/motion_names.h"
 
 enum { TP_TABLE_7_BLOCKS = 4, TP_TABLE_7_LEAST_ROUGHNESS = 2 };
 
@@ -23,10 +23,10 @@ typedef struct tp_table_7_block {
 } tp_table_7_block;
 
 typedef struct tp_table_7_verdict {
-  const char *program;   /* by the borders of the map */
-  const char *from_rest; /* on a planar base, by dynamics; NULL on a rough one */
+  const char *program;                  /* by the borders of the map */
+  char from_rest[TP_MOTIONS_NAME_SIZE]; /* on a planar base, what begins; empty on a rough one */
   const char *paper;
-  bool agrees; /* the paper with the program, or with the dynamics */
+  bool agrees; /* the paper with the program, or with what begins from rest */
 } tp_table_7_verdict;
 
 tp_table_7_block tp_table_7_place(int number, const tp_chart_mechanisms_options *options);

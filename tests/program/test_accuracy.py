@@ -19,10 +19,11 @@ from harness import ROOT, main, run, solve
 BITS = [53, 64, 128, 256, 512, 1024, 2048, 4096]
 WORN = "examples/block_a_worn.yaml"
 SCENES = {  # methods that each scene calls for
-    WORN: ["boundary sums", "triangles", "rounding, paper's model", "rounding, exact model", "limit analysis"],
-    "examples/boulder.yaml": ["boundary sums", "triangles", "limit analysis"],
+    WORN: ["boundary sums", "triangles", "rounding, paper's model", "rounding, exact model", "limit analysis",
+           "onset of motion"],
+    "examples/boulder.yaml": ["boundary sums", "triangles", "limit analysis", "onset of motion"],
     "examples/two_density_block.yaml": ["boundary sums", "triangles"],
-    "examples/block_seismic.yaml": ["boundary sums", "triangles", "limit analysis"],
+    "examples/block_seismic.yaml": ["boundary sums", "triangles", "limit analysis", "onset of motion"],
     "examples/boulder_ellipse.yaml": ["boundary sums"],
     "examples/vault.yaml": ["boundary sums"],
 }
@@ -95,13 +96,40 @@ class Accuracy(unittest.TestCase):
         sharp = exact.critical_angle(moments, (0, 5))
         for number, truth in ((values["boundary sums"], sharp), (values["triangles"], sharp),
                               (values["rounding, paper's model"], own["toppling"]["critical_angle_deg"]["value"]),
-                              (values["limit analysis"], own["limit"]["critical_angle_deg"]["value"])):
+                              (values["limit analysis"], own["limit"]["critical_angle_deg"]["value"]),
+                              (values["onset of motion"], own["onset"]["critical_angle_deg"]["value"])):
             self.assertLess(abs(Decimal(number["value"]) - Decimal(truth)), Decimal("1e-13"))
+
+    def test_onset(self):
+        """Where friction on the flank behind the toe could hold block A, its limit is 30.25° and its onset still the
+        angle of its moments, by Python's rationals; every price of sums and balls is measured. Under cohesion the
+        limit comes in, and with Barton's friction there is no single onset: no rows."""
+        text = (ROOT / "examples/block_a_peak.yaml").read_text(encoding="utf-8")
+        moments = exact.block_moments(exact.teeth(3, Fraction(15), Fraction(94), Fraction(5), "peak"))
+        steep = text.replace("friction_angle_deg: 30", "friction_angle_deg: 60")
+        barton = text.replace("friction_angle_deg: 30",
+                              "friction: {law: barton, residual_angle_deg: 25, jcs_mpa: 50, jrc: 8}")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "scene.yaml"
+            path.write_text(steep, encoding="utf-8")
+            measured = measure(path)
+            for other in (steep + "loads: {cohesion_kpa: 1}\n", barton):
+                path.write_text(other, encoding="utf-8")
+                self.assertNotIn("onset of motion", {r["method"] for r in measure(path)["runs"]})
+        values = {v["method"]: v["angle_deg"]["value"] for v in measured["values"]}
+        self.assertAlmostEqual(values["limit analysis"], 30.251, delta=1e-3)
+        truth = exact.critical_angle(moments, (0, 5))
+        self.assertLess(abs(Decimal(values["onset of motion"]) - truth), Decimal("1e-14"))
+        own = [r for r in measured["runs"] if r["method"] == "onset of motion"]
+        self.assertEqual([r["bits"] for r in own if r["level"] == "ball"], BITS)
+        self.assertLessEqual({"double", "compensated", "exact"}, {r["level"] for r in own})
 
     def test_page(self):
         status, out, err = run("accuracy", WORN)
         self.assertEqual((status, err), (0, ""))
         self.assertIn("limit analysis           double          64", out)
+        self.assertRegex(out, r"onset of motion          ball          4096 +[0-9.]+ [µm]s  [0-9.]+e-12[0-9]{2}  [0-9.]+e-12[0-9]{2}\n")
+        self.assertRegex(out, r"\n  onset of motion          23\.503265325340")
         self.assertRegex(out, r"boundary sums            ball          4096 +[0-9.]+ µs  [0-9.]+e-12[0-9]{2}  [0-9.]+e-12[0-9]{2}\n")
         self.assertIn("rounding, paper's model  23.503265325340", out)
         self.assertTrue(all(len(line) <= 81 for line in out.splitlines()))
@@ -109,11 +137,11 @@ class Accuracy(unittest.TestCase):
 
 class Sweep(unittest.TestCase):
     def test_sizes(self):
-        """Sums and triangles at every size, the same angle from both; the limit up to 10^5 vertices."""
+        """Sums and triangles at every size, the same angle from both; the limit and the onset up to 10^5 vertices."""
         measured = measure("--sweep=10:1000")
         for size in (10, 100, 1000):
             values = {v["method"]: v["angle_deg"]["value"] for v in measured["values"] if v["vertices"] == size}
-            self.assertEqual(set(values), {"boundary sums", "triangles", "limit analysis"})
+            self.assertEqual(set(values), {"boundary sums", "triangles", "limit analysis", "onset of motion"})
             self.assertEqual(values["boundary sums"], values["triangles"])
         for r in measured["runs"]:
             if r["bound"] is not None:
