@@ -32,11 +32,13 @@ static bool make_room(tp_description *d, long room) {
 typedef struct cutting {
   tp_description *d;
   const tp_normals *n;
-  int signs[2]; /* of h . a, ray by ray */
+  int signs[2];   /* of h . a, ray by ray */
+  tp_vector h[2]; /* at work */
 } cutting;
 
-static const tp_vector *h_of(const cutting *c, long normal) {
-  return &c->n->items[normal].h;
+static const tp_vector *h_of(cutting *c, int which, long normal) {
+  tp_normals_set_h(c->h + which, c->n, normal);
+  return c->h + which;
 }
 
 static int sign_of(const cutting *c, const arb_t ball, const tp_vector *a, const tp_vector *b) {
@@ -82,12 +84,13 @@ static void set_between(tp_vector *between, const cutting *c, const tp_vector *a
 }
 
 /* Where the plane of h crosses that of `plane` between two rays. */
-static bool cross_face(const cutting *c, tp_described_ray *ray, const tp_vector *plane,
+static bool cross_face(cutting *c, tp_described_ray *ray, const tp_vector *plane,
                        const tp_vector *a, const tp_vector *b, long by, long normal) {
+  const tp_vector *h = h_of(c, 1, by);
   tp_vector between;
   tp_vector_init(&between);
-  set_between(&between, c, a, b, h_of(c, by));
-  const bool done = set_ray(c, ray, plane, h_of(c, by), &between, normal);
+  set_between(&between, c, a, b, h);
+  const bool done = set_ray(c, ray, plane, h, &between, normal);
   tp_vector_clear(&between);
   return done;
 }
@@ -104,7 +107,7 @@ static tp_motion_outcome cut_flat(cutting *c, long by) {
   tp_description *d = c->d;
   if (d->count == 2 && c->signs[0] * c->signs[1] < 0) {
     const int below = c->signs[0] < 0 ? 0 : 1;
-    const tp_vector *plane = d->rank == 2 ? &d->line : h_of(c, d->rays[0].normal);
+    const tp_vector *plane = d->rank == 2 ? &d->line : h_of(c, 0, d->rays[0].normal);
     tp_described_ray *ray = d->rays + below;
     const long normal = d->rank == 2 ? by : ray->normal;
     tp_described_ray made = {.normal = normal};
@@ -166,7 +169,7 @@ static tp_motion_outcome find_first(cutting *c, long *normals, long count) {
   d->rank = count > 0 ? 1 : 0;
   for (long k = 1; k < count && d->rank < 3; k++) {
     if (d->rank == 1) {
-      const int along = is_along(c, h_of(c, normals[0]), h_of(c, normals[k]));
+      const int along = is_along(c, h_of(c, 0, normals[0]), h_of(c, 1, normals[k]));
       if (along == OPEN_SIGN) return TP_MOTION_OPEN;
       if (along != 0) {
         d->flat = d->flat || c->n->families[c->n->items[normals[0]].family].sense !=
@@ -174,10 +177,11 @@ static tp_motion_outcome find_first(cutting *c, long *normals, long count) {
         continue;
       }
       bring_forward(normals, 1, k);
-      tp_vector_cross(&d->line, h_of(c, normals[0]), h_of(c, normals[1]), c->n->judge.precision);
+      tp_vector_cross(&d->line, h_of(c, 0, normals[0]), h_of(c, 1, normals[1]),
+                      c->n->judge.precision);
       d->rank = 2;
     } else {
-      const int side = dot_sign(c, &d->line, h_of(c, normals[k]));
+      const int side = dot_sign(c, &d->line, h_of(c, 0, normals[k]));
       if (side == OPEN_SIGN) return TP_MOTION_OPEN;
       if (side == 0) continue;
       bring_forward(normals, 2, k);
@@ -192,7 +196,7 @@ static tp_motion_outcome find_first(cutting *c, long *normals, long count) {
 /* The cone of two half-spaces, across its line. */
 static bool begin_across(cutting *c, const long *normals) {
   tp_description *d = c->d;
-  const tp_vector *a = h_of(c, normals[0]), *b = h_of(c, normals[1]);
+  const tp_vector *a = h_of(c, 0, normals[0]), *b = h_of(c, 1, normals[1]);
   d->flat = false;
   d->count = 2;
   return set_ray(c, d->rays, a, &d->line, b, normals[0]) &&
@@ -272,6 +276,7 @@ tp_motion_outcome tp_description_init(tp_description *d, const tp_normals *n, tp
   memset(d, 0, sizeof *d);
   tp_vector_init(&d->line);
   cutting c = {.d = d, .n = n};
+  for (int k = 0; k < 2; k++) tp_vector_init(c.h + k);
   long *normals = calloc(2 * (size_t)n->family_count + 1, sizeof *normals);
   tp_motion_outcome outcome = TP_MOTION_OUT_OF_MEMORY;
   if (normals != NULL) {
@@ -283,6 +288,7 @@ tp_motion_outcome tp_description_init(tp_description *d, const tp_normals *n, tp
     }
   }
   free(normals);
+  for (int k = 0; k < 2; k++) tp_vector_clear(c.h + k);
   if (outcome != TP_MOTION_PROVEN) tp_description_clear(d);
   return outcome;
 }

@@ -23,7 +23,6 @@
 typedef struct tp_normal {
   long first, count; /* in `order` */
   long family;
-  tp_vector h;
   double near[3]; /* h in doubles (tp_normals_near) */
 } tp_normal;
 
@@ -57,6 +56,10 @@ typedef enum tp_motion_outcome {
 TP_MUST_USE tp_motion_outcome tp_normals_init(tp_normals *normals, const tp_cones *cones,
                                               const tp_judge *judge);
 void tp_normals_clear(tp_normals *normals);
+
+/* t . q of a point; h of a line. */
+void tp_normals_set_along(arb_t along, const tp_normals *normals, long point);
+void tp_normals_set_h(tp_vector *h, const tp_normals *normals, long normal);
 
 /* Sign of h . a, by doubles where they tell, 2 where open: `near` is a in doubles. A twist about a
  * site, or -1, lies on the lines through it. */

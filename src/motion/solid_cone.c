@@ -10,6 +10,7 @@ enum { OPEN_SIGN = 2 };
 
 void tp_solid_cone_clear(tp_solid_cone *c) {
   for (long k = 0; k < c->room; k++) tp_vector_clear(&c->rays[k].twist);
+  for (int k = 0; k < 2; k++) tp_vector_clear(&c->h[k]);
   free(c->rays);
   free(c->next);
   free(c->below);
@@ -36,8 +37,9 @@ static long add_ray(tp_solid_cone *c, long first, long second) {
   const long ray = c->unused;
   tp_solid_ray *own = c->rays + ray;
   c->unused = own->after;
-  tp_vector_cross(&own->twist, &c->n->items[first].h, &c->n->items[second].h,
-                  c->n->judge.precision);
+  tp_normals_set_h(&c->h[0], c->n, first);
+  tp_normals_set_h(&c->h[1], c->n, second);
+  tp_vector_cross(&own->twist, &c->h[0], &c->h[1], c->n->judge.precision);
   tp_normals_near(own->near, &own->twist);
   own->face = second;
   own->lines = -1;
@@ -191,6 +193,7 @@ static bool pay(tp_solid_cone *c, tp_work *work) {
 tp_motion_outcome tp_solid_cone_init(tp_solid_cone *c, const tp_normals *n, const long *lines,
                                      long count, tp_work *work) {
   *c = (tp_solid_cone){.n = n, .unused = -1};
+  for (int k = 0; k < 2; k++) tp_vector_init(&c->h[k]);
   c->next = calloc((size_t)n->count, sizeof *c->next);
   c->below = calloc((size_t)n->count, sizeof *c->below);
   tp_motion_outcome done = TP_MOTION_OUT_OF_MEMORY;

@@ -33,10 +33,11 @@ typedef struct tp_solid_cone {
   tp_solid_ray *rays; /* in any order */
   long unused;        /* a chain of those that are none, by `after` */
   long count;
-  long start;  /* of the circle: a ray, where there is one */
-  long *next;  /* by normal line: along the rays' chains */
-  long *below; /* by normal line: a ray that it cuts off, or -1 */
-  bool flat;   /* it has no inside: its `count` rays are 0, 1 or 2, from `start` on */
+  long start;     /* of the circle: a ray, where there is one */
+  long *next;     /* by normal line: along the rays' chains */
+  long *below;    /* by normal line: a ray that it cuts off, or -1 */
+  bool flat;      /* it has no inside: its `count` rays are 0, 1 or 2, from `start` on */
+  tp_vector h[2]; /* at work */
   double checks;
 } tp_solid_cone;
 

@@ -192,18 +192,20 @@ static tp_motion_outcome take_with_line(tp_twists *t, const tp_normals *n,
 
 /* One plane: u along the facet, v = h x u turning, and back. */
 static bool take_plane(tp_twists *t, const tp_description *d, const tp_normals *n) {
-  tp_vector u, v;
+  tp_vector h, u, v;
+  tp_vector_init(&h);
   tp_vector_init(&u);
   tp_vector_init(&v);
-  const tp_normal *own = n->items + d->plane;
-  const long point = n->order[own->first];
+  const long point = n->order[n->items[d->plane].first];
+  tp_normals_set_h(&h, n, d->plane);
   arb_set_fmpz(u.of, n->tx + point);
   arb_set_fmpz(u.of + 1, n->ty + point);
-  tp_vector_cross(&v, &own->h, &u, n->judge.precision);
+  tp_vector_cross(&v, &h, &u, n->judge.precision);
   const bool done = add_ray(t, &u, false) && add_ray(t, &v, false) && add_ray(t, &u, true) &&
                     add_ray(t, &v, true);
   for (long k = 0; k < 4; k++) add_face(t, k, (k + 1) % 4, d->plane);
   t->has_interior = !d->flat;
+  tp_vector_clear(&h);
   tp_vector_clear(&u);
   tp_vector_clear(&v);
   return done;
