@@ -3,6 +3,8 @@
 
 #include "motion/normals.h"
 
+#include "number/ball.h"
+
 #include <math.h>
 
 /* The middle of a ball by its highest limb, over 2^exponent. */
@@ -123,4 +125,34 @@ bool tp_normal_has_site(const tp_normals *n, const tp_normal *normal, long site)
     if (n->cones->points[n->order[k]].site == site) return true;
   }
   return false;
+}
+
+void tp_normals_of_family(long ends[2], const tp_normals *n, long family) {
+  const tp_contact_family *own = n->families + family;
+  const tp_normal *last = n->items + own->first + own->count - 1;
+  ends[0] = n->items[own->first].first;
+  ends[1] = last->first + last->count;
+}
+
+int tp_normals_share_line(const tp_normals *n, long point, long end) {
+  const tp_cones *cones = n->cones;
+  if (n->family_of[point] != n->family_of[end]) return 0;
+  if (cones->points[point].facet >= 0 && cones->points[point].facet == cones->points[end].facet) {
+    return 1;
+  }
+  const long bits = n->judge.precision;
+  arb_t across, part;
+  arb_init(across);
+  arb_init(part);
+  arb_sub(part, cones->y + end, cones->y + point, bits);
+  arb_mul_fmpz(across, part, n->tx + point, bits);
+  const double log2_scale =
+      fmax(tp_ball_log2_above(cones->y + end), tp_ball_log2_above(cones->x + end)) +
+      (double)fmpz_bits(n->tx + point) + (double)fmpz_bits(n->ty + point);
+  arb_sub(part, cones->x + end, cones->x + point, bits);
+  arb_submul_fmpz(across, part, n->ty + point, bits);
+  const int sign = tp_judge_sign(&n->judge, across, log2_scale);
+  arb_clear(across);
+  arb_clear(part);
+  return sign == 2 ? 2 : sign == 0;
 }

@@ -77,6 +77,13 @@ void tp_normals_edge(tp_vector *force, const tp_normals *normals, long point, bo
 /* Does a point on the line lie in the site? */
 bool tp_normal_has_site(const tp_normals *normals, const tp_normal *normal, long site);
 
+/* A family's points: in `order` from one index to before the other. */
+void tp_normals_of_family(long ends[2], const tp_normals *normals, long family);
+
+/* Do two points, with their facets, lie on one straight line, with the same side of it free? 1, 0,
+ * or 2 where open. */
+int tp_normals_share_line(const tp_normals *normals, long point, long other);
+
 /* A vector in doubles, times a power of two, each to 2^-50 of itself or so; zeros where one is too
  * small beside the largest. */
 void tp_normals_near(double near[3], const tp_vector *vector);
