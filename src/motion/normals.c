@@ -7,15 +7,15 @@
 
 #include <math.h>
 
-/* The middle of a ball by its highest limb, over 2^exponent. */
-static double top_of(const arf_struct *middle, slong exponent) {
+double tp_normals_top(const arf_struct *middle, slong exponent) {
+  enum { MOST = 2000 }; /* beyond the exponents of doubles */
   mp_srcptr limbs;
   mp_size_t count;
-  if (arf_is_special(middle)) return 0;
+  if (arf_is_special(middle) || COEFF_IS_MPZ(ARF_EXP(middle))) return 0;
   ARF_GET_MPN_READONLY(limbs, count, middle);
   const slong own = ARF_EXP(middle) - exponent;
-  if (own < -1000) return 0; /* so much smaller than the largest */
-  const double size = ldexp((double)limbs[count - 1], (int)own - FLINT_BITS);
+  if (own < -MOST / 2) return 0;
+  const double size = ldexp((double)limbs[count - 1], (int)(own > MOST ? MOST : own) - FLINT_BITS);
   return ARF_SGNBIT(middle) ? -size : size;
 }
 
@@ -31,7 +31,7 @@ void tp_normals_near(double near[3], const tp_vector *vector) {
     any = true;
   }
   for (int k = 0; k < 3 && told; k++) {
-    near[k] = top_of(arb_midref(vector->of + k), exponent);
+    near[k] = tp_normals_top(arb_midref(vector->of + k), exponent);
     told = near[k] == 0 ? arb_is_zero(vector->of + k) != 0
                         : fabs(near[k]) > 1e-60 && fabs(near[k]) <= 1;
   }

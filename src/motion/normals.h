@@ -84,6 +84,10 @@ void tp_normals_of_family(long ends[2], const tp_normals *normals, long family);
  * or 2 where open. */
 int tp_normals_share_line(const tp_normals *normals, long point, long other);
 
+/* A number over 2^exponent by its highest limb: none above another comes below it. Zero where it is
+ * none, or its exponent is too large for a word. */
+double tp_normals_top(const arf_struct *number, slong exponent);
+
 /* A vector in doubles, times a power of two, each to 2^-50 of itself or so; zeros where one is too
  * small beside the largest. */
 void tp_normals_near(double near[3], const tp_vector *vector);

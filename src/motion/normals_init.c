@@ -24,14 +24,17 @@ void tp_normals_clear(tp_normals *n) {
 /* Where a point comes in the order: by axis, sense, t . q. */
 typedef struct place {
   fmpz axis_x, axis_y; /* t times its sense */
-  int sense;
-  arb_t along; /* t . q */
+  arb_t along;         /* t . q */
   long site, point;
 } place;
 
-/* What is sorted; small, as it is moved about. */
+/* What is sorted: most comparisons end within it. Of axes of short numbers, below 2^25, no two
+ * slopes are closer than 2^-50 of themselves, so that in doubles one slope is one axis. */
 typedef struct entry {
-  double slope; /* of the axis, to some bits: another one is another axis */
+  double slope; /* of the axis, rounded: another one is another axis */
+  double along; /* rounded */
+  int sense;
+  bool is_short;
   const place *at;
 } entry;
 
@@ -48,10 +51,12 @@ static int axis_order(const entry *a, const entry *b) {
 
 static int compare(const void *left, const void *right) {
   const entry *own = left, *other = right;
-  const int axis = axis_order(own, other);
+  const bool is_short = own->is_short && other->is_short;
+  const int axis = is_short && own->slope == other->slope ? 0 : axis_order(own, other);
   if (axis != 0) return axis;
+  if (own->sense != other->sense) return own->sense < other->sense ? -1 : 1;
+  if (own->along != other->along) return own->along < other->along ? -1 : 1;
   const place *a = own->at, *b = other->at;
-  if (a->sense != b->sense) return a->sense < b->sense ? -1 : 1;
   const int along = arf_cmp(arb_midref(a->along), arb_midref(b->along));
   if (along != 0) return along;
   if (a->site != b->site) return a->site < b->site ? -1 : 1;
@@ -95,14 +100,15 @@ static int share_line(const place *a, const place *b, const tp_normals *n) {
   return sign == 2 ? 2 : sign == 0;
 }
 
-static void add_normal(tp_normals *n, const place *p, long at) {
+static void add_normal(tp_normals *n, const entry *e, long at) {
+  const place *p = e->at;
   tp_normal *own = n->items + n->count++;
   *own = (tp_normal){.first = at, .count = 1, .family = n->family_count - 1};
   tp_vector h;
   tp_vector_init(&h);
   arb_set_fmpz(h.of, &p->axis_y);
   arb_set_fmpz(h.of + 1, &p->axis_x);
-  arb_neg(h.of + (p->sense > 0 ? 0 : 1), h.of + (p->sense > 0 ? 0 : 1));
+  arb_neg(h.of + (e->sense > 0 ? 0 : 1), h.of + (e->sense > 0 ? 0 : 1));
   arb_set(h.of + 2, p->along);
   tp_normals_near(own->near, &h);
   tp_vector_clear(&h);
@@ -114,7 +120,7 @@ static tp_motion_outcome gather(tp_normals *n, const entry *entries) {
     const long point = e->at->point;
     n->order[k] = point;
     const bool same_axis = before != NULL && axis_order(before, e) == 0;
-    const bool same_family = same_axis && before->at->sense == e->at->sense;
+    const bool same_family = same_axis && before->sense == e->sense;
     const int same_line = same_family ? share_line(before->at, e->at, n) : 0;
     if (same_line == 2) return TP_MOTION_OPEN;
     if (!same_family) {
@@ -122,13 +128,13 @@ static tp_motion_outcome gather(tp_normals *n, const entry *entries) {
       n->families[n->family_count++] =
           (tp_contact_family){.first = n->count,
                               .axis = same_axis || before == NULL ? axis : axis + 1,
-                              .sense = e->at->sense};
+                              .sense = e->sense};
     }
     if (same_line) {
       n->items[n->count - 1].count++;
     } else {
       n->families[n->family_count - 1].count++;
-      add_normal(n, e->at, k);
+      add_normal(n, e, k);
     }
     n->family_of[point] = n->family_count - 1;
     n->normal_of[point] = n->count - 1;
@@ -171,14 +177,23 @@ static double slope_of(const place *p) {
   return ldexp(y / x, (int)(shift > most ? most : shift < -most ? -most : shift));
 }
 
+static bool is_short(const fmpz *number) {
+  return fmpz_bits(number) <= 25;
+}
+
 static void set_entry(entry *e, place *p, const tp_normals *n, long point) {
   const fmpz *tx = n->tx + point, *ty = n->ty + point;
-  *p = (place){.sense = sense_of(tx, ty), .site = n->cones->points[point].site, .point = point};
-  fmpz_mul_si(&p->axis_x, tx, p->sense);
-  fmpz_mul_si(&p->axis_y, ty, p->sense);
+  const int sense = sense_of(tx, ty);
+  *p = (place){.site = n->cones->points[point].site, .point = point};
+  fmpz_mul_si(&p->axis_x, tx, sense);
+  fmpz_mul_si(&p->axis_y, ty, sense);
   arb_init(p->along);
   tp_normals_set_along(p->along, n, point);
-  *e = (entry){.slope = slope_of(p), .at = p};
+  *e = (entry){.slope = slope_of(p),
+               .along = tp_normals_top(arb_midref(p->along), 0),
+               .sense = sense,
+               .is_short = is_short(tx) && is_short(ty),
+               .at = p};
 }
 
 static tp_motion_outcome sort(tp_normals *n, entry *entries, place *places) {
