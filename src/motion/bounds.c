@@ -212,7 +212,7 @@ static tp_motion_outcome bound_pairs(spanning *s) {
   long flat_pair[2] = {-1, -1};
   const long all = s->of.count + s->of.free_count;
   if (all > MOST_GENERATORS ||
-      !tp_work_spend(s->of.q->work, (double)(all * all), all, s->of.q->judge.bits)) {
+      !tp_work_spend(s->of.q->work, (double)(all * all) / 8, all, s->of.q->judge.bits)) {
     return TP_MOTION_TOO_DEAR;
   }
   for (long i = 0; i < all; i++) {

@@ -124,21 +124,35 @@ static tp_motion_outcome add_family(tp_closed *closed, const tp_normals *n,
   return TP_MOTION_PROVEN;
 }
 
-tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_ray *ray, const tp_normals *n) {
-  closed->edge_count = 0;
-  closed->sticks = false;
+/* Along an axis all lines of its families stay closed: those of t and of -t stand together. */
+static tp_motion_outcome add_axis(tp_closed *closed, const tp_normals *n, long line,
+                                  const tp_ray *ray) {
+  long family = n->items[line].family;
+  while (family > 0 && n->families[family - 1].axis == ray->axis) family--;
   tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (long k = 0; k < n->family_count && done == TP_MOTION_PROVEN; k++) {
-    done = add_family(closed, n, n->families + k, ray);
+  for (; family < n->family_count && done == TP_MOTION_PROVEN; family++) {
+    if (n->families[family].axis != ray->axis) break;
+    done = add_family(closed, n, n->families + family, ray);
   }
   return done;
 }
 
-tp_motion_outcome tp_closed_of_cut(tp_closed *closed, const tp_ray *ray, long normal,
+tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_twists *twists, long ray,
                                    const tp_normals *n) {
+  const tp_ray *own = twists->rays + ray;
   closed->edge_count = 0;
   closed->sticks = false;
-  return add_line(closed, n, n->items + normal, ray);
+  if (own->line_count > 0 && own->axis >= 0) {
+    return add_axis(closed, n, twists->lines[own->first_line], own);
+  }
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (long k = 0; k < own->line_count && done == TP_MOTION_PROVEN; k++) {
+    done = add_line(closed, n, n->items + twists->lines[own->first_line + k], own);
+  }
+  for (long k = 0; k < n->family_count && done == TP_MOTION_PROVEN && own->line_count == 0; k++) {
+    done = add_family(closed, n, n->families + k, own);
+  }
+  return done;
 }
 
 tp_mechanism tp_closed_mechanism(const tp_closed *closed, const tp_ray *ray) {

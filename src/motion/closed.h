@@ -16,11 +16,8 @@ typedef struct tp_closed {
 
 void tp_closed_clear(tp_closed *closed);
 
-/* Those of one ray. */
-TP_MUST_USE tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_ray *ray,
-                                               const tp_normals *normals);
-/* Those of a ray within a face of a cone of three dimensions: none but on the face's line. */
-TP_MUST_USE tp_motion_outcome tp_closed_of_cut(tp_closed *closed, const tp_ray *ray, long normal,
+/* Those of one ray: where its lines are told, of these alone. */
+TP_MUST_USE tp_motion_outcome tp_closed_of_ray(tp_closed *closed, const tp_twists *twists, long ray,
                                                const tp_normals *normals);
 tp_mechanism tp_closed_mechanism(const tp_closed *closed, const tp_ray *ray);
 

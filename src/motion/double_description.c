@@ -3,6 +3,9 @@
 
 #include "motion/double_description.h"
 
+#include "motion/solid_cone.h"
+
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,17 +15,15 @@ void tp_description_clear(tp_description *d) {
   for (long k = 0; k < d->room; k++) tp_vector_clear(&d->rays[k].twist);
   tp_vector_clear(&d->line);
   free(d->rays);
+  free(d->next);
   memset(d, 0, sizeof *d);
 }
 
-/* Rays come and go by swaps, so that all of the room stays initialised. */
+/* All of the room stays initialised. */
 static bool make_room(tp_description *d, long room) {
-  if (room <= d->room) return true;
-  room += room / 2;
-  tp_described_ray *more = realloc(d->rays, (size_t)room * sizeof *more);
-  if (more == NULL) return false;
-  for (long k = d->room; k < room; k++) tp_vector_init(&more[k].twist);
-  d->rays = more;
+  d->rays = calloc((size_t)room, sizeof *d->rays);
+  if (d->rays == NULL) return false;
+  for (long k = 0; k < room; k++) tp_vector_init(&d->rays[k].twist);
   d->room = room;
   return true;
 }
@@ -31,14 +32,13 @@ static bool make_room(tp_description *d, long room) {
 typedef struct cutting {
   tp_description *d;
   const tp_normals *n;
-  int *signs; /* of h . a, ray by ray */
-  long sign_room;
-  double checks; /* since they were last counted as work */
-  tp_work *work;
+  int signs[2];   /* of h . a, ray by ray */
+  tp_vector h[2]; /* at work */
 } cutting;
 
-static const tp_vector *h_of(const cutting *c, long normal) {
-  return &c->n->items[normal].h;
+static const tp_vector *h_of(cutting *c, int which, long normal) {
+  tp_normals_set_h(c->h + which, c->n, normal);
+  return c->h + which;
 }
 
 static int sign_of(const cutting *c, const arb_t ball, const tp_vector *a, const tp_vector *b) {
@@ -84,12 +84,13 @@ static void set_between(tp_vector *between, const cutting *c, const tp_vector *a
 }
 
 /* Where the plane of h crosses that of `plane` between two rays. */
-static bool cross_face(const cutting *c, tp_described_ray *ray, const tp_vector *plane,
+static bool cross_face(cutting *c, tp_described_ray *ray, const tp_vector *plane,
                        const tp_vector *a, const tp_vector *b, long by, long normal) {
+  const tp_vector *h = h_of(c, 1, by);
   tp_vector between;
   tp_vector_init(&between);
-  set_between(&between, c, a, b, h_of(c, by));
-  const bool done = set_ray(c, ray, plane, h_of(c, by), &between, normal);
+  set_between(&between, c, a, b, h);
+  const bool done = set_ray(c, ray, plane, h, &between, normal);
   tp_vector_clear(&between);
   return done;
 }
@@ -101,68 +102,12 @@ static void move_ray(tp_description *d, long to, long from) {
   d->rays[from] = spare;
 }
 
-/* No ray is above the plane: K shrinks to what lies in it. */
-static void keep_zeros(cutting *c) {
-  tp_description *d = c->d;
-  long zeros[2] = {-1, -1}, count = 0;
-  for (long k = 0; k < d->count && count < 2; k++) {
-    if (c->signs[k] == 0) zeros[count++] = k;
-  }
-  if (count == 2 && zeros[0] == 0 && zeros[1] == d->count - 1 && d->count > 2) {
-    const long normal = d->rays[d->count - 1].normal; /* the last face leads on to the first ray */
-    move_ray(d, 1, d->count - 1);
-    d->rays[0].normal = d->rays[1].normal = normal;
-  } else {
-    for (long k = 0; k < count; k++) move_ray(d, k, zeros[k]);
-    if (count == 2) d->rays[1].normal = d->rays[0].normal;
-  }
-  d->count = count;
-  d->flat = true;
-}
-
-/* A cone of three dimensions, cut by a plane with rays on both sides: those above it stay, in their
- * order, with one new ray for each face that it crosses. */
-static tp_motion_outcome cut_solid(cutting *c, long by) {
-  tp_description *d = c->d;
-  const long count = d->count;
-  if (!make_room(d, 2 * count + 4)) return TP_MOTION_OUT_OF_MEMORY;
-  long next = count; /* the new order is put together behind the old one */
-  for (long k = 0; k < count; k++) {
-    const long after = (k + 1) % count;
-    tp_described_ray *own = d->rays + k, *other = d->rays + after;
-    const int sign = c->signs[k], then = c->signs[after];
-    const long face = own->normal;
-    if (sign * then < 0) {
-      const bool down = sign > 0;
-      const tp_vector *above = down ? &own->twist : &other->twist;
-      const tp_vector *below = down ? &other->twist : &own->twist;
-      tp_described_ray *made = d->rays + next + (down ? 1 : 0);
-      if (!cross_face(c, made, h_of(c, face), above, below, by, down ? by : face)) {
-        return TP_MOTION_OPEN;
-      }
-    }
-    if (sign >= 0) {
-      const bool leaves = sign == 0 && then < 0;
-      for (int e = 0; e < 3; e++) { /* `other` may still need it as its neighbour */
-        arb_set(d->rays[next].twist.of + e, own->twist.of + e);
-        d->rays[next].near[e] = own->near[e];
-      }
-      d->rays[next].normal = leaves ? by : face;
-      next++;
-    }
-    if (sign * then < 0) next++;
-  }
-  for (long k = count; k < next; k++) move_ray(d, k - count, k);
-  d->count = next - count;
-  return TP_MOTION_PROVEN;
-}
-
 /* A cone of two dimensions in a plane, or of one: what is below is cut off. */
 static tp_motion_outcome cut_flat(cutting *c, long by) {
   tp_description *d = c->d;
   if (d->count == 2 && c->signs[0] * c->signs[1] < 0) {
     const int below = c->signs[0] < 0 ? 0 : 1;
-    const tp_vector *plane = d->rank == 2 ? &d->line : h_of(c, d->rays[0].normal);
+    const tp_vector *plane = d->rank == 2 ? &d->line : h_of(c, 0, d->rays[0].normal);
     tp_described_ray *ray = d->rays + below;
     const long normal = d->rank == 2 ? by : ray->normal;
     tp_described_ray made = {.normal = normal};
@@ -184,38 +129,16 @@ static tp_motion_outcome cut_flat(cutting *c, long by) {
   return TP_MOTION_PROVEN;
 }
 
-static bool pay(cutting *c, double checks) {
-  static const double at_once = 1e6, by_column = 0.1; /* of the price of a column */
-  c->checks += checks;
-  if (c->checks < at_once) return true;
-  const long columns = (long)(c->checks * by_column);
-  c->checks = 0;
-  return tp_work_spend(c->work, 1, columns, 1);
-}
-
 static tp_motion_outcome cut(cutting *c, long by) {
-  tp_description *d = c->d;
-  if (!pay(c, (double)d->count + 1)) return TP_MOTION_TOO_DEAR;
-  if (d->count > c->sign_room) {
-    const long room = 2 * d->count;
-    int *more = realloc(c->signs, (size_t)room * sizeof *more);
-    if (more == NULL) return TP_MOTION_OUT_OF_MEMORY;
-    c->signs = more;
-    c->sign_room = room;
-  }
-  long above = 0, below = 0;
+  const tp_description *d = c->d;
+  bool below = false;
   for (long k = 0; k < d->count; k++) {
     const tp_described_ray *ray = d->rays + k;
     c->signs[k] = tp_normal_sign(c->n, c->n->items + by, &ray->twist, ray->near, -1);
     if (c->signs[k] == OPEN_SIGN) return TP_MOTION_OPEN;
-    above += c->signs[k] > 0;
-    below += c->signs[k] < 0;
+    below = below || c->signs[k] < 0;
   }
-  if (below == 0) return TP_MOTION_PROVEN;
-  if (d->rank == 2 || d->flat) return cut_flat(c, by);
-  if (above > 0) return cut_solid(c, by);
-  keep_zeros(c);
-  return TP_MOTION_PROVEN;
+  return below ? cut_flat(c, by) : TP_MOTION_PROVEN;
 }
 
 /* Is b along a, either way? 1, 0, or OPEN_SIGN. */
@@ -233,65 +156,118 @@ static int is_along(const cutting *c, const tp_vector *a, const tp_vector *b) {
   return along;
 }
 
-/* The normals that K begins with: as many as are independent, up to three. */
-static tp_motion_outcome find_first(cutting *c, long first[3], const long *normals, long count) {
+static void bring_forward(long *normals, long to, long from) {
+  const long spare = normals[to];
+  normals[to] = normals[from];
+  normals[from] = spare;
+}
+
+/* The normals that K begins with, as many as are independent, up to three, are brought to the
+ * front; three of them turn to the left. */
+static tp_motion_outcome find_first(cutting *c, long *normals, long count) {
   tp_description *d = c->d;
   d->rank = count > 0 ? 1 : 0;
-  first[0] = count > 0 ? normals[0] : -1;
   for (long k = 1; k < count && d->rank < 3; k++) {
     if (d->rank == 1) {
-      const int along = is_along(c, h_of(c, first[0]), h_of(c, normals[k]));
+      const int along = is_along(c, h_of(c, 0, normals[0]), h_of(c, 1, normals[k]));
       if (along == OPEN_SIGN) return TP_MOTION_OPEN;
       if (along != 0) {
-        d->flat = d->flat || c->n->families[c->n->items[first[0]].family].sense !=
+        d->flat = d->flat || c->n->families[c->n->items[normals[0]].family].sense !=
                                  c->n->families[c->n->items[normals[k]].family].sense;
         continue;
       }
-      first[1] = normals[k];
-      tp_vector_cross(&d->line, h_of(c, first[0]), h_of(c, first[1]), c->n->judge.precision);
+      bring_forward(normals, 1, k);
+      tp_vector_cross(&d->line, h_of(c, 0, normals[0]), h_of(c, 1, normals[1]),
+                      c->n->judge.precision);
       d->rank = 2;
     } else {
-      const int side = dot_sign(c, &d->line, h_of(c, normals[k]));
+      const int side = dot_sign(c, &d->line, h_of(c, 0, normals[k]));
       if (side == OPEN_SIGN) return TP_MOTION_OPEN;
       if (side == 0) continue;
-      first[2] = normals[k];
+      bring_forward(normals, 2, k);
+      if (side < 0) bring_forward(normals, 1, 2);
       d->rank = 3;
     }
   }
-  d->plane = first[0];
+  if (count > 0) d->plane = normals[0];
   return TP_MOTION_PROVEN;
 }
 
-/* The cone of two or of three half-spaces. */
-static bool begin(cutting *c, const long first[3]) {
+/* The cone of two half-spaces, across its line. */
+static bool begin_across(cutting *c, const long *normals) {
   tp_description *d = c->d;
-  if (d->rank < 2) return true;
+  const tp_vector *a = h_of(c, 0, normals[0]), *b = h_of(c, 1, normals[1]);
   d->flat = false;
-  d->count = d->rank;
-  const tp_vector *h[3];
-  for (int k = 0; k < d->rank; k++) h[k] = h_of(c, first[k]);
-  if (d->rank == 2) {
-    return set_ray(c, d->rays, h[0], &d->line, h[1], first[0]) &&
-           set_ray(c, d->rays + 1, h[1], &d->line, h[0], first[1]);
+  d->count = 2;
+  return set_ray(c, d->rays, a, &d->line, b, normals[0]) &&
+         set_ray(c, d->rays + 1, b, &d->line, a, normals[1]);
+}
+
+static tp_motion_outcome describe_across(cutting *c, const long *normals, long count) {
+  if (!make_room(c->d, 2)) return TP_MOTION_OUT_OF_MEMORY;
+  tp_motion_outcome outcome = begin_across(c, normals) ? TP_MOTION_PROVEN : TP_MOTION_OPEN;
+  for (long k = 2; k < count && outcome == TP_MOTION_PROVEN; k++) outcome = cut(c, normals[k]);
+  return outcome;
+}
+
+/* From the face with the first line on. */
+static long start_of(const tp_solid_cone *solid) {
+  long start = solid->start;
+  if (solid->flat) return start;
+  for (long k = 0, ray = start; k < solid->count; k++, ray = solid->rays[ray].after) {
+    if (solid->rays[ray].face < solid->rays[start].face) start = ray;
   }
-  for (int k = 0; k < 3; k++) { /* ray k lies on planes k - 1 and k: the face after it on plane k */
-    const int before = (k + 2) % 3, other = (k + 1) % 3;
-    if (!set_ray(c, d->rays + k, h[before], h[k], h[other], first[k])) return false;
+  return start;
+}
+
+static bool take_solid(tp_description *d, tp_solid_cone *solid) {
+  if (!make_room(d, solid->count + 1)) return false;
+  long ray = start_of(solid);
+  for (d->count = 0; d->count < solid->count; ray = solid->rays[ray].after) {
+    tp_solid_ray *from = solid->rays + ray;
+    tp_described_ray *own = d->rays + d->count++;
+    for (int k = 0; k < 3; k++) {
+      arb_swap(own->twist.of + k, from->twist.of + k);
+      own->near[k] = from->near[k];
+    }
+    own->normal = from->face;
+    own->lines = from->lines;
+  }
+  d->flat = solid->flat;
+  if (d->flat && d->count == 2) d->rays[1].normal = d->rays[0].normal;
+  if (!d->flat) {
+    d->next = solid->next;
+    solid->next = NULL;
   }
   return true;
 }
 
-/* The first and the last line of every family, in an order that is no order of theirs, so that K is
- * small soon. */
+static tp_motion_outcome describe_pointed(cutting *c, const long *normals, long count,
+                                          tp_work *work) {
+  tp_solid_cone solid;
+  tp_motion_outcome outcome = tp_solid_cone_init(&solid, c->n, normals, count, work);
+  if (outcome != TP_MOTION_PROVEN) return outcome;
+  if (!take_solid(c->d, &solid)) outcome = TP_MOTION_OUT_OF_MEMORY;
+  tp_solid_cone_clear(&solid);
+  for (long k = 0; k < count && outcome == TP_MOTION_PROVEN && c->d->flat; k++) {
+    outcome = cut(c, normals[k]);
+  }
+  return outcome;
+}
+
+/* The first and the last line of every family, in an order like a random one, the same each time.
+ */
 static long gather(long *normals, const tp_normals *n) {
-  enum { STRIDE = 7919 }; /* a prime */
-  const long families = n->family_count;
   long count = 0;
-  for (long k = 0; k < families; k++) {
-    const long at = families % STRIDE == 0 ? k : (long)((size_t)k * STRIDE % (size_t)families);
-    const tp_contact_family *own = n->families + at;
+  for (long k = 0; k < n->family_count; k++) {
+    const tp_contact_family *own = n->families + k;
     normals[count++] = own->first;
     if (own->count > 1) normals[count++] = own->first + own->count - 1;
+  }
+  uint64_t state = 1;
+  for (long k = count - 1; k > 0; k--) {
+    state = state * 6364136223846793005U + 1442695040888963407U; /* Knuth's MMIX */
+    bring_forward(normals, k, (long)((state >> 33) % (uint64_t)(k + 1)));
   }
   return count;
 }
@@ -299,20 +275,20 @@ static long gather(long *normals, const tp_normals *n) {
 tp_motion_outcome tp_description_init(tp_description *d, const tp_normals *n, tp_work *work) {
   memset(d, 0, sizeof *d);
   tp_vector_init(&d->line);
-  cutting c = {.d = d, .n = n, .work = work};
+  cutting c = {.d = d, .n = n};
+  for (int k = 0; k < 2; k++) tp_vector_init(c.h + k);
   long *normals = calloc(2 * (size_t)n->family_count + 1, sizeof *normals);
   tp_motion_outcome outcome = TP_MOTION_OUT_OF_MEMORY;
-  if (normals != NULL && make_room(d, 4)) {
+  if (normals != NULL) {
     const long count = gather(normals, n);
-    long first[3] = {-1, -1, -1};
-    outcome = find_first(&c, first, normals, count);
-    if (outcome == TP_MOTION_PROVEN && !begin(&c, first)) outcome = TP_MOTION_OPEN;
-    for (long k = 0; k < count && outcome == TP_MOTION_PROVEN && d->rank > 1; k++) {
-      outcome = cut(&c, normals[k]);
+    outcome = find_first(&c, normals, count);
+    if (outcome == TP_MOTION_PROVEN && d->rank == 2) outcome = describe_across(&c, normals, count);
+    if (outcome == TP_MOTION_PROVEN && d->rank == 3) {
+      outcome = describe_pointed(&c, normals, count, work);
     }
   }
   free(normals);
-  free(c.signs);
+  for (int k = 0; k < 2; k++) tp_vector_clear(c.h + k);
   if (outcome != TP_MOTION_PROVEN) tp_description_clear(d);
   return outcome;
 }

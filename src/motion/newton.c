@@ -35,10 +35,13 @@ void tp_newton_force(tp_vector *own, const tp_motion_question *q, const tp_norma
 void tp_newton_normal(tp_vector *own, const tp_motion_question *q, const tp_normals *n,
                       long normal) {
   const long bits = q->judge.precision;
-  const tp_vector *h = &n->items[normal].h;
-  arb_mul(own->of, h->of, q->gyration, bits);
-  arb_mul(own->of + 1, h->of + 1, q->gyration, bits);
-  arb_mul(own->of + 2, h->of + 2, q->scale, bits); /* s t . q - t . (x, y) */
-  arb_submul(own->of + 2, h->of + 1, q->x, bits);
-  arb_addmul(own->of + 2, h->of, q->y, bits);
+  tp_vector h;
+  tp_vector_init(&h);
+  tp_normals_set_h(&h, n, normal);
+  arb_mul(own->of, h.of, q->gyration, bits);
+  arb_mul(own->of + 1, h.of + 1, q->gyration, bits);
+  arb_mul(own->of + 2, h.of + 2, q->scale, bits); /* s t . q - t . (x, y) */
+  arb_submul(own->of + 2, h.of + 1, q->x, bits);
+  arb_addmul(own->of + 2, h.of, q->y, bits);
+  tp_vector_clear(&h);
 }

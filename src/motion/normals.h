@@ -23,7 +23,6 @@
 typedef struct tp_normal {
   long first, count; /* in `order` */
   long family;
-  tp_vector h;
   double near[3]; /* h in doubles (tp_normals_near) */
 } tp_normal;
 
@@ -58,6 +57,10 @@ TP_MUST_USE tp_motion_outcome tp_normals_init(tp_normals *normals, const tp_cone
                                               const tp_judge *judge);
 void tp_normals_clear(tp_normals *normals);
 
+/* t . q of a point; h of a line. */
+void tp_normals_set_along(arb_t along, const tp_normals *normals, long point);
+void tp_normals_set_h(tp_vector *h, const tp_normals *normals, long normal);
+
 /* Sign of h . a, by doubles where they tell, 2 where open: `near` is a in doubles. A twist about a
  * site, or -1, lies on the lines through it. */
 int tp_normal_sign(const tp_normals *normals, const tp_normal *normal, const tp_vector *twist,
@@ -73,6 +76,17 @@ void tp_normals_edge(tp_vector *force, const tp_normals *normals, long point, bo
 
 /* Does a point on the line lie in the site? */
 bool tp_normal_has_site(const tp_normals *normals, const tp_normal *normal, long site);
+
+/* A family's points: in `order` from one index to before the other. */
+void tp_normals_of_family(long ends[2], const tp_normals *normals, long family);
+
+/* Do two points, with their facets, lie on one straight line, with the same side of it free? 1, 0,
+ * or 2 where open. */
+int tp_normals_share_line(const tp_normals *normals, long point, long other);
+
+/* A number over 2^exponent by its highest limb: none above another comes below it. Zero where it is
+ * none, or its exponent is too large for a word. */
+double tp_normals_top(const arf_struct *number, slong exponent);
 
 /* A vector in doubles, times a power of two, each to 2^-50 of itself or so; zeros where one is too
  * small beside the largest. */

@@ -16,12 +16,8 @@ typedef struct visiting {
   tp_closed closed;
 } visiting;
 
-/* `normal`: of the face that the ray lies within, or -1. */
-static tp_motion_outcome visit_ray(visiting *v, long ray, long normal) {
-  const tp_ray *own = v->twists->rays + ray;
-  const tp_motion_outcome found = normal >= 0 && v->twists->has_interior
-                                      ? tp_closed_of_cut(&v->closed, own, normal, v->n)
-                                      : tp_closed_of_ray(&v->closed, own, v->n);
+static tp_motion_outcome visit_ray(visiting *v, long ray) {
+  const tp_motion_outcome found = tp_closed_of_ray(&v->closed, v->twists, ray, v->n);
   if (found != TP_MOTION_PROVEN) return found;
   const tp_mode mode = {.mechanism = tp_closed_mechanism(&v->closed, v->twists->rays + ray),
                         .ray_count = 1,
@@ -101,6 +97,9 @@ static tp_motion_outcome find_cuts(long *cuts, long *count, visiting *v,
     if (done != TP_MOTION_PROVEN) return done;
     const long ray = tp_twists_add_turn(v->twists, v->n, point, sense);
     if (ray < 0) return TP_MOTION_OUT_OF_MEMORY;
+    if (v->twists->has_interior && !tp_twists_tell_line(v->twists, face->normal)) {
+      return TP_MOTION_OUT_OF_MEMORY; /* no other line bounds K there */
+    }
     done = insert_cut(cuts, count, v, point, ray, to);
     if (done != TP_MOTION_PROVEN) return done;
   }
@@ -116,7 +115,7 @@ static tp_motion_outcome visit_face(visiting *v, const tp_twist_face *face) {
   long from = face->from;
   for (long k = 0; k < count && done == TP_MOTION_PROVEN; k++) {
     done = visit_sector(v, from, cuts[k], face->normal);
-    if (done == TP_MOTION_PROVEN) done = visit_ray(v, cuts[k], face->normal);
+    if (done == TP_MOTION_PROVEN) done = visit_ray(v, cuts[k]);
     from = cuts[k];
   }
   if (done == TP_MOTION_PROVEN) done = visit_sector(v, from, face->to, face->normal);
@@ -133,7 +132,7 @@ tp_motion_outcome tp_strata_visit(tp_twists *twists, const tp_normals *normals, 
     done = visit(context, &mode);
   }
   const long rays = twists->ray_count; /* those that are added belong to faces */
-  for (long k = 0; k < rays && done == TP_MOTION_PROVEN; k++) done = visit_ray(&v, k, -1);
+  for (long k = 0; k < rays && done == TP_MOTION_PROVEN; k++) done = visit_ray(&v, k);
   for (long k = 0; k < twists->face_count && done == TP_MOTION_PROVEN; k++) {
     const tp_twist_face face = twists->faces[k];
     done = visit_face(&v, &face);
@@ -147,7 +146,7 @@ tp_motion_outcome tp_strata_mechanism(tp_mechanism *mechanism, const tp_twists *
   tp_closed closed = {0};
   *mechanism = TP_SLIDES;
   if (twists->rays[ray].axis >= 0) return TP_MOTION_PROVEN;
-  const tp_motion_outcome done = tp_closed_of_ray(&closed, twists->rays + ray, normals);
+  const tp_motion_outcome done = tp_closed_of_ray(&closed, twists, ray, normals);
   if (done == TP_MOTION_PROVEN) *mechanism = tp_closed_mechanism(&closed, twists->rays + ray);
   tp_closed_clear(&closed);
   return done;

@@ -4,9 +4,8 @@
 #include "motion/strength.h"
 
 #include "motion/closed.h"
-#include "number/ball.h"
 
-#include <math.h>
+#include <stdlib.h>
 
 enum { OPEN_SIGN = 2 };
 
@@ -15,9 +14,13 @@ void tp_strength_init(tp_strength *s) {
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_init(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_init(s->pulls + k);
   s->free_count = s->pull_count = 0;
+  s->allowance_of = NULL;
+  tp_vector_init(&s->bonds);
 }
 
 void tp_strength_clear(tp_strength *s) {
+  free(s->allowance_of);
+  tp_vector_clear(&s->bonds);
   tp_vector_clear(&s->fixed);
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_clear(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_clear(s->pulls + k);
@@ -148,105 +151,144 @@ static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long c
   return done;
 }
 
-/* Do a point and a facet lie on one straight line, with the same side of it free? 1, 0, or open. */
-static int share_line(const gathering *g, long point, long end) {
-  const tp_normals *n = g->n;
-  const tp_cones *cones = g->q->cones;
-  if (n->family_of[point] != n->family_of[end]) return 0;
-  if (cones->points[point].facet >= 0 && cones->points[point].facet == cones->points[end].facet) {
-    return 1;
-  }
-  const long bits = n->judge.precision;
-  arb_t across, part;
-  arb_init(across);
-  arb_init(part);
-  arb_sub(part, cones->y + end, cones->y + point, bits);
-  arb_mul_fmpz(across, part, n->tx + point, bits);
-  const double log2_scale =
-      fmax(tp_ball_log2_above(cones->y + end), tp_ball_log2_above(cones->x + end)) +
-      (double)fmpz_bits(n->tx + point) + (double)fmpz_bits(n->ty + point);
-  arb_sub(part, cones->x + end, cones->x + point, bits);
-  arb_submul_fmpz(across, part, n->ty + point, bits);
-  const int sign = tp_judge_sign(&n->judge, across, log2_scale);
-  arb_clear(across);
-  arb_clear(part);
-  return sign == OPEN_SIGN ? OPEN_SIGN : sign == 0;
-}
-
-/* Of a mode that turns, every closed point is one of its edges': the first on the facet's line. */
-static tp_motion_outcome add_turning(gathering *g, const tp_allowance *own) {
-  for (long k = 0; k < g->mode->edge_count; k++) {
-    const int shared = share_line(g, g->mode->edges[k].point, own->point);
+/* The first edge of a mode on the facet's line, or -1. */
+static tp_motion_outcome find_edge(long *edge, const gathering *g, const tp_allowance *own) {
+  *edge = -1;
+  for (long k = 0; k < g->mode->edge_count && *edge < 0; k++) {
+    const int shared = tp_normals_share_line(g->n, g->mode->edges[k].point, own->point);
     if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
-    if (shared == 1) return add_shear(g, own, g->mode->edges[k].point);
+    if (shared == 1) *edge = k;
   }
   return TP_MOTION_PROVEN;
 }
 
-static tp_motion_outcome add_facet(gathering *g, const tp_allowance *own) {
-  const long axis = g->n->families[g->n->family_of[own->point]].axis;
-  const tp_ray *ray = g->twists->rays + g->mode->rays[0];
-  if (g->mode->ray_count == 1 && ray->axis == axis) return add_shear(g, own, own->point);
-  if (!arb_is_zero(own->pull)) {
-    tp_vector pull;
-    tp_vector_init(&pull);
-    set_pull(&pull, g, own, own->pull);
-    add_fixed(g, &pull, false);
-    tp_vector_clear(&pull);
+static void add_bond(tp_vector *sum, const gathering *g, const tp_allowance *own) {
+  if (arb_is_zero(own->pull)) return;
+  tp_vector pull;
+  tp_vector_init(&pull);
+  set_pull(&pull, g, own, own->pull);
+  for (int k = 0; k < 3; k++) arb_add(sum->of + k, sum->of + k, pull.of + k, g->q->judge.bits);
+  tp_vector_clear(&pull);
+}
+
+/* What slides shears the facets along it, and opens all others. */
+static tp_motion_outcome add_slide(gathering *g) {
+  const tp_cones *strong = g->q->strong;
+  const long sliding = g->twists->rays[g->mode->rays[0]].axis;
+  bool bonds = false;
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (long k = 0; k < strong->allowance_count && done == TP_MOTION_PROVEN; k++) {
+    const tp_allowance *own = strong->allowances + k;
+    bonds = bonds || !arb_is_zero(own->pull);
+    if (g->n->families[g->n->family_of[own->point]].axis == sliding) {
+      done = add_shear(g, own, own->point);
+    } else {
+      add_bond(&g->strength->fixed, g, own);
+    }
   }
-  return add_turning(g, own);
+  if (done == TP_MOTION_PROVEN && bonds) add_slide_pulls(g);
+  return done;
+}
+
+/* Of what turns all facets open but for closed points, each of which is one of the edges': those on
+ * the line of an edge and of none before it are sheared. */
+static tp_motion_outcome add_turn(gathering *g) {
+  const tp_normals *n = g->n;
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (int k = 0; k < 3; k++) arb_set(g->strength->fixed.of + k, g->strength->bonds.of + k);
+  for (long e = 0; e < g->mode->edge_count && done == TP_MOTION_PROVEN; e++) {
+    long ends[2], edge = -1;
+    tp_normals_of_family(ends, n, n->family_of[g->mode->edges[e].point]);
+    if (!tp_work_spend(g->q->work, 2, ends[1] - ends[0], g->q->judge.bits)) {
+      return TP_MOTION_TOO_DEAR;
+    }
+    for (long k = ends[0]; k < ends[1] && done == TP_MOTION_PROVEN; k++) {
+      const long allowance = g->strength->allowance_of[n->order[k]];
+      if (allowance < 0) continue;
+      const tp_allowance *own = g->q->strong->allowances + allowance;
+      done = find_edge(&edge, g, own);
+      if (done == TP_MOTION_PROVEN && edge == e) {
+        done = add_shear(g, own, g->mode->edges[e].point);
+      }
+    }
+  }
+  return done;
+}
+
+/* What all modes share, once. */
+static bool prepare(gathering *g) {
+  tp_strength *s = g->strength;
+  if (s->allowance_of != NULL) return true;
+  s->allowance_of = malloc((size_t)(g->q->cones->count + 1) * sizeof *s->allowance_of);
+  if (s->allowance_of == NULL) return false;
+  for (long k = 0; k < g->q->cones->count; k++) s->allowance_of[k] = -1;
+  for (long k = 0; k < g->q->strong->allowance_count; k++) {
+    const tp_allowance *own = g->q->strong->allowances + k;
+    s->allowance_of[own->point] = k;
+    add_bond(&s->bonds, g, own);
+  }
+  return true;
+}
+
+static bool is_slide(const tp_twists *twists, const tp_mode *mode) {
+  return mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
 }
 
 tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, const tp_normals *n,
                                    const tp_twists *twists, const tp_mode *mode) {
   gathering g = {.strength = s, .q = q, .n = n, .twists = twists, .mode = mode};
-  const tp_cones *strong = q->strong;
   s->free_count = s->pull_count = 0;
   for (int k = 0; k < 3; k++) arb_zero(s->fixed.of + k);
-  if (!tp_work_spend(q->work, 2, strong->allowance_count, q->judge.bits)) return TP_MOTION_TOO_DEAR;
-  bool bonds = false;
-  tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (long k = 0; k < strong->allowance_count && done == TP_MOTION_PROVEN; k++) {
-    bonds = bonds || !arb_is_zero(strong->allowances[k].pull);
-    done = add_facet(&g, strong->allowances + k);
-  }
-  const bool slides = mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
-  if (done == TP_MOTION_PROVEN && slides && bonds) add_slide_pulls(&g);
-  return done;
+  if (!prepare(&g)) return TP_MOTION_OUT_OF_MEMORY;
+  if (!is_slide(twists, mode)) return add_turn(&g);
+  const bool paid = tp_work_spend(q->work, 2, q->strong->allowance_count, q->judge.bits);
+  return paid ? add_slide(&g) : TP_MOTION_TOO_DEAR;
 }
 
 /* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */
 static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const tp_mode *mode) {
   const tp_cones *strong = q->strong;
   if (mode->ray_count == 0 || mode->edge_count == 0) return true;
-  if (mode->ray_count != 1 || twists->rays[mode->rays[0]].axis < 0) return false;
+  if (!is_slide(twists, mode)) return false;
   for (long k = 0; k < strong->allowance_count; k++) {
     if (!arb_is_zero(strong->allowances[k].pull)) return true;
   }
   return false;
 }
 
+/* The line goes by its first point. A slide on more lines than one is none's alone. */
+static tp_motion_outcome find_least(long *least, const tp_normals *n, long first, bool slides) {
+  const long own = n->family_of[first];
+  long family = own;
+  while (slides && family > 0 && n->families[family - 1].axis == n->families[own].axis) family--;
+  *least = first;
+  for (; family < n->family_count && (slides || family == own); family++) {
+    if (n->families[family].axis != n->families[own].axis) break;
+    long ends[2];
+    tp_normals_of_family(ends, n, family);
+    for (long k = ends[0]; k < ends[1] && *least >= 0; k++) {
+      const long point = n->order[k];
+      const int shared = point == first ? 1 : tp_normals_share_line(n, first, point);
+      if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+      if (shared == 1 && point < *least) *least = point;
+      if (shared == 0 && slides) *least = -1;
+    }
+  }
+  return TP_MOTION_PROVEN;
+}
+
 tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *q, const tp_normals *n,
                                      const tp_twists *twists, const tp_mode *mode) {
-  const gathering g = {.q = q, .n = n, .twists = twists, .mode = mode};
   *number = 0;
   if (is_alone(q, twists, mode)) return TP_MOTION_PROVEN;
   const long first = mode->edges[0].point;
-  const bool slides = mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
   for (long k = 1; k < mode->edge_count; k++) {
-    const int shared = share_line(&g, first, mode->edges[k].point);
+    const int shared = tp_normals_share_line(n, first, mode->edges[k].point);
     if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
     if (shared == 0) return TP_MOTION_PROVEN;
   }
-  long least = first;
-  for (long k = 0; k < q->cones->count; k++) { /* the line goes by its first point */
-    const int shared = k == first ? 1 : share_line(&g, first, k);
-    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
-    if (shared == 1 && k < least) least = k;
-    const bool slides_too =
-        n->families[n->family_of[k]].axis == n->families[n->family_of[first]].axis;
-    if (slides && shared == 0 && slides_too) return TP_MOTION_PROVEN; /* on more lines than one */
-  }
+  long least = -1;
+  const tp_motion_outcome done = find_least(&least, n, first, is_slide(twists, mode));
   *number = least + 1;
-  return TP_MOTION_PROVEN;
+  return done;
 }

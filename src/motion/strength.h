@@ -26,12 +26,17 @@ typedef struct tp_strength {
   long sticks[TP_STRENGTH_FREE];              /* each for a point that sticks */
   long pull_count, pulled[TP_STRENGTH_PULLS]; /* at points of the cones */
   tp_vector pulls[TP_STRENGTH_PULLS]; /* turned round, times anything above zero, as M r and -e */
+  /* of all modes alike: */
+  long *allowance_of; /* by point: that of which it is the first end, or -1 */
+  tp_vector bonds;    /* all of them, as pulls on the block */
 } tp_strength;
 
 void tp_strength_init(tp_strength *strength);
 void tp_strength_clear(tp_strength *strength);
 
-/* Of one mode, in the question's units. */
+/* Of one mode, in the question's units; all that are put into one `strength` are of one question.
+ * What slides costs as much as there are facets; what turns, as there are of the directions of its
+ * closed contacts. */
 TP_MUST_USE tp_motion_outcome tp_strength_find(tp_strength *strength,
                                                const tp_motion_question *question,
                                                const tp_normals *normals, const tp_twists *twists,

@@ -12,6 +12,7 @@ void tp_twists_clear(tp_twists *t) {
   for (long k = 0; k < t->ray_count; k++) tp_vector_clear(&t->rays[k].twist);
   free(t->rays);
   free(t->faces);
+  free(t->lines);
   memset(t, 0, sizeof *t);
 }
 
@@ -53,6 +54,36 @@ static bool add_ray(tp_twists *t, const tp_vector *twist, bool back) {
   for (int k = 0; k < 3; k++) arb_set(ray->twist.of + k, twist->of + k);
   if (back) tp_vector_neg(&ray->twist);
   return true;
+}
+
+bool tp_twists_tell_line(tp_twists *t, long line) {
+  if (t->line_count == t->line_room) {
+    const long room = 2 * t->line_room + 8;
+    long *more = realloc(t->lines, (size_t)room * sizeof *more);
+    if (more == NULL) return false;
+    t->lines = more;
+    t->line_room = room;
+  }
+  tp_ray *own = t->rays + t->ray_count - 1;
+  if (own->line_count++ == 0) own->first_line = t->line_count;
+  t->lines[t->line_count++] = line;
+  return true;
+}
+
+static int by_number(const void *left, const void *right) {
+  const long a = *(const long *)left, b = *(const long *)right;
+  return (a > b) - (a < b);
+}
+
+/* All lines on a ray of a cone of three dimensions. */
+static bool tell_lines(tp_twists *t, const tp_description *d, long ray) {
+  const tp_described_ray *own = d->rays + ray;
+  bool done = tp_twists_tell_line(t, d->rays[(ray + d->count - 1) % d->count].normal) &&
+              tp_twists_tell_line(t, own->normal);
+  for (long k = own->lines; k >= 0 && done; k = d->next[k]) done = tp_twists_tell_line(t, k);
+  const tp_ray *made = t->rays + t->ray_count - 1;
+  if (done) qsort(t->lines + made->first_line, (size_t)made->line_count, sizeof(long), by_number);
+  return done;
 }
 
 static void add_face(tp_twists *t, long from, long to, long normal) {
@@ -104,6 +135,7 @@ static tp_motion_outcome finish_ray(tp_ray *ray, const tp_normals *n, long norma
 static bool take_pointed(tp_twists *t, const tp_description *d) {
   for (long k = 0; k < d->count; k++) {
     if (!add_ray(t, &d->rays[k].twist, false)) return false;
+    if (!d->flat && !tell_lines(t, d, k)) return false;
   }
   if (d->count == 2 && d->flat) {
     add_face(t, 0, 1, d->rays[0].normal);
@@ -160,18 +192,20 @@ static tp_motion_outcome take_with_line(tp_twists *t, const tp_normals *n,
 
 /* One plane: u along the facet, v = h x u turning, and back. */
 static bool take_plane(tp_twists *t, const tp_description *d, const tp_normals *n) {
-  tp_vector u, v;
+  tp_vector h, u, v;
+  tp_vector_init(&h);
   tp_vector_init(&u);
   tp_vector_init(&v);
-  const tp_normal *own = n->items + d->plane;
-  const long point = n->order[own->first];
+  const long point = n->order[n->items[d->plane].first];
+  tp_normals_set_h(&h, n, d->plane);
   arb_set_fmpz(u.of, n->tx + point);
   arb_set_fmpz(u.of + 1, n->ty + point);
-  tp_vector_cross(&v, &own->h, &u, n->judge.precision);
+  tp_vector_cross(&v, &h, &u, n->judge.precision);
   const bool done = add_ray(t, &u, false) && add_ray(t, &v, false) && add_ray(t, &u, true) &&
                     add_ray(t, &v, true);
   for (long k = 0; k < 4; k++) add_face(t, k, (k + 1) % 4, d->plane);
   t->has_interior = !d->flat;
+  tp_vector_clear(&h);
   tp_vector_clear(&u);
   tp_vector_clear(&v);
   return done;

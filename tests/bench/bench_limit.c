@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the static limit costs: on block E (argument 1) and on a rough mated base of 10^5 facets.
+/* What the static limit and the onset of motion cost: on block E (argument 1), on a rough mated
+ * base of 10^5 facets, and on a bowl of as many, half of which bound the twists.
  *
  * Measured on each, medians of 9, a short sample repeated to last 5 ms: the simplex method in
  * doubles on prepared columns; the certified limit, its doubles prepared anew, found and proven at
  * 64 bits; the exact program by CGAL, to compare with, from the same columns with tan(phi) rounded
- * to 64 bits; and the whole of tp_solve, of a scene that is read. `ratio` is over the doubles. */
+ * to 64 bits; the limit with the cones that it is asked of, and the onset with its own, all windows
+ * of it, each found and proven at 64 bits; and the whole of tp_solve, of a scene that is read.
+ * `ratio` is over the doubles. */
 
 #include "bench.h"
 
@@ -14,13 +17,15 @@
 
 #include "block/moments.h"
 #include "limit/search.h"
+#include "motion/windows.h"
 #include "number/ball.h"
 #include "stability/limit_cones.h"
+#include "stability/onset_question.h"
 
 #include <string.h>
 #include <unistd.h>
 
-enum { SAMPLES = 9, ROUGH_VERTICES = 100002, BITS = 64 };
+enum { SAMPLES = 9, VERTICES = 100002, BITS = 64 };
 
 static void fail(const char *what) {
   fprintf(stderr, "bench_limit: %s\n", what);
@@ -60,11 +65,39 @@ static void solve_exactly(work *w) {
   if (all == NULL) fail("out of memory");
   for (long k = 0; k < count; k++) all[k] = k;
   tp_basis basis;
-  if (!tp_basis_exact(&basis, &w->cones, all, count, &w->direction, &w->target, BITS)) {
+  if (tp_basis_exact(&basis, &w->cones, all, count, &w->direction, &w->target, BITS) != TP_OK) {
     fail("CGAL fails");
   }
   sink = (double)basis.columns[0];
   free(all);
+}
+
+static void find_limit(work *w) {
+  const tp_cones kept = w->cones;
+  if (!tp_limit_cones_init(&w->cones, &w->evaluation, TP_TOWARDS_LEFT, false)) {
+    fail("out of memory");
+  }
+  arb_set(w->cones.friction, kept.friction);
+  find_certified(w);
+  tp_cones_clear(&w->cones);
+  w->cones = kept;
+}
+
+static void find_onset(work *w) {
+  tp_onset_asked asked;
+  tp_motions motions;
+  tp_motion_windows windows;
+  if (!tp_onset_asked_init(&asked, &w->evaluation, TP_TOWARDS_LEFT)) fail("out of memory");
+  arb_set(asked.cones.friction, w->cones.friction);
+  asked.question.judge = w->question.judge;
+  if (tp_motions_init(&motions, &asked.question) != TP_MOTION_PROVEN ||
+      tp_windows_init(&windows, &motions, &asked.question.judge) != TP_MOTION_PROVEN) {
+    fail("the onset is not proven");
+  }
+  sink = (double)windows.count;
+  tp_windows_clear(&windows);
+  tp_motions_clear(&motions);
+  tp_onset_asked_clear(&asked);
 }
 
 static void solve_whole(work *w) {
@@ -81,10 +114,9 @@ typedef struct row {
   void (*run)(work *w);
 } row;
 
-static const row rows[] = {{"doubles", solve_in_double},
-                           {"certified", find_certified},
-                           {"exact, CGAL", solve_exactly},
-                           {"whole tp_solve", solve_whole}};
+static const row rows[] = {{"doubles", solve_in_double},      {"certified", find_certified},
+                           {"exact, CGAL", solve_exactly},    {"limit, with cones", find_limit},
+                           {"onset, with cones", find_onset}, {"whole tp_solve", solve_whole}};
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
 static double seconds_of(const row *r, work *w, long repeats) {
@@ -166,30 +198,44 @@ static void measure(const char *name, const char *path) {
   printf("%s: %ld facets\n", name, w.problem.contact.facet_count);
   for (int r = 0; r < ROWS; r++) {
     medians[r] = bench_median(samples[r], SAMPLES);
-    printf("  %-16s %12.1f us %10.1f\n", rows[r].name, 1e6 * medians[r], medians[r] / medians[0]);
+    printf("  %-18s %12.1f us %10.1f\n", rows[r].name, 1e6 * medians[r], medians[r] / medians[0]);
   }
   work_clear(&w);
 }
 
-/* A rough outline and its scene in a folder of their own. */
-static void measure_rough(void) {
+/* An arc of a parabola below a block as high as it is wide. */
+static void bowl(double *x, double *y, long count) {
+  const long facets = count - 3;
+  for (long k = 0; k <= facets; k++) {
+    const double across = (double)(2 * k - facets);
+    x[k] = across * 1e4;
+    y[k] = across * across / (double)(2 * facets) * 1e4;
+  }
+  x[count - 2] = x[facets];
+  x[count - 1] = x[0];
+  y[count - 2] = y[count - 1] = 2e4 * (double)facets;
+}
+
+/* A mated outline of numbers over 10^4, written to 10^-6, and its scene in a folder of their own.
+ */
+static void measure_drawn(const char *name, void (*draw)(double *x, double *y, long count)) {
   char folder[] = "/tmp/topple-bench-XXXXXX", csv[64], yaml[64];
   if (mkdtemp(folder) == NULL) fail("no temporary folder");
   snprintf(csv, sizeof csv, "%s/outline.csv", folder);
   snprintf(yaml, sizeof yaml, "%s/scene.yaml", folder);
-  static double x[ROUGH_VERTICES], y[ROUGH_VERTICES];
-  tp_rough_outline(x, y, ROUGH_VERTICES);
+  static double x[VERTICES], y[VERTICES];
+  draw(x, y, VERTICES);
   FILE *file = fopen(csv, "w");
   if (file == NULL) fail("no temporary file");
   fprintf(file, "x,y\n");
-  for (long k = 0; k < ROUGH_VERTICES; k++) fprintf(file, "%.4f,%.4f\n", x[k] / 1e4, y[k] / 1e4);
+  for (long k = 0; k < VERTICES; k++) fprintf(file, "%.6f,%.6f\n", x[k] / 1e4, y[k] / 1e4);
   fclose(file);
   file = fopen(yaml, "w");
   if (file == NULL) fail("no temporary file");
   fprintf(file, "topple: 1\nlength_unit: mm\nblock: {outline: outline.csv}\nbase: {mated: true}\n"
                 "friction_angle_deg: 30\ntilt: {towards: left}\n");
   fclose(file);
-  measure("rough base", yaml);
+  measure(name, yaml);
   unlink(csv);
   unlink(yaml);
   rmdir(folder);
@@ -202,7 +248,8 @@ int main(int argc, char **argv) {
   }
   printf("%-18s %12s    %10s\n", "static limit", "median", "ratio");
   measure("block E", argv[1]);
-  measure_rough();
+  measure_drawn("rough base", tp_rough_outline);
+  measure_drawn("bowl", bowl);
   flint_cleanup();
   return 0;
 }

@@ -176,6 +176,29 @@ tilt: {{towards: both, angle_deg: 10}}
                 angle = 30 + math.degrees(math.asin(5 * math.cos(math.pi / 6) / 2600))
                 self.assertAlmostEqual(limit["critical_angle_deg"]["value"], angle, delta=1e-11)
 
+    def test_onset_of_a_bowl(self):
+        """An arc whose facets all bound the motions, undecided once from 10^4 facets on; and with cohesion and
+        a bond of it, each motion took every facet. The finer the parabola y = x^2 / 4 is drawn, the nearer
+        its onset comes to that of the arc: two steps apart by a quarter of the step before."""
+        for loads, counts in (("", (4500, 9000, 18000)), ("{cohesion_kpa: 5, bond_kpa: 2}", (250, 500, 1000))):
+            angles = []
+            for count in counts:
+                under = ", ".join(f"[{x}, {x * x / 4}]" for x in (Fraction(2 * k, count) - 1 for k in range(count + 1)))
+                status, out, err = run(f"""topple: 1
+length_unit: m
+block: {{outline: [{under}, [1, 1], [-1, 1]], thickness: 1, unit_weight_kn_m3: 26}}
+base: {{mated: true}}
+{"loads: " + loads if loads else ""}
+friction_angle_deg: 30
+tilt: {{towards: left}}
+""", "solve", "--json", "--pivots=governing")
+                self.assertEqual(status, 0, err)
+                onset = json.loads(out)["cases"][0]["onset"]
+                self.assertEqual(onset["kind"], "angle")
+                angles.append(onset["critical_angle_deg"]["value"])
+            self.assertLess(abs(angles[2] - angles[1]), 0.75 * abs(angles[1] - angles[0]) + 1e-6)
+            self.assertLess(abs(angles[2] - angles[1]), 0.1)
+
 
 if __name__ == "__main__":
     main()
