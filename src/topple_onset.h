@@ -69,6 +69,8 @@ typedef struct tp_motion {
   tp_motion_contact *contacts; /* those that do not open */
 } tp_motion;
 
+enum { TP_BEGINNINGS_MAX = 4 };
+
 typedef struct tp_onset {
   tp_onset_kind kind;
   bool too_dear;                 /* undecided, since the proof takes more work than is allowed */
@@ -90,7 +92,9 @@ typedef struct tp_onset {
   bool has_motions; /* at the scene's tilt, where there is one; not under cohesion or bonds, and not
                        where they stay open */
   size_t motion_count;
-  tp_motion *motions; /* owned by the case */
+  tp_motion *motions;     /* owned by the case */
+  size_t beginning_count; /* of their mechanisms, each once: what can begin at the scene's tilt, */
+  tp_mechanism beginnings[TP_BEGINNINGS_MAX]; /* in the order of tp_mechanism */
 } tp_onset;
 
 #ifdef __cplusplus

@@ -32,9 +32,9 @@ static tp_solution filled(void) {
   c->limit.critical_angle_deg = number(40);
   c->mechanism = TP_STANDS;
   c->first = TP_SLIDES;
-  c->has_first_angle = c->has_margin = true;
+  c->has_first_angle = c->has_margin = c->has_margin_to_first = true;
   c->first_angle_deg = number(40);
-  c->margin_deg = number(20);
+  c->margin_deg = c->margin_to_first_deg = number(20);
   c->governing_fos.fos.state = TP_FOS_NUMBER;
   c->governing_fos.fos.value = number(2);
   c->governing_fos.sliding_judged = c->governing_fos.complete = true;
@@ -79,6 +79,11 @@ START_TEST(windows) {
       "-10");
   s.cases[0].mechanism = TP_MAY_MOVE;
   says(&s, "May move at 20°, or stand: history decides.\n", "Stands at");
+  o->beginning_count = 2;
+  o->beginnings[0] = TP_SLIDES;
+  o->beginnings[1] = TP_TOPPLES;
+  says(&s, "May move at 20°, or stand: history decides.\n  It can begin to slide, or to topple.\n",
+       "Stands at");
   says(&s, "Caution: a motion can begin at this tilt all the same", NULL);
 }
 END_TEST
@@ -123,6 +128,9 @@ START_TEST(motions) {
   *o =
       (tp_onset){.kind = TP_ONSET_AT_ANGLE, .has_motions = true, .motion_count = 2, .motions = own};
   o->critical_angle_deg = number(15);
+  o->beginning_count = 2;
+  o->beginnings[0] = TP_SLIDES;
+  o->beginnings[1] = TP_LEAVES_BASE;
   o->paradox = true;
   s.cases[0].mechanism = TP_SLIDES;
   says(&s, "Does not stand at 20°: it can begin to slide, or to leave its base.\n", "Stands at");

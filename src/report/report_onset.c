@@ -200,3 +200,22 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
     add_contacts(p, m);
   }
 }
+
+void tp_text_beginnings(tp_text *t, const tp_onset *o) {
+  for (size_t k = 0; k < o->beginning_count; k++) {
+    tp_text_add(t, "%s%s", k > 0 ? " or " : "", tp_text_mechanism(o->beginnings[k]));
+  }
+}
+
+void tp_text_verdict(tp_text *t, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  const tp_mechanism m = c->mechanism;
+  const bool moves =
+      m == TP_SLIDES || m == TP_TOPPLES || m == TP_SLIDES_AND_TOPPLES || m == TP_LEAVES_BASE;
+  if (m == TP_MAY_MOVE && o->beginning_count > 0) tp_text_add(t, "may move: ");
+  if ((moves || m == TP_MAY_MOVE) && o->beginning_count > 0) {
+    tp_text_beginnings(t, o);
+  } else {
+    tp_text_add(t, "%s", tp_text_mechanism(m));
+  }
+}

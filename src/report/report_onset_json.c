@@ -114,3 +114,17 @@ void tp_json_onset(tp_text *t, const tp_case *c) {
   tp_text_add(t, "},\n");
   add_motions(t, o);
 }
+
+void tp_json_beginnings(tp_text *t, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  tp_text_add(t, "      \"can_begin\": ");
+  if (!o->has_motions) {
+    tp_text_add(t, "null,\n");
+    return;
+  }
+  tp_text_add(t, "[");
+  for (size_t k = 0; k < o->beginning_count; k++) {
+    tp_text_add(t, "%s\"%s\"", k > 0 ? ", " : "", tp_text_mechanism(o->beginnings[k]));
+  }
+  tp_text_add(t, "],\n");
+}

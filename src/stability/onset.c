@@ -25,6 +25,7 @@ static void clear_motions(tp_onset *onset) {
   onset->motions = NULL;
   onset->motion_count = 0;
   onset->has_motions = false;
+  onset->beginning_count = 0;
 }
 
 void tp_onset_clear(tp_onset *onset) {

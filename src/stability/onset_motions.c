@@ -176,6 +176,18 @@ static tp_answer holds(const tp_motions *m, long mode, const arb_t tilt) {
   return answer;
 }
 
+/* Each mechanism once. */
+static void set_beginnings(tp_onset *onset) {
+  onset->beginning_count = 0;
+  for (int m = TP_SLIDES; m <= TP_LEAVES_BASE; m++) {
+    bool found = false;
+    for (size_t k = 0; k < onset->motion_count; k++) {
+      found = found || (int)onset->motions[k].mechanism == m;
+    }
+    if (found) onset->beginnings[onset->beginning_count++] = (tp_mechanism)m;
+  }
+}
+
 tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) {
   tp_onset *onset = &t->result->onset;
   if (t->question->strong != NULL) return TP_MOTION_PROVEN;
@@ -192,6 +204,7 @@ tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) 
     if (here == TP_YES) done = add_motion(t, m->modes + k, &loads);
   }
   onset->has_motions = done == TP_MOTION_PROVEN;
+  if (onset->has_motions) set_beginnings(onset);
   tp_vector_clear(&loads);
   return done;
 }

@@ -58,13 +58,14 @@ class Known(unittest.TestCase):
         hold it up to 30.251 degrees, but nothing need have put them there."""
         teeth = "teeth: {count: 3, width: 15, height: 94, depth: 5, left_end: peak}"
         base = "mated: true, beyond: {left: 0, right: 0}"
-        for tilt, verdict in ((26, "stands"), (28, "may move"), (31, "slides and topples")):
+        for tilt, verdict in ((26, "stands"), (28, "may move"), (31, "topples")):
             case = self.scene.solve(teeth, base, 60, tilt=f", angle_deg: {tilt}", unit="mm")["left"]
             self.close(case["onset"]["critical_angle_deg"], 26.215)
             self.close(case["limit"]["critical_angle_deg"], 30.251)
             self.assertTrue(case["onset"]["below_limit"])
             self.assertEqual(case["onset"]["mechanism"], "topples")
             self.assertEqual(case["mechanism"], verdict)
+            self.assertEqual(case["limit"]["mechanism"], "slides and topples")
 
     def test_an_irregular_block(self):
         outline = ("outline: [[0, 1.123], [0.588, 0.901], [1.536, -0.465], [0.967, 4.599], "
@@ -199,8 +200,12 @@ class Trial(unittest.TestCase):
                      for low, high in truth.windows)
         outside = all((low is not None and tan < low - near) or (high is not None and tan > high + near)
                       for low, high in truth.windows)
+        beginnings = {m["mechanism"] for m in case["motions"]}
+        self.assertEqual(set(case["can_begin"]), beginnings)
+        self.assertEqual(len(case["can_begin"]), len(beginnings))
         if inside:
             self.assertNotIn(case["mechanism"], ("stands", "interlocked"))
+            self.assertIn(case["mechanism"], {"may move"} | beginnings)
         if outside:
             self.assertIn(case["mechanism"], ("stands", "interlocked"))
 
