@@ -81,6 +81,7 @@ typedef struct tp_onset {
   tp_mechanism mechanism;        /* what can begin there */
   bool tie;                      /* another mechanism can begin at the same tilt: */
   tp_mechanism tied_with;
+  long tie_bits;   /* 0: exactly; else so many bits do not tell the two apart */
   bool has_centre; /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m;
   bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them history

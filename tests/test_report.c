@@ -82,6 +82,11 @@ START_TEST(windows) {
   o->beginning_count = 2;
   o->beginnings[0] = TP_SLIDES;
   o->beginnings[1] = TP_TOPPLES;
+  o->tie = true;
+  o->tied_with = TP_LEAVES_BASE;
+  says(&s, "begin to topple,\n  or to leave its base, a tie, exactly.\n", NULL);
+  o->tie_bits = 640;
+  says(&s, "or to leave its base, a tie,\n  as far as 640 bits tell.\n", "exactly");
   says(&s, "May move at 20°, or stand: history decides.\n  It can begin to slide, or to topple.\n",
        "Stands at");
   says(&s, "Caution: a motion can begin at this tilt all the same", NULL);

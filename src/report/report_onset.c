@@ -28,8 +28,12 @@ static void add_beginning(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
   tp_text_add(&p->text, ".\n  From there it can begin to %s", tp_text_to_move(o->mechanism));
   if (o->has_centre) tp_page_add_centre(p, c, o->centre_x_m, o->centre_y_m);
-  if (o->tie) tp_text_add(&p->text, ", or to %s (a tie)", tp_text_to_move(o->tied_with));
-  tp_text_add(&p->text, ".\n");
+  if (!o->tie) {
+    tp_text_add(&p->text, ".\n");
+    return;
+  }
+  tp_text_add(&p->text, ",\n  or to %s, a tie", tp_text_to_move(o->tied_with));
+  tp_page_add_tie(p, o->tie_bits);
 }
 
 /* Up to which tilt it is certain to stand. */

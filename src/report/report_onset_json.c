@@ -99,6 +99,7 @@ void tp_json_onset(tp_text *t, const tp_case *c) {
   add_end(t, "critical_angle_deg", o->kind != TP_ONSET_AT_ANGLE, o->critical_angle_deg);
   tp_text_add(t, ", \"mechanism\": \"%s\"", tp_text_mechanism(o->mechanism));
   if (o->tie) tp_text_add(t, ", \"tied_with\": \"%s\"", tp_text_mechanism(o->tied_with));
+  tp_json_tie(t, o->tie, o->tie_bits);
   if (o->kind == TP_ONSET_UNDECIDED) {
     tp_text_add(t, ", \"too_dear\": %s", tp_json_truth(o->too_dear));
   }

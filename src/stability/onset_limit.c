@@ -31,6 +31,7 @@ static void begin_at_limit(tp_onset *onset, const tp_limit *limit) {
   onset->critical_angle_deg = limit->critical_angle_deg;
   onset->tie = limit->tie;
   onset->tied_with = limit->tied_with;
+  onset->tie_bits = limit->tie_bits;
   onset->has_centre = limit->has_centre;
   onset->centre_x_m = limit->centre_x_m;
   onset->centre_y_m = limit->centre_y_m;

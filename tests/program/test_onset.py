@@ -104,6 +104,22 @@ class Known(unittest.TestCase):
         self.close(motion["acceleration_y_g"], 0, 9)
         self.close(motion["angular_g_per_m"], 0, 9)
 
+    def test_ties(self):
+        """A cube on 45 degrees of friction slides and topples at 45 degrees, exactly. Under an earthquake of half its
+        weight both begin at atan(1/3), by other sums: that they are one is not proven, and said to be so. Friction a
+        hair above 45 degrees, and there is no tie."""
+        cube = ("slab: {width: 2, height: 2}", "mated: true, beyond: {left: 1, right: 1}")
+        onset = self.scene.solve(*cube, 45)["left"]["onset"]
+        self.assertEqual((onset["mechanism"], onset["tied_with"], onset["tie_is"]), ("slides", "topples", "exact"))
+        quake = self.scene.solve(*cube, 45, "loads: {seismic: {horizontal: 0.5}}\n")["left"]["onset"]
+        self.close(quake["critical_angle_deg"], float(degrees_of(Fraction(1, 3))), 12)
+        self.assertEqual({quake["mechanism"], quake["tied_with"]}, {"slides", "topples"})
+        self.assertRegex(quake["tie_is"], r"^not told apart by [1-9]\d* bits$")
+        for friction in ("45.000000001", "44.999999999"):
+            onset = self.scene.solve(*cube, friction)["left"]["onset"]
+            self.assertNotIn("tied_with", onset)
+            self.assertNotIn("tie_is", onset)
+
     def test_wedged_between_upright_flanks(self):
         """Pegs that no tilt up to 90 degrees turns out of their holes: nothing can begin."""
         case = self.scene.solve(
