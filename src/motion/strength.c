@@ -12,6 +12,9 @@ enum { OPEN_SIGN = 2 };
 
 void tp_strength_init(tp_strength *s) {
   tp_vector_init(&s->fixed);
+  tp_vector_init(&s->cohesion);
+  tp_vector_init(&s->bond);
+  arb_init(s->most_pull);
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_init(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_init(s->pulls + k);
   s->free_count = s->pull_count = 0;
@@ -19,8 +22,23 @@ void tp_strength_init(tp_strength *s) {
 
 void tp_strength_clear(tp_strength *s) {
   tp_vector_clear(&s->fixed);
+  tp_vector_clear(&s->cohesion);
+  tp_vector_clear(&s->bond);
+  arb_clear(s->most_pull);
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_clear(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_clear(s->pulls + k);
+}
+
+static void divide(tp_vector *force, const arb_t by, long bits) {
+  for (int k = 0; k < 3; k++) arb_div(force->of + k, force->of + k, by, bits);
+}
+
+void tp_strength_divide(tp_strength *s, const arb_t force, long bits) {
+  divide(&s->fixed, force, bits);
+  divide(&s->cohesion, force, bits);
+  divide(&s->bond, force, bits);
+  arb_div(s->most_pull, s->most_pull, force, bits);
+  for (long k = 0; k < s->free_count; k++) divide(s->free + k, force, bits);
 }
 
 /* One mode at work. */
@@ -83,13 +101,16 @@ static void set_pull(tp_vector *force, const gathering *g, const tp_allowance *o
   arb_clear(y);
 }
 
-static void add_fixed(gathering *g, const tp_vector *force, bool back) {
-  for (int k = 0; k < 3; k++) {
-    arb_struct *sum = g->strength->fixed.of + k;
+/* To `part`, cohesion or bond, and to what is fixed. */
+static void add_fixed(gathering *g, tp_vector *part, const tp_vector *force, bool back) {
+  const long bits = g->q->judge.bits;
+  tp_vector *sums[] = {part, &g->strength->fixed};
+  for (int k = 0; k < 6; k++) {
+    arb_struct *sum = sums[k / 3]->of + k % 3;
     if (back) {
-      arb_sub(sum, sum, force->of + k, g->q->judge.bits);
+      arb_sub(sum, sum, force->of + k % 3, bits);
     } else {
-      arb_add(sum, sum, force->of + k, g->q->judge.bits);
+      arb_add(sum, sum, force->of + k % 3, bits);
     }
   }
 }
@@ -131,7 +152,7 @@ static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long c
   set_force(&force, g, cones->x + own->point, cones->y + own->point, own->shear, own->point, false);
   tp_motion_outcome done = TP_MOTION_PROVEN;
   if (slip != 0) {
-    add_fixed(g, &force, slip > 0);
+    add_fixed(g, &s->cohesion, &force, slip > 0);
   } else {
     long at = 0;
     while (at < s->free_count && s->sticks[at] != closed) at++;
@@ -186,12 +207,15 @@ static tp_motion_outcome add_turning(gathering *g, const tp_allowance *own) {
 static tp_motion_outcome add_facet(gathering *g, const tp_allowance *own) {
   const long axis = g->n->families[g->n->family_of[own->point]].axis;
   const tp_ray *ray = g->twists->rays + g->mode->rays[0];
-  if (g->mode->ray_count == 1 && ray->axis == axis) return add_shear(g, own, own->point);
+  if (g->mode->ray_count == 1 && ray->axis == axis) {
+    arb_add(g->strength->most_pull, g->strength->most_pull, own->pull, g->q->judge.bits);
+    return add_shear(g, own, own->point);
+  }
   if (!arb_is_zero(own->pull)) {
     tp_vector pull;
     tp_vector_init(&pull);
     set_pull(&pull, g, own, own->pull);
-    add_fixed(g, &pull, false);
+    add_fixed(g, &g->strength->bond, &pull, false);
     tp_vector_clear(&pull);
   }
   return add_turning(g, own);
@@ -202,7 +226,12 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
   gathering g = {.strength = s, .q = q, .n = n, .twists = twists, .mode = mode};
   const tp_cones *strong = q->strong;
   s->free_count = s->pull_count = 0;
-  for (int k = 0; k < 3; k++) arb_zero(s->fixed.of + k);
+  for (int k = 0; k < 3; k++) {
+    arb_zero(s->fixed.of + k);
+    arb_zero(s->cohesion.of + k);
+    arb_zero(s->bond.of + k);
+  }
+  arb_zero(s->most_pull);
   if (!tp_work_spend(q->work, 2, strong->allowance_count, q->judge.bits)) return TP_MOTION_TOO_DEAR;
   bool bonds = false;
   tp_motion_outcome done = TP_MOTION_PROVEN;

@@ -183,6 +183,17 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
   }
 }
 
+/* "      overcomes cohesion (0.1, 0.05) W and bonds (0, -0.2) W" */
+static void add_resistance(tp_page *p, const tp_motion *m) {
+  char n[2][TP_NUMBER_SIZE];
+  if (!m->has_strength) return;
+  tp_text_add(&p->text, "      overcomes cohesion (%s, %s) W",
+              tp_text_significant(n[0], m->cohesion.share_x, 4),
+              tp_text_significant(n[1], m->cohesion.share_y, 4));
+  tp_text_add(&p->text, " and bonds (%s, %s) W\n", tp_text_significant(n[0], m->bond.share_x, 4),
+              tp_text_significant(n[1], m->bond.share_y, 4));
+}
+
 void tp_page_add_motions(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
   char n[3][TP_NUMBER_SIZE];
@@ -200,7 +211,10 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
                 tp_text_significant(n[0], m->acceleration_x_g, 4),
                 tp_text_significant(n[1], m->acceleration_y_g, 4),
                 tp_text_significant(n[2], m->angular_g_per_m, 4),
-                m->accelerations_fixed ? "" : " at least");
+                m->accelerations_fixed ? ""
+                : m->greatest          ? " at most"
+                                       : " at least");
+    add_resistance(p, m);
     add_contacts(p, m);
   }
 }

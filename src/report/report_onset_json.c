@@ -58,6 +58,16 @@ static void add_contact(tp_text *t, const tp_motion_contact *c) {
   tp_text_add(t, "}");
 }
 
+static void add_resistance(tp_text *t, const char *key, const tp_motion_resistance *r) {
+  tp_text_add(t, "\"%s\": {", key);
+  tp_json_number(t, "share_x", r->share_x);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "share_y", r->share_y);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "moment_m", r->moment_m);
+  tp_text_add(t, "}");
+}
+
 static void add_motion(tp_text *t, const tp_motion *m) {
   tp_text_add(t, "{\"mechanism\": \"%s\", ", tp_text_mechanism(m->mechanism));
   tp_json_number(t, "acceleration_x_g", m->acceleration_x_g);
@@ -71,6 +81,13 @@ static void add_motion(tp_text *t, const tp_motion *m) {
     tp_json_number(t, "centre_x_m", m->centre_x_m);
     tp_text_add(t, ", ");
     tp_json_number(t, "centre_y_m", m->centre_y_m);
+  }
+  if (m->has_strength) {
+    tp_text_add(t, ",\n          \"overcomes\": {");
+    add_resistance(t, "cohesion", &m->cohesion);
+    tp_text_add(t, ", ");
+    add_resistance(t, "bond", &m->bond);
+    tp_text_add(t, "}");
   }
   tp_text_add(t, ",\n          \"contacts\": [");
   for (size_t k = 0; k < m->contact_count; k++) {

@@ -5,6 +5,7 @@
 
 #include "stability/loaded.h"
 #include "stability/onset.h"
+#include "stability/onset_question.h"
 
 #include "base/facets.h"
 #include "number/ball.h"
@@ -118,6 +119,10 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
                                            const tp_direction_ball *limit,
                                            const tp_direction_ball *onset) {
   result->slides_sooner = slides_sooner(e, result);
+  if (result->slides_sooner && !result->sliding.always && result->onset.kind == TP_ONSET_AT_ANGLE) {
+    result->onset.below_limit = tp_evaluation_is_above(e, result->sliding.critical_angle_deg,
+                                                       result->onset.critical_angle_deg);
+  }
   if (result->slides_sooner) {
     result->first = TP_SLIDES;
     return result->sliding.always ? NULL : sliding;
@@ -232,12 +237,16 @@ static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found 
 }
 
 /* What moves begins by a motion that can begin at this tilt, not by that of the limit. */
-static void judge_beginning(tp_case *result) {
-  const tp_onset *onset = &result->onset;
+static void judge_beginning(const tp_evaluation *e, tp_case *result) {
+  tp_onset *onset = &result->onset;
   const tp_mechanism m = result->mechanism;
   const bool moves =
       m == TP_SLIDES || m == TP_TOPPLES || m == TP_SLIDES_AND_TOPPLES || m == TP_LEAVES_BASE;
-  if (!moves || onset->beginning_count == 0) return;
+  if (!moves) return;
+  if (onset->beginning_count == 0) { /* beyond the limit some motion does, if by no mode */
+    onset->has_motions = onset->has_motions && !tp_onset_has_strength(e);
+    return;
+  }
   for (size_t k = 0; k < onset->beginning_count; k++) {
     if (onset->beginnings[k] == m) return;
   }
@@ -280,7 +289,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
     if (open) result->mechanism = TP_MECHANISM_UNDECIDED;
   }
   judge_onset(e, result, statics->onset);
-  judge_beginning(result);
+  judge_beginning(e, result);
   /* more friction would hold what slips up-dip, but that is not what the factor is about */
   if (result->falls_backwards) result->limit.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   arb_clear(angle);
