@@ -143,7 +143,14 @@ START_TEST(motions) {
        "    slides:\n      x 0 g, y 0 g, turning 0 g/m at least\n      facet 3, left end: slips "
        "down-dip, force (0.5, 0.5) W\n",
        NULL);
-  says(&s, "every contact opens\n", NULL);
+  says(&s, "every contact opens\n", "overcomes");
+  own[0].has_strength = own[0].greatest = true;
+  own[0].cohesion.share_x = number(0.25);
+  own[0].bond.share_y = number(-0.125);
+  says(&s,
+       "turning 0 g/m at most\n      overcomes cohesion (0.2500, 0.0000) W and bonds (0.0000, "
+       "-0.1250) W\n",
+       "at least");
   says(&s, "Painlevé's paradox", NULL);
 }
 END_TEST

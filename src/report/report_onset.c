@@ -117,7 +117,7 @@ static void add_window(tp_page *p, const tp_window *w) {
 }
 
 /* Where one tilt does not tell all of it. */
-static void add_windows(tp_page *p, const tp_onset *o) {
+void tp_page_add_windows(tp_page *p, const tp_onset *o) {
   enum { SHOWN = 8 };
   size_t count = 0, shown = 0;
   bool ends = false;
@@ -149,9 +149,11 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
                 "  %s history decides: friction on facets that nothing has pressed\n"
                 "  could hold it. How it came to lie there would tell, or a tilt test, or the\n"
                 "  tilting table.\n",
-                c->limit.kind == TP_LIMIT_AT_ANGLE ? "Between them" : "Beyond that");
+                c->limit.kind == TP_LIMIT_AT_ANGLE   ? "Between them"
+                : c->onset.kind == TP_ONSET_AT_ANGLE ? "Beyond α_s"
+                                                     : "Beyond that");
   }
-  add_windows(p, &c->onset);
+  tp_page_add_windows(p, &c->onset);
   if (c->onset.paradox) {
     tp_text_add(&p->text,
                 "  Caution: a slipping contact would press itself harder (Painlevé's paradox):\n"
@@ -185,13 +187,12 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
 
 /* "      overcomes cohesion (0.1, 0.05) W and bonds (0, -0.2) W" */
 static void add_resistance(tp_page *p, const tp_motion *m) {
-  char n[2][TP_NUMBER_SIZE];
+  char n[4][TP_NUMBER_SIZE];
   if (!m->has_strength) return;
-  tp_text_add(&p->text, "      overcomes cohesion (%s, %s) W",
-              tp_text_significant(n[0], m->cohesion.share_x, 4),
-              tp_text_significant(n[1], m->cohesion.share_y, 4));
-  tp_text_add(&p->text, " and bonds (%s, %s) W\n", tp_text_significant(n[0], m->bond.share_x, 4),
-              tp_text_significant(n[1], m->bond.share_y, 4));
+  tp_text_add(&p->text, "      overcomes cohesion (%s, %s) W and bonds (%s, %s) W\n",
+              tp_text_fixed(n[0], m->cohesion.share_x, 4),
+              tp_text_fixed(n[1], m->cohesion.share_y, 4), tp_text_fixed(n[2], m->bond.share_x, 4),
+              tp_text_fixed(n[3], m->bond.share_y, 4));
 }
 
 void tp_page_add_motions(tp_page *p, const tp_case *c) {

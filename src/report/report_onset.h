@@ -19,6 +19,9 @@ bool tp_onset_leaves_window(const tp_case *own);
 /* Sentences: what is certain, from the margin on. */
 void tp_page_add_onset(tp_page *page, const tp_case *own);
 
+/* All tilts at which motions can begin, where the lower end of the first does not tell it all. */
+void tp_page_add_windows(tp_page *page, const tp_onset *onset);
+
 /* The motions that can begin at the scene's tilt, as a table. */
 void tp_page_add_motions(tp_page *page, const tp_case *own);
 

@@ -48,7 +48,11 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
     tp_page_add_motions(p, c);
     return true;
   }
-  if (add_up_dip(p, c, where)) return true;
+  if (add_up_dip(p, c, where)) {
+    tp_page_add_windows(p, &c->onset);
+    tp_page_add_motions(p, c);
+    return true;
+  }
   if (tp_onset_is_known(&c->onset)) return false;
   if (c->limit.kind == TP_LIMIT_UNDECIDED) {
     said = "Whether it stands is undecided at the precision allowed.";

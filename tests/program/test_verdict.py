@@ -105,9 +105,29 @@ class Verdict(unittest.TestCase):
         self.assertIn("Certain to stand at every tilt up to 90°: no motion can begin.\n", page)
         page = run("solve", "tests/hard/limit_parallel_cones.yaml")[1]
         self.assertNotIn("nterlocked", page)
-        self.assertIn("Not certain to move at any tilt up to 90°: some forces would hold it.\n  Beyond that history decides", page)
+        self.assertIn("Not certain to move at any tilt up to 90°: some forces would hold it.\n  Beyond α_s history decides", page)
         for case in json.loads(run("solve", "--json", "tests/hard/limit_parallel_cones.yaml")[1])["cases"]:
             self.assertEqual((case["limit"]["mechanism"], case["mechanism"]), ("interlocked", "stands"))
+
+    def test_leaning(self):
+        """A column that leans up-dip falls over up to 12.529 degrees and stands from there to 33.690: the report told
+        of the first alone. There is no margin to a tilt from which it is not certain to stand: it falls."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 0], [6, 9], [4, 9]]}\n"
+                             "base: {mated: true, between: [[0, 0], [2, 0]]}\nfriction_angle_deg: 40\n"
+                             "tilt: {towards: left, angle_deg: 5}\n")
+        page, case = run("solve", self.path)[1], json.loads(run("solve", "--json", self.path)[1])["cases"][0]
+        self.assertIn("  Lets go up-dip already at 5°: below 12.529° it topples.\n"
+                      "  Motions can begin up to 12.529° (first to topple),\n    from 33.690° on (first to topple)\n"
+                      "  and at no other tilt up to 90°.\n", page)
+        self.assertIn("\n    topples about (2, 0):\n", page)
+        self.assertEqual((case["mechanism"], case["can_begin"], case["first"]["margin_deg"]), ("topples", ["topples"], None))
+
+    def test_no_strength_holds_it(self):
+        """Past the tilt of its moments a slab topples on any strength: `none` alone left open which of the two it meant."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 3, height: 2}}\nfriction_angle_deg: 35\n"
+                             "tilt: {towards: left, angle_deg: 62}\n")
+        self.assertIn("  none      any motion              strength reduction: no strength holds it\n",
+                      run("solve", self.path)[1])
 
     def test_motions(self):
         """Of a block that turns about a toe that sticks, the weight's moment over the inertia about it; the centroid
