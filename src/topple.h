@@ -153,14 +153,19 @@ typedef struct tp_case {
   tp_onset onset;      /* up to which tilt no motion can begin, with the base of the scene */
   tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
                           loads: at tilts below minus its angle the block lets go up-dip */
-  tp_mechanism mechanism; /* at the scene's tilt; without one, the first as the table is tilted */
-  tp_mechanism first;     /* what happens first as the table is tilted from level */
-  bool has_first_angle;   /* not where it is interlocked, or holds at no tilt, or undecided */
+  tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as the table is tilted.
+                                 Where it moves, what can begin there: where several motions can, that
+                                 of the limit if it is among them, else the first of the onset's
+                                 `beginnings`, which name them all */
+  tp_mechanism first;         /* what happens first as the table is tilted from level */
+  bool has_first_angle;       /* not where it is interlocked, or holds at no tilt, or undecided */
   tp_bounded first_angle_deg; /* where `first` happens */
-  bool has_margin;
-  tp_bounded margin_deg; /* first_angle_deg minus the scene's tilt */
-  bool slides_sooner;    /* the friction that a bond adds apart, it slides before `limit` */
-  bool falls_backwards;  /* at this tilt it topples or slides the other way, up-dip */
+  bool has_margin;            /* false, too, where the onset is at no angle or undecided */
+  tp_bounded margin_deg; /* the lower of the onset and `first_angle_deg` minus the scene's tilt */
+  bool has_margin_to_first;
+  tp_bounded margin_to_first_deg; /* first_angle_deg minus the scene's tilt */
+  bool slides_sooner;   /* the friction that a bond adds apart, it slides before `limit` */
+  bool falls_backwards; /* at this tilt it topples or slides the other way, up-dip */
   tp_governing_fos governing_fos; /* at the scene's tilt */
   tp_account account;
   tp_bounded *limits; /* of all pivots, with loads */

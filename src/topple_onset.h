@@ -64,18 +64,31 @@ typedef struct tp_motion_contact {
   tp_bounded share_x, share_y;
 } tp_motion_contact;
 
+/* What a motion has to overcome, as a force on the block over its weight, and its moment about the
+ * centroid over the weight, metres, counter-clockwise positive. */
+typedef struct tp_motion_resistance {
+  tp_bounded share_x, share_y, moment_m;
+} tp_motion_resistance;
+
 /* A way in which the block can begin to move at the scene's tilt. */
 typedef struct tp_motion {
   tp_mechanism mechanism; /* slides, topples, slides and topples, or leaves its base */
   tp_bounded acceleration_x_g, acceleration_y_g; /* of the centroid, in units of gravity, along x
                                                     and y of the scene */
   tp_bounded angular_g_per_m; /* angular acceleration over gravity, 1 / m; counter-clockwise > 0 */
-  bool accelerations_fixed;   /* false: a range of them is possible; the least is given */
-  bool has_centre;            /* of rotation */
+  bool accelerations_fixed;   /* false: a range of them is possible; the least is given, */
+  bool greatest;              /* or, of a slide that bonds pull on, the greatest: with no more pull
+                                 than balance needs */
+  bool has_strength;          /* under cohesion or bonds: */
+  tp_motion_resistance cohesion, bond; /* of lines that slip, of facets that open; the cohesion of
+                                          a line that sticks is part of its contact's force */
+  bool has_centre;                     /* of rotation */
   tp_bounded centre_x_m, centre_y_m;
   size_t contact_count;
   tp_motion_contact *contacts; /* those that do not open */
 } tp_motion;
+
+enum { TP_BEGINNINGS_MAX = 4 };
 
 typedef struct tp_onset {
   tp_onset_kind kind;
@@ -87,6 +100,7 @@ typedef struct tp_onset {
   tp_mechanism mechanism;        /* what can begin there */
   bool tie;                      /* another mechanism can begin at the same tilt: */
   tp_mechanism tied_with;
+  long tie_bits;   /* 0: exactly; else so many bits do not tell the two apart */
   bool has_centre; /* of rotation of what can begin there */
   tp_bounded centre_x_m, centre_y_m;
   bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them history
@@ -99,10 +113,11 @@ typedef struct tp_onset {
   tp_motion_range *ranges; /* owned by the case */
   bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder
                    (Painleve): rigid bodies with Coulomb friction have no unique answer there */
-  bool has_motions; /* at the scene's tilt, where there is one; not under cohesion or bonds, and not
-                       where they stay open */
+  bool has_motions; /* at the scene's tilt, where there is one, and where they do not stay open */
   size_t motion_count;
-  tp_motion *motions; /* owned by the case */
+  tp_motion *motions;     /* owned by the case */
+  size_t beginning_count; /* of their mechanisms, each once: what can begin at the scene's tilt, */
+  tp_mechanism beginnings[TP_BEGINNINGS_MAX]; /* in the order of tp_mechanism */
 } tp_onset;
 
 #ifdef __cplusplus

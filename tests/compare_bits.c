@@ -59,6 +59,9 @@ static void compare_cases(const comparison *c, const tp_case *one, const tp_case
   need_scaled(c, one->first_angle_deg, other->first_angle_deg, 0, "first angle");
   compare_limits(c, &one->limit, &other->limit);
   if (one->has_margin) need_scaled(c, one->margin_deg, other->margin_deg, 0, "margin");
+  if (one->has_margin_to_first) {
+    need_scaled(c, one->margin_to_first_deg, other->margin_to_first_deg, 0, "margin to the first");
+  }
 }
 
 bool solutions_same_bits(char why[256], const tp_solution *one, const tp_solution *other,

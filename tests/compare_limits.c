@@ -111,9 +111,16 @@ static void compare_verdicts(const comparison *c, const tp_case *one, const tp_c
   compare_need(c, open || one->base_matters == other->base_matters, "the base matters");
   compare_need(c,
                one->mechanism == other->mechanism ||
+                   one->onset.has_motions != other->onset.has_motions || /* it goes by them */
                    (one->limit.tie && one->limit.mechanism == other->limit.tied_with),
                "mechanism");
   compare_need(c, one->falls_backwards == other->falls_backwards, "falls backwards");
+  compare_need(c, one->has_margin_to_first == other->has_margin_to_first, "margin to the first");
+  if (one->has_margin_to_first) {
+    compare_number(c, one->margin_to_first_deg, other->margin_to_first_deg, 0,
+                   "margin to the first");
+  }
+  if (one->onset.kind == TP_ONSET_UNDECIDED || other->onset.kind == TP_ONSET_UNDECIDED) return;
   compare_need(c, one->has_margin == other->has_margin, "margin");
   if (one->has_margin) compare_number(c, one->margin_deg, other->margin_deg, 0, "margin");
 }

@@ -32,9 +32,9 @@ static tp_solution filled(void) {
   c->limit.critical_angle_deg = number(40);
   c->mechanism = TP_STANDS;
   c->first = TP_SLIDES;
-  c->has_first_angle = c->has_margin = true;
+  c->has_first_angle = c->has_margin = c->has_margin_to_first = true;
   c->first_angle_deg = number(40);
-  c->margin_deg = number(20);
+  c->margin_deg = c->margin_to_first_deg = number(20);
   c->governing_fos.fos.state = TP_FOS_NUMBER;
   c->governing_fos.fos.value = number(2);
   c->governing_fos.sliding_judged = c->governing_fos.complete = true;
@@ -79,6 +79,16 @@ START_TEST(windows) {
       "-10");
   s.cases[0].mechanism = TP_MAY_MOVE;
   says(&s, "May move at 20°, or stand: history decides.\n", "Stands at");
+  o->beginning_count = 2;
+  o->beginnings[0] = TP_SLIDES;
+  o->beginnings[1] = TP_TOPPLES;
+  o->tie = true;
+  o->tied_with = TP_LEAVES_BASE;
+  says(&s, "begin to topple,\n  or to leave its base, a tie, exactly.\n", NULL);
+  o->tie_bits = 640;
+  says(&s, "or to leave its base, a tie,\n  as far as 640 bits tell.\n", "exactly");
+  says(&s, "May move at 20°, or stand: history decides.\n  It can begin to slide, or to topple.\n",
+       "Stands at");
   says(&s, "Caution: a motion can begin at this tilt all the same", NULL);
 }
 END_TEST
@@ -123,6 +133,9 @@ START_TEST(motions) {
   *o =
       (tp_onset){.kind = TP_ONSET_AT_ANGLE, .has_motions = true, .motion_count = 2, .motions = own};
   o->critical_angle_deg = number(15);
+  o->beginning_count = 2;
+  o->beginnings[0] = TP_SLIDES;
+  o->beginnings[1] = TP_LEAVES_BASE;
   o->paradox = true;
   s.cases[0].mechanism = TP_SLIDES;
   says(&s, "Does not stand at 20°: it can begin to slide, or to leave its base.\n", "Stands at");
@@ -130,7 +143,14 @@ START_TEST(motions) {
        "    slides:\n      x 0 g, y 0 g, turning 0 g/m at least\n      facet 3, left end: slips "
        "down-dip, force (0.5, 0.5) W\n",
        NULL);
-  says(&s, "every contact opens\n", NULL);
+  says(&s, "every contact opens\n", "overcomes");
+  own[0].has_strength = own[0].greatest = true;
+  own[0].cohesion.share_x = number(0.25);
+  own[0].bond.share_y = number(-0.125);
+  says(&s,
+       "turning 0 g/m at most\n      overcomes cohesion (0.2500, 0.0000) W and bonds (0.0000, "
+       "-0.1250) W\n",
+       "at least");
   says(&s, "Painlevé's paradox", NULL);
 }
 END_TEST

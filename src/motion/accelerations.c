@@ -9,20 +9,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2, MOST_GENERATORS = 24 };
+enum { OPEN_SIGN = 2, MOST_GENERATORS = 24, MOST_FREE = 4 };
 
-bool tp_start_init(tp_start *start, const tp_motion_mode *mode) {
+void tp_start_init(tp_start *start, const tp_motion_mode *mode) {
   memset(start, 0, sizeof *start);
   tp_vector_init(&start->twist);
   tp_vector_init(&start->acceleration);
-  start->force_count = mode->edge_count;
-  start->forces = _arb_vec_init(mode->edge_count);
-  return true;
+  tp_vector_init(&start->sum);
+  start->force_count = mode->edge_count + TP_STRENGTH_PULLS;
+  start->forces = _arb_vec_init(start->force_count);
 }
 
 void tp_start_clear(tp_start *start) {
   tp_vector_clear(&start->twist);
   tp_vector_clear(&start->acceleration);
+  tp_vector_clear(&start->sum);
   _arb_vec_clear(start->forces, start->force_count);
 }
 
@@ -32,11 +33,15 @@ typedef struct starting {
   const tp_motion_question *q;
   const tp_motions *m;
   const tp_motion_mode *mode;
-  const tp_vector *loads;
-  long count; /* of the generators, rays first */
+  const tp_strength *strength; /* or NULL */
+  tp_vector loads;             /* with what is fixed of the strength */
+  tp_vector rest;              /* with free forces at one of their bounds */
+  long count;                  /* of the generators: rays, edges, pulls; behind them ... */
+  long free_count;             /* ... those whose factor goes from -1 to 1 */
   tp_vector *items;
   long solutions;
-  arb_t least; /* sum of the factors of rays */
+  bool greatest; /* is kept, not the least: */
+  arb_t best;    /* sum of the factors of rays */
 } starting;
 
 /* w = f_0 g_0 + f_1 g_1 + f_2 g_2 by Cramer's rule. TP_NO: they span no space. */
@@ -54,7 +59,7 @@ static tp_answer solve(arb_ptr factors, const starting *s, const long of[3]) {
   const int sign = tp_judge_sign(&s->q->judge, whole, scale);
   for (int k = 0; k < 3 && (sign == 1 || sign == -1); k++) {
     tp_vector_cross(&cross, g[(k + 1) % 3], g[(k + 2) % 3], bits);
-    tp_vector_dot(factors + k, &cross, s->loads, bits);
+    tp_vector_dot(factors + k, &cross, &s->rest, bits);
     arb_div(factors + k, factors + k, whole, s->q->judge.bits);
   }
   tp_vector_clear(&cross);
@@ -62,11 +67,24 @@ static tp_answer solve(arb_ptr factors, const starting *s, const long of[3]) {
   return sign == OPEN_SIGN ? TP_OPEN : sign == 0 ? TP_NO : TP_YES;
 }
 
-/* Are none of the factors negative, and all rays at work? */
+/* Sign of a factor, or of what is left of a free one to its bound. */
+static int sign_of(const starting *s, const arb_t factor, bool is_free) {
+  if (!is_free) return tp_judge_sign(&s->q->judge, factor, 0);
+  arb_t left;
+  arb_init(left);
+  arb_abs(left, factor);
+  arb_sub_ui(left, left, 1, s->q->judge.bits);
+  arb_neg(left, left);
+  const int sign = tp_judge_sign(&s->q->judge, left, 0);
+  arb_clear(left);
+  return sign;
+}
+
+/* Is every factor within its bounds, and are all rays at work? */
 static tp_answer is_motion(arb_srcptr factors, const starting *s, const long of[3]) {
   int rays = 0;
   for (int k = 0; k < 3; k++) {
-    const int sign = tp_judge_sign(&s->q->judge, factors + k, 0);
+    const int sign = sign_of(s, factors + k, of[k] >= s->count);
     if (sign == OPEN_SIGN) return TP_OPEN;
     if (sign < 0) return TP_NO;
     if (of[k] < s->mode->ray_count && sign > 0) rays++;
@@ -82,13 +100,15 @@ static void keep(starting *s, arb_srcptr factors, const long of[3]) {
   for (int k = 0; k < 3; k++) {
     if (of[k] < s->mode->ray_count) arb_add(sum, sum, factors + k, bits);
   }
-  const bool best = s->solutions == 0 || arf_cmp(arb_midref(sum), arb_midref(s->least)) < 0;
+  const int order = arf_cmp(arb_midref(sum), arb_midref(s->best));
+  const bool best = s->solutions == 0 || (s->greatest ? order > 0 : order < 0);
   s->solutions++;
   if (best) {
-    arb_set(s->least, sum);
+    arb_set(s->best, sum);
     for (int e = 0; e < 3; e++) arb_zero(start->twist.of + e);
     _arb_vec_zero(start->forces, start->force_count);
     for (int k = 0; k < 3; k++) {
+      if (of[k] >= s->count) continue;
       if (of[k] >= s->mode->ray_count) {
         arb_set(start->forces + of[k] - s->mode->ray_count, factors + k);
         continue;
@@ -117,21 +137,107 @@ static bool forces_are_alike(const starting *s) {
   return s->mode->ray_count == 1 && (site || direction);
 }
 
+/* The loads with each free force that is none of the three at its bound: bit k tells which. */
+static void set_rest(starting *s, unsigned bounds, const long of[3]) {
+  const long bits = s->q->judge.bits;
+  for (int e = 0; e < 3; e++) arb_set(s->rest.of + e, s->loads.of + e);
+  for (long k = 0; k < s->free_count; k++) {
+    const long own = s->count + k;
+    if (of[0] == own || of[1] == own || of[2] == own) continue;
+    for (int e = 0; e < 3; e++) {
+      arb_struct *rest = s->rest.of + e;
+      const arb_struct *force = s->items[own].of + e;
+      if ((bounds >> k & 1U) != 0) {
+        arb_add(rest, rest, force, bits);
+      } else {
+        arb_sub(rest, rest, force, bits);
+      }
+    }
+  }
+}
+
+/* Three generators with free forces at every choice of their bounds; of those that are among the
+ * three it makes no difference. */
+static tp_answer try_three(starting *s, arb_ptr factors, const long of[3]) {
+  unsigned among = 0;
+  for (int k = 0; k < 3; k++) {
+    if (of[k] >= s->count) among |= 1U << (of[k] - s->count);
+  }
+  tp_answer answer = TP_YES;
+  for (unsigned bounds = 0; bounds < 1U << s->free_count && answer != TP_OPEN; bounds++) {
+    if ((bounds & among) != 0) continue;
+    set_rest(s, bounds, of);
+    answer = solve(factors, s, of);
+    if (answer == TP_YES) answer = is_motion(factors, s, of);
+    if (answer == TP_YES) keep(s, factors, of);
+  }
+  return answer;
+}
+
+/* All rays of the mode are at work: they are among the three. */
 static tp_motion_outcome try_all(starting *s) {
   arb_struct *factors = _arb_vec_init(3);
   tp_answer answer = TP_YES;
-  long of[3];
-  for (of[0] = 0; of[0] < s->count && answer != TP_OPEN; of[0]++) {
-    for (of[1] = of[0] + 1; of[1] < s->count && answer != TP_OPEN; of[1]++) {
-      for (of[2] = of[1] + 1; of[2] < s->count && answer != TP_OPEN; of[2]++) {
-        answer = solve(factors, s, of);
-        if (answer == TP_YES) answer = is_motion(factors, s, of);
-        if (answer == TP_YES) keep(s, factors, of);
-      }
+  const long all = s->count + s->free_count;
+  const long end = s->mode->ray_count == 2 ? 2 : all;
+  long of[3] = {0};
+  for (of[1] = 1; of[1] < end && answer != TP_OPEN; of[1]++) {
+    for (of[2] = of[1] + 1; of[2] < all && answer != TP_OPEN; of[2]++) {
+      answer = try_three(s, factors, of);
     }
   }
   _arb_vec_clear(factors, 3);
   return answer == TP_OPEN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+}
+
+/* Does it turn about a place through which all forces pass, those of lines that stick included? */
+static bool turns_about_all(const starting *s) {
+  const tp_cone_point *points = s->m->normals.cones->points;
+  const long site = s->m->twists.rays[s->mode->rays[0]].site;
+  bool all = s->strength != NULL && s->mode->ray_count == 1 && site >= 0 &&
+             s->strength->pull_count == 0 && s->mode->edge_count > 0;
+  for (long k = 0; k < s->mode->edge_count && all; k++) {
+    all = points[s->mode->edges[k].point].site == site;
+  }
+  for (long k = 0; k < s->free_count && all; k++) {
+    all = points[s->strength->sticks[k]].site == site;
+  }
+  return all;
+}
+
+/* Then what turns it is the moment of the loads about that place, and the sum of all forces there
+ * is what is left. */
+static tp_motion_outcome turn(starting *s) {
+  const long bits = s->q->judge.bits;
+  const tp_motion_question *q = s->q;
+  const long point = s->mode->edges[0].point;
+  tp_vector about;
+  arb_t moment, inertia;
+  tp_vector_init(&about);
+  arb_init(moment);
+  arb_init(inertia);
+  arb_mul(about.of, q->cones->y + point, q->scale, bits);
+  arb_sub(about.of, about.of, q->y, bits);
+  arb_mul(about.of + 1, q->cones->x + point, q->scale, bits);
+  arb_sub(about.of + 1, q->x, about.of + 1, bits);
+  arb_one(about.of + 2);
+  tp_vector_dot(moment, &about, &s->loads, bits);
+  tp_vector_dot(inertia, &about, s->items, bits);
+  const int sign = tp_judge_sign(&q->judge, moment,
+                                 tp_vector_log2_size(&about) + tp_vector_log2_size(&s->loads));
+  arb_div(moment, moment, inertia, bits);
+  const tp_vector *twist = &s->m->twists.rays[s->mode->rays[0]].twist;
+  for (int e = 0; e < 3; e++) {
+    arb_mul(s->start->twist.of + e, twist->of + e, moment, bits);
+    arb_mul(s->start->sum.of + e, s->items->of + e, moment, bits);
+    arb_sub(s->start->sum.of + e, s->start->sum.of + e, s->loads.of + e, bits);
+  }
+  s->solutions = sign != 0 && arb_is_positive(moment) ? 1 : 0;
+  s->start->one_place = s->solutions > 0;
+  tp_vector_clear(&about);
+  arb_clear(moment);
+  arb_clear(inertia);
+  return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
 /* n . M^-1 e of a contact that slips. */
@@ -171,7 +277,7 @@ static void start_freely(starting *s) {
   const tp_motion_question *q = s->q;
   const long bits = q->judge.bits;
   tp_vector *a = &s->start->acceleration, *twist = &s->start->twist;
-  for (int e = 0; e < 3; e++) arb_set(a->of + e, s->loads->of + e);
+  for (int e = 0; e < 3; e++) arb_set(a->of + e, s->loads.of + e);
   arb_div(a->of + 2, a->of + 2, q->gyration, bits);
   arb_set(twist->of + 2, a->of + 2);
   arb_mul(twist->of, a->of + 2, q->y, bits);
@@ -189,34 +295,86 @@ static void set_acceleration(starting *s) {
   arb_set(s->start->acceleration.of + 2, s->start->twist.of + 2);
 }
 
-tp_motion_outcome tp_start_find(tp_start *start, const tp_motion_question *q, const tp_motions *m,
-                                const tp_motion_mode *mode, const tp_vector *loads) {
-  starting s = {.start = start, .q = q, .m = m, .mode = mode, .loads = loads};
-  if (mode->ray_count == 0) {
-    start_freely(&s);
-    return TP_MOTION_PROVEN;
-  }
-  s.count = mode->ray_count + mode->edge_count;
-  if (s.count > MOST_GENERATORS) return TP_MOTION_TOO_DEAR;
-  s.items = calloc((size_t)s.count, sizeof *s.items);
-  if (s.items == NULL) return TP_MOTION_OUT_OF_MEMORY;
-  arb_init(s.least);
-  for (long k = 0; k < s.count; k++) {
-    tp_vector_init(s.items + k);
-    if (k < mode->ray_count) {
-      tp_newton_inertia(s.items + k, q, m->twists.rays + mode->rays[k]);
+static void set_generators(starting *s) {
+  const tp_motion_mode *mode = s->mode;
+  const long pulls = s->strength != NULL ? s->strength->pull_count : 0;
+  for (long k = 0; k < s->count + s->free_count; k++) {
+    tp_vector *own = s->items + k;
+    tp_vector_init(own);
+    const long edge = k - mode->ray_count, pull = edge - mode->edge_count;
+    if (edge < 0) {
+      tp_newton_inertia(own, s->q, s->m->twists.rays + mode->rays[k]);
+    } else if (pull < 0) {
+      tp_newton_force(own, s->q, &s->m->normals, mode->edges + edge);
     } else {
-      tp_newton_force(s.items + k, q, &m->normals, mode->edges + k - mode->ray_count);
+      const tp_vector *from =
+          pull < pulls ? s->strength->pulls + pull : s->strength->free + pull - pulls;
+      for (int e = 0; e < 3; e++) arb_set(own->of + e, from->of + e);
     }
   }
-  tp_motion_outcome done = try_all(&s);
-  start->moves = s.solutions > 0;
-  start->forces_fixed = s.solutions == 1 && s.count == 3;
-  start->fixed = s.solutions == 1 || forces_are_alike(&s);
-  if (start->moves) set_acceleration(&s);
-  if (done == TP_MOTION_PROVEN && start->moves) done = look_for_paradox(&s);
-  for (long k = 0; k < s.count; k++) tp_vector_clear(s.items + k);
-  free(s.items);
-  arb_clear(s.least);
+}
+
+/* Do bonds pull on a slide by no more than all of them, where it needs the least of them? */
+static tp_motion_outcome bound_pulls(starting *s) {
+  const long pulls = s->strength != NULL ? s->strength->pull_count : 0;
+  if (pulls == 0 || s->solutions == 0) return TP_MOTION_PROVEN;
+  arb_t left;
+  arb_init(left);
+  arb_set(left, s->strength->most_pull);
+  for (long k = 0; k < pulls; k++) {
+    arb_sub(left, left, s->start->forces + s->mode->edge_count + k, s->q->judge.bits);
+  }
+  const int sign = tp_judge_sign(&s->q->judge, left, 0);
+  arb_clear(left);
+  if (sign < 0) s->solutions = 0;
+  return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+}
+
+static tp_motion_outcome start_touching(starting *s) {
+  tp_start *start = s->start;
+  const long pulls = s->strength != NULL ? s->strength->pull_count : 0;
+  s->count = s->mode->ray_count + s->mode->edge_count + pulls;
+  s->free_count = s->strength != NULL ? s->strength->free_count : 0;
+  s->greatest = pulls > 0;
+  if (s->count > MOST_GENERATORS || s->free_count > MOST_FREE) return TP_MOTION_TOO_DEAR;
+  s->items = calloc((size_t)(s->count + s->free_count), sizeof *s->items);
+  if (s->items == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  set_generators(s);
+  tp_motion_outcome done = turns_about_all(s) ? turn(s) : try_all(s);
+  if (done == TP_MOTION_PROVEN) done = bound_pulls(s);
+  const bool alone = s->solutions == 1 && s->free_count == 0;
+  start->moves = s->solutions > 0;
+  start->forces_fixed = (alone && s->count == 3) || (s->greatest && start->moves);
+  start->greatest = s->greatest;
+  start->fixed =
+      start->one_place || (alone && pulls == 0) || (s->strength == NULL && forces_are_alike(s));
+  if (start->moves) set_acceleration(s);
+  if (done == TP_MOTION_PROVEN && start->moves) done = look_for_paradox(s);
+  for (long k = 0; k < s->count + s->free_count; k++) tp_vector_clear(s->items + k);
+  free(s->items);
+  return done;
+}
+
+tp_motion_outcome tp_start_find(tp_start *start, const tp_motion_question *q, const tp_motions *m,
+                                const tp_motion_mode *mode, const tp_vector *loads,
+                                const tp_strength *strength) {
+  starting s = {.start = start, .q = q, .m = m, .mode = mode, .strength = strength};
+  tp_vector_init(&s.loads);
+  tp_vector_init(&s.rest);
+  arb_init(s.best);
+  for (int e = 0; e < 3; e++) {
+    arb_set(s.loads.of + e, loads->of + e);
+    if (strength == NULL) continue;
+    arb_add(s.loads.of + e, s.loads.of + e, strength->fixed.of + e, q->judge.bits);
+  }
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  if (mode->ray_count == 0) {
+    start_freely(&s);
+  } else {
+    done = start_touching(&s);
+  }
+  tp_vector_clear(&s.loads);
+  tp_vector_clear(&s.rest);
+  arb_clear(s.best);
   return done;
 }

@@ -145,7 +145,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
     if (sign == 0) own->rays |= bit_of(k, s);
   }
   *solid = *solid || above > 0 || below > 0;
-  if (above == 0 && below == 0) {
+  if (above == 0 && below == 0 && j < s->of.count) {
     flat_pair[0] = i;
     flat_pair[1] = j;
   }
@@ -156,28 +156,34 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   return sharpen_slide(own, s, a, b, below > 0);
 }
 
-/* All of C in the plane with normal N: that plane, from both sides, and within it the lines of
- * generators with all others on one side, by N x g. */
+/* All of C in the plane of two generators: that plane, from both sides. */
+static tp_motion_outcome bound_sides(spanning *s, const long pair[2]) {
+  const tp_generator *a = s->of.items + pair[0], *b = s->of.items + pair[1];
+  for (int side = 0; side < 2; side++) {
+    tp_bound *own = add_bound(s->bounds);
+    if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
+    tp_vector_cross(&own->h, &a->of, &b->of, s->of.q->judge.precision);
+    if (side == 1) tp_vector_neg(&own->h);
+    own->source = tp_generators_source(&s->of, a, b);
+    if (side == 1 && s->of.free_count > 0) { /* what is free keeps the two apart: another tilt */
+      own->source = (tp_source){.kind = TP_FROM_PAIR,
+                                .a = a->id > b->id ? a->id : b->id,
+                                .b = a->id > b->id ? b->id : a->id};
+    }
+    own->rays = ~0U;
+    set_held(own, s->of.strength, &s->of.q->judge);
+  }
+  return TP_MOTION_PROVEN;
+}
+
+/* Within the plane with normal N the lines of generators with all others on one side, by N x g. */
 static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
   const tp_generator *a = s->of.items + pair[0], *b = s->of.items + pair[1];
-  const tp_source source = tp_generators_source(&s->of, a, b);
   tp_vector normal;
   tp_vector_init(&normal);
   tp_vector_cross(&normal, &a->of, &b->of, s->of.q->judge.precision);
   const double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
   tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (int side = 0; side < 2 && done == TP_MOTION_PROVEN; side++) {
-    tp_bound *own = add_bound(s->bounds);
-    if (own == NULL) {
-      done = TP_MOTION_OUT_OF_MEMORY;
-      break;
-    }
-    for (int k = 0; k < 3; k++) arb_set(own->h.of + k, normal.of + k);
-    if (side == 1) tp_vector_neg(&own->h);
-    own->source = source;
-    own->rays = ~0U;
-    set_held(own, s->of.strength, &s->of.q->judge);
-  }
   for (long g = 0; g < s->of.count && done == TP_MOTION_PROVEN; g++) {
     tp_bound *own = add_bound(s->bounds);
     if (own == NULL) {
@@ -221,8 +227,10 @@ static tp_motion_outcome bound_pairs(spanning *s) {
       if (done != TP_MOTION_PROVEN) return done;
     }
   }
-  if (solid) return TP_MOTION_PROVEN;
-  return flat_pair[0] < 0 ? TP_MOTION_OPEN : bound_flat(s, flat_pair);
+  if (!solid && flat_pair[0] < 0) return TP_MOTION_OPEN;
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  if (flat_pair[0] >= 0) done = bound_sides(s, flat_pair);
+  return done == TP_MOTION_PROVEN && !solid ? bound_flat(s, flat_pair) : done;
 }
 
 /* The interior: h . a >= 0 on every face of K, for a = M^-1 w, times k^2. */
@@ -235,9 +243,10 @@ static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_motion_quest
     tp_bound *own = add_bound(bounds);
     if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
     tp_newton_normal(&own->h, q, n, normal);
-    own->source = q->through_centroid ? (tp_source){.kind = TP_FROM_AXIS,
-                                                    .a = n->families[n->items[normal].family].axis}
-                                      : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};
+    own->source =
+        q->through_centroid && strength == NULL
+            ? (tp_source){.kind = TP_FROM_AXIS, .a = n->families[n->items[normal].family].axis}
+            : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};
     own->rays = ~0U;
     set_held(own, strength, &q->judge);
   }

@@ -66,6 +66,8 @@ void tp_generators_clear(tp_generators *g) {
 
 tp_source tp_generators_source(const tp_generators *g, const tp_generator *a,
                                const tp_generator *b) {
+  /* cohesion and bonds have a moment of their own */
+  const bool through_centroid = g->q->through_centroid && g->strength == NULL;
   if (!a->is_ray && !b->is_ray) {
     if (a->site == b->site) return (tp_source){.kind = TP_FROM_SITE, .a = a->site};
     if (a->axis == b->axis && a->against == b->against) {
@@ -75,11 +77,10 @@ tp_source tp_generators_source(const tp_generators *g, const tp_generator *a,
     const tp_generator *ray = a->is_ray ? a : b;
     const long family = a->is_ray && b->is_ray ? g->n->items[g->mode->normal].family : 0;
     if (a->is_ray && b->is_ray) {
-      return g->q->through_centroid
-                 ? (tp_source){.kind = TP_FROM_AXIS, .a = g->n->families[family].axis}
-                 : (tp_source){.kind = TP_FROM_NORMAL, .a = g->mode->normal};
+      return through_centroid ? (tp_source){.kind = TP_FROM_AXIS, .a = g->n->families[family].axis}
+                              : (tp_source){.kind = TP_FROM_NORMAL, .a = g->mode->normal};
     }
-    if (g->q->through_centroid && ray->axis >= 0) {
+    if (through_centroid && ray->axis >= 0) {
       return (tp_source){.kind = TP_FROM_AXIS, .a = ray->axis};
     }
   }

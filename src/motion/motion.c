@@ -176,7 +176,8 @@ tp_motion_outcome tp_motions_init(tp_motions *m, const tp_motion_question *q) {
   if (done == TP_MOTION_PROVEN) {
     collecting c = {.m = m, .q = q};
     tp_strength_init(&c.strength);
-    done = tp_strata_visit(&m->twists, &m->normals, collect, &c);
+    const bool grips = q->strong != NULL || !arb_is_zero(q->cones->friction);
+    done = tp_strata_visit(&m->twists, &m->normals, grips, collect, &c);
     tp_bounds_clear(&c.bounds);
     tp_strength_clear(&c.strength);
     tp_tilts_clear(&c.own);

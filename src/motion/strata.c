@@ -11,6 +11,7 @@
 typedef struct visiting {
   tp_twists *twists;
   const tp_normals *n;
+  bool grips;
   tp_mode_visit visit;
   void *context;
   tp_closed closed;
@@ -111,7 +112,7 @@ static tp_motion_outcome visit_face(visiting *v, const tp_twist_face *face) {
   long *cuts = calloc((size_t)own->count + 1, sizeof *cuts), count = 0;
   if (cuts == NULL) return TP_MOTION_OUT_OF_MEMORY;
   tp_motion_outcome done = TP_MOTION_PROVEN;
-  if (!arb_is_zero(v->n->cones->friction)) done = find_cuts(cuts, &count, v, face);
+  if (v->grips) done = find_cuts(cuts, &count, v, face);
   long from = face->from;
   for (long k = 0; k < count && done == TP_MOTION_PROVEN; k++) {
     done = visit_sector(v, from, cuts[k], face->normal);
@@ -123,9 +124,9 @@ static tp_motion_outcome visit_face(visiting *v, const tp_twist_face *face) {
   return done;
 }
 
-tp_motion_outcome tp_strata_visit(tp_twists *twists, const tp_normals *normals, tp_mode_visit visit,
-                                  void *context) {
-  visiting v = {.twists = twists, .n = normals, .visit = visit, .context = context};
+tp_motion_outcome tp_strata_visit(tp_twists *twists, const tp_normals *normals, bool grips,
+                                  tp_mode_visit visit, void *context) {
+  visiting v = {.twists = twists, .n = normals, .grips = grips, .visit = visit, .context = context};
   tp_motion_outcome done = TP_MOTION_PROVEN;
   if (twists->has_interior || twists->everything) {
     const tp_mode mode = {.mechanism = TP_LEAVES_BASE};

@@ -11,6 +11,9 @@ enum { OPEN_SIGN = 2 };
 
 void tp_strength_init(tp_strength *s) {
   tp_vector_init(&s->fixed);
+  tp_vector_init(&s->cohesion);
+  tp_vector_init(&s->bond);
+  arb_init(s->most_pull);
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_init(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_init(s->pulls + k);
   s->free_count = s->pull_count = 0;
@@ -22,8 +25,23 @@ void tp_strength_clear(tp_strength *s) {
   free(s->allowance_of);
   tp_vector_clear(&s->bonds);
   tp_vector_clear(&s->fixed);
+  tp_vector_clear(&s->cohesion);
+  tp_vector_clear(&s->bond);
+  arb_clear(s->most_pull);
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_clear(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_clear(s->pulls + k);
+}
+
+static void divide(tp_vector *force, const arb_t by, long bits) {
+  for (int k = 0; k < 3; k++) arb_div(force->of + k, force->of + k, by, bits);
+}
+
+void tp_strength_divide(tp_strength *s, const arb_t force, long bits) {
+  divide(&s->fixed, force, bits);
+  divide(&s->cohesion, force, bits);
+  divide(&s->bond, force, bits);
+  arb_div(s->most_pull, s->most_pull, force, bits);
+  for (long k = 0; k < s->free_count; k++) divide(s->free + k, force, bits);
 }
 
 /* One mode at work. */
@@ -86,9 +104,9 @@ static void set_pull(tp_vector *force, const gathering *g, const tp_allowance *o
   arb_clear(y);
 }
 
-static void add_fixed(gathering *g, const tp_vector *force, bool back) {
+static void add_cohesion(gathering *g, const tp_vector *force, bool back) {
   for (int k = 0; k < 3; k++) {
-    arb_struct *sum = g->strength->fixed.of + k;
+    arb_struct *sum = g->strength->cohesion.of + k;
     if (back) {
       arb_sub(sum, sum, force->of + k, g->q->judge.bits);
     } else {
@@ -134,7 +152,7 @@ static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long c
   set_force(&force, g, cones->x + own->point, cones->y + own->point, own->shear, own->point, false);
   tp_motion_outcome done = TP_MOTION_PROVEN;
   if (slip != 0) {
-    add_fixed(g, &force, slip > 0);
+    add_cohesion(g, &force, slip > 0);
   } else {
     long at = 0;
     while (at < s->free_count && s->sticks[at] != closed) at++;
@@ -181,9 +199,10 @@ static tp_motion_outcome add_slide(gathering *g) {
     const tp_allowance *own = strong->allowances + k;
     bonds = bonds || !arb_is_zero(own->pull);
     if (g->n->families[g->n->family_of[own->point]].axis == sliding) {
+      arb_add(g->strength->most_pull, g->strength->most_pull, own->pull, g->q->judge.bits);
       done = add_shear(g, own, own->point);
     } else {
-      add_bond(&g->strength->fixed, g, own);
+      add_bond(&g->strength->bond, g, own);
     }
   }
   if (done == TP_MOTION_PROVEN && bonds) add_slide_pulls(g);
@@ -195,7 +214,7 @@ static tp_motion_outcome add_slide(gathering *g) {
 static tp_motion_outcome add_turn(gathering *g) {
   const tp_normals *n = g->n;
   tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (int k = 0; k < 3; k++) arb_set(g->strength->fixed.of + k, g->strength->bonds.of + k);
+  for (int k = 0; k < 3; k++) arb_set(g->strength->bond.of + k, g->strength->bonds.of + k);
   for (long e = 0; e < g->mode->edge_count && done == TP_MOTION_PROVEN; e++) {
     long ends[2], edge = -1;
     tp_normals_of_family(ends, n, n->family_of[g->mode->edges[e].point]);
@@ -238,11 +257,20 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
                                    const tp_twists *twists, const tp_mode *mode) {
   gathering g = {.strength = s, .q = q, .n = n, .twists = twists, .mode = mode};
   s->free_count = s->pull_count = 0;
-  for (int k = 0; k < 3; k++) arb_zero(s->fixed.of + k);
+  tp_vector *parts[] = {&s->fixed, &s->cohesion, &s->bond};
+  for (int k = 0; k < 9; k++) arb_zero(parts[k / 3]->of + k % 3);
+  arb_zero(s->most_pull);
   if (!prepare(&g)) return TP_MOTION_OUT_OF_MEMORY;
-  if (!is_slide(twists, mode)) return add_turn(&g);
-  const bool paid = tp_work_spend(q->work, 2, q->strong->allowance_count, q->judge.bits);
-  return paid ? add_slide(&g) : TP_MOTION_TOO_DEAR;
+  tp_motion_outcome done = TP_MOTION_TOO_DEAR;
+  if (!is_slide(twists, mode)) {
+    done = add_turn(&g);
+  } else if (tp_work_spend(q->work, 2, q->strong->allowance_count, q->judge.bits)) {
+    done = add_slide(&g);
+  }
+  for (int k = 0; k < 3; k++) {
+    arb_add(s->fixed.of + k, s->cohesion.of + k, s->bond.of + k, q->judge.bits);
+  }
+  return done;
 }
 
 /* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */

@@ -20,7 +20,9 @@
 enum { TP_STRENGTH_FREE = 16, TP_STRENGTH_PULLS = 4 };
 
 typedef struct tp_strength {
-  tp_vector fixed; /* on the block */
+  tp_vector fixed;          /* on the block, */
+  tp_vector cohesion, bond; /* the sum of these: of lines that slip, of facets that open */
+  arb_t most_pull;          /* all bonds of facets that slide in one piece */
   long free_count;
   tp_vector free[TP_STRENGTH_FREE];           /* times anything from -1 to 1, */
   long sticks[TP_STRENGTH_FREE];              /* each for a point that sticks */
@@ -33,6 +35,8 @@ typedef struct tp_strength {
 
 void tp_strength_init(tp_strength *strength);
 void tp_strength_clear(tp_strength *strength);
+/* All forces over another one. */
+void tp_strength_divide(tp_strength *strength, const arb_t force, long bits);
 
 /* Of one mode, in the question's units; all that are put into one `strength` are of one question.
  * What slides costs as much as there are facets; what turns, as there are of the directions of its

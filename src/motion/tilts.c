@@ -39,6 +39,12 @@ int tp_tilt_compare(const tp_tilt *a, const tp_tilt *b, const tp_judge *judge) {
   return sign;
 }
 
+bool tp_tilt_is_same(const tp_tilt *a, const tp_tilt *b) {
+  if (a->endless || b->endless) return a->endless == b->endless;
+  return share_source(&a->source, &b->source) ||
+         (arb_is_exact(a->degrees) && arb_equal(a->degrees, b->degrees));
+}
+
 void tp_tilts_clear(tp_tilts *spans) {
   for (long k = 0; k < spans->room; k++) {
     tp_tilt_clear(&spans->items[k].from);

@@ -47,6 +47,9 @@ void tp_tilt_set(tp_tilt *tilt, const tp_tilt *other);
 /* Sign of a - b for tilts that are no ends without end; 2 where open. */
 int tp_tilt_compare(const tp_tilt *a, const tp_tilt *b, const tp_judge *judge);
 
+/* Are they one tilt by where they come from, or as exact numbers? */
+bool tp_tilt_is_same(const tp_tilt *a, const tp_tilt *b);
+
 void tp_tilts_clear(tp_tilts *spans);
 /* Keeps the room. */
 void tp_tilts_empty(tp_tilts *spans);

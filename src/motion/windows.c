@@ -87,6 +87,7 @@ static tp_motion_outcome name(tp_motion_window *w, const tp_motions *m, tp_tilt_
   const bool upper = w->from.endless;
   const tp_tilt *own = upper ? &w->to : &w->from;
   w->begins = -1;
+  bool named_exactly = false;
   for (int round = 0; round < 2; round++) {
     for (long k = 0; k < count; k++) {
       const tp_tilt *end = upper ? &spans[k]->to : &spans[k]->from;
@@ -101,9 +102,13 @@ static tp_motion_outcome name(tp_motion_window *w, const tp_motions *m, tp_tilt_
         w->has_ray = other.has_ray;
         w->ray = other.ray;
         w->mechanism = other.mechanism;
+        named_exactly = tp_tilt_is_same(end, own);
       }
       if (round == 1 && ties_with(w, &other)) {
+        const bool exact = named_exactly && tp_tilt_is_same(end, own);
+        if (w->tie && w->tie_exact && !exact) continue;
         w->tie = true;
+        w->tie_exact = exact;
         w->tied_with = other.mechanism;
       }
     }

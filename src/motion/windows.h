@@ -16,6 +16,7 @@ typedef struct tp_motion_window {
   tp_mechanism mechanism;
   bool tie; /* another one begins there too: */
   tp_mechanism tied_with;
+  bool tie_exact; /* at one tilt by construction; else their balls are not told apart */
 } tp_motion_window;
 
 typedef struct tp_motion_windows {

@@ -128,13 +128,9 @@ static void add_scene_tilt(tp_text *t, const tp_figure *figure, const tp_state *
               own->mechanism == TP_INTERLOCKED          ? "stands"
               : moves && tp_onset_is_known(&own->onset) ? "does not stand"
                                                         : tp_text_mechanism(own->mechanism));
-  tp_bounded margin = own->margin_deg;
-  if (own->onset.kind == TP_ONSET_AT_ANGLE &&
-      own->mechanism == TP_STANDS) { /* to where it may move */
-    margin = tp_text_less(own->onset.critical_angle_deg, solution->tilt_angle_deg);
-  }
-  if (own->has_margin && own->mechanism != TP_MAY_MOVE) {
-    tp_text_add(t, ", a margin of %s°", degrees(n[1], margin));
+  const bool passed = own->mechanism == TP_STANDS && own->margin_deg.value < 0; /* a window */
+  if (own->has_margin && own->mechanism != TP_MAY_MOVE && !passed) {
+    tp_text_add(t, ", a margin of %s°", degrees(n[1], own->margin_deg));
   }
   tp_text_add(t, ".");
 }

@@ -91,7 +91,8 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength, mean plane: tan(φ+i)/tan α";
   case TP_FOS_BY_REDUCTION:
-    return "strength reduction, by contact forces";
+    return factor->fos.state == TP_FOS_UNDEFINED ? "strength reduction: no strength holds it"
+                                                 : "strength reduction, by contact forces";
   }
   return "";
 }

@@ -158,20 +158,23 @@ static void add_account(tp_text *t, const tp_account *a, bool has_weight) {
   tp_text_add(t, "        ]},\n");
 }
 
+static void add_known(tp_text *t, const char *key, bool known, tp_bounded number) {
+  if (known) {
+    tp_json_number(t, key, number);
+  } else {
+    tp_text_add(t, "\"%s\": null", key);
+  }
+}
+
 static void add_mechanism(tp_text *t, const tp_case *c) {
-  tp_text_add(t, "      \"mechanism\": \"%s\",\n      \"first\": {\"mechanism\": \"%s\", ",
-              tp_text_mechanism(c->mechanism), tp_text_mechanism(c->first));
-  if (c->has_first_angle) {
-    tp_json_number(t, "critical_angle_deg", c->first_angle_deg);
-    tp_text_add(t, ", ");
-  } else {
-    tp_text_add(t, "\"critical_angle_deg\": null, ");
-  }
-  if (c->has_margin) {
-    tp_json_number(t, "margin_deg", c->margin_deg);
-  } else {
-    tp_text_add(t, "\"margin_deg\": null");
-  }
+  tp_text_add(t, "      \"mechanism\": \"%s\",\n", tp_text_mechanism(c->mechanism));
+  tp_json_beginnings(t, c);
+  tp_text_add(t, "      \"first\": {\"mechanism\": \"%s\", ", tp_text_mechanism(c->first));
+  add_known(t, "critical_angle_deg", c->has_first_angle, c->first_angle_deg);
+  tp_text_add(t, ", ");
+  add_known(t, "margin_deg", c->has_margin, c->margin_deg);
+  tp_text_add(t, ", ");
+  add_known(t, "margin_to_first_deg", c->has_margin_to_first, c->margin_to_first_deg);
   tp_text_add(t, "},\n      \"falls_backwards\": %s,\n", tp_json_truth(c->falls_backwards));
 }
 

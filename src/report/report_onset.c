@@ -28,8 +28,12 @@ static void add_beginning(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
   tp_text_add(&p->text, ".\n  From there it can begin to %s", tp_text_to_move(o->mechanism));
   if (o->has_centre) tp_page_add_centre(p, c, o->centre_x_m, o->centre_y_m);
-  if (o->tie) tp_text_add(&p->text, ", or to %s (a tie)", tp_text_to_move(o->tied_with));
-  tp_text_add(&p->text, ".\n");
+  if (!o->tie) {
+    tp_text_add(&p->text, ".\n");
+    return;
+  }
+  tp_text_add(&p->text, ",\n  or to %s, a tie", tp_text_to_move(o->tied_with));
+  tp_page_add_tie(p, o->tie_bits);
 }
 
 /* Up to which tilt it is certain to stand. */
@@ -113,7 +117,7 @@ static void add_window(tp_page *p, const tp_window *w) {
 }
 
 /* Where one tilt does not tell all of it. */
-static void add_windows(tp_page *p, const tp_onset *o) {
+void tp_page_add_windows(tp_page *p, const tp_onset *o) {
   enum { SHOWN = 8 };
   size_t count = 0, shown = 0;
   bool ends = false;
@@ -145,9 +149,11 @@ void tp_page_add_onset(tp_page *p, const tp_case *c) {
                 "  %s history decides: friction on facets that nothing has pressed\n"
                 "  could hold it. How it came to lie there would tell, or a tilt test, or the\n"
                 "  tilting table.\n",
-                c->limit.kind == TP_LIMIT_AT_ANGLE ? "Between them" : "Beyond that");
+                c->limit.kind == TP_LIMIT_AT_ANGLE   ? "Between them"
+                : c->onset.kind == TP_ONSET_AT_ANGLE ? "Beyond α_s"
+                                                     : "Beyond that");
   }
-  add_windows(p, &c->onset);
+  tp_page_add_windows(p, &c->onset);
   if (c->onset.paradox) {
     tp_text_add(&p->text,
                 "  Caution: a slipping contact would press itself harder (Painlevé's paradox):\n"
@@ -179,6 +185,16 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
   }
 }
 
+/* "      overcomes cohesion (0.1, 0.05) W and bonds (0, -0.2) W" */
+static void add_resistance(tp_page *p, const tp_motion *m) {
+  char n[4][TP_NUMBER_SIZE];
+  if (!m->has_strength) return;
+  tp_text_add(&p->text, "      overcomes cohesion (%s, %s) W and bonds (%s, %s) W\n",
+              tp_text_fixed(n[0], m->cohesion.share_x, 4),
+              tp_text_fixed(n[1], m->cohesion.share_y, 4), tp_text_fixed(n[2], m->bond.share_x, 4),
+              tp_text_fixed(n[3], m->bond.share_y, 4));
+}
+
 void tp_page_add_motions(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
   char n[3][TP_NUMBER_SIZE];
@@ -196,7 +212,29 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
                 tp_text_significant(n[0], m->acceleration_x_g, 4),
                 tp_text_significant(n[1], m->acceleration_y_g, 4),
                 tp_text_significant(n[2], m->angular_g_per_m, 4),
-                m->accelerations_fixed ? "" : " at least");
+                m->accelerations_fixed ? ""
+                : m->greatest          ? " at most"
+                                       : " at least");
+    add_resistance(p, m);
     add_contacts(p, m);
+  }
+}
+
+void tp_text_beginnings(tp_text *t, const tp_onset *o) {
+  for (size_t k = 0; k < o->beginning_count; k++) {
+    tp_text_add(t, "%s%s", k > 0 ? " or " : "", tp_text_mechanism(o->beginnings[k]));
+  }
+}
+
+void tp_text_verdict(tp_text *t, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  const tp_mechanism m = c->mechanism;
+  const bool moves =
+      m == TP_SLIDES || m == TP_TOPPLES || m == TP_SLIDES_AND_TOPPLES || m == TP_LEAVES_BASE;
+  if (m == TP_MAY_MOVE && o->beginning_count > 0) tp_text_add(t, "may move: ");
+  if ((moves || m == TP_MAY_MOVE) && o->beginning_count > 0) {
+    tp_text_beginnings(t, o);
+  } else {
+    tp_text_add(t, "%s", tp_text_mechanism(m));
   }
 }

@@ -19,10 +19,22 @@ bool tp_onset_leaves_window(const tp_case *own);
 /* Sentences: what is certain, from the margin on. */
 void tp_page_add_onset(tp_page *page, const tp_case *own);
 
+/* All tilts at which motions can begin, where the lower end of the first does not tell it all. */
+void tp_page_add_windows(tp_page *page, const tp_onset *onset);
+
 /* The motions that can begin at the scene's tilt, as a table. */
 void tp_page_add_motions(tp_page *page, const tp_case *own);
 
 /* The keys `onset` and `motions` of a case. */
 void tp_json_onset(tp_text *text, const tp_case *own);
+
+/* The key `can_begin`: what can begin at the scene's tilt; null where that is not known. */
+void tp_json_beginnings(tp_text *text, const tp_case *own);
+
+/* What can begin at the scene's tilt, in words: "slides or topples". */
+void tp_text_beginnings(tp_text *text, const tp_onset *onset);
+
+/* The verdict at the scene's tilt with all that can begin there: "may move: topples". */
+void tp_text_verdict(tp_text *text, const tp_case *own);
 
 #endif

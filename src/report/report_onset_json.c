@@ -58,6 +58,16 @@ static void add_contact(tp_text *t, const tp_motion_contact *c) {
   tp_text_add(t, "}");
 }
 
+static void add_resistance(tp_text *t, const char *key, const tp_motion_resistance *r) {
+  tp_text_add(t, "\"%s\": {", key);
+  tp_json_number(t, "share_x", r->share_x);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "share_y", r->share_y);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "moment_m", r->moment_m);
+  tp_text_add(t, "}");
+}
+
 static void add_motion(tp_text *t, const tp_motion *m) {
   tp_text_add(t, "{\"mechanism\": \"%s\", ", tp_text_mechanism(m->mechanism));
   tp_json_number(t, "acceleration_x_g", m->acceleration_x_g);
@@ -71,6 +81,13 @@ static void add_motion(tp_text *t, const tp_motion *m) {
     tp_json_number(t, "centre_x_m", m->centre_x_m);
     tp_text_add(t, ", ");
     tp_json_number(t, "centre_y_m", m->centre_y_m);
+  }
+  if (m->has_strength) {
+    tp_text_add(t, ",\n          \"overcomes\": {");
+    add_resistance(t, "cohesion", &m->cohesion);
+    tp_text_add(t, ", ");
+    add_resistance(t, "bond", &m->bond);
+    tp_text_add(t, "}");
   }
   tp_text_add(t, ",\n          \"contacts\": [");
   for (size_t k = 0; k < m->contact_count; k++) {
@@ -99,6 +116,7 @@ void tp_json_onset(tp_text *t, const tp_case *c) {
   add_end(t, "critical_angle_deg", o->kind != TP_ONSET_AT_ANGLE, o->critical_angle_deg);
   tp_text_add(t, ", \"mechanism\": \"%s\"", tp_text_mechanism(o->mechanism));
   if (o->tie) tp_text_add(t, ", \"tied_with\": \"%s\"", tp_text_mechanism(o->tied_with));
+  tp_json_tie(t, o->tie, o->tie_bits);
   if (o->kind == TP_ONSET_UNDECIDED) {
     tp_text_add(t, ", \"too_dear\": %s", tp_json_truth(o->too_dear));
   }
@@ -113,4 +131,18 @@ void tp_json_onset(tp_text *t, const tp_case *c) {
   add_windows(t, o);
   tp_text_add(t, "},\n");
   add_motions(t, o);
+}
+
+void tp_json_beginnings(tp_text *t, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  tp_text_add(t, "      \"can_begin\": ");
+  if (!o->has_motions) {
+    tp_text_add(t, "null,\n");
+    return;
+  }
+  tp_text_add(t, "[");
+  for (size_t k = 0; k < o->beginning_count; k++) {
+    tp_text_add(t, "%s\"%s\"", k > 0 ? ", " : "", tp_text_mechanism(o->beginnings[k]));
+  }
+  tp_text_add(t, "],\n");
 }

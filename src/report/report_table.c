@@ -5,6 +5,7 @@
 
 #include "host.h"
 #include "report/encode.h"
+#include "report/report_onset.h"
 
 static void add_angle(tp_text *t, bool known, tp_bounded angle) {
   char n[TP_NUMBER_SIZE];
@@ -59,7 +60,12 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
   tp_text_add(t, " | %s", tp_text_direction(c->towards));
   add_angle(t, s->has_tilt_angle, s->tilt_angle_deg);
-  tp_text_add(t, " | %s", s->has_tilt_angle ? tp_text_mechanism(c->mechanism) : "-");
+  tp_text_add(t, " | ");
+  if (s->has_tilt_angle) {
+    tp_text_verdict(t, c);
+  } else {
+    tp_text_add(t, "-");
+  }
   add_fos(t, c);
   add_onset(t, &c->onset);
   tp_text_add(t, " | %s", pivot != NULL ? tp_text_pivot_kind(pivot->kind) : "-");
@@ -126,16 +132,18 @@ static void add_fields(tp_text *t, const tp_solution *s, const tp_case *c) {
   add_field(t, c->sliding.known && !c->sliding.never && !c->sliding.always,
             c->sliding.critical_angle_deg);
   add_field(t, c->limit.kind == TP_LIMIT_AT_ANGLE, c->limit.critical_angle_deg);
-  tp_text_add(t, "%s\n",
+  tp_text_add(t, "%s,",
               c->limit.kind == TP_LIMIT_NOT_ASKED ? ""
               : c->limit.kind == TP_LIMIT_NOWHERE ? "holds nowhere"
                                                   : tp_text_mechanism(c->limit.mechanism));
+  tp_text_beginnings(t, &c->onset);
+  tp_text_add(t, "\n");
 }
 
 static const char *const fields =
     "scene,towards,tilt_deg,tilt_error,verdict,fos,fos_error,fos_mechanism,fos_definition,"
     "certain_to_stand_deg,certain_to_stand_error,moments_deg,moments_error,sliding_deg,"
-    "sliding_error,limit_deg,limit_error,limit_mechanism\n";
+    "sliding_error,limit_deg,limit_error,limit_mechanism,can_begin\n";
 
 tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count) {
   TP_GUARD_HOST;

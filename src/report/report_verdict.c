@@ -48,7 +48,11 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
     tp_page_add_motions(p, c);
     return true;
   }
-  if (add_up_dip(p, c, where)) return true;
+  if (add_up_dip(p, c, where)) {
+    tp_page_add_windows(p, &c->onset);
+    tp_page_add_motions(p, c);
+    return true;
+  }
   if (tp_onset_is_known(&c->onset)) return false;
   if (c->limit.kind == TP_LIMIT_UNDECIDED) {
     said = "Whether it stands is undecided at the precision allowed.";
@@ -70,13 +74,13 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
 static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
   char n[2][TP_NUMBER_SIZE];
   tp_text_fixed(n[0], c->first_angle_deg, 3);
-  if (!c->has_margin && c->first_angle_deg.value < 0) {
+  if (!c->has_margin_to_first && c->first_angle_deg.value < 0) {
     tp_text_add(&p->text, "  Does not hold even on level ground: it\n  ");
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
   }
-  if (!c->has_margin || c->mechanism == TP_MECHANISM_UNDECIDED) {
+  if (!c->has_margin_to_first || c->mechanism == TP_MECHANISM_UNDECIDED) {
     tp_text_add(&p->text, "  ");
     if (c->mechanism == TP_MECHANISM_UNDECIDED) {
       tp_text_add(&p->text, "Whether it stands %s is undecided. ", where);
@@ -94,24 +98,17 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
   }
   tp_page_add_first(p, c);
   tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0],
-              tp_text_fixed(n[1], c->margin_deg, 3));
+              tp_text_fixed(n[1], c->margin_to_first_deg, 3));
 }
 
-/* The motions that can begin there, each mechanism once; where none is known what is by limit
- * analysis. */
+/* "can begin to slide, or to topple"; where none is known what is by limit analysis. */
 static void add_begun(tp_page *p, const tp_case *c) {
   const tp_onset *o = &c->onset;
-  bool any = false;
-  for (int m = TP_SLIDES; m <= TP_LEAVES_BASE && o->has_motions; m++) {
-    for (size_t k = 0; k < o->motion_count; k++) {
-      if ((int)o->motions[k].mechanism != m) continue;
-      tp_text_add(&p->text, "%s%s", any ? ", or to " : "can begin to ",
-                  tp_text_to_move((tp_mechanism)m));
-      any = true;
-      break;
-    }
+  for (size_t k = 0; k < o->beginning_count; k++) {
+    tp_text_add(&p->text, "%s%s", k > 0 ? ", or to " : "can begin to ",
+                tp_text_to_move(o->beginnings[k]));
   }
-  tp_text_add(&p->text, "%s.\n", any ? "" : tp_text_mechanism(c->mechanism));
+  if (o->beginning_count == 0) tp_text_add(&p->text, "%s", tp_text_mechanism(c->mechanism));
 }
 
 /* What holds at the scene's tilt, in the light of the onset. */
@@ -122,7 +119,12 @@ static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
     tp_text_add(&p->text, "  Stands %s.\n", where);
     return;
   case TP_MAY_MOVE:
-    tp_text_add(&p->text, "  May move %s, or stand: history decides.\n", where);
+    tp_text_add(&p->text, "  May move %s, or stand: history decides", where);
+    if (c->onset.beginning_count > 0) {
+      tp_text_add(&p->text, ".\n  It ");
+      add_begun(p, c);
+    }
+    tp_text_add(&p->text, ".\n");
     return;
   case TP_MECHANISM_UNDECIDED:
     tp_text_add(&p->text, "  Whether it stands %s is undecided at the precision allowed.\n", where);
@@ -133,6 +135,7 @@ static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
   case TP_LEAVES_BASE:
     tp_text_add(&p->text, "  Does not stand %s: it ", where);
     add_begun(p, c);
+    tp_text_add(&p->text, ".\n");
     return;
   }
 }

@@ -5,6 +5,7 @@
 
 #include "stability/loaded.h"
 #include "stability/onset.h"
+#include "stability/onset_question.h"
 
 #include "base/facets.h"
 #include "number/ball.h"
@@ -118,6 +119,10 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
                                            const tp_direction_ball *limit,
                                            const tp_direction_ball *onset) {
   result->slides_sooner = slides_sooner(e, result);
+  if (result->slides_sooner && !result->sliding.always && result->onset.kind == TP_ONSET_AT_ANGLE) {
+    result->onset.below_limit = tp_evaluation_is_above(e, result->sliding.critical_angle_deg,
+                                                       result->onset.critical_angle_deg);
+  }
   if (result->slides_sooner) {
     result->first = TP_SLIDES;
     return result->sliding.always ? NULL : sliding;
@@ -195,6 +200,24 @@ static void set_margin(arb_t margin, const tp_evaluation *e, const tp_direction_
   fmpq_clear(rest);
 }
 
+/* To the first tilt from which it is not certain to stand: the onset, where that lies below what
+ * happens first, or nothing happens for certain. */
+static void judge_margin(tp_evaluation *e, tp_case *result, const tp_direction_ball *first,
+                         const tp_direction_ball *onset) {
+  const tp_onset_kind kind = result->onset.kind;
+  result->has_margin = result->has_margin_to_first;
+  result->margin_deg = result->margin_to_first_deg;
+  if (kind == TP_ONSET_NOWHERE || kind == TP_ONSET_UNDECIDED) result->has_margin = false;
+  if (kind != TP_ONSET_AT_ANGLE || !e->problem->scene->tilt_angle_deg.given) return;
+  if (first != NULL && !arb_lt(onset->degrees, first->degrees)) return;
+  arb_t margin;
+  arb_init(margin);
+  set_margin(margin, e, onset);
+  result->has_margin = true;
+  result->margin_deg = tp_evaluation_result(e, margin);
+  arb_clear(margin);
+}
+
 /* Where forces would hold it: certain to stand only if no motion can begin. Without a tilt `first`
  * says it all. */
 static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found *onset) {
@@ -213,6 +236,23 @@ static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found 
   if (onset->at_tilt == TP_NO && *m == TP_MAY_MOVE) *m = TP_STANDS;
 }
 
+/* What moves begins by a motion that can begin at this tilt, not by that of the limit. */
+static void judge_beginning(const tp_evaluation *e, tp_case *result) {
+  tp_onset *onset = &result->onset;
+  const tp_mechanism m = result->mechanism;
+  const bool moves =
+      m == TP_SLIDES || m == TP_TOPPLES || m == TP_SLIDES_AND_TOPPLES || m == TP_LEAVES_BASE;
+  if (!moves) return;
+  if (onset->beginning_count == 0) { /* beyond the limit some motion does, if by no mode */
+    onset->has_motions = onset->has_motions && !tp_onset_has_strength(e);
+    return;
+  }
+  for (size_t k = 0; k < onset->beginning_count; k++) {
+    if (onset->beginnings[k] == m) return;
+  }
+  result->mechanism = onset->beginnings[0];
+}
+
 void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
                            const tp_direction_ball *sliding, const tp_statics *statics) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
@@ -226,10 +266,10 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   arb_set_fmpq(angle, tilt->value, e->rung.bits); /* 0 where not given */
   result->mechanism = result->first;
   result->falls_backwards = false; /* whatever a lower rung took it for */
-  result->has_margin = first != NULL && tilt->given;
+  result->has_margin_to_first = first != NULL && tilt->given;
   result->has_first_angle = first != NULL;
   if (first != NULL) result->first_angle_deg = tp_evaluation_result(e, first->degrees);
-  if (result->has_margin) {
+  if (result->has_margin_to_first) {
     set_margin(margin, e, first);
     if (arb_is_positive(margin)) {
       result->mechanism = TP_STANDS;
@@ -237,8 +277,9 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
       if (!tp_evaluation_is_last_rung(e)) e->certain = false;
       result->mechanism = TP_MECHANISM_UNDECIDED;
     }
-    result->margin_deg = tp_evaluation_result(e, margin);
+    result->margin_to_first_deg = tp_evaluation_result(e, margin);
   }
+  judge_margin(e, result, first, &onset);
   if (result->limit.kind == TP_LIMIT_AT_ANGLE || result->limit.kind == TP_LIMIT_INTERLOCKED) {
     judge_up_dip(e, result, statics->back, angle);
   } else if (result->limit.kind != TP_LIMIT_NOWHERE) { /* there is no way up-dip alone */
@@ -248,6 +289,7 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
     if (open) result->mechanism = TP_MECHANISM_UNDECIDED;
   }
   judge_onset(e, result, statics->onset);
+  judge_beginning(e, result);
   /* more friction would hold what slips up-dip, but that is not what the factor is about */
   if (result->falls_backwards) result->limit.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   arb_clear(angle);

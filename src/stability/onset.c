@@ -33,6 +33,7 @@ static void clear_motions(tp_onset *onset) {
   onset->motions = NULL;
   onset->motion_count = 0;
   onset->has_motions = false;
+  onset->beginning_count = 0;
 }
 
 void tp_onset_clear(tp_onset *onset) {
@@ -123,7 +124,9 @@ static void tell_onset(asking *a) {
 static void set_motions(asking *a, const arb_t tilt) {
   const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
   const tp_motion_outcome outcome = tp_onset_motions(&t, tilt);
-  if (outcome == TP_MOTION_PROVEN) return;
+  const bool missing = a->found->at_tilt == TP_YES && a->result->onset.motion_count == 0 &&
+                       tp_onset_has_strength(a->e); /* a slide that a bond cannot balance */
+  if (outcome == TP_MOTION_PROVEN && !missing) return;
   clear_motions(&a->result->onset);
   if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
   if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->e->certain = false;

@@ -26,6 +26,7 @@ TP_MUST_USE bool tp_evaluate_onset(tp_evaluation *evaluation, tp_case *result,
 void tp_onset_clear(tp_onset *onset);
 
 /* Where the onset lies beside the limit, once both are certain; it never lies above it. */
-void tp_onset_meet_limit(tp_case *result, tp_evaluation *evaluation);
+void tp_onset_meet_limit(tp_case *result, tp_evaluation *evaluation, tp_onset_found *found,
+                         const tp_direction_ball *limit);
 
 #endif

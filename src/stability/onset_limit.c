@@ -31,6 +31,7 @@ static void begin_at_limit(tp_onset *onset, const tp_limit *limit) {
   onset->critical_angle_deg = limit->critical_angle_deg;
   onset->tie = limit->tie;
   onset->tied_with = limit->tied_with;
+  onset->tie_bits = limit->tie_bits;
   onset->has_centre = limit->has_centre;
   onset->centre_x_m = limit->centre_x_m;
   onset->centre_y_m = limit->centre_y_m;
@@ -38,7 +39,8 @@ static void begin_at_limit(tp_onset *onset, const tp_limit *limit) {
 
 /* Under cohesion, modes alone may leave a gap beyond the static limit: what opens loses it at once,
  * and so does not resist as the limit lets it. */
-void tp_onset_meet_limit(tp_case *result, tp_evaluation *e) {
+void tp_onset_meet_limit(tp_case *result, tp_evaluation *e, tp_onset_found *found,
+                         const tp_direction_ball *at) {
   tp_onset *onset = &result->onset;
   const tp_limit *limit = &result->limit;
   const bool angle = limit->kind == TP_LIMIT_AT_ANGLE, nowhere = limit->kind == TP_LIMIT_NOWHERE;
@@ -47,7 +49,10 @@ void tp_onset_meet_limit(tp_case *result, tp_evaluation *e) {
   const double error = a->error + b->error;
   const bool beyond = onset->kind == TP_ONSET_NEVER ||
                       (at_angle && (nowhere || (angle && a->value - b->value > error)));
-  if ((angle || nowhere) && beyond && tp_onset_has_strength(e)) begin_at_limit(onset, limit);
+  if ((angle || nowhere) && beyond && tp_onset_has_strength(e)) {
+    begin_at_limit(onset, limit);
+    arb_set(found->degrees, at->degrees);
+  }
   onset->below_limit = at_angle && (limit->kind == TP_LIMIT_INTERLOCKED ||
                                     (angle && tp_evaluation_is_above(e, *b, *a)));
 }

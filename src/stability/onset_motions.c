@@ -11,6 +11,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* The weight under loads, N. */
+static void set_weight(arb_t weight, const tp_onset_telling *t) {
+  arb_neg(weight, t->e->loaded->items[0].wrench.y.of + TP_COS);
+}
+
 /* The loads at the tilt, over the weight. */
 static void set_loads(tp_vector *loads, const tp_onset_telling *t, const arb_t tilt) {
   const long bits = t->e->rung.bits;
@@ -25,11 +30,11 @@ static void set_loads(tp_vector *loads, const tp_onset_telling *t, const arb_t t
   tp_trig_evaluate(loads->of + 1, &load->y, sine, cosine, bits);
   tp_trig_evaluate(loads->of + 2, &load->moment, sine, cosine, bits);
   if (t->e->loaded != NULL) {
-    const arb_struct *weight = t->e->loaded->items[0].wrench.y.of + TP_COS; /* downwards */
-    for (int k = 0; k < 3; k++) {
-      arb_div(loads->of + k, loads->of + k, weight, bits);
-      arb_neg(loads->of + k, loads->of + k);
-    }
+    arb_t weight;
+    arb_init(weight);
+    set_weight(weight, t);
+    for (int k = 0; k < 3; k++) arb_div(loads->of + k, loads->of + k, weight, bits);
+    arb_clear(weight);
   }
   arb_clear(turn);
   arb_clear(sine);
@@ -83,13 +88,34 @@ static tp_contact_state state_of(const tp_motions *m, const tp_motion_mode *mode
                     : TP_CONTACT_SLIPS_DOWN_DIP;
 }
 
+/* A mode at the scene's tilt. */
+typedef struct telling {
+  const tp_onset_telling *t;
+  const tp_motion_mode *mode;
+  const tp_strength *strength; /* or NULL */
+  const tp_start *start;
+} telling;
+
 /* The sum of the mode's forces at a contact, where these are fixed. */
-static void set_share(tp_motion_contact *own, const tp_onset_telling *t, const tp_motion_mode *mode,
-                      const tp_start *start, long point) {
+static void set_share(tp_motion_contact *own, const telling *m, long point) {
+  const tp_onset_telling *t = m->t;
+  const tp_motion_mode *mode = m->mode;
+  const tp_start *start = m->start;
   const long bits = t->e->rung.bits;
   tp_vector edge, sum;
   tp_vector_init(&edge);
   tp_vector_init(&sum);
+  for (int row = 0; row < 2 && start->one_place; row++) {
+    arb_set(sum.of + row, start->sum.of + row);
+  }
+  const long pulls = m->strength != NULL ? m->strength->pull_count : 0;
+  for (long k = 0; k < pulls; k++) {
+    if (m->strength->pulled[k] != point) continue;
+    const arb_struct *factor = start->forces + mode->edge_count + k;
+    for (int row = 0; row < 2; row++) {
+      arb_submul(sum.of + row, m->strength->pulls[k].of + row, factor, bits);
+    }
+  }
   for (long k = 0; k < mode->edge_count; k++) {
     if (mode->edges[k].point != point) continue;
     tp_newton_force(&edge, t->question, &t->motions->normals, mode->edges + k);
@@ -105,7 +131,10 @@ static void set_share(tp_motion_contact *own, const tp_onset_telling *t, const t
 }
 
 /* Is every contact that stays closed one whose forces the mode is made of? */
-static bool has_all(const tp_motion_mode *mode, const tp_motion *motion, const long *points) {
+static bool has_all(const telling *t, const tp_motion *motion, const long *points) {
+  const tp_motion_mode *mode = t->mode;
+  if (t->start->one_place) return motion->contact_count == 1;
+  if (!t->start->forces_fixed) return false;
   for (size_t k = 0; k < motion->contact_count; k++) {
     bool found = false;
     for (long e = 0; e < mode->edge_count && !found; e++) {
@@ -116,8 +145,9 @@ static bool has_all(const tp_motion_mode *mode, const tp_motion *motion, const l
   return true;
 }
 
-static tp_motion_outcome set_contacts(tp_motion *motion, const tp_onset_telling *t,
-                                      const tp_motion_mode *mode, const tp_start *start) {
+static tp_motion_outcome set_contacts(tp_motion *motion, const telling *told) {
+  const tp_onset_telling *t = told->t;
+  const tp_motion_mode *mode = told->mode;
   const tp_cones *cones = t->question->cones;
   long *points = calloc((size_t)cones->count + 1, sizeof *points);
   tp_motion_outcome done = points != NULL ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
@@ -130,8 +160,7 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const tp_onset_telling 
     motion->contacts = calloc(motion->contact_count + 1, sizeof *motion->contacts);
     if (motion->contacts == NULL) done = TP_MOTION_OUT_OF_MEMORY;
   }
-  const bool told =
-      done == TP_MOTION_PROVEN && start->forces_fixed && has_all(mode, motion, points);
+  const bool has_forces = done == TP_MOTION_PROVEN && has_all(told, motion, points);
   for (size_t k = 0; k < motion->contact_count && done == TP_MOTION_PROVEN; k++) {
     const long point = points[k], facet = cones->points[point].facet;
     tp_motion_contact *own = motion->contacts + k;
@@ -139,27 +168,85 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const tp_onset_telling 
     own->facet = facet >= 0 ? (size_t)facet : 0;
     own->at_right_end = facet >= 0 && point > 0 && cones->points[point - 1].facet == facet;
     own->state = state_of(t->motions, mode, point);
-    own->has_force = told;
-    if (told) set_share(own, t, mode, start, point);
+    own->has_force = has_forces;
+    if (has_forces) set_share(own, told, point);
   }
   free(points);
+  return done;
+}
+
+/* A force over the weight with its moment about the centroid, from the question's lengths. */
+static tp_motion_resistance resistance(const tp_onset_telling *t, const tp_vector *force) {
+  tp_evaluation *e = t->e;
+  const tp_lattice *l = &e->problem->lattice;
+  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  const bool mirrored = t->result->towards == TP_TOWARDS_RIGHT;
+  arb_t own, step;
+  arb_init(own);
+  arb_init(step);
+  tp_motion_resistance r;
+  arb_set(own, force->of);
+  if (mirrored) arb_neg(own, own);
+  r.share_x = tp_evaluation_result_within(e, own, 0);
+  r.share_y = tp_evaluation_result_within(e, force->of + 1, 0);
+  arb_set_fmpq(step, l->step_m, e->rung.bits);
+  arb_mul(own, force->of + 2, step, e->rung.bits);
+  arb_div(own, own, t->question->scale, e->rung.bits);
+  if (mirrored) arb_neg(own, own);
+  r.moment_m = tp_evaluation_result_within(e, own, log2_size);
+  arb_clear(own);
+  arb_clear(step);
+  return r;
+}
+
+static void set_resistance(tp_motion *motion, const telling *m) {
+  motion->has_strength = m->strength != NULL;
+  if (!motion->has_strength) return;
+  motion->cohesion = resistance(m->t, &m->strength->cohesion);
+  motion->bond = resistance(m->t, &m->strength->bond);
+}
+
+/* What cohesion and bonds do in the mode, over the weight. */
+static tp_motion_outcome find_strength(tp_strength *strength, const tp_onset_telling *t,
+                                       const tp_motion_mode *mode) {
+  const tp_mode own = {.ray_count = mode->ray_count,
+                       .rays = {mode->rays[0], mode->rays[1]},
+                       .edge_count = mode->edge_count,
+                       .edges = mode->edges};
+  const tp_motion_outcome done =
+      tp_strength_find(strength, t->question, &t->motions->normals, &t->motions->twists, &own);
+  arb_t weight;
+  arb_init(weight);
+  set_weight(weight, t);
+  tp_strength_divide(strength, weight, t->e->rung.bits);
+  arb_clear(weight);
   return done;
 }
 
 static tp_motion_outcome add_motion(const tp_onset_telling *t, const tp_motion_mode *mode,
                                     const tp_vector *loads) {
   tp_onset *onset = &t->result->onset;
+  const bool strong = t->question->strong != NULL;
   tp_start start;
-  if (!tp_start_init(&start, mode)) return TP_MOTION_OUT_OF_MEMORY;
-  tp_motion_outcome done = tp_start_find(&start, t->question, t->motions, mode, loads);
+  tp_strength strength;
+  tp_start_init(&start, mode);
+  tp_strength_init(&strength);
+  const telling told = {t, mode, strong ? &strength : NULL, &start};
+  tp_motion_outcome done = strong ? find_strength(&strength, t, mode) : TP_MOTION_PROVEN;
+  if (done == TP_MOTION_PROVEN) {
+    done = tp_start_find(&start, t->question, t->motions, mode, loads, told.strength);
+  }
   if (done == TP_MOTION_PROVEN && start.moves) {
     tp_motion *own = onset->motions + onset->motion_count++;
     own->mechanism = mode->mechanism;
     own->accelerations_fixed = start.fixed;
+    own->greatest = start.greatest;
     set_accelerations(own, t, &start);
+    set_resistance(own, &told);
     onset->paradox = onset->paradox || start.paradox;
-    done = set_contacts(own, t, mode, &start);
+    done = set_contacts(own, &told);
   }
+  tp_strength_clear(&strength);
   tp_start_clear(&start);
   return done;
 }
@@ -176,9 +263,20 @@ static tp_answer holds(const tp_motions *m, long mode, const arb_t tilt) {
   return answer;
 }
 
+/* Each mechanism once. */
+static void set_beginnings(tp_onset *onset) {
+  onset->beginning_count = 0;
+  for (int m = TP_SLIDES; m <= TP_LEAVES_BASE; m++) {
+    bool found = false;
+    for (size_t k = 0; k < onset->motion_count; k++) {
+      found = found || (int)onset->motions[k].mechanism == m;
+    }
+    if (found) onset->beginnings[onset->beginning_count++] = (tp_mechanism)m;
+  }
+}
+
 tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) {
   tp_onset *onset = &t->result->onset;
-  if (t->question->strong != NULL) return TP_MOTION_PROVEN;
   const tp_motions *m = t->motions;
   onset->motions = calloc((size_t)m->mode_count + 1, sizeof *onset->motions);
   if (onset->motions == NULL) return TP_MOTION_OUT_OF_MEMORY;
@@ -192,6 +290,7 @@ tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) 
     if (here == TP_YES) done = add_motion(t, m->modes + k, &loads);
   }
   onset->has_motions = done == TP_MOTION_PROVEN;
+  if (onset->has_motions) set_beginnings(onset);
   tp_vector_clear(&loads);
   return done;
 }

@@ -66,6 +66,7 @@ static void set_first(const tp_onset_telling *t, const tp_motion_window *w) {
   onset->mechanism = w->mechanism;
   onset->tie = w->tie;
   onset->tied_with = w->tied_with;
+  onset->tie_bits = w->tie && !w->tie_exact ? t->question->judge.bits : 0;
   onset->kind = w->from.endless ? TP_ONSET_NOWHERE : TP_ONSET_AT_ANGLE;
   if (w->from.endless) return;
   onset->critical_angle_deg = tp_evaluation_result(t->e, w->from.degrees);

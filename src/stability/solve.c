@@ -58,7 +58,9 @@ static bool evaluate_statics(tp_evaluation *evaluation, tp_case *own, kept_limit
     kept->onset_settled = evaluation->certain;
     tp_effects_note(c->solution, "onset", place, "", began);
   }
-  if (done && kept->settled && kept->onset_settled) tp_onset_meet_limit(own, evaluation);
+  if (done && kept->settled && kept->onset_settled) {
+    tp_onset_meet_limit(own, evaluation, &kept->onset, &kept->limit);
+  }
   return done;
 }
 

@@ -34,6 +34,8 @@ SCENES = {
     "slides at every tilt": "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n"
                             "loads: {anchors: [{at: [0, 0], direction_deg: 180, force_kn: 2000}]}\n"
                             "tilt: {towards: left, angle_deg: 10}\n",
+    "overcomes cohesion": "block: {slab: {width: 6, height: 2}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 20\n"
+                          "loads: {cohesion_kpa: 8, bond_kpa: 3}\ntilt: {towards: left, angle_deg: 40}\n",
     "water overtops": "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n"
                       "loads: {water: {height: 3, stays_level: true}}\ntilt: {towards: left, angle_deg: 5}\n",
     "frame of the world": "block: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]}\nframe: world\nfriction_angle_deg: 30\n",

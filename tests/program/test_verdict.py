@@ -19,6 +19,9 @@ from harness import ROOT, main, run
 
 BLOCK_A = (ROOT / "examples/block_a_peak.yaml").read_text(encoding="utf-8")
 
+COLUMN = ("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [4, 14], [4, 83], [0, 83]]}\n"
+          "base: {profile: [[-5, -5], [0, 0], [4, 9], [9, 11]]}\nfriction_angle_deg: 74.3\ntilt: {towards: left, angle_deg: 66}\n")
+
 
 class Verdict(unittest.TestCase):
     def setUp(self):
@@ -41,8 +44,8 @@ class Verdict(unittest.TestCase):
         y = sum(b * w for _, b, w in arms) / area
         moments = math.degrees(math.atan2(x, y - 5))
         for tilt, mechanism, said in ((20, "stands", "  Stands at 20°.\n"),
-                                      (28, "may move", "  May move at 28°, or stand: history decides.\n"),
-                                      (32, "slides and topples", "  Does not stand at 32°: it can begin to topple.\n")):
+                                      (28, "may move", "  May move at 28°, or stand: history decides.\n  It can begin to topple.\n"),
+                                      (32, "topples", "  Does not stand at 32°: it can begin to topple.\n")):
             with self.subTest(tilt=tilt):
                 page, case = self.block_a(60, tilt)
                 self.assertEqual(case["mechanism"], mechanism)
@@ -55,6 +58,37 @@ class Verdict(unittest.TestCase):
                 self.assertIn("Between them history decides: friction on facets that nothing has pressed\n", page)
                 self.assertEqual("Motions that can begin" in page, tilt > moments)
                 self.assertLessEqual(max(map(len, page.splitlines())), 80)
+
+    def test_beyond_the_limit(self):
+        """At 32 degrees the limit's mechanism is to slide and topple, but the block topples: what a person reads
+        of it is what can begin, in every output. The margin is to the tilt from which that can begin."""
+        page, case = self.block_a(60, 32)
+        self.assertEqual((case["mechanism"], case["can_begin"], case["limit"]["mechanism"], case["first"]["mechanism"]),
+                         ("topples", ["topples"], "slides and topples", "slides and topples"))
+        self.assertIn("Does not stand at 32°: it can begin to topple.\n", page)
+        cells = [cell.strip() for cell in run("solve", "--table", self.path)[1].splitlines()[2].split("|")]
+        self.assertEqual((cells[4], cells[12]), ("topples", "slides and topples"))
+        (row,) = csv.DictReader(io.StringIO(run("solve", "--csv", self.path)[1]))
+        self.assertEqual((row["verdict"], row["can_begin"], row["limit_mechanism"]),
+                         ("topples", "topples", "slides and topples"))
+        for tilt in (20, 28, 32):
+            first, onset, limit = (lambda c: (c["first"], c["onset"], c["limit"]))(self.block_a(60, tilt)[1])
+            for key, angle in (("margin_deg", onset), ("margin_to_first_deg", limit)):
+                gap = angle["critical_angle_deg"]["value"] - tilt
+                self.assertAlmostEqual(first[key]["value"], gap, delta=1e-9)
+                self.assertLess(first[key]["error"], 1e-9)
+
+    def test_several_motions(self):
+        """A tall column on a steep and very rough flank, far beyond its limit: rigid bodies have no unique motion there
+        (Painleve). All are named, and the verdict is one of them."""
+        self.path.write_text(COLUMN)
+        page, case = run("solve", self.path)[1], json.loads(run("solve", "--json", self.path)[1])["cases"][0]
+        self.assertGreater(len(case["can_begin"]), 1)
+        self.assertIn(case["mechanism"], case["can_begin"])
+        verbs = {"slides": "slide", "topples": "topple", "slides and topples": "slide and topple", "leaves its base": "leave its base"}
+        self.assertIn("it can begin to " + ", or to ".join(verbs[m] for m in case["can_begin"]) + ".\n", page)
+        cells = [cell.strip() for cell in run("solve", "--table", self.path)[1].splitlines()[2].split("|")]
+        self.assertEqual(cells[4], " or ".join(case["can_begin"]))
 
     def test_no_window(self):
         """With 30 degrees both are one, and nothing is said of history."""
@@ -71,9 +105,29 @@ class Verdict(unittest.TestCase):
         self.assertIn("Certain to stand at every tilt up to 90°: no motion can begin.\n", page)
         page = run("solve", "tests/hard/limit_parallel_cones.yaml")[1]
         self.assertNotIn("nterlocked", page)
-        self.assertIn("Not certain to move at any tilt up to 90°: some forces would hold it.\n  Beyond that history decides", page)
+        self.assertIn("Not certain to move at any tilt up to 90°: some forces would hold it.\n  Beyond α_s history decides", page)
         for case in json.loads(run("solve", "--json", "tests/hard/limit_parallel_cones.yaml")[1])["cases"]:
             self.assertEqual((case["limit"]["mechanism"], case["mechanism"]), ("interlocked", "stands"))
+
+    def test_leaning(self):
+        """A column that leans up-dip falls over up to 12.529 degrees and stands from there to 33.690: the report told
+        of the first alone. There is no margin to a tilt from which it is not certain to stand: it falls."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 0], [6, 9], [4, 9]]}\n"
+                             "base: {mated: true, between: [[0, 0], [2, 0]]}\nfriction_angle_deg: 40\n"
+                             "tilt: {towards: left, angle_deg: 5}\n")
+        page, case = run("solve", self.path)[1], json.loads(run("solve", "--json", self.path)[1])["cases"][0]
+        self.assertIn("  Lets go up-dip already at 5°: below 12.529° it topples.\n"
+                      "  Motions can begin up to 12.529° (first to topple),\n    from 33.690° on (first to topple)\n"
+                      "  and at no other tilt up to 90°.\n", page)
+        self.assertIn("\n    topples about (2, 0):\n", page)
+        self.assertEqual((case["mechanism"], case["can_begin"], case["first"]["margin_deg"]), ("topples", ["topples"], None))
+
+    def test_no_strength_holds_it(self):
+        """Past the tilt of its moments a slab topples on any strength: `none` alone left open which of the two it meant."""
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 3, height: 2}}\nfriction_angle_deg: 35\n"
+                             "tilt: {towards: left, angle_deg: 62}\n")
+        self.assertIn("  none      any motion              strength reduction: no strength holds it\n",
+                      run("solve", self.path)[1])
 
     def test_motions(self):
         """Of a block that turns about a toe that sticks, the weight's moment over the inertia about it; the centroid
@@ -105,7 +159,7 @@ class Verdict(unittest.TestCase):
         """A column of the tilt up to which it is certain to stand."""
         self.block_a(60, 28)
         cells = [cell.strip() for cell in run("solve", "--table", self.path)[1].splitlines()[2].split("|")]
-        self.assertEqual((cells[4], cells[7], cells[11]), ("may move", "26.215°", "30.251°"))
+        self.assertEqual((cells[4], cells[7], cells[11]), ("may move: topples", "26.215°", "30.251°"))
         (row,) = csv.DictReader(io.StringIO(run("solve", "--csv", self.path)[1]))
         self.assertEqual((row["verdict"], round(float(row["certain_to_stand_deg"]), 3)), ("may move", 26.215))
 
