@@ -5,6 +5,7 @@
 
 #include "motion/closed.h"
 #include "motion/newton.h"
+#include "motion/starting.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,104 +28,9 @@ void tp_start_clear(tp_start *start) {
   _arb_vec_clear(start->forces, start->force_count);
 }
 
-/* One mode at work. */
-typedef struct starting {
-  tp_start *start;
-  const tp_motion_question *q;
-  const tp_motions *m;
-  const tp_motion_mode *mode;
-  const tp_strength *strength; /* or NULL */
-  tp_vector loads;             /* with what is fixed of the strength */
-  tp_vector rest;              /* with free forces at one of their bounds */
-  long count;                  /* of the generators: rays, edges, pulls; behind them ... */
-  long free_count;             /* ... those whose factor goes from -1 to 1 */
-  tp_vector *items;
-  long solutions;
-  bool greatest; /* is kept, not the least: */
-  arb_t best;    /* sum of the factors of rays */
-} starting;
-
-/* w = f_0 g_0 + f_1 g_1 + f_2 g_2 by Cramer's rule. TP_NO: they span no space. */
-static tp_answer solve(arb_ptr factors, const starting *s, const long of[3]) {
-  const long bits = s->q->judge.precision;
-  const tp_vector *g[3] = {s->items + of[0], s->items + of[1], s->items + of[2]};
-  tp_vector cross;
-  arb_t whole;
-  tp_vector_init(&cross);
-  arb_init(whole);
-  double scale = 0;
-  for (int k = 0; k < 3; k++) scale += tp_vector_log2_size(g[k]);
-  tp_vector_cross(&cross, g[1], g[2], bits);
-  tp_vector_dot(whole, &cross, g[0], bits);
-  const int sign = tp_judge_sign(&s->q->judge, whole, scale);
-  for (int k = 0; k < 3 && (sign == 1 || sign == -1); k++) {
-    tp_vector_cross(&cross, g[(k + 1) % 3], g[(k + 2) % 3], bits);
-    tp_vector_dot(factors + k, &cross, &s->rest, bits);
-    arb_div(factors + k, factors + k, whole, s->q->judge.bits);
-  }
-  tp_vector_clear(&cross);
-  arb_clear(whole);
-  return sign == OPEN_SIGN ? TP_OPEN : sign == 0 ? TP_NO : TP_YES;
-}
-
-/* Sign of a factor, or of what is left of a free one to its bound. */
-static int sign_of(const starting *s, const arb_t factor, bool is_free) {
-  if (!is_free) return tp_judge_sign(&s->q->judge, factor, 0);
-  arb_t left;
-  arb_init(left);
-  arb_abs(left, factor);
-  arb_sub_ui(left, left, 1, s->q->judge.bits);
-  arb_neg(left, left);
-  const int sign = tp_judge_sign(&s->q->judge, left, 0);
-  arb_clear(left);
-  return sign;
-}
-
-/* Is every factor within its bounds, and are all rays at work? */
-static tp_answer is_motion(arb_srcptr factors, const starting *s, const long of[3]) {
-  int rays = 0;
-  for (int k = 0; k < 3; k++) {
-    const int sign = sign_of(s, factors + k, of[k] >= s->count);
-    if (sign == OPEN_SIGN) return TP_OPEN;
-    if (sign < 0) return TP_NO;
-    if (of[k] < s->mode->ray_count && sign > 0) rays++;
-  }
-  return rays == s->mode->ray_count ? TP_YES : TP_NO;
-}
-
-static void keep(starting *s, arb_srcptr factors, const long of[3]) {
-  const long bits = s->q->judge.bits;
-  tp_start *start = s->start;
-  arb_t sum;
-  arb_init(sum);
-  for (int k = 0; k < 3; k++) {
-    if (of[k] < s->mode->ray_count) arb_add(sum, sum, factors + k, bits);
-  }
-  const int order = arf_cmp(arb_midref(sum), arb_midref(s->best));
-  const bool best = s->solutions == 0 || (s->greatest ? order > 0 : order < 0);
-  s->solutions++;
-  if (best) {
-    arb_set(s->best, sum);
-    for (int e = 0; e < 3; e++) arb_zero(start->twist.of + e);
-    _arb_vec_zero(start->forces, start->force_count);
-    for (int k = 0; k < 3; k++) {
-      if (of[k] >= s->count) continue;
-      if (of[k] >= s->mode->ray_count) {
-        arb_set(start->forces + of[k] - s->mode->ray_count, factors + k);
-        continue;
-      }
-      const tp_vector *twist = &s->m->twists.rays[s->mode->rays[of[k]]].twist;
-      for (int e = 0; e < 3; e++) {
-        arb_addmul(start->twist.of + e, twist->of + e, factors + k, bits);
-      }
-    }
-  }
-  arb_clear(sum);
-}
-
 /* Do all forces pass through one place, or have one direction, so that what balances across them
  * fixes the motion of one ray? */
-static bool forces_are_alike(const starting *s) {
+static bool forces_are_alike(const tp_starting *s) {
   const tp_normals *n = &s->m->normals;
   const tp_mode_edge *first = s->mode->edges;
   bool site = true, direction = true;
@@ -137,61 +43,8 @@ static bool forces_are_alike(const starting *s) {
   return s->mode->ray_count == 1 && (site || direction);
 }
 
-/* The loads with each free force that is none of the three at its bound: bit k tells which. */
-static void set_rest(starting *s, unsigned bounds, const long of[3]) {
-  const long bits = s->q->judge.bits;
-  for (int e = 0; e < 3; e++) arb_set(s->rest.of + e, s->loads.of + e);
-  for (long k = 0; k < s->free_count; k++) {
-    const long own = s->count + k;
-    if (of[0] == own || of[1] == own || of[2] == own) continue;
-    for (int e = 0; e < 3; e++) {
-      arb_struct *rest = s->rest.of + e;
-      const arb_struct *force = s->items[own].of + e;
-      if ((bounds >> k & 1U) != 0) {
-        arb_add(rest, rest, force, bits);
-      } else {
-        arb_sub(rest, rest, force, bits);
-      }
-    }
-  }
-}
-
-/* Three generators with free forces at every choice of their bounds; of those that are among the
- * three it makes no difference. */
-static tp_answer try_three(starting *s, arb_ptr factors, const long of[3]) {
-  unsigned among = 0;
-  for (int k = 0; k < 3; k++) {
-    if (of[k] >= s->count) among |= 1U << (of[k] - s->count);
-  }
-  tp_answer answer = TP_YES;
-  for (unsigned bounds = 0; bounds < 1U << s->free_count && answer != TP_OPEN; bounds++) {
-    if ((bounds & among) != 0) continue;
-    set_rest(s, bounds, of);
-    answer = solve(factors, s, of);
-    if (answer == TP_YES) answer = is_motion(factors, s, of);
-    if (answer == TP_YES) keep(s, factors, of);
-  }
-  return answer;
-}
-
-/* All rays of the mode are at work: they are among the three. */
-static tp_motion_outcome try_all(starting *s) {
-  arb_struct *factors = _arb_vec_init(3);
-  tp_answer answer = TP_YES;
-  const long all = s->count + s->free_count;
-  const long end = s->mode->ray_count == 2 ? 2 : all;
-  long of[3] = {0};
-  for (of[1] = 1; of[1] < end && answer != TP_OPEN; of[1]++) {
-    for (of[2] = of[1] + 1; of[2] < all && answer != TP_OPEN; of[2]++) {
-      answer = try_three(s, factors, of);
-    }
-  }
-  _arb_vec_clear(factors, 3);
-  return answer == TP_OPEN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
-}
-
 /* Does it turn about a place through which all forces pass, those of lines that stick included? */
-static bool turns_about_all(const starting *s) {
+static bool turns_about_all(const tp_starting *s) {
   const tp_cone_point *points = s->m->normals.cones->points;
   const long site = s->m->twists.rays[s->mode->rays[0]].site;
   bool all = s->strength != NULL && s->mode->ray_count == 1 && site >= 0 &&
@@ -207,7 +60,7 @@ static bool turns_about_all(const starting *s) {
 
 /* Then what turns it is the moment of the loads about that place, and the sum of all forces there
  * is what is left. */
-static tp_motion_outcome turn(starting *s) {
+static tp_motion_outcome turn(tp_starting *s) {
   const long bits = s->q->judge.bits;
   const tp_motion_question *q = s->q;
   const long point = s->mode->edges[0].point;
@@ -241,7 +94,7 @@ static tp_motion_outcome turn(starting *s) {
 }
 
 /* n . M^-1 e of a contact that slips. */
-static tp_motion_outcome look_for_paradox(starting *s) {
+static tp_motion_outcome look_for_paradox(tp_starting *s) {
   const long bits = s->q->judge.precision;
   const tp_normals *n = &s->m->normals;
   tp_vector edge, normal;
@@ -273,7 +126,7 @@ static tp_motion_outcome look_for_paradox(starting *s) {
 }
 
 /* The block alone: a = (w_x, w_y, w_m / k^2); as a twist about the origin of the cones. */
-static void start_freely(starting *s) {
+static void start_freely(tp_starting *s) {
   const tp_motion_question *q = s->q;
   const long bits = q->judge.bits;
   tp_vector *a = &s->start->acceleration, *twist = &s->start->twist;
@@ -289,13 +142,13 @@ static void start_freely(starting *s) {
   s->start->moves = s->start->fixed = s->start->forces_fixed = true;
 }
 
-static void set_acceleration(starting *s) {
+static void set_acceleration(tp_starting *s) {
   const tp_ray turn = {.twist = s->start->twist, .axis = -1};
   tp_newton_inertia(&s->start->acceleration, s->q, &turn);
   arb_set(s->start->acceleration.of + 2, s->start->twist.of + 2);
 }
 
-static void set_generators(starting *s) {
+static void set_generators(tp_starting *s) {
   const tp_motion_mode *mode = s->mode;
   const long pulls = s->strength != NULL ? s->strength->pull_count : 0;
   for (long k = 0; k < s->count + s->free_count; k++) {
@@ -315,7 +168,7 @@ static void set_generators(starting *s) {
 }
 
 /* Do bonds pull on a slide by no more than all of them, where it needs the least of them? */
-static tp_motion_outcome bound_pulls(starting *s) {
+static tp_motion_outcome bound_pulls(tp_starting *s) {
   const long pulls = s->strength != NULL ? s->strength->pull_count : 0;
   if (pulls == 0 || s->solutions == 0) return TP_MOTION_PROVEN;
   arb_t left;
@@ -330,7 +183,7 @@ static tp_motion_outcome bound_pulls(starting *s) {
   return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
-static tp_motion_outcome start_touching(starting *s) {
+static tp_motion_outcome start_touching(tp_starting *s) {
   tp_start *start = s->start;
   const long pulls = s->strength != NULL ? s->strength->pull_count : 0;
   s->count = s->mode->ray_count + s->mode->edge_count + pulls;
@@ -340,7 +193,7 @@ static tp_motion_outcome start_touching(starting *s) {
   s->items = calloc((size_t)(s->count + s->free_count), sizeof *s->items);
   if (s->items == NULL) return TP_MOTION_OUT_OF_MEMORY;
   set_generators(s);
-  tp_motion_outcome done = turns_about_all(s) ? turn(s) : try_all(s);
+  tp_motion_outcome done = turns_about_all(s) ? turn(s) : tp_starting_try(s);
   if (done == TP_MOTION_PROVEN) done = bound_pulls(s);
   const bool alone = s->solutions == 1 && s->free_count == 0;
   start->moves = s->solutions > 0;
@@ -358,7 +211,7 @@ static tp_motion_outcome start_touching(starting *s) {
 tp_motion_outcome tp_start_find(tp_start *start, const tp_motion_question *q, const tp_motions *m,
                                 const tp_motion_mode *mode, const tp_vector *loads,
                                 const tp_strength *strength) {
-  starting s = {.start = start, .q = q, .m = m, .mode = mode, .strength = strength};
+  tp_starting s = {.start = start, .q = q, .m = m, .mode = mode, .strength = strength};
   tp_vector_init(&s.loads);
   tp_vector_init(&s.rest);
   arb_init(s.best);

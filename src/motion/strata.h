@@ -30,6 +30,9 @@ typedef struct tp_mode {
   const tp_mode_edge *edges;
 } tp_mode;
 
+/* Is its one ray a slide? */
+bool tp_mode_slides(const tp_mode *mode, const tp_twists *twists);
+
 /* Called for each mode; ends the visit with another outcome than TP_MOTION_PROVEN. */
 typedef tp_motion_outcome (*tp_mode_visit)(void *context, const tp_mode *mode);
 

@@ -249,10 +249,6 @@ static bool prepare(gathering *g) {
   return true;
 }
 
-static bool is_slide(const tp_twists *twists, const tp_mode *mode) {
-  return mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
-}
-
 tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, const tp_normals *n,
                                    const tp_twists *twists, const tp_mode *mode) {
   gathering g = {.strength = s, .q = q, .n = n, .twists = twists, .mode = mode};
@@ -262,7 +258,7 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
   arb_zero(s->most_pull);
   if (!prepare(&g)) return TP_MOTION_OUT_OF_MEMORY;
   tp_motion_outcome done = TP_MOTION_TOO_DEAR;
-  if (!is_slide(twists, mode)) {
+  if (!tp_mode_slides(mode, twists)) {
     done = add_turn(&g);
   } else if (tp_work_spend(q->work, 2, q->strong->allowance_count, q->judge.bits)) {
     done = add_slide(&g);
@@ -270,53 +266,5 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
   for (int k = 0; k < 3; k++) {
     arb_add(s->fixed.of + k, s->cohesion.of + k, s->bond.of + k, q->judge.bits);
   }
-  return done;
-}
-
-/* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */
-static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const tp_mode *mode) {
-  const tp_cones *strong = q->strong;
-  if (mode->ray_count == 0 || mode->edge_count == 0) return true;
-  if (!is_slide(twists, mode)) return false;
-  for (long k = 0; k < strong->allowance_count; k++) {
-    if (!arb_is_zero(strong->allowances[k].pull)) return true;
-  }
-  return false;
-}
-
-/* The line goes by its first point. A slide on more lines than one is none's alone. */
-static tp_motion_outcome find_least(long *least, const tp_normals *n, long first, bool slides) {
-  const long own = n->family_of[first];
-  long family = own;
-  while (slides && family > 0 && n->families[family - 1].axis == n->families[own].axis) family--;
-  *least = first;
-  for (; family < n->family_count && (slides || family == own); family++) {
-    if (n->families[family].axis != n->families[own].axis) break;
-    long ends[2];
-    tp_normals_of_family(ends, n, family);
-    for (long k = ends[0]; k < ends[1] && *least >= 0; k++) {
-      const long point = n->order[k];
-      const int shared = point == first ? 1 : tp_normals_share_line(n, first, point);
-      if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
-      if (shared == 1 && point < *least) *least = point;
-      if (shared == 0 && slides) *least = -1;
-    }
-  }
-  return TP_MOTION_PROVEN;
-}
-
-tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *q, const tp_normals *n,
-                                     const tp_twists *twists, const tp_mode *mode) {
-  *number = 0;
-  if (is_alone(q, twists, mode)) return TP_MOTION_PROVEN;
-  const long first = mode->edges[0].point;
-  for (long k = 1; k < mode->edge_count; k++) {
-    const int shared = tp_normals_share_line(n, first, mode->edges[k].point);
-    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
-    if (shared == 0) return TP_MOTION_PROVEN;
-  }
-  long least = -1;
-  const tp_motion_outcome done = find_least(&least, n, first, is_slide(twists, mode));
-  *number = least + 1;
   return done;
 }
