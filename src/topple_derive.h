@@ -84,6 +84,34 @@ typedef struct tp_derived_limit {
   tp_fraction *conditions;
 } tp_derived_limit;
 
+/* What holds the weight in balance at the onset of a motion: a force along an edge of the friction
+ * cone at a contact point, as above; or what accelerates the block, as it turns about a point, or
+ * slides. */
+typedef struct tp_derived_row {
+  bool is_force;
+  bool against_slip; /* of a force */
+  bool turns;        /* of a motion; else it slides, and no point is given */
+  tp_fraction x, y;  /* the contact point, or the centre of turning */
+} tp_derived_row;
+
+/* The onset of motion in symbols (docs/onset.md), in those of the limit: the tangent of the tilt up
+ * to which no motion can begin. It holds wherever all conditions, formulas, are above zero; they
+ * are enough for that, and it may hold beyond them. */
+typedef struct tp_derived_onset {
+  tp_onset_kind kind; /* at the scene's values */
+  tp_mechanism mechanism;
+  bool below_limit;   /* certainly, at the scene's values */
+  bool known;         /* false: there is no angle, or */
+  const char *reason; /* why it is not derived, a static text; else NULL */
+  bool same_as_limit; /* one formula serves for both */
+  tp_fraction tangent;
+  tp_bounded critical_angle_deg; /* at the scene's values */
+  tp_derived_row rows[2];
+  bool positive; /* as for the limit */
+  size_t condition_count;
+  tp_fraction *conditions;
+} tp_derived_onset;
+
 typedef struct tp_derivation {
   TP_OUTSIDE char *title;
   tp_notation notation;
@@ -98,13 +126,14 @@ typedef struct tp_derivation {
   tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
   tp_derived_rounding rounded[2];  /* by direction; where asked for */
   tp_derived_limit limit[2];       /* likewise */
+  tp_derived_onset onset[2];       /* with the limit */
 } tp_derivation;
 
 typedef struct tp_derive_options {
   tp_notation notation;
   bool elements; /* derive the elements form and list its elements */
   bool rounded;  /* round the corners at the governing pivots */
-  bool limit;    /* derive the static limit */
+  bool limit;    /* derive the static limit and the onset of motion */
 } tp_derive_options;
 
 tp_derive_options tp_derive_options_default(void);

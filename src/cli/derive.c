@@ -23,7 +23,7 @@ static const struct argp_option options[] = {
     {"c", KEY_C, NULL, 0, "Print C functions", 0},
     {"elements", 'e', NULL, 0, "Derive the factor of safety by elements too, and list them", 0},
     {"rounded", 'r', NULL, 0, "Round the corners at the governing pivots too", 0},
-    {"limit", 'l', NULL, 0, "Derive the static limit too, in tan(phi)", 0},
+    {"limit", 'l', NULL, 0, "Derive the static limit and the onset of motion too, in tan(phi)", 0},
     {"for-all", KEY_FOR_ALL, "count", 0, "One formula for every number of teeth", 0},
     {0}};
 

@@ -15,6 +15,18 @@ void tp_conditions_clear(tp_conditions *c) {
   c->count = c->capacity = 0;
 }
 
+void tp_conditions_forget(tp_conditions *c, long count) {
+  while (c->count > count) fmpz_mpoly_q_clear(c->items + --c->count, c->field->ring);
+}
+
+long tp_conditions_length(const tp_conditions *c, long first) {
+  long terms = 0;
+  for (long k = first; k < c->count; k++) {
+    terms += fmpz_mpoly_length(fmpz_mpoly_q_numref(c->items + k), c->field->ring);
+  }
+  return terms;
+}
+
 /* 1 or -1 where all coefficients have that sign, 0 where they differ. */
 static int sign_of_coefficients(const fmpz_mpoly_t polynomial, const tp_field *field) {
   fmpz_t coefficient;

@@ -5,6 +5,7 @@
 
 #include "derive/c_names.h"
 #include "derive/derive_limit.h"
+#include "derive/derive_onset.h"
 #include "derive/derive_rounding.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
@@ -49,6 +50,7 @@ void tp_derivation_free(tp_derivation *derivation) {
   for (int d = 0; d < 2; d++) {
     tp_derived_rounding_free(derivation->rounded + d);
     tp_derived_limit_free(derivation->limit + d);
+    tp_derived_onset_free(derivation->onset + d);
     for (size_t k = 0; derivation->elements[d] != NULL && k < derivation->element_count; k++) {
       tp_notation_free(&derivation->elements[d][k].area);
       tp_notation_free(&derivation->elements[d][k].normal_arm);
@@ -209,8 +211,15 @@ static tp_status list_elements(work *w, const tp_case *own) {
 static tp_status derive_limit(work *w, const tp_case *own, const tp_derive_options *options) {
   const tp_field *field = &w->model.symbols.field;
   const long before = options->rounded ? tp_derive_rounding_symbols.count : 0;
-  return tp_derive_limit(w->out->limit + own->towards, &w->model, own,
-                         tp_field_added(field, before), options->notation, &w->failed, w->message);
+  const long friction = tp_field_added(field, before);
+  tp_derived_limit *limit = w->out->limit + own->towards;
+  const tp_status status =
+      tp_derive_limit(limit, &w->model, own, friction, options->notation, &w->failed, w->message);
+  if (status == TP_OK) {
+    tp_derive_onset(w->out->onset + own->towards, limit, &w->model, own, friction,
+                    options->notation, &w->failed);
+  }
+  return status;
 }
 
 static tp_status derive_case(work *w, const tp_case *own, const tp_derive_options *options) {

@@ -3,10 +3,11 @@
 
 #include "derive/derive_limit.h"
 
-#include "derive/conditions.h"
+#include "derive/contact_conditions.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
 #include "number/ball.h"
+#include "stability/friction.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -129,6 +130,7 @@ static void write_conditions(const writing *w) {
   for (int k = 0; k < 2; k++) tp_conditions_add(&conditions, factors[k]);
   tp_conditions_add(&conditions, w->formulas->cosine);
   add_powers(&conditions, w);
+  (void)tp_contact_conditions(&conditions, w->formulas->model); /* alike: either end will do */
   w->out->positive = conditions.positive;
   w->out->conditions = calloc((size_t)conditions.count + 1, sizeof *w->out->conditions);
   if (w->out->conditions == NULL || conditions.failed) *w->failed = true;
@@ -140,17 +142,16 @@ static void write_conditions(const writing *w) {
   tp_conditions_clear(&conditions);
 }
 
-/* tan(phi) at the scene's friction, and its parameters. */
-static void set_values(const writing *w, const tp_model *model, long friction) {
+void tp_derive_limit_values(arb_ptr values, const tp_model *model, long friction, long bits) {
   const tp_scene *scene = model->problem.scene;
   for (long k = 0; k < scene->parameters.count; k++) {
-    arb_set_fmpq(w->values + k, scene->parameters.values + k, BITS);
+    arb_set_fmpq(values + k, scene->parameters.values + k, bits);
   }
-  arb_t cosine;
-  arb_init(cosine);
-  tp_ball_sin_cos_degrees(w->values + friction, cosine, scene->friction_angle_deg.value, BITS);
-  arb_div(w->values + friction, w->values + friction, cosine, BITS);
-  arb_clear(cosine);
+  arb_t degrees;
+  arb_init(degrees);
+  arb_set_fmpq(degrees, scene->friction_angle_deg.value, bits);
+  tp_friction_tangent(values + friction, degrees, bits);
+  arb_clear(degrees);
 }
 
 static tp_bounded angle_at_values(const writing *w) {
@@ -206,7 +207,7 @@ tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp
       tp_limit_formulas_init(&formulas, model, own->towards, friction, basis, message);
   if (status != TP_OK) return status;
   const writing w = {out, &formulas, field, notation, failed, _arb_vec_init(field->symbol_count)};
-  set_values(&w, model, friction);
+  tp_derive_limit_values(w.values, model, friction, BITS);
   status = write_all(&w, basis, message);
   _arb_vec_clear(w.values, field->symbol_count);
   tp_limit_formulas_clear(&formulas);

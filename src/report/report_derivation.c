@@ -7,6 +7,7 @@
 #include "report/c_arguments.h"
 #include "report/encode.h"
 #include "report/report_derived_limit.h"
+#include "report/report_derived_onset.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -101,6 +102,7 @@ static void write_text(tp_text *t, const tp_derivation *d) {
   add_text_rounding(t, d->rounded + TP_TOWARDS_LEFT, TP_TOWARDS_LEFT);
   add_text_rounding(t, d->rounded + TP_TOWARDS_RIGHT, TP_TOWARDS_RIGHT);
   tp_text_derived_limit(t, d);
+  tp_text_derived_onset(t, d);
 }
 
 static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
@@ -139,6 +141,7 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
   }
   add_latex_rounding(t, d);
   tp_latex_derived_limit(t, d);
+  tp_latex_derived_onset(t, d);
 }
 
 static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
@@ -193,6 +196,7 @@ static void write_c(tp_text *t, const tp_derivation *d) {
   for (size_t k = 0; k < d->pivot_count; k++) add_c_pivot(t, d, k);
   add_c_rounding(t, d);
   tp_c_derived_limit(t, d);
+  tp_c_derived_onset(t, d);
 }
 
 tp_status tp_report_derivation(char **text, const tp_derivation *derivation) {

@@ -6,6 +6,7 @@
 #include "host.h"
 #include "report/json.h"
 #include "report/report_derived_limit.h"
+#include "report/report_derived_onset.h"
 
 static void add_elements_form(tp_text *t, const tp_derived_pivot *p) {
   if (!p->has_elements) return;
@@ -89,6 +90,7 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
   tp_text_add(&t, "  ]");
   add_rounded(&t, derivation);
   tp_json_derived_limit(&t, derivation);
+  tp_json_derived_onset(&t, derivation);
   tp_text_add(&t, "\n}\n");
   return tp_text_finish(&t, text);
 }
