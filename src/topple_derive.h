@@ -66,6 +66,32 @@ typedef struct tp_derived_reaction {
   bool against_slip;
 } tp_derived_reaction;
 
+/* What the solver finds beside a formula. */
+typedef enum tp_check_verdict {
+  TP_CHECK_SAME,     /* the formula's angle, within the proven bound */
+  TP_CHECK_OTHER,    /* another angle */
+  TP_CHECK_NONE,     /* no angle */
+  TP_CHECK_CONTACT,  /* another contact: more or fewer facets or points, or ends of another kind */
+  TP_CHECK_REFUSED,  /* the scene has no answer there */
+  TP_CHECK_UNDECIDED /* at the precision allowed */
+} tp_check_verdict;
+
+/* A condition looked at from both sides in numbers: just inside the solver agrees with the formula,
+ * just outside it finds what `beyond` says. */
+typedef struct tp_derived_check {
+  size_t condition;
+  char *inside, *outside; /* the scene's numbers that were changed, as in "c = 7.41, b = 100" */
+  tp_check_verdict beyond;
+} tp_derived_check;
+
+/* By condition; one without a check was not met first in any of the directions gone from the
+ * scene's values. Not run: not asked for, or the outline has more than 2000 vertices. */
+typedef struct tp_derived_checks {
+  bool run;
+  size_t count;
+  tp_derived_check *items;
+} tp_derived_checks;
+
 /* The static limit in symbols (docs/mechanics.md section 6), with the base of the scene: the
  * tangent of the critical angle in the scene's parameters and tan(phi) from the two forces of the
  * optimal basis, which meet the weight in the centre of rotation. It holds wherever no condition, a
@@ -82,6 +108,7 @@ typedef struct tp_derived_limit {
   bool positive; /* all parameters are, and the conditions suppose so */
   size_t condition_count;
   tp_fraction *conditions;
+  tp_derived_checks checks; /* of the conditions */
 } tp_derived_limit;
 
 /* What holds the weight in balance at the onset of a motion: a force along an edge of the friction
@@ -110,6 +137,7 @@ typedef struct tp_derived_onset {
   bool positive; /* as for the limit */
   size_t condition_count;
   tp_fraction *conditions;
+  tp_derived_checks checks; /* of the conditions */
 } tp_derived_onset;
 
 typedef struct tp_derivation {
@@ -134,6 +162,7 @@ typedef struct tp_derive_options {
   bool elements; /* derive the elements form and list its elements */
   bool rounded;  /* round the corners at the governing pivots */
   bool limit;    /* derive the static limit and the onset of motion */
+  bool checked;  /* look at their conditions from both sides in numbers */
 } tp_derive_options;
 
 tp_derive_options tp_derive_options_default(void);

@@ -112,3 +112,17 @@ void tp_conditions_add(tp_conditions *c, const fmpz_mpoly_q_t value) {
   add_polynomial(c, fmpz_mpoly_q_numref(value));
   add_polynomial(c, fmpz_mpoly_q_denref(value));
 }
+
+void tp_conditions_add_above(tp_conditions *c, const fmpz_mpoly_q_t value) {
+  const fmpz_mpoly_ctx_struct *ring = c->field->ring;
+  fmpz_mpoly_q_t below, product;
+  fmpz_mpoly_q_init(below, ring);
+  fmpz_mpoly_q_init(product, ring);
+  fmpz_mpoly_set(fmpz_mpoly_q_numref(below), fmpz_mpoly_q_denref(value), ring);
+  fmpz_mpoly_one(fmpz_mpoly_q_denref(below), ring);
+  tp_field_mul(product, below, below, c->field); /* value times the square of its denominator */
+  tp_field_mul(product, product, value, c->field);
+  if (!is_known(c, product)) append(c, product);
+  fmpz_mpoly_q_clear(below, ring);
+  fmpz_mpoly_q_clear(product, ring);
+}

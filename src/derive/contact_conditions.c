@@ -56,6 +56,7 @@ static bool keep_end(tp_conditions *conditions, const tp_model *m, long first, l
       const bool alike =
           arb_contains_zero(ball) && !fmpz_mpoly_q_is_zero(gap, conditions->field->ring);
       if (alike) told = false;
+      if (alike) tp_conditions_add_above(conditions, gap); /* the end is the outermost */
       if (!alike) tp_conditions_add(conditions, gap);
     }
     if (k == last) break;

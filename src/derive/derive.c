@@ -16,7 +16,7 @@
 #include <string.h>
 
 tp_derive_options tp_derive_options_default(void) {
-  return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false};
+  return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false, .checked = true};
 }
 
 static void free_pivot(tp_derived_pivot *p) {
@@ -214,12 +214,10 @@ static tp_status derive_limit(work *w, const tp_case *own, const tp_derive_optio
   const long friction = tp_field_added(field, before);
   tp_derived_limit *limit = w->out->limit + own->towards;
   const tp_status status =
-      tp_derive_limit(limit, &w->model, own, friction, options->notation, &w->failed, w->message);
-  if (status == TP_OK) {
-    tp_derive_onset(w->out->onset + own->towards, limit, &w->model, own, friction,
-                    options->notation, &w->failed);
-  }
-  return status;
+      tp_derive_limit(limit, &w->model, own, friction, options, &w->failed, w->message);
+  if (status != TP_OK) return status;
+  return tp_derive_onset(w->out->onset + own->towards, limit, &w->model, own, friction, options,
+                         &w->failed, w->message);
 }
 
 static tp_status derive_case(work *w, const tp_case *own, const tp_derive_options *options) {

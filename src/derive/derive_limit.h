@@ -20,8 +20,9 @@ void tp_derive_limit_values(arb_ptr values, const tp_model *model, long friction
 /* Of a case of the model, whose field has the symbol at `friction`. `*failed` is set when memory is
  * exhausted. */
 TP_MUST_USE tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model,
-                                      const tp_case *own, long friction, tp_notation notation,
-                                      bool *failed, tp_message *message);
+                                      const tp_case *own, long friction,
+                                      const tp_derive_options *options, bool *failed,
+                                      tp_message *message);
 void tp_derived_limit_free(tp_derived_limit *limit);
 
 #endif

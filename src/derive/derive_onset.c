@@ -3,6 +3,7 @@
 
 #include "derive/derive_onset.h"
 
+#include "derive/checks.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
 #include "derive/onset_formulas.h"
@@ -19,6 +20,7 @@ void tp_derived_onset_free(tp_derived_onset *o) {
   }
   for (size_t k = 0; k < o->condition_count; k++) tp_notation_free(o->conditions + k);
   free(o->conditions);
+  tp_checks_free(&o->checks);
 }
 
 typedef struct writing {
@@ -109,41 +111,62 @@ static bool all_positive(const tp_scene *scene) {
   return true;
 }
 
-static void derive(tp_derived_onset *out, const tp_onset_wanted *wanted, tp_notation notation,
-                   bool *failed) {
+static tp_status check(const writing *w, const tp_onset_wanted *wanted, tp_message *message) {
+  const tp_onset_formulas *f = w->formulas;
+  const tp_checked_formula checked = {.model = wanted->model,
+                                      .towards = wanted->towards,
+                                      .onset = true,
+                                      .friction = wanted->friction,
+                                      .tangent = f->tangent,
+                                      .conditions = &f->conditions};
+  return tp_checks_run(&w->out->checks, &checked, message);
+}
+
+static tp_status derive(tp_derived_onset *out, const tp_onset_wanted *wanted,
+                        const tp_derive_options *options, bool *failed, tp_message *message) {
   tp_onset_formulas formulas;
   out->reason = tp_onset_formulas_init(&formulas, wanted, failed);
-  if (out->reason != NULL) return;
-  const writing w = {out, &formulas, notation, failed};
+  if (out->reason != NULL) return TP_OK;
+  const writing w = {out, &formulas, options->notation, failed};
   out->known = true;
   out->tangent = write(&w, formulas.tangent);
   out->critical_angle_deg = angle_at_values(&formulas);
   write_rows(&w);
   write_conditions(&w);
+  const tp_status status = options->checked && !*failed ? check(&w, wanted, message) : TP_OK;
   tp_onset_formulas_clear(&formulas);
+  return status;
 }
 
-void tp_derive_onset(tp_derived_onset *out, const tp_derived_limit *limit, const tp_model *model,
-                     const tp_case *own, long friction, tp_notation notation, bool *failed) {
+/* Why none is to be had at these values, or NULL. */
+static const char *why_not(const tp_onset *onset) {
+  if (onset->kind == TP_ONSET_UNDECIDED) return "it is undecided at these values";
+  if (onset->kind == TP_ONSET_NOWHERE ||
+      (onset->kind == TP_ONSET_AT_ANGLE &&
+       onset->critical_angle_deg.value <= onset->critical_angle_deg.error)) {
+    return "a motion can begin on level ground; formulas are derived for an onset above it";
+  }
+  return NULL;
+}
+
+tp_status tp_derive_onset(tp_derived_onset *out, const tp_derived_limit *limit,
+                          const tp_model *model, const tp_case *own, long friction,
+                          const tp_derive_options *options, bool *failed, tp_message *message) {
   const tp_onset *onset = &own->onset;
   out->kind = onset->kind;
   out->mechanism = onset->mechanism;
   out->below_limit = onset->below_limit;
-  if (onset->kind == TP_ONSET_UNDECIDED) out->reason = "it is undecided at these values";
-  if (onset->kind == TP_ONSET_NOWHERE ||
-      (onset->kind == TP_ONSET_AT_ANGLE &&
-       onset->critical_angle_deg.value <= onset->critical_angle_deg.error)) {
-    out->reason = "a motion can begin on level ground; formulas are derived for an onset above it";
-  }
-  if (out->reason != NULL || onset->kind != TP_ONSET_AT_ANGLE) return;
+  out->reason = why_not(onset);
+  if (out->reason != NULL || onset->kind != TP_ONSET_AT_ANGLE) return TP_OK;
   const tp_onset_wanted wanted = {model, own->towards, friction, onset->critical_angle_deg,
                                   all_positive(model->problem.scene)};
   tp_field_work *work = model->symbols.field.work, held = *work;
   *work =
       (tp_field_work){.budget = held.budget}; /* of its own, so that the rest is derived anyhow */
-  derive(out, &wanted, notation, failed);
+  const tp_status status = derive(out, &wanted, options, failed, message);
   *work = held;
   out->same_as_limit = out->known && limit->known && limit->tangent.formula != NULL &&
                        out->tangent.formula != NULL &&
                        strcmp(limit->tangent.formula, out->tangent.formula) == 0;
+  return status;
 }

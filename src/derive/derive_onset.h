@@ -10,8 +10,10 @@
 
 /* Of a case of the model, beside its limit; as tp_derive_limit. What cannot be derived says why,
  * and is no failure. */
-void tp_derive_onset(tp_derived_onset *out, const tp_derived_limit *limit, const tp_model *model,
-                     const tp_case *own, long friction, tp_notation notation, bool *failed);
+TP_MUST_USE tp_status tp_derive_onset(tp_derived_onset *out, const tp_derived_limit *limit,
+                                      const tp_model *model, const tp_case *own, long friction,
+                                      const tp_derive_options *options, bool *failed,
+                                      tp_message *message);
 void tp_derived_onset_free(tp_derived_onset *onset);
 
 #endif

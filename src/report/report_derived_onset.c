@@ -5,6 +5,7 @@
 
 #include "report/c_arguments.h"
 #include "report/json.h"
+#include "report/report_checks.h"
 
 /* "topples, towards the left, 26.215 degrees at the scene's values, below the limit" */
 static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
@@ -49,7 +50,9 @@ static void add_text(tp_text *t, const tp_derived_onset *o, tp_direction towards
                                       : "\n");
   for (size_t k = 0; k < o->condition_count; k++) {
     tp_text_add(t, "    %s > 0\n", o->conditions[k].formula);
+    tp_text_check(t, &o->checks, k, "onset");
   }
+  tp_text_unmet(t, &o->checks, o->condition_count);
 }
 
 void tp_text_derived_onset(tp_text *t, const tp_derivation *d) {
@@ -142,7 +145,9 @@ static void add_json(tp_text *t, const tp_derived_onset *o, tp_direction towards
     tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
     tp_encode_json(t, o->conditions[k].formula);
   }
-  tp_text_add(t, "]}");
+  tp_text_add(t, "]");
+  tp_json_checks(t, &o->checks);
+  tp_text_add(t, "}");
 }
 
 void tp_json_derived_onset(tp_text *t, const tp_derivation *d) {

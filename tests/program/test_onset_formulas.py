@@ -130,6 +130,28 @@ class OnsetFormulas(unittest.TestCase):
         self.assertGreater(sums[2], 5, sums)
         self.assertGreater(len(kinds), 3, kinds)
 
+    def test_conditions_are_met_on_both_sides(self):
+        """Checks that are reported, done again in numbers; beyond some the formula goes on, as the
+        conditions are only enough, and the report says so."""
+        seen = set()
+        for n, left, phi in itertools.product((1, 3), ("valley", "peak"), (30, 60)):
+            scene = {"a": 30, "b": 120, "c": 5, "n": n, "left": left, "beyond": 0, "phi": phi, "towards": "left"}
+            found, _ = self.derive(TEETH.format(**scene))
+            for check in found["checks"]:
+                for side in ("inside", "outside"):
+                    at = {**scene, **{"phi" if k == "friction_angle_deg" else k: v for k, v in check[side].items()}}
+                    onset = self.solved(TEETH.format(**at))
+                    numbers = {**{k: Decimal(str(at[k])) for k in "abc"}, "t": tangent(str(at["phi"]))}
+                    agrees = self.agrees(found, onset, numbers)
+                    own = evaluate(found["conditions"][check["condition"]], numbers)
+                    if side == "inside":
+                        self.assertTrue(agrees and own > 0, (scene, check))
+                    else:
+                        self.assertLess(own, 0)
+                        self.assertEqual(agrees, check["beyond"] == "same", (scene, check, onset))
+                        seen.add(check["beyond"])
+        self.assertLessEqual({"same", "other"}, seen)
+
     def test_block_a_passes_its_peak(self):
         """Block A towards its peak at 60 degrees of friction: it begins to topple where its weight
         passes the peak, tan = x/y from there, by exact moments; the limit is a formula in tan(phi).
