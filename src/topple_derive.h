@@ -155,6 +155,7 @@ typedef struct tp_derivation {
   tp_derived_rounding rounded[2];  /* by direction; where asked for */
   tp_derived_limit limit[2];       /* likewise */
   tp_derived_onset onset[2];       /* with the limit */
+  tp_notes notes;                  /* of the scene's reading, and on its problem */
 } tp_derivation;
 
 typedef struct tp_derive_options {

@@ -10,6 +10,7 @@
 #include "derive/field_work.h"
 #include "derive/notation.h"
 #include "host.h"
+#include "notes.h"
 #include "number/ball.h"
 
 #include <stdlib.h>
@@ -58,6 +59,7 @@ void tp_derivation_free(tp_derivation *derivation) {
     }
     free(derivation->elements[d]);
   }
+  tp_notes_clear(&derivation->notes);
   free(derivation);
 }
 
@@ -263,7 +265,8 @@ static tp_status fill(work *w, const tp_derive_options *options) {
   }
   if (title != NULL) out->title = strdup(title);
   if (title != NULL && out->title == NULL) w->failed = true;
-  tp_status status = derive_pivots(w, options);
+  tp_status status = tp_notes_append(&out->notes, &w->model.solution->notes, w->message);
+  if (status == TP_OK) status = derive_pivots(w, options);
   if (status == TP_OK) {
     status =
         tp_field_check(&w->model.symbols.field, w->model.problem.scene->block.place, w->message);

@@ -7,6 +7,7 @@
 #include "report/json.h"
 #include "report/report_derived_limit.h"
 #include "report/report_derived_onset.h"
+#include "report/report_notes.h"
 
 static void add_elements_form(tp_text *t, const tp_derived_pivot *p) {
   if (!p->has_elements) return;
@@ -76,7 +77,9 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
     tp_text_add(&t, "%s", k > 0 ? ", " : "");
     tp_encode_json(&t, derivation->symbols[k]);
   }
-  tp_text_add(&t, "],\n  ");
+  tp_text_add(&t, "],\n");
+  tp_json_notes(&t, &derivation->notes);
+  tp_text_add(&t, "  ");
   tp_json_fraction(&t, "area", &derivation->area);
   tp_text_add(&t, ",\n  ");
   tp_json_fraction(&t, "x_moment", &derivation->x_moment);
