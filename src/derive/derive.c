@@ -20,49 +20,6 @@ tp_derive_options tp_derive_options_default(void) {
   return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false, .checked = true};
 }
 
-static void free_pivot(tp_derived_pivot *p) {
-  tp_fraction *fractions[] = {&p->x,
-                              &p->y,
-                              &p->tangent,
-                              &p->fos_cot,
-                              &p->fos_constant,
-                              &p->normal_stabilising,
-                              &p->parallel_stabilising,
-                              &p->normal_overturning,
-                              &p->parallel_overturning};
-  for (size_t k = 0; k < sizeof fractions / sizeof fractions[0]; k++)
-    tp_notation_free(fractions[k]);
-}
-
-void tp_derivation_free(tp_derivation *derivation) {
-  if (derivation == NULL) return;
-  free(derivation->title);
-  tp_notation_free(&derivation->area);
-  tp_notation_free(&derivation->x_moment);
-  tp_notation_free(&derivation->y_moment);
-  for (size_t k = 0; k < derivation->symbol_count; k++) {
-    free(derivation->symbols[k]);
-    free(derivation->parameters[k]);
-  }
-  free(derivation->symbols);
-  free(derivation->parameters);
-  for (size_t k = 0; k < derivation->pivot_count; k++) free_pivot(derivation->pivots + k);
-  free(derivation->pivots);
-  for (int d = 0; d < 2; d++) {
-    tp_derived_rounding_free(derivation->rounded + d);
-    tp_derived_limit_free(derivation->limit + d);
-    tp_derived_onset_free(derivation->onset + d);
-    for (size_t k = 0; derivation->elements[d] != NULL && k < derivation->element_count; k++) {
-      tp_notation_free(&derivation->elements[d][k].area);
-      tp_notation_free(&derivation->elements[d][k].normal_arm);
-      tp_notation_free(&derivation->elements[d][k].parallel_arm);
-    }
-    free(derivation->elements[d]);
-  }
-  tp_notes_clear(&derivation->notes);
-  free(derivation);
-}
-
 /* Symbols besides the scene's: those of rounded corners first, then that of the limit. */
 enum { MOST_ADDED = 8 };
 
