@@ -85,7 +85,8 @@ typedef struct tp_derived_check {
 } tp_derived_check;
 
 /* By condition; one without a check was not met first in any of the directions gone from the
- * scene's values. Not run: not asked for, or the outline has more than 2000 vertices. */
+ * scene's values. Not run: not asked for, or the outline has more than 2000 vertices, or the
+ * conditions more than 100000 terms. */
 typedef struct tp_derived_checks {
   bool run;
   size_t count;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_VERTICES = 2000, STEPS = 26, DRAWN = 24 };
+enum { MOST_VERTICES = 2000, MOST_TERMS = 100000, STEPS = 26, DRAWN = 24 };
 static const double first_step = 0.01, growth = 1.25;
 static const double resolution = 1e-5; /* of a crossing, in logarithms of the numbers */
 static const double margin = 1e-3;     /* from it, on either side */
@@ -149,7 +149,7 @@ tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *for
                         tp_message *message) {
   const tp_lattice *lattice = &formula->model->problem.lattice;
   const size_t conditions = (size_t)formula->conditions->count;
-  if (conditions == 0 ||
+  if (conditions == 0 || tp_conditions_length(formula->conditions, 0) > MOST_TERMS ||
       lattice->start[formula->model->problem.section.ring_count] > MOST_VERTICES) {
     return TP_OK;
   }
