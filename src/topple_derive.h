@@ -66,6 +66,33 @@ typedef struct tp_derived_reaction {
   bool against_slip;
 } tp_derived_reaction;
 
+/* What the solver finds beside a formula. */
+typedef enum tp_check_verdict {
+  TP_CHECK_SAME,     /* the formula's angle, within the proven bound */
+  TP_CHECK_OTHER,    /* another angle */
+  TP_CHECK_NONE,     /* no angle */
+  TP_CHECK_CONTACT,  /* another contact: more or fewer facets or points, or ends of another kind */
+  TP_CHECK_REFUSED,  /* the scene has no answer there */
+  TP_CHECK_UNDECIDED /* at the precision allowed */
+} tp_check_verdict;
+
+/* A condition looked at from both sides in numbers: just inside the solver agrees with the formula,
+ * just outside it finds what `beyond` says. */
+typedef struct tp_derived_check {
+  size_t condition;
+  char *inside, *outside; /* the scene's numbers that were changed, as in "c = 7.41, b = 100" */
+  tp_check_verdict beyond;
+} tp_derived_check;
+
+/* By condition; one without a check was not met first in any of the directions gone from the
+ * scene's values. Not run: not asked for, or the outline has more than 2000 vertices, or the
+ * conditions more than 100000 terms. */
+typedef struct tp_derived_checks {
+  bool run;
+  size_t count;
+  tp_derived_check *items;
+} tp_derived_checks;
+
 /* The static limit in symbols (docs/mechanics.md section 6), with the base of the scene: the
  * tangent of the critical angle in the scene's parameters and tan(phi) from the two forces of the
  * optimal basis, which meet the weight in the centre of rotation. It holds wherever no condition, a
@@ -82,7 +109,37 @@ typedef struct tp_derived_limit {
   bool positive; /* all parameters are, and the conditions suppose so */
   size_t condition_count;
   tp_fraction *conditions;
+  tp_derived_checks checks; /* of the conditions */
 } tp_derived_limit;
+
+/* What holds the weight in balance at the onset of a motion: a force along an edge of the friction
+ * cone at a contact point, as above; or what accelerates the block, as it turns about a point, or
+ * slides. */
+typedef struct tp_derived_row {
+  bool is_force;
+  bool against_slip; /* of a force */
+  bool turns;        /* of a motion; else it slides, and no point is given */
+  tp_fraction x, y;  /* the contact point, or the centre of turning */
+} tp_derived_row;
+
+/* The onset of motion in symbols (docs/onset.md), in those of the limit: the tangent of the tilt up
+ * to which no motion can begin. It holds wherever all conditions, formulas, are above zero; they
+ * are enough for that, and it may hold beyond them. */
+typedef struct tp_derived_onset {
+  tp_onset_kind kind; /* at the scene's values */
+  tp_mechanism mechanism;
+  bool below_limit;   /* certainly, at the scene's values */
+  bool known;         /* false: there is no angle, or */
+  const char *reason; /* why it is not derived, a static text; else NULL */
+  bool same_as_limit; /* one formula serves for both */
+  tp_fraction tangent;
+  tp_bounded critical_angle_deg; /* at the scene's values */
+  tp_derived_row rows[2];
+  bool positive; /* as for the limit */
+  size_t condition_count;
+  tp_fraction *conditions;
+  tp_derived_checks checks; /* of the conditions */
+} tp_derived_onset;
 
 typedef struct tp_derivation {
   TP_OUTSIDE char *title;
@@ -98,13 +155,16 @@ typedef struct tp_derivation {
   tp_derived_element *elements[2]; /* about the governing pivot, by direction; NULL where none */
   tp_derived_rounding rounded[2];  /* by direction; where asked for */
   tp_derived_limit limit[2];       /* likewise */
+  tp_derived_onset onset[2];       /* with the limit */
+  tp_notes notes;                  /* of the scene's reading, and on its problem */
 } tp_derivation;
 
 typedef struct tp_derive_options {
   tp_notation notation;
   bool elements; /* derive the elements form and list its elements */
   bool rounded;  /* round the corners at the governing pivots */
-  bool limit;    /* derive the static limit */
+  bool limit;    /* derive the static limit and the onset of motion */
+  bool checked;  /* look at their conditions from both sides in numbers */
 } tp_derive_options;
 
 tp_derive_options tp_derive_options_default(void);

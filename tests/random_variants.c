@@ -153,7 +153,8 @@ static bool renumber(random_scene *s, relation *r, uint64_t *state) {
   for (size_t i = 0; i < sizeof rings / sizeof *rings; i++) {
     const polygon old = *rings[i];
     long first = old.count > 0 ? draw_below(state, old.count) : 0;
-    while (old.count > 1 && repeats_the_one_before(&old, first) && first > 0) first--;
+    while (first > 0 && repeats_the_one_before(&old, first)) first--;
+    if (old.count > 0 && repeats_the_one_before(&old, 0)) first = 0;
     for (long k = 0; k < old.count; k++) {
       rings[i]->x[k] = old.x[(first + k) % old.count];
       rings[i]->y[k] = old.y[(first + k) % old.count];

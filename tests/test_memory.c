@@ -226,13 +226,12 @@ static void find(void) {
   tp_found_free(found);
 }
 
-static void derive(void) {
+static void derive_scene(const char *path, const tp_derive_options *options) {
   tp_scene *scene = NULL;
   tp_derivation *derivation = NULL;
   tp_message message = {""};
-  const tp_derive_options options = {TP_NOTATION_TEXT, true, true, true};
-  if (DONE(tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), scene) &&
-      DONE(tp_derive(&derivation, scene, &options, &message), derivation)) {
+  if (DONE(tp_scene_read(&scene, path, &message), scene) &&
+      DONE(tp_derive(&derivation, scene, options, &message), derivation)) {
     char *text = NULL, *json = NULL;
     tp_status status = tp_report_derivation(&text, derivation);
     expect_report(status, text);
@@ -241,6 +240,17 @@ static void derive(void) {
   }
   tp_derivation_free(derivation);
   tp_scene_free(scene);
+}
+
+static void derive(void) {
+  const tp_derive_options options = {TP_NOTATION_TEXT, true, true, true, false};
+  derive_scene(EXAMPLE("block_e_valley.yaml"), &options);
+}
+
+/* Conditions that are looked at from both sides. */
+static void derive_checked(void) {
+  const tp_derive_options options = {TP_NOTATION_TEXT, false, false, true, true};
+  derive_scene(EXAMPLE("block_a_peak.yaml"), &options);
 }
 
 static void derive_family(void) {
@@ -344,6 +354,7 @@ static const struct {
              {"solve arcs", solve_arcs, 100},
              {"find", find, 40},
              {"derive", derive, 200},
+             {"derive and check", derive_checked, 60},
              {"derive for all counts", derive_family, 100},
              {"verify", verify, 100},
              {"chart fos", chart_fos, 100},

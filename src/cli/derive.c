@@ -15,7 +15,7 @@ typedef struct arguments {
   tp_derive_options derive;
 } arguments;
 
-enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL };
+enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL, KEY_UNCHECKED };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the formulas as JSON", 0},
@@ -23,7 +23,9 @@ static const struct argp_option options[] = {
     {"c", KEY_C, NULL, 0, "Print C functions", 0},
     {"elements", 'e', NULL, 0, "Derive the factor of safety by elements too, and list them", 0},
     {"rounded", 'r', NULL, 0, "Round the corners at the governing pivots too", 0},
-    {"limit", 'l', NULL, 0, "Derive the static limit too, in tan(phi)", 0},
+    {"limit", 'l', NULL, 0, "Derive the static limit and the onset of motion too, in tan(phi)", 0},
+    {"unchecked", KEY_UNCHECKED, NULL, 0, "Do not look at both sides of its conditions in numbers",
+     0},
     {"for-all", KEY_FOR_ALL, "count", 0, "One formula for every number of teeth", 0},
     {0}};
 
@@ -41,6 +43,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 'l':
     a->derive.limit = true;
+    return 0;
+  case KEY_UNCHECKED:
+    a->derive.checked = false;
     return 0;
   case KEY_LATEX:
     a->derive.notation = TP_NOTATION_LATEX;

@@ -15,6 +15,18 @@ void tp_conditions_clear(tp_conditions *c) {
   c->count = c->capacity = 0;
 }
 
+void tp_conditions_forget(tp_conditions *c, long count) {
+  while (c->count > count) fmpz_mpoly_q_clear(c->items + --c->count, c->field->ring);
+}
+
+long tp_conditions_length(const tp_conditions *c, long first) {
+  long terms = 0;
+  for (long k = first; k < c->count; k++) {
+    terms += fmpz_mpoly_length(fmpz_mpoly_q_numref(c->items + k), c->field->ring);
+  }
+  return terms;
+}
+
 /* 1 or -1 where all coefficients have that sign, 0 where they differ. */
 static int sign_of_coefficients(const fmpz_mpoly_t polynomial, const tp_field *field) {
   fmpz_t coefficient;
@@ -99,4 +111,18 @@ void tp_conditions_add(tp_conditions *c, const fmpz_mpoly_q_t value) {
   if (fmpz_mpoly_q_is_zero(value, c->field->ring)) return;
   add_polynomial(c, fmpz_mpoly_q_numref(value));
   add_polynomial(c, fmpz_mpoly_q_denref(value));
+}
+
+void tp_conditions_add_above(tp_conditions *c, const fmpz_mpoly_q_t value) {
+  const fmpz_mpoly_ctx_struct *ring = c->field->ring;
+  fmpz_mpoly_q_t below, product;
+  fmpz_mpoly_q_init(below, ring);
+  fmpz_mpoly_q_init(product, ring);
+  fmpz_mpoly_set(fmpz_mpoly_q_numref(below), fmpz_mpoly_q_denref(value), ring);
+  fmpz_mpoly_one(fmpz_mpoly_q_denref(below), ring);
+  tp_field_mul(product, below, below, c->field); /* value times the square of its denominator */
+  tp_field_mul(product, product, value, c->field);
+  if (!is_known(c, product)) append(c, product);
+  fmpz_mpoly_q_clear(below, ring);
+  fmpz_mpoly_q_clear(product, ring);
 }

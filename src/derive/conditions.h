@@ -26,4 +26,11 @@ void tp_conditions_clear(tp_conditions *conditions);
  * every factor that is so by its signs alone. */
 void tp_conditions_add(tp_conditions *conditions, const fmpz_mpoly_q_t value);
 
+/* `value`, nothing at the values, is not below zero. */
+void tp_conditions_add_above(tp_conditions *conditions, const fmpz_mpoly_q_t value);
+
+/* Keep the first `count` alone. Terms of those from `first` on. */
+void tp_conditions_forget(tp_conditions *conditions, long count);
+long tp_conditions_length(const tp_conditions *conditions, long first);
+
 #endif

@@ -5,58 +5,19 @@
 
 #include "derive/c_names.h"
 #include "derive/derive_limit.h"
+#include "derive/derive_onset.h"
 #include "derive/derive_rounding.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
 #include "host.h"
+#include "notes.h"
 #include "number/ball.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 tp_derive_options tp_derive_options_default(void) {
-  return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false};
-}
-
-static void free_pivot(tp_derived_pivot *p) {
-  tp_fraction *fractions[] = {&p->x,
-                              &p->y,
-                              &p->tangent,
-                              &p->fos_cot,
-                              &p->fos_constant,
-                              &p->normal_stabilising,
-                              &p->parallel_stabilising,
-                              &p->normal_overturning,
-                              &p->parallel_overturning};
-  for (size_t k = 0; k < sizeof fractions / sizeof fractions[0]; k++)
-    tp_notation_free(fractions[k]);
-}
-
-void tp_derivation_free(tp_derivation *derivation) {
-  if (derivation == NULL) return;
-  free(derivation->title);
-  tp_notation_free(&derivation->area);
-  tp_notation_free(&derivation->x_moment);
-  tp_notation_free(&derivation->y_moment);
-  for (size_t k = 0; k < derivation->symbol_count; k++) {
-    free(derivation->symbols[k]);
-    free(derivation->parameters[k]);
-  }
-  free(derivation->symbols);
-  free(derivation->parameters);
-  for (size_t k = 0; k < derivation->pivot_count; k++) free_pivot(derivation->pivots + k);
-  free(derivation->pivots);
-  for (int d = 0; d < 2; d++) {
-    tp_derived_rounding_free(derivation->rounded + d);
-    tp_derived_limit_free(derivation->limit + d);
-    for (size_t k = 0; derivation->elements[d] != NULL && k < derivation->element_count; k++) {
-      tp_notation_free(&derivation->elements[d][k].area);
-      tp_notation_free(&derivation->elements[d][k].normal_arm);
-      tp_notation_free(&derivation->elements[d][k].parallel_arm);
-    }
-    free(derivation->elements[d]);
-  }
-  free(derivation);
+  return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false, .checked = true};
 }
 
 /* Symbols besides the scene's: those of rounded corners first, then that of the limit. */
@@ -209,8 +170,13 @@ static tp_status list_elements(work *w, const tp_case *own) {
 static tp_status derive_limit(work *w, const tp_case *own, const tp_derive_options *options) {
   const tp_field *field = &w->model.symbols.field;
   const long before = options->rounded ? tp_derive_rounding_symbols.count : 0;
-  return tp_derive_limit(w->out->limit + own->towards, &w->model, own,
-                         tp_field_added(field, before), options->notation, &w->failed, w->message);
+  const long friction = tp_field_added(field, before);
+  tp_derived_limit *limit = w->out->limit + own->towards;
+  const tp_status status =
+      tp_derive_limit(limit, &w->model, own, friction, options, &w->failed, w->message);
+  if (status != TP_OK) return status;
+  return tp_derive_onset(w->out->onset + own->towards, limit, &w->model, own, friction, options,
+                         &w->failed, w->message);
 }
 
 static tp_status derive_case(work *w, const tp_case *own, const tp_derive_options *options) {
@@ -256,7 +222,8 @@ static tp_status fill(work *w, const tp_derive_options *options) {
   }
   if (title != NULL) out->title = strdup(title);
   if (title != NULL && out->title == NULL) w->failed = true;
-  tp_status status = derive_pivots(w, options);
+  tp_status status = tp_notes_append(&out->notes, &w->model.solution->notes, w->message);
+  if (status == TP_OK) status = derive_pivots(w, options);
   if (status == TP_OK) {
     status =
         tp_field_check(&w->model.symbols.field, w->model.problem.scene->block.place, w->message);

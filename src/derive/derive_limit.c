@@ -3,10 +3,12 @@
 
 #include "derive/derive_limit.h"
 
-#include "derive/conditions.h"
+#include "derive/checks.h"
+#include "derive/contact_conditions.h"
 #include "derive/field_work.h"
 #include "derive/notation.h"
 #include "number/ball.h"
+#include "stability/friction.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -45,6 +47,7 @@ void tp_derived_limit_free(tp_derived_limit *l) {
   }
   for (size_t k = 0; k < l->condition_count; k++) tp_notation_free(l->conditions + k);
   free(l->conditions);
+  tp_checks_free(&l->checks);
 }
 
 typedef struct writing {
@@ -54,6 +57,8 @@ typedef struct writing {
   tp_notation notation;
   bool *failed;
   arb_ptr values; /* of all symbols at the scene's */
+  bool checked;
+  tp_message *message;
 } writing;
 
 /* (-v_y, v_x) / omega. */
@@ -118,9 +123,25 @@ static bool all_positive(const writing *w) {
   return true;
 }
 
+static tp_status check(const writing *w, const tp_conditions *conditions) {
+  const tp_limit_formulas *f = w->formulas;
+  if (*w->failed || tp_field_problem(w->field) != NULL) return TP_OK; /* which fails by itself */
+  fmpz_mpoly_q_t tangent;
+  fmpz_mpoly_q_init(tangent, w->field->ring);
+  tp_field_div(tangent, f->sine, f->cosine, w->field);
+  const tp_checked_formula checked = {.model = f->model,
+                                      .towards = f->towards,
+                                      .friction = f->friction,
+                                      .tangent = tangent,
+                                      .conditions = conditions};
+  const tp_status status = tp_checks_run(&w->out->checks, &checked, w->message);
+  fmpz_mpoly_q_clear(tangent, w->field->ring);
+  return status;
+}
+
 /* The basis is optimal where both forces push, every other one resists no motion by the twist, and
  * the twist goes with the tilt. */
-static void write_conditions(const writing *w) {
+static tp_status write_conditions(const writing *w) {
   tp_conditions conditions = {
       .field = w->field, .positive = all_positive(w), .at = w->values, .bits = BITS};
   fmpz_mpoly_q_t factors[2];
@@ -129,6 +150,7 @@ static void write_conditions(const writing *w) {
   for (int k = 0; k < 2; k++) tp_conditions_add(&conditions, factors[k]);
   tp_conditions_add(&conditions, w->formulas->cosine);
   add_powers(&conditions, w);
+  (void)tp_contact_conditions(&conditions, w->formulas->model); /* alike: either end will do */
   w->out->positive = conditions.positive;
   w->out->conditions = calloc((size_t)conditions.count + 1, sizeof *w->out->conditions);
   if (w->out->conditions == NULL || conditions.failed) *w->failed = true;
@@ -137,20 +159,21 @@ static void write_conditions(const writing *w) {
         tp_notation_write(conditions.items + k, w->field, w->notation, w->failed);
   }
   for (int k = 0; k < 2; k++) fmpz_mpoly_q_clear(factors[k], w->field->ring);
+  const tp_status status = w->checked ? check(w, &conditions) : TP_OK;
   tp_conditions_clear(&conditions);
+  return status;
 }
 
-/* tan(phi) at the scene's friction, and its parameters. */
-static void set_values(const writing *w, const tp_model *model, long friction) {
+void tp_derive_limit_values(arb_ptr values, const tp_model *model, long friction, long bits) {
   const tp_scene *scene = model->problem.scene;
   for (long k = 0; k < scene->parameters.count; k++) {
-    arb_set_fmpq(w->values + k, scene->parameters.values + k, BITS);
+    arb_set_fmpq(values + k, scene->parameters.values + k, bits);
   }
-  arb_t cosine;
-  arb_init(cosine);
-  tp_ball_sin_cos_degrees(w->values + friction, cosine, scene->friction_angle_deg.value, BITS);
-  arb_div(w->values + friction, w->values + friction, cosine, BITS);
-  arb_clear(cosine);
+  arb_t degrees;
+  arb_init(degrees);
+  arb_set_fmpq(degrees, scene->friction_angle_deg.value, bits);
+  tp_friction_tangent(values + friction, degrees, bits);
+  arb_clear(degrees);
 }
 
 static tp_bounded angle_at_values(const writing *w) {
@@ -177,14 +200,15 @@ static tp_status write_all(const writing *w, const tp_cone_edge basis[2], tp_mes
       tp_notation_write_quotient(f->sine, f->cosine, w->field, w->notation, w->failed);
   w->out->critical_angle_deg = angle_at_values(w);
   write_centre(w);
-  write_conditions(w);
-  if (write_reactions(w, basis)) return TP_OK;
+  const tp_status status = write_conditions(w);
+  if (status != TP_OK || write_reactions(w, basis)) return status;
   return tp_fail(message, TP_NO_ANSWER, f->model->problem.scene->base.place,
                  "a force at the limit acts where the base has no formula; give it as a profile");
 }
 
 tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp_case *own,
-                          long friction, tp_notation notation, bool *failed, tp_message *message) {
+                          long friction, const tp_derive_options *options, bool *failed,
+                          tp_message *message) {
   const tp_limit *limit = &own->limit;
   const tp_field *field = &model->symbols.field;
   out->mechanism = limit->mechanism;
@@ -205,8 +229,15 @@ tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model, const tp
   tp_status status =
       tp_limit_formulas_init(&formulas, model, own->towards, friction, basis, message);
   if (status != TP_OK) return status;
-  const writing w = {out, &formulas, field, notation, failed, _arb_vec_init(field->symbol_count)};
-  set_values(&w, model, friction);
+  const writing w = {out,
+                     &formulas,
+                     field,
+                     options->notation,
+                     failed,
+                     _arb_vec_init(field->symbol_count),
+                     options->checked,
+                     message};
+  tp_derive_limit_values(w.values, model, friction, BITS);
   status = write_all(&w, basis, message);
   _arb_vec_clear(w.values, field->symbol_count);
   tp_limit_formulas_clear(&formulas);

@@ -14,11 +14,15 @@
 /* Refuse a scene without friction, or with a parameter of the symbol's name. */
 TP_MUST_USE tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message);
 
+/* The scene's parameters, and tan(phi) at its friction: for all symbols of the model's field. */
+void tp_derive_limit_values(arb_ptr values, const tp_model *model, long friction, long bits);
+
 /* Of a case of the model, whose field has the symbol at `friction`. `*failed` is set when memory is
  * exhausted. */
 TP_MUST_USE tp_status tp_derive_limit(tp_derived_limit *out, const tp_model *model,
-                                      const tp_case *own, long friction, tp_notation notation,
-                                      bool *failed, tp_message *message);
+                                      const tp_case *own, long friction,
+                                      const tp_derive_options *options, bool *failed,
+                                      tp_message *message);
 void tp_derived_limit_free(tp_derived_limit *limit);
 
 #endif

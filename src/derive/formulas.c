@@ -4,6 +4,7 @@
 #include "derive/formulas.h"
 
 #include "derive/field_work.h"
+#include "derive/vector_formulas.h"
 
 void tp_formulas_init(tp_formulas *f, const tp_field *field) {
   fmpz_mpoly_q_init(f->area2, field->ring);
@@ -62,6 +63,47 @@ void tp_formulas_sum(tp_formulas *f, const tp_symbols *symbols, const tp_section
     const int sign = r == 0 ? 1 : r <= section->hole_count ? -1 : 0;
     tp_formulas_add_chain(f, symbols->rings + r, weight, sign, &symbols->field);
   }
+  fmpq_clear(weight);
+}
+
+/* sum += (p^2 + p q + q^2) c weight */
+static void add_square(fmpz_mpoly_q_t sum, const fmpz_mpoly_q_t p, const fmpz_mpoly_q_t q,
+                       const fmpz_mpoly_q_t c, const fmpq_t weight, const tp_field *field) {
+  fmpz_mpoly_q_t term, product;
+  fmpz_mpoly_q_init(term, field->ring);
+  fmpz_mpoly_q_init(product, field->ring);
+  tp_field_add(term, p, q, field);
+  tp_field_mul(term, term, term, field);
+  tp_field_mul(product, p, q, field);
+  tp_field_sub(term, term, product, field);
+  tp_field_mul(term, term, c, field);
+  fmpz_mpoly_q_mul_fmpq(term, term, weight, field->ring);
+  tp_field_add(sum, sum, term, field);
+  fmpz_mpoly_q_clear(term, field->ring);
+  fmpz_mpoly_q_clear(product, field->ring);
+}
+
+void tp_formulas_polar(fmpz_mpoly_q_t polar12, const tp_symbols *symbols,
+                       const tp_section *section) {
+  const tp_field *field = &symbols->field;
+  fmpz_mpoly_q_t c;
+  fmpq_t weight;
+  fmpz_mpoly_q_init(c, field->ring);
+  fmpq_init(weight);
+  fmpz_mpoly_q_zero(polar12, field->ring);
+  for (long r = 0; r < section->ring_count; r++) {
+    const tp_symbolic_chain *chain = symbols->rings + r;
+    fmpq_set_fmpz(weight, section->ring_weights + r);
+    fmpq_div_fmpz(weight, weight, section->density_weights);
+    for (long k = 0; k < chain->count; k++) {
+      const long next = k + 1 == chain->count ? 0 : k + 1;
+      tp_formulas_determinant(c, chain->x + k, chain->y + k, chain->x + next, chain->y + next,
+                              field);
+      add_square(polar12, chain->x + k, chain->x + next, c, weight, field);
+      add_square(polar12, chain->y + k, chain->y + next, c, weight, field);
+    }
+  }
+  fmpz_mpoly_q_clear(c, field->ring);
   fmpq_clear(weight);
 }
 

@@ -21,6 +21,10 @@ void tp_formulas_clear(tp_formulas *formulas, const tp_field *field);
 /* The boundary sums of block/ring_sums.h over all rings. */
 void tp_formulas_sum(tp_formulas *formulas, const tp_symbols *symbols, const tp_section *section);
 
+/* Twelve times the polar second moment about the scene's origin, weighted likewise. */
+void tp_formulas_polar(fmpz_mpoly_q_t polar12, const tp_symbols *symbols,
+                       const tp_section *section);
+
 /* Add one ring with its relative weight; the plain area times `sign`. */
 void tp_formulas_add_chain(tp_formulas *formulas, const tp_symbolic_chain *chain,
                            const fmpq_t weight, int sign, const tp_field *field);

@@ -4,6 +4,7 @@
 #include "derive/limit_formulas.h"
 
 #include "derive/field_work.h"
+#include "derive/vector_formulas.h"
 
 #include <string.h>
 
@@ -58,58 +59,72 @@ static bool beyond_direction(fmpz_mpoly_q_t tx, fmpz_mpoly_q_t ty, const tp_mode
   return false;
 }
 
-/* n + s t tan(phi) with n = (-t_y, t_x), s = 1 against slip and -1 otherwise. */
-bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
-                           const tp_cone_edge *edge) {
-  const tp_model *m = f->model;
-  const tp_field *field = field_of(f);
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  const tp_facet *facet = m->problem.contact.facets + edge->facet;
-  const bool mirrored = f->towards == TP_TOWARDS_RIGHT;
-  fmpz_mpoly_q_t tx, ty, friction;
-  tp_symbolic_point point;
-  fmpz_mpoly_q_init(tx, ring);
-  fmpz_mpoly_q_init(ty, ring);
-  fmpz_mpoly_q_init(friction, ring);
-  const bool found = (difference(tx, ty, m, facet->t0, facet->t1) ||
-                      (facet->q0 == facet->q1 && beyond_direction(tx, ty, m, facet))) &&
-                     tp_formulas_point(&point, &m->symbols, &m->problem,
-                                       edge->at_right_end ? facet->q1 : facet->q0);
-  if (found) {
-    if (mirrored) fmpz_mpoly_q_neg(ty, ty, ring);
-    fmpz_mpoly_q_gen(friction, f->friction, ring);
-    if (!edge->against_slip) fmpz_mpoly_q_neg(friction, friction, ring);
-    tp_field_mul(force->x, tx, friction, field);
-    tp_field_sub(force->x, force->x, ty, field);
-    tp_field_mul(force->y, ty, friction, field);
-    tp_field_add(force->y, force->y, tx, field);
-    tp_field_mul(force->moment, point.x, force->y, field);
-    if (mirrored) fmpz_mpoly_q_neg(force->moment, force->moment, ring);
-    tp_field_mul(friction, point.y, force->x, field);
-    tp_field_sub(force->moment, force->moment, friction, field);
-  }
-  fmpz_mpoly_q_clear(tx, ring);
-  fmpz_mpoly_q_clear(ty, ring);
-  fmpz_mpoly_q_clear(friction, ring);
-  return found;
+void tp_contact_formulas_init(tp_contact_formulas *c, const tp_field *field) {
+  fmpz_mpoly_q_init(c->x, field->ring);
+  fmpz_mpoly_q_init(c->y, field->ring);
+  fmpz_mpoly_q_init(c->tx, field->ring);
+  fmpz_mpoly_q_init(c->ty, field->ring);
 }
 
-/* a d - b c */
-static void determinant(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t a, const fmpz_mpoly_q_t b,
-                        const fmpz_mpoly_q_t c, const fmpz_mpoly_q_t d, const tp_field *field) {
-  fmpz_mpoly_q_t other;
-  fmpz_mpoly_q_init(other, field->ring);
-  tp_field_mul(value, a, d, field);
-  tp_field_mul(other, b, c, field);
-  tp_field_sub(value, value, other, field);
-  fmpz_mpoly_q_clear(other, field->ring);
+void tp_contact_formulas_clear(tp_contact_formulas *c, const tp_field *field) {
+  fmpz_mpoly_q_clear(c->x, field->ring);
+  fmpz_mpoly_q_clear(c->y, field->ring);
+  fmpz_mpoly_q_clear(c->tx, field->ring);
+  fmpz_mpoly_q_clear(c->ty, field->ring);
+}
+
+bool tp_contact_formulas_set(tp_contact_formulas *c, const tp_model *m, tp_direction towards,
+                             size_t index, bool at_right_end) {
+  const fmpz_mpoly_ctx_struct *ring = m->symbols.field.ring;
+  const tp_facet *facet = m->problem.contact.facets + index;
+  tp_symbolic_point point;
+  if (!(difference(c->tx, c->ty, m, facet->t0, facet->t1) ||
+        (facet->q0 == facet->q1 && beyond_direction(c->tx, c->ty, m, facet))) ||
+      !tp_formulas_point(&point, &m->symbols, &m->problem, at_right_end ? facet->q1 : facet->q0)) {
+    return false;
+  }
+  fmpz_mpoly_q_set(c->x, point.x, ring);
+  fmpz_mpoly_q_set(c->y, point.y, ring);
+  if (towards == TP_TOWARDS_RIGHT) {
+    fmpz_mpoly_q_neg(c->x, c->x, ring);
+    fmpz_mpoly_q_neg(c->ty, c->ty, ring);
+  }
+  return true;
+}
+
+/* n + s t tan(phi) with n = (-t_y, t_x), s = 1 against slip and -1 otherwise. */
+void tp_force_formulas_at(tp_force_formulas *force, const tp_contact_formulas *c, long friction,
+                          bool against_slip, const tp_field *field) {
+  const fmpz_mpoly_ctx_struct *ring = field->ring;
+  fmpz_mpoly_q_t tangent;
+  fmpz_mpoly_q_init(tangent, ring);
+  fmpz_mpoly_q_gen(tangent, friction, ring);
+  if (!against_slip) fmpz_mpoly_q_neg(tangent, tangent, ring);
+  tp_field_mul(force->x, c->tx, tangent, field);
+  tp_field_sub(force->x, force->x, c->ty, field);
+  tp_field_mul(force->y, c->ty, tangent, field);
+  tp_field_add(force->y, force->y, c->tx, field);
+  tp_formulas_determinant(force->moment, c->x, c->y, force->x, force->y, field);
+  fmpz_mpoly_q_clear(tangent, ring);
+}
+
+bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *f,
+                           const tp_cone_edge *edge) {
+  const tp_field *field = field_of(f);
+  tp_contact_formulas contact;
+  tp_contact_formulas_init(&contact, field);
+  const bool found =
+      tp_contact_formulas_set(&contact, f->model, f->towards, edge->facet, edge->at_right_end);
+  if (found) tp_force_formulas_at(force, &contact, f->friction, edge->against_slip, field);
+  tp_contact_formulas_clear(&contact, field);
+  return found;
 }
 
 static void set_twist(tp_limit_formulas *f) {
   const tp_force_formulas *a = f->basis, *b = f->basis + 1;
-  determinant(f->twist[0], a->y, a->moment, b->y, b->moment, field_of(f));
-  determinant(f->twist[1], a->moment, a->x, b->moment, b->x, field_of(f));
-  determinant(f->twist[2], a->x, a->y, b->x, b->y, field_of(f));
+  tp_formulas_determinant(f->twist[0], a->y, a->moment, b->y, b->moment, field_of(f));
+  tp_formulas_determinant(f->twist[1], a->moment, a->x, b->moment, b->x, field_of(f));
+  tp_formulas_determinant(f->twist[2], a->x, a->y, b->x, b->y, field_of(f));
 }
 
 /* With S = 3 (2 A) G, the power of the weight on the twist is -sin (3 (2 A) v_x - S_y omega) - cos
@@ -213,9 +228,9 @@ void tp_limit_formulas_factors(fmpz_mpoly_q_t factors[2], const tp_limit_formula
     fmpz_mpoly_q_one(up, ring);
   }
   const fmpz_mpoly_q_struct *a_row = slides ? a->moment : a->x, *b_row = slides ? b->moment : b->x;
-  determinant(below, a_row, a->y, b_row, b->y, field);
-  determinant(first, along, up, b_row, b->y, field);
-  determinant(second, a_row, a->y, along, up, field);
+  tp_formulas_determinant(below, a_row, a->y, b_row, b->y, field);
+  tp_formulas_determinant(first, along, up, b_row, b->y, field);
+  tp_formulas_determinant(second, a_row, a->y, along, up, field);
   tp_field_div(factors[0], first, below, field);
   tp_field_div(factors[1], second, below, field);
   fmpz_mpoly_q_clear(along, ring);

@@ -15,6 +15,12 @@ typedef struct tp_force_formulas {
   fmpz_mpoly_q_t x, y, moment;
 } tp_force_formulas;
 
+/* A contact point and the direction t of its facet; x mirrored towards the right, t reversed there,
+ * so that it points up-dip. */
+typedef struct tp_contact_formulas {
+  fmpz_mpoly_q_t x, y, tx, ty;
+} tp_contact_formulas;
+
 /* Two columns of an optimal basis, the twist (v_x, v_y, omega) normal to both, and the direction of
  * the limit, tan(alpha) = sine / cosine. */
 typedef struct tp_limit_formulas {
@@ -39,6 +45,17 @@ void tp_limit_formulas_clear(tp_limit_formulas *formulas);
 
 void tp_force_formulas_init(tp_force_formulas *force, const tp_field *field);
 void tp_force_formulas_clear(tp_force_formulas *force, const tp_field *field);
+
+void tp_contact_formulas_init(tp_contact_formulas *contact, const tp_field *field);
+void tp_contact_formulas_clear(tp_contact_formulas *contact, const tp_field *field);
+
+/* An end of a facet of the contact; false where it has no formula. */
+bool tp_contact_formulas_set(tp_contact_formulas *contact, const tp_model *model,
+                             tp_direction towards, size_t facet, bool at_right_end);
+
+/* The column of an edge of the cone there; `friction` is the symbol tan(phi). */
+void tp_force_formulas_at(tp_force_formulas *force, const tp_contact_formulas *contact,
+                          long friction, bool against_slip, const tp_field *field);
 
 /* The column of an edge; false where its facet has no formula. */
 bool tp_force_formulas_set(tp_force_formulas *force, const tp_limit_formulas *formulas,

@@ -5,6 +5,8 @@
 
 #include "derive/field_work.h"
 #include "load/loads.h"
+#include "notes.h"
+#include "stability/cautions.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -59,9 +61,13 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");
   tp_solve_options options = tp_solve_options_default();
   options.elements = elements;
-  tp_status status = tp_problem_init(&model->problem, scene, &options, model->solution, message);
+  tp_status status = tp_notes_append(&model->solution->notes, &scene->notes, message);
   if (status == TP_OK) {
-    status = solve(model, scene, message);
+    status = tp_problem_init(&model->problem, scene, &options, model->solution, message);
+  }
+  if (status == TP_OK) {
+    status = tp_problem_cautions(&model->solution->notes, &model->problem, message);
+    if (status == TP_OK) status = solve(model, scene, message);
     if (status == TP_OK) {
       status = tp_symbols_init(&model->symbols, scene, &model->problem.section, more, message);
     }

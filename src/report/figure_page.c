@@ -99,6 +99,18 @@ static bool draw_panel(cairo_t *cr, const tp_figure *figure, size_t own, const t
   return done;
 }
 
+/* "2 cautions: see the report." Where there are none, nothing. */
+static double add_cautions(cairo_t *cr, const tp_figure *figure, double x, double y, double width) {
+  const tp_notes *notes = &figure->solution->notes;
+  size_t count = 0;
+  for (size_t k = 0; k < notes->count; k++) count += notes->items[k].kind == TP_CAUTION;
+  if (count == 0) return y;
+  char line[64];
+  snprintf(line, sizeof line, "%zu caution%s: see the report.", count, count == 1 ? "" : "s");
+  tp_figure_ink(cr, TP_INK_BLACK);
+  return tp_figure_paragraph(cr, x, y + 3, width, TP_BODY_SIZE, true, line);
+}
+
 bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
   const double left = TP_FIGURE_MARGIN, width = panel_width(figure);
   const double all = tp_figure_width(figure) - 2 * left;
@@ -142,6 +154,7 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
     below[k] = tp_figure_table(cr, figure, figure->states + k, x, y, width);
   }
   y = tp_figure_legend(cr, figure, scale, left, fmax(below[0], below[1]) + 4, all);
+  y = add_cautions(cr, figure, left, y, all);
   *height = y + left;
   return true;
 }

@@ -7,6 +7,8 @@
 #include "report/c_arguments.h"
 #include "report/encode.h"
 #include "report/report_derived_limit.h"
+#include "report/report_derived_onset.h"
+#include "report/report_notes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -101,6 +103,25 @@ static void write_text(tp_text *t, const tp_derivation *d) {
   add_text_rounding(t, d->rounded + TP_TOWARDS_LEFT, TP_TOWARDS_LEFT);
   add_text_rounding(t, d->rounded + TP_TOWARDS_RIGHT, TP_TOWARDS_RIGHT);
   tp_text_derived_limit(t, d);
+  tp_text_derived_onset(t, d);
+  if (d->notes.count > 0) tp_text_add(t, "\n");
+  tp_text_notes(t, &d->notes);
+}
+
+/* Notes as comments, one a line. */
+static void add_comments(tp_text *t, const tp_derivation *d, const char *begin, const char *end,
+                         encoder encode) {
+  for (size_t k = 0; k < d->notes.count; k++) {
+    const tp_note *note = d->notes.items + k;
+    tp_text_add(t, "%s%s: ", begin, tp_note_kind_name(note->kind));
+    encode(t, note->text);
+    if (note->place[0] != '\0') {
+      tp_text_add(t, " (");
+      encode(t, note->place);
+      tp_text_add(t, ")");
+    }
+    tp_text_add(t, "%s\n", end);
+  }
 }
 
 static void add_latex_rounding(tp_text *t, const tp_derivation *d) {
@@ -139,6 +160,8 @@ static void write_latex(tp_text *t, const tp_derivation *d) {
   }
   add_latex_rounding(t, d);
   tp_latex_derived_limit(t, d);
+  tp_latex_derived_onset(t, d);
+  add_comments(t, d, "% ", "", tp_encode_latex_comment);
 }
 
 static void add_c_pivot(tp_text *t, const tp_derivation *d, size_t k) {
@@ -193,6 +216,9 @@ static void write_c(tp_text *t, const tp_derivation *d) {
   for (size_t k = 0; k < d->pivot_count; k++) add_c_pivot(t, d, k);
   add_c_rounding(t, d);
   tp_c_derived_limit(t, d);
+  tp_c_derived_onset(t, d);
+  if (d->notes.count > 0) tp_text_add(t, "\n");
+  add_comments(t, d, "/* ", " */", tp_encode_c_comment);
 }
 
 tp_status tp_report_derivation(char **text, const tp_derivation *derivation) {

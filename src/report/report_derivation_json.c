@@ -6,6 +6,8 @@
 #include "host.h"
 #include "report/json.h"
 #include "report/report_derived_limit.h"
+#include "report/report_derived_onset.h"
+#include "report/report_notes.h"
 
 static void add_elements_form(tp_text *t, const tp_derived_pivot *p) {
   if (!p->has_elements) return;
@@ -75,7 +77,9 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
     tp_text_add(&t, "%s", k > 0 ? ", " : "");
     tp_encode_json(&t, derivation->symbols[k]);
   }
-  tp_text_add(&t, "],\n  ");
+  tp_text_add(&t, "],\n");
+  tp_json_notes(&t, &derivation->notes);
+  tp_text_add(&t, "  ");
   tp_json_fraction(&t, "area", &derivation->area);
   tp_text_add(&t, ",\n  ");
   tp_json_fraction(&t, "x_moment", &derivation->x_moment);
@@ -89,6 +93,7 @@ tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation
   tp_text_add(&t, "  ]");
   add_rounded(&t, derivation);
   tp_json_derived_limit(&t, derivation);
+  tp_json_derived_onset(&t, derivation);
   tp_text_add(&t, "\n}\n");
   return tp_text_finish(&t, text);
 }

@@ -5,6 +5,7 @@
 
 #include "report/c_arguments.h"
 #include "report/json.h"
+#include "report/report_checks.h"
 
 /* "slides and topples, towards the left, on a base that ends at the toe, 28.735 degrees …" */
 static void add_description(tp_text *t, const tp_derived_limit *l, tp_direction towards) {
@@ -34,7 +35,9 @@ static void add_text(tp_text *t, const tp_derived_limit *l, tp_direction towards
                                       : "\n");
   for (size_t k = 0; k < l->condition_count; k++) {
     tp_text_add(t, "    %s >= 0\n", l->conditions[k].formula);
+    tp_text_check(t, &l->checks, k, "limit");
   }
+  tp_text_unmet(t, &l->checks, l->condition_count);
 }
 
 void tp_text_derived_limit(tp_text *t, const tp_derivation *d) {
@@ -117,7 +120,9 @@ static void add_json(tp_text *t, const tp_derived_limit *l, tp_direction towards
     tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
     tp_encode_json(t, l->conditions[k].formula);
   }
-  tp_text_add(t, "]}");
+  tp_text_add(t, "]");
+  tp_json_checks(t, &l->checks);
+  tp_text_add(t, "}");
 }
 
 void tp_json_derived_limit(tp_text *t, const tp_derivation *d) {

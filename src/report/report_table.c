@@ -81,16 +81,38 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
 typedef void (*row)(tp_text *text, const tp_solution *solution, const tp_case *own);
 
 /* A head and a row for each case. */
-static tp_status write(char **text, const char *head, row add, const tp_solution *const *solutions,
-                       size_t count) {
-  tp_text t = {0};
-  tp_text_add(&t, "%s", head);
+static void write(tp_text *t, const char *head, row add, const tp_solution *const *solutions,
+                  size_t count) {
+  tp_text_add(t, "%s", head);
   for (size_t k = 0; k < count; k++) {
     for (size_t c = 0; c < solutions[k]->case_count; c++) {
-      add(&t, solutions[k], solutions[k]->cases + c);
+      add(t, solutions[k], solutions[k]->cases + c);
     }
   }
-  return tp_text_finish(&t, text);
+}
+
+/* Below the table: the notes and cautions of each scene, by its name. */
+static void add_notes(tp_text *t, const tp_solution *s) {
+  for (size_t k = 0; k < s->notes.count; k++) {
+    const tp_note *note = s->notes.items + k;
+    tp_text_add(t, "- ");
+    tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+    tp_text_add(t, ", %s: ", tp_note_kind_name(note->kind));
+    tp_encode_markdown(t, note->text);
+    if (note->place[0] != '\0') {
+      tp_text_add(t, " (");
+      tp_encode_markdown(t, note->place);
+      tp_text_add(t, ")");
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+static void add_all_notes(tp_text *t, const tp_solution *const *solutions, size_t count) {
+  bool any = false;
+  for (size_t k = 0; k < count; k++) any = any || solutions[k]->notes.count > 0;
+  if (any) tp_text_add(t, "\n");
+  for (size_t k = 0; k < count; k++) add_notes(t, solutions[k]);
 }
 
 static const char *const columns =
@@ -103,7 +125,10 @@ tp_status tp_report_table(char **text, const tp_solution *const *solutions, size
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
-  return write(text, columns, add_case, solutions, count);
+  tp_text t = {0};
+  write(&t, columns, add_case, solutions, count);
+  add_all_notes(&t, solutions, count);
+  return tp_text_finish(&t, text);
 }
 
 /* A number in full, or an empty field. */
@@ -150,5 +175,7 @@ tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
-  return write(text, fields, add_fields, solutions, count);
+  tp_text t = {0};
+  write(&t, fields, add_fields, solutions, count);
+  return tp_text_finish(&t, text);
 }

@@ -30,6 +30,9 @@ struct tp_node {
 TP_MUST_USE tp_status tp_node_read(tp_node **root, const char *path, tp_message *message);
 void tp_node_free(tp_node *root);
 
+/* With all its children; NULL when memory is exhausted. */
+tp_node *tp_node_copy(const tp_node *node);
+
 /* The same from text that is not empty; `name` is what places refer to. */
 TP_MUST_USE tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,
                                         tp_message *message);

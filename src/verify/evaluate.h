@@ -15,6 +15,11 @@ TP_MUST_USE tp_status tp_evaluate_field(fmpz_mpoly_q_t value, bool *rational,
                                         const tp_formula *formula, tp_subject *subject,
                                         tp_message *message);
 
+/* The same of what the function at the root of a formula is taken of. */
+TP_MUST_USE tp_status tp_evaluate_operand(fmpz_mpoly_q_t value, bool *rational,
+                                          const tp_formula *formula, tp_subject *subject,
+                                          tp_message *message);
+
 /* The same of the tangent of a formula that is an angle: an arctangent, a derived direction, a sum
  * of multiples of angles. Of any other formula `*rational` is false. */
 TP_MUST_USE tp_status tp_evaluate_tangent(fmpz_mpoly_q_t value, bool *rational,

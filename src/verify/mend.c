@@ -11,8 +11,6 @@
 #include "verify/mend.h"
 
 #include "derive/field_work.h"
-#include "number/ratio.h"
-#include "outside.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,17 +90,6 @@ static const tp_formula *printed(const search *s) {
   return s->question->printed;
 }
 
-/* The text of a node for a message, with an ellipsis where it is longer. */
-static const char *part(char *out, size_t size, const search *s, int begin, int end) {
-  const char *text = printed(s)->text + begin;
-  static const char ellipsis[] = "…";
-  const size_t length = (size_t)(end - begin);
-  const bool fits = length < size;
-  const size_t shown = tp_whole_characters(text, fits ? length : size - sizeof ellipsis);
-  snprintf(out, size, "%.*s%s", (int)shown, text, fits ? "" : ellipsis);
-  return out;
-}
-
 static void turn_signs(search *s) {
   const tp_formula *f = printed(s);
   char change[160], text[60];
@@ -112,11 +99,11 @@ static void turn_signs(search *s) {
       const tp_formula_node *right = f->nodes + n->right;
       const char *sign = n->kind == TP_FORMULA_ADD ? "-" : "+";
       snprintf(change, sizeof change, "the sign before %s is %s",
-               part(text, sizeof text, s, right->begin, right->end), sign);
+               tp_mend_part(text, sizeof text, printed(s), right->begin, right->end), sign);
       try_change(s, tp_mend_replaced(f, n->at, n->at + n->length, sign), 1, change);
     } else if (n->kind == TP_FORMULA_NEGATE) {
       snprintf(change, sizeof change, "there is no minus before %s",
-               part(text, sizeof text, s, n->at + n->length, n->end));
+               tp_mend_part(text, sizeof text, printed(s), n->at + n->length, n->end));
       try_change(s, tp_mend_replaced(f, n->at, n->at + n->length, ""), 1, change);
     }
   }
@@ -142,40 +129,15 @@ static void solve_for(search *s, int begin, int end, const char *written, root_v
   free(roots);
 }
 
-/* How simple a number is: denominators weigh more than what it is. */
-static double simplicity(const fmpq_t value) {
-  const double size = fabs(fmpq_get_d(value));
-  return 1000 * fmpz_get_d(fmpq_denref(value)) + (size < 900 ? size : 900);
-}
-
-/* A number in digits: a decimal where one stands for it, else a fraction. */
-static void digits_text(char *out, size_t size, const fmpq_t value, bool decimal) {
-  char *fraction = decimal ? NULL : fmpq_get_str(NULL, 10, value);
-  if (fraction == NULL || strlen(fraction) >= size) {
-    tp_ratio_text(out, size, value);
-  } else {
-    snprintf(out, size, "%s", fraction);
-  }
-  flint_free(fraction);
-}
-
-/* The same as it is written into a formula. */
-static void number_text(char *out, size_t size, const fmpq_t value, bool decimal) {
-  char text[80];
-  digits_text(text, sizeof text, value, decimal);
-  const bool plain = strchr(text, '/') == NULL && fmpq_sgn(value) >= 0;
-  snprintf(out, size, plain ? "%s" : "(%s)", text);
-}
-
 static void keep_number(search *s, const fmpq_t root, int begin, int end) {
   char by[90], change[200], text[60], number[80];
-  part(text, sizeof text, s, begin, end);
+  tp_mend_part(text, sizeof text, printed(s), begin, end);
   const bool decimal = strchr(text, '.') != NULL;
-  number_text(by, sizeof by, root, decimal);
-  digits_text(number, sizeof number, root, decimal);
+  tp_mend_number(by, sizeof by, root, decimal);
+  tp_mend_digits(number, sizeof number, root, decimal);
   snprintf(change, sizeof change, "the number %s at column %d is %s", text,
            tp_formula_place(printed(s), begin).column - printed(s)->place.column + 1, number);
-  try_change(s, tp_mend_replaced(printed(s), begin, end, by), simplicity(root), change);
+  try_change(s, tp_mend_replaced(printed(s), begin, end, by), tp_mend_simplicity(root), change);
 }
 
 static void change_numbers(search *s) {
@@ -192,7 +154,7 @@ static void keep_factor(search *s, const fmpq_t root, int begin, int end) {
   (void)end;
   char number[80], by[100], change[200], text[60];
   const tp_formula *f = printed(s);
-  number_text(number, sizeof number, root, false);
+  tp_mend_number(number, sizeof number, root, false);
   snprintf(by, sizeof by, "%s*", number);
   int stop = begin;
   for (long k = 0; k < f->count; k++) { /* the longest product that begins here */
@@ -202,13 +164,13 @@ static void keep_factor(search *s, const fmpq_t root, int begin, int end) {
       stop = n->end;
     }
   }
-  part(text, sizeof text, s, begin, stop);
+  tp_mend_part(text, sizeof text, printed(s), begin, stop);
   if (fmpq_is_zero(root)) {
     snprintf(change, sizeof change, "the term %s is not there", text);
   } else {
     snprintf(change, sizeof change, "%s is to be multiplied by %s", text, number);
   }
-  try_change(s, tp_mend_replaced(f, begin, begin, by), simplicity(root), change);
+  try_change(s, tp_mend_replaced(f, begin, begin, by), tp_mend_simplicity(root), change);
 }
 
 /* Multiply each term of a sum, and the whole. */
@@ -255,7 +217,7 @@ static void change_exponents(search *s) {
     }
     if (is_base) continue;
     const int base_end = power ? f->nodes[n->left].end : n->end;
-    part(of, sizeof of, s, n->begin, base_end);
+    tp_mend_part(of, sizeof of, printed(s), n->begin, base_end);
     for (size_t j = 0; j < sizeof exponents / sizeof exponents[0]; j++) {
       try_exponent(s, base_end, n->end, exponents[j], (double)j, of);
     }
@@ -270,7 +232,8 @@ static void try_name(search *s, const tp_formula_node *n, const char *name, doub
     s->failed = true;
   } else {
     snprintf(by, room, "(%s)", name);
-    snprintf(change, room, "%s is %s", part(text, sizeof text, s, n->at, n->at + n->length), name);
+    snprintf(change, room, "%s is %s",
+             tp_mend_part(text, sizeof text, printed(s), n->at, n->at + n->length), name);
     try_change(s, tp_mend_replaced(printed(s), n->begin, n->end, by), size, change);
   }
   free(by);

@@ -23,4 +23,15 @@ bool tp_mend_difference(fmpz_mpoly_q_t difference, bool *failed, const char *tex
  * caller clears and frees it. -1 when memory is exhausted. */
 long tp_mend_solve(fmpq **roots, const char *text, const tp_question *question);
 
+/* The text of a node for a message, with an ellipsis where it is longer. */
+const char *tp_mend_part(char *out, size_t size, const tp_formula *formula, int begin, int end);
+
+/* How simple a number is: denominators weigh more than what it is. */
+double tp_mend_simplicity(const fmpq_t value);
+
+/* A number in digits: a decimal where one stands for it, else a fraction. The same as it is written
+ * into a formula. */
+void tp_mend_digits(char *out, size_t size, const fmpq_t value, bool decimal);
+void tp_mend_number(char *out, size_t size, const fmpq_t value, bool decimal);
+
 #endif

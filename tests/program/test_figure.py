@@ -27,6 +27,7 @@ VERMILION = (0.835, 0.369, 0.0)
 
 # Scenes that a figure could trip over.
 SCENES = {
+    "cautioned": "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 2600}\nfriction_angle_deg: 30",
     "slender": "block: {slab: {width: 1, height: 1000}}\nfriction_angle_deg: 30",
     "flat": "block: {slab: {width: 1000, height: 1}}\nfriction_angle_deg: 30\ntilt: {angle_deg: 3}",
     "interlocked": "block: {teeth: {count: 2, width: 10, height: 100, depth: 30, left_end: valley}}\n"

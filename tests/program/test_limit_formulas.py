@@ -11,6 +11,7 @@ import random
 import re
 import tempfile
 import unittest
+from decimal import Decimal
 from fractions import Fraction
 
 import exact
@@ -114,6 +115,66 @@ class LimitFormulas(unittest.TestCase):
                 formula = value(tangent["numerator"], values) / value(tangent["denominator"], values)
                 self.assertEqual(formula, best, (n, left, beyond, phi, values))
         self.assertGreater(min(held, failed), 200, (held, failed))
+
+    def test_conditions_are_met_on_both_sides(self):
+        """Every check that is reported, done again: inside all conditions hold and the formula is the
+        solver's limit within its bound; outside its condition fails and the solver finds what the
+        report says. Most conditions have one, and most bound the formula for good."""
+        random.seed(7)
+        beyond, conditions = [], 0
+        for n, left, phi in itertools.product((1, 2, 3), ("valley", "peak"), ("20", "60")):
+            scene = {"n": n, "left": left, "phi": phi, "a": 30, "b": 60 * n, "c": random.choice((5, 12)), "beyond": 0}
+            found = self.derive(**scene)
+            if found["tan_critical_angle"] is None:
+                continue
+            conditions += len(found["conditions"])
+            for check in found["checks"]:
+                for side in ("inside", "outside"):
+                    changed = {"friction_angle_deg": "phi"}
+                    at = {**scene, **{changed.get(k, k): v for k, v in check[side].items()}}
+                    signs, agrees, limit = self.look(found, at)
+                    if side == "inside":
+                        self.assertTrue(all(sign > 0 for sign in signs), (scene, check))
+                        self.assertTrue(agrees, (scene, check, limit))
+                    else:
+                        self.assertLess(signs[check["condition"]], 0, (scene, check))
+                        self.assertEqual(check["beyond"], "same" if agrees else
+                                         "none" if limit["critical_angle_deg"] is None else "other", (scene, check))
+                        beyond.append(check["beyond"])
+        self.assertGreater(len(beyond), 0.4 * conditions)
+        self.assertGreater(beyond.count("other"), 0.5 * len(beyond))
+
+    def look(self, found, scene):
+        """Signs of the conditions at the values of a scene; whether the formula gives the solver's
+        limit there; and that limit."""
+        values = {key: Fraction(str(scene[key])) for key in "abc"}
+        sine, cosine = exact.sin_cos(Decimal(str(scene["phi"])))
+        values["t"] = Fraction(sine / cosine)
+        signs = [value(f, values) for f in found["conditions"]]
+        tangent = value(found["tan_critical_angle"]["numerator"], values) / value(
+            found["tan_critical_angle"]["denominator"], values)
+        self.scene.write_text(SCENE.format(**scene))
+        status, out, err = run("solve", "--json", "--digits=15", self.scene)
+        self.assertEqual((status, err), (0, ""))
+        limit = json.loads(out)["cases"][0]["limit"]
+        solved = limit["critical_angle_deg"]
+        angle = exact.degrees(exact.atan(exact.decimal(tangent)))
+        agrees = solved is not None and abs(angle - Decimal(str(solved["value"]))) <= Decimal(
+            str(solved["error"])) + Decimal("1e-14") * abs(angle)
+        return signs, agrees, limit
+
+    def test_unchecked(self):
+        """--unchecked leaves the checks out, and nothing else."""
+        found = self.derive(n=3, left="valley", phi=30)
+        status, out, _ = run("derive", "--limit", "--json", "--unchecked", self.scene)
+        self.assertEqual(status, 0)
+        (other,) = json.loads(out)["limit"]
+        self.assertNotIn("checks", other)
+        self.assertGreater(len(found.pop("checks")), 2)
+        self.assertEqual(found, other)
+        text = run("derive", "--limit", self.scene)[1]
+        self.assertIn("solved at friction_angle_deg = 4.83", text)
+        self.assertNotIn("solved at", run("derive", "--limit", "--unchecked", self.scene)[1])
 
     def test_page_gathers_the_terms(self):
         """The formulas of docs/limit.md for blocks E and F are the derived ones."""

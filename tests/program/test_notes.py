@@ -93,6 +93,56 @@ class Notes(unittest.TestCase):
         status, out, _ = run("solve", "--json", ROOT / "tests" / "hard" / "arc_of_all_but_1e_9.yaml")
         self.assertEqual((status, json.loads(out)["notes"]), (0, []))
 
+    HEAVY = ("topple: 1\nlength_unit: m\ntitle: A *heavy* slab\nparameters: {b: 1}\n"
+             "block: {slab: {width: b, height: 2}, unit_weight_kn_m3: 2600}\nbase: {mated: true}\n")
+
+    def test_derivations(self):
+        """Formulas come from the same scene: its caution is told behind them, as a comment in LaTeX and C, and in
+        JSON as a note; a scene that calls for none has none."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(self.HEAVY)
+            words = "2600 kN/m³ is far from any rock"
+            (note,) = json.loads(run("derive", "--json", "scene.yaml", folder=folder)[1])["notes"]
+            self.assertEqual((note["kind"], note["place"]), ("caution", "scene.yaml:5:57"))
+            self.assertIn(words, note["text"])
+            text = run("derive", "scene.yaml", folder=folder)[1]
+            self.assertIn(f"Caution {note['text']} (scene.yaml:5:57)", " ".join(text.split()))
+            self.assertGreater(text.index("Caution"), text.rindex("tan(alpha_crit) ="))
+            for words, begin, end in ((["--latex"], "% caution: ", "(scene.yaml:5:57)"),
+                                      (["--c"], "/* caution: ", "(scene.yaml:5:57) */")):
+                last = run("derive", *words, "scene.yaml", folder=folder)[1].splitlines()[-1]
+                self.assertTrue(last.startswith(begin) and last.endswith(end), last)
+            (pathlib.Path(folder) / "scene.yaml").write_text(self.HEAVY.replace("2600", "26"))
+            self.assertEqual(json.loads(run("derive", "--json", "scene.yaml", folder=folder)[1])["notes"], [])
+            self.assertNotIn("Caution", run("derive", "scene.yaml", folder=folder)[1])
+
+    def test_tables(self):
+        """Below the table, by the name of the scene; not in CSV, which is for other programs."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(self.HEAVY)
+            plain = run("solve", "--table", ROOT / "examples" / "slab.yaml", folder=folder)[1]
+            out = run("solve", "--table", ROOT / "examples" / "slab.yaml", "scene.yaml", folder=folder)[1]
+            self.assertTrue(out.startswith(plain))
+            self.assertNotIn("caution", plain)
+            table, below = out.split("\n\n")
+            self.assertTrue(all(line.startswith("|") for line in table.splitlines()))
+            self.assertEqual(below.count("\n"), 1)
+            self.assertTrue(below.startswith("- A \\*heavy\\* slab, caution: 2600 kN/m³ is far from any rock"), below)
+            self.assertTrue(below.endswith("(scene.yaml:5:57)\n"), below)
+            self.assertNotIn("far from", run("solve", "--csv", "scene.yaml", folder=folder)[1])
+
+    def test_figures(self):
+        """One line below the legend says that the report has cautions: the page is higher by it."""
+        heights = []
+        with tempfile.TemporaryDirectory() as folder:
+            for weight in ("26", "2600"):
+                (pathlib.Path(folder) / "scene.yaml").write_text(self.HEAVY.replace("2600", weight))
+                status, _, err = run("solve", "--figure", "figure.svg", "scene.yaml", folder=folder)
+                self.assertEqual((status, err), (0, ""))
+                text = (pathlib.Path(folder) / "figure.svg").read_text(encoding="utf-8")
+                heights.append(float(re.search(r'<svg[^>]* height="([0-9.]+)', text).group(1)))
+        self.assertTrue(8 < heights[1] - heights[0] < 25, heights)
+
     def test_examples_have_none(self):
         for scene in sorted((ROOT / "examples").glob("*.yaml")):
             with self.subTest(scene.name):

@@ -109,7 +109,10 @@ class OutOfMemory(unittest.TestCase):
         self.every(40, "derive", "--elements", "--rounded", EXAMPLES / "block_e_valley.yaml")
 
     def test_derive_limit(self):
-        self.every(15, "derive", "--limit", EXAMPLES / "block_e_valley.yaml")
+        self.every(30, "derive", "--limit", "--unchecked", EXAMPLES / "block_e_valley.yaml")
+
+    def test_derive_checks(self):
+        self.every(1500, "derive", "--limit", EXAMPLES / "slab_left.yaml")
 
     def test_derive_for_all_counts(self):
         self.every(20, "derive", "--for-all", "count", EXAMPLES / "block_e_valley.yaml")

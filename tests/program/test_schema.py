@@ -155,6 +155,14 @@ class Schema(unittest.TestCase):
                     count += 1
                     self.fits("derive", out)
         self.assertGreater(count, 30)
+        with tempfile.TemporaryDirectory() as folder:  # a motion begins on level ground: no formula, and why
+            (pathlib.Path(folder) / "scene.yaml").write_text(
+                "topple: 1\nlength_unit: m\nblock: {teeth: {count: 1, width: 30, height: 20, depth: 12, left_end: peak}, "
+                "unit_weight_kn_m3: 2600}\n"
+                "base: {mated: true}\nfriction_angle_deg: 5\ntilt: {towards: left}\n")
+            found = self.prints("derive", "--json", "--limit", "scene.yaml", folder=folder)
+            self.assertIn("level ground", found["onset"][0]["why"])
+            self.assertEqual(found["notes"][0]["kind"], "caution")
         for scene in rounded:
             for words in (("--rounded",), ("--for-all", "count")):
                 status, out, _ = run("derive", "--json", *words, scene)

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Ways out from the scene's values, and the scene at other values of its symbols. */
+
+#ifndef TP_CHECK_WALK_H
+#define TP_CHECK_WALK_H
+
+#include "derive/checks.h"
+
+enum { TP_WALK_SYMBOLS = 12, TP_WALK_TEXT = 32 };
+
+/* A number of the scene that is a symbol of the formula. */
+typedef struct tp_walk_number {
+  const char *key; /* as the scene calls it */
+  long symbol;
+  bool is_friction; /* in degrees; its symbol is tan(phi) */
+  double own;       /* the scene's value */
+} tp_walk_number;
+
+typedef struct tp_walk {
+  const tp_checked_formula *formula;
+  tp_node *root; /* a copy of the scene as read */
+  size_t count;
+  tp_walk_number numbers[TP_WALK_SYMBOLS];
+} tp_walk;
+
+/* By how far each number goes, in logarithms where all are above zero. */
+typedef struct tp_walk_direction {
+  double of[TP_WALK_SYMBOLS];
+} tp_walk_direction;
+
+/* Values of all numbers as the scene is given them, and of all symbols. */
+typedef struct tp_walk_place {
+  char texts[TP_WALK_SYMBOLS][TP_WALK_TEXT];
+  arb_ptr values;
+} tp_walk_place;
+
+TP_MUST_USE tp_status tp_walk_init(tp_walk *walk, const tp_checked_formula *formula,
+                                   tp_message *message);
+void tp_walk_clear(tp_walk *walk);
+
+void tp_walk_place_init(tp_walk_place *place, const tp_walk *walk);
+void tp_walk_place_clear(tp_walk_place *place, const tp_walk *walk);
+
+/* The values at a distance in a direction; false where a number leaves its range. */
+bool tp_walk_go(tp_walk_place *place, const tp_walk *walk, const tp_walk_direction *direction,
+                double distance);
+
+/* The first condition from `from` on that does not hold there, certainly, or -1. */
+long tp_walk_fails(const tp_walk *walk, const tp_walk_place *place, long from);
+/* Do all hold, certainly? */
+bool tp_walk_holds(const tp_walk *walk, const tp_walk_place *place);
+
+/* What the solver says there, beside the formula; fails when memory is exhausted. */
+TP_MUST_USE tp_status tp_walk_solve(tp_check_verdict *verdict, const tp_walk *walk,
+                                    const tp_walk_place *place, tp_message *message);
+
+/* "c = 7.41, friction_angle_deg = 44": what differs from the scene; NULL when memory is exhausted.
+ */
+char *tp_walk_write(const tp_walk *walk, const tp_walk_place *place);
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Conditions of a formula put to the test: on either side of each the scene is solved in numbers.
+ *
+ * From the scene's values the symbols go out along each of them alone, and then together in
+ * directions drawn at random (the same for the same scene), until a condition fails; between the
+ * last numbers that do and the first that do not the crossing is bisected. Just inside the
+ * certified solver has to agree with the formula, or the derivation fails; just outside it says
+ * what comes then. A condition that no direction meets first is left without a check. */
+
+#ifndef TP_CHECKS_H
+#define TP_CHECKS_H
+
+#include "derive/conditions.h"
+#include "derive/model.h"
+
+/* A formula and what it is of. */
+typedef struct tp_checked_formula {
+  const tp_model *model;
+  tp_direction towards;
+  bool onset;                         /* of the onset of motion; else of the static limit */
+  long friction;                      /* the symbol tan(phi) */
+  const fmpz_mpoly_q_struct *tangent; /* of the angle */
+  const tp_conditions *conditions;
+} tp_checked_formula;
+
+/* Fills in the list; for a scene of many vertices, or without conditions, none. */
+TP_MUST_USE tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *formula,
+                                    tp_message *message);
+void tp_checks_free(tp_derived_checks *checks);
+
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "verify/mend.h"
+
+#include "number/ratio.h"
+#include "outside.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *tp_mend_part(char *out, size_t size, const tp_formula *formula, int begin, int end) {
+  const char *text = formula->text + begin;
+  static const char ellipsis[] = "…";
+  const size_t length = (size_t)(end - begin);
+  const bool fits = length < size;
+  const size_t shown = tp_whole_characters(text, fits ? length : size - sizeof ellipsis);
+  snprintf(out, size, "%.*s%s", (int)shown, text, fits ? "" : ellipsis);
+  return out;
+}
+
+double tp_mend_simplicity(const fmpq_t value) {
+  const double size = fabs(fmpq_get_d(value));
+  return 1000 * fmpz_get_d(fmpq_denref(value)) + (size < 900 ? size : 900);
+}
+
+void tp_mend_digits(char *out, size_t size, const fmpq_t value, bool decimal) {
+  char *fraction = decimal ? NULL : fmpq_get_str(NULL, 10, value);
+  if (fraction == NULL || strlen(fraction) >= size) {
+    tp_ratio_text(out, size, value);
+  } else {
+    snprintf(out, size, "%s", fraction);
+  }
+  flint_free(fraction);
+}
+
+void tp_mend_number(char *out, size_t size, const fmpq_t value, bool decimal) {
+  char text[80];
+  tp_mend_digits(text, sizeof text, value, decimal);
+  const bool plain = strchr(text, '/') == NULL && fmpq_sgn(value) >= 0;
+  snprintf(out, size, plain ? "%s" : "(%s)", text);
+}
