@@ -11,7 +11,7 @@ void tp_text_check(tp_text *t, const tp_derived_checks *checks, size_t condition
                    const char *what) {
   for (size_t k = 0; k < checks->count; k++) {
     const tp_derived_check *c = checks->items + k;
-    if (c->condition != condition) continue;
+    if (c->number != condition) continue;
     tp_text_add(t, "      solved at %s: the %s is the formula's; at %s: ", c->inside, what,
                 c->outside);
     switch (c->beyond) {
@@ -68,7 +68,7 @@ void tp_json_checks(tp_text *t, const tp_derived_checks *checks) {
   tp_text_add(t, ",\n     \"checks\": [");
   for (size_t k = 0; k < checks->count; k++) {
     const tp_derived_check *c = checks->items + k;
-    tp_text_add(t, "%s\n       {\"condition\": %zu, \"inside\": ", k == 0 ? "" : ",", c->condition);
+    tp_text_add(t, "%s\n       {\"condition\": %zu, \"inside\": ", k == 0 ? "" : ",", c->number);
     add_numbers(t, c->inside);
     tp_text_add(t, ", \"outside\": ");
     add_numbers(t, c->outside);
