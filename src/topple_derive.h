@@ -79,7 +79,7 @@ typedef enum tp_check_verdict {
 /* A condition looked at from both sides in numbers: just inside the solver agrees with the formula,
  * just outside it finds what `beyond` says. */
 typedef struct tp_derived_check {
-  size_t number; /* of the condition */
+  size_t number;          /* of the condition */
   char *inside, *outside; /* the scene's numbers that were changed, as in "c = 7.41, b = 100" */
   tp_check_verdict beyond;
 } tp_derived_check;
