@@ -172,6 +172,12 @@ static void draw_angle(fmpq_t angle, long most, uint64_t *state) {
   fmpq_set_si(angle, draw_below(state, whole ? most + 1 : 7 * most), whole ? 1 : 7);
 }
 
+/* A ring may close by its first vertex once more, but not have it twice elsewhere. */
+static void drop_closing(polygon *p) {
+  const long last = p->count - 1;
+  if (last > 0 && p->x[last] == p->x[0] && p->y[last] == p->y[0]) p->count--;
+}
+
 void random_scene_draw(random_scene *s, uint64_t *state) {
   memset(s, 0, sizeof *s);
   for (int k = 0; k < NUMBERS; k++) fmpq_init(s->numbers + k);
@@ -181,6 +187,7 @@ void random_scene_draw(random_scene *s, uint64_t *state) {
   if (kind == 1) draw_overhang(s, state);
   if (kind == 2) draw_tied(s, state);
   if (kind > 2) draw_body(s, state);
+  drop_closing(&s->outline);
   draw_map(s, state);
   s->unit = (int)draw_below(state, UNITS);
   s->beyond_stated = s->profile.count == 0 && draw_once_in(state, 2);

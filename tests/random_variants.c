@@ -154,7 +154,6 @@ static bool renumber(random_scene *s, relation *r, uint64_t *state) {
     const polygon old = *rings[i];
     long first = old.count > 0 ? draw_below(state, old.count) : 0;
     while (first > 0 && repeats_the_one_before(&old, first)) first--;
-    if (old.count > 0 && repeats_the_one_before(&old, 0)) first = 0;
     for (long k = 0; k < old.count; k++) {
       rings[i]->x[k] = old.x[(first + k) % old.count];
       rings[i]->y[k] = old.y[(first + k) % old.count];

@@ -147,7 +147,7 @@ bool tp_cones_share_site(const tp_cones *cones, long column, long other) {
          cones->points[column / 2].site == cones->points[other / 2].site;
 }
 
-static bool is_shear(const tp_cones *cones, long column) {
+bool tp_cones_is_shear(const tp_cones *cones, long column) {
   int kind = ALONG;
   if (tp_cones_is_edge(cones, column)) return false;
   (void)allowance_of(cones, column, &kind);
@@ -174,7 +174,8 @@ static bool lines_meet(long *site, const tp_cones *cones, long line, long other)
 bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other) {
   const tp_cone_point *own = cones->points + tp_cones_point_of(cones, column);
   const tp_cone_point *others = cones->points + tp_cones_point_of(cones, other);
-  const bool shear = is_shear(cones, column), other_shear = is_shear(cones, other);
+  const bool shear = tp_cones_is_shear(cones, column),
+             other_shear = tp_cones_is_shear(cones, other);
   if (shear && other_shear) return lines_meet(site, cones, own->line, others->line);
   if (shear && tp_cones_is_edge(cones, other)) {
     *site = others->site;

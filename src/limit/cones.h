@@ -52,6 +52,7 @@ void tp_cones_clear(tp_cones *cones);
 enum { TP_ALLOWANCE_COLUMNS = 3 };
 long tp_cones_column_count(const tp_cones *cones);
 bool tp_cones_is_edge(const tp_cones *cones, long column);
+bool tp_cones_is_shear(const tp_cones *cones, long column);
 
 /* The column, three balls; its bound, where it is no edge of a cone. */
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits);

@@ -103,15 +103,17 @@ static bool slides_along(const telling *t, long column) {
   return sign != 1 && sign != -1;
 }
 
-/* Of the facets along which it slides, the first from the toe that has a length: which two of them
- * the forces were put on is the solver's choice. They are parallel, or at an angle of 2 phi, so
- * that their forces are. -1 where all of them belong to the base that goes on past the block. */
+/* Of the facets along which it slides, or under cohesion lifts off without shearing them, the first
+ * from the toe that has a length: which two of them the forces were put on is the solver's choice.
+ * They are parallel, or at an angle of 2 phi, so that their forces are. -1 where all of them belong
+ * to the base that goes on past the block. */
 static long facet_of_slide(const telling *t) {
   const tp_cones *cones = t->question->cones;
   const tp_facet *facets = t->e->problem->contact.facets;
   const long *own = t->answer->face.columns;
   long best = cones->points[tp_cones_point_of(cones, own[own[0] < 0 ? 1 : 0])].facet;
-  for (long column = 0; column < 2 * cones->count; column++) {
+  for (long column = 0; column < tp_cones_column_count(cones); column++) {
+    if (!tp_cones_is_edge(cones, column) && !tp_cones_is_shear(cones, column)) continue;
     const long facet = cones->points[tp_cones_point_of(cones, column)].facet;
     if (facet < 0 || !slides_along(t, column)) continue;
     if (best < 0) best = facet;

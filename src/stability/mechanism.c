@@ -209,7 +209,7 @@ static void judge_margin(tp_evaluation *e, tp_case *result, const tp_direction_b
   result->margin_deg = result->margin_to_first_deg;
   if (kind == TP_ONSET_NOWHERE || kind == TP_ONSET_UNDECIDED) result->has_margin = false;
   if (kind != TP_ONSET_AT_ANGLE || !e->problem->scene->tilt_angle_deg.given) return;
-  if (first != NULL && !arb_lt(onset->degrees, first->degrees)) return;
+  if (first != NULL && !result->onset.below_limit) return;
   arb_t margin;
   arb_init(margin);
   set_margin(margin, e, onset);
