@@ -62,7 +62,7 @@ static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_sketch 
     if (!tp_work_spend(q->work, engine == 0 ? 2 : 5, sketch->count, q->judge.bits)) return TP_OPEN;
     const tp_simplex_answer found = engine == 0 ? tp_balance_solve(sketch, push, load)
                                                 : tp_balance_solve_precisely(q, sketch, push, load);
-    long columns[2], violated = -1;
+    long columns[2] = {-1, -1}, violated = -1;
     if (!span(columns, &found, sketch, 2 * q->cones->count)) continue;
     answer = tp_face_span(face, q->cones, columns[0], columns[1], load, &q->judge);
     if (answer == TP_YES) answer = tp_face_admit(face, q->cones, sketch, &q->judge, &violated);

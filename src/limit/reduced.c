@@ -87,12 +87,14 @@ static void divide(tp_reduced *r, const arf_t factor) {
 
 tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_t factor) {
   tp_limit_answer answer;
+  at->kind = TP_LIMIT_UNDECIDED;
+  at->has_motion = false;
   if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
   divide(r, factor);
   tp_limit_question question = *r->question;
   question.sketch = &r->reduced;
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
-  at->kind = outcome == TP_LIMIT_PROVEN ? answer.kind : TP_LIMIT_UNDECIDED;
+  if (outcome == TP_LIMIT_PROVEN) at->kind = answer.kind;
   at->has_motion = at->kind == TP_LIMIT_AT_ANGLE;
   arb_indeterminate(at->degrees);
   if (at->has_motion) {
