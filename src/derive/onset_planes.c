@@ -12,6 +12,7 @@ void tp_onset_planes_clear(tp_onset_planes *p) {
     arb_clear(p->items[k].level);
   }
   free(p->items);
+  memset(p, 0, sizeof *p);
 }
 
 static tp_onset_plane *add_plane(tp_onset_planes *p) {

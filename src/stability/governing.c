@@ -154,7 +154,8 @@ static bool lets_go_before(const tp_case *c) {
   const bool above =
       rank_of(g->fos) == RANK_UNBOUNDED ||
       (rank_of(g->fos) == RANK_NUMBER && g->fos.value.value - g->fos.value.error > 1);
-  return moves && above && c->has_margin && c->margin_deg.value + c->margin_deg.error < 0;
+  const tp_bounded margin = c->margin_to_first_deg;
+  return moves && above && c->has_margin_to_first && margin.value + margin.error < 0;
 }
 
 static void govern(tp_case *c, const tp_solution *solution) {
