@@ -111,24 +111,34 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* What a column at its bound can do is to bear less. */
+static void set_column(double column[3], const tp_sketch *sketch, long k) {
+  const bool turned = sketch->at_most != NULL && sketch->at_most[k];
+  for (int row = 0; row < 3; row++)
+    column[row] = turned ? -sketch->columns[k][row] : sketch->columns[k][row];
+}
+
 /* Wrapping about the shared edge: with n = s (shared x other) pointing into the cone, the other
  * face's column k has -s (shared x k) pointing into it. */
 long tp_basis_across(const tp_sketch *sketch, long shared, long other) {
   static const double rounding = 1e-12;
   const double *edge = sketch->columns[shared];
-  double normal[3], inward = 0;
-  cross(normal, edge, sketch->columns[other]);
+  double column[3], normal[3], inward = 0;
+  set_column(column, sketch, other);
+  cross(normal, edge, column);
   for (long k = 0; k < sketch->count; k++) {
-    const double side = dot(normal, sketch->columns[k]);
+    set_column(column, sketch, k);
+    const double side = dot(normal, column);
     if (fabs(side) > fabs(inward)) inward = side;
   }
   const double turn = inward < 0 ? 1 : -1;
   long found = -1;
   for (long k = 0; k < sketch->count; k++) {
     double own[3];
-    cross(own, edge, sketch->columns[k]);
+    set_column(column, sketch, k);
+    cross(own, edge, column);
     if (fabs(own[0]) + fabs(own[1]) + fabs(own[2]) < rounding) continue; /* the edge itself */
-    if (found < 0 || turn * dot(normal, sketch->columns[k]) < -rounding) {
+    if (found < 0 || turn * dot(normal, column) < -rounding) {
       found = k;
       for (int row = 0; row < 3; row++) normal[row] = own[row];
     }

@@ -107,14 +107,14 @@ class Symmetry(unittest.TestCase):
         random.seed(2012)
         self.scenes = [draw() for _ in range(SCENES)]
 
-    def same(self, one, other, scale, story):
-        """Two lists of bounded numbers, the other `scale` times as large."""
+    def same(self, one, other, scale, story, slack=0):
+        """Two lists of bounded numbers, the other `scale` times as large, to `slack` of their size."""
         self.assertEqual(len(one), len(other), story)
         for (a, e), (b, f) in zip(one, other):
-            room = scale * e + f + 4e-16 * abs(b)  # and the rounding of this comparison
+            room = scale * e + f + (4e-16 + slack) * abs(b)  # and the rounding of this comparison
             self.assertLessEqual(abs(scale * a - b), room, story)
 
-    def each(self, arguments, of, scales=lambda scene: 1.0):
+    def each(self, arguments, of, scales=lambda scene: 1.0, slack=0):
         """`of` takes the numbers out of a JSON result; they grow by `scales` of the variant."""
         compared = 0
         for scene in self.scenes:
@@ -125,7 +125,7 @@ class Symmetry(unittest.TestCase):
                 other_status, other, other_err = topple(variant, *unit(variant))
                 self.assertEqual(status, other_status, story + err + other_err)
                 if status == 0:
-                    self.same(of(json.loads(out)), of(json.loads(other)), scales(variant), story)
+                    self.same(of(json.loads(out)), of(json.loads(other)), scales(variant), story, slack)
                     compared += len(of(json.loads(out)))
         self.assertGreater(compared, SCENES)
 
@@ -141,9 +141,10 @@ class Symmetry(unittest.TestCase):
                   lambda r: numbers(r["find"]["solutions"]), lambda s: float(1 / FACTOR[s.unit]))
 
     def test_map(self):
-        """The map along the friction angle: every border."""
+        """The map along the friction angle: every border. Where two meet is bracketed between neighbouring doubles,
+        which may be others for the mirror image: there a curve ends some 2^-52 of x sooner or later."""
         self.each(["chart", "map", "--json", "--x", "friction_angle_deg=10:50", "SCENE"],
-                  lambda r: numbers([[p["y"] for p in s["points"]] for s in r["series"]]))
+                  lambda r: numbers([[p["y"] for p in s["points"]] for s in r["series"]]), slack=1e-13)
 
     def test_table(self):
         """Every angle and mechanism of its row; names of sides are mirrored."""
