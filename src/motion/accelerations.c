@@ -173,10 +173,11 @@ static tp_motion_outcome bound_pulls(tp_starting *s) {
   if (pulls == 0 || s->solutions == 0) return TP_MOTION_PROVEN;
   arb_t left;
   arb_init(left);
-  arb_set(left, s->strength->most_pull);
   for (long k = 0; k < pulls; k++) {
-    arb_sub(left, left, s->start->forces + s->mode->edge_count + k, s->q->judge.bits);
+    tp_strength_add_pull(left, s->start->forces + s->mode->edge_count + k, s->q,
+                         s->strength->pulled[k]);
   }
+  arb_sub(left, s->strength->most_pull, left, s->q->judge.bits);
   const int sign = tp_judge_sign(&s->q->judge, left, 0);
   arb_clear(left);
   if (sign < 0) s->solutions = 0;

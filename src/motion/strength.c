@@ -189,6 +189,14 @@ static void add_bond(tp_vector *sum, const gathering *g, const tp_allowance *own
   tp_vector_clear(&pull);
 }
 
+void tp_strength_add_pull(arb_t sum, const arb_t factor, const tp_motion_question *q, long point) {
+  fmpz_t steps;
+  fmpz_init(steps);
+  fmpz_gcd(steps, q->cones->tx + point, q->cones->ty + point);
+  arb_addmul_fmpz(sum, factor, steps, q->judge.bits);
+  fmpz_clear(steps);
+}
+
 /* What slides shears the facets along it, and opens all others. */
 static tp_motion_outcome add_slide(gathering *g) {
   const tp_cones *strong = g->q->strong;
@@ -199,7 +207,7 @@ static tp_motion_outcome add_slide(gathering *g) {
     const tp_allowance *own = strong->allowances + k;
     bonds = bonds || !arb_is_zero(own->pull);
     if (g->n->families[g->n->family_of[own->point]].axis == sliding) {
-      arb_add(g->strength->most_pull, g->strength->most_pull, own->pull, g->q->judge.bits);
+      tp_strength_add_pull(g->strength->most_pull, own->pull, g->q, own->point);
       done = add_shear(g, own, own->point);
     } else {
       add_bond(&g->strength->bond, g, own);

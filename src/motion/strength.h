@@ -22,7 +22,7 @@ enum { TP_STRENGTH_FREE = 16, TP_STRENGTH_PULLS = 4 };
 typedef struct tp_strength {
   tp_vector fixed;          /* on the block, */
   tp_vector cohesion, bond; /* the sum of these: of lines that slip, of facets that open */
-  arb_t most_pull;          /* all bonds of facets that slide in one piece */
+  arb_t most_pull;          /* all bonds of facets that slide in one piece (tp_strength_add_pull) */
   long free_count;
   tp_vector free[TP_STRENGTH_FREE];           /* times anything from -1 to 1, */
   long sticks[TP_STRENGTH_FREE];              /* each for a point that sticks */
@@ -45,6 +45,11 @@ TP_MUST_USE tp_motion_outcome tp_strength_find(tp_strength *strength,
                                                const tp_motion_question *question,
                                                const tp_normals *normals, const tp_twists *twists,
                                                const tp_mode *mode);
+
+/* Adds a factor on t of a point in units of the least whole numbers along t, the same for all
+ * facets of one direction. */
+void tp_strength_add_pull(arb_t sum, const arb_t factor, const tp_motion_question *question,
+                          long point);
 
 /* What cohesion and bonds do is the same in modes of one number, as far as planes of a ray and an
  * edge in common tell: those whose closed contacts lie on one straight line have that of the line,
