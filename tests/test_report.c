@@ -140,7 +140,7 @@ START_TEST(motions) {
   s.cases[0].mechanism = TP_SLIDES;
   says(&s, "Does not stand at 20°: it can begin to slide, or to leave its base.\n", "Stands at");
   says(&s,
-       "    slides:\n      x 0 g, y 0 g, turning 0 g/m at least\n      facet 3, left end: slips "
+       "    slides:\n      at least x 0 g, y 0 g, turning 0 g/m\n      facet 3, left end: slips "
        "down-dip, force (0.5, 0.5) W\n",
        NULL);
   says(&s, "every contact opens\n", "overcomes");
@@ -148,7 +148,8 @@ START_TEST(motions) {
   own[0].cohesion.share_x = number(0.25);
   own[0].bond.share_y = number(-0.125);
   says(&s,
-       "turning 0 g/m at most\n      overcomes cohesion (0.2500, 0.0000) W and bonds (0.0000, "
+       "at most x 0 g, y 0 g, turning 0 g/m\n      overcomes cohesion (0.2500, 0.0000) W and bonds "
+       "(0.0000, "
        "-0.1250) W\n",
        "at least");
   says(&s, "Painlevé's paradox", NULL);

@@ -185,14 +185,25 @@ static void add_contacts(tp_page *p, const tp_motion *m) {
   }
 }
 
+static bool is_none(const tp_motion_resistance *r) {
+  return r->share_x.value == 0 && r->share_y.value == 0;
+}
+
+static void add_share(tp_page *p, const char *what, const tp_motion_resistance *r) {
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_add(&p->text, "%s (%s, %s) W", what, tp_text_fixed(n[0], r->share_x, 4),
+              tp_text_fixed(n[1], r->share_y, 4));
+}
+
 /* "      overcomes cohesion (0.1, 0.05) W and bonds (0, -0.2) W" */
 static void add_resistance(tp_page *p, const tp_motion *m) {
-  char n[4][TP_NUMBER_SIZE];
-  if (!m->has_strength) return;
-  tp_text_add(&p->text, "      overcomes cohesion (%s, %s) W and bonds (%s, %s) W\n",
-              tp_text_fixed(n[0], m->cohesion.share_x, 4),
-              tp_text_fixed(n[1], m->cohesion.share_y, 4), tp_text_fixed(n[2], m->bond.share_x, 4),
-              tp_text_fixed(n[3], m->bond.share_y, 4));
+  const bool cohesion = m->has_strength && !is_none(&m->cohesion);
+  const bool bond = m->has_strength && !is_none(&m->bond);
+  if (!cohesion && !bond) return;
+  tp_text_add(&p->text, "      overcomes ");
+  if (cohesion) add_share(p, "cohesion", &m->cohesion);
+  if (bond) add_share(p, cohesion ? " and bonds" : "bonds", &m->bond);
+  tp_text_add(&p->text, "\n");
 }
 
 void tp_page_add_motions(tp_page *p, const tp_case *c) {
@@ -208,13 +219,13 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
       tp_text_add(&p->text, " about (%s, %s)", tp_page_coordinate(p, n[0], m->centre_x_m),
                   tp_page_coordinate(p, n[1], m->centre_y_m));
     }
-    tp_text_add(&p->text, ":\n      x %s g, y %s g, turning %s g/m%s\n",
+    tp_text_add(&p->text, ":\n      %sx %s g, y %s g, turning %s g/m\n",
+                m->accelerations_fixed ? ""
+                : m->greatest          ? "at most "
+                                       : "at least ",
                 tp_text_significant(n[0], m->acceleration_x_g, 4),
                 tp_text_significant(n[1], m->acceleration_y_g, 4),
-                tp_text_significant(n[2], m->angular_g_per_m, 4),
-                m->accelerations_fixed ? ""
-                : m->greatest          ? " at most"
-                                       : " at least");
+                tp_text_significant(n[2], m->angular_g_per_m, 4));
     add_resistance(p, m);
     add_contacts(p, m);
   }
