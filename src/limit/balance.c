@@ -141,21 +141,25 @@ tp_answer tp_balance_of(tp_basis *basis, const tp_limit_question *q, const tp_sk
   return answer;
 }
 
+const double tp_balance_push_weights[TP_PUSH_EDGES] = {1, 1.3125, 1.6875, 2.125};
+
+long tp_balance_push_edge(const tp_cones *cones, int k) {
+  return k < 2 ? k : 2 * cones->count - 4 + k;
+}
+
 void tp_balance_push(tp_vector *push, const tp_limit_question *q, const tp_sketch *sketch) {
-  static const double weights[4] = {1, 1.3125, 1.6875, 2.125};
-  const long last = 2 * q->cones->count - 2;
   tp_vector column, force;
   arb_t factor;
   tp_vector_init(&column);
   tp_vector_init(&force);
   arb_init(factor);
   for (int row = 0; row < 3; row++) arb_zero(push->of + row);
-  for (int k = 0; k < 4; k++) {
-    tp_cones_column(column.of, q->cones, k < 2 ? k : last + k - 2, q->judge.precision);
+  for (int k = 0; k < TP_PUSH_EDGES; k++) {
+    tp_cones_column(column.of, q->cones, tp_balance_push_edge(q->cones, k), q->judge.precision);
     arb_get_mid_arb(force.of, column.of);
     arb_get_mid_arb(force.of + 1, column.of + 1);
     const double size = tp_vector_log2_size(&force);
-    arb_set_d(factor, weights[k]);
+    arb_set_d(factor, tp_balance_push_weights[k]);
     arb_mul_2exp_si(factor, factor, sketch->force_exponent - (isfinite(size) ? (slong)size : 0));
     for (int row = 0; row < 3; row++) {
       arb_addmul(push->of + row, column.of + row, factor, q->judge.precision);

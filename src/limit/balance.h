@@ -17,6 +17,9 @@ tp_answer tp_balance_of(tp_basis *basis, const tp_limit_question *question, cons
 /* A push from within the cone of all forces: a sum of the edges at the first and the last point,
  * weighted unevenly so that no symmetry of the block makes a tie, in units of the sketch's force.
  */
+enum { TP_PUSH_EDGES = 4 };
+extern const double tp_balance_push_weights[TP_PUSH_EDGES];
+long tp_balance_push_edge(const tp_cones *cones, int k);
 void tp_balance_push(tp_vector *push, const tp_limit_question *question, const tp_sketch *sketch);
 
 /* Of all that balance a wrench, with a share t of the push as large as can be: in doubles, and at

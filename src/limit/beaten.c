@@ -5,6 +5,7 @@
 #include "limit/search.h"
 #include "limit/stretch.h"
 #include "load/roots.h"
+#include "number/ball.h"
 
 #include <math.h>
 
@@ -121,15 +122,13 @@ static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *s
   }
   tp_vector load;
   tp_trig excess;
-  arb_t turn, sine, cosine, above;
+  arb_t sine, cosine, above;
   tp_vector_init(&load);
   tp_trig_init(&excess);
-  arb_init(turn);
   arb_init(sine);
   arb_init(cosine);
   arb_init(above);
-  arb_div_ui(turn, at, 180, q->judge.bits);
-  arb_sin_cos_pi(sine, cosine, turn, q->judge.bits);
+  tp_ball_sin_cos(sine, cosine, at, q->judge.bits);
   tp_search_load_at(&load, q->load, sine, cosine, q->judge.precision);
   tp_answer answer = find_face(&face, q, sketch, push, &load);
   if (answer == TP_YES) {
@@ -141,7 +140,6 @@ static tp_answer beaten_about(zeros *z, const tp_limit_question *q, tp_sketch *s
   tp_vector_clear(&load);
   tp_trig_clear(&excess);
   tp_face_clear(&face);
-  arb_clear(turn);
   arb_clear(sine);
   arb_clear(cosine);
   arb_clear(above);

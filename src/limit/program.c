@@ -29,19 +29,15 @@ void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t 
   const long bits = q->judge.bits;
   tp_vector *const parts[3] = {&p->target, &p->direction, &p->direction};
   tp_vector load;
-  arb_t turn, sine, cosine;
+  arb_t at;
   tp_vector_init(&load);
-  arb_init(turn);
-  arb_init(sine);
-  arb_init(cosine);
+  arb_init(at);
   for (int k = 0; k < 3; k++) {
-    arb_one(turn);
-    arb_mul_2exp_si(turn, turn, -17);
-    arb_mul_si(turn, turn, k == 0 ? 0 : k == 1 ? -1 : 1, bits);
-    arb_add(turn, near, turn, bits);
-    arb_div_ui(turn, turn, 180, bits);
-    arb_sin_cos_pi(sine, cosine, turn, bits);
-    tp_search_load_at(&load, q->load, sine, cosine, bits);
+    arb_one(at);
+    arb_mul_2exp_si(at, at, -17);
+    arb_mul_si(at, at, k == 0 ? 0 : k == 1 ? -1 : 1, bits);
+    arb_add(at, near, at, bits);
+    tp_search_load_at_degrees(&load, q, at);
     for (int row = 0; row < 3; row++) {
       if (k == 2) {
         arb_sub(parts[k]->of + row, load.of + row, parts[k]->of + row, bits);
@@ -53,9 +49,7 @@ void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t 
   }
   tp_vector_neg(&p->target);
   tp_vector_clear(&load);
-  arb_clear(turn);
-  arb_clear(sine);
-  arb_clear(cosine);
+  arb_clear(at);
 }
 
 bool tp_program_sketch(tp_sketch *sketch, const tp_limit_question *q) {

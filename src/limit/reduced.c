@@ -10,22 +10,12 @@
 #include <math.h>
 
 static void set_target(tp_reduced *r) {
-  const tp_limit_question *q = r->question;
   tp_vector load;
-  arb_t turn, sine, cosine;
   tp_vector_init(&load);
-  arb_init(turn);
-  arb_init(sine);
-  arb_init(cosine);
-  arb_div_ui(turn, r->degrees, 180, q->judge.bits);
-  arb_sin_cos_pi(sine, cosine, turn, q->judge.bits);
-  tp_search_load_at(&load, q->load, sine, cosine, q->judge.bits);
+  tp_search_load_at_degrees(&load, r->question, r->degrees);
   tp_sketch_wrench(r->target, &r->reduced, &load);
   for (int row = 0; row < 3; row++) r->target[row] = -r->target[row];
   tp_vector_clear(&load);
-  arb_clear(turn);
-  arb_clear(sine);
-  arb_clear(cosine);
 }
 
 void tp_reduced_init(tp_reduced *r) {
@@ -67,12 +57,13 @@ static void divide_by(const tp_reduced *r, const arf_t factor) {
 
 /* The share of a push from within the cone that the base bears beside the loads (balance.h). */
 double tp_reduced_margin(tp_reduced *r, double log_factor) {
-  static const double weights[4] = {1, 1.3125, 1.6875, 2.125}, much = 1e3;
-  const long edges = 2 * r->cones->count, columns[4] = {0, 1, edges - 2, edges - 1};
+  static const double much = 1e3;
+  const long edges = 2 * r->cones->count;
   tp_sketch_divide_strength(&r->reduced, r->given, edges, exp(log_factor));
   double push[3] = {0, 0, 0};
-  for (int k = 0; k < 4; k++) {
-    for (int row = 0; row < 3; row++) push[row] += weights[k] * r->reduced.columns[columns[k]][row];
+  for (int k = 0; k < TP_PUSH_EDGES; k++) {
+    const double *edge = r->reduced.columns[tp_balance_push_edge(r->cones, k)];
+    for (int row = 0; row < 3; row++) push[row] += tp_balance_push_weights[k] * edge[row];
   }
   const tp_simplex_answer found = tp_sketch_solve(&r->reduced, push, r->target);
   if (found.outcome == TP_SIMPLEX_OPTIMAL) return fmin(found.t, much);

@@ -30,6 +30,16 @@ void tp_search_load_at(tp_vector *wrench, const tp_wrench *load, const arb_t sin
   tp_trig_evaluate(wrench->of + 2, &load->moment, sine, cosine, bits);
 }
 
+void tp_search_load_at_degrees(tp_vector *wrench, const tp_limit_question *q, const arb_t degrees) {
+  arb_t sine, cosine;
+  arb_init(sine);
+  arb_init(cosine);
+  tp_ball_sin_cos(sine, cosine, degrees, q->judge.bits);
+  tp_search_load_at(wrench, q->load, sine, cosine, q->judge.precision);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
 void tp_search_excess(tp_trig *excess, const tp_face *face, const tp_limit_question *q) {
   tp_vector term;
   tp_vector_init(&term);
@@ -65,12 +75,8 @@ static tp_answer nearest_root(tp_limit_answer *a, const tp_trig *excess, const t
     nearest = k;
   }
   if (nearest >= 0) {
-    arb_t turn;
-    arb_init(turn);
     arb_set(a->degrees, roots.degrees + nearest);
-    arb_div_ui(turn, a->degrees, 180, q->judge.bits);
-    arb_sin_cos_pi(a->sine, a->cosine, turn, q->judge.bits);
-    arb_clear(turn);
+    tp_ball_sin_cos(a->sine, a->cosine, a->degrees, q->judge.bits);
   }
   const bool certain = roots.certain;
   tp_roots_clear(&roots);

@@ -16,6 +16,8 @@ bool tp_search_is_linear(const tp_limit_question *question);
 void tp_search_load_term(tp_vector *term, const tp_wrench *load, int basis);
 void tp_search_load_at(tp_vector *wrench, const tp_wrench *load, const arb_t sine,
                        const arb_t cosine, long bits);
+void tp_search_load_at_degrees(tp_vector *wrench, const tp_limit_question *question,
+                               const arb_t degrees);
 
 /* v . F - K as a function of the tilt. */
 void tp_search_excess(tp_trig *excess, const tp_face *face, const tp_limit_question *question);

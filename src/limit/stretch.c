@@ -4,30 +4,17 @@
 #include "limit/stretch.h"
 
 #include "limit/search.h"
+#include "number/ball.h"
 
 enum { MOST_LOOKS = 256 };
-
-static void sine_and_cosine(arb_t sine, arb_t cosine, const arb_t degrees, long bits) {
-  arb_t turn;
-  arb_init(turn);
-  arb_div_ui(turn, degrees, 180, bits);
-  arb_sin_cos_pi(sine, cosine, turn, bits);
-  arb_clear(turn);
-}
 
 tp_answer tp_stretch_bears_at(const tp_limit_question *q, tp_sketch *sketch, const tp_vector *push,
                               const arb_t degrees) {
   tp_vector load;
-  arb_t sine, cosine;
   tp_vector_init(&load);
-  arb_init(sine);
-  arb_init(cosine);
-  sine_and_cosine(sine, cosine, degrees, q->judge.bits);
-  tp_search_load_at(&load, q->load, sine, cosine, q->judge.precision);
+  tp_search_load_at_degrees(&load, q, degrees);
   const tp_answer answer = tp_balance_bears(q, sketch, push, &load);
   tp_vector_clear(&load);
-  arb_clear(sine);
-  arb_clear(cosine);
   return answer;
 }
 
@@ -93,17 +80,17 @@ static void set_apex(apex *a, const arb_t low, const arb_t high, long bits) {
   arb_init(second);
   arb_add(angle, low, high, bits);
   arb_mul_2exp_si(angle, angle, -1);
-  sine_and_cosine(a->of + TP_SIN, a->of + TP_COS, angle, bits);
+  tp_ball_sin_cos(a->of + TP_SIN, a->of + TP_COS, angle, bits);
   arb_sub(angle, high, low, bits);
   arb_mul_2exp_si(angle, angle, -1);
-  sine_and_cosine(sine, cosine, angle, bits);
+  tp_ball_sin_cos(sine, cosine, angle, bits);
   arb_div(a->of + TP_COS, a->of + TP_COS, cosine, bits);
   arb_div(a->of + TP_SIN, a->of + TP_SIN, cosine, bits);
   arb_one(a->of + TP_ONE);
   arb_mul(off, sine, sine, bits);
   arb_div(off, off, cosine, bits);
-  sine_and_cosine(sine, first, low, bits);
-  sine_and_cosine(sine, second, high, bits);
+  tp_ball_sin_cos(sine, first, low, bits);
+  tp_ball_sin_cos(sine, second, high, bits);
   set_secants(a, first, second, off, bits);
   arb_clear(angle);
   arb_clear(sine);

@@ -83,6 +83,14 @@ void tp_ball_atan2_degrees(arb_t angle, const arb_t y, const arb_t x, long bits)
   arb_clear(pi);
 }
 
+void tp_ball_sin_cos(arb_t sine, arb_t cosine, const arb_t degrees, long bits) {
+  arb_t turn;
+  arb_init(turn);
+  arb_div_ui(turn, degrees, 180, bits);
+  arb_sin_cos_pi(sine, cosine, turn, bits);
+  arb_clear(turn);
+}
+
 void tp_ball_sin_cos_degrees(arb_t sine, arb_t cosine, const fmpq_t degrees, long bits) {
   fmpq_t turn;
   fmpz_t quarters;

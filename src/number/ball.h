@@ -39,7 +39,10 @@ void tp_ball_set_bounded(arb_t ball, double value, double error);
  * of 45 degrees. (0, 0), exactly, gives 0. */
 void tp_ball_atan2_degrees(arb_t angle, const arb_t y, const arb_t x, long bits);
 
-/* Sine and cosine of a rational angle in degrees; exact where they are 0 or 1. */
+/* Sine and cosine of an angle in degrees. */
+void tp_ball_sin_cos(arb_t sine, arb_t cosine, const arb_t degrees, long bits);
+
+/* The same of a rational angle; exact where they are 0 or 1. */
 void tp_ball_sin_cos_degrees(arb_t sine, arb_t cosine, const fmpq_t degrees, long bits);
 
 #endif

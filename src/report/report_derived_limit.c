@@ -3,9 +3,8 @@
 
 #include "report/report_derived_limit.h"
 
-#include "report/c_arguments.h"
 #include "report/json.h"
-#include "report/report_checks.h"
+#include "report/report_conditions.h"
 
 /* "slides and topples, towards the left, on a base that ends at the toe, 28.735 degrees …" */
 static void add_description(tp_text *t, const tp_derived_limit *l, tp_direction towards) {
@@ -14,6 +13,15 @@ static void add_description(tp_text *t, const tp_derived_limit *l, tp_direction 
               tp_text_mechanism(l->mechanism), tp_text_direction(towards),
               l->base_beyond_toe ? "goes on past the toe" : "ends at the toe",
               tp_text_fixed(n, l->critical_angle_deg, 3));
+}
+
+static tp_condition_list conditions_of(const tp_derived_limit *l) {
+  return (tp_condition_list){.what = "limit",
+                             .zeros = true,
+                             .positive = l->positive,
+                             .count = l->condition_count,
+                             .items = l->conditions,
+                             .checks = &l->checks};
 }
 
 static void add_text(tp_text *t, const tp_derived_limit *l, tp_direction towards) {
@@ -29,15 +37,8 @@ static void add_text(tp_text *t, const tp_derived_limit *l, tp_direction towards
     tp_text_add(t, "\n  which meet the weight in the centre of rotation\n    x = %s\n    y = %s",
                 l->centre_x.formula, l->centre_y.formula);
   }
-  tp_text_add(t, "\n  as long as%s",
-              l->condition_count == 0 ? " all of these are above zero: always\n"
-              : l->positive           ? ", all parameters being above zero,\n"
-                                      : "\n");
-  for (size_t k = 0; k < l->condition_count; k++) {
-    tp_text_add(t, "    %s >= 0\n", l->conditions[k].formula);
-    tp_text_check(t, &l->checks, k, "limit");
-  }
-  tp_text_unmet(t, &l->checks, l->condition_count);
+  const tp_condition_list conditions = conditions_of(l);
+  tp_text_conditions(t, &conditions);
 }
 
 void tp_text_derived_limit(tp_text *t, const tp_derivation *d) {
@@ -58,9 +59,8 @@ void tp_latex_derived_limit(tp_text *t, const tp_derivation *d) {
                 tp_text_mechanism(l->mechanism), tp_text_direction((tp_direction)k),
                 l->base_beyond_toe ? "goes on past the toe" : "ends at the toe");
     tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", l->tangent.formula);
-    for (size_t c = 0; c < l->condition_count; c++) {
-      tp_text_add(t, "\\[ %s \\ge 0 \\]\n", l->conditions[c].formula);
-    }
+    const tp_condition_list conditions = conditions_of(l);
+    tp_latex_conditions(t, &conditions);
   }
 }
 
@@ -72,17 +72,8 @@ void tp_c_derived_limit(tp_text *t, const tp_derivation *d) {
     if (!l->known) continue;
     tp_text_add(t, "\n/* limit: ");
     add_description(t, l, (tp_direction)k);
-    tp_text_add(t, " */\ndouble tan_limit_%s", side);
-    tp_c_arguments(t, d, "double phi");
-    tp_text_add(t,
-                "  (void)phi;\n  return %s;\n}\n\n/* does that formula hold? */\nint is_limit_%s",
-                l->tangent.formula, side);
-    tp_c_arguments(t, d, "double phi");
-    tp_text_add(t, "  (void)phi;\n  return 1");
-    for (size_t c = 0; c < l->condition_count; c++) {
-      tp_text_add(t, "\n         && %s >= 0", l->conditions[c].formula);
-    }
-    tp_text_add(t, ";\n}\n");
+    const tp_condition_list conditions = conditions_of(l);
+    tp_c_conditional(t, &conditions, d, l->tangent.formula, side);
   }
 }
 
@@ -114,14 +105,8 @@ static void add_json(tp_text *t, const tp_derived_limit *l, tp_direction towards
     tp_text_add(t, ",\n     ");
     tp_json_fraction(t, "centre_y", &l->centre_y);
   }
-  tp_text_add(t, ",\n     \"parameters_above_zero\": %s, \"conditions\": [",
-              tp_json_truth(l->positive));
-  for (size_t k = 0; k < l->condition_count; k++) {
-    tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
-    tp_encode_json(t, l->conditions[k].formula);
-  }
-  tp_text_add(t, "]");
-  tp_json_checks(t, &l->checks);
+  const tp_condition_list conditions = conditions_of(l);
+  tp_json_conditions(t, &conditions);
   tp_text_add(t, "}");
 }
 

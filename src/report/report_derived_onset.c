@@ -3,9 +3,8 @@
 
 #include "report/report_derived_onset.h"
 
-#include "report/c_arguments.h"
 #include "report/json.h"
-#include "report/report_checks.h"
+#include "report/report_conditions.h"
 
 /* "topples, towards the left, 26.215 degrees at the scene's values, below the limit" */
 static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
@@ -14,6 +13,15 @@ static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction 
               tp_text_mechanism(o->mechanism), tp_text_direction(towards),
               tp_text_fixed(n, o->critical_angle_deg, 3),
               o->below_limit ? ", below the limit" : "");
+}
+
+static tp_condition_list conditions_of(const tp_derived_onset *o) {
+  return (tp_condition_list){.what = "onset",
+                             .zeros = false,
+                             .positive = o->positive,
+                             .count = o->condition_count,
+                             .items = o->conditions,
+                             .checks = &o->checks};
 }
 
 /* Why there is no formula; NULL where there is one, or none was asked for. */
@@ -44,15 +52,8 @@ static void add_text(tp_text *t, const tp_derived_onset *o, tp_direction towards
   }
   tp_text_add(t, "\n  the weight in balance with");
   for (int k = 0; k < 2; k++) add_row(t, o->rows + k);
-  tp_text_add(t, "\n  as long as%s",
-              o->condition_count == 0 ? " all of these are above zero: always\n"
-              : o->positive           ? ", all parameters being above zero,\n"
-                                      : "\n");
-  for (size_t k = 0; k < o->condition_count; k++) {
-    tp_text_add(t, "    %s > 0\n", o->conditions[k].formula);
-    tp_text_check(t, &o->checks, k, "onset");
-  }
-  tp_text_unmet(t, &o->checks, o->condition_count);
+  const tp_condition_list conditions = conditions_of(o);
+  tp_text_conditions(t, &conditions);
 }
 
 void tp_text_derived_onset(tp_text *t, const tp_derivation *d) {
@@ -77,9 +78,8 @@ void tp_latex_derived_onset(tp_text *t, const tp_derivation *d) {
     tp_text_add(t, "%% onset of motion: ");
     add_description(t, o, (tp_direction)k);
     tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{s}} = %s \\]\n", o->tangent.formula);
-    for (size_t c = 0; c < o->condition_count; c++) {
-      tp_text_add(t, "\\[ %s > 0 \\]\n", o->conditions[c].formula);
-    }
+    const tp_condition_list conditions = conditions_of(o);
+    tp_latex_conditions(t, &conditions);
   }
 }
 
@@ -94,17 +94,8 @@ void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
     if (!o->known) continue;
     tp_text_add(t, "\n/* onset of motion: ");
     add_description(t, o, (tp_direction)k);
-    tp_text_add(t, " */\ndouble tan_onset_%s", side);
-    tp_c_arguments(t, d, "double phi");
-    tp_text_add(t,
-                "  (void)phi;\n  return %s;\n}\n\n/* does that formula hold? */\nint is_onset_%s",
-                o->tangent.formula, side);
-    tp_c_arguments(t, d, "double phi");
-    tp_text_add(t, "  (void)phi;\n  return 1");
-    for (size_t c = 0; c < o->condition_count; c++) {
-      tp_text_add(t, "\n         && %s > 0", o->conditions[c].formula);
-    }
-    tp_text_add(t, ";\n}\n");
+    const tp_condition_list conditions = conditions_of(o);
+    tp_c_conditional(t, &conditions, d, o->tangent.formula, side);
   }
 }
 
@@ -139,14 +130,9 @@ static void add_json(tp_text *t, const tp_derived_onset *o, tp_direction towards
     if (k > 0) tp_text_add(t, ",\n       ");
     add_json_row(t, o->rows + k);
   }
-  tp_text_add(t, "],\n     \"parameters_above_zero\": %s, \"conditions\": [",
-              tp_json_truth(o->positive));
-  for (size_t k = 0; k < o->condition_count; k++) {
-    tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
-    tp_encode_json(t, o->conditions[k].formula);
-  }
   tp_text_add(t, "]");
-  tp_json_checks(t, &o->checks);
+  const tp_condition_list conditions = conditions_of(o);
+  tp_json_conditions(t, &conditions);
   tp_text_add(t, "}");
 }
 

@@ -99,12 +99,8 @@ static void set_tilt(account *a, tp_account *result, const tp_direction_ball *to
     tp_ball_sin_cos_degrees(a->sine, a->cosine, tilt->value, e->rung.bits);
     result->angle_deg = tp_evaluation_rational(tilt->value);
   } else {
-    arb_t turn;
-    arb_init(turn);
-    arb_div_ui(turn, toppling->degrees, 180, e->rung.bits);
-    arb_sin_cos_pi(a->sine, a->cosine, turn, e->rung.bits);
+    tp_ball_sin_cos(a->sine, a->cosine, toppling->degrees, e->rung.bits);
     result->angle_deg = tp_evaluation_result(e, toppling->degrees);
-    arb_clear(turn);
   }
 }
 

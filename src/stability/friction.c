@@ -59,19 +59,16 @@ static void set_jrc(arb_t jrc, const tp_evaluation *e) {
  * make of it. */
 static void stress_ratio(arb_t ratio, const tp_evaluation *e, const arb_t tilt) {
   const long bits = e->rung.bits;
-  arb_t turn, sine, cosine;
-  arb_init(turn);
+  arb_t sine, cosine;
   arb_init(sine);
   arb_init(cosine);
-  arb_div_ui(turn, tilt, 180, bits);
-  arb_sin_cos_pi(sine, cosine, turn, bits);
+  tp_ball_sin_cos(sine, cosine, tilt, bits);
   if (e->loaded == NULL) {
     arb_set(ratio, cosine);
   } else {
     tp_trig_evaluate(ratio, &e->loaded->sum.y, sine, cosine, bits);
     arb_div(ratio, ratio, e->loaded->items[0].wrench.y.of + TP_COS, bits); /* both downwards */
   }
-  arb_clear(turn);
   arb_clear(sine);
   arb_clear(cosine);
 }

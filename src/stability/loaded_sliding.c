@@ -202,23 +202,22 @@ static void excess_at(arb_t excess, const tp_loaded *loaded, const tp_evaluation
                       const arb_t degrees) {
   const long bits = e->rung.bits;
   tp_trig along, normal;
-  arb_t turn, sine, cosine;
+  arb_t friction, sine, cosine;
   tp_trig_init(&along);
   tp_trig_init(&normal);
-  arb_init(turn);
+  arb_init(friction);
   arb_init(sine);
   arb_init(cosine);
   resolve(&along, &normal, &loaded->sum, f, bits);
-  arb_div_ui(turn, degrees, 180, bits);
-  arb_sin_cos_pi(sine, cosine, turn, bits);
-  tp_friction_at(turn, e, degrees);
-  tp_friction_tangent(f->friction, turn, bits);
+  tp_ball_sin_cos(sine, cosine, degrees, bits);
+  tp_friction_at(friction, e, degrees);
+  tp_friction_tangent(f->friction, friction, bits);
   tp_trig_submul(&along, &normal, f->friction, bits);
   tp_trig_evaluate(excess, &along, sine, cosine, bits);
   arb_sub(excess, excess, f->cohesion, bits);
   tp_trig_clear(&along);
   tp_trig_clear(&normal);
-  arb_clear(turn);
+  arb_clear(friction);
   arb_clear(sine);
   arb_clear(cosine);
 }

@@ -6,6 +6,7 @@
 #include "motion/accelerations.h"
 #include "motion/closed.h"
 #include "motion/newton.h"
+#include "number/ball.h"
 #include "stability/loaded.h"
 
 #include <math.h>
@@ -20,12 +21,10 @@ static void set_weight(arb_t weight, const tp_onset_telling *t) {
 static void set_loads(tp_vector *loads, const tp_onset_telling *t, const arb_t tilt) {
   const long bits = t->e->rung.bits;
   const tp_wrench *load = &t->question->load;
-  arb_t turn, sine, cosine;
-  arb_init(turn);
+  arb_t sine, cosine;
   arb_init(sine);
   arb_init(cosine);
-  arb_div_ui(turn, tilt, 180, bits);
-  arb_sin_cos_pi(sine, cosine, turn, bits);
+  tp_ball_sin_cos(sine, cosine, tilt, bits);
   tp_trig_evaluate(loads->of, &load->x, sine, cosine, bits);
   tp_trig_evaluate(loads->of + 1, &load->y, sine, cosine, bits);
   tp_trig_evaluate(loads->of + 2, &load->moment, sine, cosine, bits);
@@ -36,35 +35,53 @@ static void set_loads(tp_vector *loads, const tp_onset_telling *t, const arb_t t
     for (int k = 0; k < 3; k++) arb_div(loads->of + k, loads->of + k, weight, bits);
     arb_clear(weight);
   }
-  arb_clear(turn);
   arb_clear(sine);
   arb_clear(cosine);
 }
 
-/* Angular acceleration from the question's lengths to metres, and all of it to the scene's x. */
-static void set_accelerations(tp_motion *motion, const tp_onset_telling *t, const tp_start *start) {
+/* What goes along x and y, to the scene's x. */
+static void set_components(tp_bounded *x, tp_bounded *y, const tp_onset_telling *t,
+                           const tp_vector *of) {
+  arb_t own;
+  arb_init(own);
+  arb_set(own, of->of);
+  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(own, own);
+  *x = tp_evaluation_result_within(t->e, own, 0);
+  *y = tp_evaluation_result_within(t->e, of->of + 1, 0);
+  arb_clear(own);
+}
+
+/* What turns, over or times the question's unit of length, to metres and the scene's sense. */
+static tp_bounded turning(const tp_onset_telling *t, const arb_t of, bool over_length) {
   tp_evaluation *e = t->e;
   const tp_lattice *l = &e->problem->lattice;
   const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
-  const bool mirrored = t->result->towards == TP_TOWARDS_RIGHT;
-  arb_t own, step;
+  arb_t own, unit;
   arb_init(own);
-  arb_init(step);
-  arb_set(own, start->acceleration.of);
-  if (mirrored) arb_neg(own, own);
-  motion->acceleration_x_g = tp_evaluation_result_within(e, own, 0);
-  motion->acceleration_y_g = tp_evaluation_result_within(e, start->acceleration.of + 1, 0);
-  arb_set_fmpq(step, l->step_m, e->rung.bits);
-  arb_mul(own, start->acceleration.of + 2, t->question->scale, e->rung.bits);
-  arb_div(own, own, step, e->rung.bits);
-  if (mirrored) arb_neg(own, own);
-  motion->angular_g_per_m = tp_evaluation_result_within(e, own, -log2_size);
+  arb_init(unit);
+  arb_set_fmpq(unit, l->step_m, e->rung.bits);
+  if (over_length) {
+    arb_mul(own, of, t->question->scale, e->rung.bits);
+    arb_div(own, own, unit, e->rung.bits);
+  } else {
+    arb_mul(own, of, unit, e->rung.bits);
+    arb_div(own, own, t->question->scale, e->rung.bits);
+  }
+  if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(own, own);
+  const tp_bounded result =
+      tp_evaluation_result_within(e, own, over_length ? -log2_size : log2_size);
+  arb_clear(own);
+  arb_clear(unit);
+  return result;
+}
+
+static void set_accelerations(tp_motion *motion, const tp_onset_telling *t, const tp_start *start) {
+  set_components(&motion->acceleration_x_g, &motion->acceleration_y_g, t, &start->acceleration);
+  motion->angular_g_per_m = turning(t, start->acceleration.of + 2, true);
   motion->has_centre = !arb_contains_zero(start->twist.of + 2);
   if (motion->has_centre) {
     tp_onset_centre(&motion->centre_x_m, &motion->centre_y_m, t, &start->twist);
   }
-  arb_clear(own);
-  arb_clear(step);
 }
 
 /* Does the point stay closed in all of the mode? 1, 0, or 2 where open. */
@@ -175,27 +192,11 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const telling *told) {
   return done;
 }
 
-/* A force over the weight with its moment about the centroid, from the question's lengths. */
+/* A force over the weight with its moment about the centroid. */
 static tp_motion_resistance resistance(const tp_onset_telling *t, const tp_vector *force) {
-  tp_evaluation *e = t->e;
-  const tp_lattice *l = &e->problem->lattice;
-  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
-  const bool mirrored = t->result->towards == TP_TOWARDS_RIGHT;
-  arb_t own, step;
-  arb_init(own);
-  arb_init(step);
   tp_motion_resistance r;
-  arb_set(own, force->of);
-  if (mirrored) arb_neg(own, own);
-  r.share_x = tp_evaluation_result_within(e, own, 0);
-  r.share_y = tp_evaluation_result_within(e, force->of + 1, 0);
-  arb_set_fmpq(step, l->step_m, e->rung.bits);
-  arb_mul(own, force->of + 2, step, e->rung.bits);
-  arb_div(own, own, t->question->scale, e->rung.bits);
-  if (mirrored) arb_neg(own, own);
-  r.moment_m = tp_evaluation_result_within(e, own, log2_size);
-  arb_clear(own);
-  arb_clear(step);
+  set_components(&r.share_x, &r.share_y, t, force);
+  r.moment_m = turning(t, force->of + 2, false);
   return r;
 }
 

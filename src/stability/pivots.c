@@ -11,13 +11,9 @@
 
 /* The critical angle under loads, with its direction for what compares angles by it. */
 static void loaded_angle(tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots) {
-  arb_t turn;
-  arb_init(turn);
   tp_loaded_critical(angle->degrees, roots, e->loaded, e, k);
-  arb_div_ui(turn, angle->degrees, 180, e->rung.bits);
-  arb_sin_cos_pi(angle->sine, angle->cosine, turn, e->rung.bits);
+  tp_ball_sin_cos(angle->sine, angle->cosine, angle->degrees, e->rung.bits);
   angle->exact_direction = false;
-  arb_clear(turn);
 }
 
 /* Lever arms of the weight about the k-th contact point, times 3 A2 > 0: the direction of the

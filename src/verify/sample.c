@@ -101,11 +101,7 @@ arb_ptr tp_sample_balls(const tp_sample *sample, tp_subject *s, long bits) {
     if (k == TP_ANGLE_I && !sample->given[a->degrees]) {
       facet_angle(symbols + a->degrees, symbols, s, bits);
     }
-    arb_t turn;
-    arb_init(turn);
-    arb_div_ui(turn, symbols + a->degrees, 180, bits);
-    arb_sin_cos_pi(symbols + a->sine, symbols + a->cosine, turn, bits);
-    arb_clear(turn);
+    tp_ball_sin_cos(symbols + a->sine, symbols + a->cosine, symbols + a->degrees, bits);
   }
   return symbols;
 }

@@ -3,9 +3,11 @@
 """Running the program as a user does, and the closing line of a test run."""
 
 import csv
+import ctypes
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import unittest
@@ -27,6 +29,18 @@ def solve(scene, *options, folder=ROOT):
     if status != 0 or err:
         raise AssertionError(f"topple solve {scene}: exit {status}: {err}")
     return json.loads(out)
+
+
+def compiled(source, path):
+    """C in a library of its own, without a warning; `path` is its name, another for each of a process."""
+    compiler = shutil.which("cc")
+    if compiler is None:
+        raise AssertionError("there is no C compiler")
+    file, library = path.with_suffix(".c"), path.with_suffix(".so")
+    file.write_text(source)
+    subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", file, "-o", library, "-lm"],
+                   check=True)
+    return ctypes.CDLL(str(library))
 
 
 def table(name):

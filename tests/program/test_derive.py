@@ -9,7 +9,6 @@ import math
 import pathlib
 import random
 import re
-import shutil
 import subprocess
 import tempfile
 import unittest
@@ -17,7 +16,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import PROGRAM, main, run, solve
+from harness import PROGRAM, compiled, main, run, solve
 
 # (N, left end): numerator and denominator as in Fig. 8, (A1.4) … (A1.24)
 FIG_8 = {
@@ -164,16 +163,10 @@ class Derive(unittest.TestCase):
 
     def test_c(self):
         """The C of a derivation compiles without warnings and gives the numbers."""
-        compiler = shutil.which("cc")
-        self.assertIsNotNone(compiler)
         self.scene.write_text(TEETH % (3, "peak"))
         status, out, _ = run("derive", "--c", "--elements", self.scene)
         self.assertEqual(status, 0)
-        source, library = self.scene.with_suffix(".c"), self.scene.with_suffix(".so")
-        source.write_text(out)
-        subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source,
-                        "-o", library, "-lm"], check=True)
-        c = ctypes.CDLL(str(library))
+        c = compiled(out, self.scene)
         c.tan_critical_angle_1.restype = c.fos_elements_1.restype = ctypes.c_double
         a, b, depth = (ctypes.c_double(v) for v in (30, 120, 5))
         tangent = Fraction(27 * 30 * 120 + 14 * 30 * 5, 9 * 120**2 - 3 * 25)
@@ -184,7 +177,6 @@ class Derive(unittest.TestCase):
     def test_c_numbers(self):
         """Constants beyond 2^63 and beyond what a double holds, negative and high powers: the C gives
         the program's own critical angle."""
-        compiler = shutil.which("cc")
         outlines = ("[[0, 0], [a, 0], [a, 12345678901234567891*b], [0, 12345678901234567890123/7*b]]",
                     "[[0, 0], [a, 0], [a, a^-3*b^-2], [0, 3*a^-1]]", "[[0, 0], [a, 0], [a + 1, b^20], [1, b^20 + a^13]]",
                     "[[0, 0], [1e-200*a, 0], [1e-200*a, 3e-200*b], [0, 3e-200*b + 1e-201]]",
@@ -195,11 +187,7 @@ class Derive(unittest.TestCase):
                                   f"{outline}}}\nbase: {{mated: true}}\ntilt: {{towards: left}}\n")
             status, out, err = run("derive", "--c", self.scene)
             self.assertEqual((status, err), (0, ""))
-            source, library = self.scene.with_suffix(".c"), self.scene.with_suffix(f".{k}.so")
-            source.write_text(out)
-            subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source,
-                            "-o", library, "-lm"], check=True)
-            c = ctypes.CDLL(str(library))
+            c = compiled(out, self.scene.with_name(f"derived_{k}"))
             c.tan_critical_angle_1.restype = ctypes.c_double
             found = math.degrees(math.atan(c.tan_critical_angle_1(ctypes.c_double(1.25), ctypes.c_double(1.5))))
             truth = json.loads(run("derive", "--json", self.scene)[1])["pivots"][0]["critical_angle_deg"]["value"]
@@ -241,16 +229,11 @@ class Derive(unittest.TestCase):
         """--rounded, the C of it compiled: at the length r that it says lets block E go at alpha, the
         critical angle about the moved axis, by exact moments, is alpha; r_c = r tan(theta/2), theta
         the corner's angle. Towards the peak it is (A2.4) and (A2.6), towards the valley (A2.10)."""
-        compiler = shutil.which("cc")
         for end, slope in (("peak", -1), ("valley", 1)):
             self.scene.write_text(TEETH % (3, end))
             status, out, err = run("derive", "--c", "--rounded", self.scene)
             self.assertEqual((status, err), (0, ""))
-            source, library = self.scene.with_suffix(".c"), self.scene.with_suffix(f".{end}.so")
-            source.write_text(out)
-            subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", "-O1", "-shared", "-fPIC", source,
-                            "-o", library, "-lm"], check=True)
-            c = ctypes.CDLL(str(library))
+            c = compiled(out, self.scene.with_name(f"derived_{end}"))
             for name in ("rounding_length", "corner_radius", "tan_critical_angle_rounded"):
                 getattr(c, f"{name}_left").restype = ctypes.c_double
             sizes = [ctypes.c_double(v) for v in (30, 120, 5)]

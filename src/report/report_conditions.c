@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "report/report_checks.h"
+#include "report/report_conditions.h"
 
+#include "report/c_arguments.h"
 #include "report/json.h"
 
 #include <string.h>
 
-void tp_text_check(tp_text *t, const tp_derived_checks *checks, size_t condition,
-                   const char *what) {
+/* What was solved about a condition, where it was met. */
+static void add_check(tp_text *t, const tp_derived_checks *checks, size_t condition,
+                      const char *what) {
   for (size_t k = 0; k < checks->count; k++) {
     const tp_derived_check *c = checks->items + k;
     if (c->number != condition) continue;
@@ -37,10 +39,38 @@ void tp_text_check(tp_text *t, const tp_derived_checks *checks, size_t condition
   }
 }
 
-void tp_text_unmet(tp_text *t, const tp_derived_checks *checks, size_t conditions) {
-  if (!checks->run || checks->count >= conditions) return;
+void tp_text_conditions(tp_text *t, const tp_condition_list *l) {
+  tp_text_add(t, "\n  as long as%s",
+              l->count == 0 ? " all of these are above zero: always\n"
+              : l->positive ? ", all parameters being above zero,\n"
+                            : "\n");
+  for (size_t k = 0; k < l->count; k++) {
+    tp_text_add(t, "    %s %s 0\n", l->items[k].formula, l->zeros ? ">=" : ">");
+    add_check(t, l->checks, k, l->what);
+  }
+  if (!l->checks->run || l->checks->count >= l->count) return;
   tp_text_add(t, "  (%zu of these %zu: others fail first in all directions tried)\n",
-              conditions - checks->count, conditions);
+              l->count - l->checks->count, l->count);
+}
+
+void tp_latex_conditions(tp_text *t, const tp_condition_list *l) {
+  for (size_t k = 0; k < l->count; k++) {
+    tp_text_add(t, "\\[ %s %s 0 \\]\n", l->items[k].formula, l->zeros ? "\\ge" : ">");
+  }
+}
+
+void tp_c_conditional(tp_text *t, const tp_condition_list *l, const tp_derivation *d,
+                      const char *tangent, const char *side) {
+  tp_text_add(t, " */\ndouble tan_%s_%s", l->what, side);
+  tp_c_arguments(t, d, "double phi");
+  tp_text_add(t, "  (void)phi;\n  return %s;\n}\n\n/* does that formula hold? */\nint is_%s_%s",
+              tangent, l->what, side);
+  tp_c_arguments(t, d, "double phi");
+  tp_text_add(t, "  (void)phi;\n  return 1");
+  for (size_t k = 0; k < l->count; k++) {
+    tp_text_add(t, "\n         && %s %s 0", l->items[k].formula, l->zeros ? ">=" : ">");
+  }
+  tp_text_add(t, ";\n}\n");
 }
 
 static const char *verdict_name(tp_check_verdict verdict) {
@@ -63,7 +93,7 @@ static void add_numbers(tp_text *t, const char *text) {
   tp_text_add(t, "}");
 }
 
-void tp_json_checks(tp_text *t, const tp_derived_checks *checks) {
+static void add_json_checks(tp_text *t, const tp_derived_checks *checks) {
   if (!checks->run) return;
   tp_text_add(t, ",\n     \"checks\": [");
   for (size_t k = 0; k < checks->count; k++) {
@@ -75,4 +105,15 @@ void tp_json_checks(tp_text *t, const tp_derived_checks *checks) {
     tp_text_add(t, ", \"beyond\": \"%s\"}", verdict_name(c->beyond));
   }
   tp_text_add(t, "]");
+}
+
+void tp_json_conditions(tp_text *t, const tp_condition_list *l) {
+  tp_text_add(t, ",\n     \"parameters_above_zero\": %s, \"conditions\": [",
+              tp_json_truth(l->positive));
+  for (size_t k = 0; k < l->count; k++) {
+    tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
+    tp_encode_json(t, l->items[k].formula);
+  }
+  tp_text_add(t, "]");
+  add_json_checks(t, l->checks);
 }
