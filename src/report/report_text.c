@@ -101,8 +101,9 @@ static double seconds(const tp_solution *s) {
 /* What is left of what ran: one line. */
 static void add_certainty(tp_page *p) {
   const tp_solution *s = p->solution;
-  tp_text_add(&p->text, "\nCertain to every digit printed; %s, %.2g ms (--verbose: what ran).\n",
-              tp_level_name(s->level), 1e3 * seconds(s));
+  const double ms = 1e3 * seconds(s);
+  tp_text_add(&p->text, "\nCertain to every digit printed; %s, %.*f ms (--verbose: what ran).\n",
+              tp_level_name(s->level), ms < 10 ? 2 : 0, ms);
 }
 
 tp_status tp_report_effects(char **text, const tp_solution *s) {

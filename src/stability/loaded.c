@@ -57,16 +57,17 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
 
 /* How far the table is tilted in search of a limit: to upright, or where 1 / cos grows beyond all
  * bounds to all but a millionth of that. */
-static void set_range(arb_t range, const tp_water_description *water, long bits) {
-  enum { NEAR_UPRIGHT = 20 };
-  arb_const_pi(range, bits);
-  arb_mul_2exp_si(range, range, -1);
-  if (!water->given || !water->stays_level || fmpq_is_zero(water->height.value)) return;
-  arb_t off;
-  arb_init(off);
-  arb_mul_2exp_si(off, range, -NEAR_UPRIGHT);
-  arb_sub(range, range, off, bits);
-  arb_clear(off);
+static void set_range(tp_loaded *loaded, const tp_water_description *water, long bits) {
+  static const double of_upright = 1 - 0x1p-20;
+  const bool level = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
+  arb_t part;
+  arb_init(part);
+  arb_set_d(part, level ? of_upright : 1);
+  loaded->range_deg = level ? 90 * of_upright : 90;
+  arb_const_pi(loaded->range, bits);
+  arb_mul_2exp_si(loaded->range, loaded->range, -1);
+  arb_mul(loaded->range, loaded->range, part, bits);
+  arb_clear(part);
 }
 
 void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
@@ -146,7 +147,7 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   fill_setting(&setting, e);
   tp_loads_evaluate(loaded->items, &setting);
   const double evaluated = tp_clock_now();
-  set_range(loaded->range, &scene->loads.water, e->rung.bits);
+  set_range(loaded, &scene->loads.water, e->rung.bits);
   tp_load_setting_clear(&setting);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *own = loaded->items + k;

@@ -18,8 +18,9 @@ struct tp_loaded {
   long count;
   tp_load *items;
   tp_wrench sum;
-  tp_bond *bond; /* NULL: there is none */
-  arb_t range;   /* radians up to which a static limit is looked for */
+  tp_bond *bond;    /* NULL: there is none */
+  arb_t range;      /* radians up to which a static limit is looked for */
+  double range_deg; /* the same, exact */
 };
 
 /* False when memory is exhausted. */

@@ -227,8 +227,8 @@ static int sign_of(const arb_t ball) {
 }
 
 /* From level the stretch on which the excess keeps its sign is made longer, by steps as long as
- * they prove it, until they are too short to matter: behind the last one it changes. A change that
- * near to upright is out of range. */
+ * they prove it, until they and the friction on them are known well enough: behind the last one it
+ * changes. Upright it may touch zero: no change. */
 tp_loaded_start tp_loaded_sliding_start(arb_t degrees, const tp_loaded *loaded,
                                         const tp_evaluation *e, const fmpz_t run,
                                         const fmpz_t rise) {
@@ -236,11 +236,10 @@ tp_loaded_start tp_loaded_sliding_start(arb_t degrees, const tp_loaded *loaded,
   const long bits = e->rung.bits;
   const slong least = -(slong)(3.33 * (e->digits + SPARE));
   facet_frame f;
-  arb_t at, excess, end;
+  arb_t at, excess;
   arf_t from, to, step, last;
   arb_init(at);
   arb_init(excess);
-  arb_init(end);
   arf_init(from);
   arf_init(to);
   arf_init(step);
@@ -248,11 +247,7 @@ tp_loaded_start tp_loaded_sliding_start(arb_t degrees, const tp_loaded *loaded,
   frame_init(&f, e, run, rise, at);
   excess_at(excess, loaded, e, &f, at);
   const int own = sign_of(excess); /* below zero: it holds on level ground */
-  arb_const_pi(end, bits);
-  arb_div(end, loaded->range, end, bits);
-  arb_mul_ui(end, end, 180, bits);
-  arb_get_lbound_arf(last, end, bits);
-  if (own > 0) arf_neg(last, last);
+  arf_set_d(last, own > 0 ? -loaded->range_deg : loaded->range_deg);
   arf_set_si(step, own > 0 ? -1 : 1);
   tp_loaded_start found = TP_START_OPEN;
   for (int k = 0; k < MOST_STEPS && own != 0; k++) {
@@ -271,21 +266,25 @@ tp_loaded_start tp_loaded_sliding_start(arb_t degrees, const tp_loaded *loaded,
         found = own < 0 ? TP_START_NEVER : TP_START_ALWAYS;
         break;
       }
-    } else if (arf_cmpabs_2exp_si(step, least) > 0) {
+    } else if (arf_cmpabs_2exp_si(step, least) > 0 ||
+               (arf_cmpabs_2exp_si(step, -bits) > 0 &&
+                mag_cmp_2exp_si(arb_radref(f.friction), least + SPARE) > 0)) {
       arf_mul_2exp_si(step, step, -1);
     } else {
       arb_set(degrees, at);
       arb_set_arf(at, to);
       excess_at(excess, loaded, e, &f, at);
-      if (sign_of(excess) == -own) found = TP_START_AT_ANGLE;
-      if (arf_equal(to, last)) found = own < 0 ? TP_START_NEVER : TP_START_ALWAYS;
+      if (sign_of(excess) == -own) {
+        found = TP_START_AT_ANGLE;
+      } else if (arf_equal(to, last)) {
+        found = own < 0 ? TP_START_NEVER : TP_START_ALWAYS;
+      }
       break;
     }
   }
   frame_clear(&f);
   arb_clear(at);
   arb_clear(excess);
-  arb_clear(end);
   arf_clear(from);
   arf_clear(to);
   arf_clear(step);
