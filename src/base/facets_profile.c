@@ -6,6 +6,7 @@
 
 #define _GNU_SOURCE /* qsort_r */
 #include "base/facets.h"
+#include "base/overlap.h"
 #include "block/check.h"
 
 #include <stdlib.h>
@@ -23,6 +24,7 @@ typedef struct search {
   bool out_of_memory;
   bool cuts;
   tp_geom_meeting cut;
+  tp_overlap overlap; /* of the outline and the base's ring */
 } search;
 
 /* Points between which an edge of the base runs; of the end faces too. */
@@ -85,6 +87,7 @@ static bool take_meeting(void *context, tp_geom_meeting meeting) {
     s->cuts = true;
     return true;
   }
+  tp_overlap_meet(&s->overlap, meeting.kind, a0, b0);
   const long a1 = next_of_outline(s, a0), last = s->base->edge_count + 2;
   const long base_edge = b0 - s->ring == last ? -1 : b0 - s->ring; /* left of all: its left face */
   const bool done = meeting.kind == TP_GEOM_OVERLAP ? add_overlap(s, a0, a1, base_edge)
@@ -229,28 +232,6 @@ static bool resolve_touches(search *s) {
   return true;
 }
 
-/* A part lies within the block: where the base crosses one it cuts into the block, whose own edges
- * tell. */
-static tp_status check_overlap(const search *s, const tp_geom_rings *rings, tp_message *message) {
-  int *layer = calloc(rings->count, sizeof *layer);
-  if (layer == NULL) return tp_fail_memory(message, "the contact");
-  for (size_t r = 1; r < rings->count; r++) {
-    layer[r] = r + 1 == rings->count ? 3 : (long)r <= s->section->hole_count ? 1 : -1;
-  }
-  tp_geom_triangulation all = {0};
-  tp_status status =
-      tp_check_geometry(tp_geom_triangulate(&all, rings, layer), "the block on its base", message);
-  for (size_t k = 0; k < all.count && status == TP_OK; k++) {
-    const int *in = all.triangles[k].ring_in_layer;
-    if (in[0] == 0 || in[3] == 0) continue;
-    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&s->base->ring, -1),
-                     "the base cuts into the block: a part of the block lies below the profile");
-  }
-  tp_geom_triangulation_clear(&all);
-  free(layer);
-  return status;
-}
-
 tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, const tp_base *base,
                                const tp_lattice *lattice, tp_message *message) {
   const long rings = section->ring_count;
@@ -260,6 +241,9 @@ tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, con
               .outline_count = lattice->start[1],
               .ring = lattice->start[rings],
               .facets = facets};
+  s.overlap = (tp_overlap){.lattice = lattice,
+                           .a = {s.outline, s.outline_count, false},
+                           .b = {s.ring, lattice->start[rings + 1] - s.ring, true}};
   size_t *start = calloc((size_t)rings + 2, sizeof *start);
   if (start == NULL) return tp_fail_memory(message, "the contact");
   const tp_geom_rings all = tp_check_rings(lattice, 0, rings + 1, start);
@@ -269,7 +253,10 @@ tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, con
                                message);
   }
   if (status == TP_OK && s.cuts) status = fail_cut(&s, message);
-  if (status == TP_OK) status = check_overlap(&s, &all, message);
+  if (status == TP_OK && tp_overlap_is(&s.overlap)) {
+    status = tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
+                     "the base cuts into the block: a part of the block lies below the profile");
+  }
   if (status == TP_OK) {
     sort(&s, facets);
     if (s.out_of_memory || !resolve_touches(&s) || !merge_points(&s)) {

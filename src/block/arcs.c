@@ -3,6 +3,7 @@
 
 #include "block/arcs.h"
 
+#include "block/check.h"
 #include "block/circle.h"
 
 #include <math.h>
@@ -51,14 +52,16 @@ static bool add_piece(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc 
   return done;
 }
 
-enum { MOST_PIECES = 10 };
+/* Finer pieces are 40 degrees over this apart. */
+enum { PIECES = 10, FINER = 4, FINEST = 64 };
 
 /* Points of the arc, from its beginning to its end, counter-clockwise about its centre: some 40
- * degrees apart, the tangents of half their angles multiples of 1 / 64. Their number less one. */
-static int choose_points(tp_point points[MOST_PIECES + 1], const tp_circle_arc *a) {
+ * degrees over `fineness` apart, the tangents of half their angles multiples of 1 / (64 fineness).
+ * Their number less one. */
+static int choose_points(tp_point *points, const tp_circle_arc *a, int fineness) {
   enum { STEPS = 64, MOST = 64000 };
   const double whole = tp_circle_arc_angle(a);
-  const int pieces = 1 + (int)(whole / 0.7);
+  const int pieces = 1 + (int)(whole * fineness / 0.7);
   fmpq_t t;
   fmpq_init(t);
   for (int k = 0; k <= pieces; k++) {
@@ -67,8 +70,9 @@ static int choose_points(tp_point points[MOST_PIECES + 1], const tp_circle_arc *
       fmpq_set(points[k].x, end->x);
       fmpq_set(points[k].y, end->y);
     } else {
-      const double half = STEPS * tan(whole * k / pieces / 2);
-      fmpq_set_si(t, lround(fmax(-MOST, fmin(half, MOST))), STEPS);
+      const int steps = STEPS * fineness;
+      const double half = steps * tan(whole * k / pieces / 2);
+      fmpq_set_si(t, lround(fmax(-MOST * fineness, fmin(half, MOST * fineness))), (ulong)steps);
       tp_circle_arc_point(points + k, a, t);
     }
   }
@@ -78,10 +82,12 @@ static int choose_points(tp_point points[MOST_PIECES + 1], const tp_circle_arc *
 
 /* An arc that runs along the outline, or inwards against it. */
 static bool add_arc(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a, bool inwards,
-                    tp_mark mark) {
-  tp_point points[MOST_PIECES + 1];
-  for (int k = 0; k <= MOST_PIECES; k++) tp_point_init(points + k);
-  const int pieces = choose_points(points, a);
+                    int fineness, tp_mark mark) {
+  const long room = (long)PIECES * fineness + 1;
+  tp_point *points = malloc((size_t)room * sizeof *points);
+  if (points == NULL) return false;
+  for (long k = 0; k < room; k++) tp_point_init(points + k);
+  const int pieces = choose_points(points, a, fineness);
   bool done = true;
   for (int k = 0; k < pieces && done; k++) {
     const tp_point *from = points + (inwards ? pieces - k : k);
@@ -90,7 +96,8 @@ static bool add_arc(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a
     if (inwards && k > 0) done = done && tp_polyline_append(ring, from->x, from->y, mark);
     done = done && add_piece(tips, ring, a, inwards, from, to, mark);
   }
-  for (int k = 0; k <= MOST_PIECES; k++) tp_point_clear(points + k);
+  for (long k = 0; k < room; k++) tp_point_clear(points + k);
+  free(points);
   return done;
 }
 
@@ -137,7 +144,8 @@ static void set_through(tp_point *m, const tp_circle_arc *a, const tp_arc_descri
 
 /* One edge of the outline into the rings. */
 static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *outline,
-                          long edge, const tp_arc_description *d, tp_message *message) {
+                          long edge, const tp_arc_description *d, int fineness,
+                          tp_message *message) {
   const long next = edge + 1 == outline->count ? 0 : edge + 1;
   const tp_mark mark = outline->marks[edge];
   bool done = tp_polyline_append(ring, outline->x + edge, outline->y + edge, mark);
@@ -165,7 +173,7 @@ static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polylin
   }
   if (!arc) {
     status = tp_fail(message, TP_BAD_INPUT, d->place, "this arc is straight; leave it out");
-  } else if (!done || !add_arc(tips, ring, &a, inwards, mark)) {
+  } else if (!done || !add_arc(tips, ring, &a, inwards, fineness, mark)) {
     status = tp_fail_memory(message, "the arcs");
   }
   tp_circle_arc_clear(&a);
@@ -173,38 +181,78 @@ static tp_status add_edge(tp_arc_tips *tips, tp_polyline *ring, const tp_polylin
   return status;
 }
 
-tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_description *block,
-                        tp_message *message) {
-  memset(tips, 0, sizeof *tips);
-  if (block->arc_count == 0) return TP_OK;
-  tp_polyline ring = {.file = outline->file, .mark = outline->mark, .reversed = outline->reversed};
-  tips->other.file = outline->file;
-  tips->other.mark = outline->mark;
-  tips->other.reversed = outline->reversed;
+static void begin(tp_polyline *ring, const tp_polyline *outline) {
+  *ring =
+      (tp_polyline){.file = outline->file, .mark = outline->mark, .reversed = outline->reversed};
+}
+
+/* Both rings. On failure they are cleared. */
+static tp_status build(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *outline,
+                       const tp_block_description *block, int fineness, tp_message *message) {
+  begin(ring, outline);
+  begin(&tips->other, outline);
   tp_status status = TP_OK;
   long found = 0;
   for (long k = 0; k < outline->count && status == TP_OK; k++) {
     const tp_arc_description *d = find_arc(block, outline, k);
     found += d != NULL;
-    status = add_edge(tips, &ring, outline, k, d, message);
+    status = add_edge(tips, ring, outline, k, d, fineness, message);
   }
   if (status == TP_OK && found != block->arc_count) {
     status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
                      "an arc begins in no vertex of the outline, or two begin in the same");
   }
-  if (status == TP_OK &&
-      (tp_polyline_orientation(&ring) <= 0 || tp_polyline_orientation(&tips->other) <= 0)) {
-    status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                     "the outline with its arcs is turned inside out");
-  }
-  if (status == TP_OK) {
-    tp_polyline_clear(outline);
-    *outline = ring;
-  } else {
-    tp_polyline_clear(&ring);
+  if (status != TP_OK) {
+    tp_polyline_clear(ring);
     tp_arc_tips_clear(tips);
   }
   return status;
+}
+
+/* Is it no polygon that the checks to come let pass? What else they refuse they tell. */
+static bool meets_itself(const tp_polyline *ring) {
+  tp_message unused = {""};
+  tp_lattice lattice;
+  fmpq_t one;
+  fmpq_init(one);
+  fmpq_one(one);
+  bool meets = false;
+  if (tp_lattice_init(&lattice, &ring, 1, one, &unused) == TP_OK) {
+    meets = tp_check_ring(ring, &lattice, 0, false, "", &unused) == TP_BAD_INPUT;
+    tp_lattice_clear(&lattice);
+  }
+  fmpq_clear(one);
+  return meets;
+}
+
+/* An edge may pass an arc by less than its tangents or chords do: finer ones, if such are found. */
+static tp_status build_apart(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *outline,
+                             const tp_block_description *block, tp_message *message) {
+  for (int fineness = 1; fineness <= FINEST; fineness *= FINER) {
+    const tp_status status = build(tips, ring, outline, block, fineness, message);
+    if (status != TP_OK || !(meets_itself(ring) || meets_itself(&tips->other))) return status;
+    tp_polyline_clear(ring);
+    tp_arc_tips_clear(tips);
+  }
+  return build(tips, ring, outline, block, 1, message);
+}
+
+tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_description *block,
+                        tp_message *message) {
+  memset(tips, 0, sizeof *tips);
+  if (block->arc_count == 0) return TP_OK;
+  tp_polyline ring;
+  tp_status status = build_apart(tips, &ring, outline, block, message);
+  if (status != TP_OK) return status;
+  if (tp_polyline_orientation(&ring) <= 0 || tp_polyline_orientation(&tips->other) <= 0) {
+    tp_polyline_clear(&ring);
+    tp_arc_tips_clear(tips);
+    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
+                   "the outline with its arcs is turned inside out");
+  }
+  tp_polyline_clear(outline);
+  *outline = ring;
+  return TP_OK;
 }
 
 void tp_arc_tips_clear(tp_arc_tips *tips) {

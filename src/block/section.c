@@ -98,8 +98,15 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
   for (long k = 0; k < block->part_count && done; k++) {
     done = tp_polyline_copy(section->rings + 1 + block->hole_count + k, &block->parts[k].outline);
   }
-  for (long r = 0; r < section->ring_count && done; r++) tp_polyline_orient(section->rings + r);
-  return done;
+  if (!done) return false;
+  for (long r = 0; r < section->ring_count; r++) {
+    if (r == 0 && block->arc_count > 0) {
+      tp_polyline_orient_chords(outline);
+    } else {
+      tp_polyline_orient(section->rings + r);
+    }
+  }
+  return true;
 }
 
 static tp_status check_counts(const tp_section *section, tp_message *message) {

@@ -5,6 +5,7 @@
 
 #include "motion/newton.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -80,8 +81,14 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
 }
 
 /* The same plane by its place or its direction alone, without the roundings of friction: forces
- * through a place have no moment about it, forces of one direction none across it. */
-static void sharpen(tp_bound *bound, const spanning *s, const tp_generator *a) {
+ * through a place have no moment about it, forces of one direction none across it, and what
+ * accelerates along a normal line none along that. */
+static void sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
+                    const tp_generator *b) {
+  if (a->is_ray && b->is_ray) {
+    tp_newton_normal(&bound->h, s->of.q, s->of.n, s->of.mode->normal);
+    return;
+  }
   if (bound->source.kind == TP_FROM_PARALLEL) {
     arb_set(bound->h.of, a->of.of + 1);
     arb_neg(bound->h.of + 1, a->of.of);
@@ -126,7 +133,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
   const tp_generator *a = s->of.items + i, *b = s->of.items + j;
   s->bounds->count--; /* until it is one */
-  const double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
+  double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
   tp_vector_cross(&own->h, &a->of, &b->of, s->of.q->judge.precision);
   const int line = is_line(s, &own->h, size);
   if (line == OPEN_SIGN) return TP_MOTION_OPEN;
@@ -134,7 +141,8 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   own->source = tp_generators_source(&s->of, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
   own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
-  sharpen(own, s, a);
+  sharpen(own, s, a, b);
+  size = fmin(size, tp_vector_log2_size(&own->h));
   long above = 0, below = 0;
   for (long k = 0; k < s->of.count; k++) {
     if (k == i || k == j) continue;

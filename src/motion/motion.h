@@ -41,7 +41,7 @@ typedef struct tp_motions {
   tp_twists twists;
   long mode_count, mode_room;
   tp_motion_mode *modes; /* those that can begin at some tilt */
-  tp_tilts spans;        /* each with its mode; not merged */
+  tp_tilts spans;        /* each with its mode, in their order; not merged */
 } tp_motions;
 
 TP_MUST_USE tp_motion_outcome tp_motions_init(tp_motions *motions,

@@ -147,3 +147,18 @@ int tp_polyline_orientation(const tp_polyline *line) {
 void tp_polyline_orient(tp_polyline *line) {
   if (tp_polyline_orientation(line) < 0) tp_polyline_reverse(line);
 }
+
+void tp_polyline_orient_chords(tp_polyline *line) {
+  fmpq_t area, term;
+  fmpq_init(area);
+  fmpq_init(term);
+  for (long k = 0, last = line->count - 1; k < line->count; last = k++) {
+    fmpq_sub(term, line->x + last, line->x + k);
+    fmpq_addmul(area, term, line->y + k);
+    fmpq_sub(term, line->y + last, line->y + k);
+    fmpq_submul(area, term, line->x + k);
+  }
+  if (fmpq_sgn(area) < 0) tp_polyline_reverse(line);
+  fmpq_clear(area);
+  fmpq_clear(term);
+}

@@ -148,7 +148,8 @@ void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits) {
 }
 
 /* By turns friction from tilt and tilt from friction: the tilt depends on friction less than
- * friction does on stress, so the steps shrink. */
+ * friction does on stress, so the steps shrink; or, where the tilt leaps, they go round for ever:
+ * through one that was marked, the marks being twice as far apart each time (Brent). */
 static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limit, void *context,
                     bool back) {
   enum { MOST_STEPS = 200 };
@@ -158,14 +159,20 @@ static bool iterate(double *tilt, const tp_evaluation *e, tp_friction_limit limi
   arb_init(next);
   *tilt = 0;
   bool found = false, failed = false;
-  for (int step = 0; step < MOST_STEPS && !found && !failed; step++) {
+  double mark = NAN;
+  for (int step = 0, next_mark = 1; step < MOST_STEPS && !found && !failed; step++) {
     arb_set_d(next, back ? -*tilt : *tilt);
     tp_friction_at(angle, e, next);
     failed = !limit(next, context, angle, true);
     if (failed) break;
     const double own = arf_get_d(arb_midref(next), ARF_RND_NEAR);
     found = fabs(own - *tilt) <= near_enough * fabs(own);
+    failed = !found && own == mark;
     *tilt = own;
+    if (step == next_mark) {
+      mark = own;
+      next_mark *= 2;
+    }
   }
   arb_clear(angle);
   arb_clear(next);

@@ -252,13 +252,13 @@ static tp_motion_outcome add_motion(const tp_onset_telling *t, const tp_motion_m
   return done;
 }
 
-/* Is the tilt in one of the mode's spans? */
-static tp_answer holds(const tp_motions *m, long mode, const arb_t tilt) {
+/* Is the tilt in one of the mode's spans? Those of a mode stand together, in the order of modes;
+ * `next` is where they begin, and then where those of the next mode do. */
+static tp_answer holds(const tp_motions *m, long mode, long *next, const arb_t tilt) {
   tp_answer answer = TP_NO;
-  for (long k = 0; k < m->spans.count && answer != TP_YES; k++) {
-    const tp_tilt_span *own = m->spans.items + k;
-    if (own->mode != mode) continue;
-    const tp_answer here = tp_tilt_span_holds(own, tilt);
+  for (; *next < m->spans.count && m->spans.items[*next].mode == mode; (*next)++) {
+    if (answer == TP_YES) continue;
+    const tp_answer here = tp_tilt_span_holds(m->spans.items + *next, tilt);
     if (here != TP_NO) answer = here;
   }
   return answer;
@@ -285,8 +285,9 @@ tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) 
   tp_vector_init(&loads);
   set_loads(&loads, t, tilt);
   tp_motion_outcome done = TP_MOTION_PROVEN;
+  long span = 0;
   for (long k = 0; k < m->mode_count && done == TP_MOTION_PROVEN; k++) {
-    const tp_answer here = holds(m, k, tilt);
+    const tp_answer here = holds(m, k, &span, tilt);
     if (here == TP_OPEN) done = TP_MOTION_OPEN;
     if (here == TP_YES) done = add_motion(t, m->modes + k, &loads);
   }
