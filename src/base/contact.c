@@ -43,17 +43,28 @@ tp_outline_point tp_contact_place(const tp_contact_point *point) {
   return (tp_outline_point){point->point, point->cut, point->after};
 }
 
-static void add_point(tp_contact *contact, const tp_lattice *l, tp_outline_point at, long left,
-                      long right) {
+tp_outline_point tp_contact_end_place(const tp_contact_point *point, bool left) {
+  const bool other = point->also.cut != NULL && point->also.after == left;
+  return other ? point->also : tp_contact_place(point);
+}
+
+tp_outline_point tp_contact_extreme(const tp_contact *contact, bool left) {
+  return tp_contact_end_place(contact->points + (left ? 0 : contact->point_count - 1), left);
+}
+
+static tp_contact_point *add_point(tp_contact *contact, const tp_lattice *l, tp_outline_point at,
+                                   long left, long right) {
   for (long k = contact->point_count - 1; k >= 0 && k >= contact->point_count - 2; k--) {
     tp_contact_point *known = contact->points + k;
     if (!tp_outline_point_is_same(l, tp_contact_place(known), at)) continue;
     if (left >= 0) known->left = left;
     if (right >= 0) known->right = right;
-    return;
+    return known;
   }
-  contact->points[contact->point_count++] = (tp_contact_point){
+  tp_contact_point *own = contact->points + contact->point_count++;
+  *own = (tp_contact_point){
       .point = at.point, .cut = at.cut, .after = at.after, .left = left, .right = right};
+  return own;
 }
 
 /* Heights of the facets' far ends relative to the point: facets run along their direction. */
@@ -66,19 +77,31 @@ static tp_pivot_kind kind_on_facets(const tp_contact *contact, const tp_lattice 
                       right != NULL);
 }
 
+/* Of a point in which two roundings meet: the left end of its edge and the right end at once. */
+static tp_pivot_kind kind_between_roundings(const tp_lattice *l, const tp_corner *corner) {
+  return compare_heights(l, corner->vertex, corner->after) == 0 ? TP_PIVOT_FLAT_END
+                                                                : TP_PIVOT_FLANK;
+}
+
+static tp_pivot_kind kind_of(const tp_contact *contact, const tp_contact_point *p,
+                             const tp_base *base, const tp_lattice *l, long ring) {
+  if (p->left >= 0 || p->right >= 0) return kind_on_facets(contact, l, p);
+  if (p->cut != NULL) return kind_between_roundings(l, p->cut);
+  return kind_alone(l, p->point, l->start[1], ring, base->edge_count);
+}
+
 static void collect_points(tp_contact *contact, const tp_base *base, const tp_lattice *l,
                            long ring) {
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
     const bool single = f->q0 == f->q1;
-    add_point(contact, l, tp_facet_begin(f), -1, single ? -1 : k);
+    tp_contact_point *p = add_point(contact, l, tp_facet_begin(f), -1, single ? -1 : k);
+    if (f->also.cut != NULL) p->also = f->also;
     if (!single) add_point(contact, l, tp_facet_end(f), k, -1);
   }
   for (long k = 0; k < contact->point_count; k++) {
     tp_contact_point *p = contact->points + k;
-    p->kind = p->left < 0 && p->right < 0
-                  ? kind_alone(l, p->point, l->start[1], ring, base->edge_count)
-                  : kind_on_facets(contact, l, p);
+    p->kind = kind_of(contact, p, base, l, ring);
   }
 }
 

@@ -20,7 +20,8 @@ typedef struct tp_contact_point {
   long point;           /* of the lattice; without rounding, where a corner is cut off */
   const tp_corner *cut; /* the corner whose tangent point it is, on the edge after it or before */
   bool after;
-  long left, right; /* facets of positive length that end, and begin, here; -1 for none */
+  tp_outline_point also; /* where roundings leave it alone of an edge: as of its facet */
+  long left, right;      /* facets of positive length that end, and begin, here; -1 for none */
   tp_pivot_kind kind;
 } tp_contact_point;
 
@@ -44,5 +45,12 @@ void tp_contact_clear(tp_contact *contact);
 
 /* Where on the outline it lies. */
 tp_outline_point tp_contact_place(const tp_contact_point *point);
+
+/* The same as the left end of a contact, or the right one: where two roundings meet, the tangent
+ * point of the corner on that side, and the end that the contact has without them. */
+tp_outline_point tp_contact_end_place(const tp_contact_point *point, bool left);
+
+/* Where the contact ends on one side. */
+tp_outline_point tp_contact_extreme(const tp_contact *contact, bool left);
 
 #endif

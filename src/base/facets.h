@@ -17,6 +17,9 @@ typedef struct tp_facet {
   long t0, t1;    /* direction from t0 to t1; equal: restrains nothing */
   long base_edge; /* of the profile; -1 and edge_count: the upright end faces of the base */
   const tp_corner *cut0, *cut1; /* NULL where the end is q0, q1; cut1 of a point is NULL */
+  /* Of a point that is all that roundings leave of an edge: the same point as the end of the facet
+   * that it is not yet, on the other side (`after`: the left one); its cut is NULL otherwise. */
+  tp_outline_point also;
 } tp_facet;
 
 /* A growing list of facets. */

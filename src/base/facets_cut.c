@@ -41,17 +41,20 @@ static bool keep_piece(tp_facet *f, edge_corners c, const tp_lattice *l) {
   const int before_last = c.end == NULL ? 1 : tp_tangent_compare(c.end, false, l, f->q0);
   if (after_first < 0 || before_last < 0) return false;
   if (after_first == 0) { /* all but its end is cut off */
+    f->also = (tp_outline_point){f->q0, c.start, true};
     f->q0 = f->q1;
     return true;
   }
   if (before_last == 0) {
+    f->also = (tp_outline_point){f->q1, c.end, false};
     f->q1 = f->q0;
     return true;
   }
   if (first < 0) f->cut0 = c.start;
   if (last < 0) f->cut1 = c.end;
   if (f->cut0 != NULL && f->cut1 != NULL && tp_tangents_room(c.start, c.end, l) == 0) {
-    f->q1 = f->q0; /* the roundings meet: one point is left of the edge */
+    f->also = tp_facet_end(f); /* the roundings meet: one point is left of the edge */
+    f->q1 = f->q0;
     f->cut1 = NULL;
   }
   return true;

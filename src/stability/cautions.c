@@ -57,8 +57,9 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
       if (status != TP_OK) return status;
     }
   }
-  if (heel->point >= l->start[1]) return TP_OK; /* inside an edge, which goes on under the water */
-  const side wetted = wetted_side(problem, heel->point, left);
+  const long end = tp_contact_extreme(contact, !left).point;
+  if (end >= l->start[1]) return TP_OK; /* inside an edge, which goes on under the water */
+  const side wetted = wetted_side(problem, end, left);
   if (!wetted.out && !wetted.back) return TP_OK;
   return tp_notes_add(
       notes, message, TP_CAUTION, water->place,

@@ -13,8 +13,9 @@ const tp_contact_point *tp_limit_toe(const tp_problem *problem, tp_direction tow
 bool tp_limit_base_beyond_toe(const tp_problem *problem, tp_direction towards) {
   const tp_lattice *l = &problem->lattice;
   const long ring = l->start[problem->section.ring_count];
-  const long toe = tp_limit_toe(problem, towards)->point;
-  if (towards == TP_TOWARDS_LEFT) return fmpz_cmp(l->x + ring, l->x + toe) < 0;
+  const bool left = towards == TP_TOWARDS_LEFT;
+  const long toe = tp_contact_extreme(&problem->contact, left).point;
+  if (left) return fmpz_cmp(l->x + ring, l->x + toe) < 0;
   return fmpz_cmp(l->x + ring + problem->base.edge_count, l->x + toe) > 0;
 }
 
@@ -102,7 +103,7 @@ static bool step(bool *done, tp_limit_beyond *b, const walk *w, long edge, long 
  */
 static long walk_sole(bool *done, tp_limit_beyond *b, const walk *w, long at, bool inside) {
   const bool left = w->towards == TP_TOWARDS_LEFT;
-  long end = tp_limit_toe(w->problem, w->towards)->point;
+  long end = tp_contact_extreme(&w->problem->contact, left).point;
   if (inside) {
     const long next = (at + 1) % w->count;
     if (!step(done, b, w, at, left ? at : end, left ? end : next, true)) return end;
@@ -147,16 +148,17 @@ static void set_flank(tp_limit_beyond *b, const tp_problem *problem, tp_directio
 
 bool tp_limit_beyond_init(tp_limit_beyond *b, const tp_problem *problem, tp_direction towards) {
   const tp_lattice *l = &problem->lattice;
-  const tp_contact_point *toe = tp_limit_toe(problem, towards);
-  *b = (tp_limit_beyond){.at = tp_contact_place(toe)};
+  const bool left = towards == TP_TOWARDS_LEFT;
+  const tp_outline_point toe = tp_contact_extreme(&problem->contact, left);
+  *b = (tp_limit_beyond){.at = toe};
   fmpz_init(b->tx);
   fmpz_init(b->ty);
   const tp_facet *last = facet_at_toe(problem, towards);
   bool done = true;
   if (!problem->base.mated) { /* a base mated from end to end has no sole past it */
     bool inside = false;
-    const long at = edge_at(&inside, l, toe->point);
-    const walk w = {problem, towards, l->start[1], end_of_underside(l, towards == TP_TOWARDS_LEFT)};
+    const long at = edge_at(&inside, l, toe.point);
+    const walk w = {problem, towards, l->start[1], end_of_underside(l, left)};
     if (at >= 0 && is_below(&w, at, inside)) {
       const long end = walk_sole(&done, b, &w, at, inside);
       if (b->sole.count > 0) {

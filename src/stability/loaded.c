@@ -21,9 +21,9 @@ static void to_metres(arb_t value, const fmpz_t origin, const tp_evaluation *e) 
   mul_fmpq(value, e->problem->lattice.step_m, e->rung.bits);
 }
 
-static void set_contact_end(arb_t x, arb_t y, const tp_evaluation *e, long k, bool mirrored) {
+static void set_contact_end(arb_t x, arb_t y, const tp_evaluation *e, bool left, bool mirrored) {
   const tp_lattice *l = &e->problem->lattice;
-  const long point = e->problem->contact.points[k].point;
+  const long point = tp_contact_extreme(&e->problem->contact, left).point;
   arb_set_fmpz(x, l->x + point);
   arb_set_fmpz(y, l->y + point);
   to_metres(x, l->origin_x, e);
@@ -35,7 +35,7 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
   const tp_problem *problem = e->problem;
   const tp_lattice *l = &problem->lattice;
   const arb_struct *sums = e->moments.weighted;
-  const long bits = e->rung.bits, last = problem->contact.point_count - 1;
+  const long bits = e->rung.bits;
   fmpq_t factor;
   fmpq_init(factor);
   tp_problem_weight_factor(factor, problem);
@@ -51,8 +51,8 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
   arb_div(s->y, sums + TP_Y6, sums + TP_A2, bits);
   arb_div_ui(s->y, s->y, 3, bits);
   to_metres(s->y, l->origin_y, e);
-  set_contact_end(s->toe_x, s->toe_y, e, s->mirrored ? last : 0, s->mirrored);
-  set_contact_end(s->heel_x, s->heel_y, e, s->mirrored ? 0 : last, s->mirrored);
+  set_contact_end(s->toe_x, s->toe_y, e, !s->mirrored, s->mirrored);
+  set_contact_end(s->heel_x, s->heel_y, e, s->mirrored, s->mirrored);
 }
 
 /* How far the table is tilted in search of a limit: to upright, or where 1 / cos grows beyond all
@@ -73,9 +73,8 @@ static void set_range(tp_loaded *loaded, const tp_water_description *water, long
 void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
   const tp_water_description *water = &e->problem->scene->loads.water;
   const tp_lattice *l = &e->problem->lattice;
-  const tp_contact *contact = &e->problem->contact;
   const bool left = result->towards == TP_TOWARDS_LEFT;
-  const long heel = contact->points[left ? contact->point_count - 1 : 0].point;
+  const long heel = tp_contact_extreme(&e->problem->contact, !left).point;
   result->water_overtops = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
   if (!result->water_overtops) return;
   long top = 0;

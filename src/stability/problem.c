@@ -153,15 +153,14 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
 }
 
 /* By the up-dip end of the contact. */
-static tp_status check_water(const tp_problem *problem, long heel, const char *towards,
-                             tp_message *message) {
+static tp_status check_water(const tp_problem *problem, bool left, tp_message *message) {
   const tp_lattice *l = &problem->lattice;
   fmpq_t y;
   fmpq_init(y);
-  tp_lattice_metres_y(y, l, l->y + problem->contact.points[heel].point);
+  tp_lattice_metres_y(y, l, l->y + tp_contact_extreme(&problem->contact, !left).point);
   fmpq_div(y, y, problem->scene->metres_per_unit);
   const tp_status status =
-      tp_loads_check_water(problem->scene, &problem->section, y, towards, message);
+      tp_loads_check_water(problem->scene, &problem->section, y, left ? "left" : "right", message);
   fmpq_clear(y);
   return status;
 }
@@ -187,10 +186,8 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
                    "the block touches its base in points alone: there is no contact to hold");
   }
   tp_status status = tp_loads_check(scene, &problem->section, message);
-  if (status == TP_OK && scene->towards_left) {
-    status = check_water(problem, contact->point_count - 1, "left", message);
-  }
-  if (status == TP_OK && scene->towards_right) status = check_water(problem, 0, "right", message);
+  if (status == TP_OK && scene->towards_left) status = check_water(problem, true, message);
+  if (status == TP_OK && scene->towards_right) status = check_water(problem, false, message);
   return status;
 }
 

@@ -37,7 +37,8 @@ typedef struct rolling {
  * point may be a vertex of the outline or of the profile. */
 static const tp_corner *corner_at(const tp_problem *problem, const tp_contact_point *toe,
                                   bool left) {
-  if (toe->cut != NULL) return toe->after == left ? toe->cut : NULL;
+  const tp_outline_point end = tp_contact_end_place(toe, left);
+  if (end.cut != NULL) return end.after == left ? end.cut : NULL;
   const long count = problem->lattice.start[1], facet = left ? toe->right : toe->left;
   long vertex = -1;
   if (facet >= 0) {

@@ -239,6 +239,38 @@ class Rounded(unittest.TestCase):
                     low, high = (middle, high) if arm(middle) < 0 else (low, middle)
                 self.assertAlmostEqual(toppling["rest_turn_deg"]["value"], math.degrees(low), delta=1e-9)
 
+    def test_roundings_that_meet(self):
+        """Two roundings leave one point of the edge between them, level or inclined: a toe that rolls towards
+        either side, water between the ends that the edge has without them, as just before they meet."""
+        square = [(0, 0), (4, 3), (1, 7), (-3, 4)]
+        water = "loads: {water: {height: 1, unit_weight_kn_m3: 10, uplift: true}}\n"
+
+        def case(turn, towards, less, loads, base):
+            ring, rock = ([(turn * x, y) for x, y in points] for points in (square, base))
+            corners = [f"{{at: [{x}, {y}], radius: {radius} - {less}}}" for (x, y), radius in zip(ring, (2, 3))]
+            self.scene.write_text(
+                "topple: 1\nlength_unit: m\nblock:\n  outline: "
+                f"{[list(p) for p in ring]}\n  unit_weight_kn_m3: 26\n  thickness: 1\n  rounded: {{model: exact, "
+                f"corners: [{', '.join(corners)}]}}\nbase: {{profile: {[list(p) for p in rock][::turn]}}}\n"
+                f"{loads}friction_angle_deg: 40\ntilt: {{towards: {towards}, angle_deg: 5}}\n")
+            return solve(self.scene)["cases"][0]
+
+        for base in ([(0, 0), (4, 3)], [(-4, -3), (4, 3)], [(0, 0), (8, 6)], [(0, 0), (4, 3), (8, 3)]):
+            for loads in ("", water):
+                for towards, mirrored in (("left", "right"), ("right", "left")):
+                    at, other = case(1, towards, 0, loads, base), case(-1, mirrored, 0, loads, base)
+                    near = case(1, towards, "1e-9", loads, base)
+                    self.assertEqual((len(at["pivots"]), len(near["pivots"])), (1, 2))
+                    self.assertEqual(at["pivots"][0]["kind"], other["pivots"][0]["kind"])
+                    for told in (other, near):
+                        self.assertEqual(at["toppling"].get("beyond"), told["toppling"].get("beyond"))
+                        self.assertEqual(at["limit"]["base_beyond_toe"], told["limit"]["base_beyond_toe"])
+                        self.assertAlmostEqual(at["toppling"]["critical_angle_deg"]["value"],
+                                               told["toppling"]["critical_angle_deg"]["value"], delta=1e-6)
+                        for own, its in zip(at.get("loads", []), told.get("loads", []), strict=True):
+                            self.assertAlmostEqual(own["moment_nm"]["value"], its["moment_nm"]["value"],
+                                                   delta=1e-6 * abs(own["moment_nm"]["value"]))
+
     def test_only_when_called_for(self):
         """No rounding in the scene, none in the account of effects; a radius of 0 changes no number."""
         self.write(3, 30, 120, 5, "peak", 0)
