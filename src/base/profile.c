@@ -144,7 +144,7 @@ static tp_status set_mated(tp_base *base, const tp_scene *scene, const tp_sectio
   const long first = underside.first, last = underside.last;
   base->left = underside.left;
   base->right = underside.right;
-  base->nowhere_level = underside.nowhere_level;
+  base->none = underside.none;
   base->mated = !underside.stated && stays_clear(underside.left) && stays_clear(underside.right);
   base->outline_first = first;
   base->mated_count = (last - first + outline->count) % outline->count;

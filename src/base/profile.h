@@ -20,7 +20,7 @@ typedef struct tp_base {
   /* of any mated base: edges mated_first … are the outline's edges outline_first …, as many */
   long mated_first, outline_first, mated_count;
   tp_contact_end left, right; /* why it begins and ends there */
-  bool nowhere_level;         /* tp_underside_fail, once the block is checked */
+  const char *none;           /* NULL, or for tp_underside_fail, once the block is checked */
 } tp_base;
 
 /* On failure `base` is cleared. */

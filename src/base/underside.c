@@ -61,6 +61,25 @@ static long lowest(const tp_polyline *line, long first, long last, bool right) {
   return best;
 }
 
+/* Above zero where a vertex lies left of the line through two others. */
+static int side_of(const tp_polyline *line, long from, long to, long vertex) {
+  fmpq_t a, b, c; /* (x1 - x0) (y - y0) - (y1 - y0) (x - x0) */
+  fmpq_init(a);
+  fmpq_init(b);
+  fmpq_init(c);
+  fmpq_sub(a, line->x + to, line->x + from);
+  fmpq_sub(b, line->y + vertex, line->y + from);
+  fmpq_mul(a, a, b);
+  fmpq_sub(b, line->y + to, line->y + from);
+  fmpq_sub(c, line->x + vertex, line->x + from);
+  fmpq_submul(a, b, c);
+  const int side = fmpq_sgn(a);
+  fmpq_clear(a);
+  fmpq_clear(b);
+  fmpq_clear(c);
+  return side;
+}
+
 /* How far in an edge between two vertices reaches, where it passes below the vertex `under`, whose
  * upright end face would cut it; NULL where it does not. */
 static const fmpq *blocks(const tp_polyline *line, long from, long to, long under, bool right) {
@@ -68,42 +87,46 @@ static const fmpq *blocks(const tp_polyline *line, long from, long to, long unde
   const bool upwards = fmpq_cmp(x0, x1) < 0;
   const fmpq *low = upwards ? x0 : x1, *high = upwards ? x1 : x0;
   if (fmpq_cmp(low, x) > 0 || fmpq_cmp(high, x) < 0 || fmpq_equal(low, high)) return NULL;
-  fmpq_t a, b, c; /* (x1 - x0) (y - y0) - (y1 - y0) (x - x0): above zero left of the edge */
-  fmpq_init(a);
-  fmpq_init(b);
-  fmpq_init(c);
-  fmpq_sub(a, x1, x0);
-  fmpq_sub(b, line->y + under, line->y + from);
-  fmpq_mul(a, a, b);
-  fmpq_sub(b, line->y + to, line->y + from);
-  fmpq_sub(c, x, x0);
-  fmpq_submul(a, b, c);
-  const int side = fmpq_sgn(a);
-  fmpq_clear(a);
-  fmpq_clear(b);
-  fmpq_clear(c);
+  const int side = side_of(line, from, to, under);
   if (upwards ? side <= 0 : side >= 0) return NULL;
   return right ? low : high;
 }
 
+static long outwards(const tp_polyline *line, long k, bool right) {
+  return right ? next_vertex(line, k) : vertex_before(line, k);
+}
+
+/* From the vertex k back towards `from`: the last corner before `reach`. A vertex on a straight
+ * edge is none, or the contact would depend on how many pieces an edge is given in. */
+static long corner_before(const tp_polyline *line, long k, long from, const fmpq *reach,
+                          bool right) {
+  while (k != from) {
+    const int out = fmpq_cmp(line->x + k, reach);
+    const bool clear = right ? out < 0 : out > 0;
+    if (clear && side_of(line, vertex_before(line, k), k, next_vertex(line, k)) != 0) break;
+    k = outwards(line, k, !right);
+  }
+  return k;
+}
+
 /* From the lowest vertex out to `end`: the vertex before the first edge that runs back. Where the
- * block then passes below that vertex, it is the last one before what does. */
+ * block then passes below that vertex, it is the last corner before all that does: what passes
+ * below comes in from there without a gap, so that one walk sees each edge that is still in the
+ * way; of the edge that runs back only the turn tells whether it does so below. */
 static long before_overhang(const tp_polyline *line, long from, long end, bool right) {
   long k = from;
   while (k != end) {
-    const long next = right ? next_vertex(line, k) : vertex_before(line, k);
-    const int side = fmpq_cmp(line->x + next, line->x + k);
+    const int side = fmpq_cmp(line->x + outwards(line, k, right), line->x + k);
     if (right ? side < 0 : side > 0) break;
-    k = next;
+    k = outwards(line, k, right);
   }
-  if (k == end) return end;
-  for (long j = right ? next_vertex(line, k) : vertex_before(line, k); j != from && k != from;) {
-    const long next = right ? next_vertex(line, j) : vertex_before(line, j);
-    const fmpq *reach = blocks(line, j, next, k, right);
-    j = next;
-    while (reach != NULL && k != from && (fmpq_cmp(line->x + k, reach) >= 0) == right) {
-      k = right ? vertex_before(line, k) : next_vertex(line, k);
-    }
+  if (k == end || k == from) return k;
+  const long next = outwards(line, k, right);
+  const int turn = side_of(line, outwards(line, k, !right), k, next);
+  if (right ? turn < 0 : turn > 0) k = corner_before(line, k, from, line->x + next, right);
+  for (long j = next; j != from && k != from; j = outwards(line, j, right)) {
+    const fmpq *reach = blocks(line, j, outwards(line, j, right), k, right);
+    if (reach != NULL) k = corner_before(line, k, from, reach, right);
   }
   return k;
 }
@@ -112,8 +135,10 @@ static long before_overhang(const tp_polyline *line, long from, long end, bool r
 static void cut(tp_underside *u, const tp_polyline *line) {
   const long first = support(line, u->first, u->last, false);
   const long last = support(line, u->first, u->last, true);
-  u->nowhere_level = first == last;
-  if (u->nowhere_level) return;
+  if (first == last) {
+    u->none = "is steeper than 45° from the mean plane all over";
+    return;
+  }
   const long from = before_overhang(line, lowest(line, first, last, false), first, false);
   const long to = before_overhang(line, lowest(line, first, last, true), last, true);
   u->left = from != first ? TP_END_OVERHANG : first != u->first ? TP_END_STEEP : TP_END_WHOLE;
@@ -122,14 +147,15 @@ static void cut(tp_underside *u, const tp_polyline *line) {
   u->last = to;
 }
 
-tp_status tp_underside_fail(const tp_scene *scene, tp_message *message) {
+tp_status tp_underside_fail(const char *none, const tp_scene *scene, tp_message *message) {
   const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
-  return tp_fail(message, TP_BAD_INPUT, place,
-                 "the underside is steeper than 45° from the mean plane all over, and the scene "
-                 "does not say where on it the block rests: say 'base: {mated: true, between: [[x, "
-                 "y], [x, y]]}' with the first and the last vertex of the contact, 'mated: whole' "
-                 "for all of the underside, or 'frame: world' for coordinates as they lie on a "
-                 "slope");
+  return tp_fail(
+      message, TP_BAD_INPUT, place,
+      "the underside %s, and the scene does not say where on it the block rests: say "
+      "'base: {mated: true, between: [[x, y], [x, y]]}' with the first and the last "
+      "vertex of the contact, 'mated: whole' for all of the underside, or 'frame: world' "
+      "for coordinates as they lie on a slope",
+      none);
 }
 
 static bool allowed(const tp_base_description *base, const tp_polyline *line, long k) {
@@ -217,6 +243,9 @@ tp_status tp_underside_find(tp_underside *u, const tp_scene *scene, const tp_sec
     return limit(u, base, line, message);
   }
   /* teeth and slabs have no walls that lean out */
-  if (!base->whole && scene->block.form == TP_OUTLINE_VERTICES) cut(u, line);
+  if (!base->whole && scene->block.form == TP_OUTLINE_VERTICES) {
+    cut(u, line);
+    if (u->first == u->last) u->none = "turns back over its base beside its lowest vertex";
+  }
   return TP_OK;
 }

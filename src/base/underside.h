@@ -15,7 +15,8 @@
  * and in a mirror image. Steps and steep flanks on the way stay: the support of a line at 45
  * degrees passes over them.
  * - between the lowest vertex and that end it ends before the first edge that runs back: beyond it
- *   the block overhangs its own support. */
+ *   the block overhangs its own support. Where the block reaches in below, it ends in the last
+ *   corner before that, so that the upright face in which its rock ends cuts nothing. */
 
 #ifndef TP_UNDERSIDE_H
 #define TP_UNDERSIDE_H
@@ -26,13 +27,13 @@
 typedef struct tp_underside {
   long first, last; /* vertices of the outline, counter-clockwise from the first to the last */
   tp_contact_end left, right;
-  bool stated;        /* by 'between' */
-  bool nowhere_level; /* all of it is steeper than 45 degrees: to be refused, once it is checked
-                         that it is a block at all */
+  bool stated;      /* by 'between' */
+  const char *none; /* NULL, or why the default finds no contact: to be refused, once it is checked
+                       that it is a block at all */
 } tp_underside;
 
-/* The refusal of an underside that is nowhere nearer level than upright. */
-tp_status tp_underside_fail(const tp_scene *scene, tp_message *message);
+/* The refusal of an underside on which the default finds none. */
+tp_status tp_underside_fail(const char *none, const tp_scene *scene, tp_message *message);
 
 /* Fails where the scene's `between` names no part of the outline. */
 TP_MUST_USE tp_status tp_underside_find(tp_underside *underside, const tp_scene *scene,

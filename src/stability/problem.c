@@ -205,7 +205,9 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK) {
     status = tp_check_section(triangulation, &problem->section, &problem->lattice, message);
   }
-  if (status == TP_OK && problem->base.nowhere_level) status = tp_underside_fail(scene, message);
+  if (status == TP_OK && problem->base.none != NULL) {
+    status = tp_underside_fail(problem->base.none, scene, message);
+  }
   if (status != TP_OK) return status;
   tp_effects_note(solution, "outline", scene->block.place, "", began);
   if (scene->block.arc_count > 0) {

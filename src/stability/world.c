@@ -54,7 +54,7 @@ static tp_status settle(found *f, tp_underside *u, const tp_scene *scene, const 
   tp_status status = TP_OK;
   bool stays = false;
   for (int round = 0; round < MOST_ROUNDS && !stays && status == TP_OK; round++) {
-    if (u->nowhere_level) status = tp_underside_fail(scene, message);
+    if (u->none != NULL) status = tp_underside_fail(u->none, scene, message);
     if (status == TP_OK &&
         (!tp_mean_plane_of_outline(f->u, f->v, ring, u->first, u->last) || fmpq_sgn(f->u) <= 0)) {
       status = fail_direction(scene, message);
