@@ -135,6 +135,90 @@ class Mated(unittest.TestCase):
         case = self.case(under)
         self.assertEqual(self.ends(case)[1], (4, 0, "overhang"))
 
+    def hooked(self, r):
+        """A simple polygon of random vertices on a small grid, counter-clockwise, no corner of it straight: crossings
+        of a closed path through them are undone one by one, which leaves hooks and slots. None where it has spikes."""
+        points = list(dict.fromkeys((r.randint(0, 9), r.randint(0, 9)) for _ in range(r.randint(6, 11))))
+        count = len(points)
+
+        def side(a, b, c):
+            return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+        def meet(a, b, c, d):
+            within = all(max(min(a[k], b[k]), min(c[k], d[k])) <= min(max(a[k], b[k]), max(c[k], d[k])) for k in (0, 1))
+            return within and side(a, b, c) * side(a, b, d) <= 0 and side(c, d, a) * side(c, d, b) <= 0
+
+        for _ in range(300):
+            found = next(((i, j) for i in range(count - 2) for j in range(i + 2, count - (i == 0))
+                          if meet(points[i], points[i + 1], points[j], points[(j + 1) % count])), None)
+            if found is None:
+                break
+            points[found[0] + 1:found[1] + 1] = points[found[0] + 1:found[1] + 1][::-1]
+        else:
+            return None
+        if any(side(points[k - 2], points[k - 1], points[k]) == 0 for k in range(count)):
+            return None
+        area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(points, points[1:] + points[:1]))
+        return points if area > 0 else points[::-1]
+
+    def right_end(self, outline):
+        """By trial of all corners, from the words of docs/scene.md: the vertex where the contact ends, or None where
+        it is all steeper than 45 degrees."""
+        left, right = min(outline), min(outline, key=lambda v: (-v[0], v[1]))
+        start = outline.index(left)
+        chain = (outline[start:] + outline[:start])[:(outline.index(right) - start) % len(outline) + 1]
+        first, last = min(chain, key=lambda v: (v[0] + v[1], v[0])), max(chain, key=lambda v: (v[0] - v[1], v[0]))
+        if first == last:
+            return None
+        chain = chain[chain.index(first):chain.index(last) + 1]
+        lowest = min(chain, key=lambda v: (v[1], -v[0]))
+        out = chain[chain.index(lowest):]
+        back = next((k for k in range(len(out) - 1) if out[k + 1][0] < out[k][0]), None)
+        if back is None:
+            return last
+        sole = list(zip(out[:back], out[1:back + 1]))
+
+        def hangs(x, y):
+            """Is the block below, but for the sole itself?"""
+            for a, b in zip(outline, outline[1:] + outline[:1]):
+                if (a, b) not in sole and a[0] != b[0] and min(a[0], b[0]) <= x <= max(a[0], b[0]):
+                    if a[1] + Fraction((b[1] - a[1]) * (x - a[0]), b[0] - a[0]) < y:
+                        return True
+            return False
+
+        return next((v for v in out[back:0:-1] if not hangs(*v)), lowest)
+
+    def test_hooks_and_slots(self):
+        """Random blocks with hooks: their contact ends in the last corner below which nothing of them hangs, which
+        trial of all corners finds; of a mirror image and with vertices on its edges in the same. It is refused where
+        that leaves nothing, never because the face in which the rock ends cuts the block."""
+        r = random.Random(SEED)
+        seen = 0
+        for _ in range(200):
+            outline = self.hooked(r)
+            if outline is None:
+                continue
+            mirrored = [(-x, y) for x, y in outline[::-1]]
+            right = self.right_end(outline)
+            left = right and (-self.right_end(mirrored)[0], self.right_end(mirrored)[1])
+            parts = [Fraction(r.randint(1, 4), 5) for _ in outline]
+            split = [v for a, b, t in zip(outline, outline[1:] + outline[:1], parts)
+                     for v in (a, (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])))]
+            for block, ends in ((outline, (left, right)), (split, (left, right)),
+                                ([(-x, y) for x, y in split], right and ((-right[0], right[1]), (-left[0], left[1])))):
+                with self.subTest(outline=block):
+                    self.write(block)
+                    status, out, err = run("solve", "--json", self.path)
+                    if right is None or left == right:
+                        self.assertEqual(status, 3, err)
+                        self.assertIn("all over" if right is None else "turns back over its base beside", err)
+                        continue
+                    self.assertIn(status, (0, 4), err)  # 4: its ends are told, its mechanism may tie
+                    told = self.ends(json.loads(out)["cases"][0])
+                    self.assertEqual([x for x, _, _ in told], [x for x, _ in ends])
+                    seen += told[1][2] == "overhang"
+        self.assertGreater(seen, 10)
+
     def test_between_bounds(self):
         """The ends named by what lies within: below a height, left and right of an abscissa. The other end is the
         default's."""
