@@ -134,6 +134,15 @@ class Mated(unittest.TestCase):
         under = [(0, 0), (4, 0), (5, 1), (3, 2), (7, 2), (Fraction(9, 2), Fraction(1, 4)), (9, Fraction(1, 8)), (9, 9), (0, 9)]
         case = self.case(under)
         self.assertEqual(self.ends(case)[1], (4, 0, "overhang"))
+        split = under[:2] + [(Fraction(22, 5), Fraction(2, 5))] + under[2:]  # inside an edge: no corner to end in
+        self.assertEqual(self.ends(self.case(split))[1], (4, 0, "overhang"))
+
+    def test_undercut_to_the_lowest_vertex(self):
+        """The underside passes below its first edge beside the lowest vertex: no edge is left, split or not."""
+        outline = [(0, 0), (4, 1), (2, Fraction(1, 4)), (9, 1), (9, 9), (0, 9)]
+        for ring in (outline, outline[:1] + [(1, Fraction(1, 4))] + outline[1:]):
+            for turn in (1, -1):
+                self.assertIn("turns back over its base beside its lowest vertex", self.refused([(turn * x, y) for x, y in ring]))
 
     def hooked(self, r):
         """A simple polygon of random vertices on a small grid, counter-clockwise, no corner of it straight: crossings
