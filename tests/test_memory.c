@@ -10,17 +10,14 @@
  * make more requests. */
 
 #include "failing_memory.h"
+#include "memory_calls.h"
 #include "runner.h"
 
-#include "topple.h"
-
+#include <flint/flint.h>
 #include <gmp.h>
 #include <stdlib.h>
-#include <string.h>
 
-#define EXAMPLE(name) TP_EXAMPLES "/" name
-
-/* ---- FLINT and GMP are spared --------------------------------------------------------------- */
+/* FLINT and GMP are spared. */
 
 static void *take(size_t size) {
   const bool before = failing_memory_state.spared;
@@ -56,312 +53,6 @@ static void give_back(void *memory, size_t size) {
   free(memory);
 }
 
-/* Check takes memory for every assertion; these take some only where they fail. */
-#define EXPECT(condition, ...)                                                                     \
-  do {                                                                                             \
-    if (!(condition)) {                                                                            \
-      failing_memory_state.fail_at = 0;                                                            \
-      ck_abort_msg(__VA_ARGS__);                                                                   \
-    }                                                                                              \
-  } while (false)
-
-/* ---- the calls ------------------------------------------------------------------------------ */
-
-/* A call succeeds, or says that memory ran out; with no output. */
-static bool done(tp_status status, const void *output, const tp_message *message) {
-  EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status,
-         message->text);
-  EXPECT(status == TP_OK || message->text[0] != '\0', "no message");
-  EXPECT((status == TP_OK) == (output != NULL), "status %d, but an output", (int)status);
-  return status == TP_OK;
-}
-
-/* The call comes first, then its output is looked at. */
-static tp_status last;
-#define DONE(call, output) (last = (call), done(last, output, &message))
-
-/* Reports have no message but their status. */
-static void expect_report(tp_status status, char *text) {
-  static const tp_message own = {"a report"};
-  (void)done(status, text, &own);
-  free(text);
-}
-
-static void solve_scene(const char *path, bool elements) {
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
-  tp_message message = {""};
-  tp_solve_options options = tp_solve_options_default();
-  options.elements = elements;
-  if (DONE(tp_scene_read(&scene, path, &message), scene) &&
-      DONE(tp_solve(&solution, scene, &options, &message), solution)) {
-    char *text = NULL, *json = NULL, *account = NULL, *table = NULL;
-    tp_status status = tp_report_text(&text, solution);
-    expect_report(status, text);
-    status = tp_report_json(&json, solution);
-    expect_report(status, json);
-    status = tp_report_elements(&account, solution);
-    expect_report(status, account);
-    status = tp_report_table(&table, (const tp_solution *const *)&solution, 1);
-    expect_report(status, table);
-  }
-  tp_solution_free(solution);
-  tp_scene_free(scene);
-}
-
-static void solve_teeth(void) {
-  solve_scene(EXAMPLE("block_e_valley.yaml"), true);
-}
-
-static void solve_hole(void) {
-  solve_scene(EXAMPLE("block_with_hole.yaml"), true);
-}
-
-static void solve_parts(void) {
-  solve_scene(EXAMPLE("two_density_block.yaml"), true);
-}
-
-static void solve_outline_of_file(void) {
-  solve_scene(EXAMPLE("boulder.yaml"), false);
-}
-
-static void solve_water(void) {
-  solve_scene(EXAMPLE("block_under_water.yaml"), false);
-}
-
-static void solve_bond(void) {
-  solve_scene(EXAMPLE("block_bonded.yaml"), false);
-}
-
-/* A limit whose facets only the simplex method at many bits tells apart. What is missing for want
- * of memory is not to be called undecided. */
-static void solve_limit_precisely(void) {
-  static const char text[] =
-      "topple: 1\n"
-      "length_unit: m\n"
-      "block:\n"
-      "  outline: [[0, 0], [45/2, -1/500000000000], [47/2, -1/500000000000], [0, 7/2]]\n"
-      "  unit_weight_kn_m3: 1\n"
-      "base:\n"
-      "  mated: true\n"
-      "loads:\n"
-      "  cohesion_kpa: 2600\n"
-      "friction_angle_deg: 74\n"
-      "tilt: {towards: right}\n";
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
-  tp_message message = {""};
-  tp_solve_options options = tp_solve_options_default();
-  options.digits = 30;
-  if (DONE(tp_scene_read_text(&scene, text, "scene.yaml", &message), scene) &&
-      DONE(tp_solve(&solution, scene, &options, &message), solution)) {
-    char *json = NULL;
-    const tp_status status = tp_report_json(&json, solution);
-    EXPECT(status != TP_OK || strstr(json, "undecided") == NULL, "undecided: %s", json);
-    expect_report(status, json);
-  }
-  tp_solution_free(solution);
-  tp_scene_free(scene);
-}
-
-/* With notes: cautions, and what a repair moved. */
-static void solve_repaired(void) {
-  static const char text[] =
-      "topple: 1\nlength_unit: km\nblock:\n  unit_weight_kn_m3: 2600\n  repair: true\n"
-      "  outline: [[0, 0], [3.333, 0.777], [3.4, 3], [1.7, 0.396], [1.2, 2], [0, 2.5]]\n";
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
-  tp_message message = {""};
-  const tp_solve_options options = tp_solve_options_default();
-  if (DONE(tp_scene_read_text(&scene, text, "scene.yaml", &message), scene) &&
-      DONE(tp_solve(&solution, scene, &options, &message), solution)) {
-    char *page = NULL;
-    EXPECT(solution->notes.count == 4, "%zu notes", solution->notes.count);
-    const tp_status status = tp_report_text(&page, solution);
-    expect_report(status, page);
-  }
-  tp_solution_free(solution);
-  tp_scene_free(scene);
-}
-
-/* Among its ways to the limit is the exact program of all columns. */
-static void measure_accuracy(void) {
-  tp_scene *scene = NULL;
-  tp_accuracy *accuracy = NULL;
-  tp_message message = {""};
-  if (DONE(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), scene) &&
-      DONE(tp_accuracy_of_scene(&accuracy, scene, &message), accuracy)) {
-    char *text = NULL;
-    const tp_status status = tp_report_accuracy(&text, accuracy);
-    expect_report(status, text);
-  }
-  tp_accuracy_free(accuracy);
-  tp_scene_free(scene);
-}
-
-static void solve_rounded(void) {
-  solve_scene(EXAMPLE("block_a_worn.yaml"), false);
-}
-
-static void solve_ellipse(void) {
-  solve_scene(EXAMPLE("boulder_ellipse.yaml"), false);
-}
-
-static void solve_arcs(void) {
-  solve_scene(EXAMPLE("vault.yaml"), false);
-}
-
-static void find(void) {
-  tp_found *found = NULL;
-  tp_message message = {""};
-  const tp_find_options options = {
-      .key = "block.rounded.corners.1.radius", .target = TP_FIND_CRITICAL_ANGLE, .value = 23.5};
-  if (DONE(tp_find(&found, EXAMPLE("block_a_worn.yaml"), &options, &message), found)) {
-    EXPECT(found->count == 1, "%zu solutions",
-           found->count); /* a scene that failed is no end of the range */
-    char *text = NULL;
-    const tp_status status = tp_report_found(&text, found, &options);
-    expect_report(status, text);
-  }
-  tp_found_free(found);
-}
-
-static void derive_scene(const char *path, const tp_derive_options *options) {
-  tp_scene *scene = NULL;
-  tp_derivation *derivation = NULL;
-  tp_message message = {""};
-  if (DONE(tp_scene_read(&scene, path, &message), scene) &&
-      DONE(tp_derive(&derivation, scene, options, &message), derivation)) {
-    char *text = NULL, *json = NULL;
-    tp_status status = tp_report_derivation(&text, derivation);
-    expect_report(status, text);
-    status = tp_report_derivation_json(&json, derivation);
-    expect_report(status, json);
-  }
-  tp_derivation_free(derivation);
-  tp_scene_free(scene);
-}
-
-static void derive(void) {
-  const tp_derive_options options = {TP_NOTATION_TEXT, true, true, true, false};
-  derive_scene(EXAMPLE("block_e_valley.yaml"), &options);
-}
-
-/* Conditions that are looked at from both sides. */
-static void derive_checked(void) {
-  const tp_derive_options options = {TP_NOTATION_TEXT, false, false, true, true};
-  derive_scene(EXAMPLE("block_a_peak.yaml"), &options);
-}
-
-static void derive_family(void) {
-  tp_scene *scene = NULL;
-  tp_family *family = NULL;
-  tp_message message = {""};
-  if (DONE(tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), scene) &&
-      DONE(tp_derive_family(&family, scene, TP_NOTATION_LATEX, &message), family)) {
-    char *text = NULL;
-    const tp_status status = tp_report_family(&text, family);
-    expect_report(status, text);
-  }
-  tp_family_free(family);
-  tp_scene_free(scene);
-}
-
-static void verify(void) {
-  static const char claims[] =
-      "topple_claims: 1\n"
-      "angles: {phi: 30}\n"
-      "geometries: {slab: {scene: paper/slab.yaml}}\n"
-      "claims:\n"
-      "- {id: a, where: a, geometry: slab, quantity: critical_angle, printed: tan^-1(dx/y)}\n"
-      "- {id: b, where: b, geometry: slab, quantity: fos, printed: tan alpha*(dx/y)}\n"
-      "- {id: c, where: c, quantity: sin(phi)^2 + cos(phi)^2, printed: '1.0'}\n";
-  tp_verification *verification = NULL;
-  tp_message message = {""};
-  if (DONE(tp_verify_text(&verification, claims, EXAMPLE("claims.yaml"), &message), verification)) {
-    char *text = NULL, *json = NULL, *page = NULL;
-    tp_status status = tp_report_verification(&text, verification);
-    expect_report(status, text);
-    status = tp_report_verification_json(&json, verification);
-    expect_report(status, json);
-    status = tp_report_verification_markdown(&page, verification);
-    expect_report(status, page);
-  }
-  tp_verification_free(verification);
-}
-
-static void report_chart(tp_status status, tp_chart *chart, const tp_message *message) {
-  if (done(status, chart, message)) {
-    char *csv = NULL, *json = NULL;
-    status = tp_report_chart_csv(&csv, chart);
-    expect_report(status, csv);
-    status = tp_report_chart_json(&json, chart);
-    expect_report(status, json);
-  }
-  tp_chart_free(chart);
-}
-
-static void chart_fos(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_chart_fos_options options = tp_chart_fos_options_default();
-  const tp_status status = tp_chart_fos(&chart, &options, &message);
-  report_chart(status, chart, &message);
-}
-
-static void chart_mechanisms(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_chart_mechanisms_options options = tp_chart_mechanisms_options_default();
-  const tp_status status = tp_chart_mechanisms(&chart, &options, &message);
-  report_chart(status, chart, &message);
-}
-
-static void chart_ranges(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_status status = tp_chart_ranges(&chart, &message);
-  report_chart(status, chart, &message);
-}
-
-static void chart_map(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_chart_map_options options = {.scene = EXAMPLE("slab_left.yaml"),
-                                        .x = {"block.slab.width", {10, 150}},
-                                        .y = {"tilt", {0, 90}}};
-  const tp_status status = tp_chart_map(&chart, &options, &message);
-  report_chart(status, chart, &message);
-}
-
-/* ---- every n -------------------------------------------------------------------------------- */
-
-static const struct {
-  const char *name;
-  void (*run)(void);
-  long points; /* n that are tried by default */
-} calls[] = {{"solve teeth", solve_teeth, 200},
-             {"solve a hole", solve_hole, 200},
-             {"solve parts", solve_parts, 100},
-             {"solve an outline of a file", solve_outline_of_file, 100},
-             {"solve water", solve_water, 100},
-             {"solve repaired", solve_repaired, 100},
-             {"solve bond", solve_bond, 100},
-             {"solve a limit precisely", solve_limit_precisely, 2000},
-             {"measure accuracy", measure_accuracy, 60},
-             {"solve rounded corners", solve_rounded, 100},
-             {"solve an ellipse", solve_ellipse, 100},
-             {"solve arcs", solve_arcs, 100},
-             {"find", find, 40},
-             {"derive", derive, 200},
-             {"derive and check", derive_checked, 60},
-             {"derive for all counts", derive_family, 100},
-             {"verify", verify, 100},
-             {"chart fos", chart_fos, 100},
-             {"chart mechanisms", chart_mechanisms, 40},
-             {"chart ranges", chart_ranges, 20},
-             {"chart map", chart_map, 40}};
-
 /* The blocks that stay when what FLINT keeps for the next call is given back. */
 static long run(void (*call)(void), long fail_at, bool lasting) {
   failing_memory_state.requests = 0;
@@ -376,21 +67,21 @@ static long run(void (*call)(void), long fail_at, bool lasting) {
 enum { LOST_BY_CGAL = 1000, MOST_POINTS = 5000 };
 
 START_TEST(every_request) {
-  void (*const call)(void) = calls[_i].run;
-  (void)run(call, 0, false); /* what libraries keep for good */
-  long kept = run(call, 0, false);
+  const memory_call *own = memory_calls + _i;
+  (void)run(own->run, 0, false); /* what libraries keep for good */
+  long kept = run(own->run, 0, false);
   const long requests = failing_memory_state.requests;
   ck_assert_int_gt(requests, 10);
-  const long points = getenv("TOPPLE_EVERY_REQUEST") != NULL ? MOST_POINTS : calls[_i].points;
+  const long points = getenv("TOPPLE_EVERY_REQUEST") != NULL ? MOST_POINTS : own->points;
   const long step = 1 + (requests - 1) / points;
   for (long n = 1; n <= requests; n += step) {
     failing_memory_state.was_new = false;
-    const long live = run(call, n, (n / step) % 2 == 1);
+    const long live = run(own->run, n, (n / step) % 2 == 1);
     /* CGAL's containers lose what they just took where the next request of theirs fails, and a
      * triangulation that its failure left broken is abandoned */
     if (failing_memory_state.was_new && live - kept <= LOST_BY_CGAL) kept = live;
     ck_assert_msg(live == kept, "%s: %ld blocks are not given back after request %ld of %ld failed",
-                  calls[_i].name, live - kept, n, requests);
+                  own->name, live - kept, n, requests);
   }
 }
 END_TEST
@@ -401,7 +92,7 @@ int main(void) {
   Suite *suite = suite_create("memory");
   TCase *tests = tcase_create("requests");
   tcase_set_timeout(tests, 0);
-  tcase_add_loop_test(tests, every_request, 0, (int)(sizeof calls / sizeof calls[0]));
+  tcase_add_loop_test(tests, every_request, 0, memory_call_count);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }
