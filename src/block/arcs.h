@@ -29,8 +29,8 @@ typedef struct tp_arc_tips {
   tp_polyline other; /* the ring with chords and tangents exchanged */
 } tp_arc_tips;
 
-/* Replace the edges of a counter-clockwise outline that are arcs. On failure `tips` is
- * cleared. */
+/* Turn the outline counter-clockwise by the area within its chords and replace its edges that are
+ * arcs. On failure `tips` is cleared. */
 TP_MUST_USE tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline,
                                     const tp_block_description *block, tp_message *message);
 void tp_arc_tips_clear(tp_arc_tips *tips);

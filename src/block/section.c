@@ -99,13 +99,7 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
     done = tp_polyline_copy(section->rings + 1 + block->hole_count + k, &block->parts[k].outline);
   }
   if (!done) return false;
-  for (long r = 0; r < section->ring_count; r++) {
-    if (r == 0 && block->arc_count > 0) {
-      tp_polyline_orient_chords(outline);
-    } else {
-      tp_polyline_orient(section->rings + r);
-    }
-  }
+  for (long r = 0; r < section->ring_count; r++) tp_polyline_orient(section->rings + r);
   return true;
 }
 

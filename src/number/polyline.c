@@ -148,7 +148,7 @@ void tp_polyline_orient(tp_polyline *line) {
   if (tp_polyline_orientation(line) < 0) tp_polyline_reverse(line);
 }
 
-void tp_polyline_orient_chords(tp_polyline *line) {
+bool tp_polyline_orient_by_area(tp_polyline *line) {
   fmpq_t area, term;
   fmpq_init(area);
   fmpq_init(term);
@@ -158,7 +158,9 @@ void tp_polyline_orient_chords(tp_polyline *line) {
     fmpq_sub(term, line->y + last, line->y + k);
     fmpq_submul(area, term, line->x + k);
   }
-  if (fmpq_sgn(area) < 0) tp_polyline_reverse(line);
+  const int sign = fmpq_sgn(area);
+  if (sign < 0) tp_polyline_reverse(line);
   fmpq_clear(area);
   fmpq_clear(term);
+  return sign != 0;
 }

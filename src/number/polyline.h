@@ -52,7 +52,8 @@ int tp_polyline_orientation(const tp_polyline *line);
 /* Turn the closed chain counter-clockwise. */
 void tp_polyline_orient(tp_polyline *line);
 
-/* Likewise by the area, of chords that need not make a simple ring: their arcs do. */
-void tp_polyline_orient_chords(tp_polyline *line);
+/* Likewise by the area, of chords that need not make a simple ring: their arcs do. False: there is
+ * none. */
+bool tp_polyline_orient_by_area(tp_polyline *line);
 
 #endif
