@@ -73,7 +73,15 @@ static bool factors_meet(tp_fos a, tp_fos b) {
   return a.state != TP_FOS_NUMBER || b.state != TP_FOS_NUMBER || meet(a.value, b.value);
 }
 
-/* Which of the other's pivots this one is: one of its kind, in its place, with its angle and its
+static bool limits_meet(const tp_pivot *p, const tp_pivot *q) {
+  bool same = p->limit_count == q->limit_count;
+  for (size_t k = 0; same && k < p->limit_count; k++) {
+    same = meet(p->limits_deg[k], q->limits_deg[k]);
+  }
+  return same;
+}
+
+/* Which of the other's pivots this one is: one of its kind, in its place, with its angles and its
  * factor of safety. Far off, places alone do not tell neighbours apart. */
 static size_t counterpart(const comparison *c, const tp_case *one, const tp_case *other, size_t k) {
   if (!c->r->more_vertices) return c->r->mirrored ? one->pivot_count - 1 - k : k;
@@ -81,7 +89,7 @@ static size_t counterpart(const comparison *c, const tp_case *one, const tp_case
     const tp_pivot *p = one->pivots + k, *q = other->pivots + i;
     if (p->kind == q->kind && p->admissible == q->admissible && meet(p->x_m, q->x_m) &&
         meet(p->y_m, q->y_m) && meet(p->critical_angle_deg, q->critical_angle_deg) &&
-        factors_meet(p->fos_resultant, q->fos_resultant)) {
+        limits_meet(p, q) && factors_meet(p->fos_resultant, q->fos_resultant)) {
       return i;
     }
   }

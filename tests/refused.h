@@ -12,6 +12,8 @@
 
 #include <string.h>
 
+#define EXAMPLE(name) TP_EXAMPLES "/" name
+
 static tp_message message;
 
 /* An output that must not be written to. */

@@ -13,8 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define EXAMPLE(name) TP_EXAMPLES "/" name
-
 static tp_scene *read_scene(void) {
   tp_scene *scene = NULL;
   ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), TP_OK);

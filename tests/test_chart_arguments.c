@@ -9,8 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define EXAMPLE(name) TP_EXAMPLES "/" name
-
 START_TEST(charts) {
   const tp_chart_fos_options fos = tp_chart_fos_options_default();
   const tp_chart_mechanisms_options mechanisms = tp_chart_mechanisms_options_default();

@@ -52,6 +52,17 @@ int tp_facet_dot(const tp_lattice *lattice, long a, long b, long c, long d) {
   return sign_of_product(lattice, a, b, c, d, true);
 }
 
+static bool is_on(const tp_lattice *l, long point, long from, long to) {
+  return tp_facet_cross(l, from, to, from, point) == 0 &&
+         tp_facet_dot(l, from, point, from, to) >= 0 && tp_facet_dot(l, to, point, to, from) >= 0;
+}
+
+long tp_facet_touch(const tp_lattice *l, long a0, long a1, long b0, long b1) {
+  if (is_on(l, a0, b0, b1)) return a0;
+  if (is_on(l, a1, b0, b1)) return a1;
+  return is_on(l, b0, a0, a1) ? b0 : b1;
+}
+
 bool tp_facet_same_point(const tp_lattice *lattice, long a, long b) {
   return a == b ||
          (fmpz_equal(lattice->x + a, lattice->x + b) && fmpz_equal(lattice->y + a, lattice->y + b));

@@ -44,12 +44,6 @@ static long before_in_outline(const search *s, long vertex) {
   return (vertex == s->outline ? s->outline + s->outline_count : vertex) - 1;
 }
 
-/* Is point p on the segment from a to b, given that the two segments touch? */
-static bool on_segment(const tp_lattice *l, long p, long a, long b) {
-  return tp_facet_cross(l, a, b, a, p) == 0 && tp_facet_dot(l, a, p, a, b) >= 0 &&
-         tp_facet_dot(l, b, p, b, a) >= 0;
-}
-
 /* The common piece of two edges on one line. */
 static bool add_overlap(search *s, long a0, long a1, long base_edge) {
   const tp_lattice *l = s->lattice;
@@ -64,14 +58,7 @@ static bool add_overlap(search *s, long a0, long a1, long base_edge) {
 static bool add_touch(search *s, long a0, long a1, long base_edge) {
   const tp_lattice *l = s->lattice;
   const long b0 = base_from(s, base_edge), b1 = base_to(s, base_edge);
-  long q = b1;
-  if (on_segment(l, a0, b0, b1)) {
-    q = a0;
-  } else if (on_segment(l, a1, b0, b1)) {
-    q = a1;
-  } else if (on_segment(l, b0, a0, a1)) {
-    q = b0;
-  }
+  const long q = tp_facet_touch(l, a0, a1, b0, b1);
   return tp_facets_append(&s->touches,
                           (tp_facet){.q0 = q, .q1 = q, .t0 = a0, .t1 = a1, .base_edge = base_edge});
 }

@@ -51,18 +51,6 @@ static bool holds(const tp_lattice *l, const sector *s, way w) {
   return turn > 0 ? after_begin && before_end : after_begin || before_end;
 }
 
-static bool is_on(const tp_lattice *l, long point, long from, long to) {
-  return tp_facet_cross(l, from, to, from, point) == 0 &&
-         tp_facet_dot(l, from, point, from, to) >= 0 && tp_facet_dot(l, to, point, to, from) >= 0;
-}
-
-/* The one point that two edges share is an end of one of them. */
-static long point_of(const tp_lattice *l, long a0, long a1, long b0, long b1) {
-  if (is_on(l, a0, b0, b1)) return a0;
-  if (is_on(l, a1, b0, b1)) return a1;
-  return is_on(l, b0, a0, a1) ? b0 : b1;
-}
-
 void tp_overlap_meet(tp_overlap *o, tp_geom_meeting_kind kind, long edge_a, long edge_b) {
   const tp_lattice *l = o->lattice;
   const way a = {edge_a, next_of(&o->a, edge_a)}, b = {edge_b, next_of(&o->b, edge_b)};
@@ -72,7 +60,7 @@ void tp_overlap_meet(tp_overlap *o, tp_geom_meeting_kind kind, long edge_a, long
     o->found = same_way(l, a, b) == (o->a.clockwise == o->b.clockwise);
     return;
   }
-  const long point = point_of(l, a.from, a.to, b.from, b.to);
+  const long point = tp_facet_touch(l, a.from, a.to, b.from, b.to);
   const sector of_a = sector_at(l, &o->a, edge_a, point), of_b = sector_at(l, &o->b, edge_b, point);
   o->found = holds(l, &of_a, of_b.begin) || holds(l, &of_b, of_a.begin);
 }

@@ -61,25 +61,6 @@ static long lowest(const tp_polyline *line, long first, long last, bool right) {
   return best;
 }
 
-/* Above zero where a vertex lies left of the line through two others. */
-static int side_of(const tp_polyline *line, long from, long to, long vertex) {
-  fmpq_t a, b, c; /* (x1 - x0) (y - y0) - (y1 - y0) (x - x0) */
-  fmpq_init(a);
-  fmpq_init(b);
-  fmpq_init(c);
-  fmpq_sub(a, line->x + to, line->x + from);
-  fmpq_sub(b, line->y + vertex, line->y + from);
-  fmpq_mul(a, a, b);
-  fmpq_sub(b, line->y + to, line->y + from);
-  fmpq_sub(c, line->x + vertex, line->x + from);
-  fmpq_submul(a, b, c);
-  const int side = fmpq_sgn(a);
-  fmpq_clear(a);
-  fmpq_clear(b);
-  fmpq_clear(c);
-  return side;
-}
-
 /* How far in an edge between two vertices reaches, where it passes below the vertex `under`, whose
  * upright end face would cut it; NULL where it does not. */
 static const fmpq *blocks(const tp_polyline *line, long from, long to, long under, bool right) {
@@ -87,7 +68,7 @@ static const fmpq *blocks(const tp_polyline *line, long from, long to, long unde
   const bool upwards = fmpq_cmp(x0, x1) < 0;
   const fmpq *low = upwards ? x0 : x1, *high = upwards ? x1 : x0;
   if (fmpq_cmp(low, x) > 0 || fmpq_cmp(high, x) < 0 || fmpq_equal(low, high)) return NULL;
-  const int side = side_of(line, from, to, under);
+  const int side = tp_polyline_turn(line, from, to, under);
   if (upwards ? side <= 0 : side >= 0) return NULL;
   return right ? low : high;
 }
@@ -103,7 +84,8 @@ static long corner_before(const tp_polyline *line, long k, long from, const fmpq
   while (k != from) {
     const int out = fmpq_cmp(line->x + k, reach);
     const bool clear = right ? out < 0 : out > 0;
-    if (clear && side_of(line, vertex_before(line, k), k, next_vertex(line, k)) != 0) break;
+    if (clear && tp_polyline_turn(line, vertex_before(line, k), k, next_vertex(line, k)) != 0)
+      break;
     k = outwards(line, k, !right);
   }
   return k;
@@ -122,7 +104,7 @@ static long before_overhang(const tp_polyline *line, long from, long end, bool r
   }
   if (k == end || k == from) return k;
   const long next = outwards(line, k, right);
-  const int turn = side_of(line, outwards(line, k, !right), k, next);
+  const int turn = tp_polyline_turn(line, outwards(line, k, !right), k, next);
   if (right ? turn < 0 : turn > 0) k = corner_before(line, k, from, line->x + next, right);
   for (long j = next; j != from && k != from; j = outwards(line, j, right)) {
     const fmpq *reach = blocks(line, j, outwards(line, j, right), k, right);

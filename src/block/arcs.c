@@ -209,32 +209,51 @@ static tp_status build(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *
   return status;
 }
 
-/* Is it no polygon that the checks to come let pass? What else they refuse they tell. */
-static bool meets_itself(const tp_polyline *ring) {
-  tp_message unused = {""};
+static tp_status check_ring(const tp_polyline *ring, const char *name, tp_message *message) {
   tp_lattice lattice;
   fmpq_t one;
   fmpq_init(one);
   fmpq_one(one);
-  bool meets = false;
-  if (tp_lattice_init(&lattice, &ring, 1, one, &unused) == TP_OK) {
-    meets = tp_check_ring(ring, &lattice, 0, false, "", &unused) == TP_BAD_INPUT;
+  tp_status status = tp_lattice_init(&lattice, &ring, 1, one, message);
+  if (status == TP_OK) {
+    status = tp_check_ring(ring, &lattice, 0, false, name, message);
     tp_lattice_clear(&lattice);
   }
   fmpq_clear(one);
-  return meets;
+  return status;
 }
 
-/* An edge may pass an arc by less than its tangents or chords do: finer ones, if such are found. */
+/* Are both rings polygons that are counter-clockwise as the outline is? */
+static tp_status check_rings(const tp_arc_tips *tips, const tp_polyline *ring,
+                             const tp_block_description *block, tp_message *message) {
+  if (tp_polyline_orientation(ring) <= 0 || tp_polyline_orientation(&tips->other) <= 0) {
+    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
+                   "the outline with its arcs is turned inside out");
+  }
+  const tp_status status = check_ring(ring, "the outline", message);
+  if (status != TP_OK) return status;
+  return check_ring(&tips->other, "the outline with its arcs", message);
+}
+
+/* An edge may pass an arc by less than its tangents or chords do: finer ones, if such are found.
+ * What is refused then is told of the coarsest. */
 static tp_status build_apart(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *outline,
                              const tp_block_description *block, tp_message *message) {
+  tp_message unused = {""};
+  tp_status first = TP_OK;
   for (int fineness = 1; fineness <= FINEST; fineness *= FINER) {
-    const tp_status status = build(tips, ring, outline, block, fineness, message);
-    if (status != TP_OK || !(meets_itself(ring) || meets_itself(&tips->other))) return status;
+    tp_message *told = fineness == 1 ? message : &unused;
+    tp_status status = build(tips, ring, outline, block, fineness, told);
+    const bool built = status == TP_OK;
+    if (built) status = check_rings(tips, ring, block, told);
+    if (status == TP_OK) return TP_OK;
+    if (fineness == 1) first = status;
+    if (!built) break;
     tp_polyline_clear(ring);
     tp_arc_tips_clear(tips);
+    if (status != TP_BAD_INPUT) break;
   }
-  return build(tips, ring, outline, block, 1, message);
+  return first;
 }
 
 tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_description *block,
@@ -249,12 +268,6 @@ tp_status tp_arcs_apply(tp_arc_tips *tips, tp_polyline *outline, const tp_block_
   tp_polyline ring;
   tp_status status = build_apart(tips, &ring, outline, block, message);
   if (status != TP_OK) return status;
-  if (tp_polyline_orientation(&ring) <= 0 || tp_polyline_orientation(&tips->other) <= 0) {
-    tp_polyline_clear(&ring);
-    tp_arc_tips_clear(tips);
-    return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
-                   "the outline with its arcs is turned inside out");
-  }
   tp_polyline_clear(outline);
   *outline = ring;
   return TP_OK;

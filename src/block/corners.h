@@ -59,7 +59,7 @@ void tp_arc_tip_evaluate(tp_corner_ball *ball, const tp_arc_tip *tip, const tp_l
 void tp_arcs_take_off(tp_moments *moments, const tp_section *section, const tp_lattice *lattice,
                       const fmpq_t metres_per_unit, long bits);
 
-/* Refuse arcs that meet other edges, holes that reach into a tip of one, and parts. */
+/* Refuse parts, and holes that reach into a tip of an arc. */
 TP_MUST_USE tp_status tp_arcs_check(const tp_section *section, const tp_lattice *lattice,
                                     const tp_block_description *block, const fmpq_t metres_per_unit,
                                     tp_message *message);

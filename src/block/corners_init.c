@@ -175,18 +175,6 @@ static tp_status check_corner_reach(const tp_corner *corner, const tp_section *s
   return status;
 }
 
-/* The other ring of the arcs, on a lattice of its own. */
-static tp_status check_other(const tp_section *section, const fmpq_t metres_per_unit,
-                             tp_message *message) {
-  const tp_polyline *other = &section->arc_tips.other;
-  tp_lattice lattice;
-  tp_status status = tp_lattice_init(&lattice, &other, 1, metres_per_unit, message);
-  if (status != TP_OK) return status;
-  status = tp_check_ring(other, &lattice, 0, false, "the outline with its arcs", message);
-  tp_lattice_clear(&lattice);
-  return status;
-}
-
 tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
                         const tp_block_description *block, const fmpq_t metres_per_unit,
                         tp_message *message) {
@@ -194,7 +182,7 @@ tp_status tp_arcs_check(const tp_section *section, const tp_lattice *l,
     return tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
                    "a block with parts takes no arcs: which part they bound is not judged");
   }
-  tp_status status = check_other(section, metres_per_unit, message);
+  tp_status status = TP_OK;
   tp_corner_ball c;
   tp_corner_ball_init(&c);
   for (long k = 0; k < section->arc_tips.count && status == TP_OK; k++) {

@@ -98,9 +98,8 @@ static bool set_rings(tp_section *section, const tp_block_description *block) {
   for (long k = 0; k < block->part_count && done; k++) {
     done = tp_polyline_copy(section->rings + 1 + block->hole_count + k, &block->parts[k].outline);
   }
-  if (!done) return false;
-  for (long r = 0; r < section->ring_count; r++) tp_polyline_orient(section->rings + r);
-  return true;
+  for (long r = 0; r < section->ring_count && done; r++) tp_polyline_orient(section->rings + r);
+  return done;
 }
 
 static tp_status check_counts(const tp_section *section, tp_message *message) {

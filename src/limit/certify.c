@@ -10,15 +10,6 @@ static tp_limit_question without_zeros(const tp_limit_question *question) {
   return strict;
 }
 
-static void set_range(arb_t degrees, const tp_limit_question *q) {
-  arb_t pi;
-  arb_init(pi);
-  arb_const_pi(pi, q->judge.bits);
-  arb_mul_ui(degrees, q->range, 180, q->judge.bits);
-  arb_div(degrees, degrees, pi, q->judge.bits);
-  arb_clear(pi);
-}
-
 /* Of a bracket m +- r, exactly: m - r, where the loads are borne, or m + r, where not. */
 static void set_end_of_bracket(arb_t end, const tp_limit_answer *limit, bool held) {
   arf_t radius;
@@ -42,7 +33,7 @@ static tp_answer set_end(arb_t end, const tp_limit_question *q, tp_sketch *sketc
     tp_certify_held_end(end, limit);
     return TP_YES;
   }
-  set_range(end, q);
+  arb_set_d(end, q->range_deg);
   return tp_stretch_bears_at(q, sketch, push, end) == TP_YES ? TP_YES : TP_OPEN;
 }
 
@@ -111,7 +102,7 @@ tp_answer tp_certify_never(const tp_limit_question *question, tp_sketch *sketch)
   arb_init(low);
   arb_init(high);
   tp_balance_push(&push, q, sketch);
-  set_range(high, q);
+  arb_set_d(high, q->range_deg);
   arb_neg(low, high);
   const tp_answer answer = tp_stretch_is_beaten(q, sketch, &push, low, high);
   tp_vector_clear(&push);

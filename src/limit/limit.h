@@ -13,13 +13,13 @@
 #include "number/work.h"
 #include "topple.h"
 
-/* A question: cones, loads as functions of the tilt, and how far the tilt may go (radians, where
- * loads have terms in 1 / cos). */
+/* A question: cones, loads as functions of the tilt, and how far the tilt may go (degrees, where
+ * loads have terms in 1 / cos; exact). */
 typedef struct tp_limit_question {
   const tp_cones *cones;
   struct tp_sketch *sketch; /* of these cones, where it is made already; else NULL */
   const tp_wrench *load;
-  arb_srcptr range;
+  double range_deg;
   tp_judge judge;
   tp_work *work;        /* what its proofs may take, and have taken; NULL: anything */
   bool without_doubles; /* by a program of all columns at full precision from the start */

@@ -235,16 +235,15 @@ tp_search_found tp_search_near(tp_search_tilts *tilts, tp_sketch *sketch,
                                const tp_limit_question *q) {
   loads l;
   set_loads(&l, sketch, q);
-  const double range = arf_get_d(arb_midref(q->range), ARF_RND_DOWN) * (180 / M_PI);
-  const double step = range / STEPS;
+  const double step = q->range_deg / STEPS;
   *tilts = (tp_search_tilts){.held = 0};
   if (!holds(sketch, &l, 0)) {
     const tp_search_found found = find_nearest(tilts, sketch, &l, step);
     if (found != TP_SEARCH_TILT) return found;
   }
   double held = tilts->held;
-  while (held < range) {
-    const double next = fmin(held + step, range);
+  while (held < q->range_deg) {
+    const double next = fmin(held + step, q->range_deg);
     if (!holds(sketch, &l, next)) {
       tilts->lets_go = halve(sketch, &l, held, next);
       return TP_SEARCH_TILT;

@@ -3,28 +3,6 @@
 
 #include "load/check.h"
 
-/* Sign of (q - p) x (r - p). */
-static int turn(const fmpq *px, const fmpq *py, const fmpq *qx, const fmpq *qy, const fmpq *rx,
-                const fmpq *ry) {
-  fmpq_t a, b, c, d;
-  fmpq_init(a);
-  fmpq_init(b);
-  fmpq_init(c);
-  fmpq_init(d);
-  fmpq_sub(a, qx, px);
-  fmpq_sub(b, ry, py);
-  fmpq_sub(c, qy, py);
-  fmpq_sub(d, rx, px);
-  fmpq_mul(a, a, b);
-  fmpq_submul(a, c, d);
-  const int sign = fmpq_sgn(a);
-  fmpq_clear(a);
-  fmpq_clear(b);
-  fmpq_clear(c);
-  fmpq_clear(d);
-  return sign;
-}
-
 static bool between(const fmpq *value, const fmpq *a, const fmpq *b) {
   return (fmpq_cmp(a, value) <= 0 && fmpq_cmp(value, b) <= 0) ||
          (fmpq_cmp(b, value) <= 0 && fmpq_cmp(value, a) <= 0);
@@ -34,7 +12,7 @@ static bool between(const fmpq *value, const fmpq *a, const fmpq *b) {
 static bool on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y) {
   const long next = k + 1 == ring->count ? 0 : k + 1;
   const fmpq *x0 = ring->x + k, *y0 = ring->y + k, *x1 = ring->x + next, *y1 = ring->y + next;
-  return turn(x0, y0, x1, y1, x, y) == 0 && between(x, x0, x1) && between(y, y0, y1);
+  return tp_points_turn(x0, y0, x1, y1, x, y) == 0 && between(x, x0, x1) && between(y, y0, y1);
 }
 
 /* Inside or on the outline, by crossings of a ray to the right. */
@@ -45,7 +23,7 @@ static bool in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y) {
     if (on_edge(ring, k, x, y)) return true;
     const bool above = fmpq_cmp(ring->y + k, y) > 0, next_above = fmpq_cmp(ring->y + next, y) > 0;
     if (above == next_above) continue;
-    const int side = turn(ring->x + k, ring->y + k, ring->x + next, ring->y + next, x, y);
+    const int side = tp_points_turn(ring->x + k, ring->y + k, ring->x + next, ring->y + next, x, y);
     if ((side > 0) == next_above) inside = !inside;
   }
   return inside;

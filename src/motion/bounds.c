@@ -5,7 +5,6 @@
 
 #include "motion/newton.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -82,19 +81,20 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
 
 /* The same plane by its place or its direction alone, without the roundings of friction: forces
  * through a place have no moment about it, forces of one direction none across it, and what
- * accelerates along a normal line none along that. */
-static void sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
+ * accelerates along a normal line none along that. False: it stays as it is. */
+static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
                     const tp_generator *b) {
   if (a->is_ray && b->is_ray) {
     tp_newton_normal(&bound->h, s->of.q, s->of.n, s->of.mode->normal);
-    return;
+    return true;
   }
   if (bound->source.kind == TP_FROM_PARALLEL) {
     arb_set(bound->h.of, a->of.of + 1);
     arb_neg(bound->h.of + 1, a->of.of);
     arb_zero(bound->h.of + 2);
+    return true;
   }
-  if (bound->source.kind != TP_FROM_SITE) return;
+  if (bound->source.kind != TP_FROM_SITE) return false;
   const tp_cones *cones = s->of.q->cones;
   const long bits = s->of.q->judge.precision;
   arb_mul(bound->h.of, cones->y + a->point, s->of.q->scale, bits);
@@ -102,6 +102,7 @@ static void sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
   arb_mul(bound->h.of + 1, cones->x + a->point, s->of.q->scale, bits);
   arb_sub(bound->h.of + 1, s->of.q->x, bound->h.of + 1, bits);
   arb_one(bound->h.of + 2);
+  return true;
 }
 
 /* Where the loads have no moment, the plane of a slide and a force meets them along the slide,
@@ -141,8 +142,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   own->source = tp_generators_source(&s->of, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
   own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
-  sharpen(own, s, a, b);
-  size = fmin(size, tp_vector_log2_size(&own->h));
+  if (sharpen(own, s, a, b)) size = tp_vector_log2_size(&own->h);
   long above = 0, below = 0;
   for (long k = 0; k < s->of.count; k++) {
     if (k == i || k == j) continue;

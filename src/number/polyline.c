@@ -120,28 +120,37 @@ long tp_polyline_leftmost(const tp_polyline *line) {
   return best;
 }
 
+int tp_points_turn(const fmpq *px, const fmpq *py, const fmpq *qx, const fmpq *qy, const fmpq *rx,
+                   const fmpq *ry) {
+  fmpq_t a, b, c, d;
+  fmpq_init(a);
+  fmpq_init(b);
+  fmpq_init(c);
+  fmpq_init(d);
+  fmpq_sub(a, qx, px);
+  fmpq_sub(b, ry, py);
+  fmpq_sub(c, qy, py);
+  fmpq_sub(d, rx, px);
+  fmpq_mul(a, a, b);
+  fmpq_submul(a, c, d);
+  const int sign = fmpq_sgn(a);
+  fmpq_clear(a);
+  fmpq_clear(b);
+  fmpq_clear(c);
+  fmpq_clear(d);
+  return sign;
+}
+
+int tp_polyline_turn(const tp_polyline *line, long from, long to, long vertex) {
+  return tp_points_turn(line->x + from, line->y + from, line->x + to, line->y + to,
+                        line->x + vertex, line->y + vertex);
+}
+
 int tp_polyline_orientation(const tp_polyline *line) {
   if (line->count < 3) return 0;
   const long at = tp_polyline_leftmost(line);
-  const long before = at == 0 ? line->count - 1 : at - 1;
-  const long after = at + 1 == line->count ? 0 : at + 1;
-  fmpq_t ax, ay, bx, by;
-  fmpq_init(ax);
-  fmpq_init(ay);
-  fmpq_init(bx);
-  fmpq_init(by);
-  fmpq_sub(ax, line->x + at, line->x + before);
-  fmpq_sub(ay, line->y + at, line->y + before);
-  fmpq_sub(bx, line->x + after, line->x + at);
-  fmpq_sub(by, line->y + after, line->y + at);
-  fmpq_mul(ax, ax, by);
-  fmpq_mul(ay, ay, bx);
-  const int turn = fmpq_cmp(ax, ay);
-  fmpq_clear(ax);
-  fmpq_clear(ay);
-  fmpq_clear(bx);
-  fmpq_clear(by);
-  return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+  return tp_polyline_turn(line, at == 0 ? line->count - 1 : at - 1, at,
+                          at + 1 == line->count ? 0 : at + 1);
 }
 
 void tp_polyline_orient(tp_polyline *line) {

@@ -49,6 +49,12 @@ tp_place tp_polyline_place(const tp_polyline *line, long index);
 long tp_polyline_leftmost(const tp_polyline *line);
 int tp_polyline_orientation(const tp_polyline *line);
 
+/* Sign of (q - p) x (r - p): above zero where r lies left of the line from p to q. */
+int tp_points_turn(const fmpq *px, const fmpq *py, const fmpq *qx, const fmpq *qy, const fmpq *rx,
+                   const fmpq *ry);
+/* The same of three points of a chain. */
+int tp_polyline_turn(const tp_polyline *line, long from, long to, long vertex);
+
 /* Turn the closed chain counter-clockwise. */
 void tp_polyline_orient(tp_polyline *line);
 

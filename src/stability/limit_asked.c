@@ -45,22 +45,19 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
                          tp_direction towards, bool back) {
   tp_wrench *load = &asked->load;
   tp_wrench_init(load);
-  arb_init(asked->range);
   if (e->loaded == NULL) {
     set_weight(load, e, towards == TP_TOWARDS_RIGHT);
   } else {
     tp_loaded_local_sum(load, e->loaded, e);
-    arb_set(asked->range, e->loaded->range);
   }
   if (back) turn_back(load);
   asked->question = (tp_limit_question){.cones = cones,
                                         .load = load,
-                                        .range = asked->range,
+                                        .range_deg = e->loaded == NULL ? 0 : e->loaded->range_deg,
                                         .work = e->work,
                                         .judge = tp_limit_asked_judge(e)};
 }
 
 void tp_limit_asked_clear(tp_limit_asked *asked) {
   tp_wrench_clear(&asked->load);
-  arb_clear(asked->range);
 }

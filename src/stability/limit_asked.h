@@ -13,7 +13,6 @@
 typedef struct tp_limit_asked {
   tp_limit_question question;
   tp_wrench load;
-  arb_t range;
 } tp_limit_asked;
 
 /* How a rung of the ladder judges balls about zero. */

@@ -57,17 +57,9 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
 
 /* How far the table is tilted in search of a limit: to upright, or where 1 / cos grows beyond all
  * bounds to all but a millionth of that. */
-static void set_range(tp_loaded *loaded, const tp_water_description *water, long bits) {
-  static const double of_upright = 1 - 0x1p-20;
+static double range_deg(const tp_water_description *water) {
   const bool level = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
-  arb_t part;
-  arb_init(part);
-  arb_set_d(part, level ? of_upright : 1);
-  loaded->range_deg = level ? 90 * of_upright : 90;
-  arb_const_pi(loaded->range, bits);
-  arb_mul_2exp_si(loaded->range, loaded->range, -1);
-  arb_mul(loaded->range, loaded->range, part, bits);
-  arb_clear(part);
+  return level ? 90 * (1 - 0x1p-20) : 90;
 }
 
 void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
@@ -133,7 +125,6 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   loaded->count = tp_loads_count(&scene->loads);
   for (long k = 0; k < loaded->count; k++) tp_wrench_init(&loaded->items[k].wrench);
   tp_wrench_init(&loaded->sum);
-  arb_init(loaded->range);
   if (!fmpq_is_zero(scene->loads.bond_kpa.value)) {
     loaded->bond = tp_bond_new(e);
     if (loaded->bond == NULL) {
@@ -146,7 +137,7 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   fill_setting(&setting, e);
   tp_loads_evaluate(loaded->items, &setting);
   const double evaluated = tp_clock_now();
-  set_range(loaded, &scene->loads.water, e->rung.bits);
+  loaded->range_deg = range_deg(&scene->loads.water);
   tp_load_setting_clear(&setting);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *own = loaded->items + k;
@@ -163,7 +154,6 @@ void tp_loaded_clear(tp_loaded *loaded) {
   free(loaded->items);
   tp_wrench_clear(&loaded->sum);
   tp_bond_free(loaded->bond);
-  arb_clear(loaded->range);
 }
 
 void tp_loaded_metres(arb_t x, arb_t y, const tp_evaluation *e) {

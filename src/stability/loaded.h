@@ -19,8 +19,7 @@ struct tp_loaded {
   tp_load *items;
   tp_wrench sum;
   tp_bond *bond;    /* NULL: there is none */
-  arb_t range;      /* radians up to which a static limit is looked for */
-  double range_deg; /* the same, exact */
+  double range_deg; /* up to which a static limit is looked for; exact */
 };
 
 /* False when memory is exhausted. */
