@@ -173,7 +173,10 @@ static void claim_scene(counts *seen, long count) {
   random_effects_draw(&scene, &state);
   result one = solve(&scene, &options);
   claim(one.seconds < ENDLESS_SECONDS, "as drawn", "does not end", one.text);
-  seen->slow += one.seconds > BUDGET_SECONDS;
+  if (one.seconds > BUDGET_SECONDS) {
+    printf("TOPPLE_RANDOM_SEED=%lu takes %.1f s\n", (ulong)seed, one.seconds);
+    seen->slow++;
+  }
   seen->scenes++;
   seen->refused += is_refused(&one);
   seen->undecided += one.solution != NULL && tp_solution_is_undecided(one.solution);

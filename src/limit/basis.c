@@ -111,23 +111,33 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* What a column at its bound can do is to bear less. */
-static void set_column(double column[3], const tp_sketch *sketch, long k) {
-  const bool turned = sketch->at_most != NULL && sketch->at_most[k];
+/* The columns as generators of what can still be borne. */
+typedef struct generating {
+  const tp_sketch *sketch;
+  long full; /* a column at its bound, besides those of the sketch, or -1 */
+} generating;
+
+/* What a column at its bound can do is to bear less; with a bound of zero it can do nothing. */
+static bool set_column(double column[3], const generating *g, long k) {
+  const tp_sketch *sketch = g->sketch;
+  if (sketch->most != NULL && sketch->most[k] == 0) return false;
+  const bool turned = k == g->full || (sketch->at_most != NULL && sketch->at_most[k]);
   for (int row = 0; row < 3; row++)
     column[row] = turned ? -sketch->columns[k][row] : sketch->columns[k][row];
+  return true;
 }
 
 /* Wrapping about the shared edge: with n = s (shared x other) pointing into the cone, the other
  * face's column k has -s (shared x k) pointing into it. */
-long tp_basis_across(const tp_sketch *sketch, long shared, long other) {
+long tp_basis_across(const tp_sketch *sketch, long shared, long other, bool full) {
   static const double rounding = 1e-12;
+  const generating g = {sketch, full ? other : -1};
   const double *edge = sketch->columns[shared];
   double column[3], normal[3], inward = 0;
-  set_column(column, sketch, other);
+  if (!set_column(column, &g, other)) return -1;
   cross(normal, edge, column);
   for (long k = 0; k < sketch->count; k++) {
-    set_column(column, sketch, k);
+    if (!set_column(column, &g, k)) continue;
     const double side = dot(normal, column);
     if (fabs(side) > fabs(inward)) inward = side;
   }
@@ -135,7 +145,7 @@ long tp_basis_across(const tp_sketch *sketch, long shared, long other) {
   long found = -1;
   for (long k = 0; k < sketch->count; k++) {
     double own[3];
-    set_column(column, sketch, k);
+    if (!set_column(column, &g, k)) continue;
     cross(own, edge, column);
     if (fabs(own[0]) + fabs(own[1]) + fabs(own[2]) < rounding) continue; /* the edge itself */
     if (found < 0 || turn * dot(normal, column) < -rounding) {

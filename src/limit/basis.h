@@ -28,7 +28,8 @@ TP_MUST_USE tp_status tp_basis_exact(tp_basis *basis, const tp_cones *cones, con
                                      const tp_vector *target, long bits);
 
 /* The column that spans the other face beside the edge `shared` of the face of `shared` and
- * `other`; -1 where the cone is flat. */
-long tp_basis_across(const tp_sketch *sketch, long shared, long other);
+ * `other`, which bears nothing, or all that it can where it is `full`; -1 where the cone is flat.
+ */
+long tp_basis_across(const tp_sketch *sketch, long shared, long other, bool full);
 
 #endif

@@ -48,12 +48,13 @@ static tp_answer span_and_admit(const proof *p, tp_face *face, long first, long 
   return spans == TP_YES ? tp_face_admit(face, q->cones, p->sketch, &q->judge, violated) : spans;
 }
 
-/* One force alone holds the block: the other face beside it is a mechanism at the same tilt. The
- * loads leave the cone through the one or the other, and the hull of both tilts encloses where. */
-static tp_answer find_tie(const proof *p, int idle) {
+/* One force alone holds the block, the other one at an end of what it may be: the other face beside
+ * the first is a mechanism at the same tilt. The loads leave the cone through the one or the other,
+ * and the hull of both tilts encloses where. */
+static tp_answer find_tie(const proof *p, int at_end, bool full) {
   tp_limit_answer *a = p->answer;
-  const long shared = a->face.columns[1 - idle];
-  long column = tp_basis_across(p->sketch, shared, a->face.columns[idle]);
+  const long shared = a->face.columns[1 - at_end];
+  long column = tp_basis_across(p->sketch, shared, a->face.columns[at_end], full);
   tp_answer answer = TP_NO;
   for (int tries = 0; tries < 3 && column >= 0 && answer == TP_NO; tries++) {
     long violated = -1;
@@ -109,11 +110,11 @@ static void find_forces(const proof *p) {
   tp_vector_clear(&wrench);
 }
 
-/* Does column k of the face, an allowance, bear no more than its bound? */
-static tp_answer is_within(const proof *p, int k, double scale) {
+/* Sign of what column k of the face could bear besides its force; 1 where it has no bound. */
+static int sign_of_rest(const proof *p, int k, double scale) {
   const tp_limit_question *q = p->question;
   const long column = p->answer->face.columns[k];
-  if (tp_cones_is_edge(q->cones, column)) return TP_YES;
+  if (tp_cones_is_edge(q->cones, column)) return 1;
   arb_t rest;
   arb_init(rest);
   tp_cones_bound(rest, q->cones, column);
@@ -121,22 +122,26 @@ static tp_answer is_within(const proof *p, int k, double scale) {
   arb_sub(rest, rest, p->answer->forces + k, q->judge.bits);
   const int sign = tp_judge_sign(&q->judge, rest, scale);
   arb_clear(rest);
-  return sign < 0 ? TP_NO : sign > 1 ? TP_OPEN : TP_YES;
+  return sign;
 }
 
 static tp_answer check_forces(const proof *p) {
   const tp_limit_question *q = p->question;
-  int idle = -1;
+  int at_end = -1;
+  bool full = false;
   for (int k = 0; k < 2; k++) {
     const double scale = force_scale(p->answer, q->cones, k, q->judge.bits);
     const int sign = tp_judge_sign(&q->judge, p->answer->forces + k, scale);
     if (sign < 0) return TP_NO;
     if (sign > 1) return TP_OPEN;
-    if (sign == 0) idle = k;
-    const tp_answer within = is_within(p, k, scale);
-    if (within != TP_YES) return within;
+    const int rest = sign_of_rest(p, k, scale);
+    if (rest < 0) return TP_NO;
+    if (rest > 1) return TP_OPEN;
+    if (sign > 0 && rest > 0) continue;
+    at_end = k;
+    full = rest == 0;
   }
-  return idle < 0 ? TP_YES : find_tie(p, idle);
+  return at_end < 0 ? TP_YES : find_tie(p, at_end, full);
 }
 
 tp_answer tp_prove_limit(tp_limit_answer *answer, const tp_limit_question *question,

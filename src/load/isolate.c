@@ -69,13 +69,17 @@ static void box_ball(arb_t ball, const box *b, long bits) {
   arb_set_interval_arf(ball, b->low, b->high, bits);
 }
 
+static int sign_of(const arb_t value) {
+  return arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
+}
+
 static int sign_at(const bounded *g, const arf_t at) {
   arb_t x, value;
   arb_init(x);
   arb_init(value);
   arb_set_arf(x, at);
   value_at(value, g, x);
-  const int sign = arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
+  const int sign = sign_of(value);
   arb_clear(x);
   arb_clear(value);
   return sign;
@@ -203,19 +207,21 @@ static long most_depth(long bits) {
   return bits / 2 + SPARE < MOST ? bits / 2 + SPARE : MOST;
 }
 
-/* The right angle, or where the leading term is not told from zero there the angle next to it: a
- * zero nearer to upright than 2^(-n / 3) is then beyond what n bits can tell. */
+/* The right angle rounded up, with the sign of the leading term there as at it; or where that is
+ * not told from zero the angle next to it: a zero nearer to upright than 2^(-n / 3) is then beyond
+ * what n bits can tell. */
 static void set_end(arf_t end, const bounded *g) {
   arb_t angle;
   arb_init(angle);
   arb_const_pi(angle, g->bits);
   arb_mul_2exp_si(angle, angle, -1);
   arb_get_ubound_arf(end, angle, g->bits);
+  const int leading = sign_of(g->f->of + (g->squared ? TP_SEC2 : TP_SEC));
   const int above = sign_at(g, end);
   arf_neg(end, end);
   const int below = sign_at(g, end);
   arf_neg(end, end);
-  if (above == 0 || below == 0) {
+  if (leading == 0 || above != leading || below != leading) {
     arf_t off;
     arf_init(off);
     arf_set_si_2exp_si(off, 1, -g->bits / 3);
