@@ -167,7 +167,8 @@ bool tp_tilts_of(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp_ti
 }
 
 /* The later of two lower ends, the earlier of two upper ones; of two that are one, what both bounds
- * share. False where open. */
+ * share. Where no more bits will tell, as with a friction that is known to an interval of tilts, a
+ * ball that holds it. False where open. */
 static bool tighten(tp_tilt *end, const tp_tilt *a, const tp_tilt *b, bool lower,
                     const tp_judge *judge) {
   if (a->endless || b->endless) {
@@ -175,9 +176,13 @@ static bool tighten(tp_tilt *end, const tp_tilt *a, const tp_tilt *b, bool lower
     return true;
   }
   const int order = tp_tilt_compare(a, b, judge);
-  if (order == TP_TILT_OPEN) return false;
-  tp_tilt_set(end, (order > 0) == lower ? a : b);
-  if (order == 0) end->rays = a->rays & b->rays;
+  if (order == TP_TILT_OPEN && !judge->settled) return false;
+  const bool told = order == 1 || order == -1;
+  tp_tilt_set(end, told && (order > 0) == lower ? a : b);
+  if (!told) end->rays = a->rays & b->rays;
+  if (order == TP_TILT_OPEN) {
+    (lower ? arb_max : arb_min)(end->degrees, a->degrees, b->degrees, judge->bits);
+  }
   return true;
 }
 
@@ -185,8 +190,9 @@ static bool tighten(tp_tilt *end, const tp_tilt *a, const tp_tilt *b, bool lower
 static tp_answer is_something(const tp_tilt_span *span, unsigned rays, const tp_judge *judge) {
   if (span->from.endless || span->to.endless) return TP_YES;
   const int order = tp_tilt_compare(&span->from, &span->to, judge);
-  if (order == TP_TILT_OPEN) return TP_OPEN;
-  if (order == 0) return (span->from.rays & span->to.rays & rays) != 0 ? TP_YES : TP_NO;
+  const bool shared = (span->from.rays & span->to.rays & rays) != 0;
+  if (order == TP_TILT_OPEN) return judge->settled && shared ? TP_YES : TP_OPEN;
+  if (order == 0) return shared ? TP_YES : TP_NO;
   return order < 0 ? TP_YES : TP_NO;
 }
 

@@ -24,6 +24,13 @@ static int by_lower_end(const void *left, const void *right) {
   return order != 0 ? order : (a->mode > b->mode) - (a->mode < b->mode);
 }
 
+/* A lower end where another span begins as near as can be told: a ball that holds the less. */
+static void extend_down(tp_tilt *from, const tp_tilt *other, const tp_judge *judge) {
+  if (from->endless || other->endless) return;
+  if (tp_tilt_compare(other, from, judge) != TP_TILT_OPEN) return;
+  arb_min(from->degrees, from->degrees, other->degrees, judge->bits);
+}
+
 /* The larger of two upper ends. Where their order is open, a ball that holds it, with the source of
  * one that it does not lie below. */
 static void extend(tp_tilt *to, const tp_tilt *other, const tp_judge *judge) {
@@ -37,14 +44,16 @@ static void extend(tp_tilt *to, const tp_tilt *other, const tp_judge *judge) {
   if (order == TP_TILT_OPEN) arb_max(to->degrees, to->degrees, other->degrees, judge->bits);
 }
 
-/* Does the span begin beyond what is put together so far? */
+/* Does the span begin beyond what is put together so far? Where no more bits will tell, as with a
+ * friction that is known to an interval of tilts, the cautious reading: it does not. */
 static tp_answer lies_beyond(const tp_tilt_span *span, const tp_tilt *to, const tp_judge *judge) {
   if (to->endless || span->from.endless) return TP_NO;
   const int order = tp_tilt_compare(&span->from, to, judge);
-  return order == TP_TILT_OPEN ? TP_OPEN : order > 0 ? TP_YES : TP_NO;
+  if (order == TP_TILT_OPEN) return judge->settled ? TP_NO : TP_OPEN;
+  return order > 0 ? TP_YES : TP_NO;
 }
 
-/* What moves at the end of an span: of a mode of two rays the one whose plane bounds it there. */
+/* What moves at the end of a span: of a mode of two rays the one whose plane bounds it there. */
 static tp_motion_outcome describe(tp_motion_window *w, const tp_motions *m,
                                   const tp_tilt_span *span, const tp_tilt *end) {
   const tp_motion_mode *mode = m->modes + span->mode;
@@ -59,10 +68,12 @@ static tp_motion_outcome describe(tp_motion_window *w, const tp_motions *m,
   return tp_strata_mechanism(&w->mechanism, &m->twists, &m->normals, w->ray);
 }
 
-/* Does an end of the span end the window there, too? */
-static int shares_end(const tp_tilt *end, const tp_tilt *own, const tp_judge *judge) {
-  if (end->endless || own->endless) return end->endless == own->endless ? 0 : 1;
-  return tp_tilt_compare(end, own, judge);
+/* Does an end of the span end the window there, too? Where no more bits will tell, it does. */
+static tp_answer shares_end(const tp_tilt *end, const tp_tilt *own, const tp_judge *judge) {
+  if (end->endless || own->endless) return end->endless == own->endless ? TP_YES : TP_NO;
+  const int order = tp_tilt_compare(end, own, judge);
+  if (order == TP_TILT_OPEN) return judge->settled ? TP_YES : TP_OPEN;
+  return order == 0 ? TP_YES : TP_NO;
 }
 
 /* Is the motion named before another that begins at the same tilt? That of one ray before a mode of
@@ -91,9 +102,9 @@ static tp_motion_outcome name(tp_motion_window *w, const tp_motions *m, tp_tilt_
   for (int round = 0; round < 2; round++) {
     for (long k = 0; k < count; k++) {
       const tp_tilt *end = upper ? &spans[k]->to : &spans[k]->from;
-      const int order = shares_end(end, own, judge);
-      if (order == TP_TILT_OPEN) return TP_MOTION_OPEN;
-      if (order != 0) continue;
+      const tp_answer shares = shares_end(end, own, judge);
+      if (shares == TP_OPEN) return TP_MOTION_OPEN;
+      if (shares == TP_NO) continue;
       tp_motion_window other = {.begins = spans[k] - m->spans.items};
       const tp_motion_outcome done = describe(&other, m, spans[k], end);
       if (done != TP_MOTION_PROVEN) return done;
@@ -128,6 +139,7 @@ static tp_motion_outcome merge(tp_motion_windows *w, const tp_motions *m, tp_til
       const tp_answer beyond = lies_beyond(spans[k], &own->to, judge);
       if (beyond == TP_OPEN) return TP_MOTION_OPEN;
       if (beyond == TP_YES) break;
+      extend_down(&own->from, &spans[k]->from, judge);
       extend(&own->to, &spans[k]->to, judge);
     }
     const tp_motion_outcome named = name(own, m, spans + first, k - first, judge);

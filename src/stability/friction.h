@@ -21,13 +21,14 @@ void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t 
 /* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);
 
-/* The tilt at which the block lets go where the friction angle is `degrees`: in doubles where
+/* The tilt at which the block lets go where the friction angle is `degrees`: to a few digits where
  * `tilt` is asked of as an estimate, else enclosed. False where there is none. */
 typedef bool (*tp_friction_limit)(arb_t tilt, void *context, const arb_t degrees, bool estimate);
 
-/* The friction angle at the tilt at which the block lets go with it. By Brouwer's theorem there is
- * one in an interval of tilts that the limit maps into itself; false where none was found. `back`:
- * tilts count the other way. */
+/* The friction angle at the tilt at which the block lets go with it. There is one in an interval of
+ * tilts that the limit maps into itself (Brouwer), and in one at whose lower end the block holds
+ * with the friction there, and at its upper end not; false where none was found. `back`: tilts
+ * count the other way. */
 bool tp_friction_meet(arb_t degrees, const tp_evaluation *evaluation, tp_friction_limit limit,
                       void *context, bool back);
 

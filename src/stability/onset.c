@@ -4,6 +4,7 @@
 #include "stability/onset.h"
 
 #include "stability/friction.h"
+#include "stability/limit_asked.h"
 #include "stability/onset_motions.h"
 #include "stability/onset_question.h"
 #include "stability/onset_ranges.h"
@@ -62,9 +63,10 @@ static void forget(asking *a) {
   a->has_windows = false;
 }
 
-/* The windows with a friction angle. */
-static bool find(asking *a, const arb_t friction) {
-  const tp_motion_question *q = &a->asked.question;
+/* The windows with a friction angle; with a judge of few bits as an estimate. */
+static bool find_by(asking *a, const arb_t friction, const tp_judge *judge) {
+  tp_motion_question *q = &a->asked.question;
+  q->judge = *judge;
   forget(a);
   tp_friction_tangent(a->asked.cones.friction, friction, a->e->rung.bits);
   a->outcome = tp_motions_init(&a->motions, q);
@@ -78,10 +80,22 @@ static bool find(asking *a, const arb_t friction) {
   return true;
 }
 
+static bool find(asking *a, const arb_t friction) {
+  const tp_judge judge = tp_limit_asked_judge(a->e);
+  return find_by(a, friction, &judge);
+}
+
+/* With few bits, by what these tell: all of a search but its proof. */
+static bool find_roughly(asking *a, const arb_t friction) {
+  enum { FEW_BITS = 128 };
+  const tp_judge few = {.bits = FEW_BITS, .precision = FEW_BITS, .settled = true};
+  return (a->e->rung.bits > FEW_BITS && find_by(a, friction, &few)) || find(a, friction);
+}
+
 /* A friction angle to the onset that it gives (tp_friction_limit). */
 static bool onset_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
   asking *a = context;
-  if (!find(a, degrees)) return false;
+  if (!(estimate ? find_roughly(a, degrees) : find(a, degrees))) return false;
   const long first = tp_onset_first_window(&a->windows, &a->asked.question.judge);
   if (first == -2) {
     a->outcome = TP_MOTION_OPEN;

@@ -112,6 +112,63 @@ class Friction(unittest.TestCase):
             self.assertAlmostEqual(case["limit"]["holds_from_deg"]["value"], expected, delta=1e-9)
             self.assertEqual(case["mechanism"], "slides")
 
+    def onset_of(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "scene.yaml"
+            scene.write_text(text)
+            return [case["onset"] for case in solve(scene, "--digits", "12")["cases"]]
+
+    def onset_is_its_own(self, text, law):
+        """The onset under a law is that of a constant friction with the angle that it names, which takes no search."""
+        onsets = self.onset_of(text % law)
+        for k, onset in enumerate(onsets):
+            self.assertEqual(onset["kind"], "angle")
+            angle = onset["friction_angle_deg"]
+            plain = self.onset_of(text % f"friction_angle_deg: {angle['value']!r}")[k]
+            self.assertEqual(plain["mechanism"], onset["mechanism"])
+            own, other = onset["critical_angle_deg"], plain["critical_angle_deg"]
+            # a degree more of friction moves it by less than three, the printed angle errs by half a unit
+            slack = 3 * (angle["error"] + math.ulp(angle["value"]))
+            self.assertAlmostEqual(own["value"], other["value"], delta=own["error"] + other["error"] + slack)
+        return onsets
+
+    def test_onset_of_a_notch_with_a_bond(self):
+        """Weight and bond have no moment about the centroid, so that planes of one ray meet at one tilt, whatever the
+        friction; that interval of frictions left the onset undecided. The friction is Barton's at the stress there."""
+        text = ("topple: 1\nlength_unit: m\nblock: {outline: [[0, 0], [2, 1/2], [4, 0], [4, 6], [0, 6]], "
+                "unit_weight_kn_m3: 26}\nbase: {mated: true}\nloads: {bond_kpa: 3}\n%s\ntilt: {towards: both}\n")
+        law = "friction: {law: barton, residual_angle_deg: 30, jrc: 8, jcs_mpa: 50}"
+        stress = 26 * (24 - 1) / 4
+        for onset in self.onset_is_its_own(text, law):
+            tilt = math.radians(onset["critical_angle_deg"]["value"])
+            self.assertAlmostEqual(onset["friction_angle_deg"]["value"],
+                                   barton(30, 8, 50000, stress * math.cos(tilt)), delta=1e-12)
+
+    def test_onset_where_steps_go_to_and_fro(self):
+        """More friction, earlier onset: from tilt to friction to tilt the steps settle on two tilts, 74.89 and 76.26
+        degrees, and never on the one between that has its own friction."""
+        text = ("topple: 1\nlength_unit: ft\nblock: {outline: [[0, 0], [10/3, 0], [10/3, 2/3], [16/3, 2/3], [16/3, 4], "
+                "[0, 4]], unit_weight_kn_m3: 26}\nbase: {mated: whole, beyond: {left: 5/3, right: 14/3}}\n"
+                "loads: {seismic: {horizontal: 5/16, vertical: 1/16}, water: {height: 2/5, stays_level: true}, "
+                "surcharges: [{from: [0, 2], to: [0, 0], kpa: 118872/4375}]}\n%s\ntilt: {towards: right}\n")
+        law = "friction: {law: barton, residual_angle_deg: 21, jcs_mpa: 27182064/625000, roughness_angle_deg: 16}"
+        onset, = self.onset_is_its_own(text, law)
+        self.assertGreater(onset["critical_angle_deg"]["value"], 75)
+        self.assertLess(onset["critical_angle_deg"]["value"], 76.2)
+
+    def test_onset_below_windows_that_touch(self):
+        """Where one motion ends another begins, whatever the friction: with an interval of frictions it stayed open whether
+        the block stands between, and with that the onset, which lies elsewhere, too."""
+        text = ("topple: 1\nlength_unit: km\nblock:\n  unit_weight_kn_m3: 26\n  thickness: 13/4000\n"
+                "  outline: [[0, 3], [16, 327/32], [24, 1013/64], [40, 1219/64], [35, 16277/512], [-5, 7037/512]]\n"
+                "base: {profile: [[0, 3], [16, 327/32], [24, 1013/64], [40, 1219/64]]}\nloads:\n"
+                "  water: {height: 3, stays_level: true}\n  surcharges:\n"
+                "  - {from: [20, 1667/128], to: [24, 1013/64], kpa: 2340000/7}\n"
+                "  - {from: [-5, 7037/512], to: [0, 3], kpa: 1170000/7}\n  anchors:\n"
+                "  - {at: [24, 1013/64], direction_deg: -60, force_kn: 3900000000, passive: true}\n"
+                "  bond_kpa: 40625/108086391056891904\n%s\ntilt: {towards: both}\n")
+        self.onset_is_its_own(text, "friction: {law: barton, residual_angle_deg: 17, jcs_mpa: 37830, jrc: 15/2}")
+
     def test_patton(self):
         """phi_b + i is one angle: the same report as with the sum, but for the name of the angle."""
         law = self.slab("friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 7.5}")
