@@ -70,7 +70,8 @@ static bool meet(tp_bounded a, tp_bounded b) {
 }
 
 static bool factors_meet(tp_fos a, tp_fos b) {
-  return a.state != TP_FOS_NUMBER || b.state != TP_FOS_NUMBER || meet(a.value, b.value);
+  if (a.state != b.state) return a.state == TP_FOS_UNDECIDED || b.state == TP_FOS_UNDECIDED;
+  return a.state != TP_FOS_NUMBER || meet(a.value, b.value);
 }
 
 static bool limits_meet(const tp_pivot *p, const tp_pivot *q) {
