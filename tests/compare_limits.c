@@ -68,7 +68,7 @@ static void compare_limits(const comparison *c, const tp_limit *one, const tp_li
   compare_fos(c, one->fos, other->fos, "factor of safety of the limit");
   compare_number(c, one->friction_angle_deg, other->friction_angle_deg, 0, "friction at the limit");
   if (one->tie) return;
-  if (!c->r->allowances) compare_reactions(c, one, other);
+  if (!c->r->capacities) compare_reactions(c, one, other);
   compare_need(c, one->has_facet == other->has_facet && one->has_centre == other->has_centre,
                "facet or centre of the limit");
   if (one->has_facet) {

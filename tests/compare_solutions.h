@@ -26,7 +26,7 @@ typedef struct relation {
                   what depends on the tilt itself cannot be compared */
   arb_t turn_deg;
   bool more_vertices; /* the other has vertices on its edges */
-  bool allowances;    /* cohesion or bonds bear a share that no reaction tells */
+  bool capacities;    /* cohesion or bonds bear a share that no reaction tells */
   bool uncertain;     /* the other is not certain: its numbers must hold, not its decisions */
 } relation;
 

@@ -4,7 +4,9 @@
 /* The proof of a limit: it agrees with the exact program of the same columns, and takes the right
  * basis and no other. */
 
-#include "limit/prove.h"
+#include "certificate/excess.h"
+#include "certificate/prove.h"
+#include "limit/limit.h"
 #include "limit/search.h"
 #include "random_numbers.h"
 #include "runner.h"
@@ -20,7 +22,7 @@ static uint64_t state;
 typedef struct scene {
   tp_cones cones;
   tp_wrench load;
-  tp_sketch sketch;
+  tp_scaled scaled;
   tp_vector drive;
   tp_limit_question question;
 } scene;
@@ -54,14 +56,14 @@ static void scene_init(scene *s) {
   tp_vector size;
   tp_vector_init(&size);
   tp_vector_init(&s->drive);
-  tp_search_load_term(&s->drive, &s->load, TP_SIN);
-  tp_search_load_term(&size, &s->load, TP_COS);
-  ck_assert(tp_sketch_init(&s->sketch, &s->cones, &size, 160));
+  tp_question_load_term(&s->drive, &s->load, TP_SIN);
+  tp_question_load_term(&size, &s->load, TP_COS);
+  ck_assert(tp_scaled_init(&s->scaled, &s->cones, &size, 160));
   tp_vector_clear(&size);
 }
 
 static void scene_clear(scene *s) {
-  tp_sketch_clear(&s->sketch);
+  tp_scaled_clear(&s->scaled);
   tp_vector_clear(&s->drive);
   tp_wrench_clear(&s->load);
   tp_cones_clear(&s->cones);
@@ -75,7 +77,7 @@ static tp_geom_outcome exact_limit(fmpq_t value, const scene *s) {
   tp_vector_init(&entries);
   for (long k = 0; k < count + 2; k++) {
     if (k < count) tp_cones_column(entries.of, &s->cones, k, ARF_PREC_EXACT);
-    if (k >= count) tp_search_load_term(&entries, &s->load, k == count ? TP_SIN : TP_COS);
+    if (k >= count) tp_question_load_term(&entries, &s->load, k == count ? TP_SIN : TP_COS);
     if (k > count) tp_vector_neg(&entries);
     for (int row = 0; row < 3; row++)
       arf_get_fmpq(columns + 3 * k + row, arb_midref(entries.of + row));
@@ -147,7 +149,7 @@ START_TEST(wrong_bases_are_refused) {
         ck_assert(tp_limit_answer_init(&answer, &s.cones));
         const tp_basis basis = {TP_SIMPLEX_OPTIMAL, 2, {i, j, -1}};
         const bool proven =
-            tp_prove_limit(&answer, &s.question, &s.sketch, &basis, &s.drive, 0) == TP_YES;
+            tp_prove_limit(&answer, &s.question, &s.scaled, &basis, &s.drive, 0) == TP_YES;
         ck_assert(!proven || (outcome == TP_GEOM_OPTIMAL && tells(&answer, tangent)));
         any = any || proven;
         *(proven ? &taken : &refused) += 1;

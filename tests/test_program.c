@@ -4,8 +4,8 @@
 /* Linear programs of three rows: the exact solver against all bases, the simplex method in doubles
  * against the exact solver. */
 
-#include "limit/precise_step.h"
-#include "limit/simplex.h"
+#include "linear_program/precise_step.h"
+#include "linear_program/simplex.h"
 #include "random_numbers.h"
 #include "runner.h"
 

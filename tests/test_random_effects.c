@@ -102,7 +102,7 @@ static void claim_variant(counts *seen, const random_scene *scene, const result 
   relation r;
   random_scene_copy(&changed, scene);
   relation_init(&r);
-  r.allowances = random_effects_allow(&scene->effects);
+  r.capacities = random_effects_allow(&scene->effects);
   if (random_variants[variant].change(&changed, &r, state)) {
     claim_same(seen, one, &changed, &r, &options, variant, random_variants[variant].name);
   }
@@ -120,7 +120,7 @@ static void claim_direction(counts *seen, const random_scene *scene, const resul
   char why[256];
   random_scene_copy(&changed, scene);
   relation_init(&r);
-  r.allowances = random_effects_allow(&scene->effects);
+  r.capacities = random_effects_allow(&scene->effects);
   const int side = (int)draw_below(state, 2);
   changed.effects.towards = side == 0 ? TOWARDS_LEFT : TOWARDS_RIGHT;
   result other = solve(&changed, &options);
@@ -143,7 +143,7 @@ static void claim_options(counts *seen, const random_scene *scene, const result 
   tp_solve_options options = tp_solve_options_default();
   relation r;
   relation_init(&r);
-  r.allowances = random_effects_allow(&scene->effects);
+  r.capacities = random_effects_allow(&scene->effects);
   if (property == OTHER_DIGITS) options.digits = digits[draw_below(state, 7)];
   if (property == CHEAPER_LEVEL) options.level = (tp_level)draw_below(state, TP_LEVEL_EXACT);
   r.uncertain = property == CHEAPER_LEVEL;

@@ -6,8 +6,8 @@
 #ifndef TP_TEST_WHOLE_VECTORS_H
 #define TP_TEST_WHOLE_VECTORS_H
 
-#include "limit/cones.h"
-#include "limit/vector.h"
+#include "linear_program/cones.h"
+#include "number/vector.h"
 
 #include <check.h>
 #include <stdbool.h>

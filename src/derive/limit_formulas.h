@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The linear program of the static limit in symbols (limit/cones.h says the same in numbers): the
- * columns of all contact points, and what follows from the two of an optimal basis. */
+/* The linear program of the static limit in symbols (linear_program/cones.h says the same in
+ * numbers): the columns of all contact points, and what follows from the two of an optimal basis.
+ */
 
 #ifndef TP_LIMIT_FORMULAS_H
 #define TP_LIMIT_FORMULAS_H

@@ -1,51 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "limit/extremes.h"
+#include "certificate/extremes.h"
+#include "certificate/prove.h"
 #include "limit/near.h"
 #include "limit/program.h"
-#include "limit/prove.h"
-#include "limit/search.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-bool tp_limit_answer_init(tp_limit_answer *answer, const tp_cones *cones) {
-  memset(answer, 0, sizeof *answer);
-  if (!tp_face_init(&answer->face, cones)) return false;
-  if (!tp_face_init(&answer->other, cones)) {
-    tp_face_clear(&answer->face);
-    return false;
-  }
-  arb_init(answer->sine);
-  arb_init(answer->cosine);
-  arb_init(answer->degrees);
-  arb_init(answer->inclination);
-  for (int k = 0; k < 2; k++) arb_init(answer->forces + k);
-  return true;
-}
-
-void tp_limit_answer_clear(tp_limit_answer *answer) {
-  tp_face_clear(&answer->face);
-  tp_face_clear(&answer->other);
-  arb_clear(answer->sine);
-  arb_clear(answer->cosine);
-  arb_clear(answer->degrees);
-  arb_clear(answer->inclination);
-  for (int k = 0; k < 2; k++) arb_clear(answer->forces + k);
-}
 
 static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q,
-                             const tp_program *p, tp_sketch *sketch, const tp_basis *basis) {
+                             const tp_program *p, tp_scaled *scaled, const tp_basis *basis) {
   switch (basis->outcome) {
   case TP_SIMPLEX_OPTIMAL:
-    return tp_prove_limit(answer, q, sketch, basis, &p->direction, 0);
+    return tp_prove_limit(answer, q, scaled, basis, &p->direction, 0);
   case TP_SIMPLEX_UNBOUNDED:
     answer->kind = TP_LIMIT_INTERLOCKED;
-    return tp_extremes_interlocked(q, sketch, basis);
+    return tp_extremes_interlocked(q, scaled, basis);
   case TP_SIMPLEX_INFEASIBLE:
     answer->kind = TP_LIMIT_NOWHERE;
-    return tp_extremes_nowhere(q, sketch);
+    return tp_extremes_nowhere(q, scaled);
   case TP_SIMPLEX_STUCK:
     break;
   }
@@ -73,7 +46,7 @@ static void take(working_set *set, const tp_cones *cones, long column) {
 /* Doubles were wrong, and a column says so: the exact program of their basis and that column, then
  * of that and the next column that refutes it. Each looks at all columns once. */
 static tp_answer repair(tp_limit_answer *answer, tp_status *status, const tp_limit_question *q,
-                        const tp_program *p, tp_sketch *sketch, tp_basis *basis) {
+                        const tp_program *p, tp_scaled *scaled, tp_basis *basis) {
   working_set set = {.count = 0};
   for (int k = 0; k < basis->count; k++) take(&set, q->cones, basis->columns[k]);
   for (int round = 0; round < MOST_REPAIRS && answer->violated >= 0; round++) {
@@ -81,7 +54,7 @@ static tp_answer repair(tp_limit_answer *answer, tp_status *status, const tp_lim
     *status = tp_basis_exact(basis, q->cones, set.columns, set.count, &p->direction, &p->target,
                              q->judge.precision);
     if (*status != TP_OK || basis->outcome != TP_SIMPLEX_OPTIMAL) return TP_OPEN;
-    const tp_answer done = judge_basis(answer, q, p, sketch, basis);
+    const tp_answer done = judge_basis(answer, q, p, scaled, basis);
     if (done != TP_NO) return done;
   }
   return TP_OPEN;
@@ -102,22 +75,22 @@ static tp_status whole_basis(tp_basis *basis, const tp_limit_question *q, const 
  * columns on the midpoints of the data, if they are not too many, leaves nothing but the width of
  * the data. */
 static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q,
-                             const tp_program *p, tp_sketch *sketch) {
+                             const tp_program *p, tp_scaled *scaled) {
   tp_basis basis;
   tp_answer done = TP_OPEN;
   tp_status status = TP_OK;
   answer->violated = -1;
   if (!q->without_doubles) {
-    const tp_simplex_answer sketched = tp_program_solve(p, sketch);
-    basis = tp_basis_of(&sketched);
-    done = judge_basis(answer, q, p, sketch, &basis);
-    if (done == TP_NO) done = repair(answer, &status, q, p, sketch, &basis);
+    const tp_simplex_answer scaled_answer = tp_program_solve(p, scaled);
+    basis = tp_basis_of(&scaled_answer);
+    done = judge_basis(answer, q, p, scaled, &basis);
+    if (done == TP_NO) done = repair(answer, &status, q, p, scaled, &basis);
   }
   /* with fewer bits, doubling them is cheaper */
-  const bool whole = q->judge.bits >= LEAST_BITS && sketch->count <= WHOLE_PROGRAM;
+  const bool whole = q->judge.bits >= LEAST_BITS && scaled->count <= WHOLE_PROGRAM;
   if (status == TP_OK && done != TP_YES && (whole || q->without_doubles)) {
     status = whole_basis(&basis, q, p);
-    if (status == TP_OK) done = judge_basis(answer, q, p, sketch, &basis);
+    if (status == TP_OK) done = judge_basis(answer, q, p, scaled, &basis);
   }
   if (status != TP_OK) {
     return status == TP_OUT_OF_MEMORY ? TP_LIMIT_OUT_OF_MEMORY : TP_LIMIT_FAILED;
@@ -141,22 +114,22 @@ tp_limit_outcome tp_limit_find(tp_limit_answer *answer, const tp_limit_question 
     answer->kind = TP_LIMIT_NOWHERE;
     return TP_LIMIT_PROVEN;
   }
-  tp_sketch own, *sketch = q->sketch;
-  if (sketch == NULL) {
-    if (!tp_program_sketch(&own, q)) return TP_LIMIT_OUT_OF_MEMORY;
-    sketch = &own;
+  tp_scaled own, *scaled = q->scaled;
+  if (scaled == NULL) {
+    if (!tp_program_scaled(&own, q)) return TP_LIMIT_OUT_OF_MEMORY;
+    scaled = &own;
   }
   tp_limit_outcome outcome = TP_LIMIT_OPEN;
-  if (tp_search_is_linear(q)) {
+  if (tp_question_is_linear(q)) {
     tp_program p;
     tp_program_init(&p);
     tp_program_set_linear(&p, q);
-    outcome = find(answer, q, &p, sketch);
+    outcome = find(answer, q, &p, scaled);
     tp_program_clear(&p);
   } else {
-    outcome = tp_near_find(answer, q, sketch);
+    outcome = tp_near_find(answer, q, scaled);
   }
-  if (sketch->out_of_memory) outcome = TP_LIMIT_OUT_OF_MEMORY;
-  if (sketch == &own) tp_sketch_clear(&own);
+  if (scaled->out_of_memory) outcome = TP_LIMIT_OUT_OF_MEMORY;
+  if (scaled == &own) tp_scaled_clear(&own);
   return outcome;
 }

@@ -10,9 +10,9 @@
 #define TP_NEAR_H
 
 #include "limit/limit.h"
-#include "limit/sketch.h"
+#include "linear_program/scaled.h"
 
 tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *question,
-                              tp_sketch *sketch);
+                              tp_scaled *scaled);
 
 #endif

@@ -3,8 +3,8 @@
 
 #include "limit/program.h"
 
-#include "limit/precise.h"
 #include "limit/search.h"
+#include "linear_program/precise.h"
 
 #include <math.h>
 
@@ -19,8 +19,8 @@ void tp_program_clear(tp_program *p) {
 }
 
 void tp_program_set_linear(tp_program *p, const tp_limit_question *q) {
-  tp_search_load_term(&p->direction, q->load, TP_SIN);
-  tp_search_load_term(&p->target, q->load, TP_COS);
+  tp_question_load_term(&p->direction, q->load, TP_SIN);
+  tp_question_load_term(&p->target, q->load, TP_COS);
   tp_vector_neg(&p->target);
 }
 
@@ -37,7 +37,7 @@ void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t 
     arb_mul_2exp_si(at, at, -17);
     arb_mul_si(at, at, k == 0 ? 0 : k == 1 ? -1 : 1, bits);
     arb_add(at, near, at, bits);
-    tp_search_load_at_degrees(&load, q, at);
+    tp_question_load_at_degrees(&load, q, at);
     for (int row = 0; row < 3; row++) {
       if (k == 2) {
         arb_sub(parts[k]->of + row, load.of + row, parts[k]->of + row, bits);
@@ -52,32 +52,32 @@ void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t 
   arb_clear(at);
 }
 
-bool tp_program_sketch(tp_sketch *sketch, const tp_limit_question *q) {
+bool tp_program_scaled(tp_scaled *scaled, const tp_limit_question *q) {
   tp_vector size;
   tp_vector_init(&size);
-  tp_search_load_term(&size, q->load, TP_COS); /* the weight's */
-  const bool done = tp_sketch_init(sketch, q->cones, &size, q->judge.bits);
+  tp_question_load_term(&size, q->load, TP_COS); /* the weight's */
+  const bool done = tp_scaled_init(scaled, q->cones, &size, q->judge.bits);
   tp_vector_clear(&size);
   return done;
 }
 
-tp_simplex_answer tp_program_solve(const tp_program *p, tp_sketch *sketch) {
+tp_simplex_answer tp_program_solve(const tp_program *p, tp_scaled *scaled) {
   double direction[3], target[3];
-  tp_sketch_wrench(direction, sketch, &p->direction);
-  tp_sketch_wrench(target, sketch, &p->target);
-  return tp_sketch_solve(sketch, direction, target);
+  tp_scaled_wrench(direction, scaled, &p->direction);
+  tp_scaled_wrench(target, scaled, &p->target);
+  return tp_scaled_solve(scaled, direction, target);
 }
 
-tp_simplex_answer tp_program_solve_precisely(const tp_program *p, tp_sketch *sketch,
+tp_simplex_answer tp_program_solve_precisely(const tp_program *p, tp_scaled *scaled,
                                              const tp_limit_question *q) {
-  return tp_precise_solve(sketch, q->cones, &p->direction, &p->target, q->work, q->judge.bits);
+  return tp_precise_solve(scaled, q->cones, &p->direction, &p->target, q->work, q->judge.bits);
 }
 
-static double linear_degrees(tp_sketch *sketch, const tp_limit_question *q) {
+static double linear_degrees(tp_scaled *scaled, const tp_limit_question *q) {
   tp_program p;
   tp_program_init(&p);
   tp_program_set_linear(&p, q);
-  const tp_simplex_answer found = tp_program_solve(&p, sketch);
+  const tp_simplex_answer found = tp_program_solve(&p, scaled);
   tp_program_clear(&p);
   switch (found.outcome) {
   case TP_SIMPLEX_UNBOUNDED:
@@ -91,11 +91,11 @@ static double linear_degrees(tp_sketch *sketch, const tp_limit_question *q) {
   return atan(found.t) * (180 / M_PI);
 }
 
-double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *q) {
-  if (tp_search_is_linear(q)) return linear_degrees(sketch, q);
-  tp_search_tilts tilts = {.lets_go = 0};
-  (void)tp_search_pay(q, sketch); /* its callers try but so many times */
-  switch (tp_search_near(&tilts, sketch, q)) {
+double tp_program_estimate(tp_scaled *scaled, const tp_limit_question *q) {
+  if (tp_question_is_linear(q)) return linear_degrees(scaled, q);
+  tp_search_tilts tilts = {.fails = 0};
+  (void)tp_search_pay(q, scaled); /* its callers try but so many times */
+  switch (tp_search_near(&tilts, scaled, q)) {
   case TP_SEARCH_HOLDS_ALWAYS:
     return 90;
   case TP_SEARCH_HOLDS_NEVER:
@@ -104,5 +104,5 @@ double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *q) {
   case TP_SEARCH_OPEN: /* level, for want of better */
     break;
   }
-  return tilts.lets_go;
+  return tilts.fails;
 }

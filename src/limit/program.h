@@ -11,7 +11,7 @@
 #define TP_PROGRAM_H
 
 #include "limit/limit.h"
-#include "limit/sketch.h"
+#include "linear_program/scaled.h"
 
 typedef struct tp_program {
   tp_vector direction, target;
@@ -25,15 +25,15 @@ void tp_program_set_linear(tp_program *program, const tp_limit_question *questio
 void tp_program_set_near(tp_program *program, const tp_limit_question *question, const arb_t near);
 
 /* The question's cones in doubles; false when memory is exhausted. */
-TP_MUST_USE bool tp_program_sketch(tp_sketch *sketch, const tp_limit_question *question);
+TP_MUST_USE bool tp_program_scaled(tp_scaled *scaled, const tp_limit_question *question);
 
-tp_simplex_answer tp_program_solve(const tp_program *program, tp_sketch *sketch);
+tp_simplex_answer tp_program_solve(const tp_program *program, tp_scaled *scaled);
 
 /* At the question's bits (precise.h), still unproven. */
-tp_simplex_answer tp_program_solve_precisely(const tp_program *program, tp_sketch *sketch,
+tp_simplex_answer tp_program_solve_precisely(const tp_program *program, tp_scaled *scaled,
                                              const tp_limit_question *question);
 
 /* In doubles, unproven: the limit in degrees, 90 where interlocked, -90 where nothing holds. */
-double tp_program_estimate(tp_sketch *sketch, const tp_limit_question *question);
+double tp_program_estimate(tp_scaled *scaled, const tp_limit_question *question);
 
 #endif

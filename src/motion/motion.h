@@ -13,13 +13,13 @@
  * cones, moments about the centroid, which lies at (x, y) of these longer units from their origin;
  * so all of it is whole where the block is. */
 typedef struct tp_motion_question {
-  const tp_cones *cones; /* without allowances */
+  const tp_cones *cones; /* without capacities */
   arb_t scale, x, y;
   arb_t gyration; /* square of its radius about the centroid */
   tp_wrench load; /* of all loads, about the centroid, as functions of the tilt; any factor */
   bool through_centroid; /* the loads have no moment about it */
   const tp_cones
-      *strong; /* the same cones with their allowances, for cohesion and bonds; or NULL */
+      *strong; /* the same cones with their capacities, for cohesion and bonds; or NULL */
   tp_judge judge;
   tp_work *work;
 } tp_motion_question;

@@ -17,7 +17,9 @@
 #ifndef TP_NORMALS_H
 #define TP_NORMALS_H
 
-#include "limit/face.h"
+#include "linear_program/cones.h"
+#include "number/judge.h"
+#include "number/vector.h"
 #include "topple.h"
 
 typedef struct tp_normal {

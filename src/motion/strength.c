@@ -17,12 +17,12 @@ void tp_strength_init(tp_strength *s) {
   for (int k = 0; k < TP_STRENGTH_FREE; k++) tp_vector_init(s->free + k);
   for (int k = 0; k < TP_STRENGTH_PULLS; k++) tp_vector_init(s->pulls + k);
   s->free_count = s->pull_count = 0;
-  s->allowance_of = NULL;
+  s->capacity_of = NULL;
   tp_vector_init(&s->bonds);
 }
 
 void tp_strength_clear(tp_strength *s) {
-  free(s->allowance_of);
+  free(s->capacity_of);
   tp_vector_clear(&s->bonds);
   tp_vector_clear(&s->fixed);
   tp_vector_clear(&s->cohesion);
@@ -88,7 +88,7 @@ static void begin_free(tp_strength *s, long point) {
   s->free_count++;
 }
 
-static void set_pull(tp_vector *force, const gathering *g, const tp_allowance *own,
+static void set_pull(tp_vector *force, const gathering *g, const tp_capacity *own,
                      const arb_t factor) {
   const tp_cones *cones = g->q->cones;
   const long point = own->point, bits = g->q->judge.bits;
@@ -141,7 +141,7 @@ static void add_slide_pulls(gathering *g) {
 
 /* The cohesion of a facet of which a point of its line stays closed: fixed, or, where that point
  * sticks, with that of all other facets of the line. */
-static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long closed) {
+static tp_motion_outcome add_shear(gathering *g, const tp_capacity *own, long closed) {
   tp_strength *s = g->strength;
   const tp_cones *cones = g->q->cones;
   const int slip = slip_of(g, closed);
@@ -170,7 +170,7 @@ static tp_motion_outcome add_shear(gathering *g, const tp_allowance *own, long c
 }
 
 /* The first edge of a mode on the facet's line, or -1. */
-static tp_motion_outcome find_edge(long *edge, const gathering *g, const tp_allowance *own) {
+static tp_motion_outcome find_edge(long *edge, const gathering *g, const tp_capacity *own) {
   *edge = -1;
   for (long k = 0; k < g->mode->edge_count && *edge < 0; k++) {
     const int shared = tp_normals_share_line(g->n, g->mode->edges[k].point, own->point);
@@ -180,7 +180,7 @@ static tp_motion_outcome find_edge(long *edge, const gathering *g, const tp_allo
   return TP_MOTION_PROVEN;
 }
 
-static void add_bond(tp_vector *sum, const gathering *g, const tp_allowance *own) {
+static void add_bond(tp_vector *sum, const gathering *g, const tp_capacity *own) {
   if (arb_is_zero(own->pull)) return;
   tp_vector pull;
   tp_vector_init(&pull);
@@ -203,8 +203,8 @@ static tp_motion_outcome add_slide(gathering *g) {
   const long sliding = g->twists->rays[g->mode->rays[0]].axis;
   bool bonds = false;
   tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (long k = 0; k < strong->allowance_count && done == TP_MOTION_PROVEN; k++) {
-    const tp_allowance *own = strong->allowances + k;
+  for (long k = 0; k < strong->capacity_count && done == TP_MOTION_PROVEN; k++) {
+    const tp_capacity *own = strong->capacities + k;
     bonds = bonds || !arb_is_zero(own->pull);
     if (g->n->families[g->n->family_of[own->point]].axis == sliding) {
       tp_strength_add_pull(g->strength->most_pull, own->pull, g->q, own->point);
@@ -230,9 +230,9 @@ static tp_motion_outcome add_turn(gathering *g) {
       return TP_MOTION_TOO_DEAR;
     }
     for (long k = ends[0]; k < ends[1] && done == TP_MOTION_PROVEN; k++) {
-      const long allowance = g->strength->allowance_of[n->order[k]];
-      if (allowance < 0) continue;
-      const tp_allowance *own = g->q->strong->allowances + allowance;
+      const long capacity = g->strength->capacity_of[n->order[k]];
+      if (capacity < 0) continue;
+      const tp_capacity *own = g->q->strong->capacities + capacity;
       done = find_edge(&edge, g, own);
       if (done == TP_MOTION_PROVEN && edge == e) {
         done = add_shear(g, own, g->mode->edges[e].point);
@@ -245,13 +245,13 @@ static tp_motion_outcome add_turn(gathering *g) {
 /* What all modes share, once. */
 static bool prepare(gathering *g) {
   tp_strength *s = g->strength;
-  if (s->allowance_of != NULL) return true;
-  s->allowance_of = malloc((size_t)(g->q->cones->count + 1) * sizeof *s->allowance_of);
-  if (s->allowance_of == NULL) return false;
-  for (long k = 0; k < g->q->cones->count; k++) s->allowance_of[k] = -1;
-  for (long k = 0; k < g->q->strong->allowance_count; k++) {
-    const tp_allowance *own = g->q->strong->allowances + k;
-    s->allowance_of[own->point] = k;
+  if (s->capacity_of != NULL) return true;
+  s->capacity_of = malloc((size_t)(g->q->cones->count + 1) * sizeof *s->capacity_of);
+  if (s->capacity_of == NULL) return false;
+  for (long k = 0; k < g->q->cones->count; k++) s->capacity_of[k] = -1;
+  for (long k = 0; k < g->q->strong->capacity_count; k++) {
+    const tp_capacity *own = g->q->strong->capacities + k;
+    s->capacity_of[own->point] = k;
     add_bond(&s->bonds, g, own);
   }
   return true;
@@ -268,7 +268,7 @@ tp_motion_outcome tp_strength_find(tp_strength *s, const tp_motion_question *q, 
   tp_motion_outcome done = TP_MOTION_TOO_DEAR;
   if (!tp_mode_slides(mode, twists)) {
     done = add_turn(&g);
-  } else if (tp_work_spend(q->work, 2, q->strong->allowance_count, q->judge.bits)) {
+  } else if (tp_work_spend(q->work, 2, q->strong->capacity_count, q->judge.bits)) {
     done = add_slide(&g);
   }
   for (int k = 0; k < 3; k++) {

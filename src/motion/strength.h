@@ -29,8 +29,8 @@ typedef struct tp_strength {
   long pull_count, pulled[TP_STRENGTH_PULLS]; /* at points of the cones */
   tp_vector pulls[TP_STRENGTH_PULLS]; /* turned round, times anything above zero, as M r and -e */
   /* of all modes alike: */
-  long *allowance_of; /* by point: that of which it is the first end, or -1 */
-  tp_vector bonds;    /* all of them, as pulls on the block */
+  long *capacity_of; /* by point: that of which it is the first end, or -1 */
+  tp_vector bonds;   /* all of them, as pulls on the block */
 } tp_strength;
 
 void tp_strength_init(tp_strength *strength);

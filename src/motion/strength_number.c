@@ -10,8 +10,8 @@ static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const
   const tp_cones *strong = q->strong;
   if (mode->ray_count == 0 || mode->edge_count == 0) return true;
   if (!tp_mode_slides(mode, twists)) return false;
-  for (long k = 0; k < strong->allowance_count; k++) {
-    if (!arb_is_zero(strong->allowances[k].pull)) return true;
+  for (long k = 0; k < strong->capacity_count; k++) {
+    if (!arb_is_zero(strong->capacities[k].pull)) return true;
   }
   return false;
 }

@@ -9,7 +9,9 @@
 #ifndef TP_TILTS_H
 #define TP_TILTS_H
 
-#include "limit/face.h"
+#include "linear_program/cones.h"
+#include "number/judge.h"
+#include "number/vector.h"
 
 #include "load/roots.h"
 #include "topple.h"

@@ -4,7 +4,7 @@
 /* The tilt at which a block lets go with the friction that it has there, and that friction: a
  * search in doubles, and its proof. */
 
-#include "limit/face.h"
+#include "number/judge.h"
 #include "stability/friction.h"
 
 #include <math.h>

@@ -5,13 +5,13 @@
  * question to limit/, and the answer as a result. */
 
 #include "limit/program.h"
-#include "limit/reduction.h"
 #include "number/ball.h"
 #include "stability/friction.h"
 #include "stability/limit_asked.h"
 #include "stability/limit_cones.h"
 #include "stability/limit_result.h"
 #include "stability/loaded.h"
+#include "strength_reduction/reduction.h"
 
 #include <math.h>
 
@@ -65,13 +65,13 @@ static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estima
   asking *a = context;
   tp_friction_tangent(a->cones->friction, degrees, a->e->rung.bits);
   if (estimate) {
-    tp_sketch sketch;
-    if (!tp_program_sketch(&sketch, a->question)) {
+    tp_scaled scaled;
+    if (!tp_program_scaled(&scaled, a->question)) {
       a->outcome = TP_LIMIT_OUT_OF_MEMORY;
       return false;
     }
-    arb_set_d(tilt, tp_program_estimate(&sketch, a->question));
-    tp_sketch_clear(&sketch);
+    arb_set_d(tilt, tp_program_estimate(&scaled, a->question));
+    tp_scaled_clear(&scaled);
     return true;
   }
   a->outcome = tp_limit_find(a->answer, a->question);
@@ -196,8 +196,8 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
 /* What several questions about one contact share. */
 typedef struct contact_forces {
   tp_cones cones;
-  tp_sketch sketch;
-  bool has_sketch; /* not with friction that depends on the load: it changes with every question */
+  tp_scaled scaled;
+  bool has_scaled; /* not with friction that depends on the load: it changes with every question */
 } contact_forces;
 
 /* Tilted on or back; with the factor of safety. */
@@ -206,18 +206,18 @@ typedef struct variant {
 } variant;
 
 /* False when memory is exhausted. */
-static bool share_sketch(contact_forces *c, tp_limit_question *question, const tp_evaluation *e) {
+static bool share_scaled(contact_forces *c, tp_limit_question *question, const tp_evaluation *e) {
   if (tp_friction_is_load_dependent(e) || c->cones.count == 0) return true;
-  if (!c->has_sketch) {
+  if (!c->has_scaled) {
     arb_t friction;
     arb_init(friction);
     tp_friction_at(friction, e, friction);
     tp_friction_tangent(c->cones.friction, friction, e->rung.bits);
     arb_clear(friction);
-    c->has_sketch = tp_program_sketch(&c->sketch, question);
+    c->has_scaled = tp_program_scaled(&c->scaled, question);
   }
-  question->sketch = c->has_sketch ? &c->sketch : NULL;
-  return c->has_sketch;
+  question->scaled = c->has_scaled ? &c->scaled : NULL;
+  return c->has_scaled;
 }
 
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
@@ -230,7 +230,7 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, co
   tp_limit_question *question = &asked.question;
   asking a = {e, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
   tp_work_begin(e->work, tp_cones_column_count(&c->cones));
-  if (share_sketch(c, question, e)) {
+  if (share_scaled(c, question, e)) {
     a.outcome = TP_LIMIT_PROVEN;
     find_limit(result, &a);
     describe(result, angle, &a, towards);
@@ -242,14 +242,14 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, co
 }
 
 static void contact_forces_clear(contact_forces *c) {
-  if (c->has_sketch) tp_sketch_clear(&c->sketch);
+  if (c->has_scaled) tp_scaled_clear(&c->scaled);
   tp_cones_clear(&c->cones);
 }
 
 static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_ball *back,
                      tp_evaluation *e) {
   const tp_direction towards = result->towards;
-  contact_forces c = {.has_sketch = false};
+  contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
   result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
   result->limit_back = result->limit;
@@ -262,7 +262,7 @@ static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_bal
 /* With a base that ends at the toe where the scene's goes on, or the other way round. */
 static bool find_otherwise(tp_case *result, tp_evaluation *e) {
   const tp_direction towards = result->towards;
-  contact_forces c = {.has_sketch = false};
+  contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, true)) return false;
   tp_direction_ball other;
   tp_direction_ball_init(&other);

@@ -173,20 +173,20 @@ static bool begins_facet(const tp_cones *cones, long point) {
   return own->facet >= 0 && point + 1 < cones->count && own[1].facet == own->facet;
 }
 
-/* Where there is no bond, an allowance for each line alone. */
-static bool has_allowance(const tp_cones *cones, long point, bool bonded) {
+/* Where there is no bond, an capacity for each line alone. */
+static bool has_capacity(const tp_cones *cones, long point, bool bonded) {
   const tp_cone_point *own = cones->points + point;
   return begins_facet(cones, point) && (bonded || own->line == own->facet);
 }
 
-static long count_allowances(const tp_cones *cones, bool bonded) {
+static long count_capacities(const tp_cones *cones, bool bonded) {
   long count = 0;
-  for (long k = 0; k < cones->count; k++) count += has_allowance(cones, k, bonded);
+  for (long k = 0; k < cones->count; k++) count += has_capacity(cones, k, bonded);
   return count;
 }
 
 /* `lengths`, one for each facet of the contact, are zeros: those of lines are summed there. */
-static void fill_allowances(tp_cones *cones, const tp_evaluation *e, arb_ptr lengths) {
+static void fill_capacities(tp_cones *cones, const tp_evaluation *e, arb_ptr lengths) {
   const tp_loads_description *loads = &e->problem->scene->loads;
   const bool bonded = !fmpq_is_zero(loads->bond_kpa.value);
   const long bits = e->rung.bits;
@@ -197,8 +197,8 @@ static void fill_allowances(tp_cones *cones, const tp_evaluation *e, arb_ptr len
   arb_init(length);
   long own = 0;
   for (long k = 0; k < cones->count; k++) {
-    if (!has_allowance(cones, k, bonded)) continue;
-    tp_allowance *a = cones->allowances + own++;
+    if (!has_capacity(cones, k, bonded)) continue;
+    tp_capacity *a = cones->capacities + own++;
     const tp_cone_point *point = cones->points + k;
     a->point = k;
     if (point->line == point->facet) {
@@ -227,10 +227,10 @@ static bool add_strength(tp_cones *cones, const tp_evaluation *e) {
     if (own->facet >= 0) own->line = lines[own->facet];
   }
   free(lines);
-  done = done && tp_cones_allow(cones, count_allowances(cones, bonded));
+  done = done && tp_cones_allow(cones, count_capacities(cones, bonded));
   if (!done) return false;
   arb_ptr lengths = _arb_vec_init(facets);
-  fill_allowances(cones, e, lengths);
+  fill_capacities(cones, e, lengths);
   _arb_vec_clear(lengths, facets);
   return true;
 }

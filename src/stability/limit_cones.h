@@ -6,7 +6,7 @@
 #ifndef TP_LIMIT_CONES_H
 #define TP_LIMIT_CONES_H
 
-#include "limit/cones.h"
+#include "linear_program/cones.h"
 #include "stability/evaluation.h"
 #include "stability/limit_beyond.h"
 

@@ -9,10 +9,10 @@
 #include "stability/limit_cones.h"
 
 static tp_status estimate(arb_t degrees, bool *found, const tp_limit_question *question) {
-  tp_sketch sketch;
-  if (!tp_program_sketch(&sketch, question)) return TP_OUT_OF_MEMORY;
-  const double own = tp_program_estimate(&sketch, question);
-  tp_sketch_clear(&sketch);
+  tp_scaled scaled;
+  if (!tp_program_scaled(&scaled, question)) return TP_OUT_OF_MEMORY;
+  const double own = tp_program_estimate(&scaled, question);
+  tp_scaled_clear(&scaled);
   *found = own > -90 && own < 90;
   arb_set_d(degrees, own);
   return TP_OK;

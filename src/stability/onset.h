@@ -7,7 +7,7 @@
 #ifndef TP_STABILITY_ONSET_H
 #define TP_STABILITY_ONSET_H
 
-#include "limit/face.h"
+#include "number/judge.h"
 #include "stability/evaluation.h"
 
 /* What the verdict takes from it. */

@@ -16,7 +16,9 @@
 #include "study/rough_outline.h"
 
 #include "block/moments.h"
+#include "limit/limit.h"
 #include "limit/search.h"
+#include "linear_program/basis.h"
 #include "motion/windows.h"
 #include "number/ball.h"
 #include "stability/limit_cones.h"
@@ -40,15 +42,15 @@ typedef struct work {
   tp_cones cones;
   tp_wrench load;
   tp_limit_question question;
-  tp_sketch sketch;
+  tp_scaled scaled;
   tp_vector direction, target;
-  double sketched[2][3];
+  double scaled_answer[2][3];
 } work;
 
 static volatile double sink; /* what the compiler must not leave out */
 
 static void solve_in_double(work *w) {
-  sink = tp_sketch_solve(&w->sketch, w->sketched[0], w->sketched[1]).t;
+  sink = tp_scaled_solve(&w->scaled, w->scaled_answer[0], w->scaled_answer[1]).t;
 }
 
 static void find_certified(work *w) {
@@ -164,16 +166,16 @@ static void work_init(work *w, const char *path) {
       .cones = &w->cones, .load = &w->load, .judge = {.bits = BITS, .precision = BITS}};
   tp_vector_init(&w->direction);
   tp_vector_init(&w->target);
-  tp_search_load_term(&w->direction, &w->load, TP_SIN);
-  tp_search_load_term(&w->target, &w->load, TP_COS);
-  if (!tp_sketch_init(&w->sketch, &w->cones, &w->target, BITS)) fail("out of memory");
+  tp_question_load_term(&w->direction, &w->load, TP_SIN);
+  tp_question_load_term(&w->target, &w->load, TP_COS);
+  if (!tp_scaled_init(&w->scaled, &w->cones, &w->target, BITS)) fail("out of memory");
   tp_vector_neg(&w->target);
-  tp_sketch_wrench(w->sketched[0], &w->sketch, &w->direction);
-  tp_sketch_wrench(w->sketched[1], &w->sketch, &w->target);
+  tp_scaled_wrench(w->scaled_answer[0], &w->scaled, &w->direction);
+  tp_scaled_wrench(w->scaled_answer[1], &w->scaled, &w->target);
 }
 
 static void work_clear(work *w) {
-  tp_sketch_clear(&w->sketch);
+  tp_scaled_clear(&w->scaled);
   tp_vector_clear(&w->direction);
   tp_vector_clear(&w->target);
   tp_wrench_clear(&w->load);

@@ -245,8 +245,8 @@ class Teeth(Page):
             self.assertRegex(out, r"(?i)proven")
 
 
-class Allowances(Page):
-    def test_stretches_of_tilts(self):
+class Capacities(Page):
+    def test_intervals_of_tilts(self):
         """The shares of section 6: not negative, 1 in sum, and the arc lies in its triangle."""
         self.prints("F(α) = B₀ F(a) + B₁ A + B₂ F(b)")
         for low, high in ((0.0, 0.4), (-1.1, 0.9), (0.2, 3.2)):
@@ -272,10 +272,10 @@ class Allowances(Page):
                   "{TP_LEVEL_EXACT, 320}", "{TP_LEVEL_EXACT, 1280}", "{TP_LEVEL_EXACT, 5120}")),
                 ("what 1280 bits do not tell apart (160 for the limit", "src/stability/limit_asked.c",
                  ("SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160",)),
-                ("halved; 256 are looked at, at most", "src/limit/stretch.c", ("MOST_LOOKS = 256",)),
-                ("factors from 10⁻⁶ to 10⁶", "src/limit/reduction.c", ("least_factor = 1e-6, most_factor = 1e6",)),
+                ("halved; 256 are tried, at most", "src/certificate/interval.c", ("MOST_SAMPLES = 256",)),
+                ("factors from 10⁻⁶ to 10⁶", "src/strength_reduction/reduction.c", ("least_factor = 1e-6, most_factor = 1e6",)),
                 ("no more than 70°", "src/stability/friction.c", ("MOST_DEGREES = 70",)),
-                ("between 2^(−b/2) and 2^(−b/4) degrees", "src/limit/bracket.c",
+                ("between 2^(−b/2) and 2^(−b/4) degrees", "src/certificate/bracket.c",
                  ("exponent = -bits / 2; exponent <= -bits / 4",))):
             self.assertIn(says, PAGE)
             text = (ROOT / file).read_text(encoding="utf-8")

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A limit with its mechanism: what is proven of it. */
+
+#ifndef TP_ANSWER_H
+#define TP_ANSWER_H
+
+#include "certificate/face.h"
+#include "certificate/question.h"
+#include "topple.h"
+
+typedef struct tp_limit_answer {
+  tp_limit_kind kind;
+  arb_t sine, cosine; /* of the limit, times any positive factor where no load is fixed */
+  arb_t degrees;
+  bool bracketed;     /* proven as held at the lower end of `degrees` and not at the upper one */
+  bool adds_friction; /* `degrees` is this inclination and the friction angle added: */
+  arb_t inclination;
+  tp_face face;
+  bool tie; /* `other` is the mechanism at the same limit */
+  tp_face other;
+  long violated;        /* a column against which the last face tried is not admissible, or -1 */
+  arb_struct forces[2]; /* factors on the columns of `face` */
+} tp_limit_answer;
+
+bool tp_limit_answer_init(tp_limit_answer *answer, const tp_cones *cones);
+void tp_limit_answer_clear(tp_limit_answer *answer);
+
+#endif

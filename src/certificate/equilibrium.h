@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The proof that the base bears a wrench: factors on its columns, found in doubles and enclosed in
+ * balls, that balance it. */
+
+#ifndef TP_EQUILIBRIUM_H
+#define TP_EQUILIBRIUM_H
+
+#include "certificate/question.h"
+#include "linear_program/basis.h"
+
+/* Do the basis and the capacities that the scaled program has at their bound balance the wrench?
+ * Fewer than three columns are completed by others, with a share of nothing. */
+tp_answer tp_equilibrium_of(tp_basis *basis, const tp_limit_question *question,
+                            const tp_scaled *scaled, const tp_vector *wrench);
+
+/* A push from within the cone of all forces: a sum of the edges at the first and the last point,
+ * weighted unevenly so that no symmetry of the block makes a tie, in units of the scaled program's
+ * force.
+ */
+enum { TP_PUSH_EDGES = 4 };
+extern const double tp_equilibrium_push_weights[TP_PUSH_EDGES];
+long tp_equilibrium_push_edge(const tp_cones *cones, int k);
+void tp_equilibrium_push(tp_vector *push, const tp_limit_question *question,
+                         const tp_scaled *scaled);
+
+/* Of all that balance a wrench, with a share t of the push as large as can be: in doubles, and at
+ * the question's bits. A share below zero says that the base does not bear it. */
+tp_simplex_answer tp_equilibrium_solve(tp_scaled *scaled, const tp_vector *push,
+                                       const tp_vector *wrench);
+tp_simplex_answer tp_equilibrium_solve_precisely(const tp_limit_question *question,
+                                                 tp_scaled *scaled, const tp_vector *push,
+                                                 const tp_vector *wrench);
+
+/* Does the base bear the wrench? Of all that balance it, a share of the push as large as can be and
+ * two columns are tried first: the share is above zero wherever the wrench lies inside what the
+ * base bears. TP_NO is what doubles say, and proves nothing. */
+tp_answer tp_equilibrium_bears(const tp_limit_question *question, tp_scaled *scaled,
+                               const tp_vector *push, const tp_vector *wrench);
+
+#endif

@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "certificate/face.h"
+
+#include "certificate/filter.h"
+#include "number/ball.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPEN_SIGN = 2 };
+
+bool tp_face_init(tp_face *face, const tp_cones *cones) {
+  memset(face, 0, sizeof *face);
+  if (cones->capacity_count > 0) {
+    face->full = calloc((size_t)(TP_CAPACITY_COLUMNS * cones->capacity_count), sizeof(bool));
+    if (face->full == NULL) return false;
+  }
+  tp_vector_init(&face->twist);
+  arb_init(face->resistance);
+  return true;
+}
+
+void tp_face_clear(tp_face *face) {
+  tp_vector_clear(&face->twist);
+  arb_clear(face->resistance);
+  free(face->full);
+  memset(face, 0, sizeof *face);
+}
+
+static void both_columns(tp_vector columns[2], const tp_face *face, const tp_cones *cones,
+                         const tp_judge *judge) {
+  for (int k = 0; k < 2; k++) {
+    tp_vector_init(columns + k);
+    tp_cones_column(columns[k].of, cones, face->columns[k], judge->precision);
+  }
+}
+
+/* The same twist from the place alone, without the roundings of the friction: (y, -x, 1) omega. */
+static void turn_about_site(tp_face *face, const tp_cones *cones) {
+  arb_struct *v = face->twist.of;
+  long point = 0;
+  while (cones->points[point].site != face->site) point++;
+  const bool back = arf_sgn(arb_midref(v + 2)) < 0;
+  arb_set(v, cones->y + point);
+  arb_neg(v + 1, cones->x + point);
+  arb_one(v + 2);
+  if (back) tp_vector_neg(&face->twist);
+}
+
+tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long second,
+                       const tp_vector *drive, const tp_judge *judge) {
+  face->columns[0] = first;
+  face->columns[1] = second;
+  tp_vector columns[2];
+  arb_t power;
+  arb_init(power);
+  both_columns(columns, face, cones, judge);
+  tp_vector *twist = &face->twist;
+  tp_vector_cross(twist, columns, columns + 1, judge->precision);
+  if (tp_cones_are_parallel(cones, first, second)) arb_zero(twist->of + 2);
+  tp_vector_dot(power, twist, drive, judge->precision);
+  const int sign =
+      tp_judge_sign(judge, power, tp_vector_log2_size(twist) + tp_vector_log2_size(drive));
+  if (sign < 0) tp_vector_neg(twist);
+  const double size = tp_vector_log2_size(columns) + tp_vector_log2_size(columns + 1);
+  const int turns = tp_judge_sign(judge, twist->of + 2, size);
+  if (turns == 0) arb_zero(twist->of + 2);
+  face->motion = turns == 0 ? TP_MOTION_SLIDE : TP_MOTION_TURN;
+  if (tp_cones_meet(&face->site, cones, first, second)) face->motion = TP_MOTION_TURN_AT_SITE;
+  arb_clear(power);
+  for (int k = 0; k < 2; k++) tp_vector_clear(columns + k);
+  return sign == 0 ? TP_NO : sign == OPEN_SIGN || turns == OPEN_SIGN ? TP_OPEN : TP_YES;
+}
+
+/* Scratch for the power of the two edges of a cone. */
+typedef struct powers {
+  arb_t vx, vy, normal, along, edge;
+} powers;
+
+/* The velocity of the point is (v_x - omega y, v_y + omega x); its share along n is `normal`, along
+ * t `along`; the edges' powers are normal +- along tan(phi). */
+static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, long point,
+                         long bits) {
+  const arb_struct *v = face->twist.of;
+  arb_mul(p->vx, v + 2, cones->y + point, bits);
+  arb_sub(p->vx, v, p->vx, bits);
+  arb_mul(p->vy, v + 2, cones->x + point, bits);
+  arb_add(p->vy, v + 1, p->vy, bits);
+  arb_mul_fmpz(p->normal, p->vy, cones->tx + point, bits);
+  arb_submul_fmpz(p->normal, p->vx, cones->ty + point, bits);
+  arb_mul_fmpz(p->along, p->vx, cones->tx + point, bits);
+  arb_addmul_fmpz(p->along, p->vy, cones->ty + point, bits);
+  arb_mul(p->along, p->along, cones->friction, bits);
+}
+
+/* Does the column do no work by its place alone? */
+static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
+  if (face->motion == TP_MOTION_TURN_AT_SITE && cones->points[column / 2].site == face->site) {
+    return true;
+  }
+  for (int k = 0; k < 2; k++) {
+    if (face->columns[k] < 0) continue;
+    const bool parallel = tp_cones_are_parallel(cones, face->columns[k], column);
+    if (face->motion == TP_MOTION_SLIDE && parallel) return true;
+    if (parallel && tp_cones_share_site(cones, face->columns[k], column)) return true;
+  }
+  return false;
+}
+
+/* What the velocity of a point is made of: v and omega (-y, x), which may cancel. */
+static double log2_of_velocity(const tp_face *face, const tp_cones *cones, long point) {
+  const arb_struct *v = face->twist.of;
+  const double arm =
+      fmax(tp_ball_log2_above(cones->x + point), tp_ball_log2_above(cones->y + point));
+  return fmax(fmax(tp_ball_log2_above(v), tp_ball_log2_above(v + 1)),
+              tp_ball_log2_above(v + 2) + arm);
+}
+
+/* What the powers at a point are made of: its velocity times t. */
+static double log2_of_terms(const tp_face *face, const tp_cones *cones, long point) {
+  const slong along = (slong)fmpz_bits(cones->tx + point), up = (slong)fmpz_bits(cones->ty + point);
+  return log2_of_velocity(face, cones, point) + (double)(along > up ? along : up);
+}
+
+/* Is the point at rest, where neither edge of its cone does work? Where there is friction the two
+ * edges span the plane; otherwise the point may still slip along its facet. */
+static tp_answer is_at_rest(const tp_face *face, const tp_cones *cones, long point, const powers *p,
+                            const tp_judge *judge) {
+  if (!arb_is_zero(cones->friction)) return TP_YES;
+  const double scale = log2_of_velocity(face, cones, point);
+  const int along = tp_judge_sign(judge, p->vx, scale), up = tp_judge_sign(judge, p->vy, scale);
+  if (along == OPEN_SIGN || up == OPEN_SIGN) return TP_OPEN;
+  return along == 0 && up == 0 ? TP_YES : TP_NO;
+}
+
+/* The signs of both edges' powers at a point: idle ones count as zero without arithmetic. */
+static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, powers *p,
+                             const tp_judge *judge, long *violated) {
+  int zeros = 0;
+  point_powers(p, face, cones, point, judge->precision);
+  for (int side = 0; side < 2; side++) {
+    const long column = 2 * point + side;
+    if (side == 0) {
+      arb_add(p->edge, p->normal, p->along, judge->precision);
+    } else {
+      arb_sub(p->edge, p->normal, p->along, judge->precision);
+    }
+    if (arb_is_positive(p->edge)) continue;
+    const int sign = is_idle(face, cones, column)
+                         ? 0
+                         : tp_judge_sign(judge, p->edge, log2_of_terms(face, cones, point));
+    if (sign == 0) zeros++;
+    if (sign == -1 || sign == OPEN_SIGN) {
+      *violated = column;
+      return sign == -1 ? TP_NO : TP_OPEN;
+    }
+  }
+  if (zeros < 2 || face->motion != TP_MOTION_TURN) return TP_YES;
+  const tp_answer rests = is_at_rest(face, cones, point, p, judge);
+  if (rests == TP_YES) { /* the centre lies in this point */
+    face->motion = TP_MOTION_TURN_AT_SITE;
+    face->site = cones->points[point].site;
+  }
+  return rests == TP_OPEN ? TP_OPEN : TP_YES;
+}
+
+static bool in_no_face(const tp_face *face, long column) {
+  return column != face->columns[0] && column != face->columns[1];
+}
+
+/* K: what cohesion and bonds hold against the twist, each at its bound where the motion works
+ * against it. */
+void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judge *judge) {
+  tp_vector column;
+  arb_t power, most, zero;
+  tp_vector_init(&column);
+  arb_init(power);
+  arb_init(most);
+  arb_init(zero);
+  arb_zero(face->resistance);
+  const long first = 2 * cones->count, count = tp_cones_column_count(cones);
+  for (long k = first; k < count; k++) {
+    tp_cones_column(column.of, cones, k, judge->precision);
+    tp_vector_dot(power, &face->twist, &column, judge->precision);
+    arb_neg(power, power);
+    face->full[k - first] = in_no_face(face, k) && arb_is_positive(power);
+    /* one that may do no work is in the bound of K both at its bound and not (take_idle) */
+    if (!arb_contains_zero(power)) arb_max(power, power, zero, judge->precision);
+    tp_cones_bound(most, cones, k);
+    arb_addmul(face->resistance, power, most, judge->bits);
+  }
+  tp_vector_clear(&column);
+  arb_clear(power);
+  arb_clear(most);
+  arb_clear(zero);
+}
+
+tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_scaled *scaled,
+                        const tp_judge *judge, long *violated) {
+  const tp_filter filter = tp_filter_of(&face->twist, scaled);
+  powers p;
+  arb_init(p.vx);
+  arb_init(p.vy);
+  arb_init(p.normal);
+  arb_init(p.along);
+  arb_init(p.edge);
+  tp_answer answer = TP_YES;
+  for (long k = 0; k < cones->count && answer == TP_YES; k++) {
+    if (tp_filter_is_above_zero(&filter, scaled->columns[2 * k]) &&
+        tp_filter_is_above_zero(&filter, scaled->columns[2 * k + 1])) {
+      continue;
+    }
+    answer = admit_point(face, cones, k, &p, judge, violated);
+  }
+  arb_clear(p.vx);
+  arb_clear(p.vy);
+  arb_clear(p.normal);
+  arb_clear(p.along);
+  arb_clear(p.edge);
+  if (answer == TP_YES && face->motion == TP_MOTION_TURN_AT_SITE) turn_about_site(face, cones);
+  if (answer == TP_YES) tp_face_find_resistance(face, cones, judge);
+  return answer;
+}
+
+void tp_face_settle_capacities(tp_face *face, const tp_cones *cones, const bool *at_most,
+                               const tp_judge *judge) {
+  const long first = 2 * cones->count, count = tp_cones_column_count(cones);
+  tp_vector column;
+  arb_t power;
+  tp_vector_init(&column);
+  arb_init(power);
+  for (long k = first; k < count; k++) {
+    if (!at_most[k] || face->full[k - first] || !in_no_face(face, k)) continue;
+    tp_cones_column(column.of, cones, k, judge->precision);
+    tp_vector_dot(power, &face->twist, &column, judge->precision);
+    face->full[k - first] = arb_contains_zero(power) != 0;
+  }
+  tp_vector_clear(&column);
+  arb_clear(power);
+}
+
+/* wrench + sum of the full capacities */
+static void add_full(tp_vector *wrench, const tp_face *face, const tp_cones *cones,
+                     const tp_judge *judge) {
+  const long first = 2 * cones->count, count = tp_cones_column_count(cones);
+  tp_vector column;
+  arb_t most;
+  tp_vector_init(&column);
+  arb_init(most);
+  for (long k = first; k < count; k++) {
+    if (!face->full[k - first]) continue;
+    tp_cones_column(column.of, cones, k, judge->precision);
+    tp_cones_bound(most, cones, k);
+    for (int row = 0; row < 3; row++) {
+      arb_addmul(wrench->of + row, column.of + row, most, judge->bits);
+    }
+  }
+  tp_vector_clear(&column);
+  arb_clear(most);
+}
+
+/* R = f_0 c_0 + f_1 c_1: with n = c_0 x c_1, f_0 = (R x c_1) . n / n^2, f_1 = (c_0 x R) . n / n^2.
+ */
+void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,
+                    const tp_vector *wrench, const tp_judge *judge) {
+  tp_vector columns[2], rest, normal, cross;
+  arb_t size;
+  tp_vector_init(&rest);
+  tp_vector_init(&normal);
+  tp_vector_init(&cross);
+  arb_init(size);
+  both_columns(columns, face, cones, judge);
+  for (int row = 0; row < 3; row++) arb_set(rest.of + row, wrench->of + row);
+  if (cones->capacity_count > 0) add_full(&rest, face, cones, judge);
+  tp_vector_neg(&rest);
+  tp_vector_cross(&normal, columns, columns + 1, judge->precision);
+  tp_vector_dot(size, &normal, &normal, judge->precision);
+  for (int k = 0; k < 2; k++) {
+    if (k == 0) {
+      tp_vector_cross(&cross, &rest, columns + 1, judge->precision);
+    } else {
+      tp_vector_cross(&cross, columns, &rest, judge->precision);
+    }
+    tp_vector_dot(factors + k, &cross, &normal, judge->precision);
+    arb_div(factors + k, factors + k, size, judge->bits);
+  }
+  for (int k = 0; k < 2; k++) tp_vector_clear(columns + k);
+  tp_vector_clear(&rest);
+  tp_vector_clear(&normal);
+  tp_vector_clear(&cross);
+  arb_clear(size);
+}

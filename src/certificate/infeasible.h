@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Proofs that nothing holds the block, at a tilt or over an interval of tilts: admissible twists on
+ * which the loads do more work than is resisted (Farkas). */
+
+#ifndef TP_INFEASIBLE_H
+#define TP_INFEASIBLE_H
+
+#include "certificate/equilibrium.h"
+#include "certificate/face.h"
+
+/* Is there no equilibrium at the tilt? */
+tp_answer tp_infeasible_at(const tp_limit_question *question, tp_scaled *scaled,
+                           const tp_vector *push, const arb_t degrees);
+
+/* Is there no equilibrium from the tilt `low` to `high`, both included? Admissible twists that
+ * doubles find, each for the tilts between two zeros of v . F - K. */
+tp_answer tp_infeasible(const tp_limit_question *question, tp_scaled *scaled, const tp_vector *push,
+                        const arb_t low, const arb_t high);
+
+/* The same, from where the loads beat the face onwards, `degrees` excluded. */
+tp_answer tp_infeasible_after(const tp_face *face, const tp_limit_question *question,
+                              tp_scaled *scaled, const tp_vector *push, const arb_t degrees,
+                              const arb_t high);
+
+#endif

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "linear_program/cones.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool tp_cones_init(tp_cones *cones, long count) {
+  memset(cones, 0, sizeof *cones);
+  cones->points = calloc((size_t)count + 1, sizeof *cones->points);
+  if (cones->points == NULL) return false;
+  cones->count = count;
+  cones->x = _arb_vec_init(count);
+  cones->y = _arb_vec_init(count);
+  cones->tx = _fmpz_vec_init(count);
+  cones->ty = _fmpz_vec_init(count);
+  arb_init(cones->friction);
+  return true;
+}
+
+bool tp_cones_allow(tp_cones *cones, long capacity_count) {
+  cones->capacities = calloc((size_t)capacity_count + 1, sizeof *cones->capacities);
+  if (cones->capacities == NULL) return false;
+  cones->capacity_count = capacity_count;
+  for (long k = 0; k < capacity_count; k++) {
+    arb_init(cones->capacities[k].shear);
+    arb_init(cones->capacities[k].pull);
+  }
+  return true;
+}
+
+void tp_cones_clear(tp_cones *cones) {
+  if (cones->points == NULL) return;
+  _arb_vec_clear(cones->x, cones->count);
+  _arb_vec_clear(cones->y, cones->count);
+  _fmpz_vec_clear(cones->tx, cones->count);
+  _fmpz_vec_clear(cones->ty, cones->count);
+  arb_clear(cones->friction);
+  for (long k = 0; k < cones->capacity_count; k++) {
+    arb_clear(cones->capacities[k].shear);
+    arb_clear(cones->capacities[k].pull);
+  }
+  free(cones->points);
+  free(cones->capacities);
+  memset(cones, 0, sizeof *cones);
+}
+
+long tp_cones_column_count(const tp_cones *cones) {
+  return 2 * cones->count + TP_CAPACITY_COLUMNS * cones->capacity_count;
+}
+
+bool tp_cones_is_edge(const tp_cones *cones, long column) {
+  return column < 2 * cones->count;
+}
+
+/* Which of an capacity's columns: along t, against it, the pull. */
+enum { ALONG, AGAINST, PULL };
+
+static const tp_capacity *capacity_of(const tp_cones *cones, long column, int *kind) {
+  const long own = column - 2 * cones->count;
+  *kind = (int)(own % TP_CAPACITY_COLUMNS);
+  return cones->capacities + own / TP_CAPACITY_COLUMNS;
+}
+
+long tp_cones_point_of(const tp_cones *cones, long column) {
+  int kind = 0;
+  return tp_cones_is_edge(cones, column) ? column / 2 : capacity_of(cones, column, &kind)->point;
+}
+
+/* n + s t tan(phi), n = (-t_y, t_x), for s = 1 or -1. */
+static void set_edge(arb_ptr force, const tp_cones *cones, long point, bool against, long bits) {
+  arb_mul_fmpz(force, cones->friction, cones->tx + point, bits);
+  arb_mul_fmpz(force + 1, cones->friction, cones->ty + point, bits);
+  if (against) {
+    arb_neg(force, force);
+    arb_neg(force + 1, force + 1);
+  }
+  arb_sub_fmpz(force, force, cones->ty + point, bits);
+  arb_add_fmpz(force + 1, force + 1, cones->tx + point, bits);
+}
+
+static void set_capacity(arb_ptr force, const tp_cones *cones, long point, int kind) {
+  const fmpz *tx = cones->tx + point, *ty = cones->ty + point;
+  arb_set_fmpz(force, kind == PULL ? ty : tx);
+  arb_set_fmpz(force + 1, kind == PULL ? tx : ty);
+  if (kind == AGAINST) arb_neg(force, force);
+  if (kind != ALONG) arb_neg(force + 1, force + 1);
+}
+
+/* moment = x f_y - y f_x */
+static void set_moment(arb_ptr column, const arb_t x, const arb_t y, long bits) {
+  arb_mul(column + 2, x, column + 1, bits);
+  arb_submul(column + 2, y, column, bits);
+}
+
+void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits) {
+  const long point = tp_cones_point_of(cones, column);
+  if (tp_cones_is_edge(cones, column)) {
+    set_edge(entries, cones, point, column % 2 == 1, bits);
+    set_moment(entries, cones->x + point, cones->y + point, bits);
+    return;
+  }
+  int kind = 0;
+  (void)capacity_of(cones, column, &kind);
+  set_capacity(entries, cones, point, kind);
+  if (kind != PULL) {
+    set_moment(entries, cones->x + point, cones->y + point, bits);
+    return;
+  }
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  arb_add(x, cones->x + point, cones->x + point + 1, bits);
+  arb_add(y, cones->y + point, cones->y + point + 1, bits);
+  arb_mul_2exp_si(x, x, -1);
+  arb_mul_2exp_si(y, y, -1);
+  set_moment(entries, x, y, bits);
+  arb_clear(x);
+  arb_clear(y);
+}
+
+void tp_cones_bound(arb_t most, const tp_cones *cones, long column) {
+  int kind = 0;
+  const tp_capacity *own = capacity_of(cones, column, &kind);
+  arb_set(most, kind == PULL ? own->pull : own->shear);
+}
+
+bool tp_cones_are_parallel(const tp_cones *cones, long column, long other) {
+  if (!tp_cones_is_edge(cones, column) || !tp_cones_is_edge(cones, other)) return false;
+  const long a = column / 2, b = other / 2;
+  if (column % 2 != other % 2 && !arb_is_zero(cones->friction)) return false;
+  fmpz_t cross;
+  fmpz_init(cross);
+  fmpz_mul(cross, cones->tx + a, cones->ty + b);
+  fmpz_submul(cross, cones->ty + a, cones->tx + b);
+  const bool parallel = fmpz_is_zero(cross) != 0;
+  fmpz_mul(cross, cones->tx + a, cones->tx + b);
+  fmpz_addmul(cross, cones->ty + a, cones->ty + b);
+  const bool same = fmpz_sgn(cross) > 0;
+  fmpz_clear(cross);
+  return parallel && same;
+}
+
+bool tp_cones_share_site(const tp_cones *cones, long column, long other) {
+  return tp_cones_is_edge(cones, column) && tp_cones_is_edge(cones, other) &&
+         cones->points[column / 2].site == cones->points[other / 2].site;
+}
+
+bool tp_cones_is_shear(const tp_cones *cones, long column) {
+  int kind = ALONG;
+  if (tp_cones_is_edge(cones, column)) return false;
+  (void)capacity_of(cones, column, &kind);
+  return kind != PULL;
+}
+
+/* Does a sheared line pass through the place? */
+static bool passes(const tp_cones *cones, long line, long site) {
+  for (long k = 0; k < cones->count; k++) {
+    if (cones->points[k].line == line && cones->points[k].site == site) return true;
+  }
+  return false;
+}
+
+/* Lines that differ have one place in common at most. */
+static bool lines_meet(long *site, const tp_cones *cones, long line, long other) {
+  for (long k = 0; k < cones->count && line != other; k++) {
+    *site = cones->points[k].site;
+    if (cones->points[k].line == line && passes(cones, other, *site)) return true;
+  }
+  return false;
+}
+
+bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other) {
+  const tp_cone_point *own = cones->points + tp_cones_point_of(cones, column);
+  const tp_cone_point *others = cones->points + tp_cones_point_of(cones, other);
+  const bool shear = tp_cones_is_shear(cones, column),
+             other_shear = tp_cones_is_shear(cones, other);
+  if (shear && other_shear) return lines_meet(site, cones, own->line, others->line);
+  if (shear && tp_cones_is_edge(cones, other)) {
+    *site = others->site;
+    return passes(cones, own->line, *site);
+  }
+  if (!tp_cones_is_edge(cones, column)) return false;
+  *site = own->site;
+  if (other_shear) return passes(cones, others->line, *site);
+  return tp_cones_is_edge(cones, other) && others->site == *site;
+}

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The forces that a base can exert on a block (docs/mechanics.md section 6).
+ *
+ * Contact points are both ends of every facet, each with its facet's direction t, up-dip, and
+ * normal n, into the block. The friction cone of a point is spanned by its edges n + t tan(phi) and
+ * n - t tan(phi). A force counts as the column (f_x, f_y, moment about the origin). Cohesion lets a
+ * straight line of facets carry a shear of either sense along it, a bond a facet a pull at its
+ * middle, both up to a bound.
+ * Any one unit of length and force; x mirrored towards the right, so that down-dip is -x. */
+
+#ifndef TP_CONES_H
+#define TP_CONES_H
+
+#include "load/wrench.h"
+
+#include <flint/fmpz.h>
+#include <stdbool.h>
+
+typedef struct tp_cone_point {
+  long site;  /* the same for points in one place */
+  long facet; /* the caller's */
+  long line;  /* the straight line of its facet: the same for all on it; needed for capacities */
+} tp_cone_point;
+
+/* Two successive points: the ends of a facet that a bond acts on, or the first on a line that
+ * cohesion does. */
+typedef struct tp_capacity {
+  long point;        /* its first end */
+  arb_t shear, pull; /* bounds of the factor on t and on -n */
+} tp_capacity;
+
+typedef struct tp_cones {
+  long count;
+  tp_cone_point *points;
+  arb_ptr x, y;
+  fmpz *tx, *ty;  /* t in whole numbers of any length */
+  arb_t friction; /* tan(phi) */
+  long capacity_count;
+  tp_capacity *capacities;
+} tp_cones;
+
+/* Room for `count` points, and for capacities, zeros all; false when memory is exhausted: without
+ * points there is nothing to clear. */
+bool tp_cones_init(tp_cones *cones, long count);
+bool tp_cones_allow(tp_cones *cones, long capacity_count);
+void tp_cones_clear(tp_cones *cones);
+
+/* Columns 2 k and 2 k + 1 are the edges n + t tan(phi) and n - t tan(phi) of point k; after those
+ * of all points come three for each capacity: shear along t, shear against it, the pull. */
+enum { TP_CAPACITY_COLUMNS = 3 };
+long tp_cones_column_count(const tp_cones *cones);
+bool tp_cones_is_edge(const tp_cones *cones, long column);
+bool tp_cones_is_shear(const tp_cones *cones, long column);
+
+/* The column, three balls; its bound, where it is no edge of a cone. */
+void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits);
+void tp_cones_bound(arb_t most, const tp_cones *cones, long column);
+
+/* The point whose force the column is, and a unit of force along it: for the report. */
+long tp_cones_point_of(const tp_cones *cones, long column);
+
+/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? Do both
+ * pass through one place alone, that of an edge's point or of one on a sheared line? */
+bool tp_cones_are_parallel(const tp_cones *cones, long column, long other);
+bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other);
+bool tp_cones_share_site(const tp_cones *cones, long column, long other);
+
+#endif

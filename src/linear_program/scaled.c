@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "linear_program/scaled.h"
+
+#include "number/ball.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ball * 2^-exponent; beyond the range of a double, its end. */
+static double in_units(const arb_t ball, long exponent) {
+  arf_t middle;
+  arf_init(middle);
+  arf_mul_2exp_si(middle, arb_midref(ball), -exponent);
+  const double value = arf_get_d(middle, ARF_RND_NEAR);
+  arf_clear(middle);
+  return value;
+}
+
+/* A bound of |truth - in_units(ball, exponent)|: the radius, the rounding, and what underflows. */
+static double error_of(const arb_t ball, long exponent) {
+  mag_t radius;
+  mag_init(radius);
+  mag_mul_2exp_si(radius, arb_radref(ball), -exponent);
+  const double error = mag_get_d(radius); /* an upper bound */
+  mag_clear(radius);
+  return error + fabs(in_units(ball, exponent)) * DBL_EPSILON + DBL_MIN;
+}
+
+static long exponent_of(double log2_size) {
+  return isfinite(log2_size) ? (long)ceil(log2_size) : 0;
+}
+
+/* moment - (x f_y - y f_x) */
+static void set_moment(arb_t moment, const tp_scaled *s, const tp_vector *of) {
+  arb_t product;
+  arb_init(product);
+  arb_mul(product, s->x, of->of + 1, s->bits);
+  arb_submul(product, s->y, of->of, s->bits);
+  arb_sub(moment, of->of + 2, product, s->bits);
+  arb_clear(product);
+}
+
+/* Exact doubles: where a scaled program's moments are about, and the friction rounded. With them
+ * the edges of cones at exact places take no balls. */
+typedef struct doubles {
+  bool known;
+  double x, y, friction;
+} doubles;
+
+static bool to_double(double *value, const arb_t ball) {
+  if (!arb_is_exact(ball) || arf_bits(arb_midref(ball)) > DBL_MANT_DIG ||
+      arf_cmpabs_2exp_si(arb_midref(ball), DBL_MANT_DIG) > 0) {
+    return false;
+  }
+  *value = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+  return true;
+}
+
+/* Friction known to half a unit in its last place and a little more. */
+static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
+  enum { BITS_OF_FRICTION = 60 };
+  doubles d = {.known = false};
+  d.known =
+      to_double(&d.x, s->x) && to_double(&d.y, s->y) &&
+      (arb_is_zero(cones->friction) || arb_rel_accuracy_bits(cones->friction) >= BITS_OF_FRICTION);
+  d.friction = arf_get_d(arb_midref(cones->friction), ARF_RND_NEAR);
+  d.known = d.known && isfinite(d.friction);
+  return d;
+}
+
+/* From where moments are about to a point: each rounded once. */
+static bool away_in_double(double *dx, double *dy, const doubles *d, const tp_cones *cones,
+                           long point) {
+  if (!d->known || !to_double(dx, cones->x + point) || !to_double(dy, cones->y + point)) {
+    return false;
+  }
+  *dx -= d->x;
+  *dy -= d->y;
+  return true;
+}
+
+/* Largest distance of a contact point, or arm of the loads, from where moments are about. */
+static long length_exponent(const tp_scaled *s, const tp_cones *cones, const doubles *d,
+                            double arm) {
+  double farthest = 0, dx = 0, dy = 0;
+  mag_t most, own;
+  arb_t away;
+  arb_init(away);
+  mag_init(most);
+  mag_init(own);
+  for (long k = 0; k < cones->count; k++) {
+    if (away_in_double(&dx, &dy, d, cones, k)) {
+      farthest = fmax(farthest, fmax(fabs(dx), fabs(dy)));
+      continue;
+    }
+    arb_sub(away, cones->x + k, s->x, s->bits);
+    arb_get_mag(own, away);
+    mag_max(most, most, own);
+    arb_sub(away, cones->y + k, s->y, s->bits);
+    arb_get_mag(own, away);
+    mag_max(most, most, own);
+  }
+  mag_set_d(own, farthest); /* an upper bound */
+  mag_max(most, most, own);
+  const long exponent = exponent_of(fmax(tp_mag_log2_above(most), arm));
+  mag_clear(most);
+  mag_clear(own);
+  arb_clear(away);
+  return exponent;
+}
+
+/* Log2 of the size of a force; of the edges of one cone, that of the first. */
+static long column_exponent(const tp_cones *cones, long k, const tp_vector *entries) {
+  if (tp_cones_is_edge(cones, k)) {
+    const fmpz *tx = cones->tx + k / 2, *ty = cones->ty + k / 2;
+    const double along = (double)(fmpz_bits(tx) > fmpz_bits(ty) ? fmpz_bits(tx) : fmpz_bits(ty));
+    mag_t friction;
+    mag_init(friction);
+    arb_get_mag(friction, cones->friction);
+    const double factor = tp_mag_log2_above(friction);
+    mag_clear(friction);
+    return exponent_of(along + fmax(factor, 0));
+  }
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, entries->of);
+  const double along = tp_mag_log2_above(size);
+  arb_get_mag(size, entries->of + 1);
+  const long exponent = exponent_of(fmax(along, tp_mag_log2_above(size)));
+  mag_clear(size);
+  return exponent;
+}
+
+static void set_column(tp_scaled *s, const tp_cones *cones, long k, tp_vector *entries, long bits) {
+  tp_cones_column(entries->of, cones, k, bits);
+  set_moment(entries->of + 2, s, entries);
+  double *own = s->columns[k];
+  const long exponent = column_exponent(cones, k, entries);
+  for (int row = 0; row < 3; row++) {
+    const long unit = row < 2 ? exponent : exponent + s->length_exponent;
+    own[row] = in_units(entries->of + row, unit);
+    s->error = fmax(s->error, error_of(entries->of + row, unit));
+    s->largest[row] = fmax(s->largest[row], fabs(own[row]));
+  }
+  if (s->most == NULL) return;
+  s->most[k] = INFINITY;
+  if (tp_cones_is_edge(cones, k)) return;
+  tp_cones_bound(entries->of, cones, k);
+  s->most[k] = in_units(entries->of, s->force_exponent - exponent);
+}
+
+/* Both edges of a cone, where its place and its facet are small whole numbers. In units of the
+ * force, which is at least |t| max(1, tan(phi)), and with w = 2^-53: tan(phi) t errs by 2 w, that
+ * and n together, at most 2, by 5 w with the rounding of the friction; a moment, of arms at most 1
+ * that err by w, by 2 (5 + 2 + 2) + 4 = 22 w. */
+static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point, const doubles *d) {
+  static const double error = 22 * (DBL_EPSILON / 2);
+  static const slong most = 1L << DBL_MANT_DIG;
+  const fmpz *x = cones->tx + point, *y = cones->ty + point;
+  double dx = 0, dy = 0;
+  if (!away_in_double(&dx, &dy, d, cones, point)) return false;
+  if (fmpz_cmp_si(x, most) > 0 || fmpz_cmp_si(x, -most) < 0) return false;
+  if (fmpz_cmp_si(y, most) > 0 || fmpz_cmp_si(y, -most) < 0) return false;
+  const double unit = ldexp(1, (int)-column_exponent(cones, 2 * point, NULL));
+  const double length = ldexp(1, (int)-s->length_exponent);
+  const double tx = (double)fmpz_get_si(x) * unit, ty = (double)fmpz_get_si(y) * unit;
+  for (int against = 0; against < 2; against++) {
+    const double friction = against ? -d->friction : d->friction;
+    double *own = s->columns[2 * point + against];
+    own[0] = friction * tx - ty;
+    own[1] = friction * ty + tx;
+    own[2] = dx * length * own[1] - dy * length * own[0];
+    for (int row = 0; row < 3; row++) s->largest[row] = fmax(s->largest[row], fabs(own[row]));
+    if (s->most != NULL) s->most[2 * point + against] = INFINITY;
+  }
+  s->error = fmax(s->error, error + DBL_MIN);
+  return true;
+}
+
+bool tp_scaled_init(tp_scaled *scaled, const tp_cones *cones, const tp_vector *size, long bits) {
+  memset(scaled, 0, sizeof *scaled);
+  const long count = tp_cones_column_count(cones);
+  const bool bounded = cones->capacity_count > 0;
+  scaled->count = count;
+  scaled->columns = calloc((size_t)count + 1, sizeof *scaled->columns);
+  if (bounded) {
+    scaled->most = calloc((size_t)count, sizeof *scaled->most);
+    scaled->at_most = calloc((size_t)count, sizeof *scaled->at_most);
+  }
+  if (scaled->columns == NULL || (bounded && (scaled->most == NULL || scaled->at_most == NULL))) {
+    tp_scaled_clear(scaled);
+    return false;
+  }
+  tp_vector entries;
+  tp_vector_init(&entries);
+  arb_set(entries.of, size->of);
+  arb_set(entries.of + 1, size->of + 1);
+  const double force = tp_vector_log2_size(&entries); /* its moment is zero as yet */
+  arb_init(scaled->x);
+  arb_init(scaled->y);
+  scaled->bits = bits;
+  if (cones->count > 0) {
+    arb_get_mid_arb(scaled->x, cones->x);
+    arb_get_mid_arb(scaled->y, cones->y);
+  }
+  mag_t moment;
+  mag_init(moment);
+  set_moment(entries.of + 2, scaled, size);
+  arb_get_mag(moment, entries.of + 2);
+  scaled->force_exponent = exponent_of(force);
+  const doubles d = doubles_of(scaled, cones);
+  scaled->length_exponent = length_exponent(scaled, cones, &d, tp_mag_log2_above(moment) - force);
+  mag_clear(moment);
+  for (long point = 0; point < cones->count; point++) {
+    if (set_edges_in_double(scaled, cones, point, &d)) continue;
+    for (int edge = 0; edge < 2; edge++)
+      set_column(scaled, cones, 2 * point + edge, &entries, bits);
+  }
+  for (long k = 2 * cones->count; k < count; k++) set_column(scaled, cones, k, &entries, bits);
+  tp_vector_clear(&entries);
+  return true;
+}
+
+/* Size one again, by the power of two that is returned. */
+static double normalise(double column[3]) {
+  int exponent = 0;
+  (void)frexp(fmax(fabs(column[0]), fabs(column[1])), &exponent);
+  const double factor = ldexp(1, -exponent);
+  for (int row = 0; row < 3; row++) column[row] *= factor;
+  return factor;
+}
+
+bool tp_scaled_copy(tp_scaled *copy, const tp_scaled *scaled) {
+  const size_t count = (size_t)scaled->count + 1;
+  *copy = *scaled;
+  copy->columns = calloc(count, sizeof *copy->columns);
+  copy->most = scaled->most != NULL ? calloc(count, sizeof *copy->most) : NULL;
+  copy->at_most = scaled->most != NULL ? calloc(count, sizeof *copy->at_most) : NULL;
+  arb_init(copy->x);
+  arb_init(copy->y);
+  arb_set(copy->x, scaled->x);
+  arb_set(copy->y, scaled->y);
+  if (copy->columns == NULL ||
+      (scaled->most != NULL && (copy->most == NULL || copy->at_most == NULL))) {
+    tp_scaled_clear(copy);
+    return false;
+  }
+  memcpy(copy->columns, scaled->columns, (count - 1) * sizeof *copy->columns);
+  if (scaled->most != NULL) memcpy(copy->most, scaled->most, (count - 1) * sizeof *copy->most);
+  return true;
+}
+
+void tp_scaled_divide_strength(tp_scaled *scaled, const tp_scaled *given, long edges,
+                               double divisor) {
+  double factor = 0;
+  for (int row = 0; row < 3; row++) scaled->largest[row] = given->largest[row];
+  for (long k = 0; k < edges; k += 2) {
+    double *with = scaled->columns[k], *against = scaled->columns[k + 1];
+    for (int row = 0; row < 3; row++) {
+      const double first = given->columns[k][row], second = given->columns[k + 1][row];
+      const double mean = (first + second) / 2, half = (first - second) / (2 * divisor);
+      with[row] = mean + half;
+      against[row] = mean - half;
+    }
+    factor = fmax(factor, fmax(normalise(with), normalise(against)));
+    for (int row = 0; row < 3; row++) {
+      scaled->largest[row] = fmax(scaled->largest[row], fmax(fabs(with[row]), fabs(against[row])));
+    }
+  }
+  /* three roundings of what is at most the largest over a small divisor */
+  double largest = 0;
+  for (int row = 0; row < 3; row++) largest = fmax(largest, given->largest[row]);
+  scaled->error = factor * (1 + 1 / divisor) * (given->error + 3 * DBL_EPSILON * largest);
+  for (long k = edges; k < given->count; k++) scaled->most[k] = given->most[k] / divisor;
+}
+
+void tp_scaled_clear(tp_scaled *scaled) {
+  if (scaled->bits > 0) {
+    arb_clear(scaled->x);
+    arb_clear(scaled->y);
+  }
+  free(scaled->columns);
+  free(scaled->most);
+  free(scaled->at_most);
+  memset(scaled, 0, sizeof *scaled);
+}
+
+void tp_scaled_wrench(double wrench[3], const tp_scaled *scaled, const tp_vector *of) {
+  wrench[0] = in_units(of->of, scaled->force_exponent);
+  wrench[1] = in_units(of->of + 1, scaled->force_exponent);
+  arb_t moment;
+  arb_init(moment);
+  set_moment(moment, scaled, of);
+  wrench[2] = in_units(moment, scaled->force_exponent + scaled->length_exponent);
+  arb_clear(moment);
+}
+
+void tp_scaled_twist(tp_vector *own, const tp_scaled *s, const tp_vector *twist) {
+  const arb_struct *v = twist->of;
+  arb_mul(own->of, v + 2, s->y, s->bits);
+  arb_sub(own->of, v, own->of, s->bits);
+  arb_mul(own->of + 1, v + 2, s->x, s->bits);
+  arb_add(own->of + 1, v + 1, own->of + 1, s->bits);
+  arb_mul_2exp_si(own->of + 2, v + 2, s->length_exponent);
+}
+
+void tp_scaled_untwist(tp_vector *twist, const tp_scaled *s, const tp_vector *own) {
+  arb_struct *v = twist->of;
+  arb_mul_2exp_si(v + 2, own->of + 2, -s->length_exponent);
+  arb_mul(v, v + 2, s->y, s->bits);
+  arb_add(v, v, own->of, s->bits);
+  arb_mul(v + 1, v + 2, s->x, s->bits);
+  arb_sub(v + 1, own->of + 1, v + 1, s->bits);
+}
+
+tp_simplex_answer tp_scaled_solve(tp_scaled *scaled, const double direction[3],
+                                  const double target[3]) {
+  tp_simplex_program program = {
+      .count = scaled->count, .columns = (const double(*)[3])scaled->columns, .most = scaled->most};
+  memcpy(program.direction, direction, sizeof program.direction);
+  memcpy(program.target, target, sizeof program.target);
+  return tp_simplex_solve(&program, scaled->at_most);
+}

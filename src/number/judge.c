@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "number/judge.h"
+
+#include "number/ball.h"
+
+enum { OPEN_SIGN = 2 };
+
+int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale) {
+  if (arb_is_zero(ball)) return 0;
+  if (arb_is_positive(ball)) return 1;
+  if (arb_is_negative(ball)) return -1;
+  if (!judge->settled || !arb_is_finite(ball)) return OPEN_SIGN;
+  const double width = tp_mag_log2_above(arb_radref(ball));
+  return width < log2_scale - 0.5 * (double)judge->bits ? 0 : OPEN_SIGN;
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Questions of sign put to balls: an answer, or that more bits are needed. */
+
+#ifndef TP_JUDGE_H
+#define TP_JUDGE_H
+
+#include <arb.h>
+#include <stdbool.h>
+
+typedef enum tp_answer { TP_NO, TP_YES, TP_OPEN } tp_answer;
+
+/* How balls about zero are judged: one narrower than half the precision, relative to what it is
+ * made of, is zero if `settled`; otherwise it is open. */
+typedef struct tp_judge {
+  long bits;      /* of roundings */
+  long precision; /* of the data: bits, or more where they are exact */
+  bool settled;
+} tp_judge;
+
+/* Sign of a ball by the judge: 1, -1, 0, or 2 where open. `log2_scale` is that of its terms. */
+int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale);
+
+#endif

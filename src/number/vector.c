@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "number/vector.h"
+
+#include "number/ball.h"
+
+#include <math.h>
+
+void tp_vector_init(tp_vector *v) {
+  for (int k = 0; k < 3; k++) arb_init(v->of + k);
+}
+
+void tp_vector_clear(tp_vector *v) {
+  for (int k = 0; k < 3; k++) arb_clear(v->of + k);
+}
+
+void tp_vector_cross(tp_vector *product, const tp_vector *a, const tp_vector *b, long bits) {
+  for (int k = 0; k < 3; k++) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    arb_mul(product->of + k, a->of + next, b->of + last, bits);
+    arb_submul(product->of + k, a->of + last, b->of + next, bits);
+  }
+}
+
+void tp_vector_dot(arb_t product, const tp_vector *a, const tp_vector *b, long bits) {
+  arb_mul(product, a->of, b->of, bits);
+  arb_addmul(product, a->of + 1, b->of + 1, bits);
+  arb_addmul(product, a->of + 2, b->of + 2, bits);
+}
+
+void tp_vector_neg(tp_vector *v) {
+  for (int k = 0; k < 3; k++) arb_neg(v->of + k, v->of + k);
+}
+
+double tp_vector_log2_size(const tp_vector *v) {
+  double most = -INFINITY;
+  for (int k = 0; k < 3; k++) most = fmax(most, tp_ball_log2_above(v->of + k));
+  return most;
+}

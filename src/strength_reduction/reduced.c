@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "strength_reduction/reduced.h"
+
+#include "certificate/infeasible.h"
+#include "certificate/interval.h"
+#include "limit/program.h"
+#include "limit/search.h"
+
+#include <math.h>
+
+static void set_target(tp_reduced *r) {
+  tp_vector load;
+  tp_vector_init(&load);
+  tp_question_load_at_degrees(&load, r->question, r->degrees);
+  tp_scaled_wrench(r->target, &r->reduced, &load);
+  for (int row = 0; row < 3; row++) r->target[row] = -r->target[row];
+  tp_vector_clear(&load);
+}
+
+void tp_reduced_init(tp_reduced *r) {
+  set_target(r);
+  const tp_cones *cones = r->cones;
+  arb_init(r->friction);
+  arb_set(r->friction, cones->friction);
+  r->bounds = _arb_vec_init(2 * cones->capacity_count);
+  for (long k = 0; k < cones->capacity_count; k++) {
+    arb_set(r->bounds + 2 * k, cones->capacities[k].shear);
+    arb_set(r->bounds + 2 * k + 1, cones->capacities[k].pull);
+  }
+}
+
+void tp_reduced_clear(tp_reduced *r) {
+  tp_cones *cones = r->cones;
+  arb_swap(cones->friction, r->friction);
+  for (long k = 0; k < cones->capacity_count; k++) {
+    arb_swap(cones->capacities[k].shear, r->bounds + 2 * k);
+    arb_swap(cones->capacities[k].pull, r->bounds + 2 * k + 1);
+  }
+  _arb_vec_clear(r->bounds, 2 * cones->capacity_count);
+  arb_clear(r->friction);
+}
+
+static void divide_by(const tp_reduced *r, const arf_t factor) {
+  tp_cones *cones = r->cones;
+  const long bits = r->question->judge.bits;
+  arb_t divisor;
+  arb_init(divisor);
+  arb_set_arf(divisor, factor);
+  arb_div(cones->friction, r->friction, divisor, bits);
+  for (long k = 0; k < cones->capacity_count; k++) {
+    arb_div(cones->capacities[k].shear, r->bounds + 2 * k, divisor, bits);
+    arb_div(cones->capacities[k].pull, r->bounds + 2 * k + 1, divisor, bits);
+  }
+  arb_clear(divisor);
+}
+
+/* The share of a push from within the cone that the base bears beside the loads (balance.h). */
+double tp_reduced_margin(tp_reduced *r, double log_factor) {
+  static const double much = 1e3;
+  const long edges = 2 * r->cones->count;
+  tp_scaled_divide_strength(&r->reduced, r->given, edges, exp(log_factor));
+  double push[3] = {0, 0, 0};
+  for (int k = 0; k < TP_PUSH_EDGES; k++) {
+    const double *edge = r->reduced.columns[tp_equilibrium_push_edge(r->cones, k)];
+    for (int row = 0; row < 3; row++) push[row] += tp_equilibrium_push_weights[k] * edge[row];
+  }
+  const tp_simplex_answer found = tp_scaled_solve(&r->reduced, push, r->target);
+  if (found.outcome == TP_SIMPLEX_OPTIMAL) return fmin(found.t, much);
+  return found.outcome == TP_SIMPLEX_UNBOUNDED ? much : -1;
+}
+
+static void divide(tp_reduced *r, const arf_t factor) {
+  divide_by(r, factor);
+  tp_scaled_divide_strength(&r->reduced, r->given, 2 * r->cones->count,
+                            arf_get_d(factor, ARF_RND_NEAR));
+}
+
+tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_t factor) {
+  tp_limit_answer answer;
+  at->kind = TP_LIMIT_UNDECIDED;
+  at->has_motion = false;
+  if (!tp_limit_answer_init(&answer, r->cones)) return TP_LIMIT_OUT_OF_MEMORY;
+  divide(r, factor);
+  tp_limit_question question = *r->question;
+  question.scaled = &r->reduced;
+  const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
+  if (outcome == TP_LIMIT_PROVEN) at->kind = answer.kind;
+  at->has_motion = at->kind == TP_LIMIT_AT_ANGLE;
+  arb_indeterminate(at->degrees);
+  if (at->has_motion) {
+    arb_set(at->degrees, answer.degrees);
+    at->motion = answer.face.motion;
+  }
+  tp_limit_answer_clear(&answer);
+  return outcome;
+}
+
+/* Where forces span less than all directions: held nowhere, or, where loads turn with the tilt so
+ * that it is held between two tilts alone, no longer. */
+static tp_limit_outcome infeasible_by_limit(int *side, tp_reduced *r, const arf_t factor) {
+  tp_reduced_limit at;
+  arb_init(at.degrees);
+  const tp_limit_outcome outcome = tp_reduced_find(&at, r, factor);
+  const bool before = at.kind == TP_LIMIT_AT_ANGLE && arb_lt(at.degrees, r->degrees);
+  if (at.kind == TP_LIMIT_NOWHERE || (before && tp_question_is_linear(r->question))) *side = -1;
+  arb_clear(at.degrees);
+  return outcome == TP_LIMIT_PROVEN && *side == 0 ? TP_LIMIT_OPEN : outcome;
+}
+
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor) {
+  tp_limit_question strict = *r->question;
+  strict.judge.settled = false; /* a proof takes nothing for zero that only is so to so many bits */
+  tp_vector push;
+  tp_vector_init(&push);
+  divide(r, factor);
+  tp_equilibrium_push(&push, &strict, &r->reduced);
+  *side = 0;
+  if (tp_interval_bears_at(&strict, &r->reduced, &push, r->degrees) == TP_YES) {
+    *side = 1;
+  } else if (tp_infeasible_at(&strict, &r->reduced, &push, r->degrees) == TP_YES) {
+    *side = -1;
+  }
+  tp_vector_clear(&push);
+  if (r->reduced.out_of_memory) return TP_LIMIT_OUT_OF_MEMORY;
+  return *side == 0 ? infeasible_by_limit(side, r, factor) : TP_LIMIT_PROVEN;
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A contact whose strength is divided by a factor, and its limit. */
+
+#ifndef TP_REDUCED_H
+#define TP_REDUCED_H
+
+#include "limit/limit.h"
+#include "linear_program/scaled.h"
+
+/* The strength as given, to be divided. */
+typedef struct tp_reduced {
+  const tp_limit_question *question;
+  tp_cones *cones;
+  arb_t friction; /* as given */
+  arb_ptr bounds; /* shear and pull of each capacity, as given */
+  const tp_scaled *given;
+  tp_scaled reduced; /* the caller's copy */
+  arb_srcptr degrees;
+  double target[3]; /* the loads at the tilt, turned round, in the scaled program's units */
+} tp_reduced;
+
+/* Keeps the strength of the cones; `clear` gives it back to them. */
+void tp_reduced_init(tp_reduced *reduced);
+void tp_reduced_clear(tp_reduced *reduced);
+
+/* How much more than the loads the base bears at the tilt, in doubles, by the logarithm of the
+ * factor: it falls, and is below zero where they are more. */
+double tp_reduced_margin(tp_reduced *reduced, double log_factor);
+
+/* The limit at a factor, in degrees. */
+typedef struct tp_reduced_limit {
+  tp_limit_kind kind;
+  arb_t degrees; /* where there is one */
+  bool has_motion;
+  tp_face_motion motion; /* at that limit */
+} tp_reduced_limit;
+
+tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, const arf_t factor);
+
+/* With the strength divided by the factor, is the block proven to be held at the tilt, 1, or not,
+ * -1? 0 where that is open. */
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced *reduced, const arf_t factor);
+
+#endif

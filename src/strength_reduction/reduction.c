@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "strength_reduction/reduction.h"
+
+#include "limit/program.h"
+#include "strength_reduction/reduced.h"
+
+#include <math.h>
+
+/* Factors tried: beyond these, strength does not matter. */
+static const double least_factor = 1e-6, most_factor = 1e6;
+static const double place = 3.33; /* bits to a decimal place, a little more than it takes */
+
+/* A zero of the margin between two logarithms by regula falsi, the end that stays halved
+ * (Illinois), and by halving where that is slow. */
+static double solve(tp_reduced *r, double low, double high, double at_low, double at_high) {
+  enum { MOST_STEPS = 200 };
+  int kept = 0;
+  for (int step = 0; step < MOST_STEPS && high - low > 4e-16 * fmax(1, fabs(low)); step++) {
+    const bool halves = step % 4 == 3;
+    double middle =
+        halves ? low + (high - low) / 2 : low + (high - low) * (at_low / (at_low - at_high));
+    if (!(middle > low && middle < high)) middle = low + (high - low) / 2;
+    if (!(middle > low && middle < high)) break;
+    const double own = tp_reduced_margin(r, middle);
+    if (own == 0) return middle;
+    if (own > 0) {
+      low = middle;
+      at_low = own;
+      if (kept > 0) at_high /= 2;
+      kept = 1;
+    } else {
+      high = middle;
+      at_high = own;
+      if (kept < 0) at_low /= 2;
+      kept = -1;
+    }
+  }
+  return low + (high - low) / 2;
+}
+
+/* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew.
+ * Search alone: the proof comes after it. */
+static tp_limit_outcome refine(arf_t factor, tp_reduced *r, int digits) {
+  enum { MOST_STEPS = 64 };
+  const long bits = r->question->judge.bits;
+  const slong enough = -(slong)(3.33 * digits);
+  arf_t step, value, value_before, slope;
+  tp_reduced_limit at;
+  arf_init(step);
+  arf_init(value);
+  arf_init(value_before);
+  arf_init(slope);
+  arb_init(at.degrees);
+  arf_mul_2exp_si(step, factor, -30);
+  tp_limit_outcome outcome = TP_LIMIT_PROVEN;
+  for (int k = 0; k < MOST_STEPS && outcome == TP_LIMIT_PROVEN; k++) {
+    outcome = tp_reduced_find(&at, r, factor);
+    if (!arb_is_finite(at.degrees)) break;
+    arf_set(value_before, value);
+    arf_sub(value, arb_midref(at.degrees), arb_midref(r->degrees), bits, ARF_RND_NEAR);
+    if (k > 0) { /* the next step is - value (last step) / (value - value_before) */
+      arf_sub(slope, value, value_before, bits, ARF_RND_NEAR);
+      if (arf_is_zero(slope)) break;
+      arf_mul(step, step, value, bits, ARF_RND_NEAR);
+      arf_div(step, step, slope, bits, ARF_RND_NEAR);
+      arf_neg(step, step);
+    }
+    if (arf_is_zero(step) ||
+        arf_cmpabs_2exp_si(step, arf_abs_bound_lt_2exp_si(factor) + enough) < 0)
+      break;
+    arf_add(factor, factor, step, bits, ARF_RND_NEAR);
+  }
+  arf_clear(step);
+  arf_clear(value);
+  arf_clear(value_before);
+  arf_clear(slope);
+  arb_clear(at.degrees);
+  return outcome;
+}
+
+static tp_limit_outcome find_motion(tp_reduction *reduction, tp_reduced *r, const arf_t factor) {
+  tp_reduced_limit at;
+  arb_init(at.degrees);
+  const tp_limit_outcome outcome = tp_reduced_find(&at, r, factor);
+  reduction->has_motion = at.has_motion;
+  if (at.has_motion) reduction->motion = at.motion;
+  arb_clear(at.degrees);
+  return outcome == TP_LIMIT_OPEN ? TP_LIMIT_PROVEN : outcome;
+}
+
+/* Is the factor within 2^-places of its size of the estimate? Proven at both ends. */
+static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_reduced *r,
+                                    const arf_t estimate, slong places) {
+  const long bits = r->question->judge.bits;
+  arf_t width, low, high;
+  int side = 0;
+  arf_init(width);
+  arf_init(low);
+  arf_init(high);
+  arf_mul_2exp_si(width, estimate, -places);
+  arf_sub(low, estimate, width, bits, ARF_RND_DOWN);
+  arf_add(high, estimate, width, bits, ARF_RND_UP);
+  tp_limit_outcome outcome = tp_reduced_side(&side, r, low);
+  *proven = outcome == TP_LIMIT_PROVEN && side > 0;
+  if (*proven) {
+    outcome = tp_reduced_side(&side, r, high);
+    *proven = outcome == TP_LIMIT_PROVEN && side < 0;
+  }
+  if (*proven) {
+    arb_set_arf(reduction->factor, estimate);
+    arf_mul_2exp_si(width, width, 1); /* the rounded ends lie within */
+    arf_get_mag(arb_radref(reduction->factor), width);
+    outcome = find_motion(reduction, r, low);
+  }
+  arf_clear(width);
+  arf_clear(low);
+  arf_clear(high);
+  return outcome;
+}
+
+/* Widen about the estimate from so many places until both sides are proven, to what is asked for.
+ */
+static tp_limit_outcome enclose(tp_reduction *reduction, tp_reduced *r, const arf_t about,
+                                slong places, int digits) {
+  const slong widest = (slong)(place * (digits + 1)) + 1;
+  tp_limit_outcome outcome = TP_LIMIT_PROVEN;
+  bool proven = false;
+  for (; places >= widest && !proven; places -= 3) {
+    if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) break;
+    outcome = prove_about(reduction, &proven, r, about, places);
+  }
+  return outcome == TP_LIMIT_PROVEN && !proven ? TP_LIMIT_OPEN : outcome;
+}
+
+/* From what doubles tell apart to what is asked for, or, for more digits than that, from some more
+ * than are asked for. */
+static slong narrowest(int digits) {
+  enum { NARROWEST = 43, SPARE = 5 }; /* 2^-43 is about 10^-13 */
+  const slong asked = (slong)(place * (digits + 1)) + 1;
+  return asked < NARROWEST ? NARROWEST : asked + (slong)(place * SPARE);
+}
+
+/* Halve between two factors on proven sides alone, to 10^-digits of the factor and some places
+ * more: for limits too fine for doubles, and flat ones, on which secants go astray. */
+static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double most, int digits) {
+  enum { LEAST_PLACES = 52, SPARE = 20 };
+  const long bits = r->question->judge.bits;
+  const long asked = (long)(3.33 * digits) + SPARE;
+  const slong places = asked > LEAST_PLACES ? asked : LEAST_PLACES;
+  arf_t low, high, width;
+  arf_init(low);
+  arf_init(high);
+  arf_init(width);
+  arf_set_d(low, least);
+  arf_set_d(high, most);
+  tp_limit_outcome outcome = TP_LIMIT_PROVEN;
+  int side = 1;
+  while (outcome == TP_LIMIT_PROVEN && side != 0) { /* 0: as near as the rung can tell */
+    arf_add(factor, low, high, bits, ARF_RND_NEAR);
+    arf_mul_2exp_si(factor, factor, -1);
+    arf_sub(width, high, low, bits, ARF_RND_UP);
+    arf_mul_2exp_si(width, width, places);
+    if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
+      break;
+    }
+    outcome = tp_reduced_side(&side, r, factor);
+    arf_set(side > 0 ? low : high, factor);
+  }
+  arf_clear(low);
+  arf_clear(high);
+  arf_clear(width);
+  return outcome;
+}
+
+/* By doubles, and for many digits by secants from there. */
+static tp_limit_outcome find_quickly(tp_reduction *reduction, tp_reduced *r, double low,
+                                     double high, int digits) {
+  enum { OF_DOUBLES = 11, SPARE = 10 };
+  const double at_low = tp_reduced_margin(r, log(low)), at_high = tp_reduced_margin(r, log(high));
+  if (!(at_low > 0 && at_high < 0)) return TP_LIMIT_OPEN;
+  arf_t about;
+  arf_init(about);
+  arf_set_d(about, exp(solve(r, log(low), log(high), at_low, at_high)));
+  if (digits > OF_DOUBLES) (void)refine(about, r, digits + SPARE);
+  const tp_limit_outcome outcome = enclose(reduction, r, about, narrowest(digits), digits);
+  arf_clear(about);
+  return outcome;
+}
+
+/* On proven limits alone: those at both ends tell what kind of answer there is. */
+static tp_limit_outcome find_surely(tp_reduction *reduction, tp_reduced *r, double low, double high,
+                                    int digits) {
+  int strong = 0, weak = 0;
+  arf_t about;
+  arf_init(about);
+  arf_set_d(about, high);
+  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about);
+  if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
+    arf_set_d(about, low);
+    outcome = tp_reduced_side(&strong, r, about);
+  }
+  reduction->kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
+  if (strong > 0 && weak < 0) {
+    reduction->kind = TP_REDUCTION_FACTOR;
+    outcome = halve(about, r, low, high, digits);
+    if (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN) {
+      outcome = enclose(reduction, r, about, narrowest(digits), digits);
+    }
+  } else if (outcome == TP_LIMIT_PROVEN && weak <= 0 && strong >= 0) {
+    outcome = TP_LIMIT_OPEN;
+  }
+  arf_clear(about);
+  return outcome;
+}
+
+static tp_limit_outcome find(tp_reduction *reduction, tp_reduced *r, int digits) {
+  reduction->kind = TP_REDUCTION_FACTOR;
+  const tp_limit_outcome quick = find_quickly(reduction, r, least_factor, most_factor, digits);
+  if (quick != TP_LIMIT_OPEN) return quick;
+  return find_surely(reduction, r, least_factor, most_factor, digits);
+}
+
+void tp_reduction_init(tp_reduction *reduction) {
+  reduction->kind = TP_REDUCTION_NONE;
+  reduction->has_motion = false;
+  arb_init(reduction->factor);
+}
+
+void tp_reduction_clear(tp_reduction *reduction) {
+  arb_clear(reduction->factor);
+}
+
+tp_limit_outcome tp_reduction_find(tp_reduction *reduction, const tp_limit_question *question,
+                                   tp_cones *cones, const arb_t degrees, int digits) {
+  tp_reduced r = {.question = question, .cones = cones, .degrees = degrees};
+  reduction->kind = TP_REDUCTION_NONE;
+  if (cones->count == 0) return TP_LIMIT_PROVEN; /* a corner on a corner alone bears nothing */
+  tp_scaled own;
+  if (question->scaled == NULL && !tp_program_scaled(&own, question)) {
+    return TP_LIMIT_OUT_OF_MEMORY;
+  }
+  r.given = question->scaled != NULL ? question->scaled : &own;
+  tp_limit_outcome outcome = TP_LIMIT_OUT_OF_MEMORY;
+  if (tp_scaled_copy(&r.reduced, r.given)) {
+    tp_reduced_init(&r);
+    outcome = find(reduction, &r, digits);
+    tp_reduced_clear(&r);
+    tp_scaled_clear(&r.reduced);
+  }
+  if (r.given == &own) tp_scaled_clear(&own);
+  return outcome;
+}
