@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The clock by which effects are timed; no result depends on it. */
+
 #ifndef TP_CLOCK_H
 #define TP_CLOCK_H
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The facets of a mated base: the block's own edges between the ends of the contact, and the point
+ * contacts where the base turns away from it there. Exact: copies of lattice points. */
+
 #include "base/facets.h"
 
 tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const tp_base *base,

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Is one ring a simple polygon? Meetings of its edges by CGAL's exact predicates, the first told in
+ * the user's vertices. */
+
 #include "block/check.h"
 
 #include "block/repair.h"

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Contact points sorted into families and normal lines: by the exact order of t . q, doubles first
+ * where they tell two apart. */
+
 #include "motion/normals.h"
 
 #include <math.h>

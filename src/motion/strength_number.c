@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Which modes share what cohesion and bonds do (strength.h), so that their planes end at one tilt.
+ */
+
 #include "motion/strength.h"
 
 enum { OPEN_SIGN = 2 };

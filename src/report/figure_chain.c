@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Outlines of figures as chains of straight and curved steps; arcs become cubic curves. */
+
 #include "report/figure_shape.h"
 
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* From the block's metres to points of the page, and what is drawn there by Cairo. */
+
 #include "report/figure.h"
 
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The key `limit`: the static limit as JSON (docs/limit.md). */
+
 #include "report/report_limit.h"
 
 #include "report/json.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The key `onset`: from which tilt on a motion can begin, and which, as JSON (docs/onset.md). */
+
 #include "report/report_onset.h"
 
 #include "report/json.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The candidate pivots of a case, in text and in JSON. */
+
 #ifndef TP_REPORT_PIVOTS_H
 #define TP_REPORT_PIVOTS_H
 

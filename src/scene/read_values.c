@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Numbers, points and truth values out of nodes, exact, each complaint with its place. */
+
 #include "scene/read.h"
 
 #include "number/ratio.h"

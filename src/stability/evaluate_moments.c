@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The moments of a section at a rung: the ring sums less arcs and rounded corners. */
+
 #include "stability/evaluation.h"
 
 /* Integers up to about this size are summed faster exactly than in balls (measured: 90 against 290

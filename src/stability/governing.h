@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Which factor of safety governs: the least over what can happen, each by the definition that its
+ * mode has in practice. */
+
 #ifndef TP_GOVERNING_H
 #define TP_GOVERNING_H
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Where a label strikes the fewest curves. */
+
 #ifndef TP_CHART_LABELS_H
 #define TP_CHART_LABELS_H
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A printed formula into its syntax tree, by recursive descent: sums, products, powers. */
+
 #include "verify/formula_parser.h"
 
 #include "number/ratio.h"

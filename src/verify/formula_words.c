@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Names and functions in a printed formula. */
+
 #include "verify/formula_parser.h"
 
 #include "outside.h"

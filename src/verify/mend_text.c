@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The words in which a mend is told: parts of formulas, numbers, and which number is the simplest.
+ */
+
 #include "verify/mend.h"
 
 #include "number/ratio.h"
