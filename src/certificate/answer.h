@@ -27,4 +27,11 @@ typedef struct tp_limit_answer {
 bool tp_limit_answer_init(tp_limit_answer *answer, const tp_cones *cones);
 void tp_limit_answer_clear(tp_limit_answer *answer);
 
+typedef enum tp_limit_outcome {
+  TP_LIMIT_PROVEN,
+  TP_LIMIT_OPEN, /* more bits are needed */
+  TP_LIMIT_OUT_OF_MEMORY,
+  TP_LIMIT_FAILED /* the exact solver did */
+} tp_limit_outcome;
+
 #endif

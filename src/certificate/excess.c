@@ -3,7 +3,7 @@
 
 #include "certificate/excess.h"
 
-#include "load/roots.h"
+#include "load/zeros.h"
 #include "number/ball.h"
 
 #include <math.h>

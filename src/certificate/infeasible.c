@@ -5,7 +5,7 @@
 
 #include "certificate/excess.h"
 #include "certificate/relax.h"
-#include "load/roots.h"
+#include "load/zeros.h"
 #include "number/ball.h"
 
 #include <math.h>

@@ -11,13 +11,6 @@
 #include "certificate/answer.h"
 #include "topple.h"
 
-typedef enum tp_limit_outcome {
-  TP_LIMIT_PROVEN,
-  TP_LIMIT_OPEN, /* more bits are needed */
-  TP_LIMIT_OUT_OF_MEMORY,
-  TP_LIMIT_FAILED /* the exact solver did */
-} tp_limit_outcome;
-
 TP_MUST_USE tp_limit_outcome tp_limit_find(tp_limit_answer *answer,
                                            const tp_limit_question *question);
 

@@ -9,7 +9,7 @@
 #ifndef TP_NEAR_H
 #define TP_NEAR_H
 
-#include "limit/limit.h"
+#include "certificate/answer.h"
 #include "linear_program/scaled.h"
 
 tp_limit_outcome tp_near_find(tp_limit_answer *answer, const tp_limit_question *question,

@@ -10,7 +10,7 @@
 #ifndef TP_PROGRAM_H
 #define TP_PROGRAM_H
 
-#include "limit/limit.h"
+#include "certificate/answer.h"
 #include "linear_program/scaled.h"
 
 typedef struct tp_program {

@@ -1,19 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The tilts at which a moment or a force vanishes.
- *
- * A cos a + B sin a + C = R cos(a - psi) + C has its zeros at psi +- acos(-C / R), in closed form.
- * With terms in 1 / cos a the function is taken times cos a or cos^2 a, which is bounded, and its
- * zeros are isolated by interval bisection: a box over which it or its derivative has no zero is
- * settled, any other is halved; then each is narrowed by Newton's steps in intervals.
- */
+/* The tilts at which a moment or a force vanishes, and the one at which a block lets go. */
 
 #ifndef TP_ROOTS_H
 #define TP_ROOTS_H
 
-#include "load/wrench.h"
-
+#include <arb.h>
 #include <stdbool.h>
 
 enum { TP_ROOTS_MAX = 8 };
@@ -28,8 +21,8 @@ typedef struct tp_roots {
 void tp_roots_init(tp_roots *roots);
 void tp_roots_clear(tp_roots *roots);
 
-/* The zeros between -90 and 90 degrees. */
-void tp_roots_find(tp_roots *roots, const tp_trig *f, long bits);
+/* Keep a zero, in its place. */
+void tp_roots_keep(tp_roots *roots, const arb_t radians, bool rising, long bits);
 
 /* The tilt at which what is stable below zero first lets go as the table is tilted from level: the
  * first rising zero above level; where it is not stable level, the last one below. False where

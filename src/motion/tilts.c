@@ -3,6 +3,7 @@
 
 #include "motion/tilts.h"
 
+#include "load/zeros.h"
 #include "number/ball.h"
 
 #include <stdlib.h>

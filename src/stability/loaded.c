@@ -4,6 +4,7 @@
 #include "stability/loaded.h"
 
 #include "clock.h"
+#include "load/zeros.h"
 #include "number/ball.h"
 #include "stability/effects.h"
 

@@ -9,6 +9,7 @@
 
 #include "stability/loaded.h"
 
+#include "load/zeros.h"
 #include "number/ball.h"
 #include "stability/facet_frame.h"
 #include "stability/friction.h"
