@@ -3,7 +3,7 @@
 
 #include "block/arcs.h"
 
-#include "block/check.h"
+#include "block/check_ring.h"
 #include "block/circle.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 /* Is one ring a simple polygon? Meetings of its edges by CGAL's exact predicates, the first told in
  * the user's vertices. */
 
-#include "block/check.h"
+#include "block/check_ring.h"
 
 #include "block/repair.h"
 #include "number/ratio.h"

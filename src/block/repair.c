@@ -16,7 +16,7 @@
 
 #include "block/repair.h"
 
-#include "block/check.h"
+#include "block/check_ring.h"
 #include "block/repair_move.h"
 #include "number/ratio.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+#include "limit/limit.h"
+
 #include "certificate/extremes.h"
 #include "certificate/prove.h"
 #include "limit/near.h"

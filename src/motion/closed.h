@@ -6,7 +6,7 @@
 #ifndef TP_CLOSED_H
 #define TP_CLOSED_H
 
-#include "motion/strata.h"
+#include "motion/mode.h"
 
 typedef struct tp_closed {
   long edge_count, edge_room;

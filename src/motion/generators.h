@@ -7,8 +7,10 @@
 #ifndef TP_GENERATORS_H
 #define TP_GENERATORS_H
 
-#include "motion/motion.h"
+#include "motion/mode.h"
+#include "motion/question.h"
 #include "motion/strength.h"
+#include "motion/tilts.h"
 
 /* What a plane is spanned by: the same for planes of two modes that are one by construction, and
  * for planes that weight alone, whose moment is none, meets at one tilt. */

@@ -10,24 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void tp_motion_question_init(tp_motion_question *q, const tp_cones *cones) {
-  memset(q, 0, sizeof *q);
-  q->cones = cones;
-  arb_init(q->scale);
-  arb_init(q->x);
-  arb_init(q->y);
-  arb_init(q->gyration);
-  tp_wrench_init(&q->load);
-}
-
-void tp_motion_question_clear(tp_motion_question *q) {
-  arb_clear(q->scale);
-  arb_clear(q->x);
-  arb_clear(q->y);
-  arb_clear(q->gyration);
-  tp_wrench_clear(&q->load);
-}
-
 void tp_motions_clear(tp_motions *m) {
   for (long k = 0; k < m->mode_count; k++) free(m->modes[k].edges);
   free(m->modes);

@@ -7,7 +7,8 @@
 #ifndef TP_NEWTON_H
 #define TP_NEWTON_H
 
-#include "motion/motion.h"
+#include "motion/mode.h"
+#include "motion/question.h"
 
 /* M r: what it takes to accelerate the block by the twist of a ray. */
 void tp_newton_inertia(tp_vector *own, const tp_motion_question *question, const tp_ray *ray);

@@ -7,10 +7,6 @@
 
 #include <stdlib.h>
 
-bool tp_mode_slides(const tp_mode *mode, const tp_twists *twists) {
-  return mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
-}
-
 /* What is visited. */
 typedef struct visiting {
   tp_twists *twists;

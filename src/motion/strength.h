@@ -15,7 +15,8 @@
 #ifndef TP_STRENGTH_H
 #define TP_STRENGTH_H
 
-#include "motion/motion.h"
+#include "motion/mode.h"
+#include "motion/question.h"
 
 enum { TP_STRENGTH_FREE = 16, TP_STRENGTH_PULLS = 4 };
 

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "motion/mode.h"
+
+bool tp_mode_slides(const tp_mode *mode, const tp_twists *twists) {
+  return mode->ray_count == 1 && twists->rays[mode->rays[0]].axis >= 0;
+}
