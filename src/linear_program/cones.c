@@ -68,16 +68,16 @@ long tp_cones_point_of(const tp_cones *cones, long column) {
   return tp_cones_is_edge(cones, column) ? column / 2 : capacity_of(cones, column, &kind)->point;
 }
 
-/* n + s t tan(phi), n = (-t_y, t_x), for s = 1 or -1. */
-static void set_edge(arb_ptr force, const tp_cones *cones, long point, bool against, long bits) {
-  arb_mul_fmpz(force, cones->friction, cones->tx + point, bits);
-  arb_mul_fmpz(force + 1, cones->friction, cones->ty + point, bits);
+void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t friction,
+                   bool against, long bits) {
+  arb_mul_fmpz(force, friction, tx, bits);
+  arb_mul_fmpz(force + 1, friction, ty, bits);
   if (against) {
     arb_neg(force, force);
     arb_neg(force + 1, force + 1);
   }
-  arb_sub_fmpz(force, force, cones->ty + point, bits);
-  arb_add_fmpz(force + 1, force + 1, cones->tx + point, bits);
+  arb_sub_fmpz(force, force, ty, bits);
+  arb_add_fmpz(force + 1, force + 1, tx, bits);
 }
 
 static void set_capacity(arb_ptr force, const tp_cones *cones, long point, int kind) {
@@ -97,7 +97,8 @@ static void set_moment(arb_ptr column, const arb_t x, const arb_t y, long bits) 
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits) {
   const long point = tp_cones_point_of(cones, column);
   if (tp_cones_is_edge(cones, column)) {
-    set_edge(entries, cones, point, column % 2 == 1, bits);
+    tp_cones_edge(entries, cones->tx + point, cones->ty + point, cones->friction, column % 2 == 1,
+                  bits);
     set_moment(entries, cones->x + point, cones->y + point, bits);
     return;
   }

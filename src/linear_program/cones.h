@@ -54,6 +54,11 @@ long tp_cones_column_count(const tp_cones *cones);
 bool tp_cones_is_edge(const tp_cones *cones, long column);
 bool tp_cones_is_shear(const tp_cones *cones, long column);
 
+/* An edge of a friction cone, two balls: n + t tan(phi), or n - t tan(phi) `against` t, with
+ * n = (-t_y, t_x) and `friction` tan(phi). */
+void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t friction,
+                   bool against, long bits);
+
 /* The column, three balls; its bound, where it is no edge of a cone. */
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits);
 void tp_cones_bound(arb_t most, const tp_cones *cones, long column);

@@ -108,16 +108,8 @@ int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist) {
 }
 
 void tp_normals_edge(tp_vector *force, const tp_normals *n, long point, bool against) {
-  const fmpz *tx = n->tx + point, *ty = n->ty + point;
-  const long bits = n->judge.bits;
-  arb_mul_fmpz(force->of, n->cones->friction, tx, bits);
-  arb_mul_fmpz(force->of + 1, n->cones->friction, ty, bits);
-  if (against) {
-    arb_neg(force->of, force->of);
-    arb_neg(force->of + 1, force->of + 1);
-  }
-  arb_sub_fmpz(force->of, force->of, ty, bits);
-  arb_add_fmpz(force->of + 1, force->of + 1, tx, bits);
+  tp_cones_edge(force->of, n->tx + point, n->ty + point, n->cones->friction, against,
+                n->judge.bits);
 }
 
 bool tp_normal_has_site(const tp_normals *n, const tp_normal *normal, long site) {
