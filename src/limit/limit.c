@@ -27,13 +27,18 @@ static tp_answer judge_basis(tp_limit_answer *answer, const tp_limit_question *q
   return TP_NO;
 }
 
+enum {
+  MOST_REPAIRS = 32,
+  MOST_COLUMNS = 2 * (3 + MOST_REPAIRS), /* of a basis, and one for each repair */
+  WHOLE_PROGRAM = 20000,                 /* columns of which the exact program is tried */
+  LEAST_BITS = 160                       /* from which it is: fewer are doubled sooner */
+};
+
 /* Columns that an exact program is made of, both edges of each cone. */
 typedef struct working_set {
   long count;
-  long columns[128];
+  long columns[MOST_COLUMNS];
 } working_set;
-
-enum { MOST_REPAIRS = 32, WHOLE_PROGRAM = 20000, LEAST_BITS = 160 };
 
 static void take(working_set *set, const tp_cones *cones, long column) {
   const long first = tp_cones_is_edge(cones, column) ? column - column % 2 : column;

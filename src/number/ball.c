@@ -48,8 +48,8 @@ double tp_ball_log2_above(const arb_t ball) {
 
 bool tp_ball_certain(const arb_t ball, int digits) {
   if (arb_is_exact(ball)) return arb_is_finite(ball);
-  /* 10^digits < 2^(3.33 digits); arb_rel_accuracy_bits is -log2 of twice the relative radius. */
-  return arb_rel_accuracy_bits(ball) > (slong)(3.33 * digits) + 2;
+  /* arb_rel_accuracy_bits is -log2 of twice the relative radius. */
+  return arb_rel_accuracy_bits(ball) > (slong)tp_digits_bits(digits) + 2;
 }
 
 void tp_ball_set_bounded(arb_t ball, double value, double error) {

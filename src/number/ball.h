@@ -16,6 +16,11 @@
 #include <arb.h>
 #include <flint/fmpq.h>
 
+/* Bits that tell so many decimal digits, a little more than it takes: 10 < 2^3.33. */
+static inline double tp_digits_bits(int digits) {
+  return 3.33 * digits;
+}
+
 /* Enclosure of the ball by a double and a double bound, both rounded the safe way. */
 tp_bounded tp_ball_bounded(const arb_t ball);
 

@@ -3,6 +3,8 @@
 
 #include "number/ladder.h"
 
+#include "number/ball.h"
+
 #include <string.h>
 
 static const tp_rung rungs[] = {{TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_COMPENSATED, 128},
@@ -11,9 +13,9 @@ static const tp_rung rungs[] = {{TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_COMPENSATED, 1
                                 {TP_LEVEL_EXACT, 20480}};
 enum { RUNGS = sizeof rungs / sizeof rungs[0], MOST_BITS = 5120 };
 
-/* 10^digits < 2^(3.33 digits); some more for what follows the sums. */
+/* Some more for what follows the sums. */
 static long bits_for(int digits) {
-  return (long)(3.33 * digits) + 32;
+  return (long)tp_digits_bits(digits) + 32;
 }
 
 long tp_ladder_most_bits(int digits) {

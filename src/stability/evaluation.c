@@ -71,7 +71,7 @@ tp_bounded tp_evaluation_result(tp_evaluation *evaluation, const arb_t ball) {
 
 tp_bounded tp_evaluation_result_within(tp_evaluation *evaluation, const arb_t ball,
                                        double log2_size) {
-  const double asked = log2_size - 3.33 * evaluation->digits; /* 10^-digits > 2^(-3.33 digits) */
+  const double asked = log2_size - tp_digits_bits(evaluation->digits);
   if (!is_certain(evaluation, ball) &&
       !(arb_is_finite(ball) && tp_mag_log2(arb_radref(ball)) < asked)) {
     return uncertain(evaluation, ball);

@@ -4,6 +4,7 @@
 /* The tilt at which a block lets go with the friction that it has there, and that friction: a
  * search in doubles, and its proof. */
 
+#include "number/ball.h"
 #include "number/judge.h"
 #include "stability/friction.h"
 
@@ -105,7 +106,7 @@ static void refine(arf_t tilt, const meeting *m, int digits) {
       arf_mul(step, step, value, bits, ARF_RND_NEAR);
       arf_div(step, step, before, bits, ARF_RND_NEAR);
     }
-    if (arf_cmpabs_2exp_si(step, -(slong)(3.33 * digits)) < 0) break;
+    if (arf_cmpabs_2exp_si(step, -(slong)tp_digits_bits(digits)) < 0) break;
     arf_add(tilt, tilt, step, bits, ARF_RND_NEAR);
   }
   arb_clear(at);
@@ -175,8 +176,8 @@ bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit l
   if (!iterate(&start, &m)) return false;
   const int digits = wanted_digits(e);
   const bool many = digits > DIGITS_OF_DOUBLE;
-  const slong widest = many ? (slong)(3.33 * (digits + SPARE)) : WIDEST;
-  const slong narrowest = many ? widest + (slong)(3.33 * SPARE) : NARROWEST;
+  const slong widest = many ? (slong)tp_digits_bits(digits + SPARE) : WIDEST;
+  const slong narrowest = many ? widest + (slong)tp_digits_bits(SPARE) : NARROWEST;
   arf_t estimate;
   arb_t interval;
   arf_init(estimate);

@@ -3,6 +3,7 @@
 
 #include "stability/limit_asked.h"
 
+#include "number/ball.h"
 #include "stability/loaded.h"
 
 /* The weight alone, on the lattice, times three over its half: F = 3 A2 (-sin, -cos), its moment
@@ -27,12 +28,11 @@ static void turn_back(tp_wrench *load) {
  * That half is more than the digits asked for. */
 static bool is_settled(const tp_evaluation *e) {
   enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160, SPARE = 32 };
-  static const double of_digit = 3.33; /* 10 < 2^3.33 */
   const tp_problem *problem = e->problem;
   const bool enclosed =
       tp_problem_is_enclosed(problem) && !problem->loaded; /* loads are rationals */
   return e->rung.bits >= (enclosed ? SETTLING_BITS_ENCLOSED : SETTLING_BITS) &&
-         (double)e->rung.bits >= 2 * (of_digit * e->digits + SPARE);
+         (double)e->rung.bits >= 2 * (tp_digits_bits(e->digits) + SPARE);
 }
 
 tp_judge tp_limit_asked_judge(const tp_evaluation *e) {

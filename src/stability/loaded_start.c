@@ -57,7 +57,6 @@ enum { SPARE_DIGITS = 8 };
 
 static void stretch_init(stretch *s, const tp_loaded *loaded, const tp_evaluation *e,
                          const fmpz_t run, const fmpz_t rise) {
-  static const double of_digit = 3.33; /* 10 < 2^3.33 */
   arb_t level, excess;
   arb_init(level);
   arb_init(excess);
@@ -66,7 +65,7 @@ static void stretch_init(stretch *s, const tp_loaded *loaded, const tp_evaluatio
   arf_init(s->last);
   s->loaded = loaded;
   s->e = e;
-  s->least = -(slong)(of_digit * (e->digits + SPARE_DIGITS));
+  s->least = -(slong)tp_digits_bits(e->digits + SPARE_DIGITS);
   tp_facet_frame_init(&s->frame, e, run, rise, level);
   excess_at(excess, loaded, e, &s->frame, level);
   s->own = sign_of(excess);

@@ -4,13 +4,13 @@
 #include "strength_reduction/reduction.h"
 
 #include "limit/program.h"
+#include "number/ball.h"
 #include "strength_reduction/reduced.h"
 
 #include <math.h>
 
 /* Factors tried: beyond these, strength does not matter. */
 static const double least_factor = 1e-6, most_factor = 1e6;
-static const double place = 3.33; /* bits to a decimal place, a little more than it takes */
 
 /* A zero of the margin between two logarithms by regula falsi, the end that stays halved
  * (Illinois), and by halving where that is slow. */
@@ -45,7 +45,7 @@ static double solve(tp_reduced *r, double low, double high, double at_low, doubl
 static tp_limit_outcome refine(arf_t factor, tp_reduced *r, int digits) {
   enum { MOST_STEPS = 64 };
   const long bits = r->question->judge.bits;
-  const slong enough = -(slong)(3.33 * digits);
+  const slong enough = -(slong)tp_digits_bits(digits);
   arf_t step, value, value_before, slope;
   tp_reduced_limit at;
   arf_init(step);
@@ -124,7 +124,7 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
  */
 static tp_limit_outcome enclose(tp_reduction *reduction, tp_reduced *r, const arf_t about,
                                 slong places, int digits) {
-  const slong widest = (slong)(place * (digits + 1)) + 1;
+  const slong widest = (slong)tp_digits_bits(digits + 1) + 1;
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   bool proven = false;
   for (; places >= widest && !proven; places -= 3) {
@@ -138,8 +138,8 @@ static tp_limit_outcome enclose(tp_reduction *reduction, tp_reduced *r, const ar
  * than are asked for. */
 static slong narrowest(int digits) {
   enum { NARROWEST = 43, SPARE = 5 }; /* 2^-43 is about 10^-13 */
-  const slong asked = (slong)(place * (digits + 1)) + 1;
-  return asked < NARROWEST ? NARROWEST : asked + (slong)(place * SPARE);
+  const slong asked = (slong)tp_digits_bits(digits + 1) + 1;
+  return asked < NARROWEST ? NARROWEST : asked + (slong)tp_digits_bits(SPARE);
 }
 
 /* Halve between two factors on proven sides alone, to 10^-digits of the factor and some places
@@ -147,7 +147,7 @@ static slong narrowest(int digits) {
 static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double most, int digits) {
   enum { LEAST_PLACES = 52, SPARE = 20 };
   const long bits = r->question->judge.bits;
-  const long asked = (long)(3.33 * digits) + SPARE;
+  const long asked = (long)tp_digits_bits(digits) + SPARE;
   const slong places = asked > LEAST_PLACES ? asked : LEAST_PLACES;
   arf_t low, high, width;
   arf_init(low);
