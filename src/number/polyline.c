@@ -66,13 +66,13 @@ bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line) {
 }
 
 static void spread(fmpq_t size, const fmpq *values, long count) {
-  const fmpq *least = values, *most = values;
+  long least = 0, most = 0;
   fmpq_zero(size);
-  for (const fmpq *at = values; at < values + count; at++) {
-    if (fmpq_cmp(at, least) < 0) least = at;
-    if (fmpq_cmp(at, most) > 0) most = at;
+  for (long k = 0; k < count; k++) {
+    if (fmpq_cmp(values + k, values + least) < 0) least = k;
+    if (fmpq_cmp(values + k, values + most) > 0) most = k;
   }
-  if (count > 0) fmpq_sub(size, most, least);
+  if (count > 0) fmpq_sub(size, values + most, values + least);
 }
 
 void tp_polyline_size(fmpq_t width, fmpq_t height, const tp_polyline *line) {
