@@ -4,6 +4,7 @@
 #include "derive/onset_modes.h"
 
 #include "derive/field_work.h"
+#include "number/ball.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -274,7 +275,7 @@ int tp_onset_rows_sign(const tp_onset_modes *m, const tp_onset_row *a, const tp_
   arb_init(ball);
   tp_vector_cross(&cross, &a->at, &b->at, m->terms->bits);
   tp_vector_dot(ball, &cross, &c->at, m->terms->bits);
-  int sign = tp_onset_ball_sign(ball);
+  int sign = tp_ball_sign(ball);
   tp_vector_clear(&cross);
   arb_clear(ball);
   if (sign != 0) return sign;

@@ -5,6 +5,7 @@
 
 #include "derive/derive_limit.h"
 #include "derive/field_work.h"
+#include "number/ball.h"
 #include "stability/limit_cones.h"
 
 #include <stdlib.h>
@@ -172,16 +173,12 @@ void tp_onset_terms_work(fmpz_mpoly_q_t slope, fmpz_mpoly_q_t level, const tp_on
   fmpz_mpoly_q_clear(term, t->field->ring);
 }
 
-int tp_onset_ball_sign(const arb_t ball) {
-  return arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
-}
-
 int tp_onset_terms_sign(const tp_onset_terms *t, const fmpz_mpoly_q_t value) {
   if (fmpz_mpoly_q_is_zero(value, t->field->ring)) return 0;
   arb_t ball;
   arb_init(ball);
   tp_field_evaluate_ball(ball, value, t->values, t->field, t->bits);
-  const int sign = tp_onset_ball_sign(ball);
+  const int sign = tp_ball_sign(ball);
   arb_clear(ball);
   return sign != 0 ? sign : TP_SIGN_BY_CHANCE;
 }

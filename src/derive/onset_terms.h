@@ -56,7 +56,5 @@ void tp_onset_terms_work(fmpz_mpoly_q_t slope, fmpz_mpoly_q_t level, const tp_on
 
 /* Sign of a value: 1, -1, 0 where it is nothing for all values of the symbols, or by chance. */
 int tp_onset_terms_sign(const tp_onset_terms *terms, const fmpz_mpoly_q_t value);
-/* 1 or -1, or 0 where the ball does not tell. */
-int tp_onset_ball_sign(const arb_t ball);
 
 #endif

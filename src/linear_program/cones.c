@@ -94,6 +94,13 @@ static void set_moment(arb_ptr column, const arb_t x, const arb_t y, long bits) 
   arb_submul(column + 2, y, column, bits);
 }
 
+void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long bits) {
+  arb_add(x, cones->x + point, cones->x + point + 1, bits);
+  arb_add(y, cones->y + point, cones->y + point + 1, bits);
+  arb_mul_2exp_si(x, x, -1);
+  arb_mul_2exp_si(y, y, -1);
+}
+
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits) {
   const long point = tp_cones_point_of(cones, column);
   if (tp_cones_is_edge(cones, column)) {
@@ -112,10 +119,7 @@ void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long b
   arb_t x, y;
   arb_init(x);
   arb_init(y);
-  arb_add(x, cones->x + point, cones->x + point + 1, bits);
-  arb_add(y, cones->y + point, cones->y + point + 1, bits);
-  arb_mul_2exp_si(x, x, -1);
-  arb_mul_2exp_si(y, y, -1);
+  tp_cones_middle(x, y, cones, point, bits);
   set_moment(entries, x, y, bits);
   arb_clear(x);
   arb_clear(y);

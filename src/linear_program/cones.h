@@ -59,6 +59,9 @@ bool tp_cones_is_shear(const tp_cones *cones, long column);
 void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t friction,
                    bool against, long bits);
 
+/* The middle of a point and the next, the ends of a facet. */
+void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long bits);
+
 /* The column, three balls; its bound, where it is no edge of a cone. */
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits);
 void tp_cones_bound(arb_t most, const tp_cones *cones, long column);

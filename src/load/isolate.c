@@ -3,6 +3,8 @@
 
 #include "load/isolate.h"
 
+#include "number/ball.h"
+
 /* A function of the tilt times the power of cos a, 1 or 2, with which it stays bounded up to the
  * right angles: there it is its leading term alone, so that a zero close to them is one of f. */
 typedef struct bounded {
@@ -69,17 +71,13 @@ static void box_ball(arb_t ball, const box *b, long bits) {
   arb_set_interval_arf(ball, b->low, b->high, bits);
 }
 
-static int sign_of(const arb_t value) {
-  return arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
-}
-
 static int sign_at(const bounded *g, const arf_t at) {
   arb_t x, value;
   arb_init(x);
   arb_init(value);
   arb_set_arf(x, at);
   value_at(value, g, x);
-  const int sign = sign_of(value);
+  const int sign = tp_ball_sign(value);
   arb_clear(x);
   arb_clear(value);
   return sign;
@@ -216,7 +214,7 @@ static void set_end(arf_t end, const bounded *g) {
   arb_const_pi(angle, g->bits);
   arb_mul_2exp_si(angle, angle, -1);
   arb_get_ubound_arf(end, angle, g->bits);
-  const int leading = sign_of(g->f->of + (g->squared ? TP_SEC2 : TP_SEC));
+  const int leading = tp_ball_sign(g->f->of + (g->squared ? TP_SEC2 : TP_SEC));
   const int above = sign_at(g, end);
   arf_neg(end, end);
   const int below = sign_at(g, end);

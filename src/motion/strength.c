@@ -95,10 +95,7 @@ static void set_pull(tp_vector *force, const gathering *g, const tp_capacity *ow
   arb_t x, y;
   arb_init(x);
   arb_init(y);
-  arb_add(x, cones->x + point, cones->x + point + 1, bits);
-  arb_add(y, cones->y + point, cones->y + point + 1, bits);
-  arb_mul_2exp_si(x, x, -1);
-  arb_mul_2exp_si(y, y, -1);
+  tp_cones_middle(x, y, cones, point, bits);
   set_force(force, g, x, y, factor, point, true);
   arb_clear(x);
   arb_clear(y);

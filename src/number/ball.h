@@ -21,6 +21,11 @@ static inline double tp_digits_bits(int digits) {
   return 3.33 * digits;
 }
 
+/* 1 above zero, -1 below it; 0 where it is zero or not known. */
+static inline int tp_ball_sign(const arb_t ball) {
+  return arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
+}
+
 /* Enclosure of the ball by a double and a double bound, both rounded the safe way. */
 tp_bounded tp_ball_bounded(const arb_t ball);
 

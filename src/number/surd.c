@@ -14,6 +14,8 @@
 
 #include "number/surd.h"
 
+#include "number/ball.h"
+
 #include <arb.h>
 #include <stdbool.h>
 
@@ -87,7 +89,7 @@ int tp_surd_sign(const tp_surd *s) {
   int sign = 0;
   for (long bits = FIRST_BITS; open; bits *= 2) {
     evaluate(value, whole, s, bits);
-    sign = arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
+    sign = tp_ball_sign(value);
     mag_t size;
     mag_init(size);
     arb_get_mag(size, value);

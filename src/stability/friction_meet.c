@@ -133,7 +133,7 @@ static int sign_at_end(const meeting *m, const arb_t interval, bool upper) {
   int sign = 0;
   if (image_of(image, friction, m, at, false)) {
     arb_sub(image, image, at, bits);
-    sign = arb_is_positive(image) ? 1 : arb_is_negative(image) ? -1 : 0;
+    sign = tp_ball_sign(image);
   }
   arf_clear(end);
   arb_clear(at);

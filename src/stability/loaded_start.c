@@ -39,10 +39,6 @@ static void excess_at(arb_t excess, const tp_loaded *loaded, const tp_evaluation
   arb_clear(pressing);
 }
 
-static int sign_of(const arb_t ball) {
-  return arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
-}
-
 /* From level on the excess has the sign `own` up to `kept`: below zero, it holds. */
 typedef struct stretch {
   const tp_loaded *loaded;
@@ -68,7 +64,7 @@ static void stretch_init(stretch *s, const tp_loaded *loaded, const tp_evaluatio
   s->least = -(slong)tp_digits_bits(e->digits + SPARE_DIGITS);
   tp_facet_frame_init(&s->frame, e, run, rise, level);
   excess_at(excess, loaded, e, &s->frame, level);
-  s->own = sign_of(excess);
+  s->own = tp_ball_sign(excess);
   arf_set_d(s->last, s->own > 0 ? -loaded->range_deg : loaded->range_deg);
   arf_set_si(s->step, s->own > 0 ? -1 : 1);
   arb_clear(level);
@@ -94,7 +90,7 @@ static int sign_at(stretch *s, const arb_t degrees) {
   arb_t excess;
   arb_init(excess);
   excess_at(excess, s->loaded, s->e, &s->frame, degrees);
-  const int sign = sign_of(excess);
+  const int sign = tp_ball_sign(excess);
   arb_clear(excess);
   return sign;
 }

@@ -4,7 +4,6 @@
 #include "stability/onset.h"
 
 #include "stability/friction.h"
-#include "stability/limit_asked.h"
 #include "stability/onset_motions.h"
 #include "stability/onset_question.h"
 #include "stability/onset_ranges.h"
@@ -52,6 +51,7 @@ typedef struct asking {
   tp_onset_asked asked;
   tp_motion_outcome outcome;
   bool has_windows;
+  tp_judge judge; /* by which they are found */
   tp_motions motions;
   tp_motion_windows windows;
 } asking;
@@ -65,13 +65,13 @@ static void forget(asking *a) {
 
 /* The windows with a friction angle; with a judge of few bits as an estimate. */
 static bool find_by(asking *a, const arb_t friction, const tp_judge *judge) {
-  tp_motion_question *q = &a->asked.question;
-  q->judge = *judge;
+  tp_motion_question q = a->asked.question;
+  q.judge = a->judge = *judge;
   forget(a);
   tp_friction_tangent(a->asked.cones.friction, friction, a->e->rung.bits);
-  a->outcome = tp_motions_init(&a->motions, q);
+  a->outcome = tp_motions_init(&a->motions, &q);
   if (a->outcome != TP_MOTION_PROVEN) return false;
-  a->outcome = tp_windows_init(&a->windows, &a->motions, &q->judge);
+  a->outcome = tp_windows_init(&a->windows, &a->motions, &q.judge);
   if (a->outcome != TP_MOTION_PROVEN) {
     tp_motions_clear(&a->motions);
     return false;
@@ -81,8 +81,7 @@ static bool find_by(asking *a, const arb_t friction, const tp_judge *judge) {
 }
 
 static bool find(asking *a, const arb_t friction) {
-  const tp_judge judge = tp_limit_asked_judge(a->e);
-  return find_by(a, friction, &judge);
+  return find_by(a, friction, &a->asked.question.judge);
 }
 
 /* With few bits, by what these tell: all of a search but its proof. */
@@ -96,7 +95,7 @@ static bool find_roughly(asking *a, const arb_t friction) {
 static bool onset_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
   asking *a = context;
   if (!(estimate ? find_roughly(a, degrees) : find(a, degrees))) return false;
-  const long first = tp_onset_first_window(&a->windows, &a->asked.question.judge);
+  const long first = tp_onset_first_window(&a->windows, &a->judge);
   if (first == -2) {
     a->outcome = TP_MOTION_OPEN;
     return false;
@@ -129,7 +128,7 @@ static void find_onset(asking *a) {
 
 static void tell_onset(asking *a) {
   const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
-  const long first = tp_onset_first_window(&a->windows, &a->asked.question.judge);
+  const long first = tp_onset_first_window(&a->windows, &a->judge);
   if (first >= 0) arb_set(a->found->degrees, a->windows.items[first].from.degrees);
   if (!tp_onset_describe(&t, first)) a->outcome = TP_MOTION_OUT_OF_MEMORY;
 }

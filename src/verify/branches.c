@@ -4,6 +4,7 @@
 #include "verify/branches.h"
 
 #include "derive/field_work.h"
+#include "number/ball.h"
 
 #include <flint/fmpz_mpoly_factor.h>
 #include <string.h>
@@ -35,7 +36,7 @@ static int sign_at_sample(const fmpz_mpoly_q_t of, const tp_branches *b, bool *z
   *zero = false;
   for (long bits = 128; bits <= 2048 && sign == 0 && !*zero; bits *= 4) {
     tp_sample_evaluate(value, of, b->sample, b->subject, bits);
-    sign = arb_is_positive(value) ? 1 : arb_is_negative(value) ? -1 : 0;
+    sign = tp_ball_sign(value);
     *zero = arb_is_zero(value) != 0;
   }
   arb_clear(value);

@@ -79,7 +79,7 @@ static int side_of(const arb_t x, const fmpq_t bound, long bits) {
   arb_init(gap);
   arb_set_fmpq(gap, bound, bits);
   arb_sub(gap, x, gap, bits);
-  const int side = arb_is_positive(gap) ? 1 : arb_is_negative(gap) ? -1 : 0;
+  const int side = tp_ball_sign(gap);
   arb_clear(gap);
   return side;
 }
