@@ -125,16 +125,16 @@ tp_answer tp_extremes_nowhere(const tp_limit_question *q, tp_scaled *scaled) {
     return TP_OPEN;
   }
   tp_vector down, across;
-  double scaled_answer_down[3], scaled_answer_across[3], turn[2];
+  double own_down[3], own_across[3], turn[2];
   tp_vector_init(&down);
   tp_vector_init(&across);
   tp_question_load_term(&down, q->load, TP_COS);
   tp_question_load_term(&across, q->load, TP_SIN);
-  tp_scaled_wrench(scaled_answer_down, scaled, &down);
-  tp_scaled_wrench(scaled_answer_across, scaled, &across);
+  tp_scaled_wrench(own_down, scaled, &down);
+  tp_scaled_wrench(own_across, scaled, &across);
   tp_answer answer = TP_OPEN;
-  const plane p = plane_across(scaled_answer_across);
-  if (find_turn(turn, &p, scaled, scaled_answer_down, scaled_answer_across)) {
+  const plane p = plane_across(own_across);
+  if (find_turn(turn, &p, scaled, own_down, own_across)) {
     set_twist(&face.twist, &p, turn, scaled, &across, q->judge.precision);
     answer = prove_turn(&face, &down, scaled, q);
   }

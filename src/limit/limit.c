@@ -88,8 +88,8 @@ static tp_limit_outcome find(tp_limit_answer *answer, const tp_limit_question *q
   tp_status status = TP_OK;
   answer->violated = -1;
   if (!q->without_doubles) {
-    const tp_simplex_answer scaled_answer = tp_program_solve(p, scaled);
-    basis = tp_basis_of(&scaled_answer);
+    const tp_simplex_answer found = tp_program_solve(p, scaled);
+    basis = tp_basis_of(&found);
     done = judge_basis(answer, q, p, scaled, &basis);
     if (done == TP_NO) done = repair(answer, &status, q, p, scaled, &basis);
   }

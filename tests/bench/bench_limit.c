@@ -44,13 +44,13 @@ typedef struct work {
   tp_limit_question question;
   tp_scaled scaled;
   tp_vector direction, target;
-  double scaled_answer[2][3];
+  double scaled_ends[2][3];
 } work;
 
 static volatile double sink; /* what the compiler must not leave out */
 
 static void solve_in_double(work *w) {
-  sink = tp_scaled_solve(&w->scaled, w->scaled_answer[0], w->scaled_answer[1]).t;
+  sink = tp_scaled_solve(&w->scaled, w->scaled_ends[0], w->scaled_ends[1]).t;
 }
 
 static void find_certified(work *w) {
@@ -170,8 +170,8 @@ static void work_init(work *w, const char *path) {
   tp_question_load_term(&w->target, &w->load, TP_COS);
   if (!tp_scaled_init(&w->scaled, &w->cones, &w->target, BITS)) fail("out of memory");
   tp_vector_neg(&w->target);
-  tp_scaled_wrench(w->scaled_answer[0], &w->scaled, &w->direction);
-  tp_scaled_wrench(w->scaled_answer[1], &w->scaled, &w->target);
+  tp_scaled_wrench(w->scaled_ends[0], &w->scaled, &w->direction);
+  tp_scaled_wrench(w->scaled_ends[1], &w->scaled, &w->target);
 }
 
 static void work_clear(work *w) {
