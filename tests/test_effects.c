@@ -12,7 +12,7 @@
 #include "block/ellipse.h"
 #include "clock.h"
 #include "load/loads.h"
-#include "stability/evaluation.h"
+#include "stability/stages.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,7 +59,8 @@ COUNTED(ROUNDING, void, tp_corners_take_off,
         (tp_moments * m, const tp_corners *c, const tp_section *s, const tp_lattice *l, long bits),
         (m, c, s, l, bits))
 COUNTED(ROLLING, void, tp_evaluate_rolling,
-        (tp_evaluation * e, tp_case *c, const tp_direction_ball *t), (e, c, t))
+        (const tp_evaluation *e, tp_case *c, const tp_direction_ball *t, tp_certainty *own),
+        (e, c, t, own))
 COUNTED(ELLIPSE, void, tp_ellipse_sums,
         (arb_struct * s, const tp_ellipse *e, const tp_lattice *l, const fmpq_t metres, long bits),
         (s, e, l, metres, bits))
@@ -67,8 +68,9 @@ COUNTED(ELEMENTS, tp_status, tp_elements_init,
         (tp_elements * e, const tp_section *s, const tp_lattice *l, long chain,
          const tp_geom_triangulation *t, tp_message *m),
         (e, s, l, chain, t, m))
-COUNTED(SLIDING, void, tp_evaluate_sliding, (tp_evaluation * e, tp_case *c, tp_direction_ball *s),
-        (e, c, s))
+COUNTED(SLIDING, void, tp_evaluate_sliding,
+        (const tp_evaluation *e, tp_case *c, tp_direction_ball *s, tp_certainty *own),
+        (e, c, s, own))
 
 /* Solve a scene written to a file, and count. */
 static void solve(const char *block, const char *rest) {

@@ -3,12 +3,13 @@
 
 /* The account of moments by elements about the governing pivot, as Appendix A writes it. */
 
-#include "stability/evaluation.h"
+#include "stability/stages.h"
 
 #include "number/ball.h"
 
 typedef struct account {
-  tp_evaluation *evaluation;
+  const tp_evaluation *evaluation;
+  tp_certainty *certainty;
   arb_t sine, cosine;             /* of the tilt */
   arb_t metres;                   /* per sixth of a lattice unit */
   arb_t weight;                   /* per unit of weight2 */
@@ -61,7 +62,7 @@ static void add_moment(const account *a, arb_t stabilising, arb_t overturning, c
 
 static void account_element(account *a, tp_element *result, const tp_exact_element *element,
                             long pivot, tp_direction towards) {
-  tp_evaluation *e = a->evaluation;
+  const tp_evaluation *e = a->evaluation;
   const tp_lattice *l = &e->problem->lattice;
   arb_t weight, x, y, stabilising, overturning;
   arb_init(weight);
@@ -78,11 +79,11 @@ static void account_element(account *a, tp_element *result, const tp_exact_eleme
   arb_add(a->overturning, a->overturning, overturning, e->rung.bits);
   *result = (tp_element){.kind = element->kind,
                          .part = element->part,
-                         .weight = tp_evaluation_result(e, weight),
-                         .normal_arm_m = tp_evaluation_result(e, x),
-                         .parallel_arm_m = tp_evaluation_result(e, y),
-                         .stabilising = tp_evaluation_result(e, stabilising),
-                         .overturning = tp_evaluation_result(e, overturning)};
+                         .weight = tp_result(e, weight, a->certainty),
+                         .normal_arm_m = tp_result(e, x, a->certainty),
+                         .parallel_arm_m = tp_result(e, y, a->certainty),
+                         .stabilising = tp_result(e, stabilising, a->certainty),
+                         .overturning = tp_result(e, overturning, a->certainty)};
   arb_clear(weight);
   arb_clear(x);
   arb_clear(y);
@@ -92,24 +93,25 @@ static void account_element(account *a, tp_element *result, const tp_exact_eleme
 
 /* The tilt of the account: the scene's, or the critical angle, where both sides are equal. */
 static void set_tilt(account *a, tp_account *result, const tp_direction_ball *toppling) {
-  tp_evaluation *e = a->evaluation;
+  const tp_evaluation *e = a->evaluation;
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   result->at_critical_angle = !tilt->given;
   if (tilt->given) {
     tp_ball_sin_cos_degrees(a->sine, a->cosine, tilt->value, e->rung.bits);
-    result->angle_deg = tp_evaluation_rational(tilt->value);
+    result->angle_deg = tp_result_rational(tilt->value);
   } else {
     tp_ball_sin_cos(a->sine, a->cosine, toppling->degrees, e->rung.bits);
-    result->angle_deg = tp_evaluation_result(e, toppling->degrees);
+    result->angle_deg = tp_result(e, toppling->degrees, a->certainty);
   }
 }
 
-void tp_evaluate_account(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
+void tp_evaluate_account(const tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
+                         tp_certainty *certainty) {
   if (!result->has_governing) {
     result->account.count = 0;
     return;
   }
-  account a = {.evaluation = e};
+  account a = {.evaluation = e, .certainty = certainty};
   arb_struct *balls[] = {a.sine, a.cosine, a.metres, a.weight, a.stabilising, a.overturning};
   for (size_t k = 0; k < sizeof balls / sizeof balls[0]; k++) arb_init(balls[k]);
   const tp_elements *elements = &e->problem->elements;
@@ -122,7 +124,7 @@ void tp_evaluate_account(tp_evaluation *e, tp_case *result, const tp_direction_b
   for (long k = 0; k < elements->count; k++) {
     account_element(&a, result->account.elements + k, elements->items + k, pivot, result->towards);
   }
-  result->account.stabilising = tp_evaluation_result(e, a.stabilising);
-  result->account.overturning = tp_evaluation_result(e, a.overturning);
+  result->account.stabilising = tp_result(e, a.stabilising, certainty);
+  result->account.overturning = tp_result(e, a.overturning, certainty);
   for (size_t k = 0; k < sizeof balls / sizeof balls[0]; k++) arb_clear(balls[k]);
 }

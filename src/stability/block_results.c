@@ -3,30 +3,9 @@
 
 /* Area, centroid, second moments, weight. */
 
-#include "stability/evaluation.h"
+#include "stability/stages.h"
 
 #include "number/ball.h"
-
-#include <float.h>
-#include <math.h>
-
-/* value * step^degree */
-static void scale(arb_t value, const tp_evaluation *e, int degree) {
-  const long bits = e->rung.bits;
-  arb_t step;
-  arb_init(step);
-  arb_set_fmpq(step, e->problem->lattice.step_m, bits);
-  arb_pow_ui(step, step, (ulong)degree, bits);
-  arb_mul(value, value, step, bits);
-  arb_clear(step);
-}
-
-tp_bounded tp_evaluation_metres(tp_evaluation *e, arb_t value, int degree) {
-  scale(value, e, degree);
-  const double step_m = fmpq_get_d(e->problem->lattice.step_m);
-  const double log2_size = (double)e->problem->lattice.bits + log2(step_m > 0 ? step_m : DBL_MIN);
-  return tp_evaluation_result_scaled(e, value, degree * log2_size);
-}
 
 /* Of the least that the ball's size may be. */
 static double log2_of(const arb_t ball) {
@@ -44,14 +23,15 @@ static double log2_size(const tp_evaluation *e) {
   arb_t area;
   arb_init(area);
   arb_mul_2exp_si(area, e->moments.area2, -1);
-  scale(area, e, 2);
+  tp_evaluation_to_metres(area, e, 2);
   const double size = log2_of(area) / 2;
   arb_clear(area);
   return size;
 }
 
 /* Coordinate of the centroid: S6 / (3 A2), moved back by the local origin. */
-static tp_bounded centroid(tp_evaluation *e, const arb_t first_moment, const fmpz_t origin) {
+static tp_bounded centroid(const tp_evaluation *e, const arb_t first_moment, const fmpz_t origin,
+                           tp_certainty *certainty) {
   const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
   arb_t value;
   arb_init(value);
@@ -61,8 +41,8 @@ static tp_bounded centroid(tp_evaluation *e, const arb_t first_moment, const fmp
   arb_add(value, value, first_moment, exact);
   arb_div(value, value, e->moments.weighted + TP_A2, bits);
   arb_div_ui(value, value, 3, bits);
-  scale(value, e, 1);
-  const tp_bounded result = tp_evaluation_result_within(e, value, log2_size(e));
+  tp_evaluation_to_metres(value, e, 1);
+  const tp_bounded result = tp_result_within(e, value, log2_size(e), certainty);
   arb_clear(value);
   return result;
 }
@@ -85,13 +65,14 @@ static void second_moment(arb_t value, const tp_evaluation *e, const arb_t secon
   arb_mul(product, area2, area2, exact);
   arb_mul_ui(product, product, 72, exact);
   arb_div(value, value, product, bits);
-  scale(value, e, 4);
+  tp_evaluation_to_metres(value, e, 4);
   arb_clear(product);
 }
 
 /* The mixed one is zero on symmetric blocks, which is not known to any share of itself but exactly:
  * it counts against the root of the others' product, which it cannot exceed (Cauchy, Schwarz). */
-static void second_moments(tp_evaluation *e, tp_block_result *block) {
+static void second_moments(const tp_evaluation *e, tp_block_result *block,
+                           tp_certainty *certainty) {
   const arb_struct *sums = e->moments.weighted;
   arb_t xx, yy, xy;
   arb_init(xx);
@@ -100,42 +81,32 @@ static void second_moments(tp_evaluation *e, tp_block_result *block) {
   second_moment(xx, e, sums + TP_XX12, 12, sums + TP_X6, sums + TP_X6);
   second_moment(yy, e, sums + TP_YY12, 12, sums + TP_Y6, sums + TP_Y6);
   second_moment(xy, e, sums + TP_XY24, 24, sums + TP_X6, sums + TP_Y6);
-  block->second_moment_xx_m4 = tp_evaluation_result(e, xx);
-  block->second_moment_yy_m4 = tp_evaluation_result(e, yy);
-  block->second_moment_xy_m4 = tp_evaluation_result_within(e, xy, (log2_of(xx) + log2_of(yy)) / 2);
+  block->second_moment_xx_m4 = tp_result(e, xx, certainty);
+  block->second_moment_yy_m4 = tp_result(e, yy, certainty);
+  block->second_moment_xy_m4 = tp_result_within(e, xy, (log2_of(xx) + log2_of(yy)) / 2, certainty);
   arb_clear(xx);
   arb_clear(yy);
   arb_clear(xy);
 }
 
-void tp_evaluation_weight(arb_t newton, const tp_evaluation *e) {
-  fmpq_t factor;
-  fmpq_init(factor);
-  tp_problem_weight_factor(factor, e->problem);
-  arb_mul_fmpz(newton, e->moments.weighted + TP_A2, fmpq_numref(factor), e->rung.bits);
-  arb_div_fmpz(newton, newton, fmpq_denref(factor), e->rung.bits);
-  fmpq_clear(factor);
-}
-
-void tp_evaluate_block(tp_evaluation *e, tp_solution *solution) {
+void tp_evaluate_block(const tp_evaluation *e, tp_block_result *block, tp_certainty *certainty) {
   const tp_problem *problem = e->problem;
   const arb_struct *sums = e->moments.weighted;
-  tp_block_result *block = &solution->block;
   arb_t value;
   fmpq_t thickness;
   arb_init(value);
   fmpq_init(thickness);
   arb_mul_2exp_si(value, e->moments.area2, -1);
-  block->area_m2 = tp_evaluation_metres(e, value, 2);
-  block->centroid_x_m = centroid(e, sums + TP_X6, problem->lattice.origin_x);
-  block->centroid_y_m = centroid(e, sums + TP_Y6, problem->lattice.origin_y);
-  second_moments(e, block);
+  block->area_m2 = tp_result_metres(e, value, 2, certainty);
+  block->centroid_x_m = centroid(e, sums + TP_X6, problem->lattice.origin_x, certainty);
+  block->centroid_y_m = centroid(e, sums + TP_Y6, problem->lattice.origin_y, certainty);
+  second_moments(e, block, certainty);
   tp_problem_thickness(thickness, problem);
-  block->thickness_m = tp_evaluation_rational(thickness);
+  block->thickness_m = tp_result_rational(thickness);
   block->has_weight = problem->scene->block.unit_weight_kn_m3.given;
   if (block->has_weight) {
     tp_evaluation_weight(value, e);
-    block->weight_n = tp_evaluation_result(e, value);
+    block->weight_n = tp_result(e, value, certainty);
   }
   const bool curved = problem->section.ellipse != NULL;
   block->vertices = curved ? 0 : (size_t)tp_problem_vertex_count(problem);

@@ -3,6 +3,7 @@
 
 #include "stability/facet_frame.h"
 
+#include "stability/contact_length.h"
 #include "stability/friction.h"
 
 /* Cohesion times the length of the contact and the thickness, N. */
@@ -10,16 +11,8 @@ static void set_cohesion(arb_t force, const tp_evaluation *e) {
   const tp_problem *problem = e->problem;
   const long bits = e->rung.bits;
   fmpq_t factor;
-  arb_t dx, dy;
   fmpq_init(factor);
-  arb_init(dx);
-  arb_init(dy);
-  arb_zero(force);
-  for (long k = 0; k < problem->contact.facet_count; k++) {
-    tp_evaluation_facet(dx, dy, e, problem->contact.facets + k);
-    arb_hypot(dx, dx, dy, bits);
-    arb_add(force, force, dx, bits);
-  }
+  tp_contact_length_in_balls(force, e);
   tp_problem_thickness(factor, problem);
   fmpq_mul(factor, factor, problem->lattice.step_m);
   fmpq_mul(factor, factor, problem->scene->loads.cohesion_kpa.value);
@@ -27,8 +20,6 @@ static void set_cohesion(arb_t force, const tp_evaluation *e) {
   arb_mul_fmpz(force, force, fmpq_numref(factor), bits);
   arb_div_fmpz(force, force, fmpq_denref(factor), bits);
   fmpq_clear(factor);
-  arb_clear(dx);
-  arb_clear(dy);
 }
 
 void tp_facet_frame_init(tp_facet_frame *f, const tp_evaluation *e, const fmpz_t run,

@@ -4,9 +4,21 @@
 #include "stability/friction.h"
 
 #include "number/ball.h"
+#include "stability/contact_length.h"
 
 bool tp_friction_is_load_dependent(const tp_evaluation *e) {
   return e->problem->scene->friction.load_dependent;
+}
+
+void tp_friction_stress_when_level(arb_t pascal, const tp_evaluation *e) {
+  arb_zero(pascal);
+  if (!tp_friction_is_load_dependent(e)) return;
+  arb_t length;
+  arb_init(length);
+  tp_contact_nominal_length(length, e);
+  tp_evaluation_to_metres(length, e, 1);
+  tp_weight_per_area(pascal, e, length);
+  arb_clear(length);
 }
 
 /* log10(JCS / sigma), sigma in Pa. */

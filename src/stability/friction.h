@@ -15,6 +15,9 @@
 
 bool tp_friction_is_load_dependent(const tp_evaluation *evaluation);
 
+/* The stress on level ground by the weight alone, Pa; zero where friction does not depend on it. */
+void tp_friction_stress_when_level(arb_t pascal, const tp_evaluation *evaluation);
+
 /* In degrees, at a tilt in degrees. */
 void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t tilt);
 

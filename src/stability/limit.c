@@ -11,6 +11,7 @@
 #include "stability/limit_cones.h"
 #include "stability/limit_result.h"
 #include "stability/loaded.h"
+#include "stability/stages.h"
 #include "strength_reduction/reduction.h"
 
 #include <math.h>
@@ -52,7 +53,8 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
 
 /* One question about a case, and the answer that is being found. */
 typedef struct asking {
-  tp_evaluation *e;
+  const tp_evaluation *e;
+  tp_certainty *certainty;
   tp_cones *cones;
   const tp_limit_question *question;
   tp_limit_answer *answer;
@@ -97,7 +99,7 @@ static void find_limit(tp_limit *result, asking *a) {
     tp_friction_at(friction, a->e, tilt);
     (void)limit_of(tilt, a, friction, false);
   }
-  result->friction_angle_deg = tp_evaluation_bounded(a->e, friction);
+  result->friction_angle_deg = tp_result_of(a->e, friction);
   arb_clear(friction);
   arb_clear(tilt);
 }
@@ -110,7 +112,7 @@ static bool is_exhausted(const asking *a) {
 /* A higher rung may tell, if there is one and work is left for it. */
 static void leave_open(tp_limit *result, const asking *a) {
   result->too_dear = is_exhausted(a);
-  if (!result->too_dear && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
+  if (!result->too_dear) tp_certainty_leave_open(a->certainty, a->e);
 }
 
 /* Under loads that do not turn with the weight a contact in one place holds at single tilts at
@@ -135,7 +137,7 @@ static bool holds_at_single_tilts(const asking *a) {
 
 /* The factor of safety by strength reduction, with the friction at the scene's tilt. */
 static void reduce_strength(tp_limit *result, asking *a) {
-  tp_evaluation *e = a->e;
+  const tp_evaluation *e = a->e;
   const tp_quantity *given = &e->problem->scene->tilt_angle_deg;
   result->fos = (tp_fos){.state = TP_FOS_NO_TILT};
   result->fos_mechanism = TP_MECHANISM_UNDECIDED;
@@ -160,7 +162,7 @@ static void reduce_strength(tp_limit *result, asking *a) {
     result->fos.state = TP_FOS_UNDECIDED;
     leave_open(result, a);
   } else if (found.kind == TP_REDUCTION_FACTOR) {
-    result->fos = (tp_fos){TP_FOS_NUMBER, tp_evaluation_bounded(e, found.factor)};
+    result->fos = (tp_fos){TP_FOS_NUMBER, tp_result_of(e, found.factor)};
     if (found.has_motion) result->fos_mechanism = tp_limit_mechanism(found.motion);
   } else {
     result->fos.state = found.kind == TP_REDUCTION_NONE ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING;
@@ -172,7 +174,7 @@ static void reduce_strength(tp_limit *result, asking *a) {
 
 static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a,
                      tp_direction towards) {
-  tp_evaluation *e = a->e;
+  const tp_evaluation *e = a->e;
   if (holds_at_single_tilts(a)) { /* a search may come upon one of them, or not */
     result->kind = TP_LIMIT_NOWHERE;
     result->mechanism = TP_SLIDES_AND_TOPPLES;
@@ -184,7 +186,7 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a
     leave_open(result, a);
     return;
   }
-  tp_limit_describe(result, e, a->question, a->answer, towards);
+  tp_limit_describe(result, e, a->question, a->answer, towards, a->certainty);
   arb_set(angle->sine, a->answer->sine);
   arb_set(angle->cosine, a->answer->cosine);
   arb_set(angle->degrees, a->answer->degrees);
@@ -221,14 +223,14 @@ static bool share_scaled(contact_forces *c, tp_limit_question *question, const t
 }
 
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
-static bool ask(tp_limit *result, tp_direction_ball *angle, tp_evaluation *e, contact_forces *c,
-                tp_direction towards, variant v) {
+static bool ask(tp_limit *result, tp_direction_ball *angle, const tp_evaluation *e,
+                contact_forces *c, tp_direction towards, variant v, tp_certainty *certainty) {
   tp_limit_answer answer;
   if (!tp_limit_answer_init(&answer, &c->cones)) return false;
   tp_limit_asked asked;
   tp_limit_asked_init(&asked, &c->cones, e, towards, v.back);
   tp_limit_question *question = &asked.question;
-  asking a = {e, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
+  asking a = {e, certainty, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
   tp_work_begin(e->work, tp_cones_column_count(&c->cones));
   if (share_scaled(c, question, e)) {
     a.outcome = TP_LIMIT_PROVEN;
@@ -247,20 +249,21 @@ static void contact_forces_clear(contact_forces *c) {
 }
 
 static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_ball *back,
-                     tp_evaluation *e) {
+                     const tp_evaluation *e, tp_certainty *certainty) {
   const tp_direction towards = result->towards;
   contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
   result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
   result->limit_back = result->limit;
-  const bool done = ask(&result->limit, limit, e, &c, towards, (variant){.with_factor = true}) &&
-                    ask(&result->limit_back, back, e, &c, towards, (variant){.back = true});
+  const bool done =
+      ask(&result->limit, limit, e, &c, towards, (variant){.with_factor = true}, certainty) &&
+      ask(&result->limit_back, back, e, &c, towards, (variant){.back = true}, certainty);
   contact_forces_clear(&c);
   return done;
 }
 
 /* With a base that ends at the toe where the scene's goes on, or the other way round. */
-static bool find_otherwise(tp_case *result, tp_evaluation *e) {
+static bool find_otherwise(tp_case *result, const tp_evaluation *e, tp_certainty *certainty) {
   const tp_direction towards = result->towards;
   contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, true)) return false;
@@ -268,7 +271,7 @@ static bool find_otherwise(tp_case *result, tp_evaluation *e) {
   tp_direction_ball_init(&other);
   result->limit_otherwise =
       (tp_limit){.base_beyond_toe = !tp_limit_base_beyond_toe(e->problem, towards)};
-  const bool done = ask(&result->limit_otherwise, &other, e, &c, towards, (variant){0});
+  const bool done = ask(&result->limit_otherwise, &other, e, &c, towards, (variant){0}, certainty);
   tp_direction_ball_clear(&other);
   contact_forces_clear(&c);
   return done;
@@ -280,22 +283,23 @@ static bool share_mechanism(const tp_limit *a, const tp_limit *b) {
          (b->tie && b->tied_with == a->mechanism);
 }
 
-static bool differ(const tp_limit *a, const tp_limit *b, tp_evaluation *e) {
+static bool differ(const tp_limit *a, const tp_limit *b, const tp_evaluation *e,
+                   tp_certainty *certainty) {
   if (a->kind != b->kind || !share_mechanism(a, b)) return true;
   return a->kind == TP_LIMIT_AT_ANGLE &&
-         (tp_evaluation_is_above(e, a->critical_angle_deg, b->critical_angle_deg) ||
-          tp_evaluation_is_above(e, b->critical_angle_deg, a->critical_angle_deg));
+         (tp_result_is_above(e, a->critical_angle_deg, b->critical_angle_deg, certainty) ||
+          tp_result_is_above(e, b->critical_angle_deg, a->critical_angle_deg, certainty));
 }
 
-bool tp_evaluate_limit(tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
-                       tp_direction_ball *back) {
-  bool done = find_own(result, limit, back, e);
+bool tp_evaluate_limit(const tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
+                       tp_direction_ball *back, tp_certainty *certainty) {
+  bool done = find_own(result, limit, back, e, certainty);
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
   bool matters = false;
   done = done && tp_limit_base_matters(&matters, e->problem, result->towards);
-  if (done && matters) done = find_otherwise(result, e);
+  if (done && matters) done = find_otherwise(result, e, certainty);
   result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
-  result->base_matters = differ(&result->limit, &result->limit_otherwise, e);
+  result->base_matters = differ(&result->limit, &result->limit_otherwise, e, certainty);
   return done;
 }

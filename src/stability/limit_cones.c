@@ -75,7 +75,7 @@ static long contact_point_of(filling *f, tp_outline_point at) {
 static long add_point(filling *f, tp_outline_point at, long site, long facet) {
   const long own = f->next++;
   arb_ptr x = f->cones->x + own, y = f->cones->y + own;
-  tp_evaluation_place(x, y, f->e, at);
+  tp_evaluation_point(x, y, f->e, at);
   if (f->e->loaded != NULL) tp_loaded_local_metres(x, y, f->e);
   if (f->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
   f->cones->points[own] = (tp_cone_point){site, facet, facet};

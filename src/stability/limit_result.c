@@ -10,7 +10,8 @@
 
 typedef struct telling {
   tp_limit *result;
-  tp_evaluation *e;
+  const tp_evaluation *e;
+  tp_certainty *certainty;
   const tp_limit_question *question;
   const tp_limit_answer *answer;
   tp_direction towards;
@@ -31,9 +32,8 @@ tp_mechanism tp_limit_mechanism(tp_face_motion motion) {
 /* A point of the cones' frame in metres of the scene; certain to the digits of the block's size. */
 static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const arb_t x,
                       const arb_t y) {
-  tp_evaluation *e = t->e;
-  const tp_lattice *l = &e->problem->lattice;
-  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  const tp_evaluation *e = t->e;
+  const double log2_size = tp_evaluation_log2_extent(e);
   arb_t scene_x, scene_y;
   arb_init(scene_x);
   arb_init(scene_y);
@@ -52,8 +52,8 @@ static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const 
     arb_clear(origin_x);
     arb_clear(origin_y);
   }
-  *x_m = tp_evaluation_result_within(e, scene_x, log2_size);
-  *y_m = tp_evaluation_result_within(e, scene_y, log2_size);
+  *x_m = tp_result_within(e, scene_x, log2_size, t->certainty);
+  *y_m = tp_result_within(e, scene_y, log2_size, t->certainty);
   arb_clear(scene_x);
   arb_clear(scene_y);
 }
@@ -132,8 +132,8 @@ static void set_facet(const telling *t) {
   r->has_facet = facet >= 0;
   if (!r->has_facet) return;
   const tp_facet *own = t->e->problem->contact.facets + facet;
-  tp_evaluation_place_metres(&r->facet_x0_m, &r->facet_y0_m, t->e, tp_facet_begin(own));
-  tp_evaluation_place_metres(&r->facet_x1_m, &r->facet_y1_m, t->e, tp_facet_end(own));
+  tp_result_point(&r->facet_x0_m, &r->facet_y0_m, t->e, tp_facet_begin(own), t->certainty);
+  tp_result_point(&r->facet_x1_m, &r->facet_y1_m, t->e, tp_facet_end(own), t->certainty);
 }
 
 /* Of the weight: that of the force of gravity at the tilt, whose direction may come times any
@@ -178,22 +178,23 @@ static void set_reactions(const telling *t) {
       arb_div(column.of + row, column.of + row, weight, bits);
     }
     if (t->towards == TP_TOWARDS_RIGHT) arb_neg(column.of, column.of);
-    reaction->share_x = tp_evaluation_bounded(t->e, column.of);
-    reaction->share_y = tp_evaluation_bounded(t->e, column.of + 1);
+    reaction->share_x = tp_result_of(t->e, column.of);
+    reaction->share_y = tp_result_of(t->e, column.of + 1);
     set_point(&reaction->x_m, &reaction->y_m, t, cones->x + point, cones->y + point);
   }
   tp_vector_clear(&column);
   arb_clear(weight);
 }
 
-void tp_limit_describe(tp_limit *result, tp_evaluation *e, const tp_limit_question *question,
-                       const tp_limit_answer *answer, tp_direction towards) {
-  const telling t = {result, e, question, answer, towards};
+void tp_limit_describe(tp_limit *result, const tp_evaluation *e, const tp_limit_question *question,
+                       const tp_limit_answer *answer, tp_direction towards,
+                       tp_certainty *certainty) {
+  const telling t = {result, e, certainty, question, answer, towards};
   result->kind = answer->kind;
   result->mechanism = answer->kind == TP_LIMIT_INTERLOCKED ? TP_INTERLOCKED : TP_SLIDES_AND_TOPPLES;
   if (answer->kind != TP_LIMIT_AT_ANGLE) return;
   result->mechanism = tp_limit_mechanism(answer->face.motion);
-  result->critical_angle_deg = tp_evaluation_result(e, answer->degrees);
+  result->critical_angle_deg = tp_result(e, answer->degrees, certainty);
   result->tie = answer->tie;
   const bool rational =
       question->judge.precision == ARF_PREC_EXACT && arb_is_exact(question->cones->friction);

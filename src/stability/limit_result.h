@@ -7,14 +7,14 @@
 #define TP_LIMIT_RESULT_H
 
 #include "limit/limit.h"
-#include "stability/evaluation.h"
+#include "stability/certainty.h"
 
 /* How a face moves, in the words of the field. */
 tp_mechanism tp_limit_mechanism(tp_face_motion motion);
 
 /* Fill in all but base_beyond_toe; notes in the evaluation what is not certain enough. */
-void tp_limit_describe(tp_limit *result, tp_evaluation *evaluation,
+void tp_limit_describe(tp_limit *result, const tp_evaluation *evaluation,
                        const tp_limit_question *question, const tp_limit_answer *answer,
-                       tp_direction towards);
+                       tp_direction towards, tp_certainty *certainty);
 
 #endif

@@ -6,7 +6,6 @@
 #include "clock.h"
 #include "load/zeros.h"
 #include "number/ball.h"
-#include "stability/effects.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -63,7 +62,7 @@ static double range_deg(const tp_water_description *water) {
   return level ? 90 * (1 - 0x1p-20) : 90;
 }
 
-void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
+void tp_loaded_overtops(tp_case *result, const tp_evaluation *e, tp_certainty *certainty) {
   const tp_water_description *water = &e->problem->scene->loads.water;
   const tp_lattice *l = &e->problem->lattice;
   const bool left = result->towards == TP_TOWARDS_LEFT;
@@ -91,35 +90,15 @@ void tp_loaded_overtops(tp_case *result, tp_evaluation *e) {
     arb_mul_ui(angle, angle, 180, e->rung.bits);
     arb_div(angle, angle, cosine, e->rung.bits);
   }
-  result->water_overtops_deg = tp_evaluation_result(e, angle);
+  result->water_overtops_deg = tp_result(e, angle, certainty);
   fmpq_clear(face);
   fmpq_clear(height);
   arb_clear(cosine);
   arb_clear(angle);
 }
 
-/* Each load's own time; what they share goes to the first of them. */
-static void note_loads(tp_solution *solution, const tp_loaded *loaded, double evaluated,
-                       const tp_loads_description *d, tp_effect_begin began) {
-  for (long k = 1; k < loaded->count; k++) { /* without the weight */
-    const tp_load *own = loaded->items + k;
-    const double ended = k + 1 < loaded->count ? own[1].began : evaluated;
-    tp_effects_add(solution, tp_load_name(own->kind), own->place, "", ended - own->began);
-  }
-  if (loaded->count > 1) {
-    const tp_load *first = loaded->items + 1;
-    tp_effects_note(solution, tp_load_name(first->kind), first->place, "", began);
-  }
-  if (d->bond_kpa.given) tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
-  if (d->cohesion_kpa.given) {
-    tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
-  }
-}
-
-bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towards,
-                    tp_solution *solution) {
+bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towards) {
   const tp_scene *scene = e->problem->scene;
-  const tp_effect_begin began = tp_effects_begin(solution);
   *loaded = (tp_loaded){.mirrored = towards == TP_TOWARDS_RIGHT};
   loaded->items = calloc((size_t)tp_loads_count(&scene->loads), sizeof *loaded->items);
   if (loaded->items == NULL) return false;
@@ -137,7 +116,7 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
   tp_load_setting_init(&setting, scene, loaded->mirrored, e->rung.bits);
   fill_setting(&setting, e);
   tp_loads_evaluate(loaded->items, &setting);
-  const double evaluated = tp_clock_now();
+  loaded->evaluated = tp_clock_now();
   loaded->range_deg = range_deg(&scene->loads.water);
   tp_load_setting_clear(&setting);
   for (long k = 0; k < loaded->count; k++) {
@@ -146,7 +125,6 @@ bool tp_loaded_init(tp_loaded *loaded, const tp_evaluation *e, tp_direction towa
     tp_trig_add(&loaded->sum.y, &own->wrench.y, e->rung.bits);
     tp_trig_add(&loaded->sum.moment, &own->wrench.moment, e->rung.bits);
   }
-  note_loads(solution, loaded, evaluated, &scene->loads, began);
   return true;
 }
 
@@ -217,8 +195,8 @@ void tp_loaded_moment(tp_trig *moment, const tp_loaded *loaded, const tp_evaluat
   arb_clear(held);
 }
 
-void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded, tp_evaluation *e,
-                        long k) {
+void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
+                        const tp_evaluation *e, long k, tp_certainty *certainty) {
   tp_trig moment;
   arb_t level, sine, cosine;
   tp_trig_init(&moment);
@@ -231,7 +209,7 @@ void tp_loaded_critical(arb_t degrees, tp_roots *roots, const tp_loaded *loaded,
   tp_trig_evaluate(level, &moment, sine, cosine, e->rung.bits);
   bool always = false;
   if (!tp_roots_critical(degrees, &always, roots, level)) arb_set_si(degrees, always ? -180 : 180);
-  if (!roots->certain) e->certain = false;
+  if (!roots->certain) certainty->open = true;
   tp_trig_clear(&moment);
   arb_clear(level);
   arb_clear(sine);

@@ -12,7 +12,8 @@
 /* Sums of what stabilises and what overturns, both positive. */
 typedef struct balance {
   arb_t stabilising, overturning;
-  tp_evaluation *evaluation;
+  const tp_evaluation *evaluation;
+  tp_certainty *certainty;
   tp_case *account; /* NULL: none is drawn up */
 } balance;
 
@@ -40,20 +41,19 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   if (b->account == NULL) return;
   tp_load_result *own = b->account->loads + b->account->load_count++;
   *own = (tp_load_result){.name = name, .side = side};
-  own->moment_nm = tp_evaluation_bounded(b->evaluation, moment);
+  own->moment_nm = tp_result_of(b->evaluation, moment);
   tp_place_text(own->called_for_by, sizeof own->called_for_by, place);
 }
 
 /* By the sign of the moment about the pivot; but what an active load holds back is taken from what
  * overturns. A load whose line passes through the pivot overturns nothing. */
-static tp_load_side side_of(tp_evaluation *e, const tp_load *load, const arb_t moment,
-                            const arb_t x, const arb_t y) {
-  const tp_lattice *l = &e->problem->lattice;
-  const double size = (double)l->bits + log2(fmpq_get_d(l->step_m));
-  const double arm = fmax(size, fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
+static tp_load_side side_of(const tp_evaluation *e, const tp_load *load, const arb_t moment,
+                            const arb_t x, const arb_t y, tp_certainty *certainty) {
+  const double arm =
+      fmax(tp_evaluation_log2_extent(e), fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
   if (arb_contains_zero(moment) && !arb_is_zero(moment) &&
-      !tp_evaluation_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
-    e->certain = false;
+      !tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
+    certainty->open = true;
   }
   if (arb_is_positive(moment)) return TP_OVERTURNS;
   return load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
@@ -62,7 +62,7 @@ static tp_load_side side_of(tp_evaluation *e, const tp_load *load, const arb_t m
 /* The weight by its two components, as in Eq. (2); then each load; then the bond. */
 static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t sine,
                   const arb_t cosine) {
-  tp_evaluation *e = b->evaluation;
+  const tp_evaluation *e = b->evaluation;
   const long bits = e->rung.bits;
   tp_trig about;
   arb_t x, y, moment;
@@ -76,13 +76,15 @@ static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t s
     tp_wrench_moment(&about, &own->wrench, x, y, bits);
     if (own->kind == TP_LOAD_WEIGHT) {
       arb_mul(moment, about.of + TP_COS, cosine, bits);
-      add_to(b, "weight, normal", own->place, moment, side_of(e, own, moment, x, y));
+      add_to(b, "weight, normal", own->place, moment, side_of(e, own, moment, x, y, b->certainty));
       arb_mul(moment, about.of + TP_SIN, sine, bits);
-      add_to(b, "weight, parallel", own->place, moment, side_of(e, own, moment, x, y));
+      add_to(b, "weight, parallel", own->place, moment,
+             side_of(e, own, moment, x, y, b->certainty));
       continue;
     }
     tp_trig_evaluate(moment, &about, sine, cosine, bits);
-    add_to(b, tp_load_name(own->kind), own->place, moment, side_of(e, own, moment, x, y));
+    add_to(b, tp_load_name(own->kind), own->place, moment,
+           side_of(e, own, moment, x, y, b->certainty));
   }
   if (e->problem->scene->loads.bond_kpa.given) {
     tp_loaded_bond(moment, pivot, false, loaded, e);
@@ -95,13 +97,15 @@ static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t s
   arb_clear(moment);
 }
 
-static void balance_at(balance *b, const tp_loaded *loaded, tp_evaluation *e, long pivot) {
+static void balance_at(balance *b, const tp_loaded *loaded, const tp_evaluation *e, long pivot,
+                       tp_certainty *certainty) {
   arb_t sine, cosine;
   arb_init(sine);
   arb_init(cosine);
   arb_init(b->stabilising);
   arb_init(b->overturning);
   b->evaluation = e;
+  b->certainty = certainty;
   tp_ball_sin_cos_degrees(sine, cosine, e->problem->scene->tilt_angle_deg.value, e->rung.bits);
   weigh(b, loaded, pivot, sine, cosine);
   arb_clear(sine);
@@ -113,36 +117,37 @@ static void balance_clear(balance *b) {
   arb_clear(b->overturning);
 }
 
-tp_fos_state tp_loaded_factor(arb_t factor, const tp_loaded *loaded, tp_evaluation *e, long k) {
+tp_fos_state tp_loaded_factor(arb_t factor, const tp_loaded *loaded, const tp_evaluation *e, long k,
+                              tp_certainty *certainty) {
   if (!e->problem->scene->tilt_angle_deg.given) return TP_FOS_NO_TILT;
   tp_fos_state state = TP_FOS_NO_OVERTURNING;
   balance b = {.account = NULL};
-  balance_at(&b, loaded, e, k);
+  balance_at(&b, loaded, e, k, certainty);
   if (arb_is_positive(b.overturning)) {
     arb_div(factor, b.stabilising, b.overturning, e->rung.bits);
     state = TP_FOS_NUMBER;
   } else if (!arb_is_nonpositive(b.overturning)) {
-    e->certain = false;
+    certainty->open = true;
   }
   balance_clear(&b);
   return state;
 }
 
-void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, tp_evaluation *e, long point,
-                     const arb_t degrees, const tp_roots *roots) {
+void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, const tp_evaluation *e, long point,
+                     const arb_t degrees, const tp_roots *roots, tp_certainty *certainty) {
   pivot->never = arb_equal_si(degrees, 180) != 0;
   pivot->always = arb_equal_si(degrees, -180) != 0;
   pivot->limit_count = 0;
   for (long k = 0; k < roots->count; k++) {
     if (!arb_is_positive(roots->degrees + k)) continue;
-    pivot->limits_deg[pivot->limit_count++] = tp_evaluation_result(e, roots->degrees + k);
+    pivot->limits_deg[pivot->limit_count++] = tp_result(e, roots->degrees + k, certainty);
   }
   pivot->fos_elements = (tp_fos){.state = TP_FOS_NOT_ASKED};
   arb_t factor;
   arb_init(factor);
-  pivot->fos_resultant = (tp_fos){.state = tp_loaded_factor(factor, loaded, e, point)};
+  pivot->fos_resultant = (tp_fos){.state = tp_loaded_factor(factor, loaded, e, point, certainty)};
   if (pivot->fos_resultant.state == TP_FOS_NUMBER) {
-    pivot->fos_resultant.value = tp_evaluation_result(e, factor);
+    pivot->fos_resultant.value = tp_result(e, factor, certainty);
   }
   arb_clear(factor);
 }
@@ -151,11 +156,12 @@ long tp_loaded_account_count(const tp_scene *scene) {
   return tp_loads_count(&scene->loads) + 2; /* the weight twice, and the bond */
 }
 
-void tp_loaded_account(tp_case *result, const tp_loaded *loaded, tp_evaluation *e) {
+void tp_loaded_account(tp_case *result, const tp_loaded *loaded, const tp_evaluation *e,
+                       tp_certainty *certainty) {
   result->load_count = 0;
   if (!result->has_governing || !e->problem->scene->tilt_angle_deg.given) return;
   balance b = {.account = result};
-  balance_at(&b, loaded, e, (long)result->governing);
+  balance_at(&b, loaded, e, (long)result->governing, certainty);
   balance_clear(&b);
 }
 
@@ -179,8 +185,8 @@ static void moment_back(arb_t value, const tp_loaded *loaded, const tp_evaluatio
   arb_clear(held);
 }
 
-bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluation *e,
-                               const bool *admissible) {
+bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, const tp_evaluation *e,
+                               const bool *admissible, tp_certainty *certainty) {
   const tp_problem *problem = e->problem;
   arb_t sine, cosine, value;
   arb_init(sine);
@@ -195,7 +201,7 @@ bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, tp_evaluatio
     if (!falls && !arb_is_positive(value)) balances = true;
   }
   *open = balances && !falls;
-  if (*open && !tp_evaluation_is_last_rung(e)) e->certain = false;
+  if (*open) tp_certainty_leave_open(certainty, e);
   arb_clear(sine);
   arb_clear(cosine);
   arb_clear(value);

@@ -76,8 +76,8 @@ static void ends_init(ends *own, const tp_facet *f, const tp_evaluation *e, cons
     arb_init(own->q1 + axis);
     arb_init(own->t + axis);
   }
-  tp_evaluation_place(own->q0, own->q0 + 1, e, first);
-  tp_evaluation_place(own->q1, own->q1 + 1, e, last);
+  tp_evaluation_point(own->q0, own->q0 + 1, e, first);
+  tp_evaluation_point(own->q1, own->q1 + 1, e, last);
   for (int axis = 0; axis < 2; axis++) {
     arb_sub(own->t + axis, own->q1 + axis, own->q0 + axis, own->bits);
     arb_sub(own->q0 + axis, own->q0 + axis, bond->origin + axis, own->bits);
@@ -133,7 +133,7 @@ tp_bond *tp_bond_new(const tp_evaluation *e) {
   }
   const tp_outline_point first = tp_contact_place(contact->points);
   for (int axis = 0; axis < 2; axis++) arb_init(bond->origin + axis);
-  tp_evaluation_place(bond->origin, bond->origin + 1, e, first);
+  tp_evaluation_point(bond->origin, bond->origin + 1, e, first);
   for (int axis = 0; axis < 2; axis++) arb_get_mid_arb(bond->origin + axis, bond->origin + axis);
   for (long k = 0; k < 2 * bond->leaves; k++) run_init(bond->runs + k);
   for (long k = 0; k < contact->facet_count; k++) {
@@ -271,7 +271,7 @@ void tp_bond_moment(arb_t moment, const tp_bond *bond, const tp_evaluation *e, l
              .sum = moment};
   arb_zero(moment);
   for (int axis = 0; axis < 2; axis++) arb_init(w.p + axis);
-  tp_evaluation_place(w.p, w.p + 1, e, w.pivot);
+  tp_evaluation_point(w.p, w.p + 1, e, w.pivot);
   for (int axis = 0; axis < 2; axis++) {
     arb_sub(w.p + axis, w.p + axis, bond->origin + axis, exact_bits(w.pivot.cut == NULL, e));
     w.p_low[axis] = bound_below(w.p + axis);

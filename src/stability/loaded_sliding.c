@@ -42,7 +42,8 @@ static double log2_scale(const tp_loaded *loaded, const tp_facet_frame *f) {
 
 /* What resists over what drives, at the scene's tilt: the pull of a passive anchor that holds back
  * counts as resistance. */
-static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const tp_facet_frame *f) {
+static tp_fos factor(const tp_loaded *loaded, const tp_evaluation *e, const tp_facet_frame *f,
+                     tp_certainty *certainty) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   const long bits = e->rung.bits;
   if (!tilt->given) return (tp_fos){.state = TP_FOS_NO_TILT};
@@ -81,10 +82,9 @@ static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const tp_facet_f
   if (arb_is_positive(driving)) {
     fos.state = TP_FOS_NUMBER;
     arb_div(value, resisting, driving, bits);
-    fos.value = tp_evaluation_result(e, value);
-  } else if (!arb_is_nonpositive(driving) &&
-             !tp_evaluation_is_zero_width(e, driving, log2_scale(loaded, f))) {
-    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+    fos.value = tp_result(e, value, certainty);
+  } else if (!arb_is_nonpositive(driving) && !tp_is_zero_width(e, driving, log2_scale(loaded, f))) {
+    tp_certainty_leave_open(certainty, e);
     fos.state = TP_FOS_UNDECIDED;
   }
   arb_clear(sine);
@@ -95,8 +95,9 @@ static tp_fos factor(const tp_loaded *loaded, tp_evaluation *e, const tp_facet_f
   return fos;
 }
 
-bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_evaluation *e,
-                       const fmpz_t run, const fmpz_t rise, const arb_t friction) {
+bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, const tp_evaluation *e,
+                       const fmpz_t run, const fmpz_t rise, const arb_t friction,
+                       tp_certainty *certainty) {
   const long bits = e->rung.bits;
   tp_facet_frame f;
   tp_trig excess;
@@ -115,14 +116,14 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, tp_e
   bool always = false;
   const bool found = tp_roots_critical(degrees, &always, &roots, level);
   if (!found && always) arb_set_si(degrees, -180);
-  if (!roots.certain) e->certain = false;
+  if (!roots.certain) certainty->open = true;
   arb_t present;
   arb_init(present);
   arb_set_fmpq(present, e->problem->scene->tilt_angle_deg.value, bits);
   tp_friction_at(present, e, present);
   tp_friction_tangent(f.friction, present, bits);
   arb_clear(present);
-  *fos = factor(loaded, e, &f);
+  *fos = factor(loaded, e, &f, certainty);
   tp_facet_frame_clear(&f);
   tp_trig_clear(&excess);
   tp_roots_clear(&roots);

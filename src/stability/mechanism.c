@@ -6,28 +6,31 @@
 #include "stability/loaded.h"
 #include "stability/onset.h"
 #include "stability/onset_question.h"
+#include "stability/stages.h"
 
 #include "base/facets.h"
 #include "number/ball.h"
 
 /* Sign of the angle minus 90 degrees. */
-static int against_upright(tp_evaluation *e, const tp_direction_ball *angle) {
+static int against_upright(const tp_evaluation *e, const tp_direction_ball *angle,
+                           tp_certainty *certainty) {
   tp_direction_ball upright;
   tp_direction_ball_init(&upright);
   arb_one(upright.sine);
   arb_set_ui(upright.degrees, 90);
   upright.exact_direction = true;
-  const int side = tp_evaluation_compare(e, angle, &upright);
+  const int side = tp_direction_ball_order(e, angle, &upright, certainty).sign;
   tp_direction_ball_clear(&upright);
   return side;
 }
 
 /* By the formulas of moments and of sliding, where no friction is given or its limit is no angle.
  */
-static const tp_direction_ball *first_by_formula(tp_evaluation *e, tp_case *result,
+static const tp_direction_ball *first_by_formula(const tp_evaluation *e, tp_case *result,
                                                  const tp_direction_ball *toppling,
-                                                 const tp_direction_ball *sliding) {
-  const bool topples = result->has_governing && against_upright(e, toppling) < 0;
+                                                 const tp_direction_ball *sliding,
+                                                 tp_certainty *certainty) {
+  const bool topples = result->has_governing && against_upright(e, toppling, certainty) < 0;
   const bool slides = result->sliding.known && !result->sliding.never;
   const bool topples_always = topples && result->pivots[result->governing].always;
   const bool slides_always = slides && result->sliding.always;
@@ -38,7 +41,7 @@ static const tp_direction_ball *first_by_formula(tp_evaluation *e, tp_case *resu
     return NULL;
   }
   if (topples && slides) {
-    const int side = tp_evaluation_compare(e, toppling, sliding);
+    const int side = tp_direction_ball_order(e, toppling, sliding, certainty).sign;
     result->first = side < 0 ? TP_TOPPLES : side > 0 ? TP_SLIDES : TP_SLIDES_AND_TOPPLES;
     return side > 0 ? sliding : toppling;
   }
@@ -69,7 +72,7 @@ static bool is_free_to_slip(const tp_problem *problem) {
 /* Contact forces let a bond pull in one place and press in another, which counts as friction of
  * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
  * is more than the scene gives it: then it slides where the forces along the facet say so. */
-static bool slides_sooner(tp_evaluation *e, const tp_case *result) {
+static bool slides_sooner(const tp_evaluation *e, const tp_case *result, tp_certainty *certainty) {
   const tp_sliding *s = &result->sliding;
   if (fmpq_is_zero(e->problem->scene->loads.bond_kpa.value) || !s->known || s->never ||
       !is_free_to_slip(e->problem)) {
@@ -77,8 +80,8 @@ static bool slides_sooner(tp_evaluation *e, const tp_case *result) {
   }
   if (result->limit.kind == TP_LIMIT_INTERLOCKED) return true;
   if (result->limit.kind != TP_LIMIT_AT_ANGLE) return false;
-  return s->always || tp_evaluation_is_above(e, result->limit.critical_angle_deg,
-                                             s->critical_angle_deg); /* of a tie the limit tells */
+  return s->always || tp_result_is_above(e, result->limit.critical_angle_deg, s->critical_angle_deg,
+                                         certainty); /* of a tie the limit tells */
 }
 
 /* Does any contact restrain it? A corner on a corner does not. */
@@ -113,24 +116,23 @@ static const tp_direction_ball *first_of_interlocked(tp_case *result,
 }
 
 /* By statics. */
-static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
-                                           const tp_direction_ball *toppling,
-                                           const tp_direction_ball *sliding,
-                                           const tp_direction_ball *limit,
-                                           const tp_direction_ball *onset) {
-  result->slides_sooner = slides_sooner(e, result);
+static const tp_direction_ball *find_first(const tp_evaluation *e, tp_case *result,
+                                           const tp_statics *statics,
+                                           const tp_direction_ball *onset,
+                                           tp_certainty *certainty) {
+  result->slides_sooner = slides_sooner(e, result, certainty);
   if (result->slides_sooner && !result->sliding.always && result->onset.kind == TP_ONSET_AT_ANGLE) {
-    result->onset.below_limit = tp_evaluation_is_above(e, result->sliding.critical_angle_deg,
-                                                       result->onset.critical_angle_deg);
+    result->onset.below_limit = tp_result_is_above(e, result->sliding.critical_angle_deg,
+                                                   result->onset.critical_angle_deg, certainty);
   }
   if (result->slides_sooner) {
     result->first = TP_SLIDES;
-    return result->sliding.always ? NULL : sliding;
+    return result->sliding.always ? NULL : statics->sliding;
   }
   switch (result->limit.kind) {
   case TP_LIMIT_AT_ANGLE:
     result->first = result->limit.tie ? TP_SLIDES_AND_TOPPLES : result->limit.mechanism;
-    return limit;
+    return statics->limit;
   case TP_LIMIT_INTERLOCKED:
     return first_of_interlocked(result, onset);
   case TP_LIMIT_NOWHERE:
@@ -142,23 +144,24 @@ static const tp_direction_ball *find_first(tp_evaluation *e, tp_case *result,
   case TP_LIMIT_NOT_ASKED:
     break;
   }
-  return first_by_formula(e, result, toppling, sliding);
+  return first_by_formula(e, result, statics->toppling, statics->sliding, certainty);
 }
 
 /* Is the tilt below zero, turned back, beyond this angle? */
-static bool lies_before(tp_evaluation *e, const arb_t tilt, const arb_t back) {
+static bool lies_before(const tp_evaluation *e, const arb_t tilt, const arb_t back,
+                        tp_certainty *certainty) {
   arb_t sum;
   arb_init(sum);
   arb_add(sum, back, tilt, e->rung.bits);
   const bool before = arb_is_negative(sum) != 0;
-  if (!before && !arb_is_nonnegative(sum)) e->certain = false;
+  if (!before && !arb_is_nonnegative(sum)) certainty->open = true;
   arb_clear(sum);
   return before;
 }
 
 /* By contact forces. From which tilt they hold it may be open. */
-static void judge_up_dip(tp_evaluation *e, tp_case *result, const tp_direction_ball *back,
-                         const arb_t tilt) {
+static void judge_up_dip(const tp_evaluation *e, tp_case *result, const tp_direction_ball *back,
+                         const arb_t tilt, tp_certainty *certainty) {
   const tp_limit *l = &result->limit_back;
   if (l->kind == TP_LIMIT_UNDECIDED) {
     result->mechanism = TP_MECHANISM_UNDECIDED;
@@ -166,23 +169,22 @@ static void judge_up_dip(tp_evaluation *e, tp_case *result, const tp_direction_b
     result->limit.fos = (tp_fos){.state = TP_FOS_UNDECIDED};
     return;
   }
-  result->falls_backwards = l->kind == TP_LIMIT_AT_ANGLE && lies_before(e, tilt, back->degrees);
+  result->falls_backwards =
+      l->kind == TP_LIMIT_AT_ANGLE && lies_before(e, tilt, back->degrees, certainty);
   if (result->falls_backwards) result->mechanism = l->tie ? TP_SLIDES_AND_TOPPLES : l->mechanism;
 }
 
 /* By moments: is the centroid past the up-dip end of the contact? Under loads the last rung may
  * leave it open. */
-static bool topples_up_dip(bool *open, tp_evaluation *e, tp_direction towards, const arb_t tilt) {
+static bool topples_up_dip(bool *open, const tp_evaluation *e, tp_direction towards,
+                           const arb_t tilt, tp_certainty *certainty) {
   const tp_direction other = towards == TP_TOWARDS_LEFT ? TP_TOWARDS_RIGHT : TP_TOWARDS_LEFT;
   if (e->loaded != NULL)
-    return tp_loaded_falls_backwards(open, e->loaded, e, e->problem->admissible[other]);
+    return tp_loaded_falls_backwards(open, e->loaded, e, e->problem->admissible[other], certainty);
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
-  size_t pivot = 0;
-  bool tie = false, falls = false;
-  if (tp_evaluate_toppling(e, other, &angle, &pivot, &tie)) {
-    falls = lies_before(e, tilt, angle.degrees);
-  }
+  const bool falls = tp_evaluate_toppling(e, other, &angle, certainty).found &&
+                     lies_before(e, tilt, angle.degrees, certainty);
   tp_direction_ball_clear(&angle);
   return falls;
 }
@@ -202,8 +204,8 @@ static void set_margin(arb_t margin, const tp_evaluation *e, const tp_direction_
 
 /* To the first tilt from which it is not certain to stand: the onset, where that lies below what
  * happens first, or nothing happens for certain. */
-static void judge_margin(tp_evaluation *e, tp_case *result, const tp_direction_ball *first,
-                         const tp_direction_ball *onset) {
+static void judge_margin(const tp_evaluation *e, tp_case *result, const tp_direction_ball *first,
+                         const tp_direction_ball *onset, tp_certainty *certainty) {
   const tp_onset_kind kind = result->onset.kind;
   result->has_margin = result->has_margin_to_first;
   result->margin_deg = result->margin_to_first_deg;
@@ -214,13 +216,14 @@ static void judge_margin(tp_evaluation *e, tp_case *result, const tp_direction_b
   arb_init(margin);
   set_margin(margin, e, onset);
   result->has_margin = true;
-  result->margin_deg = tp_evaluation_result(e, margin);
+  result->margin_deg = tp_result(e, margin, certainty);
   arb_clear(margin);
 }
 
 /* Where forces would hold it: certain to stand only if no motion can begin. Without a tilt `first`
  * says it all. */
-static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found *onset) {
+static void judge_onset(const tp_evaluation *e, tp_case *result, const tp_onset_found *onset,
+                        tp_certainty *certainty) {
   tp_mechanism *m = &result->mechanism;
   const bool holds = *m == TP_STANDS || *m == TP_INTERLOCKED || *m == TP_MAY_MOVE;
   if (!holds || result->onset.kind == TP_ONSET_NOT_ASKED ||
@@ -231,7 +234,7 @@ static void judge_onset(tp_evaluation *e, tp_case *result, const tp_onset_found 
   if (onset->at_tilt == TP_OPEN) {
     *m = TP_MECHANISM_UNDECIDED;
     const bool told = result->onset.kind != TP_ONSET_UNDECIDED; /* else that is noted */
-    if (told && !tp_evaluation_is_last_rung(e)) e->certain = false;
+    if (told) tp_certainty_leave_open(certainty, e);
   }
   if (onset->at_tilt == TP_NO && *m == TP_MAY_MOVE) *m = TP_STANDS;
 }
@@ -253,13 +256,13 @@ static void judge_beginning(const tp_evaluation *e, tp_case *result) {
   result->mechanism = onset->beginnings[0];
 }
 
-void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
-                           const tp_direction_ball *sliding, const tp_statics *statics) {
+void tp_evaluate_mechanism(const tp_evaluation *e, tp_case *result, const tp_statics *statics,
+                           tp_certainty *certainty) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   tp_direction_ball onset;
   tp_direction_ball_init(&onset);
   arb_set(onset.degrees, statics->onset->degrees);
-  const tp_direction_ball *first = find_first(e, result, toppling, sliding, statics->limit, &onset);
+  const tp_direction_ball *first = find_first(e, result, statics, &onset, certainty);
   arb_t angle, margin;
   arb_init(angle);
   arb_init(margin);
@@ -268,27 +271,27 @@ void tp_evaluate_mechanism(tp_evaluation *e, tp_case *result, const tp_direction
   result->falls_backwards = false; /* whatever a lower rung took it for */
   result->has_margin_to_first = first != NULL && tilt->given;
   result->has_first_angle = first != NULL;
-  if (first != NULL) result->first_angle_deg = tp_evaluation_result(e, first->degrees);
+  if (first != NULL) result->first_angle_deg = tp_result(e, first->degrees, certainty);
   if (result->has_margin_to_first) {
     set_margin(margin, e, first);
     if (arb_is_positive(margin)) {
       result->mechanism = TP_STANDS;
     } else if (!arb_is_nonpositive(margin)) {
-      if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+      tp_certainty_leave_open(certainty, e);
       result->mechanism = TP_MECHANISM_UNDECIDED;
     }
-    result->margin_to_first_deg = tp_evaluation_result(e, margin);
+    result->margin_to_first_deg = tp_result(e, margin, certainty);
   }
-  judge_margin(e, result, first, &onset);
+  judge_margin(e, result, first, &onset, certainty);
   if (result->limit.kind == TP_LIMIT_AT_ANGLE || result->limit.kind == TP_LIMIT_INTERLOCKED) {
-    judge_up_dip(e, result, statics->back, angle);
+    judge_up_dip(e, result, statics->back, angle, certainty);
   } else if (result->limit.kind != TP_LIMIT_NOWHERE) { /* there is no way up-dip alone */
     bool open = false;
-    result->falls_backwards = topples_up_dip(&open, e, result->towards, angle);
+    result->falls_backwards = topples_up_dip(&open, e, result->towards, angle, certainty);
     if (result->falls_backwards) result->mechanism = TP_TOPPLES;
     if (open) result->mechanism = TP_MECHANISM_UNDECIDED;
   }
-  judge_onset(e, result, statics->onset);
+  judge_onset(e, result, statics->onset, certainty);
   judge_beginning(e, result);
   /* more friction would hold what slips up-dip, but that is not what the factor is about */
   if (result->falls_backwards) result->limit.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};

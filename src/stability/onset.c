@@ -45,7 +45,8 @@ void tp_onset_clear(tp_onset *onset) {
 
 /* One case at work. */
 typedef struct asking {
-  tp_evaluation *e;
+  const tp_evaluation *e;
+  tp_certainty *certainty;
   tp_case *result;
   tp_onset_found *found;
   tp_onset_asked asked;
@@ -121,13 +122,14 @@ static void find_onset(asking *a) {
     tp_friction_at(friction, a->e, tilt);
     (void)onset_of(tilt, a, friction, false);
   }
-  onset->friction_angle_deg = tp_evaluation_bounded(a->e, friction);
+  onset->friction_angle_deg = tp_result_of(a->e, friction);
   arb_clear(friction);
   arb_clear(tilt);
 }
 
 static void tell_onset(asking *a) {
-  const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
+  const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
+                              &a->motions, &a->windows};
   const long first = tp_onset_first_window(&a->windows, &a->judge);
   if (first >= 0) arb_set(a->found->degrees, a->windows.items[first].from.degrees);
   if (!tp_onset_describe(&t, first)) a->outcome = TP_MOTION_OUT_OF_MEMORY;
@@ -135,25 +137,27 @@ static void tell_onset(asking *a) {
 
 /* Where they stay open, or are too dear, the rest is told without them. */
 static void set_motions(asking *a, const arb_t tilt) {
-  const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
+  const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
+                              &a->motions, &a->windows};
   const tp_motion_outcome outcome = tp_onset_motions(&t, tilt);
   const bool missing = a->found->at_tilt == TP_YES && a->result->onset.motion_count == 0 &&
                        tp_onset_has_strength(a->e); /* a slide that a bond cannot balance */
   if (outcome == TP_MOTION_PROVEN && !missing) return;
   clear_motions(&a->result->onset);
   if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
-  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->e->certain = false;
+  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
 }
 
 /* Likewise which motions can begin at every tilt, where that was asked for. */
 static void set_ranges(asking *a) {
   if (!a->e->tells_ranges) return;
-  const tp_onset_telling t = {a->e, a->result, &a->asked.question, &a->motions, &a->windows};
+  const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
+                              &a->motions, &a->windows};
   const tp_motion_outcome outcome = tp_onset_ranges(&t);
   if (outcome == TP_MOTION_PROVEN) return;
   clear_ranges(&a->result->onset);
   if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
-  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->e->certain = false;
+  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
 }
 
 /* Can a motion begin at the scene's tilt, with the friction there, and which? */
@@ -186,12 +190,13 @@ static void leave_open(asking *a) {
                       .friction_angle_deg = onset->friction_angle_deg,
                       .too_dear = a->outcome == TP_MOTION_TOO_DEAR};
   a->found->at_tilt = TP_OPEN;
-  if (!onset->too_dear && !tp_evaluation_is_last_rung(a->e)) a->e->certain = false;
+  if (!onset->too_dear) tp_certainty_leave_open(a->certainty, a->e);
 }
 
-bool tp_evaluate_onset(tp_evaluation *e, tp_case *result, tp_onset_found *found) {
+bool tp_evaluate_onset(const tp_evaluation *e, tp_case *result, tp_onset_found *found,
+                       tp_certainty *certainty) {
   tp_onset_clear(&result->onset);
-  asking a = {.e = e, .result = result, .found = found};
+  asking a = {.e = e, .certainty = certainty, .result = result, .found = found};
   if (!tp_onset_asked_init(&a.asked, e, result->towards)) return false;
   found->at_tilt = TP_NO;
   tp_work_begin(e->work, tp_cones_column_count(&a.asked.cones));

@@ -8,7 +8,7 @@
 #define TP_STABILITY_ONSET_H
 
 #include "number/judge.h"
-#include "stability/evaluation.h"
+#include "stability/direction_ball.h"
 
 /* What the verdict takes from it. */
 typedef struct tp_onset_found {
@@ -19,14 +19,13 @@ typedef struct tp_onset_found {
 void tp_onset_found_init(tp_onset_found *found);
 void tp_onset_found_clear(tp_onset_found *found);
 
-/* Fills in the onset of the case, and notes in the evaluation what is not
- * certain. False when memory is exhausted. */
-TP_MUST_USE bool tp_evaluate_onset(tp_evaluation *evaluation, tp_case *result,
-                                   tp_onset_found *found);
+/* Fills in the onset of the case. False when memory is exhausted. */
+TP_MUST_USE bool tp_evaluate_onset(const tp_evaluation *evaluation, tp_case *result,
+                                   tp_onset_found *found, tp_certainty *certainty);
 void tp_onset_clear(tp_onset *onset);
 
 /* Where the onset lies beside the limit, once both are certain; it never lies above it. */
-void tp_onset_meet_limit(tp_case *result, tp_evaluation *evaluation, tp_onset_found *found,
-                         const tp_direction_ball *limit);
+void tp_onset_meet_limit(tp_case *result, const tp_evaluation *evaluation, tp_onset_found *found,
+                         const tp_direction_ball *limit, tp_certainty *certainty);
 
 #endif

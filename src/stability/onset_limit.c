@@ -39,8 +39,8 @@ static void begin_at_limit(tp_onset *onset, const tp_limit *limit) {
 
 /* Under cohesion, modes alone may leave a gap beyond the static limit: what opens loses it at once,
  * and so does not resist as the limit lets it. */
-void tp_onset_meet_limit(tp_case *result, tp_evaluation *e, tp_onset_found *found,
-                         const tp_direction_ball *at) {
+void tp_onset_meet_limit(tp_case *result, const tp_evaluation *e, tp_onset_found *found,
+                         const tp_direction_ball *at, tp_certainty *certainty) {
   tp_onset *onset = &result->onset;
   const tp_limit *limit = &result->limit;
   const bool angle = limit->kind == TP_LIMIT_AT_ANGLE, nowhere = limit->kind == TP_LIMIT_NOWHERE;
@@ -54,5 +54,5 @@ void tp_onset_meet_limit(tp_case *result, tp_evaluation *e, tp_onset_found *foun
     arb_set(found->degrees, at->degrees);
   }
   onset->below_limit = at_angle && (limit->kind == TP_LIMIT_INTERLOCKED ||
-                                    (angle && tp_evaluation_is_above(e, *b, *a)));
+                                    (angle && tp_result_is_above(e, *b, *a, certainty)));
 }

@@ -46,16 +46,16 @@ static void set_components(tp_bounded *x, tp_bounded *y, const tp_onset_telling 
   arb_init(own);
   arb_set(own, of->of);
   if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(own, own);
-  *x = tp_evaluation_result_within(t->e, own, 0);
-  *y = tp_evaluation_result_within(t->e, of->of + 1, 0);
+  *x = tp_result_within(t->e, own, 0, t->certainty);
+  *y = tp_result_within(t->e, of->of + 1, 0, t->certainty);
   arb_clear(own);
 }
 
 /* What turns, over or times the question's unit of length, to metres and the scene's sense. */
 static tp_bounded turning(const tp_onset_telling *t, const arb_t of, bool over_length) {
-  tp_evaluation *e = t->e;
+  const tp_evaluation *e = t->e;
   const tp_lattice *l = &e->problem->lattice;
-  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  const double log2_size = tp_evaluation_log2_extent(e);
   arb_t own, unit;
   arb_init(own);
   arb_init(unit);
@@ -69,7 +69,7 @@ static tp_bounded turning(const tp_onset_telling *t, const arb_t of, bool over_l
   }
   if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(own, own);
   const tp_bounded result =
-      tp_evaluation_result_within(e, own, over_length ? -log2_size : log2_size);
+      tp_result_within(e, own, over_length ? -log2_size : log2_size, t->certainty);
   arb_clear(own);
   arb_clear(unit);
   return result;
@@ -141,8 +141,8 @@ static void set_share(tp_motion_contact *own, const telling *m, long point) {
     }
   }
   if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(sum.of, sum.of);
-  own->share_x = tp_evaluation_result_within(t->e, sum.of, 0);
-  own->share_y = tp_evaluation_result_within(t->e, sum.of + 1, 0);
+  own->share_x = tp_result_within(t->e, sum.of, 0, t->certainty);
+  own->share_y = tp_result_within(t->e, sum.of + 1, 0, t->certainty);
   tp_vector_clear(&edge);
   tp_vector_clear(&sum);
 }

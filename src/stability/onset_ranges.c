@@ -91,7 +91,7 @@ static void collect(unsigned *motions, const ranging *r) {
 static tp_bounded tilt_of(const ranging *r, long class_number) {
   long k = 0;
   while (r->ends[k].class_number != class_number) k++;
-  return tp_evaluation_result(r->t->e, r->ends[k].tilt->degrees);
+  return tp_result(r->t->e, r->ends[k].tilt->degrees, r->t->certainty);
 }
 
 static void tell(tp_onset *onset, const ranging *r, const unsigned *motions) {

@@ -26,9 +26,8 @@ long tp_onset_first_window(const tp_motion_windows *windows, const tp_judge *jud
 
 void tp_onset_centre(tp_bounded *x_m, tp_bounded *y_m, const tp_onset_telling *t,
                      const tp_vector *twist) {
-  tp_evaluation *e = t->e;
-  const tp_lattice *l = &e->problem->lattice;
-  const double log2_size = (double)l->bits + log2(fmpq_get_d(l->step_m));
+  const tp_evaluation *e = t->e;
+  const double log2_size = tp_evaluation_log2_extent(e);
   arb_t x, y;
   arb_init(x);
   arb_init(y);
@@ -37,8 +36,8 @@ void tp_onset_centre(tp_bounded *x_m, tp_bounded *y_m, const tp_onset_telling *t
   arb_div(y, twist->of, twist->of + 2, e->rung.bits);
   if (t->result->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
   tp_loaded_metres(x, y, e);
-  *x_m = tp_evaluation_result_within(e, x, log2_size);
-  *y_m = tp_evaluation_result_within(e, y, log2_size);
+  *x_m = tp_result_within(e, x, log2_size, t->certainty);
+  *y_m = tp_result_within(e, y, log2_size, t->certainty);
   arb_clear(x);
   arb_clear(y);
 }
@@ -55,8 +54,8 @@ static bool set_windows(const tp_onset_telling *t) {
     own->from_below = from->from.endless;
     own->to_above = from->to.endless;
     own->begins = from->mechanism;
-    if (!own->from_below) own->from_deg = tp_evaluation_result(t->e, from->from.degrees);
-    if (!own->to_above) own->to_deg = tp_evaluation_result(t->e, from->to.degrees);
+    if (!own->from_below) own->from_deg = tp_result(t->e, from->from.degrees, t->certainty);
+    if (!own->to_above) own->to_deg = tp_result(t->e, from->to.degrees, t->certainty);
   }
   return true;
 }
@@ -69,7 +68,7 @@ static void set_first(const tp_onset_telling *t, const tp_motion_window *w) {
   onset->tie_bits = w->tie && !w->tie_exact ? t->question->judge.bits : 0;
   onset->kind = w->from.endless ? TP_ONSET_NOWHERE : TP_ONSET_AT_ANGLE;
   if (w->from.endless) return;
-  onset->critical_angle_deg = tp_evaluation_result(t->e, w->from.degrees);
+  onset->critical_angle_deg = tp_result(t->e, w->from.degrees, t->certainty);
   onset->has_centre = w->has_ray && t->motions->twists.rays[w->ray].axis < 0;
   if (onset->has_centre) {
     tp_onset_centre(&onset->centre_x_m, &onset->centre_y_m, t,

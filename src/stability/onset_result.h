@@ -7,11 +7,12 @@
 #define TP_ONSET_RESULT_H
 
 #include "motion/windows.h"
-#include "stability/evaluation.h"
+#include "stability/certainty.h"
 
 /* What a result is made from. */
 typedef struct tp_onset_telling {
-  tp_evaluation *e;
+  const tp_evaluation *e;
+  tp_certainty *certainty;
   tp_case *result;
   const tp_motion_question *question;
   const tp_motions *motions;

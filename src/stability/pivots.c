@@ -6,24 +6,27 @@
  */
 
 #include "stability/loaded.h"
+#include "stability/stages.h"
 
 #include "number/ball.h"
 
 /* The critical angle under loads, with its direction for what compares angles by it. */
-static void loaded_angle(tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots) {
-  tp_loaded_critical(angle->degrees, roots, e->loaded, e, k);
+static void loaded_angle(const tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots,
+                         tp_certainty *certainty) {
+  tp_loaded_critical(angle->degrees, roots, e->loaded, e, k, certainty);
   tp_ball_sin_cos(angle->sine, angle->cosine, angle->degrees, e->rung.bits);
   angle->exact_direction = false;
 }
 
 /* Lever arms of the weight about the k-th contact point, times 3 A2 > 0: the direction of the
  * critical angle, atan2(x arm, y arm). Towards the right x is mirrored. */
-void tp_evaluate_turning(tp_evaluation *e, tp_direction towards, long k, tp_direction_ball *angle) {
+void tp_evaluate_turning(const tp_evaluation *e, tp_direction towards, long k,
+                         tp_direction_ball *angle, tp_certainty *certainty) {
   const long exact = tp_evaluation_bits(e);
   if (e->loaded != NULL) {
     tp_roots roots;
     tp_roots_init(&roots);
-    loaded_angle(e, k, angle, &roots);
+    loaded_angle(e, k, angle, &roots, certainty);
     tp_roots_clear(&roots);
     return;
   }
@@ -53,7 +56,8 @@ typedef struct tilt {
 
 /* x arm cot(alpha) / y arm, Eq. (2). Nothing overturns where the centroid is not above the pivot,
  * or on level ground; a weight past the pivot has no factor then. */
-static tp_fos resultant_form(tp_evaluation *e, const tp_direction_ball *angle, const tilt *t) {
+static tp_fos resultant_form(const tp_evaluation *e, const tp_direction_ball *angle, const tilt *t,
+                             tp_certainty *certainty) {
   if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (arb_is_zero(t->sine) || arb_is_nonpositive(angle->cosine)) {
     const bool past = arb_is_negative(angle->sine);
@@ -66,7 +70,7 @@ static tp_fos resultant_form(tp_evaluation *e, const tp_direction_ball *angle, c
   arb_mul(value, angle->sine, t->cosine, e->rung.bits);
   arb_mul(divisor, angle->cosine, t->sine, e->rung.bits);
   arb_div(value, value, divisor, e->rung.bits);
-  fos.value = tp_evaluation_result(e, value);
+  fos.value = tp_result(e, value, certainty);
   arb_clear(value);
   arb_clear(divisor);
   return fos;
@@ -82,7 +86,8 @@ static void combine(arb_t sum, const fmpz_t normal, const fmpz_t parallel, const
 /* Each element's components with the stabilising or the overturning moments by their own sign,
  * (A1.3): the normal component W cos(alpha) stabilises beyond the pivot, the parallel one
  * W sin(alpha) overturns above it. */
-static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, const tilt *t) {
+static tp_fos elements_form(const tp_evaluation *e, tp_direction towards, long point, const tilt *t,
+                            tp_certainty *certainty) {
   const tp_problem *problem = e->problem;
   if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (!problem->has_elements) return (tp_fos){.state = TP_FOS_NOT_ASKED};
@@ -101,7 +106,7 @@ static tp_fos elements_form(tp_evaluation *e, tp_direction towards, long point, 
   if (!arb_is_zero(overturning)) {
     fos.state = TP_FOS_NUMBER;
     arb_div(stabilising, stabilising, overturning, e->rung.bits);
-    fos.value = tp_evaluation_result(e, stabilising);
+    fos.value = tp_result(e, stabilising, certainty);
   }
   for (int k = 0; k < 4; k++) fmpz_clear(m + k);
   arb_clear(stabilising);
@@ -116,19 +121,19 @@ static int rank(tp_fos_state state) {
 
 /* At the scene's tilt, of two contact points about which it lets go at the same angle, or at none.
  * By the weight alone they have the same factor. */
-static bool is_less_safe(tp_evaluation *e, long k, long than) {
+static bool is_less_safe(const tp_evaluation *e, long k, long than, tp_certainty *certainty) {
   if (e->loaded == NULL || !e->problem->scene->tilt_angle_deg.given) return false;
   arb_t own, other;
   arb_init(own);
   arb_init(other);
-  const tp_fos_state state = tp_loaded_factor(own, e->loaded, e, k);
-  const tp_fos_state held = tp_loaded_factor(other, e->loaded, e, than);
+  const tp_fos_state state = tp_loaded_factor(own, e->loaded, e, k, certainty);
+  const tp_fos_state held = tp_loaded_factor(other, e->loaded, e, than, certainty);
   bool less = rank(state) < rank(held);
   if (state == TP_FOS_NUMBER && held == TP_FOS_NUMBER) {
     less = arb_lt(own, other);
     const bool open = arb_overlaps(own, other) && !(arb_is_exact(own) && arb_is_exact(other));
-    if (open && !(tp_evaluation_is_settled(e, own) && tp_evaluation_is_settled(e, other))) {
-      e->certain = false;
+    if (open && !(tp_is_settled(e, own) && tp_is_settled(e, other))) {
+      certainty->open = true;
     }
   }
   arb_clear(own);
@@ -142,81 +147,85 @@ static bool has_angle(const tp_evaluation *e, const tp_direction_ball *angle) {
          !(arb_equal_si(angle->degrees, 180) || arb_equal_si(angle->degrees, -180));
 }
 
-bool tp_evaluate_toppling(tp_evaluation *e, tp_direction towards, tp_direction_ball *toppling,
-                          size_t *governing, bool *tie) {
+tp_governing_pivot tp_evaluate_toppling(const tp_evaluation *e, tp_direction towards,
+                                        tp_direction_ball *toppling, tp_certainty *certainty) {
   const tp_contact *contact = &e->problem->contact;
+  tp_governing_pivot governing = {.found = false};
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
-  bool found = false;
-  long tie_bits = 0;
-  *tie = false;
   for (long step = 0; step < contact->point_count; step++) {
     const long k = towards == TP_TOWARDS_LEFT ? step : contact->point_count - 1 - step;
     if (!e->problem->admissible[towards][k]) continue;
-    tp_evaluate_turning(e, towards, k, &angle);
-    const int side = found ? tp_evaluation_compare(e, &angle, toppling) : -1;
-    const bool ties = side == 0 && has_angle(e, &angle);
-    const bool governs = side < 0 || (side == 0 && is_less_safe(e, k, (long)*governing));
-    *tie = side < 0 ? false : *tie || ties;
-    if (side < 0) tie_bits = 0;
-    if (ties && e->tie_bits > tie_bits) tie_bits = e->tie_bits;
+    tp_evaluate_turning(e, towards, k, &angle, certainty);
+    const tp_angle_order order = governing.found
+                                     ? tp_direction_ball_order(e, &angle, toppling, certainty)
+                                     : (tp_angle_order){.sign = -1};
+    if (order.sign > 0) continue;
+    const bool governs = order.sign < 0 || is_less_safe(e, k, (long)governing.index, certainty);
+    if (order.sign < 0) {
+      governing.tie = false;
+      governing.tie_bits = 0;
+    } else if (has_angle(e, &angle)) {
+      governing.tie = true;
+      if (order.tie_bits > governing.tie_bits) governing.tie_bits = order.tie_bits;
+    }
     if (!governs) continue;
     const tp_direction_ball held = *toppling;
     *toppling = angle;
     angle = held;
-    *governing = (size_t)k;
-    found = true;
+    governing.index = (size_t)k;
+    governing.found = true;
   }
   tp_direction_ball_clear(&angle);
-  e->tie_bits = tie_bits;
-  return found;
+  return governing;
 }
 
-/* All numbers of one pivot; are they certain? */
-static bool evaluate_pivot(tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long k,
-                           tp_direction_ball *angle, const tilt *t) {
+/* All numbers of one pivot. */
+static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long k,
+                           const tilt *t, tp_certainty *certainty) {
   const tp_contact_point *point = e->problem->contact.points + k;
-  const bool certain_before = e->certain;
-  e->certain = true;
+  tp_direction_ball angle;
+  tp_direction_ball_init(&angle);
   pivot->rounded = point->cut != NULL;
   if (pivot->rounded) {
-    tp_evaluation_place_metres(&pivot->x_m, &pivot->y_m, e, tp_contact_place(point));
+    tp_result_point(&pivot->x_m, &pivot->y_m, e, tp_contact_place(point), certainty);
   }
   if (e->loaded != NULL) {
     tp_roots roots;
     tp_roots_init(&roots);
-    loaded_angle(e, k, angle, &roots);
-    tp_loaded_pivot(pivot, e->loaded, e, k, angle->degrees, &roots);
+    loaded_angle(e, k, &angle, &roots, certainty);
+    tp_loaded_pivot(pivot, e->loaded, e, k, angle.degrees, &roots, certainty);
     tp_roots_clear(&roots);
   } else {
-    tp_evaluate_turning(e, towards, k, angle);
-    pivot->fos_resultant = resultant_form(e, angle, t);
-    pivot->fos_elements = elements_form(e, towards, point->point, t);
+    tp_evaluate_turning(e, towards, k, &angle, certainty);
+    pivot->fos_resultant = resultant_form(e, &angle, t, certainty);
+    pivot->fos_elements = elements_form(e, towards, point->point, t, certainty);
   }
-  pivot->critical_angle_deg = tp_evaluation_result(e, angle->degrees);
-  const bool certain = e->certain;
-  e->certain = certain && certain_before;
-  return certain;
+  pivot->critical_angle_deg = tp_result(e, angle.degrees, certainty);
+  tp_direction_ball_clear(&angle);
 }
 
-void tp_evaluate_pivots(tp_evaluation *e, tp_case *result, tp_direction_ball *toppling) {
+void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
+                        tp_direction_ball *toppling, tp_certainty *certainty) {
   const tp_quantity *angle = &e->problem->scene->tilt_angle_deg;
-  bool *settled = e->settled[result->towards];
   tilt t = {.given = angle->given};
-  tp_direction_ball critical;
-  tp_direction_ball_init(&critical);
   arb_init(t.sine);
   arb_init(t.cosine);
   if (t.given) tp_ball_sin_cos_degrees(t.sine, t.cosine, angle->value, e->rung.bits);
   for (size_t k = 0; k < result->pivot_count; k++) {
     result->pivots[k].admissible = e->problem->admissible[result->towards][k];
     if (settled[k]) continue;
-    settled[k] = evaluate_pivot(e, result->towards, result->pivots + k, (long)k, &critical, &t);
+    tp_certainty own = {0};
+    evaluate_pivot(e, result->towards, result->pivots + k, (long)k, &t, &own);
+    settled[k] = !own.open;
+    tp_certainty_add(certainty, &own);
   }
-  result->has_governing = tp_evaluate_toppling(e, result->towards, toppling, &result->governing,
-                                               &result->governing_tie);
-  result->governing_tie_bits = result->governing_tie ? e->tie_bits : 0;
-  tp_direction_ball_clear(&critical);
+  const tp_governing_pivot governing =
+      tp_evaluate_toppling(e, result->towards, toppling, certainty);
+  result->has_governing = governing.found;
+  result->governing = governing.index;
+  result->governing_tie = governing.tie;
+  result->governing_tie_bits = governing.tie_bits;
   arb_clear(t.sine);
   arb_clear(t.cosine);
 }

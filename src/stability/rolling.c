@@ -11,7 +11,7 @@
  * as long as the base goes straight on past the tangent point, or there is no such t. Otherwise it
  * goes over. */
 
-#include "stability/evaluation.h"
+#include "stability/stages.h"
 
 #include "number/ball.h"
 
@@ -90,7 +90,7 @@ static void set_plane(arb_t turns, const tp_evaluation *e, const rolling *on) {
   arb_init(x);
   arb_init(y);
   arb_init(radius);
-  tp_evaluation_place(x, y, e, on->toe);
+  tp_evaluation_point(x, y, e, on->toe);
   arb_sub_fmpz(x, x, l->x + on->end, bits);
   arb_sub_fmpz(y, y, l->y + on->end, bits);
   arb_hypot(turns, x, y, bits);
@@ -157,8 +157,8 @@ static void turn(arb_t x, arb_t y, const arb_t sine, const arb_t cosine, long bi
 }
 
 /* Does it roll to a rest at the tilt; turned by how much (radians)? */
-static bool find_rest(arb_t turned, roller *r, tp_evaluation *e, const arb_t sine,
-                      const arb_t cosine) {
+static bool find_rest(arb_t turned, roller *r, const tp_evaluation *e, const arb_t sine,
+                      const arb_t cosine, tp_certainty *certainty) {
   const long bits = e->rung.bits;
   arb_t size, share, direction, one;
   arb_init(size);
@@ -179,9 +179,9 @@ static bool find_rest(arb_t turned, roller *r, tp_evaluation *e, const arb_t sin
     arb_add(turned, turned, direction, bits);
     arb_neg(turned, turned);
     rests = arb_le(turned, r->arc);
-    if (!rests && !arb_gt(turned, r->arc)) e->certain = false;
+    if (!rests && !arb_gt(turned, r->arc)) certainty->open = true;
   } else if (arb_contains_zero(r->qy) || !(arb_is_positive(r->qy) || arb_gt(share, one))) {
-    e->certain = false;
+    certainty->open = true;
   }
   arb_clear(size);
   arb_clear(share);
@@ -191,7 +191,8 @@ static bool find_rest(arb_t turned, roller *r, tp_evaluation *e, const arb_t sin
 }
 
 /* At the scene's tilt, where it lies beyond the critical angle. */
-static void rest_at_tilt(tp_evaluation *e, tp_case *result, const rolling *on) {
+static void rest_at_tilt(const tp_evaluation *e, tp_case *result, const rolling *on,
+                         tp_certainty *certainty) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   const long bits = e->rung.bits;
   roller r;
@@ -202,13 +203,13 @@ static void rest_at_tilt(tp_evaluation *e, tp_case *result, const rolling *on) {
   arb_init(pi);
   roller_init(&r, e, on);
   tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
-  result->rests = find_rest(turned, &r, e, sine, cosine);
+  result->rests = find_rest(turned, &r, e, sine, cosine, certainty);
   result->rolls = result->rests ? TP_ROLLS_BACK : TP_ROLLS_OVER;
   if (result->rests) {
     arb_const_pi(pi, bits);
     arb_div(turned, turned, pi, bits);
     arb_mul_ui(turned, turned, 180, bits);
-    result->rest_turn_deg = tp_evaluation_result(e, turned);
+    result->rest_turn_deg = tp_result(e, turned, certainty);
   }
   roller_clear(&r);
   arb_clear(sine);
@@ -219,17 +220,18 @@ static void rest_at_tilt(tp_evaluation *e, tp_case *result, const rolling *on) {
 
 /* At the critical angle itself, whose direction is that of the lever arms: back if the centroid
  * lies below the centre. */
-static void roll_from_limit(tp_evaluation *e, tp_case *result, const rolling *on,
-                            const tp_direction_ball *toppling) {
+static void roll_from_limit(const tp_evaluation *e, tp_case *result, const rolling *on,
+                            const tp_direction_ball *toppling, tp_certainty *certainty) {
   roller r;
   roller_init(&r, e, on);
   turn(r.qx, r.qy, toppling->sine, toppling->cosine, e->rung.bits);
   result->rolls = arb_is_negative(r.qy) ? TP_ROLLS_BACK : TP_ROLLS_OVER;
-  if (arb_contains_zero(r.qy)) e->certain = false;
+  if (arb_contains_zero(r.qy)) certainty->open = true;
   roller_clear(&r);
 }
 
-void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
+void tp_evaluate_rolling(const tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
+                         tp_certainty *certainty) {
   const tp_problem *problem = e->problem;
   const tp_quantity *tilt = &problem->scene->tilt_angle_deg;
   result->rolls = TP_ROLLS_NOT;
@@ -244,9 +246,9 @@ void tp_evaluate_rolling(tp_evaluation *e, tp_case *result, const tp_direction_b
   arb_init(angle);
   arb_set_fmpq(angle, tilt->value, e->rung.bits);
   if (tilt->given && arb_gt(angle, toppling->degrees)) {
-    rest_at_tilt(e, result, &on);
+    rest_at_tilt(e, result, &on, certainty);
   } else {
-    roll_from_limit(e, result, &on, toppling);
+    roll_from_limit(e, result, &on, toppling, certainty);
   }
   arb_clear(angle);
 }

@@ -12,6 +12,7 @@
 
 #include "stability/friction.h"
 #include "stability/sliding_facet.h"
+#include "stability/stages.h"
 
 #include "number/ball.h"
 
@@ -49,7 +50,8 @@ static void add_friction_at(const tp_evaluation *e, const tp_sliding_facet *best
 }
 
 /* tan(phi_b + i) / tan(alpha). */
-static tp_fos factor_of_safety(tp_evaluation *e, const tp_sliding_facet *best, bool never) {
+static tp_fos factor_of_safety(const tp_evaluation *e, const tp_sliding_facet *best, bool never,
+                               tp_certainty *certainty) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   if (!tilt->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (never || fmpq_is_zero(tilt->value)) return (tp_fos){.state = TP_FOS_NO_OVERTURNING};
@@ -73,7 +75,7 @@ static tp_fos factor_of_safety(tp_evaluation *e, const tp_sliding_facet *best, b
   tp_direction_ball_clear(&shear);
   arb_mul(value, value, cosine, bits);
   arb_div(value, value, sine, bits);
-  fos.value = tp_evaluation_result(e, value);
+  fos.value = tp_result(e, value, certainty);
   arb_clear(sine);
   arb_clear(cosine);
   arb_clear(value);
@@ -81,7 +83,8 @@ static tp_fos factor_of_safety(tp_evaluation *e, const tp_sliding_facet *best, b
 }
 
 /* tan(phi_b) / tan(alpha - i): the friction that is there over the friction that is needed. */
-static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
+static tp_fos strength_factor(const tp_evaluation *e, const arb_t facet_angle,
+                              tp_certainty *certainty) {
   const tp_scene *scene = e->problem->scene;
   const long bits = e->rung.bits;
   if (!scene->tilt_angle_deg.given) return (tp_fos){.state = TP_FOS_NO_TILT};
@@ -103,9 +106,9 @@ static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
     tp_friction_at(tilt, e, tilt);
     tp_friction_tangent(value, tilt, bits);
     arb_div(value, value, needed, bits);
-    fos.value = tp_evaluation_result(e, value);
+    fos.value = tp_result(e, value, certainty);
   } else if (!arb_is_nonpositive(needed)) {
-    if (!tp_evaluation_is_last_rung(e)) e->certain = false;
+    tp_certainty_leave_open(certainty, e);
     fos.state = TP_FOS_UNDECIDED;
   }
   arb_clear(needed);
@@ -117,7 +120,8 @@ static tp_fos strength_factor(tp_evaluation *e, const arb_t facet_angle) {
 /* The motion along a facet and the tilt at which it starts, for a friction angle
  * (tp_friction_limit). */
 typedef struct start {
-  tp_evaluation *e;
+  const tp_evaluation *e;
+  tp_certainty *certainty;
   const tp_sliding_facet *best;
   tp_direction_ball *sliding;
   tp_fos *fos;
@@ -132,7 +136,7 @@ static bool start_of(arb_t tilt, void *context, const arb_t friction, bool estim
     s->slides = true;
   } else {
     s->slides = tp_loaded_sliding(s->sliding->degrees, s->fos, s->e->loaded, s->e, s->best->run,
-                                  s->best->rise, friction);
+                                  s->best->rise, friction, s->certainty);
   }
   arb_set(tilt, s->sliding->degrees);
   return s->slides;
@@ -143,7 +147,7 @@ static bool find_stepwise(arb_t friction, start *s) {
   arb_struct *degrees = s->sliding->degrees;
   const tp_loaded_start found =
       tp_loaded_sliding_start(degrees, s->e->loaded, s->e, s->best->run, s->best->rise);
-  if (found == TP_START_OPEN) s->e->certain = false;
+  if (found == TP_START_OPEN) s->certainty->open = true;
   if (found == TP_START_ALWAYS) arb_set_si(degrees, -180);
   if (found == TP_START_AT_ANGLE) tp_friction_at(friction, s->e, degrees);
   return found == TP_START_AT_ANGLE || found == TP_START_ALWAYS;
@@ -160,7 +164,7 @@ static bool find_start(arb_t friction, start *s) {
       arb_clear(tilt);
       return find_stepwise(friction, s);
     }
-    if (!found && s->slides) s->e->certain = false;
+    if (!found && s->slides) s->certainty->open = true;
   } else {
     tp_friction_at(friction, s->e, tilt);
   }
@@ -169,8 +173,8 @@ static bool find_start(arb_t friction, start *s) {
   return found;
 }
 
-static void describe_facet(tp_evaluation *e, tp_sliding *s, const tp_sliding_facet *best,
-                           arb_t angle) {
+static void describe_facet(const tp_evaluation *e, tp_sliding *s, const tp_sliding_facet *best,
+                           arb_t angle, tp_certainty *certainty) {
   const tp_facet *facet = e->problem->contact.facets + best->facet;
   arb_t rise, run;
   arb_init(rise);
@@ -178,42 +182,43 @@ static void describe_facet(tp_evaluation *e, tp_sliding *s, const tp_sliding_fac
   arb_set_fmpz(rise, best->rise);
   arb_set_fmpz(run, best->run);
   tp_ball_atan2_degrees(angle, rise, run, e->rung.bits);
-  s->facet_angle_deg = tp_evaluation_result(e, angle);
-  tp_evaluation_place_metres(&s->facet_x0_m, &s->facet_y0_m, e, tp_facet_begin(facet));
-  tp_evaluation_place_metres(&s->facet_x1_m, &s->facet_y1_m, e, tp_facet_end(facet));
+  s->facet_angle_deg = tp_result(e, angle, certainty);
+  tp_result_point(&s->facet_x0_m, &s->facet_y0_m, e, tp_facet_begin(facet), certainty);
+  tp_result_point(&s->facet_x1_m, &s->facet_y1_m, e, tp_facet_end(facet), certainty);
   arb_clear(rise);
   arb_clear(run);
 }
 
-static void describe(tp_evaluation *e, tp_case *result, const tp_sliding_facet *best,
-                     tp_direction_ball *sliding) {
+static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_facet *best,
+                     tp_direction_ball *sliding, tp_certainty *certainty) {
   tp_sliding *s = &result->sliding;
-  start own = {e, best, sliding, &s->fos, false};
+  start own = {e, certainty, best, sliding, &s->fos, false};
   arb_t angle, friction;
   arb_init(angle);
   arb_init(friction);
-  describe_facet(e, s, best, angle);
+  describe_facet(e, s, best, angle, certainty);
   const bool slides = find_start(friction, &own);
-  s->friction_angle_deg = tp_evaluation_bounded(e, friction);
+  s->friction_angle_deg = tp_result_of(e, friction);
   if (e->loaded != NULL) {
     s->fos_strength = (tp_fos){.state = TP_FOS_NOT_ASKED};
     s->never = best->blocked || !slides;
     s->always = !s->never && arb_equal_si(sliding->degrees, -180);
-    if (!s->never && !s->always) s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
+    if (!s->never && !s->always) s->critical_angle_deg = tp_result(e, sliding->degrees, certainty);
   } else {
-    s->fos_strength = strength_factor(e, angle);
+    s->fos_strength = strength_factor(e, angle, certainty);
     arb_set_ui(angle, 90);
     s->never = best->blocked || !slides || arb_ge(sliding->degrees, angle);
-    if (!s->never && !arb_lt(sliding->degrees, angle)) e->certain = false;
-    s->critical_angle_deg = tp_evaluation_result(e, sliding->degrees);
-    s->fos = factor_of_safety(e, best, s->never);
+    if (!s->never && !arb_lt(sliding->degrees, angle)) certainty->open = true;
+    s->critical_angle_deg = tp_result(e, sliding->degrees, certainty);
+    s->fos = factor_of_safety(e, best, s->never, certainty);
   }
   arb_clear(angle);
   arb_clear(friction);
 }
 
 /* phi_b + i <= 0 */
-static bool slides_when_level(tp_evaluation *e, const tp_sliding_facet *best) {
+static bool slides_when_level(const tp_evaluation *e, const tp_sliding_facet *best,
+                              tp_certainty *certainty) {
   tp_direction_ball limit;
   arb_t level;
   tp_direction_ball_init(&limit);
@@ -221,29 +226,31 @@ static bool slides_when_level(tp_evaluation *e, const tp_sliding_facet *best) {
   add_friction_at(e, best, level, &limit);
   arb_clear(level);
   const bool slides = arb_is_nonpositive(limit.degrees) != 0;
-  if (!slides && !arb_is_positive(limit.degrees)) e->certain = false;
+  if (!slides && !arb_is_positive(limit.degrees)) certainty->open = true;
   tp_direction_ball_clear(&limit);
   return slides;
 }
 
-void tp_evaluate_sliding(tp_evaluation *e, tp_case *result, tp_direction_ball *sliding) {
+void tp_evaluate_sliding(const tp_evaluation *e, tp_case *result, tp_direction_ball *sliding,
+                         tp_certainty *certainty) {
   result->sliding = (tp_sliding){0};
   if (!e->problem->scene->friction_angle_deg.given) return;
   tp_sliding_facet best;
   tp_sliding_facet_init(&best);
-  tp_sliding_facet_find(&best, e, result->towards, false);
-  if (!best.blocked && (best.facet < 0 || slides_when_level(e, &best))) {
-    tp_sliding_facet_find(&best, e, result->towards, true);
+  tp_sliding_facet_find(&best, e, result->towards, false, certainty);
+  if (!best.blocked && (best.facet < 0 || slides_when_level(e, &best, certainty))) {
+    tp_sliding_facet_find(&best, e, result->towards, true, certainty);
   }
   result->sliding.known = best.facet >= 0 || best.blocked;
   result->sliding.never = best.blocked;
   result->sliding.fos = result->sliding.fos_strength = (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   result->sliding.opens = !best.blocked && tp_sliding_facet_opens(e, &best, result->towards);
-  if (best.facet >= 0) describe(e, result, &best, sliding);
+  if (best.facet >= 0) describe(e, result, &best, sliding, certainty);
   tp_sliding_facet_clear(&best);
 }
 
-void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling) {
+void tp_evaluate_toe(const tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
+                     tp_certainty *certainty) {
   const tp_contact *contact = &e->problem->contact;
   result->toe = (tp_toe){0};
   if (!result->has_governing || e->loaded != NULL) return; /* the reaction is not the weight's */
@@ -263,8 +270,8 @@ void tp_evaluate_toe(tp_evaluation *e, tp_case *result, const tp_direction_ball 
     result->toe.upright = result->toe.holds = best.blocked;
     if (!best.blocked) {
       add_friction_at(e, &best, toppling->degrees, &limit);
-      result->toe.limit_angle_deg = tp_evaluation_result(e, limit.degrees);
-      result->toe.holds = tp_evaluation_compare(e, toppling, &limit) <= 0;
+      result->toe.limit_angle_deg = tp_result(e, limit.degrees, certainty);
+      result->toe.holds = tp_direction_ball_order(e, toppling, &limit, certainty).sign <= 0;
     }
     tp_direction_ball_clear(&limit);
   }

@@ -35,7 +35,7 @@ static void find_foot(const tp_evaluation *e, foot *f) {
   }
   arf_t end;
   arf_init(end);
-  f->settled = tp_evaluation_is_zero_width(e, f->position, (double)e->problem->lattice.bits);
+  f->settled = tp_is_zero_width(e, f->position, (double)e->problem->lattice.bits);
   if (arb_is_finite(f->position)) {
     arb_get_lbound_arf(end, f->position, bits);
     arf_get_fmpz(f->low, end, ARF_RND_CEIL);
@@ -50,7 +50,7 @@ static int beside(const tp_evaluation *e, tp_outline_point at, const foot *f) {
   arb_t x, y;
   arb_init(x);
   arb_init(y);
-  tp_evaluation_place(x, y, e, at);
+  tp_evaluation_point(x, y, e, at);
   const int side = arb_lt(x, f->position) ? -1 : arb_gt(x, f->position) ? 1 : 0;
   arb_clear(x);
   arb_clear(y);
@@ -146,8 +146,8 @@ static bool changes(const tp_sliding_facet *best, const tp_evaluation *e, const 
   return differs;
 }
 
-void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_direction towards,
-                           bool all) {
+void tp_sliding_facet_find(tp_sliding_facet *best, const tp_evaluation *e, tp_direction towards,
+                           bool all, tp_certainty *certainty) {
   const tp_contact *contact = &e->problem->contact;
   foot f;
   fmpz_init(f.low);
@@ -162,7 +162,7 @@ void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *e, tp_directio
     if (r == REACHES) tp_sliding_facet_consider(e, k, towards, best);
     open = open || r == REACHES_PERHAPS;
   }
-  if (open && changes(best, e, &f, towards)) e->certain = false;
+  if (open && changes(best, e, &f, towards)) certainty->open = true;
   fmpz_clear(f.low);
   fmpz_clear(f.high);
   arb_clear(f.position);

@@ -6,7 +6,7 @@
 #ifndef TP_SLIDING_FACET_H
 #define TP_SLIDING_FACET_H
 
-#include "stability/evaluation.h"
+#include "stability/certainty.h"
 
 /* i = atan2(rise, run), positive where the motion down-dip climbs. */
 typedef struct tp_sliding_facet {
@@ -24,8 +24,8 @@ void tp_sliding_facet_consider(const tp_evaluation *evaluation, long facet, tp_d
 
 /* The largest i among the facets that reach down-dip of the centroid, or among all; of several the
  * first from the toe that has a length. */
-void tp_sliding_facet_find(tp_sliding_facet *best, tp_evaluation *evaluation, tp_direction towards,
-                           bool all);
+void tp_sliding_facet_find(tp_sliding_facet *best, const tp_evaluation *evaluation,
+                           tp_direction towards, bool all, tp_certainty *certainty);
 
 /* Does sliding down-dip along the facet open every other one, or slip along it? */
 bool tp_sliding_facet_opens(const tp_evaluation *evaluation, const tp_sliding_facet *best,

@@ -4,9 +4,9 @@
 #include "stability/solution.h"
 
 #include "notes.h"
-#include "stability/evaluation.h"
 #include "stability/loaded.h"
 #include "stability/onset.h"
+#include "stability/stages.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -41,9 +41,9 @@ static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp
   solution->length_unit = scene->length_unit;
   solution->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
   solution->has_tilt_angle = scene->tilt_angle_deg.given;
-  solution->tilt_angle_deg = tp_evaluation_rational(scene->tilt_angle_deg.value);
+  solution->tilt_angle_deg = tp_result_rational(scene->tilt_angle_deg.value);
   solution->has_friction = scene->friction_angle_deg.given;
-  solution->friction_angle_deg = tp_evaluation_rational(scene->friction_angle_deg.value);
+  solution->friction_angle_deg = tp_result_rational(scene->friction_angle_deg.value);
   solution->friction_is_residual = scene->friction.load_dependent;
   solution->friction_is_patton =
       scene->friction.roughness_angle_deg.given && !scene->friction.load_dependent;
@@ -68,7 +68,7 @@ static tp_bounded teeth_length(const tp_scene *scene, const fmpq_t value, long n
     fmpq_clear(part);
   }
   fmpq_mul(length, length, scene->metres_per_unit);
-  const tp_bounded result = tp_evaluation_rational(length);
+  const tp_bounded result = tp_result_rational(length);
   fmpq_clear(length);
   fmpz_clear(factor);
   return result;
@@ -98,8 +98,8 @@ static void describe_pivots(tp_case *own, const tp_problem *problem) {
   for (size_t k = 0; k < own->pivot_count; k++) {
     const tp_contact_point *p = problem->contact.points + k;
     own->pivots[k] = (tp_pivot){.kind = p->kind,
-                                .x_m = tp_evaluation_x(problem, p->point),
-                                .y_m = tp_evaluation_y(problem, p->point)};
+                                .x_m = tp_result_x(problem, p->point),
+                                .y_m = tp_result_y(problem, p->point)};
   }
 }
 

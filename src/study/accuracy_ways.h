@@ -13,7 +13,7 @@
 typedef struct tp_accuracy_subject {
   tp_scene scene; /* a view of the user's, with other corners perhaps; owns nothing */
   tp_problem problem;
-  tp_solution *noted; /* where the loads note that they ran */
+  tp_solution *noted; /* where the scene made ready notes what ran */
   tp_direction towards;
   bool has_pivot;
   long point; /* of the contact */

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/climb.h"
+
+#include "stability/effects.h"
+#include "stability/friction.h"
+#include "stability/loaded.h"
+#include "stability/onset.h"
+#include "stability/stages.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What lower rungs have settled of one direction. */
+typedef struct settled {
+  bool *pivots; /* all numbers of each */
+  bool limit, onset;
+  tp_direction_ball limit_angle, back_angle; /* of the limit, and tilted back */
+  tp_onset_found onset_found;
+} settled;
+
+typedef struct climb {
+  tp_solution *solution;
+  const tp_problem *problem;
+  const tp_solve_options *options;
+  settled settled[2]; /* by direction */
+  tp_work work;
+  tp_message *message;
+} climb;
+
+/* By contact forces, what is not settled yet. False when memory is exhausted. */
+static bool evaluate_statics(const tp_evaluation *e, tp_case *own, climb *c,
+                             tp_certainty *certainty) {
+  const tp_place place = c->problem->scene->friction_angle_deg.place;
+  settled *kept = c->settled + own->towards;
+  tp_certainty limit = {0}, onset = {0};
+  bool done = true;
+  if (!kept->limit) {
+    const tp_effect_begin began = tp_effects_begin(c->solution);
+    done = tp_evaluate_limit(e, own, &kept->limit_angle, &kept->back_angle, &limit);
+    tp_effects_note(c->solution, "limit", place, "", began);
+  }
+  if (done && !kept->onset) {
+    const tp_effect_begin began = tp_effects_begin(c->solution);
+    done = tp_evaluate_onset(e, own, &kept->onset_found, &onset);
+    tp_effects_note(c->solution, "onset", place, "", began);
+  }
+  if (done && !limit.open && !onset.open) {
+    tp_onset_meet_limit(own, e, &kept->onset_found, &kept->limit_angle, &onset);
+  }
+  kept->limit = !limit.open;
+  kept->onset = !onset.open;
+  tp_certainty_add(certainty, &limit);
+  tp_certainty_add(certainty, &onset);
+  return done;
+}
+
+/* By the formulas of moments and of sliding. */
+static void evaluate_formulas(const tp_evaluation *e, tp_case *own, tp_direction_ball *toppling,
+                              tp_direction_ball *sliding, climb *c, tp_certainty *certainty) {
+  const tp_scene *scene = c->problem->scene;
+  tp_effect_begin began = tp_effects_begin(c->solution);
+  tp_evaluate_pivots(e, own, c->settled[own->towards].pivots, toppling, certainty);
+  if (c->problem->corners.count > 0) tp_evaluate_rolling(e, own, toppling, certainty);
+  tp_effects_note(c->solution, "toppling", scene->tilt_place, "both directions, as none is given",
+                  began);
+  if (!scene->friction_angle_deg.given) return;
+  began = tp_effects_begin(c->solution);
+  tp_evaluate_sliding(e, own, sliding, certainty);
+  tp_evaluate_toe(e, own, toppling, certainty);
+  tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
+}
+
+/* What the mechanism leaves open the limit and the onset have to tell on a higher rung. */
+static void tell_mechanism(const tp_evaluation *e, tp_case *own, const tp_direction_ball *toppling,
+                           const tp_direction_ball *sliding, settled *kept,
+                           tp_certainty *certainty) {
+  tp_certainty mechanism = {0};
+  tp_evaluate_mechanism(
+      e, own,
+      &(tp_statics){toppling, sliding, &kept->limit_angle, &kept->back_angle, &kept->onset_found},
+      &mechanism);
+  if (mechanism.open) kept->limit = kept->onset = false;
+  tp_certainty_add(certainty, &mechanism);
+}
+
+/* One direction of tilt. False when memory is exhausted. */
+static bool evaluate_direction(const tp_evaluation *e, tp_case *own, climb *c,
+                               tp_certainty *certainty) {
+  tp_direction_ball toppling, sliding;
+  tp_direction_ball_init(&toppling);
+  tp_direction_ball_init(&sliding);
+  evaluate_formulas(e, own, &toppling, &sliding, c, certainty);
+  const bool statics = c->problem->scene->friction_angle_deg.given && c->options->limit;
+  const bool done = !statics || evaluate_statics(e, own, c, certainty);
+  tell_mechanism(e, own, &toppling, &sliding, c->settled + own->towards, certainty);
+  if (c->options->elements) tp_evaluate_account(e, own, &toppling, certainty);
+  tp_direction_ball_clear(&toppling);
+  tp_direction_ball_clear(&sliding);
+  return done;
+}
+
+/* Each load's own time; what they share goes to the first of them. */
+static void note_loads(tp_solution *solution, const tp_loaded *loaded,
+                       const tp_loads_description *d, tp_effect_begin began) {
+  for (long k = 1; k < loaded->count; k++) { /* without the weight */
+    const tp_load *own = loaded->items + k;
+    const double ended = k + 1 < loaded->count ? own[1].began : loaded->evaluated;
+    tp_effects_add(solution, tp_load_name(own->kind), own->place, "", ended - own->began);
+  }
+  if (loaded->count > 1) {
+    const tp_load *first = loaded->items + 1;
+    tp_effects_note(solution, tp_load_name(first->kind), first->place, "", began);
+  }
+  if (d->bond_kpa.given) tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
+  if (d->cohesion_kpa.given) {
+    tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
+  }
+}
+
+/* Under its loads, where the scene calls for some. */
+static bool evaluate_case(const tp_evaluation *unloaded, tp_case *own, climb *c,
+                          tp_certainty *certainty) {
+  if (!c->problem->loaded) return evaluate_direction(unloaded, own, c, certainty);
+  const tp_effect_begin began = tp_effects_begin(c->solution);
+  tp_loaded loaded;
+  if (!tp_loaded_init(&loaded, unloaded, own->towards)) return false;
+  note_loads(c->solution, &loaded, &c->problem->scene->loads, began);
+  tp_evaluation under_loads = *unloaded;
+  under_loads.loaded = &loaded;
+  const bool done = evaluate_direction(&under_loads, own, c, certainty);
+  tp_loaded_account(own, &loaded, &under_loads, certainty);
+  tp_loaded_overtops(own, &under_loads, certainty);
+  tp_loaded_clear(&loaded);
+  return done;
+}
+
+static tp_status step(void *context, tp_rung rung, bool *certain) {
+  climb *c = context;
+  if (tp_problem_is_enclosed(c->problem) && rung.level == TP_LEVEL_EXACT) {
+    rung.level = TP_LEVEL_BALL;
+  }
+  const tp_effect_begin began = tp_effects_begin(c->solution);
+  tp_certainty certainty = {0};
+  tp_evaluation e;
+  tp_evaluation_init(&e, c->problem, rung, c->options);
+  e.decimals = c->solution->decimals;
+  e.work = &c->work;
+  tp_friction_stress_when_level(e.weight_per_area_pa, &e);
+  tp_evaluate_block(&e, &c->solution->block, &certainty);
+  tp_evaluate_contact(&e, &c->solution->contact, &certainty);
+  tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
+  bool done = true;
+  for (size_t k = 0; k < c->solution->case_count && done; k++) {
+    done = evaluate_case(&e, c->solution->cases + k, c, &certainty);
+  }
+  tp_evaluation_clear(&e);
+  *certain = !certainty.open;
+  c->solution->open_number = certainty.undecided_number;
+  done = done && (c->solution->decimals == NULL || !tp_decimals_failed(c->solution->decimals));
+  return done ? TP_OK : tp_fail_memory(c->message, "the loads, the limit or the digits");
+}
+
+/* What was computed on the ladder was computed at the level that it reached. */
+static void note_level(tp_solution *solution, tp_rung reached) {
+  solution->level = reached.level;
+  solution->bits = reached.bits;
+  static const char *const climbing[] = {"moments", "toppling", "sliding", "limit", "onset"};
+  for (size_t k = 0; k < solution->effect_count; k++) {
+    for (size_t c = 0; c < sizeof climbing / sizeof climbing[0]; c++) {
+      if (strcmp(solution->effects[k].name, climbing[c]) == 0) {
+        solution->effects[k].level = reached.level;
+      }
+    }
+  }
+}
+
+static bool settled_init(settled *own, long pivots) {
+  *own = (settled){.pivots = calloc((size_t)pivots, sizeof *own->pivots)};
+  tp_direction_ball_init(&own->limit_angle);
+  tp_direction_ball_init(&own->back_angle);
+  tp_onset_found_init(&own->onset_found);
+  return own->pivots != NULL;
+}
+
+static void settled_clear(settled *own) {
+  free(own->pivots);
+  tp_direction_ball_clear(&own->limit_angle);
+  tp_direction_ball_clear(&own->back_angle);
+  tp_onset_found_clear(&own->onset_found);
+}
+
+static tp_status fail_undecided(tp_message *message, const climb *c, tp_rung reached) {
+  const tp_level highest = c->options->level;
+  const int digits = c->options->digits;
+  return tp_fail(message, TP_UNDECIDED, (tp_place){c->problem->scene->path, 0, 0},
+                 "undecided at %ld bits%s%s: a number is not certain to %d digit%s", reached.bits,
+                 highest < TP_LEVEL_EXACT ? " of level " : "",
+                 highest < TP_LEVEL_EXACT ? tp_level_name(highest) : "", digits,
+                 digits == 1 ? "" : "s");
+}
+
+tp_status tp_climb(tp_solution *solution, const tp_problem *problem,
+                   const tp_solve_options *options, tp_message *message) {
+  climb c = {.solution = solution, .problem = problem, .options = options, .message = message};
+  const long pivots = problem->contact.point_count;
+  const bool left = settled_init(c.settled, pivots), right = settled_init(c.settled + 1, pivots);
+  tp_status status = TP_OK;
+  if (left && right) {
+    tp_rung reached = {TP_LEVEL_DOUBLE, 0};
+    status = tp_ladder_climb(step, &c, options->level, options->digits, &reached);
+    note_level(solution, reached);
+    if (status == TP_UNDECIDED) status = fail_undecided(message, &c, reached);
+  } else {
+    status = tp_fail_memory(message, "the pivots");
+  }
+  settled_clear(c.settled);
+  settled_clear(c.settled + 1);
+  return status;
+}

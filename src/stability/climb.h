@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The ladder climbed for a problem: at every rung the stages of a solve (stability/stages.h), as
+ * far as a lower one has not settled them. */
+
+#ifndef TP_CLIMB_H
+#define TP_CLIMB_H
+
+#include "stability/problem.h"
+
+/* Fills in a solution whose cases are described. TP_UNDECIDED where the last rung leaves something
+ * open: the results stand, enclosures all of them. */
+TP_MUST_USE tp_status tp_climb(tp_solution *solution, const tp_problem *problem,
+                               const tp_solve_options *options, tp_message *message);
+
+#endif
