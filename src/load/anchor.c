@@ -3,7 +3,7 @@
 
 /* An anchor: a force of fixed size and direction in the block's frame, at a point of the block. */
 
-#include "load/loads.h"
+#include "load/setting.h"
 
 #include "number/ball.h"
 

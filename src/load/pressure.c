@@ -5,7 +5,7 @@
  * the left of the line: on a thickness d the force (p0 + p1) d / 2 (-dy, dx), at the share (p0 + 2
  * p1) / (3 (p0 + p1)) of the line. */
 
-#include "load/loads.h"
+#include "load/setting.h"
 
 /* The line in the frame: a mirror image has the block on its left when it runs the other way. */
 static void set_line(arb_t x0, arb_t y0, arb_t dx, arb_t dy, const tp_line_load *load,

@@ -4,7 +4,7 @@
 /* Pseudo-static earthquake: k_h W horizontally towards down-dip, k_v W up, at the centroid. The
  * horizontal is (-cos a, sin a) in the block's frame, the vertical (sin a, cos a). */
 
-#include "load/loads.h"
+#include "load/setting.h"
 
 void tp_load_seismic(tp_wrench *wrench, const tp_load_setting *s) {
   const tp_loads_description *d = &s->scene->loads;

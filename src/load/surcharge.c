@@ -4,7 +4,7 @@
 /* A surcharge q on a line of the outline: q times its length and the thickness, as a weight at its
  * middle. */
 
-#include "load/loads.h"
+#include "load/setting.h"
 
 void tp_load_surcharge(tp_wrench *wrench, const tp_line_load *load, const tp_load_setting *s) {
   tp_trig fx, fy;

@@ -9,7 +9,7 @@
  * h / (3 cos a) over the heel. Uplift falls linearly from the head at the heel to nothing at the
  * toe, normal to the mean plane: g h L d / 2 (times cos a, or not), L / 3 from the heel. */
 
-#include "load/loads.h"
+#include "load/setting.h"
 
 /* g h d / 2 in N/m. */
 static void half_head(arb_t value, arb_t height, const tp_load_setting *s) {

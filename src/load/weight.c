@@ -3,7 +3,7 @@
 
 /* The weight of the block: W (-sin a, -cos a) at its centroid. */
 
-#include "load/loads.h"
+#include "load/setting.h"
 
 void tp_load_weight(tp_wrench *wrench, const tp_load_setting *s) {
   tp_trig fx, fy;
