@@ -47,21 +47,4 @@ typedef struct tp_line_region {
   size_t strip;
 } tp_line_region;
 
-/* Where the name of regions has most room. */
-typedef struct tp_line_name {
-  bool found;
-  double worth, scalar, tilt;
-} tp_line_name;
-
-/* `best` or a better place in the region; of a new one `found` is false. */
-void tp_line_find_name(tp_line_name *best, const tp_map_line *line, const char *name,
-                       const tp_line_region *region);
-/* False where it has no place. */
-bool tp_line_add_name(const tp_map_line *line, const char *name, const tp_line_name *at);
-
-/* Beyond the limit the motions that begin there, as regions; everywhere the borders between one
- * motion and another. Looks without strips have a region of the limit's mechanism. */
-void tp_line_add_regions(const tp_map_line *line);
-void tp_line_add_motions(const tp_map_line *line);
-
 #endif

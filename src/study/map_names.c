@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Names of regions of a map along one scalar, where there is room for them. */
-
-#include "study/map_line.h"
+#include "study/map_names.h"
 
 #include <math.h>
 #include <string.h>

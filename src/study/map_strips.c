@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The motions that can begin, in a map along one scalar. Over looks that are alike, strip for
- * strip, the ends of the strips are curves; where two looks a double apart are not alike, the tilts
- * at which their motions differ are an upright border. */
+/* Over looks that are alike, strip for strip, the ends of the strips are curves; where two looks a
+ * double apart are not alike, the tilts at which their motions differ are an upright border. */
 
-#include "study/map_line.h"
+#include "study/map_strips.h"
 
+#include "study/map_names.h"
 #include "study/mechanism_style.h"
 
 #include <math.h>
@@ -14,9 +14,6 @@
 /* Upright borders that are shorter than this share of the map's height are where a strip begins
  * with no height. */
 static const double least_share = 0x1p-10;
-
-/* ---- regions ------------------------------------------------------------------------------------
- */
 
 static void strip_part(double *low, double *high, const tp_map_line *l, const tp_look *look,
                        size_t strip) {
@@ -107,9 +104,6 @@ void tp_line_add_regions(const tp_map_line *l) {
   }
   (void)tp_line_add_name(l, "stable", &at);
 }
-
-/* ---- borders ------------------------------------------------------------------------------------
- */
 
 static void begin_border(const tp_map_line *l, unsigned one, unsigned other) {
   char both[TP_MOTIONS_BORDER_SIZE];
