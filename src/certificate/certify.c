@@ -43,7 +43,7 @@ static tp_answer set_end(arb_t end, const tp_limit_question *q, tp_scaled *scale
 /* The limit itself is borne, so where it is level ground as near as can be told there is nothing
  * before it. */
 static bool is_level(const arb_t start, const arb_t end, const tp_limit_question *q) {
-  return start == NULL && arb_contains_zero(end) && q->judge.settled;
+  return start == NULL && arb_contains_zero(end) && tp_judge_takes_equal(&q->judge);
 }
 
 tp_answer tp_certify_holds(double *held, double *lost, const tp_limit_question *question,

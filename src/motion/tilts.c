@@ -177,7 +177,7 @@ static bool tighten(tp_tilt *end, const tp_tilt *a, const tp_tilt *b, bool lower
     return true;
   }
   const int order = tp_tilt_compare(a, b, judge);
-  if (order == TP_TILT_OPEN && !judge->settled) return false;
+  if (order == TP_TILT_OPEN && !tp_judge_takes_equal(judge)) return false;
   const bool told = order == 1 || order == -1;
   tp_tilt_set(end, told && (order > 0) == lower ? a : b);
   if (!told) end->rays = a->rays & b->rays;
@@ -192,7 +192,7 @@ static tp_answer is_something(const tp_tilt_span *span, unsigned rays, const tp_
   if (span->from.endless || span->to.endless) return TP_YES;
   const int order = tp_tilt_compare(&span->from, &span->to, judge);
   const bool shared = (span->from.rays & span->to.rays & rays) != 0;
-  if (order == TP_TILT_OPEN) return judge->settled && shared ? TP_YES : TP_OPEN;
+  if (order == TP_TILT_OPEN) return shared && tp_judge_takes_equal(judge) ? TP_YES : TP_OPEN;
   if (order == 0) return shared ? TP_YES : TP_NO;
   return order < 0 ? TP_YES : TP_NO;
 }

@@ -13,5 +13,11 @@ int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale) {
   if (arb_is_negative(ball)) return -1;
   if (!judge->settled || !arb_is_finite(ball)) return OPEN_SIGN;
   const double width = tp_mag_log2_above(arb_radref(ball));
-  return width < log2_scale - 0.5 * (double)judge->bits ? 0 : OPEN_SIGN;
+  const bool narrow = width < log2_scale - 0.5 * (double)judge->bits;
+  return narrow && tp_judge_takes_equal(judge) ? 0 : OPEN_SIGN;
+}
+
+bool tp_judge_takes_equal(const tp_judge *judge) {
+  if (judge->settled && judge->took_zero != NULL) *judge->took_zero = true;
+  return judge->settled;
 }

@@ -17,9 +17,13 @@ typedef struct tp_judge {
   long bits;      /* of roundings */
   long precision; /* of the data: bits, or more where they are exact */
   bool settled;
+  bool *took_zero; /* becomes true where a sign rests on that; NULL: nobody asks */
 } tp_judge;
 
 /* Sign of a ball by the judge: 1, -1, 0, or 2 where open. `log2_scale` is that of its terms. */
 int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale);
+
+/* Is what its bits do not tell apart to be taken for equal? Notes that it is. */
+bool tp_judge_takes_equal(const tp_judge *judge);
 
 #endif

@@ -10,6 +10,12 @@
 void tp_certainty_add(tp_certainty *sum, const tp_certainty *own) {
   sum->open = sum->open || own->open;
   sum->undecided_number = sum->undecided_number || own->undecided_number;
+  const bool fewer = sum->zero_bits == 0 || own->zero_bits < sum->zero_bits;
+  if (own->zero_bits != 0 && fewer) sum->zero_bits = own->zero_bits;
+}
+
+void tp_certainty_take_zero(tp_certainty *certainty, const tp_evaluation *e) {
+  tp_certainty_add(certainty, &(tp_certainty){.zero_bits = e->rung.bits});
 }
 
 void tp_certainty_leave_open(tp_certainty *certainty, const tp_evaluation *e) {

@@ -17,6 +17,8 @@ typedef struct tp_certainty {
   bool open;             /* a number or a decision */
   bool undecided_number; /* on the last rung: not certain to the digits asked, and given with its
                             bound, so that the others are not lost */
+  long zero_bits;        /* 0: every decision is proven; else one took for zero what so many bits do
+                            not tell from it */
 } tp_certainty;
 
 /* What the one does not know the sum does not. */
@@ -58,6 +60,9 @@ tp_bounded tp_result_rational(const fmpq_t value);
  * angle to who builds on it. */
 bool tp_result_is_above(const tp_evaluation *evaluation, tp_bounded high, tp_bounded low,
                         tp_certainty *certainty);
+
+/* A decision took for zero what the rung's bits do not tell from it. */
+void tp_certainty_take_zero(tp_certainty *certainty, const tp_evaluation *evaluation);
 
 /* Where no rung is exact: is the ball far narrower than the scale 2^log2_scale, so that what it
  * does not tell apart is taken for equal? */

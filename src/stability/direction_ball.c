@@ -43,3 +43,12 @@ tp_angle_order tp_direction_ball_order(const tp_evaluation *e, const tp_directio
   if (!tp_is_settled(e, a->degrees) || !tp_is_settled(e, b->degrees)) certainty->open = true;
   return (tp_angle_order){.sign = 0, .tie_bits = e->rung.bits};
 }
+
+int tp_direction_ball_compare(const tp_evaluation *e, const tp_direction_ball *a,
+                              const tp_direction_ball *b, tp_certainty *certainty) {
+  tp_certainty own = {0};
+  const tp_angle_order order = tp_direction_ball_order(e, a, b, &own);
+  if (order.tie_bits != 0 && !own.open) tp_certainty_take_zero(&own, e);
+  tp_certainty_add(certainty, &own);
+  return order.sign;
+}

@@ -32,4 +32,8 @@ typedef struct tp_angle_order {
 tp_angle_order tp_direction_ball_order(const tp_evaluation *evaluation, const tp_direction_ball *a,
                                        const tp_direction_ball *b, tp_certainty *certainty);
 
+/* The sign alone: of a tie that is not proven the certainty tells. */
+int tp_direction_ball_compare(const tp_evaluation *evaluation, const tp_direction_ball *a,
+                              const tp_direction_ball *b, tp_certainty *certainty);
+
 #endif

@@ -5,112 +5,22 @@
  * question to limit/, and the answer as a result. */
 
 #include "limit/program.h"
-#include "number/ball.h"
 #include "stability/friction.h"
 #include "stability/limit_asked.h"
 #include "stability/limit_cones.h"
+#include "stability/limit_friction.h"
 #include "stability/limit_result.h"
 #include "stability/loaded.h"
 #include "stability/stages.h"
 #include "strength_reduction/reduction.h"
 
-#include <math.h>
-
-/* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
- * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
-static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e,
-                          const arb_t friction, bool back) {
-  answer->adds_friction = false;
-  if (e->loaded != NULL || answer->kind != TP_LIMIT_AT_ANGLE || answer->tie ||
-      answer->face.motion != TP_MOTION_SLIDE) {
-    return;
-  }
-  const long column = answer->face.columns[0], point = tp_cones_point_of(cones, column);
-  answer->adds_friction = !back && column % 2 == 0;
-  arb_t x, y, angle;
-  arb_init(x);
-  arb_init(y);
-  arb_init(angle);
-  arb_set_fmpz(x, cones->ty + point);
-  arb_neg(x, x);
-  arb_set_fmpz(y, cones->tx + point);
-  tp_ball_atan2_degrees(answer->inclination, x, y, e->rung.bits);
-  arb_set(answer->degrees, answer->inclination);
-  arb_set(angle, friction);
-  if (column % 2 != 0) arb_neg(angle, angle);
-  arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
-  if (arf_cmpabs_ui(arb_midref(answer->degrees), 90) >
-      0) { /* forces against that edge: the other */
-    const int side = arf_sgn(arb_midref(answer->degrees));
-    arb_sub_si(answer->degrees, answer->degrees, 180 * side, e->rung.bits);
-    answer->adds_friction = false;
-  }
-  if (back) arb_neg(answer->degrees, answer->degrees);
-  arb_clear(x);
-  arb_clear(y);
-  arb_clear(angle);
-}
-
-/* One question about a case, and the answer that is being found. */
-typedef struct asking {
-  const tp_evaluation *e;
-  tp_certainty *certainty;
-  tp_cones *cones;
-  const tp_limit_question *question;
-  tp_limit_answer *answer;
-  tp_limit_outcome outcome;
-  bool back; /* tilted the other way */
-} asking;
-
-/* A friction angle to the limit that it gives (tp_friction_limit). */
-static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
-  asking *a = context;
-  tp_friction_tangent(a->cones->friction, degrees, a->e->rung.bits);
-  if (estimate) {
-    tp_scaled scaled;
-    if (!tp_program_scaled(&scaled, a->question)) {
-      a->outcome = TP_LIMIT_OUT_OF_MEMORY;
-      return false;
-    }
-    arb_set_d(tilt, tp_program_estimate(&scaled, a->question));
-    tp_scaled_clear(&scaled);
-    return true;
-  }
-  a->outcome = tp_limit_find(a->answer, a->question);
-  if (a->outcome != TP_LIMIT_PROVEN) return false;
-  sharpen_slide(a->answer, a->cones, a->e, degrees, a->back);
-  arb_set(tilt, a->answer->degrees);
-  if (a->answer->kind != TP_LIMIT_AT_ANGLE) {
-    arb_set_si(tilt, a->answer->kind == TP_LIMIT_INTERLOCKED ? 90 : -90);
-  }
-  return true;
-}
-
-/* The limit with the scene's friction. */
-static void find_limit(tp_limit *result, asking *a) {
-  arb_t friction, tilt;
-  arb_init(friction);
-  arb_init(tilt);
-  if (tp_friction_is_load_dependent(a->e)) {
-    if (!tp_friction_meet(friction, a->e, limit_of, a, a->back) && a->outcome == TP_LIMIT_PROVEN) {
-      a->outcome = TP_LIMIT_OPEN;
-    }
-  } else {
-    tp_friction_at(friction, a->e, tilt);
-    (void)limit_of(tilt, a, friction, false);
-  }
-  result->friction_angle_deg = tp_result_of(a->e, friction);
-  arb_clear(friction);
-  arb_clear(tilt);
-}
-
-static bool is_exhausted(const asking *a) {
+static bool is_exhausted(const tp_limit_asking *a) {
   const tp_work *work = a->e->work;
   return work != NULL && work->spent > tp_work_allowed(tp_cones_column_count(a->cones));
 }
 
 /* A higher rung may tell, if there is one and work is left for it. */
-static void leave_open(tp_limit *result, const asking *a) {
+static void leave_open(tp_limit *result, const tp_limit_asking *a) {
   result->too_dear = is_exhausted(a);
   if (!result->too_dear) tp_certainty_leave_open(a->certainty, a->e);
 }
@@ -118,7 +28,7 @@ static void leave_open(tp_limit *result, const asking *a) {
 /* Under loads that do not turn with the weight a contact in one place holds at single tilts at
  * most, where all moments about it cancel: their sum is a combination of independent functions of
  * the tilt, and not all of them vanish. No strength changes that. */
-static bool holds_at_single_tilts(const asking *a) {
+static bool holds_at_single_tilts(const tp_limit_asking *a) {
   const tp_cones *cones = a->cones;
   if (a->e->loaded == NULL || a->outcome == TP_LIMIT_OUT_OF_MEMORY) return false;
   for (long k = 1; k < cones->count; k++) {
@@ -136,7 +46,7 @@ static bool holds_at_single_tilts(const asking *a) {
 }
 
 /* The factor of safety by strength reduction, with the friction at the scene's tilt. */
-static void reduce_strength(tp_limit *result, asking *a) {
+static void reduce_strength(tp_limit *result, tp_limit_asking *a) {
   const tp_evaluation *e = a->e;
   const tp_quantity *given = &e->problem->scene->tilt_angle_deg;
   result->fos = (tp_fos){.state = TP_FOS_NO_TILT};
@@ -172,7 +82,7 @@ static void reduce_strength(tp_limit *result, asking *a) {
   arb_clear(friction);
 }
 
-static void describe(tp_limit *result, tp_direction_ball *angle, const asking *a,
+static void describe(tp_limit *result, tp_direction_ball *angle, const tp_limit_asking *a,
                      tp_direction towards) {
   const tp_evaluation *e = a->e;
   if (holds_at_single_tilts(a)) { /* a search may come upon one of them, or not */
@@ -222,6 +132,14 @@ static bool share_scaled(contact_forces *c, tp_limit_question *question, const t
   return c->has_scaled;
 }
 
+/* What an answer took for zero it tells, but for a tie, which does so itself. */
+static void note_zeros(tp_limit_asked *asked, const tp_limit_asking *a, bool is_told) {
+  if (asked->took_zero && a->outcome == TP_LIMIT_PROVEN && !is_told) {
+    tp_certainty_take_zero(a->certainty, a->e);
+  }
+  asked->took_zero = false;
+}
+
 /* The answer of one question, as far as the rung goes; false when memory is exhausted. */
 static bool ask(tp_limit *result, tp_direction_ball *angle, const tp_evaluation *e,
                 contact_forces *c, tp_direction towards, variant v, tp_certainty *certainty) {
@@ -230,14 +148,18 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, const tp_evaluation 
   tp_limit_asked asked;
   tp_limit_asked_init(&asked, &c->cones, e, towards, v.back);
   tp_limit_question *question = &asked.question;
-  asking a = {e, certainty, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
+  tp_limit_asking a = {e, certainty, &c->cones, question, &answer, TP_LIMIT_OUT_OF_MEMORY, v.back};
   tp_work_begin(e->work, tp_cones_column_count(&c->cones));
   if (share_scaled(c, question, e)) {
     a.outcome = TP_LIMIT_PROVEN;
-    find_limit(result, &a);
+    tp_limit_meet_friction(result, &a);
     describe(result, angle, &a, towards);
+    note_zeros(&asked, &a, result->tie_bits != 0);
   }
-  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) reduce_strength(result, &a);
+  if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) {
+    reduce_strength(result, &a);
+    note_zeros(&asked, &a, false);
+  }
   tp_limit_asked_clear(&asked);
   tp_limit_answer_clear(&answer);
   return a.outcome != TP_LIMIT_OUT_OF_MEMORY;

@@ -56,6 +56,8 @@ void tp_limit_asked_init(tp_limit_asked *asked, const tp_cones *cones, const tp_
                                         .range_deg = e->loaded == NULL ? 0 : e->loaded->range_deg,
                                         .work = e->work,
                                         .judge = tp_limit_asked_judge(e)};
+  asked->took_zero = false;
+  asked->question.judge.took_zero = &asked->took_zero;
 }
 
 void tp_limit_asked_clear(tp_limit_asked *asked) {

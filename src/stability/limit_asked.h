@@ -13,6 +13,7 @@
 typedef struct tp_limit_asked {
   tp_limit_question question;
   tp_wrench load;
+  bool took_zero; /* by its judge */
 } tp_limit_asked;
 
 /* How a rung of the ladder judges balls about zero. */

@@ -51,9 +51,12 @@ static tp_load_side side_of(const tp_evaluation *e, const tp_load *load, const a
                             const arb_t x, const arb_t y, tp_certainty *certainty) {
   const double arm =
       fmax(tp_evaluation_log2_extent(e), fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
-  if (arb_contains_zero(moment) && !arb_is_zero(moment) &&
-      !tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
-    certainty->open = true;
+  if (arb_contains_zero(moment) && !arb_is_zero(moment)) {
+    if (tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
+      tp_certainty_take_zero(certainty, e);
+    } else {
+      certainty->open = true;
+    }
   }
   if (arb_is_positive(moment)) return TP_OVERTURNS;
   return load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;

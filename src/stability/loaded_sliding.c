@@ -83,9 +83,13 @@ static tp_fos factor(const tp_loaded *loaded, const tp_evaluation *e, const tp_f
     fos.state = TP_FOS_NUMBER;
     arb_div(value, resisting, driving, bits);
     fos.value = tp_result(e, value, certainty);
-  } else if (!arb_is_nonpositive(driving) && !tp_is_zero_width(e, driving, log2_scale(loaded, f))) {
-    tp_certainty_leave_open(certainty, e);
-    fos.state = TP_FOS_UNDECIDED;
+  } else if (!arb_is_nonpositive(driving)) {
+    if (tp_is_zero_width(e, driving, log2_scale(loaded, f))) {
+      tp_certainty_take_zero(certainty, e);
+    } else {
+      tp_certainty_leave_open(certainty, e);
+      fos.state = TP_FOS_UNDECIDED;
+    }
   }
   arb_clear(sine);
   arb_clear(cosine);

@@ -19,7 +19,7 @@ static int against_upright(const tp_evaluation *e, const tp_direction_ball *angl
   arb_one(upright.sine);
   arb_set_ui(upright.degrees, 90);
   upright.exact_direction = true;
-  const int side = tp_direction_ball_order(e, angle, &upright, certainty).sign;
+  const int side = tp_direction_ball_compare(e, angle, &upright, certainty);
   tp_direction_ball_clear(&upright);
   return side;
 }
@@ -41,7 +41,7 @@ static const tp_direction_ball *first_by_formula(const tp_evaluation *e, tp_case
     return NULL;
   }
   if (topples && slides) {
-    const int side = tp_direction_ball_order(e, toppling, sliding, certainty).sign;
+    const int side = tp_direction_ball_compare(e, toppling, sliding, certainty);
     result->first = side < 0 ? TP_TOPPLES : side > 0 ? TP_SLIDES : TP_SLIDES_AND_TOPPLES;
     return side > 0 ? sliding : toppling;
   }

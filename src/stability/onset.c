@@ -205,6 +205,10 @@ bool tp_evaluate_onset(const tp_evaluation *e, tp_case *result, tp_onset_found *
   if (a.outcome == TP_MOTION_PROVEN) set_ranges(&a);
   if (a.outcome == TP_MOTION_PROVEN) look_at_tilt(&a);
   if (a.outcome == TP_MOTION_OPEN || a.outcome == TP_MOTION_TOO_DEAR) leave_open(&a);
+  const bool is_told = result->onset.tie_bits != 0;
+  if (a.outcome == TP_MOTION_PROVEN && a.asked.took_zero && !is_told) {
+    tp_certainty_take_zero(certainty, e);
+  }
   forget(&a);
   tp_onset_asked_clear(&a.asked);
   return a.outcome != TP_MOTION_OUT_OF_MEMORY;

@@ -92,6 +92,7 @@ bool tp_onset_asked_init(tp_onset_asked *asked, const tp_evaluation *e, tp_direc
   set_inertia(q, e, towards == TP_TOWARDS_RIGHT);
   set_load(q, e, towards == TP_TOWARDS_RIGHT);
   q->judge = tp_limit_asked_judge(e);
+  q->judge.took_zero = &asked->took_zero;
   q->work = e->work;
   return true;
 }

@@ -14,6 +14,7 @@ typedef struct tp_onset_asked {
   tp_motion_question question;
   tp_cones cones;  /* in lattice units */
   tp_cones strong; /* in metres, with cohesion and bonds, where there are any */
+  bool took_zero;  /* by its judge */
 } tp_onset_asked;
 
 /* False when memory is exhausted. */

@@ -132,9 +132,9 @@ static bool is_less_safe(const tp_evaluation *e, long k, long than, tp_certainty
   if (state == TP_FOS_NUMBER && held == TP_FOS_NUMBER) {
     less = arb_lt(own, other);
     const bool open = arb_overlaps(own, other) && !(arb_is_exact(own) && arb_is_exact(other));
-    if (open && !(tp_is_settled(e, own) && tp_is_settled(e, other))) {
-      certainty->open = true;
-    }
+    const bool settled = tp_is_settled(e, own) && tp_is_settled(e, other);
+    if (open && settled) tp_certainty_take_zero(certainty, e);
+    if (open && !settled) certainty->open = true;
   }
   arb_clear(own);
   arb_clear(other);

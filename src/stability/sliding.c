@@ -271,7 +271,7 @@ void tp_evaluate_toe(const tp_evaluation *e, tp_case *result, const tp_direction
     if (!best.blocked) {
       add_friction_at(e, &best, toppling->degrees, &limit);
       result->toe.limit_angle_deg = tp_result(e, limit.degrees, certainty);
-      result->toe.holds = tp_direction_ball_order(e, toppling, &limit, certainty).sign <= 0;
+      result->toe.holds = tp_direction_ball_compare(e, toppling, &limit, certainty) <= 0;
     }
     tp_direction_ball_clear(&limit);
   }

@@ -10,17 +10,18 @@
 typedef struct foot {
   fmpz_t low, high;
   arb_t position; /* where a facet ends in a tangent point */
-  bool settled; /* a facet that ends within the bracket ends at the centroid, as far as can be told
-                 */
+  bool exact;     /* a facet that ends within the bracket ends at the centroid */
+  bool settled;   /* and this, as far as the bits tell */
 } foot;
 
 static void find_foot(const tp_evaluation *e, foot *f) {
   const long bits = tp_evaluation_bits(e);
   const arb_struct *sums = e->moments.weighted;
-  f->settled = e->rung.level == TP_LEVEL_EXACT;
+  f->exact = e->rung.level == TP_LEVEL_EXACT;
+  f->settled = false;
   arb_div(f->position, sums + TP_X6, sums + TP_A2, e->rung.bits);
   arb_div_ui(f->position, f->position, 3, e->rung.bits);
-  if (f->settled) {
+  if (f->exact) {
     fmpz_t divisor, moment;
     fmpz_init(divisor);
     fmpz_init(moment);
@@ -74,7 +75,7 @@ static reach reach_of(const tp_evaluation *e, const tp_facet *facet, const foot 
     right = side > 0;
   }
   if (towards == TP_TOWARDS_LEFT ? left : right) return REACHES;
-  return left || right || f->settled ? REACHES_NOT : REACHES_PERHAPS;
+  return left || right || f->exact ? REACHES_NOT : REACHES_PERHAPS;
 }
 
 /* Run and rise of the motion down-dip along a facet: (dx, rise) with i = atan2(rise, dx). */
@@ -162,7 +163,13 @@ void tp_sliding_facet_find(tp_sliding_facet *best, const tp_evaluation *e, tp_di
     if (r == REACHES) tp_sliding_facet_consider(e, k, towards, best);
     open = open || r == REACHES_PERHAPS;
   }
-  if (open && changes(best, e, &f, towards)) certainty->open = true;
+  if (open && changes(best, e, &f, towards)) {
+    if (f.settled) {
+      tp_certainty_take_zero(certainty, e);
+    } else {
+      certainty->open = true;
+    }
+  }
   fmpz_clear(f.low);
   fmpz_clear(f.high);
   arb_clear(f.position);
