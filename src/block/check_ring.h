@@ -8,7 +8,7 @@
 
 #include "geom.h"
 #include "message.h"
-#include "number/lattice.h"
+#include "plane/lattice.h"
 
 /* The chains from `first` on, `count` of them, as rings of the geometry. `start` has room for
  * count + 1 entries and must outlive the view. */

@@ -7,7 +7,7 @@
 #define TP_REPAIR_MOVE_H
 
 #include "geom.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 /* Scratch of one move: the direction of an edge, where a vertex lies by it, and where it goes. */
 typedef struct tp_move {

@@ -10,8 +10,8 @@
 
 #include "linear_program/cones.h"
 #include "linear_program/scaled.h"
-#include "number/vector.h"
 #include "number/work.h"
+#include "plane/vector.h"
 
 /* With fewer bits it is no better than doubles. */
 enum { TP_PRECISE_BITS = 128 };

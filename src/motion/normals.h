@@ -19,7 +19,7 @@
 
 #include "linear_program/cones.h"
 #include "number/judge.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 #include "topple.h"
 
 typedef struct tp_normal {

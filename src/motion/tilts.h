@@ -11,7 +11,7 @@
 
 #include "linear_program/cones.h"
 #include "number/judge.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 
 #include "load/roots.h"
 #include "topple.h"
