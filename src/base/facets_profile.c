@@ -7,7 +7,8 @@
 #define _GNU_SOURCE /* qsort_r */
 #include "base/facets.h"
 #include "base/overlap.h"
-#include "block/check.h"
+#include "block/check_ring.h"
+#include "block/ring_meetings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -87,8 +88,8 @@ static tp_status fail_cut(const search *s, tp_message *message) {
   const tp_polyline *outline = s->section->rings, *ring = &s->base->ring;
   const long edge_a = (long)s->cut.a - s->outline, edge_b = (long)s->cut.b - s->ring;
   char one[320], other[320];
-  tp_check_edge_text(one, sizeof one, outline, edge_a);
-  tp_check_edge_text(other, sizeof other, ring, edge_b);
+  tp_rings_edge_text(one, sizeof one, outline, edge_a);
+  tp_rings_edge_text(other, sizeof other, ring, edge_b);
   if (edge_b >= s->base->edge_count) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(outline, edge_a),
                    "the base ends below the block: its upright end face cuts into %s; let the "
@@ -233,11 +234,11 @@ tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, con
                            .b = {s.ring, lattice->start[rings + 1] - s.ring, true}};
   size_t *start = calloc((size_t)rings + 2, sizeof *start);
   if (start == NULL) return tp_fail_memory(message, "the contact");
-  const tp_geom_rings all = tp_check_rings(lattice, 0, rings + 1, start);
+  const tp_geom_rings all = tp_rings_view(lattice, 0, rings + 1, start);
   tp_status status = tp_check_ring(&base->ring, lattice, rings, false, "the base profile", message);
   if (status == TP_OK) {
-    status = tp_check_geometry(tp_geom_find_meetings(&all, rings, take_meeting, &s), "the contact",
-                               message);
+    status = tp_rings_status(tp_geom_find_meetings(&all, rings, take_meeting, &s), "the contact",
+                             message);
   }
   if (status == TP_OK && s.cuts) status = fail_cut(&s, message);
   if (status == TP_OK && tp_overlap_is(&s.overlap)) {

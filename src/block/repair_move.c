@@ -107,7 +107,7 @@ static long step_past(tp_move *m, const fmpq_t digit) {
 }
 
 /* From the foot on the edge by the step times (|dx|, |dy|) / (|dx| + |dy|) to the wanted side. */
-void tp_move_place(tp_move *m, const tp_polyline *ring, const fmpq_t digit) {
+void tp_move_aim(tp_move *m, const tp_polyline *ring, const fmpq_t digit) {
   fmpq_t sum, step;
   fmpq_init(sum);
   fmpq_init(step);

@@ -3,8 +3,6 @@
 
 #include "derive/checks.h"
 
-#include "derive/check_walk.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +26,7 @@ typedef struct running {
   tp_derived_checks *out;
   bool *met; /* by condition */
   long left; /* conditions that are not */
-  tp_walk_place inside, outside;
+  tp_walk_point inside, outside;
   tp_message *message;
 } running;
 
@@ -156,8 +154,8 @@ tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *for
   running r = {.out = checks, .left = (long)conditions, .message = message};
   tp_status status = tp_walk_init(&r.walk, formula, message);
   if (status != TP_OK) return status;
-  tp_walk_place_init(&r.inside, &r.walk);
-  tp_walk_place_init(&r.outside, &r.walk);
+  tp_walk_point_init(&r.inside, &r.walk);
+  tp_walk_point_init(&r.outside, &r.walk);
   r.met = calloc(conditions, sizeof *r.met);
   checks->items = calloc(conditions, sizeof *checks->items);
   if (r.met != NULL && checks->items != NULL) {
@@ -168,8 +166,8 @@ tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *for
     status = tp_fail_memory(message, "the checks");
   }
   free(r.met);
-  tp_walk_place_clear(&r.inside, &r.walk);
-  tp_walk_place_clear(&r.outside, &r.walk);
+  tp_walk_point_clear(&r.inside, &r.walk);
+  tp_walk_point_clear(&r.outside, &r.walk);
   tp_walk_clear(&r.walk);
   return status;
 }

@@ -4,19 +4,6 @@
 #include "load/loads.h"
 #include "clock.h"
 
-void tp_load_setting_init(tp_load_setting *s, const tp_scene *scene, bool mirrored, long bits) {
-  *s = (tp_load_setting){.scene = scene, .mirrored = mirrored, .bits = bits};
-  arb_struct *const all[] = {s->weight, s->x,      s->y,      s->toe_x,
-                             s->toe_y,  s->heel_x, s->heel_y, s->thickness};
-  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_init(all[k]);
-}
-
-void tp_load_setting_clear(tp_load_setting *s) {
-  arb_struct *const all[] = {s->weight, s->x,      s->y,      s->toe_x,
-                             s->toe_y,  s->heel_x, s->heel_y, s->thickness};
-  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) arb_clear(all[k]);
-}
-
 const char *tp_load_name(tp_load_kind kind) {
   static const char *const names[] = {"weight",   "seismic",   "water", "uplift",
                                       "pressure", "surcharge", "anchor"};
@@ -34,21 +21,6 @@ long tp_loads_count(const tp_loads_description *loads) {
 
 bool tp_loads_are_called_for(const tp_loads_description *loads) {
   return tp_loads_count(loads) > 1 || loads->bond_kpa.given || loads->cohesion_kpa.given;
-}
-
-void tp_load_metres(arb_t metres, const fmpq_t length, const tp_load_setting *s) {
-  fmpq_t value;
-  fmpq_init(value);
-  fmpq_mul(value, length, s->scene->metres_per_unit);
-  arb_set_fmpq(metres, value, s->bits);
-  fmpq_clear(value);
-}
-
-void tp_load_point(arb_t x, arb_t y, const tp_quantity *px, const tp_quantity *py,
-                   const tp_load_setting *s) {
-  tp_load_metres(x, px->value, s);
-  tp_load_metres(y, py->value, s);
-  if (s->mirrored) arb_neg(x, x);
 }
 
 static tp_load *next(tp_load **loads, tp_load_kind kind, tp_place place) {

@@ -6,23 +6,8 @@
 #ifndef TP_LOADS_H
 #define TP_LOADS_H
 
+#include "load/setting.h"
 #include "load/wrench.h"
-#include "scene/scene.h"
-
-/* What the loads are put on, in metres, x mirrored towards the right: the block's weight (N) and
- * its centroid, the ends of the contact, the thickness. */
-typedef struct tp_load_setting {
-  const tp_scene *scene;
-  bool mirrored;
-  arb_t weight, x, y;                 /* of the weight */
-  arb_t toe_x, toe_y, heel_x, heel_y; /* down-dip and up-dip ends of the contact */
-  arb_t thickness;
-  long bits;
-} tp_load_setting;
-
-void tp_load_setting_init(tp_load_setting *setting, const tp_scene *scene, bool mirrored,
-                          long bits);
-void tp_load_setting_clear(tp_load_setting *setting);
 
 typedef enum tp_load_kind {
   TP_LOAD_WEIGHT,
@@ -52,11 +37,6 @@ bool tp_loads_are_called_for(const tp_loads_description *loads);
 /* How many loads there are, the weight among them, and to fill as many, initialised, in. */
 long tp_loads_count(const tp_loads_description *loads);
 void tp_loads_evaluate(tp_load *loads, const tp_load_setting *setting);
-
-/* A number of the scene in metres, and a point of it in the frame. */
-void tp_load_metres(arb_t metres, const fmpq_t length, const tp_load_setting *setting);
-void tp_load_point(arb_t x, arb_t y, const tp_quantity *px, const tp_quantity *py,
-                   const tp_load_setting *setting);
 
 /* The loads, added to a wrench. */
 void tp_load_weight(tp_wrench *wrench, const tp_load_setting *setting);

@@ -10,23 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2, MOST_GENERATORS = 24, MOST_FREE = 4 };
-
-void tp_start_init(tp_start *start, const tp_motion_mode *mode) {
-  memset(start, 0, sizeof *start);
-  tp_vector_init(&start->twist);
-  tp_vector_init(&start->acceleration);
-  tp_vector_init(&start->sum);
-  start->force_count = mode->edge_count + TP_STRENGTH_PULLS;
-  start->forces = _arb_vec_init(start->force_count);
-}
-
-void tp_start_clear(tp_start *start) {
-  tp_vector_clear(&start->twist);
-  tp_vector_clear(&start->acceleration);
-  tp_vector_clear(&start->sum);
-  _arb_vec_clear(start->forces, start->force_count);
-}
+enum { MOST_GENERATORS = 24, MOST_FREE = 4 };
 
 /* Do all forces pass through one place, or have one direction, so that what balances across them
  * fixes the motion of one ray? */
@@ -90,7 +74,7 @@ static tp_motion_outcome turn(tp_starting *s) {
   tp_vector_clear(&about);
   arb_clear(moment);
   arb_clear(inertia);
-  return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+  return sign == TP_OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
 /* n . M^-1 e of a contact that slips. */
@@ -111,8 +95,8 @@ static tp_motion_outcome look_for_paradox(tp_starting *s) {
     tp_vector_dot(press, &normal, &edge, bits);
     const double scale = tp_vector_log2_size(&normal) + tp_vector_log2_size(&edge);
     const int sign = tp_judge_sign(&s->q->judge, press, scale);
-    if (sign == OPEN_SIGN) done = TP_MOTION_OPEN;
-    if (sign == 1 || sign == OPEN_SIGN) continue;
+    if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
+    if (sign == 1 || sign == TP_OPEN_SIGN) continue;
     int slip = 0;
     for (int r = 0; r < s->mode->ray_count && slip == 0; r++) {
       slip = tp_closed_slip(n, own->point, s->m->twists.rays + s->mode->rays[r]);
@@ -181,7 +165,7 @@ static tp_motion_outcome bound_pulls(tp_starting *s) {
   const int sign = tp_judge_sign(&s->q->judge, left, 0);
   arb_clear(left);
   if (sign < 0) s->solutions = 0;
-  return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+  return sign == TP_OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
 static tp_motion_outcome start_touching(tp_starting *s) {

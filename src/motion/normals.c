@@ -146,5 +146,5 @@ int tp_normals_share_line(const tp_normals *n, long point, long end) {
   const int sign = tp_judge_sign(&n->judge, across, log2_scale);
   arb_clear(across);
   arb_clear(part);
-  return sign == 2 ? 2 : sign == 0;
+  return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : sign == 0;
 }

@@ -87,7 +87,7 @@ static void set_direction(tp_normals *n, long point) {
   fmpz_clear(common);
 }
 
-/* Are the points of two neighbours in the order on one line? 1, 0, or 2 where open. */
+/* Are the points of two neighbours in the order on one line? 1, 0, or TP_OPEN_SIGN. */
 static int share_line(const place *a, const place *b, const tp_normals *n) {
   if (a->site == b->site) return 1;
   if (arb_is_exact(a->along) && arb_is_exact(b->along)) return arb_equal(a->along, b->along);
@@ -100,7 +100,7 @@ static int share_line(const place *a, const place *b, const tp_normals *n) {
   const int sign = tp_judge_sign(&n->judge, gap, tp_vector_log2_size(&size));
   tp_vector_clear(&size);
   arb_clear(gap);
-  return sign == 2 ? 2 : sign == 0;
+  return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : sign == 0;
 }
 
 static void add_normal(tp_normals *n, const entry *e, long at) {
@@ -125,7 +125,7 @@ static tp_motion_outcome gather(tp_normals *n, const entry *entries) {
     const bool same_axis = before != NULL && axis_order(before, e) == 0;
     const bool same_family = same_axis && before->sense == e->sense;
     const int same_line = same_family ? share_line(before->at, e->at, n) : 0;
-    if (same_line == 2) return TP_MOTION_OPEN;
+    if (same_line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (!same_family) {
       const long axis = n->family_count == 0 ? 0 : n->families[n->family_count - 1].axis;
       n->families[n->family_count++] =

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2 };
-
 void tp_solid_cone_clear(tp_solid_cone *c) {
   for (long k = 0; k < c->room; k++) tp_vector_clear(&c->rays[k].twist);
   for (int k = 0; k < 2; k++) tp_vector_clear(&c->h[k]);
@@ -70,7 +68,7 @@ static bool place(tp_solid_cone *c, long line, const long *rays, int count) {
   c->below[line] = -1;
   for (int k = 0; k < count; k++) {
     const int sign = sign_at(c, line, rays[k]);
-    if (sign == OPEN_SIGN) return false;
+    if (sign == TP_OPEN_SIGN) return false;
     if (sign < 0) {
       c->below[line] = rays[k];
       hang(c, line, rays[k]);
@@ -103,7 +101,7 @@ static bool find_gap(gap *g, tp_solid_cone *c, long line) {
     g->right_sign = g->right == g->left ? g->left_sign : sign_at(c, line, g->right);
     if (g->right_sign >= 0) break;
   }
-  return g->left_sign != OPEN_SIGN && g->right_sign != OPEN_SIGN;
+  return g->left_sign != TP_OPEN_SIGN && g->right_sign != TP_OPEN_SIGN;
 }
 
 /* Is nothing above the line's plane? What lies in it is left, a ray or the face between two. */

@@ -5,13 +5,11 @@
 
 #include "number/ball.h"
 
-enum { OPEN_SIGN = 2 };
-
 int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale) {
   if (arb_is_zero(ball)) return 0;
   if (arb_is_positive(ball)) return 1;
   if (arb_is_negative(ball)) return -1;
-  if (!judge->settled || !arb_is_finite(ball)) return OPEN_SIGN;
+  if (!judge->settled || !arb_is_finite(ball)) return TP_OPEN_SIGN;
   const double width = tp_mag_log2_above(arb_radref(ball));
-  return width < log2_scale - 0.5 * (double)judge->bits ? 0 : OPEN_SIGN;
+  return width < log2_scale - 0.5 * (double)judge->bits ? 0 : TP_OPEN_SIGN;
 }

@@ -90,7 +90,7 @@ static int is_closed(const tp_motions *m, const tp_motion_mode *mode, long point
   for (int k = 0; k < mode->ray_count; k++) {
     const tp_ray *ray = m->twists.rays + mode->rays[k];
     const int sign = tp_normal_sign(&m->normals, line, &ray->twist, ray->near, ray->site);
-    if (sign != 0) return sign == TP_TILT_OPEN ? TP_TILT_OPEN : 0;
+    if (sign != 0) return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : 0;
   }
   return mode->ray_count > 0;
 }
@@ -170,7 +170,7 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const telling *told) {
   tp_motion_outcome done = points != NULL ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
   for (long k = 0; k < cones->count && done == TP_MOTION_PROVEN; k++) {
     const int closed = is_closed(t->motions, mode, k);
-    if (closed == TP_TILT_OPEN) done = TP_MOTION_OPEN;
+    if (closed == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
     if (closed == 1) points[motion->contact_count++] = k;
   }
   if (done == TP_MOTION_PROVEN) {

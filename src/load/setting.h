@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the loads of a scene are put on, and the scene's points in the frame of load/wrench.h. */
+
+#ifndef TP_LOAD_SETTING_H
+#define TP_LOAD_SETTING_H
+
+#include "scene/scene.h"
+
+#include <arb.h>
+
+/* In metres, x mirrored towards the right: the block's weight (N) and
+ * its centroid, the ends of the contact, the thickness. */
+typedef struct tp_load_setting {
+  const tp_scene *scene;
+  bool mirrored;
+  arb_t weight, x, y;                 /* of the weight */
+  arb_t toe_x, toe_y, heel_x, heel_y; /* down-dip and up-dip ends of the contact */
+  arb_t thickness;
+  long bits;
+} tp_load_setting;
+
+void tp_load_setting_init(tp_load_setting *setting, const tp_scene *scene, bool mirrored,
+                          long bits);
+void tp_load_setting_clear(tp_load_setting *setting);
+
+/* A number of the scene in metres, and a point of it in the frame. */
+void tp_load_metres(arb_t metres, const fmpq_t length, const tp_load_setting *setting);
+void tp_load_point(arb_t x, arb_t y, const tp_quantity *px, const tp_quantity *py,
+                   const tp_load_setting *setting);
+
+#endif
