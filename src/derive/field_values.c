@@ -3,7 +3,7 @@
 
 /* Values of formulas: exact at the scene's parameters, or in balls. */
 
-#include "derive/field_work.h"
+#include "derive/field.h"
 
 /* Bits that powers of the values may have. */
 static const double most_bits = 2e6;
