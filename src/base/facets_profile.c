@@ -102,7 +102,7 @@ static tp_status fail_cut(const search *s, tp_message *message) {
 }
 
 /* Order along the base: the edge, then the distance from the edge's beginning. */
-static int compare_places(const search *s, long edge_p, long p, long edge_q, long q) {
+static int compare_points(const search *s, long edge_p, long p, long edge_q, long q) {
   if (edge_p != edge_q) return edge_p < edge_q ? -1 : 1;
   if (tp_facet_same_point(s->lattice, p, q)) return 0;
   return tp_facet_dot(s->lattice, p, q, base_from(s, edge_p), base_to(s, edge_p)) > 0 ? -1 : 1;
@@ -116,7 +116,7 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
   while (low < high) { /* the first facet that does not begin before q */
     const long middle = low + (high - low) / 2;
     const tp_facet *f = s->facets->items + middle;
-    if (compare_places(s, f->base_edge, f->q0, base_edge, q) < 0) {
+    if (compare_points(s, f->base_edge, f->q0, base_edge, q) < 0) {
       low = middle + 1;
     } else {
       high = middle;
@@ -163,9 +163,9 @@ static bool add_corner(search *s, long vertex, long corner, long base_edge) {
 
 static int compare_facets(const void *a, const void *b, void *context) {
   const tp_facet *one = a, *other = b;
-  const int begins = compare_places(context, one->base_edge, one->q0, other->base_edge, other->q0);
+  const int begins = compare_points(context, one->base_edge, one->q0, other->base_edge, other->q0);
   if (begins != 0) return begins;
-  return compare_places(context, one->base_edge, one->q1, other->base_edge, other->q1);
+  return compare_points(context, one->base_edge, one->q1, other->base_edge, other->q1);
 }
 
 static void sort(search *s, tp_facets *facets) {

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A point that these do not tell from the arc counts as within the tip. */
 enum { BITS = 128 };
 
 /* The end of the underside: the leftmost or rightmost vertex, of several the lowest. */

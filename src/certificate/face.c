@@ -36,7 +36,7 @@ static void both_columns(tp_vector columns[2], const tp_face *face, const tp_con
   }
 }
 
-/* The same twist from the place alone, without the roundings of the friction: (y, -x, 1) omega. */
+/* The same twist from the point alone, without the roundings of the friction: (y, -x, 1) omega. */
 static void turn_about_site(tp_face *face, const tp_cones *cones) {
   arb_struct *v = face->twist.of;
   long point = 0;
@@ -94,7 +94,7 @@ static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, 
   arb_mul(p->along, p->along, cones->friction, bits);
 }
 
-/* Does the column do no work by its place alone? */
+/* Does the column do no work by its point alone? */
 static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
   if (face->motion == TP_MOTION_TURN_AT_SITE && cones->points[column / 2].site == face->site) {
     return true;

@@ -4,6 +4,7 @@
 #include "derive/check_walk.h"
 
 #include "number/ball.h"
+#include "number/ladder.h"
 #include "scene/key.h"
 #include "stability/friction.h"
 
@@ -11,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 160, DIGITS = 12 };
+/* Digits that the solver is asked for, and bits that tell far more: 160 are 48 digits. */
+enum { BITS = TP_BALL_BITS, DIGITS = 12 };
 
 static const char friction_key[] = "friction_angle_deg";
 

@@ -19,6 +19,8 @@ typedef struct tp_checked_formula {
   const tp_conditions *conditions;
 } tp_checked_formula;
 
+/* Numbers that a walk changes: with more the first ones. A text holds a double with its exponent.
+ */
 enum { TP_WALK_SYMBOLS = 12, TP_WALK_TEXT = 32 };
 
 /* A number of the scene that is a symbol of the formula. */

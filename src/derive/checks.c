@@ -7,7 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_VERTICES = 2000, MOST_TERMS = 100000, STEPS = 26, DRAWN = 24 };
+enum {
+  MOST_VERTICES = 2000, /* so that a solve on each side is quick */
+  MOST_TERMS = 100000,  /* of all conditions: likewise a look at them */
+  DRAWN = 24            /* directions at random */
+};
+
+/* A number goes by 1 % first and then in 26 steps to e^3.3, some 27 times itself. */
+enum { STEPS = 26 };
 static const double first_step = 0.01, growth = 1.25;
 static const double resolution = 1e-5; /* of a crossing, in logarithms of the numbers */
 static const double margin = 1e-3;     /* from it, on either side */

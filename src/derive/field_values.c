@@ -5,7 +5,7 @@
 
 #include "derive/field.h"
 
-/* Bits that powers of the values may have. */
+/* Bits that powers of the values may have: a quarter of a megabyte. */
 static const double most_bits = 2e6;
 
 /* A bound of the bits of a term at the values. */

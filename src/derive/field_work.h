@@ -55,7 +55,7 @@ bool tp_field_spend(const tp_field *field, double units);
 double tp_field_gcd_units(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const tp_field *field);
 double tp_field_factor_units(const fmpz_mpoly_t polynomial, const tp_field *field);
 
-/* Why an operation was not done, NULL where all were; as a failure at a place. */
+/* Why an operation was not done, NULL where all were; as a failure at a place of the file. */
 const char *tp_field_problem(const tp_field *field);
 TP_MUST_USE tp_status tp_field_check(const tp_field *field, tp_place place, tp_message *message);
 

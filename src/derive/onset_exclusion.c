@@ -110,6 +110,7 @@ static bool exclude_by_work(const exclusion *f, const tp_onset_mode *mode) {
   return none;
 }
 
+/* Planes that do, of which that with the shortest conditions is taken: each costs products. */
 enum { TRIALS = 8 };
 
 /* By one plane: of the first few that do, the one that asks least that is new. */

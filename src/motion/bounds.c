@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Pairs of them are tried against all others: 64^3 / 2, some 130000 signs a mode. */
 enum { MOST_GENERATORS = 64 };
 
 /* One mode at work. */
@@ -79,8 +80,8 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
   return line;
 }
 
-/* The same plane by its place or its direction alone, without the roundings of friction: forces
- * through a place have no moment about it, forces of one direction none across it, and what
+/* The same plane by its point or its direction alone, without the roundings of friction: forces
+ * through a point have no moment about it, forces of one direction none across it, and what
  * accelerates along a normal line none along that. False: it stays as it is. */
 static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
                     const tp_generator *b) {

@@ -92,7 +92,7 @@ static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
   return added ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
 }
 
-/* Those of one normal line, each place once. */
+/* Those of one normal line, each point once. */
 static tp_motion_outcome add_line(tp_closed *closed, const tp_normals *n, const tp_normal *line,
                                   const tp_ray *ray) {
   for (long k = line->first; k < line->first + line->count; k++) {

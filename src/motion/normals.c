@@ -8,7 +8,7 @@
 #include <math.h>
 
 double tp_normals_top(const arf_struct *middle, slong exponent) {
-  enum { MOST = 2000 }; /* beyond the exponents of doubles */
+  enum { MOST = 2000 }; /* beyond the exponents of doubles, -1074 to 1024 */
   mp_srcptr limbs;
   mp_size_t count;
   if (arf_is_special(middle) || COEFF_IS_MPZ(ARF_EXP(middle))) return 0;

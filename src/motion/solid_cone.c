@@ -63,7 +63,7 @@ static void hang(tp_solid_cone *c, long line, long ray) {
 
 /* A line to one of some rays: one that it cuts off, else one that it passes through, else none.
  * False where a sign is open. */
-static bool place(tp_solid_cone *c, long line, const long *rays, int count) {
+static bool locate(tp_solid_cone *c, long line, const long *rays, int count) {
   long through = -1;
   c->below[line] = -1;
   for (int k = 0; k < count; k++) {
@@ -117,14 +117,14 @@ static void flatten(tp_solid_cone *c, const gap *g) {
   if (!g->all) c->start = g->right;
 }
 
-/* The rays of the gap, cut off already, give up their places and what waits at them. */
+/* The rays of the gap, cut off already, are given back, and so is what waits at them. */
 static bool empty_gap(tp_solid_cone *c, long first, long last, long line, const long ends[2]) {
   bool told = true;
   for (long ray = first, after = -1; told; ray = after) {
     after = c->rays[ray].after;
     for (long k = c->rays[ray].lines, then = -1; k >= 0 && told; k = then) {
       then = c->next[k];
-      if (k != line) told = place(c, k, ends, 2);
+      if (k != line) told = locate(c, k, ends, 2);
     }
     c->rays[ray].after = c->unused;
     c->unused = ray;
@@ -175,13 +175,14 @@ static tp_motion_outcome begin(tp_solid_cone *c, const long *lines, long count) 
   }
   c->start = rays[0];
   for (long k = 3; k < count; k++) {
-    if (!place(c, lines[k], rays, 3)) return TP_MOTION_OPEN;
+    if (!locate(c, lines[k], rays, 3)) return TP_MOTION_OPEN;
   }
   return TP_MOTION_PROVEN;
 }
 
 static bool pay(tp_solid_cone *c, tp_work *work) {
-  static const double at_once = 1e6, by_column = 0.1; /* of the price of a column */
+  static const double at_once = 1e6;   /* checks between two bills */
+  static const double by_column = 0.1; /* a check of doubles, of the price of a column */
   if (c->checks < at_once) return true;
   const long columns = (long)(c->checks * by_column);
   c->checks = 0;

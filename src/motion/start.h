@@ -15,7 +15,7 @@ typedef struct tp_start {
   bool fixed;        /* one alone; else that with the least sum of factors, or the greatest */
   bool greatest;     /* the latter */
   bool forces_fixed; /* so are the factors of the forces, which are given then */
-  bool one_place;  /* all forces act in one place: their sum is given, with the cohesion of lines */
+  bool one_point;  /* all forces act at one point: their sum is given, with the cohesion of lines */
   tp_vector sum;   /* through it that stick */
   tp_vector twist; /* sum mu r, about the origin, with its acceleration of the centroid in */
   tp_vector acceleration; /* units of w, lengths those of the question, about the centroid */

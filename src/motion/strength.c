@@ -60,7 +60,7 @@ static int slip_of(const gathering *g, long point) {
   return slip;
 }
 
-/* A force times a factor at a place of the cones, with its moment about the centroid. */
+/* A force times a factor at a point of the cones, with its moment about the centroid. */
 static void set_force(tp_vector *force, const gathering *g, const arb_t x, const arb_t y,
                       const arb_t factor, long point, bool pull) {
   const tp_motion_question *q = g->q;

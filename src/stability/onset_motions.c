@@ -122,7 +122,7 @@ static void set_share(tp_motion_contact *own, const telling *m, long point) {
   tp_vector edge, sum;
   tp_vector_init(&edge);
   tp_vector_init(&sum);
-  for (int row = 0; row < 2 && start->one_place; row++) {
+  for (int row = 0; row < 2 && start->one_point; row++) {
     arb_set(sum.of + row, start->sum.of + row);
   }
   const long pulls = m->strength != NULL ? m->strength->pull_count : 0;
@@ -150,7 +150,7 @@ static void set_share(tp_motion_contact *own, const telling *m, long point) {
 /* Is every contact that stays closed one whose forces the mode is made of? */
 static bool has_all(const telling *t, const tp_motion *motion, const long *points) {
   const tp_motion_mode *mode = t->mode;
-  if (t->start->one_place) return motion->contact_count == 1;
+  if (t->start->one_point) return motion->contact_count == 1;
   if (!t->start->forces_fixed) return false;
   for (size_t k = 0; k < motion->contact_count; k++) {
     bool found = false;
