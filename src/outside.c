@@ -98,6 +98,7 @@ size_t tp_whole_characters(const char *text, size_t most) {
   return taken;
 }
 
+/* Bytes of a text that a message quotes: a line of 80 columns keeps room for what is said of it. */
 enum { MOST_QUOTED = 60 };
 
 tp_quote tp_quote_of(const char *text, size_t length) {

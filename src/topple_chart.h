@@ -7,7 +7,7 @@
 #ifndef TOPPLE_CHART_H
 #define TOPPLE_CHART_H
 
-#include "topple.h"
+#include "topple_solve.h"
 
 #ifdef __cplusplus
 extern "C" {

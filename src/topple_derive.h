@@ -6,7 +6,7 @@
 #ifndef TOPPLE_DERIVE_H
 #define TOPPLE_DERIVE_H
 
-#include "topple.h"
+#include "topple_solve.h"
 
 #ifdef __cplusplus
 extern "C" {

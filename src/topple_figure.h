@@ -7,7 +7,7 @@
 #ifndef TOPPLE_FIGURE_H
 #define TOPPLE_FIGURE_H
 
-#include "topple.h"
+#include "topple_solve.h"
 
 #ifdef __cplusplus
 extern "C" {

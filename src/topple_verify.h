@@ -7,7 +7,7 @@
 #ifndef TOPPLE_VERIFY_H
 #define TOPPLE_VERIFY_H
 
-#include "topple.h"
+#include "topple_solve.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -6,7 +6,7 @@
 
 #include "block/ring_sums.h"
 #include "geom.h"
-#include "number/lattice.h"
+#include "plane/lattice.h"
 #include "random_numbers.h"
 #include "runner.h"
 

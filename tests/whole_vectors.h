@@ -7,7 +7,7 @@
 #define TP_TEST_WHOLE_VECTORS_H
 
 #include "linear_program/cones.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 
 #include <check.h>
 #include <stdbool.h>

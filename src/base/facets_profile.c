@@ -7,7 +7,8 @@
 #define _GNU_SOURCE /* qsort_r */
 #include "base/facets.h"
 #include "base/overlap.h"
-#include "block/check.h"
+#include "block/check_ring.h"
+#include "block/ring_meetings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -87,8 +88,8 @@ static tp_status fail_cut(const search *s, tp_message *message) {
   const tp_polyline *outline = s->section->rings, *ring = &s->base->ring;
   const long edge_a = (long)s->cut.a - s->outline, edge_b = (long)s->cut.b - s->ring;
   char one[320], other[320];
-  tp_check_edge_text(one, sizeof one, outline, edge_a);
-  tp_check_edge_text(other, sizeof other, ring, edge_b);
+  tp_rings_edge_text(one, sizeof one, outline, edge_a);
+  tp_rings_edge_text(other, sizeof other, ring, edge_b);
   if (edge_b >= s->base->edge_count) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(outline, edge_a),
                    "the base ends below the block: its upright end face cuts into %s; let the "
@@ -101,7 +102,7 @@ static tp_status fail_cut(const search *s, tp_message *message) {
 }
 
 /* Order along the base: the edge, then the distance from the edge's beginning. */
-static int compare_places(const search *s, long edge_p, long p, long edge_q, long q) {
+static int compare_points(const search *s, long edge_p, long p, long edge_q, long q) {
   if (edge_p != edge_q) return edge_p < edge_q ? -1 : 1;
   if (tp_facet_same_point(s->lattice, p, q)) return 0;
   return tp_facet_dot(s->lattice, p, q, base_from(s, edge_p), base_to(s, edge_p)) > 0 ? -1 : 1;
@@ -115,7 +116,7 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
   while (low < high) { /* the first facet that does not begin before q */
     const long middle = low + (high - low) / 2;
     const tp_facet *f = s->facets->items + middle;
-    if (compare_places(s, f->base_edge, f->q0, base_edge, q) < 0) {
+    if (compare_points(s, f->base_edge, f->q0, base_edge, q) < 0) {
       low = middle + 1;
     } else {
       high = middle;
@@ -162,9 +163,9 @@ static bool add_corner(search *s, long vertex, long corner, long base_edge) {
 
 static int compare_facets(const void *a, const void *b, void *context) {
   const tp_facet *one = a, *other = b;
-  const int begins = compare_places(context, one->base_edge, one->q0, other->base_edge, other->q0);
+  const int begins = compare_points(context, one->base_edge, one->q0, other->base_edge, other->q0);
   if (begins != 0) return begins;
-  return compare_places(context, one->base_edge, one->q1, other->base_edge, other->q1);
+  return compare_points(context, one->base_edge, one->q1, other->base_edge, other->q1);
 }
 
 static void sort(search *s, tp_facets *facets) {
@@ -233,11 +234,11 @@ tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *section, con
                            .b = {s.ring, lattice->start[rings + 1] - s.ring, true}};
   size_t *start = calloc((size_t)rings + 2, sizeof *start);
   if (start == NULL) return tp_fail_memory(message, "the contact");
-  const tp_geom_rings all = tp_check_rings(lattice, 0, rings + 1, start);
+  const tp_geom_rings all = tp_rings_view(lattice, 0, rings + 1, start);
   tp_status status = tp_check_ring(&base->ring, lattice, rings, false, "the base profile", message);
   if (status == TP_OK) {
-    status = tp_check_geometry(tp_geom_find_meetings(&all, rings, take_meeting, &s), "the contact",
-                               message);
+    status = tp_rings_status(tp_geom_find_meetings(&all, rings, take_meeting, &s), "the contact",
+                             message);
   }
   if (status == TP_OK && s.cuts) status = fail_cut(&s, message);
   if (status == TP_OK && tp_overlap_is(&s.overlap)) {

@@ -52,16 +52,18 @@ static bool add_piece(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc 
   return done;
 }
 
-/* Finer pieces are 40 degrees over this apart. */
+/* Pieces of an arc are some 40 degrees over the fineness apart, so that a whole turn has
+ * 1 + 2 pi / 0.7 = 9.98 at the fineness 1, and fewer than PIECES times the fineness above that. */
+static const double piece = 0.7; /* radians */
 enum { PIECES = 10, FINER = 4, FINEST = 64 };
 
 /* Points of the arc, from its beginning to its end, counter-clockwise about its centre: some 40
  * degrees over `fineness` apart, the tangents of half their angles multiples of 1 / (64 fineness).
  * Their number less one. */
 static int choose_points(tp_point *points, const tp_circle_arc *a, int fineness) {
-  enum { STEPS = 64, MOST = 64000 };
+  enum { STEPS = 64, MOST_TANGENT = 1000 }; /* of half an angle, which may come near 90 degrees */
   const double whole = tp_circle_arc_angle(a);
-  const int pieces = 1 + (int)(whole * fineness / 0.7);
+  const int pieces = 1 + (int)(whole * fineness / piece);
   fmpq_t t;
   fmpq_init(t);
   for (int k = 0; k <= pieces; k++) {
@@ -72,7 +74,8 @@ static int choose_points(tp_point *points, const tp_circle_arc *a, int fineness)
     } else {
       const int steps = STEPS * fineness;
       const double half = steps * tan(whole * k / pieces / 2);
-      fmpq_set_si(t, lround(fmax(-MOST * fineness, fmin(half, MOST * fineness))), (ulong)steps);
+      fmpq_set_si(t, lround(fmax(-MOST_TANGENT * steps, fmin(half, MOST_TANGENT * steps))),
+                  (ulong)steps);
       tp_circle_arc_point(points + k, a, t);
     }
   }

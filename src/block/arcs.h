@@ -13,7 +13,7 @@
 #define TP_ARCS_H
 
 #include "message.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 #include "scene/scene.h"
 
 /* A piece of an arc between two points of it, in the order of the outline, and its centre. */

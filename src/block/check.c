@@ -3,6 +3,9 @@
 
 #include "block/check.h"
 
+#include "block/check_ring.h"
+#include "block/ring_meetings.h"
+
 #include <stdlib.h>
 
 /* Rings of a section may touch, and parts may share edges with anything; but no edges may cross, a
@@ -37,8 +40,8 @@ static bool counts_between_rings(const void *context, tp_geom_meeting meeting) {
 static tp_status check_crossings(const section_view *view, tp_message *message) {
   tp_first_meeting first = {.counts = counts_between_rings, .context = view};
   const tp_status status =
-      tp_check_geometry(tp_geom_find_meetings(&view->rings, -1, tp_check_keep_first, &first),
-                        "the rings of the block", message);
+      tp_rings_status(tp_geom_find_meetings(&view->rings, -1, tp_rings_keep_first, &first),
+                      "the rings of the block", message);
   if (status != TP_OK || !first.found) return status;
   const long ring_a = ring_of_edge(view, first.meeting.a);
   const long ring_b = ring_of_edge(view, first.meeting.b);
@@ -48,14 +51,14 @@ static tp_status check_crossings(const section_view *view, tp_message *message) 
   char name_a[40], name_b[40], one[320], other[320];
   tp_section_ring_name(name_a, sizeof name_a, view->section, ring_a);
   tp_section_ring_name(name_b, sizeof name_b, view->section, ring_b);
-  tp_check_edge_text(one, sizeof one, b, edge_b);
-  tp_check_edge_text(other, sizeof other, a, edge_a);
+  tp_rings_edge_text(one, sizeof one, b, edge_b);
+  tp_rings_edge_text(other, sizeof other, a, edge_a);
   const char *advice = first.meeting.kind == TP_GEOM_CROSS ? "move its vertices"
                        : ring_a == 0                       ? "a notch belongs to the outline itself"
                                      : "nothing stands between them: give them as one hole";
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(b, edge_b), "%s %s %s: %s %s %s; %s",
                  name_b, first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "shares an edge with",
-                 name_a, one, tp_check_verb(first.meeting.kind), other, advice);
+                 name_a, one, tp_rings_verb(first.meeting.kind), other, advice);
 }
 
 static tp_status fail_pair(const tp_section *section, long ring, const char *relation, long other,
@@ -114,9 +117,9 @@ tp_status tp_check_triangulate(tp_geom_triangulation *triangulation, const tp_se
     status = tp_fail_memory(message, "the triangulation");
   } else {
     for (long r = 1; r < section->ring_count; r++) layer[r] = r <= section->hole_count ? 1 : 2;
-    const tp_geom_rings rings = tp_check_rings(lattice, 0, section->ring_count, start);
-    status = tp_check_geometry(tp_geom_triangulate(triangulation, &rings, layer),
-                               "the triangulation", message);
+    const tp_geom_rings rings = tp_rings_view(lattice, 0, section->ring_count, start);
+    status = tp_rings_status(tp_geom_triangulate(triangulation, &rings, layer), "the triangulation",
+                             message);
     if (status == TP_OK) status = check_layers(triangulation, section, message);
     if (status == TP_OK) status = tp_check_in_one_piece(triangulation, section, message);
     if (status == TP_OK) keep_block(triangulation);
@@ -137,7 +140,7 @@ tp_status tp_check_section(tp_geom_triangulation *triangulation, const tp_sectio
   if (status != TP_OK || section->ring_count == 1) return status;
   size_t *start = calloc((size_t)section->ring_count + 1, sizeof *start);
   if (start == NULL) return tp_fail_memory(message, "the check of the block");
-  const section_view view = {section, tp_check_rings(lattice, 0, section->ring_count, start)};
+  const section_view view = {section, tp_rings_view(lattice, 0, section->ring_count, start)};
   status = check_crossings(&view, message);
   free(start);
   if (status == TP_OK) status = tp_check_triangulate(triangulation, section, lattice, message);

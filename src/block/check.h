@@ -6,8 +6,8 @@
 #ifndef TP_CHECK_H
 #define TP_CHECK_H
 
-#include "block/check_ring.h"
 #include "block/section.h"
+#include "geom.h"
 
 /* Refuse holes that cut the block: all of its triangles, with those of its holes, whose layers are
  * checked. */

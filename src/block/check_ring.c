@@ -7,51 +7,11 @@
 #include "block/check_ring.h"
 
 #include "block/repair.h"
+#include "block/ring_meetings.h"
 #include "number/ratio.h"
 
 #include <stdio.h>
 #include <string.h>
-
-tp_geom_rings tp_check_rings(const tp_lattice *lattice, long first, long count, size_t *start) {
-  const long offset = lattice->start[first];
-  for (long r = 0; r <= count; r++) start[r] = (size_t)(lattice->start[first + r] - offset);
-  return (tp_geom_rings){.count = (size_t)count,
-                         .start = start,
-                         .u = lattice->u + offset,
-                         .v = lattice->v + offset,
-                         .x = lattice->x + offset,
-                         .y = lattice->y + offset,
-                         .small = tp_lattice_is_exact(lattice)};
-}
-
-tp_status tp_check_geometry(tp_geom_status geometry, const char *what, tp_message *message) {
-  switch (geometry) {
-  case TP_GEOM_OK:
-    return TP_OK;
-  case TP_GEOM_OUT_OF_MEMORY:
-    return tp_fail_memory(message, what);
-  case TP_GEOM_FAILED:
-    break;
-  }
-  return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){0},
-                 "the geometry library failed on %s; please report this scene", what);
-}
-
-void tp_check_edge_text(char *text, size_t size, const tp_polyline *ring, long edge) {
-  long from = edge, to = edge + 1 == ring->count ? 0 : edge + 1;
-  if (ring->reversed) {
-    const long held = from;
-    from = to;
-    to = held;
-  }
-  char p[4][64];
-  tp_ratio_text(p[0], sizeof p[0], ring->x + from);
-  tp_ratio_text(p[1], sizeof p[1], ring->y + from);
-  tp_ratio_text(p[2], sizeof p[2], ring->x + to);
-  tp_ratio_text(p[3], sizeof p[3], ring->y + to);
-  snprintf(text, size, "the edge from vertex %ld (%s, %s) to vertex %ld (%s, %s)",
-           tp_polyline_number(ring, from), p[0], p[1], tp_polyline_number(ring, to), p[2], p[3]);
-}
 
 static tp_status fail_repeated(const tp_polyline *ring, long k, long next, const char *name,
                                tp_message *message) {
@@ -91,34 +51,11 @@ static bool collinear(const tp_lattice *lattice, long first, long count) {
   return straight;
 }
 
-bool tp_check_keep_first(void *context, tp_geom_meeting meeting) {
-  tp_first_meeting *first = context;
-  if (first->counts != NULL && !first->counts(first->context, meeting)) return true;
-  const tp_geom_meeting *best = &first->meeting;
-  if (!first->found || meeting.a < best->a || (meeting.a == best->a && meeting.b < best->b)) {
-    first->meeting = meeting;
-  }
-  first->found = true;
-  return ++first->seen < 1000000;
-}
-
-const char *tp_check_verb(tp_geom_meeting_kind kind) {
-  switch (kind) {
-  case TP_GEOM_CROSS:
-    return "crosses";
-  case TP_GEOM_TOUCH:
-    return "touches";
-  case TP_GEOM_OVERLAP:
-    break;
-  }
-  return "lies on";
-}
-
 static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *rings,
                                  bool repairable, const char *name, tp_message *message) {
   tp_first_meeting first = {0};
-  tp_status status = tp_check_geometry(
-      tp_geom_find_meetings(rings, -1, tp_check_keep_first, &first), "a crossing outline", message);
+  tp_status status = tp_rings_status(tp_geom_find_meetings(rings, -1, tp_rings_keep_first, &first),
+                                     "a crossing outline", message);
   if (status != TP_OK) return status;
   if (!first.found) {
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1), "%s crosses itself", name);
@@ -128,13 +65,13 @@ static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *r
   if (status != TP_OK) return status;
   const long a = (long)first.meeting.a, b = (long)first.meeting.b;
   char one[320], other[320], where[300];
-  tp_check_edge_text(one, sizeof one, ring, a);
-  tp_check_edge_text(other, sizeof other, ring, b);
+  tp_rings_edge_text(one, sizeof one, ring, a);
+  tp_rings_edge_text(other, sizeof other, ring, b);
   tp_place_text(where, sizeof where, tp_polyline_place(ring, b));
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, a),
                  "%s %s itself: %s %s %s (%s); %s", name,
                  first.meeting.kind == TP_GEOM_CROSS ? "crosses" : "touches", one,
-                 tp_check_verb(first.meeting.kind), other, where, advice);
+                 tp_rings_verb(first.meeting.kind), other, where, advice);
 }
 
 tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,
@@ -152,9 +89,9 @@ tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long
                    "%s has no area: all its vertices lie on one line", name);
   }
   size_t start[2];
-  const tp_geom_rings rings = tp_check_rings(lattice, chain, 1, start);
+  const tp_geom_rings rings = tp_rings_view(lattice, chain, 1, start);
   bool simple = false;
-  const tp_status status = tp_check_geometry(tp_geom_is_simple(&simple, &rings, 0), name, message);
+  const tp_status status = tp_rings_status(tp_geom_is_simple(&simple, &rings, 0), name, message);
   if (status != TP_OK || simple) return status;
   return fail_not_simple(ring, &rings, repairable, name, message);
 }

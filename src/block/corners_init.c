@@ -5,7 +5,7 @@
 
 #include "block/corners.h"
 
-#include "block/check.h"
+#include "block/ring_meetings.h"
 #include "block/tangents.h"
 #include "number/ratio.h"
 
@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A point that these do not tell from the arc counts as within the tip. */
 enum { BITS = 128 };
 
 /* The end of the underside: the leftmost or rightmost vertex, of several the lowest. */
@@ -102,7 +103,7 @@ static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
     if (!overlaps(corners, corner, ends[k], l)) continue;
     char name[100], edge[200];
     name_corner(name, sizeof name, section, corner->vertex);
-    tp_check_edge_text(edge, sizeof edge, section->rings, k == 0 ? corner->before : corner->vertex);
+    tp_rings_edge_text(edge, sizeof edge, section->rings, k == 0 ? corner->before : corner->vertex);
     return tp_fail(message, TP_BAD_INPUT, corner->radius_place,
                    "the radius at %s is too large: rounding %s take up more than %s", name,
                    tp_corners_at(corners, ends[k]) != NULL ? "it and the next corner would"

@@ -13,7 +13,7 @@
 #define TP_ELLIPSE_H
 
 #include "block/ring_sums.h"
-#include "number/lattice.h"
+#include "plane/lattice.h"
 #include "scene/scene.h"
 
 /* The polygon around it, from the left end of the flat counter-clockwise. False when memory is

@@ -234,7 +234,9 @@ void tp_region_add_segment(tp_region *region, const tp_ball_point *from, const t
 }
 
 void tp_region_sums(arb_struct sums[TP_SUM_COUNT], const tp_region *region, long bits) {
-  static const unsigned long factors[6] = {2, 6, 6, 12, 12, 24};
-  static const int places[6] = {TP_A2, TP_X6, TP_Y6, TP_XX12, TP_YY12, TP_XY24};
-  for (int k = 0; k < 6; k++) arb_mul_ui(sums + places[k], region->of + k, factors[k], bits);
+  /* A2 is twice the area, X6 six times the first moment, and so on (ring_sums.h) */
+  static const unsigned long factors[TP_SUM_COUNT] = {2, 6, 6, 12, 12, 24};
+  static const int names[TP_SUM_COUNT] = {TP_A2, TP_X6, TP_Y6, TP_XX12, TP_YY12, TP_XY24};
+  for (int k = 0; k < TP_SUM_COUNT; k++)
+    arb_mul_ui(sums + names[k], region->of + k, factors[k], bits);
 }

@@ -16,16 +16,19 @@
 
 #include "block/repair.h"
 
-#include "block/check_ring.h"
 #include "block/repair_move.h"
-#include "number/ratio.h"
+#include "block/ring_meetings.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ROUNDS = 20, MOST_MEETINGS = 1000, NOTES_SHOWN = 20, MOST_BITS = 4096 };
+enum {
+  MOST_ROUNDS = 20,     /* slips of rounding end in one or two; a ring that takes more is no slip */
+  MOST_MEETINGS = 1000, /* of one round: beyond it the outline is wrong, not rounded */
+  MOST_BITS = 4096,     /* of a last digit, some 1200 decimals; finer ones are left alone */
+  LEAST_SIZE = 100      /* width and height in last digits: the two digits of the head */
+};
 
 typedef struct meetings {
   size_t count;
@@ -97,9 +100,9 @@ static tp_status find_meetings(meetings *all, const tp_polyline *ring, tp_messag
   tp_status status = tp_lattice_init(&lattice, &ring, 1, one, message);
   if (status == TP_OK) {
     size_t start[2];
-    const tp_geom_rings rings = tp_check_rings(&lattice, 0, 1, start);
-    status = tp_check_geometry(tp_geom_find_meetings(&rings, -1, keep_meeting, all),
-                               "a crossing outline", message);
+    const tp_geom_rings rings = tp_rings_view(&lattice, 0, 1, start);
+    status = tp_rings_status(tp_geom_find_meetings(&rings, -1, keep_meeting, all),
+                             "a crossing outline", message);
     tp_lattice_clear(&lattice);
   }
   fmpq_clear(one);
@@ -151,7 +154,7 @@ static bool mend(tp_polyline *ring, const tp_polyline *before, const meetings *a
     if (!fresh) continue;
     done = tp_move_choose(&m, ring, own);
     if (!done) break;
-    tp_move_place(&m, ring, digit);
+    tp_move_aim(&m, ring, digit);
     done = apply(ring, before, &m, digit);
     moved[m.vertex] = round;
   }
@@ -166,7 +169,7 @@ static bool is_large_enough(const tp_polyline *ring, const fmpq_t digit) {
   tp_polyline_size(width, height, ring);
   fmpq_div(width, width, digit);
   fmpq_div(height, height, digit);
-  const bool large = fmpq_cmp_si(width, 100) >= 0 && fmpq_cmp_si(height, 100) >= 0;
+  const bool large = fmpq_cmp_si(width, LEAST_SIZE) >= 0 && fmpq_cmp_si(height, LEAST_SIZE) >= 0;
   fmpq_clear(width);
   fmpq_clear(height);
   return large;
@@ -215,83 +218,5 @@ tp_status tp_repair_ring(tp_polyline *ring, tp_repair *repair, tp_message *messa
   tp_polyline_clear(&before);
   free(moved);
   free(all);
-  return status;
-}
-
-/* Rounded up to two digits. */
-static double at_most(double length) {
-  const double unit = pow(10, floor(log10(length)) - 1);
-  return ceil(length / unit * (1 + 1e-12)) * unit;
-}
-
-/* The vertices that are elsewhere than before, the first ones by name. */
-static tp_status note_moves(const tp_polyline *ring, const tp_polyline *before, const char *name,
-                            tp_notes *notes, tp_message *message) {
-  tp_status status = TP_OK;
-  long shown = 0;
-  for (long i = 0; i < ring->count && shown < NOTES_SHOWN && status == TP_OK; i++) {
-    const long k = ring->reversed ? ring->count - 1 - i : i;
-    if (fmpq_equal(ring->x + k, before->x + k) && fmpq_equal(ring->y + k, before->y + k)) continue;
-    char p[4][64];
-    tp_ratio_text(p[0], sizeof p[0], before->x + k);
-    tp_ratio_text(p[1], sizeof p[1], before->y + k);
-    tp_ratio_text(p[2], sizeof p[2], ring->x + k);
-    tp_ratio_text(p[3], sizeof p[3], ring->y + k);
-    status = tp_notes_add(notes, message, TP_NOTE, tp_polyline_place(ring, k),
-                          "repaired: vertex %ld of %s is moved from (%s, %s) to (%s, %s)",
-                          tp_polyline_number(ring, k), name, p[0], p[1], p[2], p[3]);
-    shown++;
-  }
-  return status;
-}
-
-static tp_status note_repair(const tp_polyline *ring, const tp_polyline *before,
-                             const tp_repair *repair, const char *name, tp_notes *notes,
-                             tp_message *message) {
-  char digit[64];
-  tp_ratio_text(digit, sizeof digit, repair->digit);
-  const tp_status status = tp_notes_add(
-      notes, message, TP_NOTE, tp_polyline_place(ring, -1),
-      "repaired: edges of %s met by less than its last digit, %s; %ld %s moved, by "
-      "%.2g at most%s",
-      name, digit, repair->moved, repair->moved == 1 ? "vertex is" : "vertices are",
-      at_most(repair->most), repair->moved > NOTES_SHOWN ? ", the first twenty below" : "");
-  return status == TP_OK ? note_moves(ring, before, name, notes, message) : status;
-}
-
-tp_status tp_repair_with_notes(tp_polyline *ring, const char *name, tp_notes *notes,
-                               tp_message *message) {
-  tp_polyline before = {0};
-  tp_repair repair;
-  if (!tp_polyline_copy(&before, ring)) return tp_fail_memory(message, "the repair of an outline");
-  tp_repair_init(&repair);
-  tp_status status = tp_repair_ring(ring, &repair, message);
-  if (status == TP_OK && repair.done && repair.moved > 0) {
-    status = note_repair(ring, &before, &repair, name, notes, message);
-  }
-  tp_repair_clear(&repair);
-  tp_polyline_clear(&before);
-  return status;
-}
-
-tp_status tp_repair_advice(char *advice, size_t size, const tp_polyline *ring, bool repairable,
-                           tp_message *message) {
-  snprintf(advice, size, "reorder or move the vertices");
-  if (!repairable) return TP_OK;
-  tp_polyline copy = {0};
-  tp_repair repair;
-  if (!tp_polyline_copy(&copy, ring)) return tp_fail_memory(message, "the repair of an outline");
-  tp_repair_init(&repair);
-  const tp_status status = tp_repair_ring(&copy, &repair, message);
-  if (status == TP_OK && repair.done) {
-    char digit[64];
-    tp_ratio_text(digit, sizeof digit, repair.digit);
-    snprintf(advice, size,
-             "by less than its last digit, %s: 'repair: true' in the block moves %ld %s by %.2g at "
-             "most and says which, or move them yourself",
-             digit, repair.moved, repair.moved == 1 ? "vertex" : "vertices", at_most(repair.most));
-  }
-  tp_repair_clear(&repair);
-  tp_polyline_clear(&copy);
   return status;
 }

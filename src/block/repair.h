@@ -7,7 +7,7 @@
 #define TP_REPAIR_H
 
 #include "notes.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 /* What a repair did, or would do. */
 typedef struct tp_repair {

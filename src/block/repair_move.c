@@ -76,38 +76,45 @@ bool tp_move_choose(tp_move *m, const tp_polyline *ring, tp_geom_meeting meeting
   return true;
 }
 
-/* To the nearest multiple of a thousandth of the digit. */
+/* Steps of the grid in a digit: three decimals more than the scene has, far finer than the moves.
+ */
+enum { GRID = 1000 };
+
+/* To the nearest multiple of a step of the grid. */
 static void put_on_grid(fmpq_t x, const fmpq_t digit) {
-  fmpz_t whole, thousand;
+  fmpz_t whole, steps;
   fmpq_t half;
   fmpz_init(whole);
-  fmpz_init_set_ui(thousand, 1000);
+  fmpz_init_set_ui(steps, GRID);
   fmpq_init(half);
   fmpq_set_si(half, 1, 2);
   fmpq_div(x, x, digit);
-  fmpq_mul_fmpz(x, x, thousand);
+  fmpq_mul_fmpz(x, x, steps);
   fmpq_add(x, x, half);
   fmpz_fdiv_q(whole, fmpq_numref(x), fmpq_denref(x));
   fmpq_mul_fmpz(x, digit, whole);
-  fmpq_div_fmpz(x, x, thousand);
+  fmpq_div_fmpz(x, x, steps);
   fmpz_clear(whole);
-  fmpz_clear(thousand);
+  fmpz_clear(steps);
   fmpq_clear(half);
 }
 
-/* 64ths of a digit by which the vertex goes past the edge: 8, or half of what its way to the edge
- * leaves of the digit. Where that is hardly anything the distance moved decides afterwards. */
+/* Units in which a vertex goes past the edge, an eighth of a digit where there is room. */
+enum { UNIT_EXPONENT = 6, DIGIT = 1 << UNIT_EXPONENT, EIGHTH = DIGIT / 8 };
+
+/* By how many it goes: an eighth, or half of what its way to the edge leaves of the digit. Where
+ * that is hardly anything the distance moved decides afterwards. */
 static long step_past(tp_move *m, const fmpq_t digit) {
   fmpq_mul(m->distance, m->across, m->across);
   fmpq_div(m->distance, m->distance, m->norm);
   fmpq_div(m->distance, m->distance, digit);
   fmpq_div(m->distance, m->distance, digit);
-  const double left = 32 * (1 - sqrt(fmpq_get_d(m->distance)));
-  return left >= 8 ? 8 : left >= 1 ? (long)left : 1;
+  const double left = DIGIT / 2.0 * (1 - sqrt(fmpq_get_d(m->distance)));
+  return left >= EIGHTH ? EIGHTH : left >= 1 ? (long)left : 1;
 }
 
 /* From the foot on the edge by the step times (|dx|, |dy|) / (|dx| + |dy|) to the wanted side. */
-void tp_move_place(tp_move *m, const tp_polyline *ring, const fmpq_t digit) {
+void tp_move_aim(tp_move *m, const tp_polyline *ring, const fmpq_t digit) {
   fmpq_t sum, step;
   fmpq_init(sum);
   fmpq_init(step);
@@ -121,7 +128,7 @@ void tp_move_place(tp_move *m, const tp_polyline *ring, const fmpq_t digit) {
   fmpq_abs(sum, m->dx);
   fmpq_abs(step, m->dy);
   fmpq_add(sum, sum, step);
-  fmpq_div_2exp(step, digit, 6);
+  fmpq_div_2exp(step, digit, UNIT_EXPONENT);
   fmpq_mul_si(step, step, past);
   fmpq_div(step, step, sum);
   if (m->side < 0) fmpq_neg(step, step);

@@ -7,7 +7,7 @@
 #define TP_REPAIR_MOVE_H
 
 #include "geom.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 /* Scratch of one move: the direction of an edge, where a vertex lies by it, and where it goes. */
 typedef struct tp_move {
@@ -25,6 +25,6 @@ bool tp_move_choose(tp_move *move, const tp_polyline *ring, tp_geom_meeting meet
 
 /* Where that vertex goes, (x, y): beside the edge on its side, by digit / 8 or somewhat less, on a
  * grid of thousandths of the digit. */
-void tp_move_place(tp_move *move, const tp_polyline *ring, const fmpq_t digit);
+void tp_move_aim(tp_move *move, const tp_polyline *ring, const fmpq_t digit);
 
 #endif

@@ -11,8 +11,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Levels of blocks, more than a long can count; threads beyond MOST_THREADS wait for memory. */
-enum { LEVELS = 46, MOST_THREADS = 16 };
+/* Levels of blocks: 63 bits of a count of edges less the 18 of a block, and one. Threads beyond
+ * MOST_THREADS wait for memory. */
+enum { LEVELS = 63 - 18 + 1, MOST_THREADS = 16 };
 
 typedef struct work {
   const tp_ring *ring;

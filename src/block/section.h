@@ -11,8 +11,8 @@
 #define TP_SECTION_H
 
 #include "block/arcs.h"
-#include "number/lattice.h"
-#include "number/polyline.h"
+#include "plane/lattice.h"
+#include "plane/polyline.h"
 #include "scene/scene.h"
 
 #include <flint/fmpq.h>

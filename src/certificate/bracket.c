@@ -29,7 +29,7 @@ static tp_answer prove_at(const tp_limit_question *q, tp_scaled *scaled, const t
 
 tp_answer tp_bracket_limit(tp_limit_answer *answer, const tp_limit_question *question,
                            tp_scaled *scaled) {
-  enum { WIDER = 8 };
+  enum { WIDER = 8 }; /* bits a round: at most bits / 32 rounds */
   const long bits = question->judge.bits;
   tp_limit_question strict = *question;
   strict.judge.settled = false;

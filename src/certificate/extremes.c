@@ -55,7 +55,7 @@ static void powers_of(double own[2], const plane *p, const double c[3], const do
  * a half turn: the middle of their span is inside all halves. */
 static bool find_turn(double turn[2], const plane *p, const tp_scaled *scaled, const double down[3],
                       const double across[3]) {
-  static const double rounding = 1e-13;
+  static const double rounding = 1e-13; /* of products of size 1 in doubles, with room */
   double loads[2], own[2], least = 0, most = 0;
   powers_of(loads, p, down, across);
   for (long k = 0; k < scaled->count; k++) {

@@ -10,8 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2 };
-
 bool tp_face_init(tp_face *face, const tp_cones *cones) {
   memset(face, 0, sizeof *face);
   if (cones->capacity_count > 0) {
@@ -38,7 +36,7 @@ static void both_columns(tp_vector columns[2], const tp_face *face, const tp_con
   }
 }
 
-/* The same twist from the place alone, without the roundings of the friction: (y, -x, 1) omega. */
+/* The same twist from the point alone, without the roundings of the friction: (y, -x, 1) omega. */
 static void turn_about_site(tp_face *face, const tp_cones *cones) {
   arb_struct *v = face->twist.of;
   long point = 0;
@@ -72,7 +70,7 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
   if (tp_cones_meet(&face->site, cones, first, second)) face->motion = TP_MOTION_TURN_AT_SITE;
   arb_clear(power);
   for (int k = 0; k < 2; k++) tp_vector_clear(columns + k);
-  return sign == 0 ? TP_NO : sign == OPEN_SIGN || turns == OPEN_SIGN ? TP_OPEN : TP_YES;
+  return sign == 0 ? TP_NO : sign == TP_OPEN_SIGN || turns == TP_OPEN_SIGN ? TP_OPEN : TP_YES;
 }
 
 /* Scratch for the power of the two edges of a cone. */
@@ -96,7 +94,7 @@ static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, 
   arb_mul(p->along, p->along, cones->friction, bits);
 }
 
-/* Does the column do no work by its place alone? */
+/* Does the column do no work by its point alone? */
 static bool is_idle(const tp_face *face, const tp_cones *cones, long column) {
   if (face->motion == TP_MOTION_TURN_AT_SITE && cones->points[column / 2].site == face->site) {
     return true;
@@ -132,7 +130,7 @@ static tp_answer is_at_rest(const tp_face *face, const tp_cones *cones, long poi
   if (!arb_is_zero(cones->friction)) return TP_YES;
   const double scale = log2_of_velocity(face, cones, point);
   const int along = tp_judge_sign(judge, p->vx, scale), up = tp_judge_sign(judge, p->vy, scale);
-  if (along == OPEN_SIGN || up == OPEN_SIGN) return TP_OPEN;
+  if (along == TP_OPEN_SIGN || up == TP_OPEN_SIGN) return TP_OPEN;
   return along == 0 && up == 0 ? TP_YES : TP_NO;
 }
 
@@ -153,7 +151,7 @@ static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, p
                          ? 0
                          : tp_judge_sign(judge, p->edge, log2_of_terms(face, cones, point));
     if (sign == 0) zeros++;
-    if (sign == -1 || sign == OPEN_SIGN) {
+    if (sign == -1 || sign == TP_OPEN_SIGN) {
       *violated = column;
       return sign == -1 ? TP_NO : TP_OPEN;
     }

@@ -15,7 +15,7 @@
 #include "linear_program/cones.h"
 #include "linear_program/scaled.h"
 #include "number/judge.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 
 typedef enum tp_face_motion {
   TP_MOTION_SLIDE,

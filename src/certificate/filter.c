@@ -21,7 +21,7 @@ tp_filter tp_filter_of(const tp_vector *twist, const tp_scaled *s) {
     filter.bound +=
         size * s->error + (error + 2 * DBL_EPSILON * size) * (s->largest[row] + s->error);
   }
-  filter.bound *= 1 + 16 * DBL_EPSILON; /* its own roundings */
+  filter.bound *= 1 + 16 * DBL_EPSILON; /* its own roundings, a dozen at most to a term */
   tp_vector_clear(&own);
   return filter;
 }

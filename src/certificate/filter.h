@@ -13,7 +13,7 @@
 #define TP_FILTER_H
 
 #include "linear_program/scaled.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 
 typedef struct tp_filter {
   double twist[3];

@@ -10,9 +10,16 @@
 
 #include <math.h>
 
+/* Tilts at which a face is looked for, of one interval: each rules out a stretch of it, and where
+ * that many do not cover it the proof is given up. */
 enum { MOST_SAMPLES = 128 };
 
+/* Work that doubles take for none, in the program's units: wide, since what it lets in only costs a
+ * face that is refuted. */
 static const double rounding = 1e-9;
+
+/* Steps of the program that a look is counted for, about as many as it takes. */
+enum { STEPS_IN_DOUBLES = 2, STEPS_IN_LONG_NUMBERS = 5 };
 
 /* Of those against which the dual does no work, or of all, the column that spans the widest face
  * with the first. */
@@ -61,7 +68,9 @@ static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_scaled 
                            const tp_vector *push, const tp_vector *load) {
   tp_answer answer = TP_OPEN;
   for (int engine = 0; engine < 2 && answer != TP_YES; engine++) {
-    if (!tp_work_spend(q->work, engine == 0 ? 2 : 5, scaled->count, q->judge.bits)) return TP_OPEN;
+    if (!tp_work_spend(q->work, engine == 0 ? STEPS_IN_DOUBLES : STEPS_IN_LONG_NUMBERS,
+                       scaled->count, q->judge.bits))
+      return TP_OPEN;
     const tp_simplex_answer found = engine == 0
                                         ? tp_equilibrium_solve(scaled, push, load)
                                         : tp_equilibrium_solve_precisely(q, scaled, push, load);

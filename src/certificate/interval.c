@@ -5,6 +5,7 @@
 
 #include "number/ball.h"
 
+/* Pieces of the interval that are tried; where so many are not enough the proof is given up. */
 enum { MOST_SAMPLES = 256 };
 
 tp_answer tp_interval_bears_at(const tp_limit_question *q, tp_scaled *scaled, const tp_vector *push,

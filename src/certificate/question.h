@@ -9,8 +9,8 @@
 #include "linear_program/cones.h"
 #include "load/wrench.h"
 #include "number/judge.h"
-#include "number/vector.h"
 #include "number/work.h"
+#include "plane/vector.h"
 
 /* A question: cones, loads as functions of the tilt, and how far the tilt may go (degrees, where
  * loads have terms in 1 / cos; exact). */

@@ -28,6 +28,8 @@ static long find_least(double *least, const double twist[3], const tp_scaled *s,
 
 /* Perceptron: from the sum of all edges, whichever does least is added until all do work. */
 static bool find_inner(double twist[3], const tp_scaled *s, long edges) {
+  /* a perceptron that separates with a margin m ends within 1 / m^2 steps: m above 0.02 is found,
+   * and one that grew to `enough` is not improved on */
   enum { MOST_STEPS = 2000 };
   static const double enough = 1e-4;
   double least = 0;

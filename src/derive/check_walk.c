@@ -4,6 +4,7 @@
 #include "derive/check_walk.h"
 
 #include "number/ball.h"
+#include "number/ladder.h"
 #include "scene/key.h"
 #include "stability/friction.h"
 
@@ -11,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 160, DIGITS = 12 };
+/* Digits that the solver is asked for, and bits that tell far more: 160 are 48 digits. */
+enum { BITS = TP_BALL_BITS, DIGITS = 12 };
 
 static const char friction_key[] = "friction_angle_deg";
 
@@ -82,12 +84,12 @@ void tp_walk_clear(tp_walk *w) {
   w->root = NULL;
 }
 
-void tp_walk_place_init(tp_walk_place *p, const tp_walk *w) {
+void tp_walk_point_init(tp_walk_point *p, const tp_walk *w) {
   memset(p->texts, 0, sizeof p->texts);
   p->values = _arb_vec_init(w->formula->conditions->field->symbol_count);
 }
 
-void tp_walk_place_clear(tp_walk_place *p, const tp_walk *w) {
+void tp_walk_point_clear(tp_walk_point *p, const tp_walk *w) {
   _arb_vec_clear(p->values, w->formula->conditions->field->symbol_count);
 }
 
@@ -111,7 +113,7 @@ static bool read_text(arb_t value, const tp_walk_number *n, const char *text) {
   return read;
 }
 
-bool tp_walk_go(tp_walk_place *p, const tp_walk *w, const tp_walk_direction *direction,
+bool tp_walk_go(tp_walk_point *p, const tp_walk *w, const tp_walk_direction *direction,
                 double distance) {
   const tp_scene *scene = w->formula->model->problem.scene;
   for (long k = 0; k < scene->parameters.count; k++) {
@@ -130,7 +132,7 @@ bool tp_walk_go(tp_walk_place *p, const tp_walk *w, const tp_walk_direction *dir
   return true;
 }
 
-long tp_walk_fails(const tp_walk *w, const tp_walk_place *p, long from) {
+long tp_walk_fails(const tp_walk *w, const tp_walk_point *p, long from) {
   const tp_conditions *c = w->formula->conditions;
   arb_t ball;
   arb_init(ball);
@@ -143,7 +145,7 @@ long tp_walk_fails(const tp_walk *w, const tp_walk_place *p, long from) {
   return found;
 }
 
-bool tp_walk_holds(const tp_walk *w, const tp_walk_place *p) {
+bool tp_walk_holds(const tp_walk *w, const tp_walk_point *p) {
   const tp_conditions *c = w->formula->conditions;
   arb_t ball;
   arb_init(ball);
@@ -156,8 +158,8 @@ bool tp_walk_holds(const tp_walk *w, const tp_walk_place *p) {
   return holds;
 }
 
-/* The scene with the texts of the place for its numbers. */
-static tp_status solve_at(tp_solution **solution, const tp_walk *w, const tp_walk_place *p,
+/* The scene with the texts of the point for its numbers. */
+static tp_status solve_at(tp_solution **solution, const tp_walk *w, const tp_walk_point *p,
                           tp_message *message) {
   char *held[TP_WALK_SYMBOLS];
   tp_node *nodes[TP_WALK_SYMBOLS];
@@ -184,7 +186,7 @@ static tp_status solve_at(tp_solution **solution, const tp_walk *w, const tp_wal
 }
 
 /* The formula's angle there, and the solver's. */
-static tp_check_verdict compare(const tp_walk *w, const tp_walk_place *p, tp_bounded solved) {
+static tp_check_verdict compare(const tp_walk *w, const tp_walk_point *p, tp_bounded solved) {
   arb_t angle, one;
   arb_init(angle);
   arb_init(one);
@@ -207,7 +209,7 @@ static bool has_contact(const tp_walk *w, const tp_contact_result *there) {
          there->right_end == here->right_end;
 }
 
-static tp_check_verdict judge(const tp_walk *w, const tp_walk_place *p, const tp_case *own) {
+static tp_check_verdict judge(const tp_walk *w, const tp_walk_point *p, const tp_case *own) {
   if (w->formula->onset) {
     const tp_onset *o = &own->onset;
     if (o->kind == TP_ONSET_AT_ANGLE) return compare(w, p, o->critical_angle_deg);
@@ -218,7 +220,7 @@ static tp_check_verdict judge(const tp_walk *w, const tp_walk_place *p, const tp
   return l->kind == TP_LIMIT_UNDECIDED ? TP_CHECK_UNDECIDED : TP_CHECK_NONE;
 }
 
-tp_status tp_walk_solve(tp_check_verdict *verdict, const tp_walk *w, const tp_walk_place *p,
+tp_status tp_walk_solve(tp_check_verdict *verdict, const tp_walk *w, const tp_walk_point *p,
                         tp_message *message) {
   tp_solution *solution = NULL;
   tp_message why;
@@ -238,7 +240,7 @@ tp_status tp_walk_solve(tp_check_verdict *verdict, const tp_walk *w, const tp_wa
   return TP_OK;
 }
 
-char *tp_walk_write(const tp_walk *w, const tp_walk_place *p) {
+char *tp_walk_write(const tp_walk *w, const tp_walk_point *p) {
   size_t size = 1;
   for (size_t k = 0; k < w->count; k++) size += strlen(w->numbers[k].key) + TP_WALK_TEXT + 5;
   char *text = calloc(1, size);

@@ -6,8 +6,21 @@
 #ifndef TP_CHECK_WALK_H
 #define TP_CHECK_WALK_H
 
-#include "derive/checks.h"
+#include "derive/conditions.h"
+#include "derive/model.h"
 
+/* A formula and what it is of. */
+typedef struct tp_checked_formula {
+  const tp_model *model;
+  tp_direction towards;
+  bool onset;                         /* of the onset of motion; else of the static limit */
+  long friction;                      /* the symbol tan(phi) */
+  const fmpz_mpoly_q_struct *tangent; /* of the angle */
+  const tp_conditions *conditions;
+} tp_checked_formula;
+
+/* Numbers that a walk changes: with more the first ones. A text holds a double with its exponent.
+ */
 enum { TP_WALK_SYMBOLS = 12, TP_WALK_TEXT = 32 };
 
 /* A number of the scene that is a symbol of the formula. */
@@ -31,33 +44,33 @@ typedef struct tp_walk_direction {
 } tp_walk_direction;
 
 /* Values of all numbers as the scene is given them, and of all symbols. */
-typedef struct tp_walk_place {
+typedef struct tp_walk_point {
   char texts[TP_WALK_SYMBOLS][TP_WALK_TEXT];
   arb_ptr values;
-} tp_walk_place;
+} tp_walk_point;
 
 TP_MUST_USE tp_status tp_walk_init(tp_walk *walk, const tp_checked_formula *formula,
                                    tp_message *message);
 void tp_walk_clear(tp_walk *walk);
 
-void tp_walk_place_init(tp_walk_place *place, const tp_walk *walk);
-void tp_walk_place_clear(tp_walk_place *place, const tp_walk *walk);
+void tp_walk_point_init(tp_walk_point *point, const tp_walk *walk);
+void tp_walk_point_clear(tp_walk_point *point, const tp_walk *walk);
 
 /* The values at a distance in a direction; false where a number leaves its range. */
-bool tp_walk_go(tp_walk_place *place, const tp_walk *walk, const tp_walk_direction *direction,
+bool tp_walk_go(tp_walk_point *point, const tp_walk *walk, const tp_walk_direction *direction,
                 double distance);
 
 /* The first condition from `from` on that does not hold there, certainly, or -1. */
-long tp_walk_fails(const tp_walk *walk, const tp_walk_place *place, long from);
+long tp_walk_fails(const tp_walk *walk, const tp_walk_point *point, long from);
 /* Do all hold, certainly? */
-bool tp_walk_holds(const tp_walk *walk, const tp_walk_place *place);
+bool tp_walk_holds(const tp_walk *walk, const tp_walk_point *point);
 
 /* What the solver says there, beside the formula; fails when memory is exhausted. */
 TP_MUST_USE tp_status tp_walk_solve(tp_check_verdict *verdict, const tp_walk *walk,
-                                    const tp_walk_place *place, tp_message *message);
+                                    const tp_walk_point *point, tp_message *message);
 
 /* "c = 7.41, friction_angle_deg = 44": what differs from the scene; NULL when memory is exhausted.
  */
-char *tp_walk_write(const tp_walk *walk, const tp_walk_place *place);
+char *tp_walk_write(const tp_walk *walk, const tp_walk_point *point);
 
 #endif

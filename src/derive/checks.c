@@ -3,13 +3,18 @@
 
 #include "derive/checks.h"
 
-#include "derive/check_walk.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_VERTICES = 2000, MOST_TERMS = 100000, STEPS = 26, DRAWN = 24 };
+enum {
+  MOST_VERTICES = 2000, /* so that a solve on each side is quick */
+  MOST_TERMS = 100000,  /* of all conditions: likewise a look at them */
+  DRAWN = 24            /* directions at random */
+};
+
+/* A number goes by 1 % first and then in 26 steps to e^3.3, some 27 times itself. */
+enum { STEPS = 26 };
 static const double first_step = 0.01, growth = 1.25;
 static const double resolution = 1e-5; /* of a crossing, in logarithms of the numbers */
 static const double margin = 1e-3;     /* from it, on either side */
@@ -28,7 +33,7 @@ typedef struct running {
   tp_derived_checks *out;
   bool *met; /* by condition */
   long left; /* conditions that are not */
-  tp_walk_place inside, outside;
+  tp_walk_point inside, outside;
   tp_message *message;
 } running;
 
@@ -156,8 +161,8 @@ tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *for
   running r = {.out = checks, .left = (long)conditions, .message = message};
   tp_status status = tp_walk_init(&r.walk, formula, message);
   if (status != TP_OK) return status;
-  tp_walk_place_init(&r.inside, &r.walk);
-  tp_walk_place_init(&r.outside, &r.walk);
+  tp_walk_point_init(&r.inside, &r.walk);
+  tp_walk_point_init(&r.outside, &r.walk);
   r.met = calloc(conditions, sizeof *r.met);
   checks->items = calloc(conditions, sizeof *checks->items);
   if (r.met != NULL && checks->items != NULL) {
@@ -168,8 +173,8 @@ tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *for
     status = tp_fail_memory(message, "the checks");
   }
   free(r.met);
-  tp_walk_place_clear(&r.inside, &r.walk);
-  tp_walk_place_clear(&r.outside, &r.walk);
+  tp_walk_point_clear(&r.inside, &r.walk);
+  tp_walk_point_clear(&r.outside, &r.walk);
   tp_walk_clear(&r.walk);
   return status;
 }

@@ -12,18 +12,7 @@
 #ifndef TP_CHECKS_H
 #define TP_CHECKS_H
 
-#include "derive/conditions.h"
-#include "derive/model.h"
-
-/* A formula and what it is of. */
-typedef struct tp_checked_formula {
-  const tp_model *model;
-  tp_direction towards;
-  bool onset;                         /* of the onset of motion; else of the static limit */
-  long friction;                      /* the symbol tan(phi) */
-  const fmpz_mpoly_q_struct *tangent; /* of the angle */
-  const tp_conditions *conditions;
-} tp_checked_formula;
+#include "derive/check_walk.h"
 
 /* Fills in the list; for a scene of many vertices, or without conditions, none. */
 TP_MUST_USE tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *formula,

@@ -23,6 +23,9 @@ tp_derive_options tp_derive_options_default(void) {
 /* Symbols besides the scene's: those of rounded corners first, then that of the limit. */
 enum { MOST_ADDED = 8 };
 
+/* Of an angle at the scene's values, which is given as a double: cancellation may take half. */
+enum { ANGLE_BITS = 128 };
+
 static tp_symbol_names added_symbols(const char *names[MOST_ADDED],
                                      const tp_derive_options *options) {
   long count = 0;
@@ -77,9 +80,9 @@ static tp_bounded angle_at_values(const work *w, const fmpz_mpoly_q_t x_arm,
   tp_bounded result = {.error = INFINITY};
   if (tp_field_evaluate(x, x_arm, &w->model.symbols.field) &&
       tp_field_evaluate(y, y_arm, &w->model.symbols.field)) {
-    arb_set_fmpq(sine, x, 128);
-    arb_set_fmpq(cosine, y, 128);
-    tp_ball_atan2_degrees(angle, sine, cosine, 128);
+    arb_set_fmpq(sine, x, ANGLE_BITS);
+    arb_set_fmpq(cosine, y, ANGLE_BITS);
+    tp_ball_atan2_degrees(angle, sine, cosine, ANGLE_BITS);
     result = tp_ball_bounded(angle);
   }
   fmpq_clear(x);

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of the scene's values, at which the signs of conditions are read. */
 enum { BITS = 256 };
 
 tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message) {

@@ -46,14 +46,14 @@ static void write_centre(const writing *w, tp_derived_row *own, const tp_vector_
   const tp_field *field = w->formulas->terms.field;
   own->turns = !fmpz_mpoly_q_is_zero(twist->of[2], field->ring);
   if (!own->turns) return;
-  fmpz_mpoly_q_t place;
-  fmpz_mpoly_q_init(place, field->ring);
-  tp_field_div(place, twist->of[1], twist->of[2], field);
-  fmpz_mpoly_q_neg(place, place, field->ring);
-  own->x = write_x(w, place);
-  tp_field_div(place, twist->of[0], twist->of[2], field);
-  own->y = write(w, place);
-  fmpz_mpoly_q_clear(place, field->ring);
+  fmpz_mpoly_q_t coordinate;
+  fmpz_mpoly_q_init(coordinate, field->ring);
+  tp_field_div(coordinate, twist->of[1], twist->of[2], field);
+  fmpz_mpoly_q_neg(coordinate, coordinate, field->ring);
+  own->x = write_x(w, coordinate);
+  tp_field_div(coordinate, twist->of[0], twist->of[2], field);
+  own->y = write(w, coordinate);
+  fmpz_mpoly_q_clear(coordinate, field->ring);
 }
 
 static void write_rows(const writing *w) {

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The field in which formulas are derived: rational functions over the rationals in the scene's
- * parameters, always in lowest terms (Calcium's fmpz_mpoly_q, later part of FLINT; included here
- * alone).
+/* The field in which formulas are derived, made from a scene, and values of what is in it.
  *
  * A parameter that the scene gives by a number is a symbol; one that it gives by an expression in
  * others stands for that expression. Further symbols are a count, and whatever a caller adds. */
@@ -11,23 +9,10 @@
 #ifndef TP_FIELD_H
 #define TP_FIELD_H
 
+#include "derive/field_work.h"
 #include "scene/scene.h"
 
 #include <arb.h>
-#include <calcium/fmpz_mpoly_q.h>
-
-typedef struct tp_field_work tp_field_work; /* field_work.h */
-
-typedef struct tp_field {
-  fmpz_mpoly_ctx_t ring;
-  const tp_parameters *parameters; /* of the scene: names and values */
-  long symbol_count;               /* the parameters, one for a count, and those of the caller */
-  const char **names; /* of the symbols; the count is N, or n or N_ and so on where that is taken */
-  char *count_name, **renamed; /* owned names; the parameters' as derive/c_names.h sets them */
-  long known;                  /* parameters read so far */
-  fmpz_mpoly_q_struct *values; /* symbol or expression of each */
-  tp_field_work *work;         /* what its arithmetic has cost, and may cost */
-} tp_field;
 
 /* A coordinate may have so many terms. */
 enum { TP_FIELD_COORDINATE_TERMS = 64 };

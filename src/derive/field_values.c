@@ -3,9 +3,9 @@
 
 /* Values of formulas: exact at the scene's parameters, or in balls. */
 
-#include "derive/field_work.h"
+#include "derive/field.h"
 
-/* Bits that powers of the values may have. */
+/* Bits that powers of the values may have: a quarter of a megabyte. */
 static const double most_bits = 2e6;
 
 /* A bound of the bits of a term at the values. */

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Formulas of more coordinates are longer than anyone reads. */
 enum { MOST_VERTICES = 20000 };
 
 void tp_model_clear(tp_model *model) {

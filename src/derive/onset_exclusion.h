@@ -6,10 +6,11 @@
 #ifndef TP_ONSET_EXCLUSION_H
 #define TP_ONSET_EXCLUSION_H
 
-#include "derive/onset_formulas.h"
+#include "derive/onset_planes.h"
 
-/* Into the conditions of the formulas, whose tangent is set: by energy, by one plane or by two
+/* Into the conditions, for the onset at `tangent`: by energy, by one plane or by two
  * (derive/onset_formulas.h). NULL, or why not, as a static string. */
-const char *tp_onset_exclude(tp_onset_formulas *formulas);
+const char *tp_onset_exclude(tp_conditions *conditions, const tp_onset_planes *planes,
+                             const fmpz_mpoly_q_t tangent);
 
 #endif

@@ -155,7 +155,7 @@ static const char *derive(tp_onset_formulas *f, const tp_onset_wanted *wanted) {
     add_beginning(f);
     reason = tp_onset_modes_conditions(&f->conditions, &f->modes);
   }
-  return reason != NULL ? reason : tp_onset_exclude(f);
+  return reason != NULL ? reason : tp_onset_exclude(&f->conditions, &f->planes, f->tangent);
 }
 
 const char *tp_onset_formulas_init(tp_onset_formulas *f, const tp_onset_wanted *wanted,

@@ -6,12 +6,15 @@
 #include "derive/derive_limit.h"
 #include "derive/field_work.h"
 #include "number/ball.h"
+#include "number/ladder.h"
 #include "stability/limit_cones.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 1280, MOST_POINTS = 400 };
+/* Signs at the values as the solver settles them; the modes of more points are too many to derive.
+ */
+enum { BITS = TP_SETTLING_BITS, MOST_POINTS = 400 };
 
 static void set_sums(tp_onset_terms *t) {
   const tp_formulas *sums = &t->model->formulas;

@@ -2,14 +2,14 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Triples in symbols: a force with its moment, or a twist (v_x, v_y, omega) about the origin
- * (number/vector.h says the same in balls). */
+ * (plane/vector.h says the same in balls). */
 
 #ifndef TP_VECTOR_FORMULAS_H
 #define TP_VECTOR_FORMULAS_H
 
 #include "derive/field.h"
 
-#include "number/vector.h"
+#include "plane/vector.h"
 
 typedef struct tp_vector_formulas {
   fmpz_mpoly_q_t of[3];

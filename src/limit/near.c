@@ -78,10 +78,10 @@ static bool is_same(const tp_basis *a, const tp_basis *b) {
 /* Where doubles do not tell the columns apart: programs at full precision, each at the tilt that
  * the last one gave, until one is its own. */
 static tp_answer find_precisely(candidate *c) {
-  enum { MOST_ROUNDS = 8 };
+  enum { MOST_ROUNDS = 8, STEPS = 8 }; /* then given up; steps that a program is counted for */
   tp_answer done = TP_OPEN;
   for (int round = 0; round < MOST_ROUNDS && done != TP_YES; round++) {
-    if (!tp_work_spend(c->question->work, 8, c->scaled->count, c->question->judge.bits)) break;
+    if (!tp_work_spend(c->question->work, STEPS, c->scaled->count, c->question->judge.bits)) break;
     const tp_basis before = c->basis;
     tp_program_set_near(&c->program, c->question, c->near);
     const tp_simplex_answer found = tp_program_solve_precisely(&c->program, c->scaled, c->question);
@@ -152,7 +152,7 @@ static tp_limit_outcome find_entry(arb_t degrees, const tp_limit_question *q,
 static tp_limit_outcome find_first(tp_limit_answer *answer, const tp_limit_question *q,
                                    tp_search_tilts *tilts, bool always, const arb_t start,
                                    tp_scaled *scaled) {
-  enum { MOST_ROUNDS = 8 };
+  enum { MOST_ROUNDS = 8 }; /* each at an earlier limit, that doubles did not see */
   for (int round = 0; round < MOST_ROUNDS; round++) {
     answer->kind = TP_LIMIT_INTERLOCKED;
     if (!always) {

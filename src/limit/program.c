@@ -24,7 +24,9 @@ void tp_program_set_linear(tp_program *p, const tp_limit_question *q) {
   tp_vector_neg(&p->target);
 }
 
-/* F' by a short step back and forth: it only has to point the right way. */
+/* F' a degree, by a step of 2^STEP degrees back and forth: it only has to point the right way. */
+enum { STEP = -17 };
+
 void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t near) {
   const long bits = q->judge.bits;
   tp_vector *const parts[3] = {&p->target, &p->direction, &p->direction};
@@ -34,14 +36,14 @@ void tp_program_set_near(tp_program *p, const tp_limit_question *q, const arb_t 
   arb_init(at);
   for (int k = 0; k < 3; k++) {
     arb_one(at);
-    arb_mul_2exp_si(at, at, -17);
+    arb_mul_2exp_si(at, at, STEP);
     arb_mul_si(at, at, k == 0 ? 0 : k == 1 ? -1 : 1, bits);
     arb_add(at, near, at, bits);
     tp_question_load_at_degrees(&load, q, at);
     for (int row = 0; row < 3; row++) {
       if (k == 2) {
         arb_sub(parts[k]->of + row, load.of + row, parts[k]->of + row, bits);
-        arb_mul_2exp_si(parts[k]->of + row, parts[k]->of + row, 16);
+        arb_mul_2exp_si(parts[k]->of + row, parts[k]->of + row, -STEP - 1);
       } else {
         arb_set(parts[k]->of + row, load.of + row);
       }

@@ -130,7 +130,7 @@ static bool set_column(double column[3], const generating *g, long k) {
 /* Wrapping about the shared edge: with n = s (shared x other) pointing into the cone, the other
  * face's column k has -s (shared x k) pointing into it. */
 long tp_basis_across(const tp_scaled *scaled, long shared, long other, bool full) {
-  static const double rounding = 1e-12;
+  static const double rounding = 1e-12; /* of determinants of doubles of size 1, with room */
   const generating g = {scaled, full ? other : -1};
   const double *edge = scaled->columns[shared];
   double column[3], normal[3], inward = 0;

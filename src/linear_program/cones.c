@@ -159,7 +159,7 @@ bool tp_cones_is_shear(const tp_cones *cones, long column) {
   return kind != PULL;
 }
 
-/* Does a sheared line pass through the place? */
+/* Does a sheared line pass through the point? */
 static bool passes(const tp_cones *cones, long line, long site) {
   for (long k = 0; k < cones->count; k++) {
     if (cones->points[k].line == line && cones->points[k].site == site) return true;
@@ -167,7 +167,7 @@ static bool passes(const tp_cones *cones, long line, long site) {
   return false;
 }
 
-/* Lines that differ have one place in common at most. */
+/* Lines that differ have one point in common at most. */
 static bool lines_meet(long *site, const tp_cones *cones, long line, long other) {
   for (long k = 0; k < cones->count && line != other; k++) {
     *site = cones->points[k].site;

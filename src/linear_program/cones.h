@@ -19,7 +19,7 @@
 #include <stdbool.h>
 
 typedef struct tp_cone_point {
-  long site;  /* the same for points in one place */
+  long site;  /* the same for columns at one point of the plane */
   long facet; /* the caller's */
   long line;  /* the straight line of its facet: the same for all on it; needed for capacities */
 } tp_cone_point;
@@ -69,8 +69,8 @@ void tp_cones_bound(arb_t most, const tp_cones *cones, long column);
 /* The point whose force the column is, and a unit of force along it: for the report. */
 long tp_cones_point_of(const tp_cones *cones, long column);
 
-/* Is column `other` parallel to `column` by its facet alone? Are both forces in one place? Do both
- * pass through one place alone, that of an edge's point or of one on a sheared line? */
+/* Is column `other` parallel to `column` by its facet alone? Are both forces at one point? Do both
+ * pass through one point alone, that of an edge's point or of one on a sheared line? */
 bool tp_cones_are_parallel(const tp_cones *cones, long column, long other);
 bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other);
 bool tp_cones_share_site(const tp_cones *cones, long column, long other);

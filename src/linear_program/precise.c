@@ -59,10 +59,11 @@ static void free_numbers(arf_struct *numbers, long count) {
   free(numbers);
 }
 
-/* Numbers of so many bits, four a column and 32 bytes each beside their bits. */
+/* Numbers of so many bits, four a column: its three entries and its bound, each a struct and its
+ * limbs. */
 static bool fits(long count, long bits) {
-  static const double most_bytes = 5e8;
-  return 4.0 * (double)count * (32 + (double)bits / 8) < most_bytes;
+  static const double numbers = 4, most_bytes = 5e8; /* half a gigabyte, as precise.h says */
+  return numbers * (double)count * (sizeof(arf_struct) + (double)bits / 8) < most_bytes;
 }
 
 static void describe(tp_simplex_answer *answer, const tp_precise *p) {

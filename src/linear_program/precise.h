@@ -10,10 +10,10 @@
 
 #include "linear_program/cones.h"
 #include "linear_program/scaled.h"
-#include "number/vector.h"
 #include "number/work.h"
+#include "plane/vector.h"
 
-/* With fewer bits it is no better than doubles. */
+/* With fewer bits it is hardly better than the 53 of doubles: some go to roundings (GUARD). */
 enum { TP_PRECISE_BITS = 128 };
 
 /* Its steps are counted as work. In the scaled program's units, its flags of what is at its bound

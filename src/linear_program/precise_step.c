@@ -3,7 +3,11 @@
 
 #include "linear_program/precise_step.h"
 
-enum { ARTIFICIAL = TP_SIMPLEX_NONE, MOST_STEPS = 1000, GUARD = 24 };
+enum {
+  ARTIFICIAL = TP_SIMPLEX_NONE,
+  MOST_STEPS = 1000, /* as in doubles (simplex.c) */
+  GUARD = 24         /* bits lost to roundings: smaller numbers count as zero */
+};
 
 void tp_precise_share(tp_precise *p) {
   arf_struct *next = p->scratch;

@@ -12,7 +12,8 @@
 
 #include <arf.h>
 
-enum { TP_PRECISE_SCRATCH = 40 };
+/* Numbers at work: an inverse of 3 by 3, six vectors of 3, and six alone. */
+enum { TP_PRECISE_SCRATCH = 3 * 3 + 6 * 3 + 6 };
 
 typedef struct tp_precise {
   long count, bits, first_bounded;

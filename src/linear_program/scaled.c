@@ -45,7 +45,7 @@ static void set_moment(arb_t moment, const tp_scaled *s, const tp_vector *of) {
 }
 
 /* Exact doubles: where a scaled program's moments are about, and the friction rounded. With them
- * the edges of cones at exact places take no balls. */
+ * the edges of cones at exact points take no balls. */
 typedef struct doubles {
   bool known;
   double x, y, friction;
@@ -62,7 +62,7 @@ static bool to_double(double *value, const arb_t ball) {
 
 /* Friction known to half a unit in its last place and a little more. */
 static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
-  enum { BITS_OF_FRICTION = 60 };
+  enum { BITS_OF_FRICTION = 60 }; /* the 53 of a double and some */
   doubles d = {.known = false};
   d.known =
       to_double(&d.x, s->x) && to_double(&d.y, s->y) &&
@@ -153,7 +153,7 @@ static void set_column(tp_scaled *s, const tp_cones *cones, long k, tp_vector *e
   s->most[k] = in_units(entries->of, s->force_exponent - exponent);
 }
 
-/* Both edges of a cone, where its place and its facet are small whole numbers. In units of the
+/* Both edges of a cone, where its point and its facet are small whole numbers. In units of the
  * force, which is at least |t| max(1, tan(phi)), and with w = 2^-53: tan(phi) t errs by 2 w, that
  * and n together, at most 2, by 5 w with the rounding of the friction; a moment, of arms at most 1
  * that err by w, by 2 (5 + 2 + 2) + 4 = 22 w. */

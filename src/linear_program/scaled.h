@@ -10,7 +10,7 @@
 
 #include "linear_program/cones.h"
 #include "linear_program/simplex.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 
 typedef struct tp_scaled tp_scaled;
 struct tp_scaled {

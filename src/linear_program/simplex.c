@@ -6,6 +6,10 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Three rows take a dozen steps, of many columns some dozens: more is a circle that rounding made.
+ * The tolerances below are chosen, not derived: they stand a hundred times and more above the
+ * roundings of three products of size 1, 1e-15; a wrong proposal costs time, since all of them are
+ * proven or refuted afterwards (certificate/). */
 enum { ARTIFICIAL = TP_SIMPLEX_NONE, MOST_STEPS = 1000 };
 
 typedef struct tableau {

@@ -19,7 +19,7 @@ void tp_load_anchor(tp_wrench *wrench, const tp_anchor_description *anchor,
   tp_ball_sin_cos_degrees(fy.of + TP_ONE, fx.of + TP_ONE, anchor->direction_deg.value, s->bits);
   if (s->mirrored) arb_neg(fx.of + TP_ONE, fx.of + TP_ONE);
   arb_set_fmpq(force, anchor->force_kn.value, s->bits);
-  arb_mul_ui(force, force, 1000, s->bits);
+  arb_mul_ui(force, force, TP_KILO, s->bits);
   arb_mul(fx.of + TP_ONE, fx.of + TP_ONE, force, s->bits);
   arb_mul(fy.of + TP_ONE, fy.of + TP_ONE, force, s->bits);
   tp_load_point(x, y, &anchor->x, &anchor->y, s);

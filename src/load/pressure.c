@@ -34,7 +34,7 @@ void tp_load_pressure(tp_wrench *wrench, const tp_line_load *load, const tp_load
   fmpq_add(sum, load->first_kpa.value, load->last_kpa.value);
   if (!fmpq_is_zero(sum)) {
     arb_set_fmpq(force, sum, s->bits);
-    arb_mul_ui(force, force, 500, s->bits);
+    arb_mul_ui(force, force, TP_KILO / 2, s->bits);
     arb_mul(force, force, s->thickness, s->bits);
     if (s->mirrored) arb_neg(force, force);
     arb_mul(fx.of + TP_ONE, force, dy, s->bits);

@@ -9,6 +9,8 @@
 #include <arb.h>
 #include <stdbool.h>
 
+/* The functions of load/wrench.h times cos^2 are trigonometric polynomials of degree 3, with at
+ * most 6 zeros in a turn. */
 enum { TP_ROOTS_MAX = 8 };
 
 typedef struct tp_roots {
@@ -21,7 +23,7 @@ typedef struct tp_roots {
 void tp_roots_init(tp_roots *roots);
 void tp_roots_clear(tp_roots *roots);
 
-/* Keep a zero, in its place. */
+/* Keep a zero, in ascending order. */
 void tp_roots_keep(tp_roots *roots, const arb_t radians, bool rising, long bits);
 
 /* The tilt at which what is stable below zero first lets go as the table is tilted from level: the

@@ -10,6 +10,9 @@
 #include "load/wrench.h"
 #include "scene/scene.h"
 
+/* Newtons of a kilonewton, pascals of a kilopascal: scenes have the latter. */
+enum { TP_KILO = 1000 };
+
 /* In metres, x mirrored towards the right: the block's weight (N) and
  * its centroid, the ends of the contact, the thickness. */
 typedef struct tp_load_setting {

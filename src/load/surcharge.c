@@ -23,7 +23,7 @@ void tp_load_surcharge(tp_wrench *wrench, const tp_line_load *load, const tp_loa
   arb_sub(length, y1, y0, s->bits);
   arb_hypot(length, force, length, s->bits);
   arb_set_fmpq(force, load->first_kpa.value, s->bits);
-  arb_mul_ui(force, force, 1000, s->bits);
+  arb_mul_ui(force, force, TP_KILO, s->bits);
   arb_mul(force, force, length, s->bits);
   arb_mul(force, force, s->thickness, s->bits);
   arb_neg(fx.of + TP_SIN, force);

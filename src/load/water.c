@@ -15,7 +15,7 @@
 static void half_head(arb_t value, arb_t height, const tp_load_setting *s) {
   const tp_water_description *water = &s->scene->loads.water;
   arb_set_fmpq(value, water->unit_weight_kn_m3.value, s->bits);
-  arb_mul_ui(value, value, 500, s->bits);
+  arb_mul_ui(value, value, TP_KILO / 2, s->bits);
   tp_load_metres(height, water->height.value, s);
   arb_mul(value, value, height, s->bits);
   arb_mul(value, value, s->thickness, s->bits);

@@ -5,11 +5,11 @@
 
 #include "load/isolate.h"
 #include "number/ball.h"
+#include "number/ladder.h"
 
 /* Keep an angle if its cosine, reduced to the circle, is above zero. One that many bits do not tell
  * from a right angle is out of range. */
 static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bits) {
-  enum { SETTLING_BITS = 1280 };
   arb_t sine, cosine, radians;
   arb_init(sine);
   arb_init(cosine);
@@ -20,7 +20,7 @@ static void keep_within(tp_roots *roots, const arb_t angle, bool rising, long bi
     tp_roots_keep(roots, radians, rising, bits);
   } else if (!arb_is_negative(cosine)) {
     const bool narrow = mag_get_d_log2_approx(arb_radref(cosine)) <= -0.5 * (double)bits;
-    if (bits < SETTLING_BITS || !narrow) roots->certain = false;
+    if (bits < TP_SETTLING_BITS || !narrow) roots->certain = false;
   }
   arb_clear(sine);
   arb_clear(cosine);

@@ -10,25 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2, MOST_GENERATORS = 24, MOST_FREE = 4 };
+/* Threes of generators with each free force at either bound: 24^3 / 6 * 2^4, some 32000 programs of
+ * three rows. */
+enum { MOST_GENERATORS = 24, MOST_FREE = 4 };
 
-void tp_start_init(tp_start *start, const tp_motion_mode *mode) {
-  memset(start, 0, sizeof *start);
-  tp_vector_init(&start->twist);
-  tp_vector_init(&start->acceleration);
-  tp_vector_init(&start->sum);
-  start->force_count = mode->edge_count + TP_STRENGTH_PULLS;
-  start->forces = _arb_vec_init(start->force_count);
-}
-
-void tp_start_clear(tp_start *start) {
-  tp_vector_clear(&start->twist);
-  tp_vector_clear(&start->acceleration);
-  tp_vector_clear(&start->sum);
-  _arb_vec_clear(start->forces, start->force_count);
-}
-
-/* Do all forces pass through one place, or have one direction, so that what balances across them
+/* Do all forces pass through one point, or have one direction, so that what balances across them
  * fixes the motion of one ray? */
 static bool forces_are_alike(const tp_starting *s) {
   const tp_normals *n = &s->m->normals;
@@ -43,7 +29,7 @@ static bool forces_are_alike(const tp_starting *s) {
   return s->mode->ray_count == 1 && (site || direction);
 }
 
-/* Does it turn about a place through which all forces pass, those of lines that stick included? */
+/* Does it turn about a point through which all forces pass, those of lines that stick included? */
 static bool turns_about_all(const tp_starting *s) {
   const tp_cone_point *points = s->m->normals.cones->points;
   const long site = s->m->twists.rays[s->mode->rays[0]].site;
@@ -58,7 +44,7 @@ static bool turns_about_all(const tp_starting *s) {
   return all;
 }
 
-/* Then what turns it is the moment of the loads about that place, and the sum of all forces there
+/* Then what turns it is the moment of the loads about that point, and the sum of all forces there
  * is what is left. */
 static tp_motion_outcome turn(tp_starting *s) {
   const long bits = s->q->judge.bits;
@@ -86,11 +72,11 @@ static tp_motion_outcome turn(tp_starting *s) {
     arb_sub(s->start->sum.of + e, s->start->sum.of + e, s->loads.of + e, bits);
   }
   s->solutions = sign != 0 && arb_is_positive(moment) ? 1 : 0;
-  s->start->one_place = s->solutions > 0;
+  s->start->one_point = s->solutions > 0;
   tp_vector_clear(&about);
   arb_clear(moment);
   arb_clear(inertia);
-  return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+  return sign == TP_OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
 /* n . M^-1 e of a contact that slips. */
@@ -111,8 +97,8 @@ static tp_motion_outcome look_for_paradox(tp_starting *s) {
     tp_vector_dot(press, &normal, &edge, bits);
     const double scale = tp_vector_log2_size(&normal) + tp_vector_log2_size(&edge);
     const int sign = tp_judge_sign(&s->q->judge, press, scale);
-    if (sign == OPEN_SIGN) done = TP_MOTION_OPEN;
-    if (sign == 1 || sign == OPEN_SIGN) continue;
+    if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
+    if (sign == 1 || sign == TP_OPEN_SIGN) continue;
     int slip = 0;
     for (int r = 0; r < s->mode->ray_count && slip == 0; r++) {
       slip = tp_closed_slip(n, own->point, s->m->twists.rays + s->mode->rays[r]);
@@ -181,7 +167,7 @@ static tp_motion_outcome bound_pulls(tp_starting *s) {
   const int sign = tp_judge_sign(&s->q->judge, left, 0);
   arb_clear(left);
   if (sign < 0) s->solutions = 0;
-  return sign == OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+  return sign == TP_OPEN_SIGN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
 }
 
 static tp_motion_outcome start_touching(tp_starting *s) {
@@ -201,7 +187,7 @@ static tp_motion_outcome start_touching(tp_starting *s) {
   start->forces_fixed = (alone && s->count == 3) || (s->greatest && start->moves);
   start->greatest = s->greatest;
   start->fixed =
-      start->one_place || (alone && pulls == 0) || (s->strength == NULL && forces_are_alike(s));
+      start->one_point || (alone && pulls == 0) || (s->strength == NULL && forces_are_alike(s));
   if (start->moves) set_acceleration(s);
   if (done == TP_MOTION_PROVEN && start->moves) done = look_for_paradox(s);
   for (long k = 0; k < s->count + s->free_count; k++) tp_vector_clear(s->items + k);

@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2, MOST_GENERATORS = 64 };
+/* Pairs of them are tried against all others: 64^3 / 2, some 130000 signs a mode. */
+enum { MOST_GENERATORS = 64 };
 
 /* One mode at work. */
 typedef struct spanning {
@@ -74,13 +75,13 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
   for (int k = 0; k < 3; k++) {
     const int sign = tp_judge_sign(&s->of.q->judge, cross->of + k, size);
     if (sign == 1 || sign == -1) return 0;
-    if (sign == OPEN_SIGN) line = OPEN_SIGN;
+    if (sign == TP_OPEN_SIGN) line = TP_OPEN_SIGN;
   }
   return line;
 }
 
-/* The same plane by its place or its direction alone, without the roundings of friction: forces
- * through a place have no moment about it, forces of one direction none across it, and what
+/* The same plane by its point or its direction alone, without the roundings of friction: forces
+ * through a point have no moment about it, forces of one direction none across it, and what
  * accelerates along a normal line none along that. False: it stays as it is. */
 static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
                     const tp_generator *b) {
@@ -114,7 +115,7 @@ static tp_motion_outcome sharpen_slide(tp_bound *bound, const spanning *s, const
   }
   const int side =
       tp_judge_sign(&s->of.q->judge, force->of.of + 2, tp_vector_log2_size(&force->of));
-  if (side == OPEN_SIGN) return TP_MOTION_OPEN;
+  if (side == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (side == 0) return TP_MOTION_PROVEN;
   const bool turned = arb_is_negative(force->of.of + 2) != 0;
   arb_set(bound->h.of, ray->of.of + 1);
@@ -137,7 +138,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
   tp_vector_cross(&own->h, &a->of, &b->of, s->of.q->judge.precision);
   const int line = is_line(s, &own->h, size);
-  if (line == OPEN_SIGN) return TP_MOTION_OPEN;
+  if (line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (line == 1) return TP_MOTION_PROVEN;
   own->source = tp_generators_source(&s->of, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
@@ -147,7 +148,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   for (long k = 0; k < s->of.count; k++) {
     if (k == i || k == j) continue;
     const int sign = sign_against(s, &own->h, &own->source, size, s->of.items + k);
-    if (sign == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     above += sign > 0;
     below += sign < 0;
     if (sign == 0) own->rays |= bit_of(k, s);
@@ -207,7 +208,7 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
     long above = 0, below = 0;
     for (long k = 0; k < s->of.count && done == TP_MOTION_PROVEN; k++) {
       const int sign = k == g ? 0 : sign_against(s, &own->h, &line, log2_line, s->of.items + k);
-      if (sign == OPEN_SIGN) done = TP_MOTION_OPEN;
+      if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
       above += sign > 0;
       below += sign < 0;
       if (sign == 0) own->rays |= bit_of(k, s);

@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2 };
-
 void tp_closed_clear(tp_closed *closed) {
   free(closed->edges);
   memset(closed, 0, sizeof *closed);
@@ -29,7 +27,7 @@ static bool add_edge(tp_closed *closed, long point, bool against) {
 
 /* Friction acts against the slip; without friction both edges are one. */
 static tp_motion_outcome add_contact(tp_closed *closed, const tp_normals *n, long point, int slip) {
-  if (slip == OPEN_SIGN) return TP_MOTION_OPEN;
+  if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   const bool rough = !arb_is_zero(n->cones->friction);
   if (slip == 0) closed->sticks = true;
   bool done = true;
@@ -79,7 +77,7 @@ static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
       if (n->cones->points[point].site == n->cones->points[ends[e]].site) continue;
       arb_sub(gap, moment, most[e], n->judge.bits);
       const int sign = tp_judge_sign(&n->judge, gap, tp_ball_log2_above(most[e]));
-      if (sign == OPEN_SIGN) done = TP_MOTION_OPEN;
+      if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
       if (sign != (e == 0 ? -1 : 1)) continue;
       arb_set(most[e], moment);
       ends[e] = point;
@@ -94,7 +92,7 @@ static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
   return added ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
 }
 
-/* Those of one normal line, each place once. */
+/* Those of one normal line, each point once. */
 static tp_motion_outcome add_line(tp_closed *closed, const tp_normals *n, const tp_normal *line,
                                   const tp_ray *ray) {
   for (long k = line->first; k < line->first + line->count; k++) {
@@ -111,12 +109,12 @@ static tp_motion_outcome add_family(tp_closed *closed, const tp_normals *n,
   if (ray->axis >= 0) {
     if (ray->axis != family->axis) return TP_MOTION_PROVEN;
     const int slip = tp_normals_slip(n, n->order[n->items[family->first].first], &ray->twist);
-    return slip == OPEN_SIGN ? TP_MOTION_OPEN : add_sliding(closed, n, family, slip);
+    return slip == TP_OPEN_SIGN ? TP_MOTION_OPEN : add_sliding(closed, n, family, slip);
   }
   for (long k = 0; k < (family->count > 1 ? 2 : 1); k++) {
     const tp_normal *line = n->items + family->first + (k == 0 ? 0 : family->count - 1);
     const int sign = tp_normal_sign(n, line, &ray->twist, ray->near, ray->site);
-    if (sign == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (sign != 0) continue;
     const tp_motion_outcome done = add_line(closed, n, line, ray);
     if (done != TP_MOTION_PROVEN) return done;
@@ -192,7 +190,7 @@ tp_motion_outcome tp_closed_of_sector(tp_closed *closed, const tp_ray *from, con
       const tp_normal *line = n->items + k;
       const int a = tp_normal_sign(n, line, &from->twist, from->near, from->site);
       const int b = tp_normal_sign(n, line, &to->twist, to->near, to->site);
-      if (a == OPEN_SIGN || b == OPEN_SIGN) return TP_MOTION_OPEN;
+      if (a == TP_OPEN_SIGN || b == TP_OPEN_SIGN) return TP_MOTION_OPEN;
       if (a == 0 && b == 0) done = add_line_between(closed, n, k, from, to);
     }
   }

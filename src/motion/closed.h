@@ -26,7 +26,7 @@ TP_MUST_USE tp_motion_outcome tp_closed_of_sector(tp_closed *closed, const tp_ra
                                                   const tp_ray *to, long normal,
                                                   const tp_normals *normals);
 
-/* The sense in which a point slips, up-dip 1 or down-dip -1; 0 where it sticks, 2 where open. */
+/* The sense in which a point slips, up-dip 1 or down-dip -1; 0 where it sticks, TP_OPEN_SIGN. */
 int tp_closed_slip(const tp_normals *normals, long point, const tp_ray *ray);
 
 #endif

@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2 };
-
 void tp_description_clear(tp_description *d) {
   for (long k = 0; k < d->room; k++) tp_vector_clear(&d->rays[k].twist);
   tp_vector_clear(&d->line);
@@ -135,13 +133,13 @@ static tp_motion_outcome cut(cutting *c, long by) {
   for (long k = 0; k < d->count; k++) {
     const tp_described_ray *ray = d->rays + k;
     c->signs[k] = tp_normal_sign(c->n, c->n->items + by, &ray->twist, ray->near, -1);
-    if (c->signs[k] == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (c->signs[k] == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     below = below || c->signs[k] < 0;
   }
   return below ? cut_flat(c, by) : TP_MOTION_PROVEN;
 }
 
-/* Is b along a, either way? 1, 0, or OPEN_SIGN. */
+/* Is b along a, either way? 1, 0, or TP_OPEN_SIGN. */
 static int is_along(const cutting *c, const tp_vector *a, const tp_vector *b) {
   tp_vector cross;
   tp_vector_init(&cross);
@@ -149,7 +147,7 @@ static int is_along(const cutting *c, const tp_vector *a, const tp_vector *b) {
   int along = 1;
   for (int k = 0; k < 3 && along != 0; k++) {
     const int sign = sign_of(c, cross.of + k, a, b);
-    if (sign == OPEN_SIGN) along = OPEN_SIGN;
+    if (sign == TP_OPEN_SIGN) along = TP_OPEN_SIGN;
     if (sign == 1 || sign == -1) along = 0;
   }
   tp_vector_clear(&cross);
@@ -170,7 +168,7 @@ static tp_motion_outcome find_first(cutting *c, long *normals, long count) {
   for (long k = 1; k < count && d->rank < 3; k++) {
     if (d->rank == 1) {
       const int along = is_along(c, h_of(c, 0, normals[0]), h_of(c, 1, normals[k]));
-      if (along == OPEN_SIGN) return TP_MOTION_OPEN;
+      if (along == TP_OPEN_SIGN) return TP_MOTION_OPEN;
       if (along != 0) {
         d->flat = d->flat || c->n->families[c->n->items[normals[0]].family].sense !=
                                  c->n->families[c->n->items[normals[k]].family].sense;
@@ -182,7 +180,7 @@ static tp_motion_outcome find_first(cutting *c, long *normals, long count) {
       d->rank = 2;
     } else {
       const int side = dot_sign(c, &d->line, h_of(c, 0, normals[k]));
-      if (side == OPEN_SIGN) return TP_MOTION_OPEN;
+      if (side == TP_OPEN_SIGN) return TP_MOTION_OPEN;
       if (side == 0) continue;
       bring_forward(normals, 2, k);
       if (side < 0) bring_forward(normals, 1, 2);

@@ -15,7 +15,7 @@
 /* What a plane is spanned by: the same for planes of two modes that are one by construction, and
  * for planes that weight alone, whose moment is none, meets at one tilt. */
 typedef enum tp_source_kind {
-  TP_FROM_SITE,     /* all forces through one place */
+  TP_FROM_SITE,     /* all forces through one point */
   TP_FROM_PARALLEL, /* all forces of one direction: an axis and a side of its cones */
   TP_FROM_AXIS,     /* weight along a facet */
   TP_FROM_NORMAL,   /* M times the twists on one normal line */

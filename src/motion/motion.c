@@ -52,7 +52,7 @@ static tp_answer is_nothing(const tp_trig *f, double log2_scale, const tp_judge 
   for (int basis = 0; basis < TP_BASIS; basis++) {
     const int sign = tp_judge_sign(judge, f->of + basis, log2_scale);
     if (sign == 1 || sign == -1) return TP_NO;
-    if (sign == TP_TILT_OPEN) nothing = TP_OPEN;
+    if (sign == TP_OPEN_SIGN) nothing = TP_OPEN;
   }
   return nothing;
 }

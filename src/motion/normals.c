@@ -8,7 +8,7 @@
 #include <math.h>
 
 double tp_normals_top(const arf_struct *middle, slong exponent) {
-  enum { MOST = 2000 }; /* beyond the exponents of doubles */
+  enum { MOST = 2000 }; /* beyond the exponents of doubles, -1074 to 1024 */
   mp_srcptr limbs;
   mp_size_t count;
   if (arf_is_special(middle) || COEFF_IS_MPZ(ARF_EXP(middle))) return 0;
@@ -146,5 +146,5 @@ int tp_normals_share_line(const tp_normals *n, long point, long end) {
   const int sign = tp_judge_sign(&n->judge, across, log2_scale);
   arb_clear(across);
   arb_clear(part);
-  return sign == 2 ? 2 : sign == 0;
+  return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : sign == 0;
 }

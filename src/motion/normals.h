@@ -19,7 +19,7 @@
 
 #include "linear_program/cones.h"
 #include "number/judge.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 #include "topple.h"
 
 typedef struct tp_normal {
@@ -63,12 +63,12 @@ void tp_normals_clear(tp_normals *normals);
 void tp_normals_set_along(arb_t along, const tp_normals *normals, long point);
 void tp_normals_set_h(tp_vector *h, const tp_normals *normals, long normal);
 
-/* Sign of h . a, by doubles where they tell, 2 where open: `near` is a in doubles. A twist about a
- * site, or -1, lies on the lines through it. */
+/* Sign of h . a, by doubles where they tell, or TP_OPEN_SIGN: `near` is a in doubles. A twist about
+ * a site, or -1, lies on the lines through it. */
 int tp_normal_sign(const tp_normals *normals, const tp_normal *normal, const tp_vector *twist,
                    const double near[3], long site);
 
-/* g . a of a point; its sign, 2 where open. */
+/* g . a of a point; its sign, or TP_OPEN_SIGN. */
 void tp_normals_slip_ball(arb_t along, const tp_normals *normals, long point,
                           const tp_vector *twist);
 int tp_normals_slip(const tp_normals *normals, long point, const tp_vector *twist);
@@ -83,7 +83,7 @@ bool tp_normal_has_site(const tp_normals *normals, const tp_normal *normal, long
 void tp_normals_of_family(long ends[2], const tp_normals *normals, long family);
 
 /* Do two points, with their facets, lie on one straight line, with the same side of it free? 1, 0,
- * or 2 where open. */
+ * or TP_OPEN_SIGN. */
 int tp_normals_share_line(const tp_normals *normals, long point, long other);
 
 /* A number over 2^exponent by its highest limb: none above another comes below it. Zero where it is

@@ -25,11 +25,11 @@ void tp_normals_clear(tp_normals *n) {
 }
 
 /* Where a point comes in the order: by axis, sense, t . q. */
-typedef struct place {
+typedef struct position {
   fmpz axis_x, axis_y; /* t times its sense */
   arb_t along;         /* t . q */
   long site, point;
-} place;
+} position;
 
 /* What is sorted: most comparisons end within it. Of axes of short numbers, below 2^25, no two
  * slopes are closer than 2^-50 of themselves, so that in doubles one slope is one axis. */
@@ -38,7 +38,7 @@ typedef struct entry {
   double along; /* rounded */
   int sense;
   bool is_short;
-  const place *at;
+  const position *at;
 } entry;
 
 static int whole_order(fmpz a, fmpz b) {
@@ -59,7 +59,7 @@ static int compare(const void *left, const void *right) {
   if (axis != 0) return axis;
   if (own->sense != other->sense) return own->sense < other->sense ? -1 : 1;
   if (own->along != other->along) return own->along < other->along ? -1 : 1;
-  const place *a = own->at, *b = other->at;
+  const position *a = own->at, *b = other->at;
   const int along = arf_cmp(arb_midref(a->along), arb_midref(b->along));
   if (along != 0) return along;
   if (a->site != b->site) return a->site < b->site ? -1 : 1;
@@ -87,8 +87,8 @@ static void set_direction(tp_normals *n, long point) {
   fmpz_clear(common);
 }
 
-/* Are the points of two neighbours in the order on one line? 1, 0, or 2 where open. */
-static int share_line(const place *a, const place *b, const tp_normals *n) {
+/* Are the points of two neighbours in the order on one line? 1, 0, or TP_OPEN_SIGN. */
+static int share_line(const position *a, const position *b, const tp_normals *n) {
   if (a->site == b->site) return 1;
   if (arb_is_exact(a->along) && arb_is_exact(b->along)) return arb_equal(a->along, b->along);
   arb_t gap;
@@ -100,11 +100,11 @@ static int share_line(const place *a, const place *b, const tp_normals *n) {
   const int sign = tp_judge_sign(&n->judge, gap, tp_vector_log2_size(&size));
   tp_vector_clear(&size);
   arb_clear(gap);
-  return sign == 2 ? 2 : sign == 0;
+  return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : sign == 0;
 }
 
 static void add_normal(tp_normals *n, const entry *e, long at) {
-  const place *p = e->at;
+  const position *p = e->at;
   tp_normal *own = n->items + n->count++;
   *own = (tp_normal){.first = at, .count = 1, .family = n->family_count - 1};
   tp_vector h;
@@ -125,7 +125,7 @@ static tp_motion_outcome gather(tp_normals *n, const entry *entries) {
     const bool same_axis = before != NULL && axis_order(before, e) == 0;
     const bool same_family = same_axis && before->sense == e->sense;
     const int same_line = same_family ? share_line(before->at, e->at, n) : 0;
-    if (same_line == 2) return TP_MOTION_OPEN;
+    if (same_line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (!same_family) {
       const long axis = n->family_count == 0 ? 0 : n->families[n->family_count - 1].axis;
       n->families[n->family_count++] =
@@ -171,7 +171,7 @@ static bool is_exact(const tp_cones *cones) {
   return true;
 }
 
-static double slope_of(const place *p) {
+static double slope_of(const position *p) {
   if (fmpz_is_zero(&p->axis_x)) return INFINITY;
   slong along, up;
   const double x = fmpz_get_d_2exp(&along, &p->axis_x), y = fmpz_get_d_2exp(&up, &p->axis_y);
@@ -184,10 +184,10 @@ static bool is_short(const fmpz *number) {
   return fmpz_bits(number) <= 25;
 }
 
-static void set_entry(entry *e, place *p, const tp_normals *n, long point) {
+static void set_entry(entry *e, position *p, const tp_normals *n, long point) {
   const fmpz *tx = n->tx + point, *ty = n->ty + point;
   const int sense = sense_of(tx, ty);
-  *p = (place){.site = n->cones->points[point].site, .point = point};
+  *p = (position){.site = n->cones->points[point].site, .point = point};
   fmpz_mul_si(&p->axis_x, tx, sense);
   fmpz_mul_si(&p->axis_y, ty, sense);
   arb_init(p->along);
@@ -199,18 +199,18 @@ static void set_entry(entry *e, place *p, const tp_normals *n, long point) {
                .at = p};
 }
 
-static tp_motion_outcome sort(tp_normals *n, entry *entries, place *places) {
+static tp_motion_outcome sort(tp_normals *n, entry *entries, position *positions) {
   const long count = n->cones->count;
   for (long k = 0; k < count; k++) {
     set_direction(n, k);
-    set_entry(entries + k, places + k, n, k);
+    set_entry(entries + k, positions + k, n, k);
   }
   qsort(entries, (size_t)count, sizeof *entries, compare);
   const tp_motion_outcome outcome = gather(n, entries);
   for (long k = 0; k < count; k++) {
-    fmpz_clear(&places[k].axis_x);
-    fmpz_clear(&places[k].axis_y);
-    arb_clear(places[k].along);
+    fmpz_clear(&positions[k].axis_x);
+    fmpz_clear(&positions[k].axis_y);
+    arb_clear(positions[k].along);
   }
   return outcome;
 }
@@ -221,11 +221,11 @@ tp_motion_outcome tp_normals_init(tp_normals *n, const tp_cones *cones, const tp
   n->judge = *judge;
   n->judge.precision = is_exact(cones) ? ARF_PREC_EXACT : judge->bits;
   entry *entries = calloc((size_t)cones->count + 1, sizeof *entries);
-  place *places = calloc((size_t)cones->count + 1, sizeof *places);
-  const bool room = entries != NULL && places != NULL && make_room(n, cones);
-  const tp_motion_outcome outcome = room ? sort(n, entries, places) : TP_MOTION_OUT_OF_MEMORY;
+  position *positions = calloc((size_t)cones->count + 1, sizeof *positions);
+  const bool room = entries != NULL && positions != NULL && make_room(n, cones);
+  const tp_motion_outcome outcome = room ? sort(n, entries, positions) : TP_MOTION_OUT_OF_MEMORY;
   free(entries);
-  free(places);
+  free(positions);
   if (outcome != TP_MOTION_PROVEN) tp_normals_clear(n);
   return outcome;
 }

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPEN_SIGN = 2 };
-
 void tp_solid_cone_clear(tp_solid_cone *c) {
   for (long k = 0; k < c->room; k++) tp_vector_clear(&c->rays[k].twist);
   for (int k = 0; k < 2; k++) tp_vector_clear(&c->h[k]);
@@ -65,12 +63,12 @@ static void hang(tp_solid_cone *c, long line, long ray) {
 
 /* A line to one of some rays: one that it cuts off, else one that it passes through, else none.
  * False where a sign is open. */
-static bool place(tp_solid_cone *c, long line, const long *rays, int count) {
+static bool locate(tp_solid_cone *c, long line, const long *rays, int count) {
   long through = -1;
   c->below[line] = -1;
   for (int k = 0; k < count; k++) {
     const int sign = sign_at(c, line, rays[k]);
-    if (sign == OPEN_SIGN) return false;
+    if (sign == TP_OPEN_SIGN) return false;
     if (sign < 0) {
       c->below[line] = rays[k];
       hang(c, line, rays[k]);
@@ -103,7 +101,7 @@ static bool find_gap(gap *g, tp_solid_cone *c, long line) {
     g->right_sign = g->right == g->left ? g->left_sign : sign_at(c, line, g->right);
     if (g->right_sign >= 0) break;
   }
-  return g->left_sign != OPEN_SIGN && g->right_sign != OPEN_SIGN;
+  return g->left_sign != TP_OPEN_SIGN && g->right_sign != TP_OPEN_SIGN;
 }
 
 /* Is nothing above the line's plane? What lies in it is left, a ray or the face between two. */
@@ -119,14 +117,14 @@ static void flatten(tp_solid_cone *c, const gap *g) {
   if (!g->all) c->start = g->right;
 }
 
-/* The rays of the gap, cut off already, give up their places and what waits at them. */
+/* The rays of the gap, cut off already, are given back, and so is what waits at them. */
 static bool empty_gap(tp_solid_cone *c, long first, long last, long line, const long ends[2]) {
   bool told = true;
   for (long ray = first, after = -1; told; ray = after) {
     after = c->rays[ray].after;
     for (long k = c->rays[ray].lines, then = -1; k >= 0 && told; k = then) {
       then = c->next[k];
-      if (k != line) told = place(c, k, ends, 2);
+      if (k != line) told = locate(c, k, ends, 2);
     }
     c->rays[ray].after = c->unused;
     c->unused = ray;
@@ -177,13 +175,14 @@ static tp_motion_outcome begin(tp_solid_cone *c, const long *lines, long count) 
   }
   c->start = rays[0];
   for (long k = 3; k < count; k++) {
-    if (!place(c, lines[k], rays, 3)) return TP_MOTION_OPEN;
+    if (!locate(c, lines[k], rays, 3)) return TP_MOTION_OPEN;
   }
   return TP_MOTION_PROVEN;
 }
 
 static bool pay(tp_solid_cone *c, tp_work *work) {
-  static const double at_once = 1e6, by_column = 0.1; /* of the price of a column */
+  static const double at_once = 1e6;   /* checks between two bills */
+  static const double by_column = 0.1; /* a check of doubles, of the price of a column */
   if (c->checks < at_once) return true;
   const long columns = (long)(c->checks * by_column);
   c->checks = 0;

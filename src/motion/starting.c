@@ -3,8 +3,6 @@
 
 #include "motion/starting.h"
 
-enum { OPEN_SIGN = 2 };
-
 /* w = f_0 g_0 + f_1 g_1 + f_2 g_2 by Cramer's rule. TP_NO: they span no space. */
 static tp_answer solve(arb_ptr factors, const tp_starting *s, const long of[3]) {
   const long bits = s->q->judge.precision;
@@ -25,7 +23,7 @@ static tp_answer solve(arb_ptr factors, const tp_starting *s, const long of[3]) 
   }
   tp_vector_clear(&cross);
   arb_clear(whole);
-  return sign == OPEN_SIGN ? TP_OPEN : sign == 0 ? TP_NO : TP_YES;
+  return sign == TP_OPEN_SIGN ? TP_OPEN : sign == 0 ? TP_NO : TP_YES;
 }
 
 /* Sign of a factor, or of what is left of a free one to its bound. */
@@ -46,7 +44,7 @@ static tp_answer is_motion(arb_srcptr factors, const tp_starting *s, const long 
   int rays = 0;
   for (int k = 0; k < 3; k++) {
     const int sign = sign_of(s, factors + k, of[k] >= s->count);
-    if (sign == OPEN_SIGN) return TP_OPEN;
+    if (sign == TP_OPEN_SIGN) return TP_OPEN;
     if (sign < 0) return TP_NO;
     if (of[k] < s->mode->ray_count && sign > 0) rays++;
   }

@@ -8,7 +8,8 @@
 #ifndef TP_STARTING_H
 #define TP_STARTING_H
 
-#include "motion/accelerations.h"
+#include "motion/motion.h"
+#include "motion/start.h"
 
 /* One mode at work. */
 typedef struct tp_starting {

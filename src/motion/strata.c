@@ -48,7 +48,7 @@ static tp_motion_outcome insert_cut(long *cuts, long *count, const visiting *v, 
   long at = *count;
   for (long k = 0; k < *count && at == *count; k++) {
     const int sign = tp_normals_slip(v->n, point, &v->twists->rays[cuts[k]].twist);
-    if (sign == 2) return TP_MOTION_OPEN;
+    if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (sign == sign_at_end) at = k;
   }
   for (long k = *count; k > at; k--) cuts[k] = cuts[k - 1];
@@ -91,7 +91,7 @@ static tp_motion_outcome find_cuts(long *cuts, long *count, visiting *v,
     if (v->n->same[point] != point) continue;
     const int from = tp_closed_slip(v->n, point, v->twists->rays + face->from);
     const int to = tp_closed_slip(v->n, point, v->twists->rays + face->to);
-    if (from == 2 || to == 2) return TP_MOTION_OPEN;
+    if (from == TP_OPEN_SIGN || to == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (from * to >= 0) continue;
     int sense = 0;
     tp_motion_outcome done = sense_between(&sense, v, face, point);

@@ -7,8 +7,6 @@
 
 #include <stdlib.h>
 
-enum { OPEN_SIGN = 2 };
-
 void tp_strength_init(tp_strength *s) {
   tp_vector_init(&s->fixed);
   tp_vector_init(&s->cohesion);
@@ -62,7 +60,7 @@ static int slip_of(const gathering *g, long point) {
   return slip;
 }
 
-/* A force times a factor at a place of the cones, with its moment about the centroid. */
+/* A force times a factor at a point of the cones, with its moment about the centroid. */
 static void set_force(tp_vector *force, const gathering *g, const arb_t x, const arb_t y,
                       const arb_t factor, long point, bool pull) {
   const tp_motion_question *q = g->q;
@@ -142,7 +140,7 @@ static tp_motion_outcome add_shear(gathering *g, const tp_capacity *own, long cl
   tp_strength *s = g->strength;
   const tp_cones *cones = g->q->cones;
   const int slip = slip_of(g, closed);
-  if (slip == OPEN_SIGN) return TP_MOTION_OPEN;
+  if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (arb_is_zero(own->shear)) return TP_MOTION_PROVEN;
   tp_vector force;
   tp_vector_init(&force);
@@ -171,7 +169,7 @@ static tp_motion_outcome find_edge(long *edge, const gathering *g, const tp_capa
   *edge = -1;
   for (long k = 0; k < g->mode->edge_count && *edge < 0; k++) {
     const int shared = tp_normals_share_line(g->n, g->mode->edges[k].point, own->point);
-    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (shared == 1) *edge = k;
   }
   return TP_MOTION_PROVEN;

@@ -18,6 +18,8 @@
 #include "motion/mode.h"
 #include "motion/question.h"
 
+/* Lines that may stick at once, beyond which a mode is too dear; along one axis slide two families
+ * at most, that face each other, with two ends each. */
 enum { TP_STRENGTH_FREE = 16, TP_STRENGTH_PULLS = 4 };
 
 typedef struct tp_strength {

@@ -6,8 +6,6 @@
 
 #include "motion/strength.h"
 
-enum { OPEN_SIGN = 2 };
-
 /* A slide with bonds is pulled otherwise than a turn that the line's bonds hold. */
 static bool is_alone(const tp_motion_question *q, const tp_twists *twists, const tp_mode *mode) {
   const tp_cones *strong = q->strong;
@@ -32,7 +30,7 @@ static tp_motion_outcome find_least(long *least, const tp_normals *n, long first
     for (long k = ends[0]; k < ends[1] && *least >= 0; k++) {
       const long point = n->order[k];
       const int shared = point == first ? 1 : tp_normals_share_line(n, first, point);
-      if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+      if (shared == TP_OPEN_SIGN) return TP_MOTION_OPEN;
       if (shared == 1 && point < *least) *least = point;
       if (shared == 0 && slides) *least = -1;
     }
@@ -47,7 +45,7 @@ tp_motion_outcome tp_strength_number(long *number, const tp_motion_question *q, 
   const long first = mode->edges[0].point;
   for (long k = 1; k < mode->edge_count; k++) {
     const int shared = tp_normals_share_line(n, first, mode->edges[k].point);
-    if (shared == OPEN_SIGN) return TP_MOTION_OPEN;
+    if (shared == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (shared == 0) return TP_MOTION_PROVEN;
   }
   long least = -1;

@@ -91,14 +91,14 @@ static void set_end(tp_tilt *end, const tp_tilt *zero, long root) {
 static bool of_line(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp_tilt *zero,
                     double log2_scale, const tp_judge *judge) {
   const int rises = tp_judge_sign(judge, f->of + TP_SIN, log2_scale);
-  if (rises == TP_TILT_OPEN) {
+  if (rises == TP_OPEN_SIGN) {
     *told = TP_OPEN;
     return true;
   }
   if (rises == 0) {
     const int level = tp_judge_sign(judge, f->of + TP_COS, log2_scale);
-    if (level == TP_TILT_OPEN) *told = TP_OPEN;
-    return level == TP_TILT_OPEN || level < 0 || tp_tilts_add(spans) != NULL;
+    if (level == TP_OPEN_SIGN) *told = TP_OPEN;
+    return level == TP_OPEN_SIGN || level < 0 || tp_tilts_add(spans) != NULL;
   }
   tp_tilt_span *span = tp_tilts_add(spans);
   if (span == NULL) return false;
@@ -160,7 +160,7 @@ bool tp_tilts_of(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp_ti
     done = between_roots(spans, &roots, zero);
   } else {
     const int level = sign_level(f, log2_scale, judge);
-    if (level == TP_TILT_OPEN || level == 0) *told = TP_OPEN;
+    if (level == TP_OPEN_SIGN || level == 0) *told = TP_OPEN;
     done = level != 1 || tp_tilts_add(spans) != NULL;
   }
   tp_roots_clear(&roots);
@@ -177,11 +177,11 @@ static bool tighten(tp_tilt *end, const tp_tilt *a, const tp_tilt *b, bool lower
     return true;
   }
   const int order = tp_tilt_compare(a, b, judge);
-  if (order == TP_TILT_OPEN && !tp_judge_takes_equal(judge)) return false;
+  if (order == TP_OPEN_SIGN && !tp_judge_takes_equal(judge)) return false;
   const bool told = order == 1 || order == -1;
   tp_tilt_set(end, told && (order > 0) == lower ? a : b);
   if (!told) end->rays = a->rays & b->rays;
-  if (order == TP_TILT_OPEN) {
+  if (order == TP_OPEN_SIGN) {
     (lower ? arb_max : arb_min)(end->degrees, a->degrees, b->degrees, judge->bits);
   }
   return true;
@@ -192,7 +192,7 @@ static tp_answer is_something(const tp_tilt_span *span, unsigned rays, const tp_
   if (span->from.endless || span->to.endless) return TP_YES;
   const int order = tp_tilt_compare(&span->from, &span->to, judge);
   const bool shared = (span->from.rays & span->to.rays & rays) != 0;
-  if (order == TP_TILT_OPEN) return shared && tp_judge_takes_equal(judge) ? TP_YES : TP_OPEN;
+  if (order == TP_OPEN_SIGN) return shared && tp_judge_takes_equal(judge) ? TP_YES : TP_OPEN;
   if (order == 0) return shared ? TP_YES : TP_NO;
   return order < 0 ? TP_YES : TP_NO;
 }

@@ -11,7 +11,7 @@
 
 #include "linear_program/cones.h"
 #include "number/judge.h"
-#include "number/vector.h"
+#include "plane/vector.h"
 
 #include "load/roots.h"
 #include "topple.h"
@@ -40,13 +40,11 @@ typedef struct tp_tilts {
   tp_tilt_span *items;
 } tp_tilts;
 
-enum { TP_TILT_OPEN = 2 };
-
 void tp_tilt_init(tp_tilt *tilt);
 void tp_tilt_clear(tp_tilt *tilt);
 void tp_tilt_set(tp_tilt *tilt, const tp_tilt *other);
 
-/* Sign of a - b for tilts that are no ends without end; 2 where open. */
+/* Sign of a - b for tilts that are no ends without end; TP_OPEN_SIGN where open. */
 int tp_tilt_compare(const tp_tilt *a, const tp_tilt *b, const tp_judge *judge);
 
 /* Are they one tilt by where they come from, or as exact numbers? */

@@ -109,7 +109,7 @@ static tp_motion_outcome finish_ray(tp_ray *ray, const tp_normals *n, long norma
   const int turns = ray->site >= 0 ? 1
                                    : tp_judge_sign(&n->judge, ray->twist.of + 2,
                                                    tp_vector_log2_size(&ray->twist));
-  if (turns == 2) return TP_MOTION_OPEN;
+  if (turns == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (turns == 0) {
     const long point = n->order[n->items[normal].first];
     arb_t side;
@@ -162,7 +162,7 @@ static tp_motion_outcome add_across(tp_twists *t, const tp_normals *n, const tp_
       tp_judge_sign(&n->judge, side, tp_vector_log2_size(&turn) + tp_vector_log2_size(across));
   tp_vector_clear(&turn);
   arb_clear(side);
-  if (sign == 2) return TP_MOTION_OPEN;
+  if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   const bool done =
       sign == 0 ? add_ray(t, across, false) : tp_twists_add_turn(t, n, point, sign) >= 0;
   return done ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;

@@ -27,7 +27,7 @@ static int by_lower_end(const void *left, const void *right) {
 /* A lower end where another span begins as near as can be told: a ball that holds the less. */
 static void extend_down(tp_tilt *from, const tp_tilt *other, const tp_judge *judge) {
   if (from->endless || other->endless) return;
-  if (tp_tilt_compare(other, from, judge) != TP_TILT_OPEN) return;
+  if (tp_tilt_compare(other, from, judge) != TP_OPEN_SIGN) return;
   arb_min(from->degrees, from->degrees, other->degrees, judge->bits);
 }
 
@@ -41,7 +41,7 @@ static void extend(tp_tilt *to, const tp_tilt *other, const tp_judge *judge) {
   }
   const int order = tp_tilt_compare(other, to, judge);
   if (order == 1) tp_tilt_set(to, other);
-  if (order == TP_TILT_OPEN) arb_max(to->degrees, to->degrees, other->degrees, judge->bits);
+  if (order == TP_OPEN_SIGN) arb_max(to->degrees, to->degrees, other->degrees, judge->bits);
 }
 
 /* Does the span begin beyond what is put together so far? Where no more bits will tell, as with a
@@ -49,7 +49,7 @@ static void extend(tp_tilt *to, const tp_tilt *other, const tp_judge *judge) {
 static tp_answer lies_beyond(const tp_tilt_span *span, const tp_tilt *to, const tp_judge *judge) {
   if (to->endless || span->from.endless) return TP_NO;
   const int order = tp_tilt_compare(&span->from, to, judge);
-  if (order == TP_TILT_OPEN) return tp_judge_takes_equal(judge) ? TP_NO : TP_OPEN;
+  if (order == TP_OPEN_SIGN) return tp_judge_takes_equal(judge) ? TP_NO : TP_OPEN;
   return order > 0 ? TP_YES : TP_NO;
 }
 
@@ -72,7 +72,7 @@ static tp_motion_outcome describe(tp_motion_window *w, const tp_motions *m,
 static tp_answer shares_end(const tp_tilt *end, const tp_tilt *own, const tp_judge *judge) {
   if (end->endless || own->endless) return end->endless == own->endless ? TP_YES : TP_NO;
   const int order = tp_tilt_compare(end, own, judge);
-  if (order == TP_TILT_OPEN) return tp_judge_takes_equal(judge) ? TP_YES : TP_OPEN;
+  if (order == TP_OPEN_SIGN) return tp_judge_takes_equal(judge) ? TP_YES : TP_OPEN;
   return order == 0 ? TP_YES : TP_NO;
 }
 

@@ -18,7 +18,8 @@
 
 /* Bits that tell so many decimal digits, a little more than it takes: 10 < 2^3.33. */
 static inline double tp_digits_bits(int digits) {
-  return 3.33 * digits;
+  static const double bits_of_one = 3.33; /* log2(10) = 3.3219... */
+  return bits_of_one * digits;
 }
 
 /* 1 above zero, -1 below it; 0 where it is zero or not known. */

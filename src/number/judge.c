@@ -5,16 +5,14 @@
 
 #include "number/ball.h"
 
-enum { OPEN_SIGN = 2 };
-
 int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale) {
   if (arb_is_zero(ball)) return 0;
   if (arb_is_positive(ball)) return 1;
   if (arb_is_negative(ball)) return -1;
-  if (!judge->settled || !arb_is_finite(ball)) return OPEN_SIGN;
+  if (!judge->settled || !arb_is_finite(ball)) return TP_OPEN_SIGN;
   const double width = tp_mag_log2_above(arb_radref(ball));
   const bool narrow = width < log2_scale - 0.5 * (double)judge->bits;
-  return narrow && tp_judge_takes_equal(judge) ? 0 : OPEN_SIGN;
+  return narrow && tp_judge_takes_equal(judge) ? 0 : TP_OPEN_SIGN;
 }
 
 bool tp_judge_takes_equal(const tp_judge *judge) {

@@ -20,7 +20,10 @@ typedef struct tp_judge {
   bool *took_zero; /* becomes true where a sign rests on that; NULL: nobody asks */
 } tp_judge;
 
-/* Sign of a ball by the judge: 1, -1, 0, or 2 where open. `log2_scale` is that of its terms. */
+/* A sign that the ball leaves open: none of 1, -1 and 0. */
+enum { TP_OPEN_SIGN = 2 };
+
+/* Sign of a ball by the judge: 1, -1, 0, or TP_OPEN_SIGN. `log2_scale` is that of its terms. */
 int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale);
 
 /* Is what its bits do not tell apart to be taken for equal? Notes that it is. */

@@ -7,19 +7,24 @@
 
 #include <string.h>
 
-static const tp_rung rungs[] = {{TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_COMPENSATED, 128},
-                                {TP_LEVEL_BALL, 160},   {TP_LEVEL_EXACT, 320},
-                                {TP_LEVEL_EXACT, 1280}, {TP_LEVEL_EXACT, 5120},
-                                {TP_LEVEL_EXACT, 20480}};
-enum { RUNGS = sizeof rungs / sizeof rungs[0], MOST_BITS = 5120 };
+static const tp_rung rungs[] = {
+    {TP_LEVEL_DOUBLE, 64},  {TP_LEVEL_COMPENSATED, 128},        {TP_LEVEL_BALL, TP_BALL_BITS},
+    {TP_LEVEL_EXACT, 320},  {TP_LEVEL_EXACT, TP_SETTLING_BITS}, {TP_LEVEL_EXACT, 5120},
+    {TP_LEVEL_EXACT, 20480}};
+/* From TP_SETTLING_BITS on a rung has four times the bits of the one before. The highest, unless
+ * more digits are asked for, is one above it. */
+enum { RUNGS = sizeof rungs / sizeof rungs[0], MOST_BITS = 4 * TP_SETTLING_BITS };
 
-/* Some more for what follows the sums. */
+/* Some more for what follows the sums: a number that loses SPARE bits to cancellation and roundings
+ * is still certain to its digits. */
 static long bits_for(int digits) {
-  return (long)tp_digits_bits(digits) + 32;
+  enum { SPARE = 32 };
+  return (long)tp_digits_bits(digits) + SPARE;
 }
 
 long tp_ladder_most_bits(int digits) {
-  const long ample = 8 * bits_for(digits);
+  enum { AMPLE = 8 }; /* times what the digits take: beyond it a number is undecided */
+  const long ample = AMPLE * bits_for(digits);
   return ample > MOST_BITS ? ample : MOST_BITS;
 }
 

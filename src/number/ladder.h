@@ -12,6 +12,10 @@
 
 #include "topple.h"
 
+/* Bits of the rung of balls; and those from which a ball about zero that is narrow enough (judge.h)
+ * is taken for zero: a tie. */
+enum { TP_BALL_BITS = 160, TP_SETTLING_BITS = 1280 };
+
 typedef struct tp_rung {
   tp_level level;
   long bits;

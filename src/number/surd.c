@@ -78,7 +78,7 @@ static void evaluate(arb_t value, const fmpz *whole, const tp_surd *s, long bits
 }
 
 int tp_surd_sign(const tp_surd *s) {
-  enum { FIRST_BITS = 128 };
+  enum { FIRST_BITS = 128 }; /* doubled until the sign is told; tells all but ties, as a rule */
   fmpz whole[TP_SURD_ROOTS + 1];
   for (int k = 0; k <= TP_SURD_ROOTS; k++) fmpz_init(whole + k);
   set_whole(whole, s);

@@ -12,7 +12,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST_LINE = 1 << 16, MOST_POINTS = 50000000, MOST_HEADER_LINES = 2 };
+enum {
+  LONGEST_LINE = 1 << 16, /* two numbers of TP_RATIO_DIGITS and a great many other columns */
+  MOST_POINTS = 50000000, /* 2 GB as exact points of short numbers */
+  MOST_HEADER_LINES = 2   /* names, and units */
+};
 
 typedef struct reader {
   const char *path;

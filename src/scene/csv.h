@@ -12,7 +12,7 @@
 #define TP_CSV_H
 
 #include "notes.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 /* `path` must outlive the line, whose places refer to it. `line` is left empty on failure. */
 TP_MUST_USE tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_notes *notes,

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* By the first `length` bytes of a way: a key of a map, or a place in a list, counted from 1. */
+/* By the first `length` bytes of a way: a key of a map, or a number in a list, counted from 1. */
 static tp_node *child(const tp_node *node, const char *key, size_t length) {
   tp_node *found = node->first;
   if (node->kind == TP_NODE_SEQUENCE) {

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Longer than any key: between such words no distance is taken. */
 enum { LONGEST = 63 };
 
 /* Edit distance of Levenshtein. */

@@ -11,8 +11,11 @@
 #include <string.h>
 #include <yaml.h>
 
-enum { MOST_DEPTH = 32, MOST_KEYS = 1000 };
-static const size_t most_bytes = (size_t)256 << 20;
+enum {
+  MOST_DEPTH = 32, /* far beyond any scene; what walks the tree recurs so deep at most */
+  MOST_KEYS = 1000 /* of one mapping, which is looked through for every key */
+};
+static const size_t most_bytes = (size_t)256 << 20; /* some millions of vertices */
 
 typedef struct source {
   FILE *file;

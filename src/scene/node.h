@@ -10,7 +10,7 @@
 #define TP_NODE_H
 
 #include "message.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 typedef enum tp_node_kind { TP_NODE_SCALAR, TP_NODE_SEQUENCE, TP_NODE_MAPPING } tp_node_kind;
 

@@ -10,6 +10,8 @@
 #include "scene/read.h"
 
 static const long lightest = 5, heaviest = 80; /* kN/m3 */
+static const double likely[2] = {10, 60};      /* what a number in another unit is guessed for */
+static const long most_m = 300, least_cm = 1;  /* of a block */
 static const double gravity = 9.81;            /* m/s2, as for water; in the words of a caution */
 
 /* What the number may have been meant as; false where nothing comes near a rock. */
@@ -21,7 +23,7 @@ static bool likely_meaning(double *kn_m3, const char **unit, double given) {
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
     *kn_m3 = given * units[k].factor;
     *unit = units[k].unit;
-    if (*kn_m3 >= 10 && *kn_m3 <= 60) return true;
+    if (*kn_m3 >= likely[0] && *kn_m3 <= likely[1]) return true;
   }
   return false;
 }
@@ -74,8 +76,8 @@ static tp_status check_length(const tp_reader *reader, const fmpq_t length, bool
   fmpq_init(metres);
   fmpq_init(least);
   fmpq_mul(metres, length, reader->scene->metres_per_unit);
-  fmpq_set_si(least, 1, 100);
-  const bool large = fmpq_cmp_si(metres, 300) > 0, small = fmpq_cmp(metres, least) < 0;
+  fmpq_set_si(least, least_cm, 100);
+  const bool large = fmpq_cmp_si(metres, most_m) > 0, small = fmpq_cmp(metres, least) < 0;
   const double size = fmpq_get_d(metres);
   fmpq_clear(metres);
   fmpq_clear(least);

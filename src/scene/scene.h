@@ -9,7 +9,7 @@
 
 #include "message.h"
 #include "notes.h"
-#include "number/polyline.h"
+#include "plane/polyline.h"
 #include "scene/expression.h"
 #include "scene/node.h"
 

@@ -173,11 +173,11 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
   *frame = (tp_frame_result){.stated = scene->frame != TP_FRAME_UNSTATED, .world = world != NULL};
   if (world != NULL) {
     frame->fitted = world->fitted;
-    frame->dips = world->rises != 0;
-    frame->dips_towards = world->rises > 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
-    frame->dip_deg = tp_result_rational(world->dip_deg);
-    frame->about_x_m = metres(problem, world->x);
-    frame->about_y_m = metres(problem, world->y);
+    frame->dips = world->turn.rises != 0;
+    frame->dips_towards = world->turn.rises > 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+    frame->dip_deg = tp_result_rational(world->turn.dip_deg);
+    frame->about_x_m = metres(problem, world->turn.x);
+    frame->about_y_m = metres(problem, world->turn.y);
   }
   if (!frame->stated && scene->block.form == TP_OUTLINE_VERTICES) find_inclination(frame, problem);
 }

@@ -22,24 +22,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const targets[] = {"critical_angle", "fos",       "sliding_angle", "sliding_fos",
-                                      "limit_angle",    "limit_fos", "onset_angle"};
-enum { TARGETS = sizeof targets / sizeof targets[0] };
-
-bool tp_find_target_read(tp_find_target *target, const char *name) {
-  if (target == NULL || name == NULL) return false;
-  for (int k = 0; k < TARGETS; k++) {
-    if (strcmp(name, targets[k]) != 0) continue;
-    *target = (tp_find_target)k;
-    return true;
-  }
-  return false;
-}
-
-const char *tp_find_target_name(tp_find_target target) {
-  return (int)target >= 0 && (int)target < TARGETS ? targets[target] : "unknown";
-}
-
 void tp_found_free(tp_found *found) {
   if (found == NULL) return;
   free(found->key);
@@ -95,7 +77,7 @@ static tp_status check_reach(const tp_search *s) {
   if (reach.friction && (!moments || (reach.tilt && !angle))) return TP_OK;
   if (reach.tilt && !angle) return TP_OK;
   return tp_fail(s->message, TP_NO_ANSWER, number_place(s), "%s cannot depend on '%s': %s",
-                 targets[target], key.text,
+                 tp_find_target_name(target), key.text,
                  reach.friction
                      ? "it is a balance of moments about a pivot, which the friction and "
                        "the cohesion of the contact do not enter; limit_angle, limit_fos and "
@@ -119,14 +101,14 @@ static tp_status check_target(const tp_search *s) {
   if (target >= TP_FIND_SLIDING_ANGLE && !tp_varied_has_friction(&s->scene)) {
     return tp_fail(s->message, TP_BAD_INPUT, place,
                    "%s needs friction; give the scene its 'friction_angle_deg: …'",
-                   targets[target]);
+                   tp_find_target_name(target));
   }
   const bool needs_tilt =
       target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS;
   if (!needs_tilt || has_tilt(s->scene.root)) return TP_OK;
   return tp_fail(s->message, TP_BAD_INPUT, place,
                  "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
-                 targets[target]);
+                 tp_find_target_name(target));
 }
 
 tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
@@ -136,7 +118,7 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, options);
   TP_REFUSE_NULL(message, options->key);
-  if ((int)options->target < 0 || (int)options->target >= TARGETS) {
+  if ((int)options->target < 0 || options->target > TP_FIND_ONSET_ANGLE) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");
   }
   if (!isfinite(options->value) ||

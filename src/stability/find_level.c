@@ -7,7 +7,7 @@
  * over it the result is the same to 30 digits, and each end is bisected between a number at which
  * it is and one at which it is not. That it stays so between the points is not proven. */
 
-#include "stability/find_search.h"
+#include "stability/find_level.h"
 
 #include <math.h>
 #include <string.h>

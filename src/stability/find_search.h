@@ -1,56 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Looking for the numbers at which a result has a wanted value: points of a range, and what lies
- * between them. */
+/* The numbers of a range at which a result has a wanted value. */
 
 #ifndef TP_FIND_SEARCH_H
 #define TP_FIND_SEARCH_H
 
-#include "stability/varied.h"
-
-typedef struct tp_search {
-  const tp_find_options *options;
-  tp_varied scene;
-  tp_found *found;
-  double own;  /* the number that the scene has */
-  double step; /* between the points of the range */
-  tp_message *message;
-  tp_status status; /* of the system: memory; that a scene has no answer is none */
-  tp_message why;   /* why the last scene had no answer */
-} tp_search;
-
-enum { TP_SAMPLE_DIGITS = 80 };
-
-/* The result at a number: less the wanted value, with its bound; and the digits of the result where
- * more are asked for than a double holds. */
-typedef struct tp_sample {
-  double x;
-  bool known;
-  tp_bounded gap;
-  char digits[TP_SAMPLE_DIGITS];
-} tp_sample;
+#include "stability/find_look.h"
 
 /* Fill in what is found from found->low to found->high, and cut that to where the scene has an
  * answer; how it went is in search->status. */
 void tp_search_scan(tp_search *search);
-
-tp_sample tp_search_look(tp_search *search, double x);
-
-/* 1 above the wanted value, -1 below; 0 where that is not certain. */
-int tp_search_side(const tp_sample *at);
-
-/* Between two points on different sides: a solution, or a stretch of them, or a jump. */
-void tp_search_cross(tp_search *search, tp_sample low, tp_sample high);
-
-/* About points from `first` to `last` that are not told from the wanted value; `before` and `after`
- * are told, or NULL where there is none: a solution, a stretch of solutions, or a touch. */
-void tp_search_level(tp_search *search, const tp_sample *before, const tp_sample *first,
-                     const tp_sample *last, const tp_sample *after);
-
-void tp_search_add_solution(tp_search *search, double low, double high);
-void tp_search_add_touching(tp_search *search, double low, double high);
-/* Each end lies between two numbers. */
-void tp_search_add_interval(tp_search *search, const double from[2], const double to[2]);
 
 #endif

@@ -90,7 +90,7 @@ static int is_closed(const tp_motions *m, const tp_motion_mode *mode, long point
   for (int k = 0; k < mode->ray_count; k++) {
     const tp_ray *ray = m->twists.rays + mode->rays[k];
     const int sign = tp_normal_sign(&m->normals, line, &ray->twist, ray->near, ray->site);
-    if (sign != 0) return sign == TP_TILT_OPEN ? TP_TILT_OPEN : 0;
+    if (sign != 0) return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : 0;
   }
   return mode->ray_count > 0;
 }
@@ -122,7 +122,7 @@ static void set_share(tp_motion_contact *own, const telling *m, long point) {
   tp_vector edge, sum;
   tp_vector_init(&edge);
   tp_vector_init(&sum);
-  for (int row = 0; row < 2 && start->one_place; row++) {
+  for (int row = 0; row < 2 && start->one_point; row++) {
     arb_set(sum.of + row, start->sum.of + row);
   }
   const long pulls = m->strength != NULL ? m->strength->pull_count : 0;
@@ -150,7 +150,7 @@ static void set_share(tp_motion_contact *own, const telling *m, long point) {
 /* Is every contact that stays closed one whose forces the mode is made of? */
 static bool has_all(const telling *t, const tp_motion *motion, const long *points) {
   const tp_motion_mode *mode = t->mode;
-  if (t->start->one_place) return motion->contact_count == 1;
+  if (t->start->one_point) return motion->contact_count == 1;
   if (!t->start->forces_fixed) return false;
   for (size_t k = 0; k < motion->contact_count; k++) {
     bool found = false;
@@ -170,7 +170,7 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const telling *told) {
   tp_motion_outcome done = points != NULL ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
   for (long k = 0; k < cones->count && done == TP_MOTION_PROVEN; k++) {
     const int closed = is_closed(t->motions, mode, k);
-    if (closed == TP_TILT_OPEN) done = TP_MOTION_OPEN;
+    if (closed == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
     if (closed == 1) points[motion->contact_count++] = k;
   }
   if (done == TP_MOTION_PROVEN) {

@@ -62,7 +62,7 @@ static tp_motion_outcome sort_ends(ranging *r) {
   for (long k = 0; k < r->count; k++) {
     const int order =
         k == 0 ? 1 : tp_tilt_compare(r->ends[k].tilt, r->ends[k - 1].tilt, &r->t->question->judge);
-    if (order == TP_TILT_OPEN) return TP_MOTION_OPEN;
+    if (order == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (order != 0) r->classes++;
     r->ends[k].class_number = r->classes;
   }

@@ -6,13 +6,11 @@
 #include "base/mean_plane.h"
 #include "base/underside.h"
 #include "block/check.h"
-#include "number/ball.h"
-#include "stability/world_turn.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { CUT_BITS = 256, MOST_ROUNDS = 16 };
+enum { MOST_ROUNDS = 16 };
 
 /* Direction of the mean plane, the point that stays, and the ends of the contact where they have to
  * be kept by name. */
@@ -176,71 +174,22 @@ static tp_status find(found *f, const tp_scene *scene, tp_message *message) {
   return status == TP_OK && fmpq_sgn(f->u) <= 0 ? fail_direction(scene, message) : status;
 }
 
-/* Cosine and sine of the direction, and its dip. */
-static void set_turn(tp_world *w, const found *f) {
-  fmpz_t p, q, square, root, rest;
-  fmpz_init(p);
-  fmpz_init(q);
-  fmpz_init(square);
-  fmpz_init(root);
-  fmpz_init(rest);
-  fmpq_div(w->cosine, f->v, f->u); /* q / p in lowest terms */
-  fmpz_set(q, fmpq_numref(w->cosine));
-  fmpz_set(p, fmpq_denref(w->cosine));
-  fmpz_mul(square, p, p);
-  fmpz_addmul(square, q, q);
-  fmpz_sqrtrem(root, rest, square);
-  unsigned long cut = 0;
-  if (!fmpz_is_zero(rest)) {
-    cut = CUT_BITS;
-    fmpz_mul_2exp(square, square, 2 * cut);
-    fmpz_sqrt(root, square);
-  }
-  fmpq_set_fmpz_frac(w->cosine, p, root);
-  fmpq_set_fmpz_frac(w->sine, q, root);
-  fmpq_mul_2exp(w->cosine, w->cosine, cut);
-  fmpq_mul_2exp(w->sine, w->sine, cut);
-  w->rises = fmpz_sgn(q);
-  arb_t x, y;
-  arf_t above;
-  arb_init(x);
-  arb_init(y);
-  arf_init(above);
-  fmpz_abs(q, q);
-  arb_set_fmpz(x, p);
-  arb_set_fmpz(y, q);
-  tp_ball_atan2_degrees(y, y, x, 2 * CUT_BITS);
-  arb_mul_2exp_si(y, y, CUT_BITS);
-  arb_get_ubound_arf(above, y, 4 * CUT_BITS);
-  arf_get_fmpz(fmpq_numref(w->dip_deg), above, ARF_RND_CEIL);
-  fmpz_one(fmpq_denref(w->dip_deg));
-  fmpq_div_2exp(w->dip_deg, w->dip_deg, CUT_BITS);
-  arb_clear(x);
-  arb_clear(y);
-  arf_clear(above);
-  fmpz_clear(p);
-  fmpz_clear(q);
-  fmpz_clear(square);
-  fmpz_clear(root);
-  fmpz_clear(rest);
-}
-
 /* The scene's tilt is added to the dip: it lies tilted. */
 static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *message) {
   tp_quantity *tilt = &w->scene.tilt_angle_deg;
-  const char *way = w->rises > 0 ? "left" : "right";
-  if (w->rises != 0) {
-    const bool along = w->rises > 0 ? scene->towards_left : scene->towards_right;
+  const char *way = w->turn.rises > 0 ? "left" : "right";
+  if (w->turn.rises != 0) {
+    const bool along = w->turn.rises > 0 ? scene->towards_left : scene->towards_right;
     if (!along) {
       return tp_fail(message, TP_BAD_INPUT, scene->tilt_place,
                      "the mean plane dips to the %s as the coordinates lie, and the scene tilts "
                      "the other way; leave 'towards' out, or say %s",
                      way, way);
     }
-    w->scene.towards_left = w->rises > 0;
-    w->scene.towards_right = w->rises < 0;
+    w->scene.towards_left = w->turn.rises > 0;
+    w->scene.towards_right = w->turn.rises < 0;
   }
-  fmpq_add(tilt->value, scene->tilt_angle_deg.value, w->dip_deg);
+  fmpq_add(tilt->value, scene->tilt_angle_deg.value, w->turn.dip_deg);
   if (!tilt->given) tilt->place = scene->frame_place;
   tilt->given = true;
   if (fmpq_cmp_si(tilt->value, 90) <= 0) return TP_OK;
@@ -251,13 +200,9 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
 
 void tp_world_free(tp_world *w) {
   if (w == NULL) return;
-  tp_world_turned_clear(&w->scene);
+  tp_turned_clear(&w->scene);
   fmpq_clear(w->scene.tilt_angle_deg.value);
-  fmpq_clear(w->dip_deg);
-  fmpq_clear(w->x);
-  fmpq_clear(w->y);
-  fmpq_clear(w->cosine);
-  fmpq_clear(w->sine);
+  tp_turn_clear(&w->turn);
   free(w);
 }
 
@@ -265,17 +210,17 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
                       tp_message *message) {
   tp_world *w = calloc(1, sizeof *w);
   if (w == NULL) return tp_fail_memory(message, "the mean plane");
-  fmpq *const all[] = {w->dip_deg, w->x, w->y, w->cosine, w->sine};
-  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
+  tp_turn_init(&w->turn);
   w->scene = *scene;
-  tp_world_turned_reset(&w->scene);
+  tp_turned_reset(&w->scene);
   fmpq_init(w->scene.tilt_angle_deg.value);
   w->fitted = scene->mean_plane.count == 0;
-  fmpq_set(w->x, f->x);
-  fmpq_set(w->y, f->y);
-  set_turn(w, f);
+  fmpq_set(w->turn.x, f->x);
+  fmpq_set(w->turn.y, f->y);
+  tp_turn_set(&w->turn, f->u, f->v);
   tp_status status = set_tilt(w, scene, message);
-  if (status == TP_OK && !tp_world_turn_scene(w, scene, f->keeps_ends, f->first, f->last)) {
+  if (status == TP_OK &&
+      !tp_turn_scene(&w->scene, &w->turn, scene, f->keeps_ends, f->first, f->last)) {
     status = tp_fail_memory(message, "the turned scene");
   }
   if (status == TP_OK) {

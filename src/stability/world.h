@@ -18,7 +18,7 @@
 #ifndef TP_WORLD_H
 #define TP_WORLD_H
 
-#include "scene/scene.h"
+#include "stability/world_turn.h"
 #include "topple.h"
 
 /* Digits that a number of such a scene can be asked for. */
@@ -27,10 +27,7 @@ enum { TP_WORLD_DIGITS = 60 };
 typedef struct tp_world {
   tp_scene scene; /* in the frame of the base; shares with the scene what is not turned */
   bool fitted;
-  int rises;      /* 1: the mean plane rises to the right, so that it dips to the left; -1; 0 */
-  fmpq_t dip_deg; /* 0 and above */
-  fmpq_t x, y;    /* of the point that stays, in scene lengths */
-  fmpq_t cosine, sine; /* of the turn */
+  tp_turn turn;
 } tp_world;
 
 /* On failure `*world` stays NULL. */

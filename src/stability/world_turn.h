@@ -1,21 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* All points of a scene, turned. */
+/* All points of a scene, turned into the frame of its mean plane (stability/world.h). */
 
 #ifndef TP_WORLD_TURN_H
 #define TP_WORLD_TURN_H
 
-#include "stability/world.h"
+#include "scene/scene.h"
+
+typedef struct tp_turn {
+  int rises;      /* 1: the mean plane rises to the right, so that it dips to the left; -1; 0 */
+  fmpq_t dip_deg; /* 0 and above */
+  fmpq_t x, y;    /* of the point that stays, in scene lengths */
+  fmpq_t cosine, sine;
+} tp_turn;
+
+void tp_turn_init(tp_turn *turn);
+void tp_turn_clear(tp_turn *turn);
+
+/* Cosine, sine, dip and which way it rises, for a plane with the direction (u, v), u > 0. */
+void tp_turn_set(tp_turn *turn, const fmpq_t u, const fmpq_t v);
 
 /* Put what turning will own out of a copy of a scene, which the scene itself owns. */
-void tp_world_turned_reset(tp_scene *copy);
+void tp_turned_reset(tp_scene *copy);
 
-/* Fill the world's scene, reset before, with the turned points of `scene`, the ends of its contact
- * named by vertices of its outline where they are kept. False when memory is exhausted; what there
- * is by then is tp_world_turned_clear's too. */
-TP_MUST_USE bool tp_world_turn_scene(tp_world *world, const tp_scene *scene, bool keeps_ends,
-                                     long first, long last);
-void tp_world_turned_clear(tp_scene *turned);
+/* Fill a copy of the scene, reset before, with its turned points, the ends of its contact named by
+ * vertices of its outline where they are kept. False when memory is exhausted; what there is by
+ * then is tp_turned_clear's too. */
+TP_MUST_USE bool tp_turn_scene(tp_scene *turned, const tp_turn *turn, const tp_scene *scene,
+                               bool keeps_ends, long first, long last);
+void tp_turned_clear(tp_scene *turned);
 
 #endif

@@ -58,7 +58,7 @@ static void divide_by(const tp_reduced *r, const arf_t factor) {
 
 /* The share of a push from within the cone that the base bears beside the loads (balance.h). */
 double tp_reduced_margin(tp_reduced *r, double log_factor) {
-  static const double much = 1e3;
+  static const double much = 1e3; /* times the loads: as good as held by any force */
   const long edges = 2 * r->cones->count;
   tp_scaled_divide_strength(&r->reduced, r->given, edges, exp(log_factor));
   double push[3] = {0, 0, 0};

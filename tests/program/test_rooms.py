@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """The plan of the rooms (docs/architecture.md, tests/data/rooms.csv) holds: no file includes, and no compiled code
 calls, a room above its own; the command line knows the public headers alone; what lies below the public headers keeps
-no data that changes, prints nothing and ends no process."""
+no data that changes, prints nothing and ends no process. Nor do modules need each other in a circle, within a room or
+across: by their include lines a header with the source of its name is one, by calls each compiled file."""
 
 import os
 import pathlib
@@ -70,6 +71,77 @@ def climbing_includes(root=ROOT):
             if climbs(room_of(path), room_of(target)):
                 found.append((str(path), str(target), number))
     return found, looked_at
+
+
+def include_graph(root=ROOT):
+    """Module to the modules that it includes; a header and the source of the same name are one module."""
+    graph = {}
+    for path, text in sources(root):
+        own = str(path.with_suffix(""))
+        others = {str(included(path, name, root).with_suffix("")) for name in INCLUDE.findall(text)}
+        graph.setdefault(own, set()).update(others - {own})
+    return graph
+
+
+def circles(graph):
+    """The strongly connected components of more than one node, each sorted (Tarjan's algorithm)."""
+    order, least, stack, found = {}, {}, [], []
+
+    def visit(node):
+        order[node] = least[node] = len(order)
+        stack.append(node)
+        for other in sorted(graph.get(node, ())):
+            if other not in order:
+                visit(other)
+                least[node] = min(least[node], least[other])
+            elif other in stack:
+                least[node] = min(least[node], order[other])
+        if least[node] == order[node]:
+            component = stack[stack.index(node):]
+            del stack[stack.index(node):]
+            if len(component) > 1:
+                found.append(tuple(sorted(component)))
+
+    for node in sorted(graph):
+        if node not in order:
+            visit(node)
+    return found
+
+
+class Circles(unittest.TestCase):
+    def check(self, found, kind):
+        """Those found are those of the list, and each of these is still needed."""
+        listed = {tuple(row["modules"].split()) for row in table("circles.csv")
+                  if row["kind"] == kind and row["reason"].strip()}
+        self.assertEqual(set(found) - listed, set(), "these need each other in a circle: move what two of them share "
+                         "to a module below both")
+        self.assertEqual(listed - set(found), set(), "an exception of tests/data/circles.csv that is no longer needed")
+
+    def test_of_includes(self):
+        graph = include_graph()
+        self.assertGreater(len(graph), 200)
+        self.check(circles(graph), "include")
+
+    @unittest.skipUnless(shutil.which("nm"), "nm (binutils) is not installed")
+    def test_of_calls(self):
+        files = compiled()
+        defined = {name: source for source, all_of in files for name, kind, _ in all_of if kind in "TDBR"}
+        graph = {source: {defined[name] for name, kind, _ in all_of if kind == "U" and name in defined} - {source}
+                 for source, all_of in files}
+        self.assertGreater(sum(map(len, graph.values())), 1000)
+        self.check(circles(graph), "call")
+
+    def test_one_is_seen(self):
+        """The check itself, on a small graph and on a header of number/ that includes its user, in a copy."""
+        graph = {"a": {"b", "e"}, "b": {"c"}, "c": {"a", "d"}, "d": {"e"}, "e": {"f"}, "f": {"d"}, "g": {"a"}}
+        self.assertEqual(sorted(circles(graph)), [("a", "b", "c"), ("d", "e", "f")])
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("src", "geom"):
+                shutil.copytree(ROOT / name, root / name)
+            header = root / "src/number/ball.h"
+            header.write_text('#include "number/judge.h"\n' + header.read_text(encoding="utf-8"), encoding="utf-8")
+            self.assertIn(("src/number/ball", "src/number/judge"), circles(include_graph(root)))
 
 
 class Includes(unittest.TestCase):

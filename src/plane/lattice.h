@@ -14,7 +14,7 @@
 #ifndef TP_LATTICE_H
 #define TP_LATTICE_H
 
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "number/polyline.h"
+#include "plane/polyline.h"
 
 #include <stdlib.h>
 #include <string.h>

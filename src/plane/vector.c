@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "number/vector.h"
+#include "plane/vector.h"
 
 #include "number/ball.h"
 

@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a solved scene says: block, contact, and for each direction of tilt pivots, sliding, both
+ * limits, the mechanism and its margin. Plain structs, made by tp_solve (topple_solve.h). */
+
+#ifndef TOPPLE_SOLUTION_H
+#define TOPPLE_SOLUTION_H
+
+#include "topple_contact.h"
+#include "topple_governing.h"
+#include "topple_limit.h"
+#include "topple_onset.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where a pivot lies on the underside of the block (Fig. 8 of Alejano et al.). */
+typedef enum tp_pivot_kind {
+  TP_PIVOT_VALLEY,   /* a low end: both neighbours on the underside are higher */
+  TP_PIVOT_PEAK,     /* a high end: both neighbours are lower */
+  TP_PIVOT_FLAT_END, /* the end of a facet that is parallel to the mean plane */
+  TP_PIVOT_FLANK     /* between a low and a high end */
+} tp_pivot_kind;
+
+typedef struct tp_pivot {
+  tp_pivot_kind kind;
+  bool rounded;    /* the corner is: (x, y) is where the axis then lies */
+  bool admissible; /* to first order: turning about it opens every contact facet */
+  tp_bounded x_m, y_m;
+  tp_bounded
+      critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
+  bool never;             /* loads keep it from toppling about this pivot at any tilt, ... */
+  bool always;            /* ... or from standing on it at any: there is no critical angle */
+  size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
+  tp_bounded *limits_deg; /* owned by the case */
+  tp_fos fos_resultant; /* Eq. (2): tan(critical angle) / tan(tilt); with loads what stabilises over
+                           what overturns */
+  tp_fos fos_elements;  /* (A1.3): each element's components by their own sign */
+} tp_pivot;
+
+typedef enum tp_element_kind { TP_ELEMENT_TRIANGLE, TP_ELEMENT_SLAB } tp_element_kind;
+
+/* One element of the account of moments about the governing pivot. */
+typedef struct tp_element {
+  tp_element_kind kind;
+  size_t part;             /* 0: the block; k: its k-th part */
+  tp_bounded weight;       /* N, or a fraction of the block's when the scene gives no unit weight */
+  tp_bounded normal_arm_m; /* x arm of the component W cos(alpha); > 0 stabilises */
+  tp_bounded parallel_arm_m; /* y arm of the component W sin(alpha); > 0 overturns */
+  tp_bounded stabilising;    /* weight times metre */
+  tp_bounded overturning;
+} tp_element;
+
+typedef struct tp_account {
+  size_t count; /* 0 when the account was not asked for */
+  tp_element *elements;
+  bool at_critical_angle; /* the scene gives no tilt angle: the account is drawn up at the limit */
+  tp_bounded angle_deg;
+  tp_bounded stabilising, overturning; /* sums */
+} tp_account;
+
+/* Patton's sliding angle phi_b + i (Eq. 6) on the facet that governs. No statics of contact forces
+ * stands behind it: a facet wholly up-dip of the centroid sheds its load as the table tilts, and of
+ * the others the one that rises most steeply down-dip governs. Where that would slide on level
+ * ground, the block wedges itself between its facets, and all of them count. */
+typedef struct tp_sliding {
+  bool known;  /* the scene gives a friction angle */
+  bool never;  /* at no tilt: phi_b + i reaches 90 degrees */
+  bool always; /* at every tilt: its loads push it down-dip harder than it resists at any */
+  bool opens;  /* no other facet stands in the way of sliding along this one */
+  tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides */
+  tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
+  tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
+  tp_fos fos;
+  tp_fos fos_strength; /* by reducing tan(phi_b): tan(phi_b) / tan(tilt - i); without loads */
+} tp_sliding;
+
+/* Can the toe alone hold the block at its critical angle, where moment equilibrium puts all the
+ * weight on it? Only if the reaction lies in the friction cone of the facets at the toe, that is up
+ * to phi_b + i of the steepest of them. If not, the block may let go before its critical angle:
+ * contact forces decide, which moments do not see. */
+typedef struct tp_toe {
+  bool known; /* the scene gives a friction angle, and a pivot governs */
+  bool holds;
+  bool upright; /* a facet at the toe stands upright in the way: it holds at any angle */
+  tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
+} tp_toe;
+
+/* A load's moment about the governing pivot at the scene's tilt, N m, overturning positive, and
+ * where it counts. */
+typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING } tp_load_side;
+
+typedef struct tp_load_result {
+  const char *name;
+  TP_OUTSIDE char called_for_by[256];
+  tp_bounded moment_nm;
+  tp_load_side side;
+} tp_load_result;
+
+/* What a rounded toe does beyond its critical angle: roll to a new rest, or over. */
+typedef enum tp_rolls { TP_ROLLS_NOT, TP_ROLLS_BACK, TP_ROLLS_OVER } tp_rolls;
+
+typedef struct tp_case {
+  tp_direction towards;
+  size_t pivot_count;
+  tp_pivot *pivots; /* from left to right along the contact */
+  bool has_governing;
+  size_t governing;        /* index of the admissible pivot with the least critical angle */
+  bool governing_tie;      /* another admissible pivot has the same critical angle: */
+  long governing_tie_bits; /* 0: exactly; else so many bits do not tell the two apart */
+  tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
+  bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
+  tp_bounded rest_turn_deg; /* ... turned by this on its base */
+  tp_sliding sliding;
+  tp_toe toe;
+  tp_limit limit; /* with the base of the scene */
+  tp_limit
+      limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
+  bool base_matters;   /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
+  tp_onset onset;      /* up to which tilt no motion can begin, with the base of the scene */
+  tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
+                          loads: at tilts below minus its angle the block lets go up-dip */
+  tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as the table is tilted.
+                                 Where it moves, what can begin there: where several motions can, that
+                                 of the limit if it is among them, else the first of the onset's
+                                 `beginnings`, which name them all */
+  tp_mechanism first;         /* what happens first as the table is tilted from level */
+  bool has_first_angle;       /* not where it is interlocked, or holds at no tilt, or undecided */
+  tp_bounded first_angle_deg; /* where `first` happens */
+  bool has_margin;            /* false, too, where the onset is at no angle or undecided */
+  tp_bounded margin_deg; /* the lower of the onset and `first_angle_deg` minus the scene's tilt */
+  bool has_margin_to_first;
+  tp_bounded margin_to_first_deg; /* first_angle_deg minus the scene's tilt */
+  bool slides_sooner;   /* the friction that a bond adds apart, it slides before `limit` */
+  bool falls_backwards; /* at this tilt it topples or slides the other way, up-dip */
+  tp_governing_fos governing_fos; /* at the scene's tilt */
+  tp_account account;
+  tp_bounded *limits; /* of all pivots, with loads */
+  size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */
+  tp_load_result *loads;
+  bool
+      water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
+  tp_bounded water_overtops_deg; /* its face, whose pressure is reckoned as if the face went on */
+} tp_case;
+
+typedef struct tp_block_result {
+  tp_bounded area_m2;
+  tp_bounded centroid_x_m, centroid_y_m; /* of the weight */
+  /* About the centroid, weighted by unit weight over mean unit weight. */
+  tp_bounded second_moment_xx_m4, second_moment_yy_m4, second_moment_xy_m4;
+  tp_bounded thickness_m;
+  bool has_weight;
+  tp_bounded weight_n;
+  size_t vertices, holes, parts, triangles; /* no vertices: an ellipse */
+} tp_block_result;
+
+/* A toothed block in both of the paper's descriptions (its section 5.1). */
+typedef struct tp_teeth_result {
+  bool known;
+  size_t count;                                                       /* N */
+  tp_bounded width_m, height_m, depth_m;                              /* a, b, c */
+  tp_bounded block_width_m, mean_height_m, amplitude_m, wavelength_m; /* dx, y, A, lambda */
+  tp_pivot_kind left_end, right_end;
+} tp_teeth_result;
+
+/* What ran, and what in the scene called for it. */
+typedef struct tp_effect {
+  const char *name;
+  TP_OUTSIDE char called_for_by[256]; /* file:line:column, or an option */
+  double seconds;
+  tp_level level;
+} tp_effect;
+
+enum { TP_EFFECTS_MAX = 24 };
+
+typedef struct tp_solution {
+  TP_OUTSIDE char *title;
+  const char *length_unit; /* of the scene; a static string */
+  double metres_per_unit;
+  bool has_tilt_angle;
+  tp_bounded tilt_angle_deg;
+  bool has_friction;
+  tp_bounded friction_angle_deg;
+  bool friction_is_residual; /* Barton's law: the angle at a stress is above it */
+  bool friction_is_patton;   /* Patton's law: phi_b + i of the scene */
+  tp_block_result block;
+  tp_teeth_result teeth;
+  tp_frame_result frame;
+  tp_contact_result contact;
+  bool loaded; /* the scene calls for loads besides the weight */
+  size_t case_count;
+  tp_case cases[2];
+  tp_notes notes; /* of the scene's reading and of its solution */
+  size_t effect_count;
+  tp_effect effects[TP_EFFECTS_MAX];
+  tp_level level;   /* the arithmetic that certified the numbers */
+  long bits;        /* working precision of the last evaluation */
+  int digits;       /* asked of every number */
+  bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
+                       rule */
+  long zero_bits;   /* 0: every decision is proven; else some rest on quantities that so many bits do
+                       not tell from zero, besides the ties that say so themselves */
+  struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
+} tp_solution;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

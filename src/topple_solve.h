@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene read, solved and reported. */
+
+#ifndef TOPPLE_SOLVE_H
+#define TOPPLE_SOLVE_H
+
+#include "topple_solution.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tp_scene tp_scene;
+
+/* Read the scene in `path`. Files that the scene names are looked for beside it. */
+TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
+/* The same from text in memory; `name` is what messages call it, and files that the scene names are
+ * looked for beside a file of that name. */
+TP_MUST_USE tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
+                                         tp_message *message);
+void tp_scene_free(tp_scene *scene);
+
+enum { TP_DIGITS_MAX = 1000 };
+
+typedef struct tp_solve_options {
+  bool elements;           /* draw up the account of moments by elements */
+  bool limit;              /* find the static limit, where the scene gives a friction angle */
+  bool strength_reduction; /* and its factor of safety, where the scene gives a tilt angle */
+  bool motion_ranges;      /* find which motions can begin at every tilt (tp_onset.ranges) */
+  int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
+  tp_level level; /* the dearest arithmetic allowed; TP_UNDECIDED where it is not enough */
+} tp_solve_options;
+
+tp_solve_options tp_solve_options_default(void);
+
+/* Stability of the scene's block in each direction of tilt that the scene asks for. */
+TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
+                               const tp_solve_options *options, tp_message *message);
+void tp_solution_free(tp_solution *solution);
+
+/* Did the precision allowed leave a mechanism open, or a number less certain than was asked? Every
+ * other number is certain all the same, and each has its proven bound. */
+bool tp_solution_is_undecided(const tp_solution *solution);
+
+/* Does every case meet a design factor of safety: is its governing one certainly as much, at a tilt
+ * at which the block stands? Cautious: without a tilt or a friction angle, and where a motion can
+ * begin, it is not met; what is not decided, or as near to the factor as its bound, is open. */
+typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
+tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
+tp_design tp_case_meets(const tp_case *own, double design_fos); /* one of them */
+
+/* Reports: `*text` is allocated with malloc and is the caller's to free. */
+TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
+TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
+TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
+/* Notes and cautions of a solution, as on its page; an empty text where there are none. */
+TP_MUST_USE tp_status tp_report_notes(char **text, const tp_solution *solution);
+/* What ran: effects, what called for each, and what each cost. */
+TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution);
+
+/* JSON with all pivots, or with those that can govern or hold the block alone: they bear their
+ * index. tp_report_json lists them all up to 300. */
+typedef enum tp_pivots_listed {
+  TP_PIVOTS_BY_COUNT,
+  TP_PIVOTS_ALL,
+  TP_PIVOTS_GOVERNING
+} tp_pivots_listed;
+TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
+                                            tp_pivots_listed listed);
+/* A table, a row for each direction of each solution: tilt, verdict, governing factor, and the
+ * angles by every way. In Markdown, with the limit on a base that ends at the toe and on one that
+ * goes on; in CSV, each number followed by its bound, with the limit on the scene's base. A factor
+ * that is but an upper bound, since another is undecided, is left out of CSV. */
+TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *solutions,
+                                      size_t count);
+TP_MUST_USE tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
