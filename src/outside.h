@@ -9,7 +9,7 @@
  * width, code points that are no characters) is spelt out, \x1B, \u202E or \U000E0001, and so is a
  * byte that belongs to no character, \xFF. A backslash stays, so that plain text is its own plain
  * text. tp_plain_text, which is public, makes a whole text plain; the encoders for every language
- * of output are in report/encode.h. */
+ * of output are in output/encode.h. */
 
 #ifndef TP_OUTSIDE_H
 #define TP_OUTSIDE_H

@@ -3,7 +3,7 @@
 
 #include "report/c_arguments.h"
 
-#include "report/encode.h"
+#include "output/encode.h"
 
 #include <string.h>
 

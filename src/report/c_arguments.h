@@ -6,7 +6,7 @@
 #ifndef TP_C_ARGUMENTS_H
 #define TP_C_ARGUMENTS_H
 
-#include "report/text.h"
+#include "output/text.h"
 
 /* "(double alpha, double a, double b) {": `first`, then the parameters. */
 void tp_c_arguments(tp_text *text, const tp_derivation *derivation, const char *first);

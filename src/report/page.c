@@ -2,6 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "report/page.h"
+#include "report/words.h"
 
 #include <math.h>
 #include <string.h>

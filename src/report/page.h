@@ -7,7 +7,7 @@
 #ifndef TP_PAGE_H
 #define TP_PAGE_H
 
-#include "report/text.h"
+#include "output/text.h"
 
 typedef struct tp_page {
   tp_text text;

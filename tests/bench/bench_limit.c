@@ -13,7 +13,7 @@
 
 #include "bench.h"
 
-#include "study/rough_outline.h"
+#include "accuracy/rough_outline.h"
 
 #include "block/moments.h"
 #include "limit/limit.h"

@@ -15,7 +15,7 @@
 
 #include "bench.h"
 
-#include "study/rough_outline.h"
+#include "accuracy/rough_outline.h"
 
 #include "base/contact.h"
 #include "block/check.h"

@@ -5,7 +5,7 @@
  *
  *     bench_sums [MOST_VERTICES]
  *
- * Measured, on the rough outline of study/: a sum over both arrays, which reads every byte of them
+ * Measured, on the rough outline of accuracy/: a sum over both arrays, which reads every byte of them
  * and does next to nothing else; a plain loop for area and centroid, without any bound; area and
  * centroid (3 sums) and all six with their bounds in double, in pairs, exactly and in balls of 128
  * bits. Medians of 9 samples, the methods in turn, each sample repeated to last 5 ms.
@@ -17,7 +17,7 @@
 
 #include "bench.h"
 
-#include "study/rough_outline.h"
+#include "accuracy/rough_outline.h"
 
 #include "block/ring_sums.h"
 

@@ -5,8 +5,8 @@
  * What must hold is read back here without what the encoders are made of. */
 
 #include "fuzz.h"
+#include "output/encode.h"
 #include "outside.h"
-#include "report/encode.h"
 
 #include <stdlib.h>
 #include <string.h>

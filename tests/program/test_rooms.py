@@ -163,8 +163,8 @@ class Includes(unittest.TestCase):
             for name in ("src", "geom"):
                 shutil.copytree(ROOT / name, root / name)
             climber = root / "src/number/work.c"
-            climber.write_text('#include "report/text.h"\n' + climber.read_text(encoding="utf-8"), encoding="utf-8")
-            self.assertEqual(climbing_includes(root)[0], [("src/number/work.c", "src/report/text.h", 1)])
+            climber.write_text('#include "report/page.h"\n' + climber.read_text(encoding="utf-8"), encoding="utf-8")
+            self.assertEqual(climbing_includes(root)[0], [("src/number/work.c", "src/report/page.h", 1)])
 
     def test_rooms_are_those_of_the_plan(self):
         """Every folder is a room of the list, and the plan on paper has the same rooms in the same order."""

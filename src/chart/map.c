@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "chart/map.h"
+#include "chart/mechanism_style.h"
+
+#include <stdio.h>
+
+enum { STEPS = 1100 }; /* no range of doubles takes more halvings */
+
+const char *tp_regime_name(tp_regime regime) {
+  static const char *const names[] = {"no answer", "slides",   "topples",     "slides and topples",
+                                      "tie",       "may move", "interlocked", "does not stand",
+                                      "undecided"};
+  return names[regime];
+}
+
+tp_chart_style tp_regime_line(tp_regime regime) {
+  return regime == TP_REGIME_SLIDES    ? tp_line_slides
+         : regime == TP_REGIME_TOPPLES ? tp_line_topples
+                                       : tp_line_both;
+}
+
+tp_chart_style tp_regime_region(tp_regime regime) {
+  switch (regime) {
+  case TP_REGIME_SLIDES:
+    return tp_region_slides;
+  case TP_REGIME_TOPPLES:
+    return tp_region_topples;
+  case TP_REGIME_BOTH:
+  case TP_REGIME_TIE:
+    return tp_region_both;
+  case TP_REGIME_MAY_MOVE:
+    return tp_region_history;
+  case TP_REGIME_INTERLOCKED:
+    return tp_region_interlocked;
+  case TP_REGIME_NONE:
+  case TP_REGIME_NOWHERE:
+  case TP_REGIME_UNDECIDED:
+    break;
+  }
+  return tp_region_other;
+}
+
+bool tp_look_has_limit(const tp_look *look) {
+  return look->regime >= TP_REGIME_SLIDES && look->regime <= TP_REGIME_TIE;
+}
+
+static tp_regime regime_of(const tp_case *own) {
+  const tp_limit *limit = &own->limit;
+  const tp_onset_kind onset = own->onset.kind;
+  switch (limit->kind) {
+  case TP_LIMIT_AT_ANGLE:
+    if (limit->tie && limit->tied_with != limit->mechanism) return TP_REGIME_TIE;
+    return limit->mechanism == TP_SLIDES    ? TP_REGIME_SLIDES
+           : limit->mechanism == TP_TOPPLES ? TP_REGIME_TOPPLES
+                                            : TP_REGIME_BOTH;
+  case TP_LIMIT_INTERLOCKED:
+    return onset == TP_ONSET_NEVER || onset == TP_ONSET_NOT_ASKED ? TP_REGIME_INTERLOCKED
+           : onset == TP_ONSET_UNDECIDED                          ? TP_REGIME_UNDECIDED
+                                                                  : TP_REGIME_MAY_MOVE;
+  case TP_LIMIT_NOWHERE:
+    return TP_REGIME_NOWHERE;
+  case TP_LIMIT_NOT_ASKED:
+  case TP_LIMIT_UNDECIDED:
+    break;
+  }
+  return TP_REGIME_UNDECIDED;
+}
+
+static void add_strip(tp_look *look, unsigned motions, tp_bounded from, tp_bounded to) {
+  if (look->strip_count < TP_STRIPS_MAX) {
+    look->strips[look->strip_count++] = (tp_strip){motions, from, to};
+  } else {
+    look->has_strips = false;
+  }
+}
+
+/* From level on; two that meet have the same tilt for an end. */
+static void take_strips(tp_look *look, const tp_onset *onset) {
+  const tp_bounded level = {0}, upright = {.value = 90};
+  look->has_strips = onset->has_ranges;
+  for (size_t k = 0; k < onset->range_count; k++) {
+    const tp_motion_range *own = onset->ranges + k;
+    const tp_bounded to = own->to_above ? upright : own->to_deg;
+    tp_bounded from = own->from_below ? level : own->from_deg;
+    if (to.value <= 0) continue;
+    if (from.value < 0) from = level;
+    const tp_strip *last = look->strip_count > 0 ? look->strips + look->strip_count - 1 : NULL;
+    if (last != NULL && last->to_deg.value != from.value) add_strip(look, 0, last->to_deg, from);
+    add_strip(look, own->motions, from, to);
+  }
+}
+
+static void take(tp_look *look, const tp_solution *solution) {
+  const tp_case *own = solution->cases;
+  look->regime = regime_of(own);
+  look->limit_deg = own->limit.critical_angle_deg;
+  look->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
+  if (look->has_onset) look->onset_deg = own->onset.critical_angle_deg;
+  look->has_toppling = own->has_governing && !own->pivots[own->governing].never &&
+                       !own->pivots[own->governing].always;
+  look->governing = own->governing;
+  if (look->has_toppling) look->toppling_deg = own->pivots[own->governing].critical_angle_deg;
+  look->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
+  if (look->has_sliding) look->sliding_deg = own->sliding.critical_angle_deg;
+  take_strips(look, &own->onset);
+}
+
+tp_look tp_map_look(tp_map *map, const double *values) {
+  tp_look look = {.regime = TP_REGIME_NONE};
+  tp_solution *solution = NULL;
+  for (size_t k = 0; k < map->scene.count; k++) look.values[k] = values[k];
+  const tp_status status = tp_varied_solve(&solution, &map->scene, values, &map->why);
+  if (status == TP_OK) {
+    take(&look, solution);
+    map->patton = solution->friction_is_patton;
+  }
+  if (status == TP_UNDECIDED) look.regime = TP_REGIME_UNDECIDED;
+  if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
+    map->status = status;
+    *map->message = map->why;
+  }
+  tp_solution_free(solution);
+  return look;
+}
+
+bool tp_look_is_like(const tp_look *one, const tp_look *other) {
+  if (one->regime != other->regime || one->has_strips != other->has_strips ||
+      one->strip_count != other->strip_count) {
+    return false;
+  }
+  for (size_t k = 0; k < one->strip_count; k++) {
+    if (one->strips[k].motions != other->strips[k].motions) return false;
+  }
+  return true;
+}
+
+void tp_map_border(tp_map *map, tp_look *low, tp_look *high) {
+  for (int step = 0; step < STEPS && map->status == TP_OK; step++) {
+    double middle[TP_VARIED_MAX];
+    bool moved = false;
+    for (size_t k = 0; k < map->scene.count; k++) {
+      const double a = low->values[k], b = high->values[k];
+      middle[k] = a + (b - a) / 2;
+      moved |= middle[k] != a && middle[k] != b;
+    }
+    if (!moved) return;
+    const tp_look found = tp_map_look(map, middle);
+    if (tp_look_is_like(&found, low)) {
+      *low = found;
+    } else {
+      *high = found;
+    }
+  }
+}
+
+void tp_map_border_name(char *text, size_t size, tp_regime one, tp_regime other) {
+  const tp_regime first = one < other ? one : other, last = one < other ? other : one;
+  snprintf(text, size, "%s | %s", tp_regime_name(first), tp_regime_name(last));
+}
+
+void tp_map_begin(tp_map *map, tp_chart_style style, const char *series, const char *of) {
+  tp_chart_add_series(map->chart, style, (const char *const[]){series, of, NULL});
+}
+
+tp_status tp_map_no_answer(const tp_map *map) {
+  return tp_fail(map->message, TP_NO_ANSWER, (tp_place){map->scene.path, 0, 0},
+                 "nowhere in the map the scene has an answer; %s", map->why.text);
+}

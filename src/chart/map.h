@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The mechanism map of a scene: what the map looks at, and how borders between certified mechanisms
+ * are found. Shared by the map along one scalar and the map over two. */
+
+#ifndef TP_MAP_H
+#define TP_MAP_H
+
+#include "chart/chart.h"
+#include "chart/motion_names.h"
+#include "stability/varied.h"
+
+/* What lets go first, by the limit analysis. */
+typedef enum tp_regime {
+  TP_REGIME_NONE, /* the scene has no answer there */
+  TP_REGIME_SLIDES,
+  TP_REGIME_TOPPLES,
+  TP_REGIME_BOTH,
+  TP_REGIME_TIE,         /* two mechanisms have the same limit */
+  TP_REGIME_MAY_MOVE,    /* forces hold it at every tilt, but a motion can begin */
+  TP_REGIME_INTERLOCKED, /* nothing does */
+  TP_REGIME_NOWHERE,     /* it does not stand at any tilt */
+  TP_REGIME_UNDECIDED
+} tp_regime;
+
+const char *tp_regime_name(tp_regime regime);
+tp_chart_style tp_regime_line(tp_regime regime);
+tp_chart_style tp_regime_region(tp_regime regime);
+
+typedef struct tp_map {
+  tp_chart *chart;
+  const tp_chart_map_options *options;
+  tp_varied scene;
+  tp_message *message; /* not NULL */
+  tp_status status;    /* of the system: memory; that a scene has no answer is none */
+  tp_message why;      /* why the last scene had no answer */
+  bool patton;         /* its friction is Patton's law */
+} tp_map;
+
+/* Tilts throughout which the same motions can begin from rest, as in tp_motion_range; none: it is
+ * certain to stand there, between others. Each strip begins where the one before it ends. */
+typedef struct tp_strip {
+  unsigned motions;
+  tp_bounded from_deg, to_deg;
+} tp_strip;
+
+enum { TP_STRIPS_MAX = 12 };
+
+typedef struct tp_look {
+  double values[TP_VARIED_MAX];
+  tp_regime regime;
+  tp_bounded limit_deg; /* slides, topples, both, tie */
+  bool has_onset;       /* below the limit: from there on history decides */
+  tp_bounded onset_deg;
+  bool has_toppling, has_sliding;
+  size_t governing;
+  tp_bounded toppling_deg, sliding_deg;
+  bool has_strips; /* where they were asked for, and are no more than there is room for */
+  size_t strip_count;
+  tp_strip strips[TP_STRIPS_MAX]; /* from level, or the first beyond, to 90 degrees at most */
+} tp_look;
+
+bool tp_look_has_limit(const tp_look *look);
+
+/* Solve the scene with the values. */
+tp_look tp_map_look(tp_map *map, const double *values);
+
+/* Are the regimes the same, and the motions of the strips, one after the other? */
+bool tp_look_is_like(const tp_look *one, const tp_look *other);
+
+/* Along the line between two looks that are not alike: the last point like the first and the next
+ * double, along the axis that moves, that is not. */
+void tp_map_border(tp_map *map, tp_look *low, tp_look *high);
+
+/* "slides | topples" */
+void tp_map_border_name(char *text, size_t size, tp_regime one, tp_regime other);
+
+/* A series of the chart: its kind and what it is of. */
+void tp_map_begin(tp_map *map, tp_chart_style style, const char *series, const char *of);
+
+/* The complaint when the scene has an answer nowhere. */
+tp_status tp_map_no_answer(const tp_map *map);
+
+/* Draw the map along one scalar, whose number is the scene's first, or over two. */
+void tp_map_draw_line(tp_map *map, bool scalar_is_x);
+void tp_map_draw_plane(tp_map *map);
+
+#endif

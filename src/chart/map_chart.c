@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The mechanism map of any scene, along one or two of its numbers: what is asked, and what it is
+ * asked of. */
+
+#include "chart/axis_label.h"
+#include "chart/map.h"
+#include "chart/mechanism_style.h"
+#include "host.h"
+#include "outside.h"
+#include "scene/key.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LABEL_SIZE = 180 };
+
+static bool is_tilt(const tp_chart_axis *axis) {
+  return strcmp(axis->key, "tilt") == 0;
+}
+
+static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
+  const double from = axis->range.from, to = axis->range.to;
+  if (!(from < to && isfinite(to - from))) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "%s goes from %g to %g; the range must rise, and end",
+                   tp_quote_all(axis->key).text, from, to);
+  }
+  if (is_tilt(axis) && !(from >= 0 && to <= 90)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "the tilt goes from %g to %g; it must lie between 0 and 90 degrees", from, to);
+  }
+  return TP_OK;
+}
+
+static tp_status check(const tp_chart_map_options *o, tp_message *message) {
+  tp_status status = check_axis(&o->x, message);
+  if (status == TP_OK) status = check_axis(&o->y, message);
+  if (status == TP_OK && strcmp(o->x.key, o->y.key) == 0) {
+    status = tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                     "both axes are %s; give a number of the scene for one of them",
+                     tp_quote_all(o->x.key).text);
+  }
+  return status;
+}
+
+/* The scene's numbers on the axes, x first. */
+static tp_status find_numbers(tp_map *map) {
+  const tp_chart_axis *axes[2] = {&map->options->x, &map->options->y};
+  tp_status status = tp_node_read(&map->scene.root, map->scene.path, map->message);
+  for (int k = 0; k < 2 && status == TP_OK; k++) {
+    if (is_tilt(axes[k])) continue;
+    status = tp_key_find(map->scene.numbers + map->scene.count, map->scene.root, axes[k]->key,
+                         map->scene.path, map->message);
+    if (status == TP_OK) map->scene.count++;
+  }
+  double own = 0;
+  if (status == TP_OK) status = tp_varied_check(&own, &map->scene, map->message);
+  if (status == TP_OK && !tp_varied_has_friction(&map->scene)) {
+    status =
+        tp_fail(map->message, TP_BAD_INPUT, (tp_place){map->scene.path, 0, 0},
+                "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");
+  }
+  return status;
+}
+
+/* `label` holds the text as long as the axis is used. */
+static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
+  tp_panel_axis axis = {.label = label, .range = from->range};
+  tp_axis_label(label, LABEL_SIZE, &axis.plain, is_tilt(from) ? "tilt.angle_deg" : from->key,
+                map->scene.root);
+  return axis;
+}
+
+/* A line of the legend, where the chart has such a series. */
+typedef struct legend_entry {
+  const char *series, *of, *text; /* of NULL: of anything */
+  tp_chart_style style;
+} legend_entry;
+
+static void add_entries(tp_chart *chart, const legend_entry *entries, size_t count) {
+  for (size_t e = 0; e < count; e++) {
+    for (size_t k = 0; k < chart->series_count; k++) {
+      const tp_chart_series *s = chart->series + k;
+      if (s->drawn_only || s->count < 2 || strcmp(s->keys[0], entries[e].series) != 0) continue;
+      if (entries[e].of != NULL && strcmp(s->keys[1], entries[e].of) != 0) continue;
+      tp_chart_add_legend(chart, entries[e].text, entries[e].style);
+      break;
+    }
+  }
+}
+
+static void add_legend_of_line(tp_chart *chart) {
+  const legend_entry entries[] = {
+      {"limit", "slides", "limit: slides", tp_line_slides},
+      {"limit", "topples", "limit: topples", tp_line_topples},
+      {"limit", "slides and topples", "limit: slides and topples", tp_line_both},
+      {"limit", "tie", "limit: tie", tp_line_both},
+      {"certain to stand", "", "certain to stand up to", tp_line_onset},
+      {"certain to stand", "", "history decides", tp_region_history},
+      {"moment equilibrium", "", "moment equilibrium", tp_line_moments},
+      {"Patton's sliding", "", "Patton's sliding", tp_line_sliding},
+      {"sliding", "", "sliding along a facet", tp_line_sliding},
+      {"motion", NULL, "between motions from rest", tp_line_dynamic},
+  };
+  add_entries(chart, entries, sizeof entries / sizeof entries[0]);
+}
+
+static void add_legend_of_plane(tp_chart *chart) {
+  const legend_entry entries[] = {
+      {"border", NULL, "border of mechanisms", tp_line_border},
+      {"limit", NULL, "critical angle, limit analysis", tp_line_contour},
+      {"certain to stand", NULL, "certain to stand up to, where that is less", tp_line_stands},
+  };
+  add_entries(chart, entries, sizeof entries / sizeof entries[0]);
+}
+
+/* The chart must not be written over what it is computed from. */
+static void add_sources(tp_map *map) {
+  tp_scene *read = NULL;
+  map->status = tp_scene_from_nodes(&read, map->scene.path, map->scene.root, map->message);
+  if (map->status != TP_OK) return;
+  tp_chart_add_source(map->chart, read->path);
+  for (long k = 0; k < read->file_count; k++) tp_chart_add_source(map->chart, read->files[k]);
+  tp_scene_free(read);
+}
+
+static void draw(tp_map *map) {
+  const tp_chart_map_options *o = map->options;
+  const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
+  map->chart = tp_chart_new("map", (const char *const[]){"series", "of", NULL},
+                            is_tilt(&o->x) ? "tilt_deg" : o->x.key,
+                            is_tilt(&o->y) ? "tilt_deg" : o->y.key, (const char *const[]){NULL});
+  if (map->chart == NULL) {
+    map->status = tp_fail_memory(map->message, "the chart");
+    return;
+  }
+  map->scene.options.motion_ranges = along_one;
+  add_sources(map);
+  if (map->status != TP_OK) return;
+  map->chart->panel_width_mm = 72;
+  map->chart->panel_height_mm = 62;
+  char labels[2][LABEL_SIZE];
+  const tp_panel_axis x = axis_of(labels[0], map, &o->x), y = axis_of(labels[1], map, &o->y);
+  tp_chart_add_panel(map->chart, NULL, x, y);
+  const tp_node *title = tp_node_get(map->scene.root, "title");
+  if (title != NULL && title->kind == TP_NODE_SCALAR) tp_chart_set_title(map->chart, title->text);
+  if (along_one) {
+    tp_map_draw_line(map, is_tilt(&o->y));
+  } else {
+    tp_map_draw_plane(map);
+  }
+  if (map->status != TP_OK || map->chart->failed) return;
+  if (along_one) {
+    add_legend_of_line(map->chart);
+  } else {
+    add_legend_of_plane(map->chart);
+  }
+}
+
+tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, options);
+  TP_REFUSE_NULL(message, options->scene);
+  TP_REFUSE_NULL(message, options->x.key);
+  TP_REFUSE_NULL(message, options->y.key);
+  tp_message own = {""};
+  tp_map map = {.options = options, .scene = {.path = options->scene}, .message = &own};
+  map.scene.options = tp_solve_options_default();
+  map.scene.options.digits = 15;
+  map.scene.options.strength_reduction = false;
+  map.status = check(options, &own);
+  if (map.status == TP_OK) map.status = find_numbers(&map);
+  if (map.status == TP_OK) draw(&map);
+  tp_node_free(map.scene.root);
+  if (map.status == TP_OK) return tp_chart_finish(map.chart, chart, message);
+  tp_chart_free(map.chart);
+  if (message != NULL) *message = own;
+  return map.status;
+}

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The map over two scalars of a scene: what lets go first, and contour lines of the limit. */
+
+#include "chart/mechanism_style.h"
+#include "chart/trace.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SECANTS = 60 };
+
+/* An angle of a look that has contours. */
+typedef bool (*reader)(tp_bounded *degrees, const tp_look *look);
+
+static bool read_limit(tp_bounded *degrees, const tp_look *look) {
+  *degrees = look->limit_deg;
+  return tp_look_has_limit(look);
+}
+
+static bool read_onset(tp_bounded *degrees, const tp_look *look) {
+  *degrees = look->onset_deg;
+  return look->has_onset;
+}
+
+typedef struct plane {
+  tp_map *map;
+  tp_look *grid;
+  tp_place_2d *places;
+  reader read;      /* of the present contour */
+  double level_deg; /* likewise */
+} plane;
+
+static double coordinate(const tp_chart_range *range, int k) {
+  return k == SIDE - 1 ? range->to : range->from + (range->to - range->from) * k / (SIDE - 1);
+}
+
+static bool scan(const plane *p) {
+  bool any = false;
+  for (int k = 0; k < LOOKS && p->map->status == TP_OK; k++) {
+    const double values[2] = {coordinate(&p->map->options->x.range, k % SIDE),
+                              coordinate(&p->map->options->y.range, k / SIDE)};
+    p->grid[k] = tp_map_look(p->map, values);
+    any |= p->grid[k].regime != TP_REGIME_NONE;
+  }
+  return any;
+}
+
+static int regime_region(const void *context, const tp_look *look) {
+  (void)context;
+  return (int)look->regime;
+}
+
+static tp_crossing middle_of(const tp_look *low, const tp_look *high) {
+  const double half_x = (high->values[0] - low->values[0]) / 2;
+  const double half_y = (high->values[1] - low->values[1]) / 2;
+  const double x = low->values[0] + half_x, y = low->values[1] + half_y;
+  return (tp_crossing){true, {x, y, half_x + 0x1p-52 * fabs(x), half_y + 0x1p-52 * fabs(y)}};
+}
+
+static tp_crossing cross_regimes(void *context, tp_look low, tp_look high) {
+  const plane *p = context;
+  tp_map_border(p->map, &low, &high);
+  return middle_of(&low, &high);
+}
+
+static int contour_region(const void *context, const tp_look *look) {
+  const plane *p = context;
+  tp_bounded own;
+  if (!p->read(&own, look)) return 0;
+  return own.value < p->level_deg ? 1 : 2;
+}
+
+/* 1 above the present level for certain, -1 below it; 0 else. */
+static int side_of(const plane *p, const tp_look *look) {
+  tp_bounded own;
+  if (!p->read(&own, look)) return 0;
+  const double gap = own.value - p->level_deg;
+  return gap > own.error ? 1 : gap < -own.error ? -1 : 0;
+}
+
+static tp_look between(const plane *p, const tp_look *low, const tp_look *high, double share) {
+  share = fmin(fmax(share, 0), 1);
+  const double values[2] = {low->values[0] + share * (high->values[0] - low->values[0]),
+                            low->values[1] + share * (high->values[1] - low->values[1])};
+  return tp_map_look(p->map, values);
+}
+
+/* The narrowest certain bracket about a share of an edge. */
+static tp_crossing bracket(const plane *p, const tp_look *low, const tp_look *high, double share) {
+  for (double h = 0x1p-36; h < 1 && p->map->status == TP_OK; h *= 16) {
+    const tp_look below = between(p, low, high, share - h),
+                  above = between(p, low, high, share + h);
+    if (side_of(p, &below) * side_of(p, &above) < 0) return middle_of(&below, &above);
+  }
+  return (tp_crossing){0};
+}
+
+/* Along an edge by false position (Illinois), which halves the weight of an end that stays, then
+ * within a certain bracket. An angle that jumps over the level does not cross it. */
+static tp_crossing cross_level(void *context, tp_look low, tp_look high) {
+  const plane *p = context;
+  tp_bounded first_deg, last_deg, own;
+  if (!p->read(&first_deg, &low) || !p->read(&last_deg, &high)) return (tp_crossing){0};
+  double a = first_deg.value - p->level_deg, b = last_deg.value - p->level_deg;
+  double first = 0, last = 1;
+  for (int step = 0; step < SECANTS && p->map->status == TP_OK; step++) {
+    const double share = first + a / (a - b) * (last - first);
+    const tp_look found = between(p, &low, &high, share);
+    if (!p->read(&own, &found)) return (tp_crossing){0};
+    const double gap = own.value - p->level_deg;
+    if (fabs(gap) <= 1e-11 * fabs(p->level_deg)) return bracket(p, &low, &high, share);
+    if ((gap < 0) == (a < 0)) {
+      first = share;
+      a = gap;
+      b /= 2;
+    } else {
+      last = share;
+      b = gap;
+      a /= 2;
+    }
+  }
+  return (tp_crossing){0};
+}
+
+/* Are two places so near that their labels touch? */
+static bool is_near(const plane *p, tp_place_2d at, const tp_chart_label *label) {
+  const tp_chart_range *x = &p->map->options->x.range, *y = &p->map->options->y.range;
+  return fabs(label->x - at.x) < 0.09 * (x->to - x->from) &&
+         fabs(label->y - at.y) < 0.05 * (y->to - y->from);
+}
+
+/* The present level on its curve, where no other stands; a short curve has none. */
+static void add_level(const plane *p, size_t count) {
+  static const double shares[] = {0.5, 0.35, 0.65, 0.2, 0.8};
+  const tp_chart *chart = p->map->chart;
+  char text[32];
+  snprintf(text, sizeof text, "%.4g°", p->level_deg);
+  for (size_t k = 0; k < sizeof shares / sizeof shares[0] && count > SIDE / 6; k++) {
+    const tp_place_2d at = p->places[(size_t)((double)count * shares[k])];
+    bool is_free = true;
+    for (size_t j = 0; j < chart->label_count; j++) is_free &= !is_near(p, at, chart->labels + j);
+    if (!is_free) continue;
+    tp_chart_add_label(p->map->chart, at.x, at.y, TP_LABEL_BOXED, text);
+    return;
+  }
+}
+
+static void add_regions(tp_map *map, const tp_pieces *pieces) {
+  for (int regime = TP_REGIME_SLIDES; regime <= TP_REGIME_UNDECIDED; regime++) {
+    bool any = false;
+    for (size_t k = 0; k < pieces->patch_count; k++) {
+      const tp_patch *patch = pieces->patches + k;
+      if (patch->region != regime) continue;
+      if (any) {
+        tp_chart_add_break(map->chart);
+      } else {
+        tp_chart_add_guide(map->chart, tp_regime_region((tp_regime)regime));
+        tp_chart_add_legend(map->chart, tp_regime_name((tp_regime)regime),
+                            tp_regime_region((tp_regime)regime));
+      }
+      any = true;
+      for (size_t j = 0; j < patch->count; j++) {
+        tp_chart_add_place(map->chart, patch->corners[j].x, patch->corners[j].y);
+      }
+    }
+  }
+}
+
+/* The curves of a field: contours of the present level, or borders. */
+static void add_curves(plane *p, const tp_field *field, tp_chart_style style, const char *series,
+                       bool levels) {
+  tp_pieces pieces = {0};
+  tp_trace(&pieces, p->map, field, p->grid, SIDE, SIDE);
+  free(p->places);
+  p->places = calloc(pieces.count + 2, sizeof *p->places);
+  if (pieces.failed || p->places == NULL) {
+    p->map->status = tp_fail_memory(p->map->message, "the map");
+  }
+  int regions[2];
+  size_t count = 0;
+  while (p->places != NULL && p->map->status == TP_OK &&
+         (count = tp_trace_next(p->places, regions, &pieces)) > 0) {
+    char name[80];
+    tp_map_border_name(name, sizeof name, (tp_regime)regions[0], (tp_regime)regions[1]);
+    if (levels) snprintf(name, sizeof name, "%.15g", p->level_deg);
+    tp_map_begin(p->map, style, series, name);
+    for (size_t k = 0; k < count; k++) {
+      const tp_place_2d *at = p->places + k;
+      tp_chart_add_point(p->map->chart, (tp_bounded){.value = at->x, .error = at->x_error},
+                         (tp_bounded){.value = at->y, .error = at->y_error});
+    }
+    if (levels) add_level(p, count);
+  }
+  if (!levels) add_regions(p->map, &pieces);
+  tp_pieces_clear(&pieces);
+}
+
+/* The contours are a round number of degrees apart. */
+static double contour_step(double range) {
+  const double rough = range / CONTOURS, decade = pow(10, floor(log10(rough)));
+  const double steps[] = {1, 2, 5, 10};
+  for (int k = 0; k < 4; k++) {
+    if (steps[k] * decade >= rough) return steps[k] * decade;
+  }
+  return 10 * decade;
+}
+
+static void add_contours(plane *p, reader read, tp_chart_style style, const char *series) {
+  double low = INFINITY, high = -INFINITY;
+  tp_bounded own;
+  p->read = read;
+  for (int k = 0; k < LOOKS; k++) {
+    if (!read(&own, p->grid + k)) continue;
+    low = fmin(low, own.value);
+    high = fmax(high, own.value);
+  }
+  if (!(high > low)) return;
+  const tp_field field = {p, contour_region, cross_level};
+  const double step = contour_step(high - low);
+  for (double k = floor(low / step) + 1; k * step < high && p->map->status == TP_OK; k++) {
+    p->level_deg = k * step;
+    if (p->level_deg != 0) add_curves(p, &field, style, series, true);
+  }
+}
+
+void tp_map_draw_plane(tp_map *map) {
+  plane p = {.map = map, .grid = calloc(LOOKS, sizeof *p.grid)};
+  if (p.grid == NULL) {
+    map->status = tp_fail_memory(map->message, "the map");
+    return;
+  }
+  const bool any = scan(&p);
+  if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
+  const tp_field field = {&p, regime_region, cross_regimes};
+  if (map->status == TP_OK) add_contours(&p, read_limit, tp_line_contour, "limit");
+  if (map->status == TP_OK) add_contours(&p, read_onset, tp_line_stands, "certain to stand");
+  if (map->status == TP_OK) add_curves(&p, &field, tp_line_border, "border", false);
+  free(p.places);
+  free(p.grid);
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Borders in a plane, traced as curves.
+ *
+ * A cell of a grid with two borders across its edges holds a piece of one curve; one with more
+ * holds a place where regions meet, and is halved until that place is known to 2^-12 of a cell.
+ * Pieces that share an end are joined. Where a border crosses an edge is for the caller to find. */
+
+#ifndef TP_TRACE_H
+#define TP_TRACE_H
+
+#include "chart/map.h"
+
+/* Of a crossing, the border lies within the error of it. */
+typedef struct tp_place_2d {
+  double x, y;
+  double x_error, y_error;
+} tp_place_2d;
+
+typedef struct tp_crossing {
+  bool found;
+  tp_place_2d place;
+} tp_crossing;
+
+/* What is traced: regions by number, and the border between two looks of different regions. */
+typedef struct tp_field {
+  void *context;
+  int (*region)(const void *context, const tp_look *look);
+  tp_crossing (*cross)(void *context, tp_look low, tp_look high);
+} tp_field;
+
+/* A polygon of a region, convex and counter-clockwise. */
+typedef struct tp_patch {
+  int region;
+  size_t count;
+  tp_place_2d corners[5];
+} tp_patch;
+
+typedef struct tp_piece {
+  tp_place_2d ends[2];
+  int regions[2]; /* the lesser first */
+  bool used;
+} tp_piece;
+
+typedef struct tp_pieces {
+  size_t count, capacity;
+  tp_piece *pieces;
+  size_t patch_count, patch_capacity;
+  tp_patch *patches;
+  bool failed; /* memory was exhausted */
+} tp_pieces;
+
+void tp_pieces_clear(tp_pieces *pieces);
+
+/* All pieces over a grid of columns x rows looks, row by row. */
+void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_look *grid,
+              size_t columns, size_t rows);
+
+/* The next curve: its places in order into `places` (of room for pieces->count + 1), their number,
+ * 0 when none is left, and the regions that it parts. */
+size_t tp_trace_next(tp_place_2d *places, int regions[2], tp_pieces *pieces);
+
+#endif

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solved scene as a figure. A solution holds no geometry: the problem is prepared again. */
+
+#include "figure/figure.h"
+#include "host.h"
+
+#include <stdlib.h>
+
+static tp_status draw_problem(const char *path, const tp_problem *problem,
+                              const tp_solution *solution, tp_figure_consent consent,
+                              tp_message *message) {
+  const bool elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
+  tp_figure figure = {.problem = problem, .solution = solution};
+  tp_status status = tp_shape_init(&figure.shape, problem, elements, message);
+  if (status != TP_OK) return status;
+  for (size_t k = 0; k < solution->case_count; k++) {
+    tp_state_init(figure.states + figure.panel_count++, &figure, solution->cases + k);
+  }
+  status = tp_figure_write(path, &figure, consent, message);
+  tp_shape_clear(&figure.shape);
+  return status;
+}
+
+tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_solution *solution,
+                           tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, solution);
+  return tp_report_figure_if(path, scene, solution, (tp_figure_consent){0}, message);
+}
+
+tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_solution *solution,
+                              tp_figure_consent consent, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, path);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, solution);
+  if (!tp_figure_is_file_name(path)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+                   "a figure is of the kind that its name ends in: .svg, .pdf or .png");
+  }
+  tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
+  if (notes == NULL) return tp_fail_memory(message, "the figure");
+  tp_problem problem;
+  tp_solve_options options = tp_solve_options_default();
+  options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
+  tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
+  if (status == TP_OK) {
+    status = draw_problem(path, &problem, solution, consent, message);
+    tp_problem_clear(&problem);
+  }
+  free(notes);
+  return status;
+}

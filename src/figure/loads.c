@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Loads that have a place: water, pressures, surcharges, anchors. Their sizes are not to scale. */
+
+#include "figure/figure.h"
+
+#include <math.h>
+
+#define LOAD_ARROW 15.0 /* points */
+#define WATER_WIDTH 0.3 /* of the height: how wide the triangle of its pressure is drawn */
+
+static double in_units(const tp_panel *p, const fmpq *length) {
+  return fmpq_get_d(length) * p->figure->solution->metres_per_unit / p->figure->shape.unit_m;
+}
+
+static void fill_triangle(const tp_panel *p, const tp_spot corners[3]) {
+  for (int k = 0; k < 3; k++) {
+    const tp_spot at = tp_view_spot(&p->view, corners[k]);
+    cairo_line_to(p->cr, at.x, at.y);
+  }
+  cairo_close_path(p->cr);
+  tp_figure_ink(p->cr, TP_INK_SKY);
+  cairo_fill_preserve(p->cr);
+  tp_figure_ink(p->cr, TP_INK_BLUE);
+  cairo_set_line_width(p->cr, 0.5);
+  cairo_stroke(p->cr);
+}
+
+/* The pressure on the up-dip face, and the uplift below the base, as triangles. */
+static void draw_water(const tp_panel *p) {
+  const tp_water_description *water = &p->figure->problem->scene->loads.water;
+  const tp_contact *contact = &p->figure->problem->contact;
+  if (!water->given || contact->point_count == 0) return;
+  const bool left = p->state->own->towards == TP_TOWARDS_LEFT;
+  const size_t last = (size_t)contact->point_count - 1;
+  const tp_spot heel = tp_figure_pivot_spot(p->figure, p->state->own, left ? last : 0);
+  const tp_spot toe = tp_figure_pivot_spot(p->figure, p->state->own, left ? 0 : last);
+  double height = in_units(p, water->height.value);
+  if (water->stays_level) height /= fmax(cos(p->state->turn), 0.05);
+  const double width = WATER_WIDTH * height, side = left ? 1 : -1;
+  cairo_new_path(p->cr);
+  fill_triangle(
+      p, (const tp_spot[3]){heel, {heel.x + side * width, heel.y}, {heel.x, heel.y + height}});
+  if (!water->uplift) return;
+  fill_triangle(p, (const tp_spot[3]){heel, toe, {heel.x, heel.y - width / 2}});
+}
+
+static void arrow_onto(tp_panel *p, tp_spot tip, tp_spot direction, double length) {
+  const tp_spot at = tp_view_spot(&p->view, tip);
+  const tp_spot tail = {at.x - length * direction.x, at.y - length * direction.y};
+  tp_figure_ink(p->cr, TP_INK_PURPLE);
+  tp_figure_arrow(p->cr, tail, at, 0.9);
+  tp_places_line(&p->places, tail, at);
+}
+
+/* Arrows along a line: pressures press to its left, surcharges downwards. */
+static void draw_line_load(tp_panel *p, const tp_line_load *load, bool surcharge) {
+  enum { ARROWS = 6 };
+  const tp_problem *problem = p->figure->problem;
+  const tp_spot a = tp_shape_of_scene(&p->figure->shape, problem, load->x0.value, load->y0.value);
+  const tp_spot b = tp_shape_of_scene(&p->figure->shape, problem, load->x1.value, load->y1.value);
+  const double first = fmpq_get_d(load->first_kpa.value);
+  const double last = surcharge ? first : fmpq_get_d(load->last_kpa.value);
+  const double largest = fmax(fabs(first), fabs(last));
+  const tp_spot direction =
+      tp_view_direction(&p->view, surcharge ? p->state->gravity : (tp_spot){a.y - b.y, b.x - a.x});
+  for (int k = 0; k <= ARROWS && largest > 0; k++) {
+    const double t = (double)k / ARROWS, share = (first + t * (last - first)) / largest;
+    if (fabs(share) < 0.05) continue;
+    const tp_spot at = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    arrow_onto(p, at, direction, LOAD_ARROW * share);
+  }
+}
+
+static void draw_anchor(tp_panel *p, const tp_anchor_description *anchor) {
+  const double angle = fmpq_get_d(anchor->direction_deg.value) * atan(1) / 45;
+  const tp_spot at = tp_view_spot(&p->view, tp_shape_of_scene(&p->figure->shape, p->figure->problem,
+                                                              anchor->x.value, anchor->y.value));
+  const tp_spot d = tp_view_direction(&p->view, (tp_spot){cos(angle), sin(angle)});
+  const tp_spot tip = {at.x + 2 * LOAD_ARROW * d.x, at.y + 2 * LOAD_ARROW * d.y};
+  tp_figure_ink(p->cr, TP_INK_PURPLE);
+  cairo_new_path(p->cr);
+  cairo_arc(p->cr, at.x, at.y, 2, 0, 8 * atan(1));
+  cairo_fill(p->cr);
+  tp_figure_arrow(p->cr, at, tip, 1.4);
+  tp_places_line(&p->places, at, tip);
+}
+
+void tp_figure_draw_loads(tp_panel *p) {
+  const tp_loads_description *loads = &p->figure->problem->scene->loads;
+  draw_water(p);
+  for (long k = 0; k < loads->pressure_count; k++) draw_line_load(p, loads->pressures + k, false);
+  for (long k = 0; k < loads->surcharge_count; k++) draw_line_load(p, loads->surcharges + k, true);
+  for (long k = 0; k < loads->anchor_count; k++) draw_anchor(p, loads->anchors + k);
+}

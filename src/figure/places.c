@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Room for labels: off the block always, off each other always, off arrows where possible. */
+
+#include "figure/figure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void tp_places_clear(tp_places *places) {
+  free(places->sides);
+  memset(places, 0, sizeof *places);
+}
+
+/* The sides of a flattened path; with `sides` NULL only their number. */
+static size_t collect_sides(tp_spot (*sides)[2], const cairo_path_t *path) {
+  size_t count = 0;
+  tp_spot last = {0, 0}, first = {0, 0};
+  for (int k = 0; k < path->num_data; k += path->data[k].header.length) {
+    const cairo_path_data_t *data = path->data + k;
+    tp_spot next = first;
+    if (data->header.type != CAIRO_PATH_CLOSE_PATH) {
+      next = (tp_spot){data[1].point.x, data[1].point.y};
+    }
+    if (data->header.type == CAIRO_PATH_MOVE_TO) {
+      first = next;
+    } else {
+      if (sides != NULL) {
+        sides[count][0] = last;
+        sides[count][1] = next;
+      }
+      count++;
+    }
+    last = next;
+  }
+  return count;
+}
+
+bool tp_places_init(tp_places *places, cairo_t *cr, const tp_figure *figure, const tp_view *view,
+                    tp_box area) {
+  memset(places, 0, sizeof *places);
+  places->area = area;
+  tp_view_path(cr, view, &figure->shape.outline);
+  cairo_path_t *path = cairo_copy_path_flat(cr);
+  cairo_new_path(cr);
+  if (path->status == CAIRO_STATUS_SUCCESS) {
+    const size_t count = collect_sides(NULL, path);
+    places->sides = calloc(count + 1, sizeof *places->sides);
+    if (places->sides != NULL) places->side_count = collect_sides(places->sides, path);
+  }
+  cairo_path_destroy(path);
+  return places->sides != NULL;
+}
+
+void tp_places_line(tp_places *places, tp_spot from, tp_spot to) {
+  if (places->line_count == TP_PLACES_MAX) return;
+  places->lines[places->line_count][0] = from;
+  places->lines[places->line_count++][1] = to;
+}
+
+/* Does the segment enter the box? Clipped against its four sides one by one. */
+static bool crosses(const tp_spot side[2], const tp_box *box) {
+  const double dx = side[1].x - side[0].x, dy = side[1].y - side[0].y;
+  const double steps[4] = {-dx, dx, -dy, dy};
+  const double rooms[4] = {side[0].x - box->x0, box->x1 - side[0].x, side[0].y - box->y0,
+                           box->y1 - side[0].y};
+  double begin = 0, end = 1;
+  for (int k = 0; k < 4; k++) {
+    if (steps[k] == 0) {
+      if (rooms[k] < 0) return false;
+      continue;
+    }
+    const double t = rooms[k] / steps[k];
+    if (steps[k] < 0) begin = fmax(begin, t);
+    if (steps[k] > 0) end = fmin(end, t);
+  }
+  return begin <= end;
+}
+
+static bool touches_block(const tp_places *places, const tp_box *box) {
+  const double x = (box->x0 + box->x1) / 2, y = (box->y0 + box->y1) / 2;
+  bool inside = false;
+  for (size_t k = 0; k < places->side_count; k++) {
+    const tp_spot *side = places->sides[k];
+    if (crosses(side, box)) return true;
+    if ((side[0].y > y) == (side[1].y > y)) continue;
+    const double t = (y - side[0].y) / (side[1].y - side[0].y);
+    if (side[0].x + t * (side[1].x - side[0].x) > x) inside = !inside;
+  }
+  return inside;
+}
+
+static bool is_free(const tp_places *places, const tp_box *box, bool off_lines) {
+  const tp_box *a = &places->area;
+  if (box->x0 < a->x0 || box->x1 > a->x1 || box->y0 < a->y0 || box->y1 > a->y1) return false;
+  for (size_t k = 0; k < places->label_count; k++) {
+    const tp_box *other = places->labels + k;
+    if (box->x0 < other->x1 && other->x0 < box->x1 && box->y0 < other->y1 && other->y0 < box->y1) {
+      return false;
+    }
+  }
+  for (size_t k = 0; k < places->line_count && off_lines; k++) {
+    if (crosses(places->lines[k], box)) return false;
+  }
+  return !touches_block(places, box);
+}
+
+bool tp_places_find(tp_box *box, tp_places *places, tp_spot anchor, tp_spot direction, double width,
+                    double height, double reach, bool strict) {
+  enum { TURNS = 13, STEP = 3 };
+  const double turn = atan(1) / 3; /* 15 degrees */
+  for (int off_lines = 1; off_lines >= (strict ? 1 : 0); off_lines--) {
+    for (int step = 0; 3 + STEP * step <= reach; step++) {
+      for (int k = 0; k < TURNS && places->label_count < TP_PLACES_MAX; k++) {
+        const int turns = (k + 1) / 2; /* to either side by turns */
+        const double angle = turn * (k % 2 == 0 ? turns : -turns);
+        const tp_spot d = {direction.x * cos(angle) - direction.y * sin(angle),
+                           direction.x * sin(angle) + direction.y * cos(angle)};
+        /* the box's half-width in that direction, so that its edge is what is near */
+        const double half =
+            fmin(width / 2 / fmax(fabs(d.x), 1e-9), height / 2 / fmax(fabs(d.y), 1e-9));
+        const double away = 3 + STEP * step + fmin(half, hypot(width, height) / 2);
+        const double x = anchor.x + away * d.x, y = anchor.y + away * d.y;
+        const tp_box candidate = {x - width / 2, y - height / 2, x + width / 2, y + height / 2};
+        if (!is_free(places, &candidate, off_lines == 1)) continue;
+        *box = places->labels[places->label_count++] = candidate;
+        return true;
+      }
+    }
+  }
+  return false;
+}

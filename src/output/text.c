@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "output/text.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void tp_text_add(tp_text *text, const char *format, ...) {
+  va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  const int added = vsnprintf(NULL, 0, format, arguments);
+  va_end(arguments);
+  if (added < 0) text->failed = true; /* some numbers take memory to print */
+  const size_t needed = text->length + (size_t)(added > 0 ? added : 0) + 1;
+  if (!text->failed && needed > text->capacity) {
+    const size_t capacity = needed < 4096 ? 4096 : 2 * needed;
+    char *data = realloc(text->data, capacity);
+    text->failed = data == NULL;
+    if (data != NULL) {
+      text->data = data;
+      text->capacity = capacity;
+      data[text->length] = '\0'; /* also where nothing is added */
+    }
+  }
+  if (!text->failed && added >= 0) {
+    vsnprintf(text->data + text->length, text->capacity - text->length, format, again);
+    text->length += (size_t)added;
+  }
+  va_end(again);
+}
+
+tp_status tp_text_finish(tp_text *text, char **result) {
+  if (text->failed || text->data == NULL) {
+    free(text->data);
+    *text = (tp_text){0};
+    return TP_OUT_OF_MEMORY;
+  }
+  *result = text->data;
+  *text = (tp_text){0};
+  return TP_OK;
+}
+
+void tp_text_drop(tp_text *text) {
+  free(text->data);
+  *text = (tp_text){0};
+}
+
+static void drop_minus_of_zero(char *number) {
+  if (number[0] == '-' && strtod(number, NULL) == 0) memmove(number, number + 1, strlen(number));
+}
+
+/* Where no digit is certain: a value and a bound, both short, that hold what the number does. */
+static const char *with_bound(char out[TP_NUMBER_SIZE], tp_bounded number) {
+  char value[16];
+  snprintf(value, sizeof value, "%.3g", fabs(number.value) > number.error ? number.value : 0.0);
+  const double off = fabs(number.value - strtod(value, NULL)) + number.error;
+  /* one digit, rounded up: 0.95 of the last place is more than half of it and the roundings above
+   */
+  double place = pow(10, floor(log10(off)));
+  if (!(place > 0 && isfinite(place))) place = off;
+  snprintf(out, TP_NUMBER_SIZE, "%s ± %.1g", value, off + 0.95 * place);
+  return out;
+}
+
+static const char *certain(char out[TP_NUMBER_SIZE], tp_bounded number, int digits, int least,
+                           const char *format) {
+  char low[TP_NUMBER_SIZE], high[TP_NUMBER_SIZE];
+  if (!isfinite(number.error)) {
+    snprintf(out, TP_NUMBER_SIZE, "out of range");
+    return out;
+  }
+  const double below =
+      number.error > 0 ? nextafter(number.value - number.error, -INFINITY) : number.value;
+  const double above =
+      number.error > 0 ? nextafter(number.value + number.error, INFINITY) : number.value;
+  for (; digits >= least; digits--) {
+    snprintf(low, sizeof low, format, digits, below);
+    snprintf(high, sizeof high, format, digits, above);
+    drop_minus_of_zero(low);
+    drop_minus_of_zero(high);
+    if (strcmp(low, high) == 0) break;
+  }
+  if (digits < least) return with_bound(out, number);
+  snprintf(out, TP_NUMBER_SIZE, "%s", low);
+  return out;
+}
+
+const char *tp_text_fixed(char out[TP_NUMBER_SIZE], tp_bounded number, int decimals) {
+  if (fabs(number.value) >= 1e15) return tp_text_significant(out, number, 15);
+  return certain(out, number, decimals, 0, "%.*f");
+}
+
+const char *tp_text_significant(char out[TP_NUMBER_SIZE], tp_bounded number, int digits) {
+  return certain(out, number, digits, 1, "%.*g");
+}
+
+tp_bounded tp_text_over(tp_bounded number, double divisor) {
+  /* The divisor and the quotient are rounded once each. */
+  const double value = number.value / divisor;
+  return (tp_bounded){.value = value,
+                      .error = 1.01 * number.error / divisor + 2 * DBL_EPSILON * fabs(value)};
+}
+
+tp_bounded tp_text_less(tp_bounded number, tp_bounded other) {
+  const double value = number.value - other.value;
+  return (tp_bounded){.value = value,
+                      .error = 1.01 * (number.error + other.error) + DBL_EPSILON * fabs(value)};
+}

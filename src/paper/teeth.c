@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "paper/teeth.h"
+#include "message.h"
+#include "scene/scene.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+const char *const tp_toe_names[3] = {"planar", "peak", "valley"};
+
+static void write_scene(char *text, size_t size, const tp_toothed_question *q) {
+  const tp_toothed *b = &q->block;
+  size_t length = 0;
+  if (q->toe == TP_TOE_PLANAR || b->amplitude == 0) {
+    length = (size_t)snprintf(text, size,
+                              "topple: 1\nlength_unit: m\n"
+                              "block: {slab: {width: %.17g, height: 1}}\n",
+                              b->inverse_slenderness);
+  } else {
+    length =
+        (size_t)snprintf(text, size,
+                         "topple: 1\nlength_unit: m\nparameters: {dx: %.17g}\n"
+                         "block: {teeth: {block_width: dx, mean_height: 1, amplitude: %.17g, "
+                         "wavelength: 2*dx/%zu, left_end: %s}}\n",
+                         b->inverse_slenderness, b->amplitude, b->sub_blocks, tp_toe_names[q->toe]);
+  }
+  if (q->friction_deg > 0) {
+    length += (size_t)snprintf(text + length, size - length, "friction_angle_deg: %.17g\n",
+                               q->friction_deg);
+  }
+  if (q->tilt_deg > 0) {
+    snprintf(text + length, size - length, "tilt: {towards: left, angle_deg: %.17g}\n",
+             q->tilt_deg);
+  } else {
+    snprintf(text + length, size - length, "tilt: {towards: left}\n");
+  }
+}
+
+tp_status tp_toothed_solve(tp_solution **solution, const tp_toothed_question *q,
+                           tp_message *message) {
+  char text[480];
+  tp_node *root = NULL;
+  tp_scene *scene = NULL;
+  tp_solve_options options = tp_solve_options_default();
+  options.digits = 15;
+  options.strength_reduction = false;
+  options.motion_ranges = q->tilt_deg == 0;
+  write_scene(text, sizeof text, q);
+  tp_status status = tp_node_read_text(&root, text, "toothed block", message);
+  if (status == TP_OK) status = tp_scene_from_nodes(&scene, "toothed block", root, message);
+  if (status == TP_OK) status = tp_solve(solution, scene, &options, message);
+  tp_scene_free(scene);
+  tp_node_free(root);
+  return status;
+}
+
+tp_status tp_toothed_critical_angle(tp_bounded *degrees, const tp_toothed *block, tp_toe_kind toe,
+                                    tp_message *message) {
+  const tp_toothed_question question = {.block = *block, .toe = toe};
+  tp_solution *solution = NULL;
+  const tp_status status = tp_toothed_solve(&solution, &question, message);
+  /* the toe is the first contact point from the left, whether it is admissible or not */
+  if (status == TP_OK) *degrees = solution->cases[0].pivots[0].critical_angle_deg;
+  tp_solution_free(solution);
+  return status;
+}
+
+tp_status tp_toothed_borders(tp_toothed_border *borders, size_t *count, size_t room,
+                             const tp_toothed_question *question, tp_message *message) {
+  tp_solution *solution = NULL;
+  const tp_status status = tp_toothed_solve(&solution, question, message);
+  if (status != TP_OK) return status;
+  const tp_onset *onset = &solution->cases[0].onset;
+  for (size_t k = 0; k + 1 < onset->range_count && *count < room; k++) {
+    const tp_motion_range *own = onset->ranges + k, *next = own + 1;
+    /* two that meet have one end */
+    if (own->to_deg.value != next->from_deg.value || own->to_deg.value <= 0) continue;
+    borders[(*count)++] = (tp_toothed_border){question->block.inverse_slenderness, own->to_deg,
+                                              own->motions, next->motions};
+  }
+  tp_solution_free(solution);
+  return TP_OK;
+}
+
+/* The denominator loses at most 4 roundings of numbers up to 1.5, the quotient one more. */
+tp_bounded tp_toothed_tangent(const tp_toothed *block, tp_toe_kind toe) {
+  const double x = block->inverse_slenderness, a = block->amplitude;
+  const double sign = toe == TP_TOE_PEAK ? -1 : 1;
+  const double below = toe == TP_TOE_PLANAR ? 1 : 1 + sign * a - a * a / 12;
+  return tp_quotient((tp_bounded){.value = x},
+                     (tp_bounded){.value = below, .error = 4 * DBL_EPSILON});
+}
+
+/* d tan / d angle = 1 + tan^2; the conversion to radians is off by at most two roundings, the
+ * library's tan by less than one unit in the last place. */
+tp_bounded tp_tangent_deg(tp_bounded degrees) {
+  static const double radian = 0.017453292519943295;
+  const double angle = degrees.value * radian;
+  const double value = tan(angle), slope = 1 + value * value;
+  const double moved = fabs(degrees.error * radian) + 2 * DBL_EPSILON * fabs(angle);
+  /* over so small a move the slope at most doubles */
+  return (tp_bounded){.value = value, .error = 2 * slope * moved + DBL_EPSILON * fabs(value)};
+}
+
+tp_bounded tp_quotient(tp_bounded n, tp_bounded d) {
+  const double value = n.value / d.value, least = fabs(d.value) - d.error;
+  return (tp_bounded){.value = value,
+                      .error = 1.01 * (n.error + fabs(value) * d.error) / least +
+                               DBL_EPSILON * fabs(value)};
+}

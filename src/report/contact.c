@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/contact.h"
+
+#include "output/json.h"
+#include "report/words.h"
+
+static void add_beyond(tp_page *p, const tp_contact_result *c) {
+  const char *unit = p->solution->length_unit;
+  char n[2][TP_NUMBER_SIZE];
+  const bool left = c->beyond_left_m.value > 0, right = c->beyond_right_m.value > 0;
+  const bool cut = c->left_end != TP_END_WHOLE || c->right_end != TP_END_WHOLE;
+  tp_page_length(p, n[0], c->beyond_left_m, 6);
+  tp_page_length(p, n[1], c->beyond_right_m, 6);
+  if (!left && !right) {
+    tp_text_add(&p->text, "ends with the %s on both sides", cut ? "contact" : "block");
+  } else if (left && right) {
+    tp_text_add(&p->text, "goes on by %s %s on the left, %s %s on the right", n[0], unit, n[1],
+                unit);
+  } else {
+    tp_text_add(&p->text, "ends with the %s on the %s, goes on for %s %s on the %s",
+                cut ? "contact" : "block", left ? "right" : "left", left ? n[0] : n[1], unit,
+                left ? "left" : "right");
+  }
+}
+
+static void add_corner_points(tp_page *p, const tp_contact_result *c) {
+  if (c->corner_points == 0) return;
+  tp_text_add(&p->text,
+              ";\n         %zu of the points %s a corner on a corner, which counts as no support:\n"
+              "         neither has a face there for a force to be normal to",
+              c->corner_points, c->corner_points == 1 ? "is" : "are");
+}
+
+/* Why it ends there, in words. */
+static const char *end_words(tp_contact_end end, bool left) {
+  switch (end) {
+  case TP_END_WHOLE:
+    return left ? "the left end of the underside" : "the right end of the underside";
+  case TP_END_STATED:
+    return "as 'between' says";
+  case TP_END_STEEP:
+    return "where the block's side begins, steeper than 45°";
+  case TP_END_OVERHANG:
+    return "where the underside turns back over its base";
+  case TP_END_PROFILE:
+    return left ? "where it touches its base first" : "where it touches its base last";
+  }
+  return "";
+}
+
+static bool is_default_cut(const tp_contact_result *c) {
+  return c->left_end == TP_END_STEEP || c->left_end == TP_END_OVERHANG ||
+         c->right_end == TP_END_STEEP || c->right_end == TP_END_OVERHANG;
+}
+
+static void add_ends(tp_page *p, const tp_contact_result *c) {
+  char n[4][TP_NUMBER_SIZE];
+  tp_text_add(&p->text, "\nContact  from (%s, %s), %s,\n         to (%s, %s), %s;",
+              tp_page_coordinate(p, n[0], c->left_x_m), tp_page_coordinate(p, n[1], c->left_y_m),
+              end_words(c->left_end, true), tp_page_coordinate(p, n[2], c->right_x_m),
+              tp_page_coordinate(p, n[3], c->right_y_m), end_words(c->right_end, false));
+  if (is_default_cut(c)) {
+    tp_text_add(&p->text, "\n         (taken so: the scene does not say 'between', or "
+                          "'mated: whole' for all of\n         the underside)");
+  }
+}
+
+static void add_cautions(tp_page *p, const tp_contact_result *c) {
+  char n[TP_NUMBER_SIZE];
+  if (c->steep) {
+    tp_text_add(&p->text,
+                "         Caution: its steepest facet lies at %s° from the mean plane. What is\n"
+                "         steeper than 45° holds a block by locking it in, as long as the rock "
+                "of\n         the base bears it.\n",
+                tp_page_degrees(n, c->steepest_deg));
+  }
+  if (c->reaches_far) {
+    const tp_bounded percent = {100 * c->reach.value, 101 * c->reach.error, NULL};
+    tp_text_add(&p->text,
+                "         Caution: it reaches over %s %% of the block's height; is all of that "
+                "in\n         contact?\n",
+                tp_text_fixed(n, percent, 0));
+  }
+}
+
+static void add_frame(tp_page *p) {
+  const tp_frame_result *f = &p->solution->frame;
+  char n[3][TP_NUMBER_SIZE];
+  if (f->world) {
+    tp_text_add(&p->text, "Frame    world: the block as it lies. The mean plane, %s,\n         ",
+                f->fitted ? "fitted to the contact" : "as the scene gives it");
+    if (f->dips) {
+      tp_text_add(&p->text, "dips by %s° towards the %s", tp_text_fixed(n[0], f->dip_deg, 3),
+                  tp_text_direction(f->dips_towards));
+    } else {
+      tp_text_add(&p->text, "is level");
+    }
+    tp_text_add(&p->text,
+                "; x runs along it and y normal to it\n         from here on, turned about "
+                "(%s, %s), which keeps its place\n",
+                tp_page_coordinate(p, n[1], f->about_x_m),
+                tp_page_coordinate(p, n[2], f->about_y_m));
+  } else if (f->inclined) {
+    tp_text_add(&p->text,
+                "Frame    Caution: the mean line of the contact is inclined to x by %s°, and the\n"
+                "         scene does not say 'frame'. x is taken along the mean plane of the base,"
+                "\n         level at a tilt of 0: say 'frame: base'. If y runs upwards and the "
+                "block\n         lies on a slope as drawn, say 'frame: world'.\n",
+                tp_text_fixed(n[0], f->inclination_deg, 3));
+  }
+}
+
+void tp_page_add_contact(tp_page *p) {
+  const tp_solution *s = p->solution;
+  const tp_contact_result *c = &s->contact;
+  char n[2][TP_NUMBER_SIZE];
+  add_frame(p);
+  tp_text_add(&p->text, "Base     ");
+  if (c->mated) {
+    tp_text_add(&p->text, "mated; it ");
+    add_beyond(p, c);
+    if (!c->beyond_stated) {
+      tp_text_add(&p->text, "\n         (taken so: the scene does not say 'beyond')");
+    }
+  } else {
+    tp_text_add(&p->text, "a profile of its own, which ends where the scene ends it");
+  }
+  add_ends(p, c);
+  tp_text_add(&p->text, "\n         %zu facet%s", c->facets, c->facets == 1 ? "" : "s");
+  if (c->points > 0) {
+    tp_text_add(&p->text, " and %zu contact%s in a point", c->points, c->points == 1 ? "" : "s");
+  }
+  tp_text_add(&p->text, ",%s%s %s long, %s %s along the mean plane",
+              c->points > 0 ? "\n         " : " ", tp_page_length(p, n[0], c->length_m, 6),
+              s->length_unit, tp_page_length(p, n[1], c->nominal_length_m, 6), s->length_unit);
+  if (s->block.has_weight && c->facets > 0) {
+    tp_text_add(&p->text, ";\n         weight per area ");
+    tp_page_add_quantity(p, c->weight_per_contact_area_pa, "Pa");
+    if (c->nominal_length_m.value > 0) {
+      tp_text_add(&p->text, ", per area of the mean plane ");
+      tp_page_add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
+    }
+  }
+  add_corner_points(p, c);
+  tp_text_add(&p->text, "\n");
+  add_cautions(p, c);
+}
+
+static void json_end(tp_text *t, const char *side, tp_contact_end end, tp_bounded x_m,
+                     tp_bounded y_m) {
+  static const char *const words[] = {[TP_END_WHOLE] = "end of the underside",
+                                      [TP_END_STATED] = "between",
+                                      [TP_END_STEEP] = "steeper than 45 degrees",
+                                      [TP_END_OVERHANG] = "overhang",
+                                      [TP_END_PROFILE] = "profile"};
+  tp_text_add(t, "\"%s_end\": {\"is\": \"%s\", ", side, words[end]);
+  tp_json_number(t, "x_m", x_m);
+  tp_text_add(t, ", ");
+  tp_json_number(t, "y_m", y_m);
+  tp_text_add(t, "},\n        ");
+}
+
+void tp_json_frame(tp_text *t, const tp_frame_result *f) {
+  tp_text_add(t, "      \"frame\": {\"is\": \"%s\", \"stated\": %s", f->world ? "world" : "base",
+              tp_json_truth(f->stated));
+  if (f->world) {
+    tp_text_add(t, ", \"mean_plane\": \"%s\", \"dips_towards\": %s%s%s, ",
+                f->fitted ? "fitted" : "given", f->dips ? "\"" : "",
+                f->dips ? tp_text_direction(f->dips_towards) : "null", f->dips ? "\"" : "");
+    tp_json_number(t, "dip_deg", f->dip_deg);
+    tp_text_add(t, ",\n        \"turned_about\": {");
+    tp_json_number(t, "x_m", f->about_x_m);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "y_m", f->about_y_m);
+    tp_text_add(t, "}");
+  } else if (!f->stated) {
+    tp_text_add(t, ", \"inclined\": %s, ", tp_json_truth(f->inclined));
+    tp_json_number(t, "inclination_deg", f->inclination_deg);
+  }
+  tp_text_add(t, "},\n");
+}
+
+void tp_json_contact(tp_text *t, const tp_contact_result *c, bool has_weight) {
+  tp_text_add(
+      t,
+      "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
+      "\"points\": %zu, \"corner_points\": %zu,\n        ",
+      tp_json_truth(c->mated), tp_json_truth(c->beyond_stated), c->facets, c->points,
+      c->corner_points);
+  json_end(t, "left", c->left_end, c->left_x_m, c->left_y_m);
+  json_end(t, "right", c->right_end, c->right_x_m, c->right_y_m);
+  tp_text_add(t, "\"cut_by_default\": %s, \"steep\": %s, ", tp_json_truth(is_default_cut(c)),
+              tp_json_truth(c->steep));
+  if (c->facets > 0) {
+    tp_json_number(t, "steepest_deg", c->steepest_deg);
+    tp_text_add(t, ", ");
+  }
+  tp_json_number(t, "share_of_height", c->reach);
+  tp_text_add(t, ",\n        ");
+  if (c->mated) {
+    tp_json_number(t, "beyond_left_m", c->beyond_left_m);
+    tp_text_add(t, ",\n        ");
+    tp_json_number(t, "beyond_right_m", c->beyond_right_m);
+    tp_text_add(t, ",\n        ");
+  }
+  tp_json_number(t, "length_m", c->length_m);
+  tp_text_add(t, ",\n        ");
+  tp_json_number(t, "nominal_length_m", c->nominal_length_m);
+  if (has_weight) {
+    tp_text_add(t, ",\n        ");
+    tp_json_number(t, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
+    tp_text_add(t, ",\n        ");
+    tp_json_number(t, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
+  }
+  tp_text_add(t, "\n      },\n");
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/derived_onset.h"
+
+#include "output/json.h"
+#include "report/conditions.h"
+#include "report/parts_json.h"
+#include "report/words.h"
+
+/* "topples, towards the left, 26.215 degrees at the scene's values, below the limit" */
+static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, "%s, towards the %s, %s degrees at the scene's values%s",
+              tp_text_mechanism(o->mechanism), tp_text_direction(towards),
+              tp_text_fixed(n, o->critical_angle_deg, 3),
+              o->below_limit ? ", below the limit" : "");
+}
+
+static tp_condition_list conditions_of(const tp_derived_onset *o) {
+  return (tp_condition_list){.what = "onset",
+                             .zeros = false,
+                             .positive = o->positive,
+                             .count = o->condition_count,
+                             .items = o->conditions,
+                             .checks = &o->checks};
+}
+
+/* Why there is no formula; NULL where there is one, or none was asked for. */
+static const char *missing(const tp_derived_onset *o) {
+  if (o->known || o->kind == TP_ONSET_NOT_ASKED) return NULL;
+  return o->reason != NULL ? o->reason : "no motion can begin at any tilt up to 90 degrees";
+}
+
+/* What balances the weight. */
+static void add_row(tp_text *t, const tp_derived_row *r) {
+  if (r->is_force) {
+    tp_text_add(t, "\n    a force at (%s, %s), friction acting %s", r->x.formula, r->y.formula,
+                r->against_slip ? "up-dip" : "down-dip");
+  } else if (r->turns) {
+    tp_text_add(t, "\n    what turns the block about (%s, %s)", r->x.formula, r->y.formula);
+  } else {
+    tp_text_add(t, "\n    what moves the block along a facet");
+  }
+}
+
+static void add_text(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
+  tp_text_add(t, "\nOnset of motion: ");
+  add_description(t, o, towards);
+  if (o->same_as_limit) {
+    tp_text_add(t, "\n  the formula of the limit serves for both");
+  } else {
+    tp_text_add(t, "\n  tan(alpha_s) = %s", o->tangent.formula);
+  }
+  tp_text_add(t, "\n  the weight in balance with");
+  for (int k = 0; k < 2; k++) add_row(t, o->rows + k);
+  const tp_condition_list conditions = conditions_of(o);
+  tp_text_conditions(t, &conditions);
+}
+
+void tp_text_derived_onset(tp_text *t, const tp_derivation *d) {
+  for (int k = 0; k < 2; k++) {
+    const tp_derived_onset *o = d->onset + k;
+    if (o->known) add_text(t, o, (tp_direction)k);
+    if (missing(o) != NULL) {
+      tp_text_add(t, "\nOnset of motion: no formula, towards the %s:\n  %s\n",
+                  tp_text_direction((tp_direction)k), missing(o));
+    }
+  }
+}
+
+void tp_latex_derived_onset(tp_text *t, const tp_derivation *d) {
+  for (int k = 0; k < 2; k++) {
+    const tp_derived_onset *o = d->onset + k;
+    if (missing(o) != NULL) {
+      tp_text_add(t, "%% onset of motion: no formula, towards the %s: %s\n",
+                  tp_text_direction((tp_direction)k), missing(o));
+    }
+    if (!o->known) continue;
+    tp_text_add(t, "%% onset of motion: ");
+    add_description(t, o, (tp_direction)k);
+    tp_text_add(t, "\n\\[ \\tan\\alpha_{\\mathrm{s}} = %s \\]\n", o->tangent.formula);
+    const tp_condition_list conditions = conditions_of(o);
+    tp_latex_conditions(t, &conditions);
+  }
+}
+
+/* Angles in radians. */
+void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
+  for (int k = 0; k < 2; k++) {
+    const tp_derived_onset *o = d->onset + k;
+    const char *side = tp_text_direction((tp_direction)k);
+    if (missing(o) != NULL) {
+      tp_text_add(t, "\n/* onset of motion: no formula, towards the %s: %s */\n", side, missing(o));
+    }
+    if (!o->known) continue;
+    tp_text_add(t, "\n/* onset of motion: ");
+    add_description(t, o, (tp_direction)k);
+    const tp_condition_list conditions = conditions_of(o);
+    tp_c_conditional(t, &conditions, d, o->tangent.formula, side);
+  }
+}
+
+static void add_json_row(tp_text *t, const tp_derived_row *r) {
+  tp_text_add(t, "{\"row\": \"%s\"", r->is_force ? "force" : r->turns ? "turns" : "slides");
+  if (r->is_force) tp_text_add(t, ", \"against_slip\": %s", tp_json_truth(r->against_slip));
+  if (r->is_force || r->turns) {
+    tp_text_add(t, ", ");
+    tp_json_fraction(t, "x", &r->x);
+    tp_text_add(t, ", ");
+    tp_json_fraction(t, "y", &r->y);
+  }
+  tp_text_add(t, "}");
+}
+
+static void add_json(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
+  tp_text_add(t, "{\"towards\": \"%s\", \"mechanism\": \"%s\", \"below_limit\": %s",
+              tp_text_direction(towards), tp_text_mechanism(o->mechanism),
+              tp_json_truth(o->below_limit));
+  if (!o->known) {
+    tp_text_add(t, ", \"tan_critical_angle\": null,\n     \"why\": ");
+    tp_encode_json(t, missing(o));
+    tp_text_add(t, "}");
+    return;
+  }
+  tp_text_add(t, ", \"same_as_limit\": %s,\n     ", tp_json_truth(o->same_as_limit));
+  tp_json_fraction(t, "tan_critical_angle", &o->tangent);
+  tp_text_add(t, ",\n     ");
+  tp_json_number(t, "critical_angle_deg", o->critical_angle_deg);
+  tp_text_add(t, ",\n     \"balance\": [");
+  for (int k = 0; k < 2; k++) {
+    if (k > 0) tp_text_add(t, ",\n       ");
+    add_json_row(t, o->rows + k);
+  }
+  tp_text_add(t, "]");
+  const tp_condition_list conditions = conditions_of(o);
+  tp_json_conditions(t, &conditions);
+  tp_text_add(t, "}");
+}
+
+void tp_json_derived_onset(tp_text *t, const tp_derivation *d) {
+  const char *separator = ",\n  \"onset\": [\n    ";
+  bool any = false;
+  for (int k = 0; k < 2; k++) {
+    if (d->onset[k].kind == TP_ONSET_NOT_ASKED) continue;
+    tp_text_add(t, "%s", separator);
+    add_json(t, d->onset + k, (tp_direction)k);
+    separator = ",\n    ";
+    any = true;
+  }
+  if (any) tp_text_add(t, "\n  ]");
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The onset of motion of a derivation, in every notation; nothing where it was not asked for. */
+
+#ifndef TP_REPORT_DERIVED_ONSET_H
+#define TP_REPORT_DERIVED_ONSET_H
+
+#include "output/text.h"
+
+void tp_text_derived_onset(tp_text *text, const tp_derivation *derivation);
+void tp_latex_derived_onset(tp_text *text, const tp_derivation *derivation);
+void tp_c_derived_onset(tp_text *text, const tp_derivation *derivation);
+void tp_json_derived_onset(tp_text *text, const tp_derivation *derivation);
+
+#endif

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What back-analysis found. */
+
+#include "host.h"
+#include "output/json.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What the result was instead of the value. */
+static void add_none(tp_text *t, const tp_found *f, const tp_find_options *options) {
+  char least[TP_NUMBER_SIZE], greatest[TP_NUMBER_SIZE];
+  tp_text_significant(least, f->least, 12);
+  tp_text_significant(greatest, f->greatest, 12);
+  tp_text_add(t, "  none in range: %s ", tp_find_target_name(options->target));
+  if (strcmp(least, greatest) == 0) {
+    tp_text_add(t, "is %s wherever it was looked at\n", least);
+  } else {
+    tp_text_add(t, "goes from %s to %s there\n", least, greatest);
+  }
+}
+
+tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, options);
+  tp_text t = {0};
+  char number[TP_NUMBER_SIZE];
+  tp_encode_plain(&t, f->key);
+  tp_text_add(&t, " for %s = %.15g\n", tp_find_target_name(options->target), options->value);
+  for (size_t k = 0; k < f->count; k++) {
+    tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
+                f->solutions[k].error);
+  }
+  for (size_t k = 0; k < f->touching_count; k++) {
+    tp_text_add(
+        &t,
+        "  %s  (within %.2g): comes up to the value and turns back or ends; it may touch it, "
+        "which no bound decides\n",
+        tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
+  }
+  for (size_t k = 0; k < f->interval_count; k++) {
+    char end[TP_NUMBER_SIZE];
+    tp_text_add(&t,
+                "  every number from %s to %s  (within %.2g and %.2g): the\n"
+                "  result stays at the value, the same to 30 digits wherever it was looked at\n",
+                tp_text_significant(number, f->intervals[k].low, 12),
+                tp_text_significant(end, f->intervals[k].high, 12), f->intervals[k].low.error,
+                f->intervals[k].high.error);
+  }
+  if (f->count + f->touching_count + f->interval_count == 0) add_none(&t, f, options);
+  tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
+  return tp_text_finish(&t, text);
+}
+
+tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, solution);
+  char *solved = NULL;
+  tp_status status = tp_report_json(&solved, solution);
+  if (status != TP_OK) return status;
+  tp_text t = {0};
+  const size_t length = strlen(solved);
+  /* before the closing brace of the whole */
+  tp_text_add(&t, "%.*s,\n  \"find\": {\"key\": ", (int)(length - 3), solved);
+  tp_encode_json(&t, f->key);
+  tp_text_add(&t, ", \"from\": %.17g, \"to\": %.17g,\n    ", f->low, f->high);
+  tp_json_number(&t, "least", f->least);
+  tp_text_add(&t, ", ");
+  tp_json_number(&t, "greatest", f->greatest);
+  tp_text_add(&t, ",\n    \"solutions\": [");
+  for (size_t k = 0; k < f->count; k++) {
+    tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
+                f->solutions[k].value, f->solutions[k].error);
+  }
+  tp_text_add(&t, "],\n    \"touching\": [");
+  for (size_t k = 0; k < f->touching_count; k++) {
+    tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
+                f->touching[k].value, f->touching[k].error);
+  }
+  tp_text_add(&t, "],\n    \"intervals\": [");
+  for (size_t k = 0; k < f->interval_count; k++) {
+    tp_text_add(&t, "%s{", k > 0 ? ", " : "");
+    tp_json_number(&t, "from", f->intervals[k].low);
+    tp_text_add(&t, ", ");
+    tp_json_number(&t, "to", f->intervals[k].high);
+    tp_text_add(&t, "}");
+  }
+  tp_text_add(&t, "]}\n}\n");
+  free(solved);
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/governing.h"
+
+#include "output/json.h"
+#include "report/parts_json.h"
+#include "report/words.h"
+
+#include <stdio.h>
+
+void tp_text_against(tp_text *t, const tp_factor *factor) {
+  if (factor->definition == TP_FOS_BY_MOMENTS) {
+    if (factor->toe) {
+      tp_text_add(t, "toppling about the toe");
+    } else {
+      tp_text_add(t, "toppling about pivot %zu", factor->pivot + 1);
+    }
+    return;
+  }
+  switch (factor->mechanism) {
+  case TP_SLIDES:
+    tp_text_add(t, "sliding");
+    return;
+  case TP_TOPPLES:
+    tp_text_add(t, "toppling");
+    return;
+  case TP_SLIDES_AND_TOPPLES:
+    tp_text_add(t, "sliding and toppling");
+    return;
+  default:
+    tp_text_add(t, "any motion");
+  }
+}
+
+/* Which way is meant, and how: "against toppling about the toe (moments)" */
+static void add_way(tp_text *t, const tp_governing_fos *g) {
+  if (!g->has_factor) return;
+  const tp_factor *factor = g->factors + g->factor;
+  tp_text_add(t, " against ");
+  tp_text_against(t, factor);
+  tp_text_add(t, " (%s)", tp_fos_definition_name(factor->definition));
+}
+
+static void add_least(tp_text *t, const tp_governing_fos *g) {
+  char n[TP_NUMBER_SIZE];
+  switch (g->fos.state) {
+  case TP_FOS_NUMBER:
+    tp_text_add(t, "FoS %s%s", g->sliding_judged && !g->complete ? "at most " : "",
+                tp_text_fixed(n, g->fos.value, 3));
+    add_way(t, g);
+    return;
+  case TP_FOS_NO_OVERTURNING:
+    tp_text_add(t, "FoS unbounded: nothing drives it at this tilt");
+    return;
+  case TP_FOS_UNDEFINED:
+    if (g->up_dip) {
+      tp_text_add(t, "No FoS: at this tilt it lets go up-dip");
+    } else if (g->beyond) {
+      tp_text_add(t, "No FoS: it lets go at a lesser tilt already");
+    } else {
+      tp_text_add(t, "No FoS");
+      add_way(t, g);
+      tp_text_add(t, ": nothing holds it");
+    }
+    return;
+  case TP_FOS_UNDECIDED:
+    tp_text_add(t, "FoS undecided at the precision allowed");
+    return;
+  case TP_FOS_NOT_ASKED:
+    tp_text_add(t, "No FoS: turning is blocked about every pivot");
+    return;
+  case TP_FOS_NO_TILT:
+    break;
+  }
+}
+
+void tp_text_governing(tp_text *t, const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  if (g->fos.state == TP_FOS_NO_TILT) return;
+  add_least(t, g);
+  if (!g->sliding_judged) tp_text_add(t, "; sliding is not judged");
+  if (g->tie) tp_text_add(t, "; a tie");
+}
+
+static const char *long_definition(const tp_factor *factor, bool loaded) {
+  switch (factor->definition) {
+  case TP_FOS_BY_MOMENTS:
+    return "moments: stabilising over overturning";
+  case TP_FOS_BY_SHEAR:
+    return loaded ? "shear strength over force along the facet"
+                  : "shear strength on the facet: tan φ/tan(α−i)";
+  case TP_FOS_BY_ROUGHNESS:
+    return "shear strength, mean plane: tan(φ+i)/tan α";
+  case TP_FOS_BY_REDUCTION:
+    return factor->fos.state == TP_FOS_UNDEFINED ? "strength reduction: no strength holds it"
+                                                 : "strength reduction, by contact forces";
+  }
+  return "";
+}
+
+static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
+  const tp_factor *factor = g->factors + k;
+  char n[TP_NUMBER_SIZE];
+  tp_text against = {0};
+  tp_text_against(&against, factor);
+  tp_text_add(&p->text, "%s %-9s %-23s %s\n", g->has_factor && k == g->factor ? ">" : " ",
+              tp_page_fos(n, factor->fos), against.failed ? "" : against.data,
+              long_definition(factor, p->solution->loaded));
+  if (!factor->counts) {
+    tp_text_add(&p->text, "%36s(does not count: a facet stands in the way)\n", "");
+  }
+  p->text.failed = p->text.failed || against.failed;
+  tp_text_drop(&against);
+}
+
+void tp_page_add_governing(tp_page *p, const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  if (g->fos.state == TP_FOS_NO_TILT) return;
+  tp_text_add(&p->text, "  ");
+  tp_text_governing(&p->text, c);
+  tp_text_add(&p->text, "\n");
+  if (c->mechanism == TP_MAY_MOVE && g->fos.state == TP_FOS_NUMBER && g->fos.value.value >= 1) {
+    tp_text_add(&p->text, "  Caution: a motion can begin at this tilt all the same: see below.\n");
+  }
+  if (g->factor_count < 2) {
+    tp_text_add(&p->text, "\n");
+    return;
+  }
+  tp_text_add(&p->text, "\n  %-9s %-23s %s\n", "FoS", "against", "by");
+  for (size_t k = 0; k < g->factor_count; k++) add_row(p, g, k);
+  tp_text_add(&p->text, "\n");
+}
+
+static void add_words(tp_text *t, const tp_factor *factor) {
+  tp_text_add(t, "\"mechanism\": \"%s\", \"definition\": \"%s\"",
+              tp_text_mechanism(factor->mechanism), tp_fos_definition_name(factor->definition));
+  if (factor->definition == TP_FOS_BY_MOMENTS) {
+    tp_text_add(t, ", \"pivot\": %zu", factor->pivot);
+  }
+}
+
+static void add_why(tp_text *t, const tp_governing_fos *g) {
+  if (g->up_dip) {
+    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: at this tilt it lets go up-dip\"");
+  } else if (g->beyond) {
+    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: it lets go at a lesser tilt already\"");
+  } else if (g->fos.state == TP_FOS_NO_TILT) {
+    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: the scene gives no tilt\"");
+  } else if (g->fos.state == TP_FOS_NOT_ASKED) {
+    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: turning is blocked about every pivot\"");
+  } else {
+    tp_json_fos(t, "fos", g->fos);
+  }
+}
+
+void tp_json_governing(tp_text *t, const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  tp_text_add(t, "      \"governing_fos\": {");
+  add_why(t, g);
+  tp_text_add(t, ", ");
+  if (g->has_factor) {
+    add_words(t, g->factors + g->factor);
+  } else {
+    tp_text_add(t, "\"mechanism\": null, \"definition\": null");
+  }
+  tp_text_add(t, ", \"tie\": %s, \"sliding_judged\": %s, \"complete\": %s},\n",
+              tp_json_truth(g->tie), tp_json_truth(g->sliding_judged), tp_json_truth(g->complete));
+  tp_text_add(t, "      \"factors\": [");
+  for (size_t k = 0; k < g->factor_count; k++) {
+    tp_text_add(t, "%s\n        {", k > 0 ? "," : "");
+    tp_json_fos(t, "fos", g->factors[k].fos);
+    tp_text_add(t, ", ");
+    add_words(t, g->factors + k);
+    tp_text_add(t, ", \"counts\": %s}", tp_json_truth(g->factors[k].counts));
+  }
+  tp_text_add(t, "%s],\n", g->factor_count > 0 ? "\n      " : "");
+}

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/loads.h"
+
+#include "output/json.h"
+
+static const char *side_name(tp_load_side side) {
+  switch (side) {
+  case TP_STABILISES:
+    return "stabilises";
+  case TP_OVERTURNS:
+    return "overturns";
+  case TP_LESSENS_OVERTURNING:
+    return "lessens what overturns";
+  }
+  return "unknown";
+}
+
+/* The tilts in order: it lets go at the first if it stands level, holds again at the next. */
+static void add_limits(tp_page *p, const tp_case *c) {
+  const tp_pivot *pivot = c->pivots + c->governing;
+  char n[TP_NUMBER_SIZE];
+  if (pivot->limit_count < 2 && !(pivot->limit_count == 1 && pivot->critical_angle_deg.value < 0)) {
+    return;
+  }
+  tp_text_add(&p->text, "  About that pivot its moments balance at");
+  for (size_t k = 0; k < pivot->limit_count; k++) {
+    tp_text_add(&p->text, "%s %s°", k > 0 ? " and" : "", tp_text_fixed(n, pivot->limits_deg[k], 3));
+  }
+  tp_text_add(&p->text, ": between them it\n  lets go or holds again.\n");
+}
+
+static bool is_beyond(tp_bounded angle, tp_bounded other) {
+  return angle.value + angle.error > other.value - other.error;
+}
+
+/* Is anything said of tilts at which level water would run over the top of its face? */
+static bool speaks_beyond_the_face(const tp_page *p, const tp_case *c) {
+  const tp_bounded top = c->water_overtops_deg;
+  if (p->solution->has_tilt_angle && is_beyond(p->solution->tilt_angle_deg, top)) return true;
+  if (c->limit.kind != TP_LIMIT_AT_ANGLE || is_beyond(c->limit.critical_angle_deg, top))
+    return true;
+  const tp_sliding *s = &c->sliding;
+  return s->known && !s->never && !s->always && is_beyond(s->critical_angle_deg, top);
+}
+
+static void add_overtopping(tp_page *p, const tp_case *c) {
+  char n[TP_NUMBER_SIZE];
+  if (!c->water_overtops || !speaks_beyond_the_face(p, c)) return;
+  tp_text_add(&p->text,
+              "  Caution: beyond %s° the level of the water is above the top of its face. There\n"
+              "  its pressure is reckoned as if the face went on: more than it can exert.\n",
+              tp_text_fixed(n, c->water_overtops_deg, 3));
+  if (c->limit.kind == TP_LIMIT_INTERLOCKED || c->limit.kind == TP_LIMIT_NOWHERE) {
+    tp_text_add(&p->text,
+                "  It grows without bound towards 90°: contact forces are looked at up to "
+                "89.9999°.\n");
+  }
+}
+
+void tp_page_add_loads(tp_page *p, const tp_case *c) {
+  if (!p->solution->loaded) return;
+  add_overtopping(p, c);
+  if (!c->has_governing) return;
+  add_limits(p, c);
+  if (c->load_count == 0) return;
+  tp_text_add(&p->text, "  Moments about the governing pivot, overturning positive\n");
+  for (size_t k = 0; k < c->load_count; k++) {
+    const tp_load_result *l = c->loads + k;
+    char n[TP_NUMBER_SIZE];
+    tp_text_add(&p->text, "    %-17s %14s N m   %s\n", l->name,
+                tp_text_significant(n, l->moment_nm, 6), side_name(l->side));
+  }
+  tp_text_add(&p->text, "\n");
+}
+
+void tp_json_loads(tp_text *t, const tp_case *c) {
+  if (c->water_overtops) {
+    tp_text_add(t, "      ");
+    tp_json_number(t, "water_overtops_deg", c->water_overtops_deg);
+    tp_text_add(t, ",\n");
+  }
+  if (c->load_count == 0) return;
+  tp_text_add(t, "      \"loads\": [");
+  for (size_t k = 0; k < c->load_count; k++) {
+    const tp_load_result *l = c->loads + k;
+    tp_text_add(t, "%s\n        {\"name\": \"%s\", \"called_for_by\": ", k > 0 ? "," : "", l->name);
+    tp_encode_json(t, l->called_for_by);
+    tp_text_add(t, ", ");
+    tp_json_number(t, "moment_nm", l->moment_nm);
+    tp_text_add(t, ", \"side\": \"%s\"}", side_name(l->side));
+  }
+  tp_text_add(t, "\n      ],\n");
+}
+
+void tp_json_limits(tp_text *t, const tp_pivot *pivot) {
+  tp_text_add(t, ", \"limits_deg\": [");
+  for (size_t k = 0; k < pivot->limit_count; k++) {
+    tp_text_add(t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
+                pivot->limits_deg[k].value, pivot->limits_deg[k].error);
+  }
+  tp_text_add(t, "]");
+}

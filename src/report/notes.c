@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/notes.h"
+
+#include "host.h"
+#include "output/encode.h"
+
+#include <string.h>
+
+enum { INDENT = 9, WIDTH = 80 };
+
+/* Characters of UTF-8. */
+static size_t width_of(const char *text, size_t length) {
+  size_t width = 0;
+  for (size_t k = 0; k < length; k++) width += ((unsigned char)text[k] & 0xc0) != 0x80;
+  return width;
+}
+
+/* Word by word, on as many lines as it takes; `*column` is where the line stands. */
+static void add_words(tp_text *t, const char *words, size_t *column) {
+  while (*words != '\0') {
+    const size_t length = strcspn(words, " "), width = width_of(words, length);
+    const bool begins = *column == INDENT;
+    if (!begins && *column + 1 + width > WIDTH) {
+      tp_text_add(t, "\n%*s", INDENT, "");
+      *column = INDENT;
+    } else if (!begins) {
+      tp_text_add(t, " ");
+      ++*column;
+    }
+    tp_text_add(t, "%.*s", (int)length, words);
+    *column += width;
+    words += length + strspn(words + length, " ");
+  }
+}
+
+void tp_text_notes(tp_text *t, const tp_notes *notes) {
+  for (size_t k = 0; k < notes->count; k++) {
+    const tp_note *note = notes->items + k;
+    size_t column = INDENT;
+    tp_text_add(t, "%-*s", INDENT, note->kind == TP_CAUTION ? "Caution" : "Note");
+    add_words(t, note->text, &column);
+    if (note->place[0] != '\0') {
+      char place[2 * sizeof note->place + 3] = "(", plain[2 * sizeof note->place];
+      tp_plain_text(plain, sizeof plain, note->place);
+      strcat(strcat(place, plain), ")");
+      add_words(t, place, &column);
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+tp_status tp_report_notes(char **text, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solution);
+  tp_text t = {0};
+  tp_text_add(&t, "%s", "");
+  tp_text_notes(&t, &solution->notes);
+  return tp_text_finish(&t, text);
+}
+
+void tp_json_notes(tp_text *t, const tp_notes *notes) {
+  tp_text_add(t, "  \"notes\": [");
+  for (size_t k = 0; k < notes->count; k++) {
+    const tp_note *note = notes->items + k;
+    tp_text_add(t, "%s\n    {\"kind\": \"%s\", \"place\": ", k > 0 ? "," : "",
+                tp_note_kind_name(note->kind));
+    tp_encode_json(t, note->place);
+    tp_text_add(t, ", \"text\": ");
+    tp_encode_json(t, note->text);
+    tp_text_add(t, "}");
+  }
+  tp_text_add(t, "],\n");
+}

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/verdict.h"
+
+#include "report/limit.h"
+#include "report/onset.h"
+#include "report/words.h"
+
+#include <stdio.h>
+
+/* "at 20°", or "on level ground" */
+static void write_where(char where[TP_NUMBER_SIZE + 8], const tp_solution *s) {
+  char n[TP_NUMBER_SIZE];
+  if (s->has_tilt_angle) {
+    snprintf(where, TP_NUMBER_SIZE + 8, "at %s°", tp_page_degrees(n, s->tilt_angle_deg));
+  } else {
+    snprintf(where, TP_NUMBER_SIZE + 8, "on level ground");
+  }
+}
+
+static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
+  char n[TP_NUMBER_SIZE];
+  if (!c->falls_backwards) return false;
+  if (c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
+    const tp_bounded from = tp_text_less((tp_bounded){0}, c->limit_back.critical_angle_deg);
+    tp_text_add(&p->text, "  Lets go up-dip already %s: below %s° it %s.\n", where,
+                tp_text_fixed(n, from, 3), tp_text_mechanism(c->limit_back.mechanism));
+    return true;
+  }
+  tp_text_add(&p->text,
+              "  Topples up-dip already %s: its centroid lies past the up-dip end of\n"
+              "  the contact.\n",
+              where);
+  return true;
+}
+
+/* Where there is no tilt to speak of. */
+static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
+  const char *said = NULL;
+  if (c->limit.kind == TP_LIMIT_NOWHERE) {
+    const bool open = c->mechanism == TP_MECHANISM_UNDECIDED;
+    tp_text_add(&p->text,
+                "  Does not stand: no forces of the base hold it at any tilt, and %s\n  %s%s.\n",
+                open ? "how it moves is" : "it", tp_text_mechanism(c->mechanism),
+                p->solution->contact.corner_points > 0
+                    ? "; its contacts of a corner on a corner count as no support"
+                    : "");
+    tp_page_add_motions(p, c);
+    return true;
+  }
+  if (add_up_dip(p, c, where)) {
+    tp_page_add_windows(p, &c->onset);
+    tp_page_add_motions(p, c);
+    return true;
+  }
+  if (tp_onset_is_known(&c->onset)) return false;
+  if (c->limit.kind == TP_LIMIT_UNDECIDED) {
+    said = "Whether it stands is undecided at the precision allowed.";
+  } else if (c->has_governing && c->pivots[c->governing].always) {
+    said = "Its loads topple it at any tilt.";
+  } else if (c->slides_sooner && !c->has_first_angle) {
+    said = "Its loads slide it at any tilt.";
+  } else if (c->first == TP_INTERLOCKED) {
+    said = "Interlocked: it neither slides nor topples at any tilt up to 90°.";
+  } else if (c->first == TP_STANDS) {
+    said = "Does not topple at any tilt up to 90°; without friction_angle_deg sliding is\n"
+           "  not judged.";
+  }
+  if (said != NULL) tp_text_add(&p->text, "  %s\n", said);
+  return said != NULL;
+}
+
+/* By moments, or by the static limit alone. */
+static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
+  char n[2][TP_NUMBER_SIZE];
+  tp_text_fixed(n[0], c->first_angle_deg, 3);
+  if (!c->has_margin_to_first && c->first_angle_deg.value < 0) {
+    tp_text_add(&p->text, "  Does not hold even on level ground: it\n  ");
+    tp_page_add_first(p, c);
+    tp_text_add(&p->text, " at %s°.\n", n[0]);
+    return;
+  }
+  if (!c->has_margin_to_first || c->mechanism == TP_MECHANISM_UNDECIDED) {
+    tp_text_add(&p->text, "  ");
+    if (c->mechanism == TP_MECHANISM_UNDECIDED) {
+      tp_text_add(&p->text, "Whether it stands %s is undecided. ", where);
+    }
+    tp_text_add(&p->text, "As the table is tilted, it\n  ");
+    tp_page_add_first(p, c);
+    tp_text_add(&p->text, " at %s°.\n", n[0]);
+    return;
+  }
+  if (c->mechanism == TP_STANDS) {
+    tp_text_add(&p->text, "  Stands %s%s. Tilted further, it\n  ", where,
+                c->limit.kind == TP_LIMIT_NOT_ASKED ? " by its moments" : "");
+  } else {
+    tp_text_add(&p->text, "  Does not stand %s: it\n  ", where);
+  }
+  tp_page_add_first(p, c);
+  tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0],
+              tp_text_fixed(n[1], c->margin_to_first_deg, 3));
+}
+
+/* "can begin to slide, or to topple"; where none is known what is by limit analysis. */
+static void add_begun(tp_page *p, const tp_case *c) {
+  const tp_onset *o = &c->onset;
+  for (size_t k = 0; k < o->beginning_count; k++) {
+    tp_text_add(&p->text, "%s%s", k > 0 ? ", or to " : "can begin to ",
+                tp_text_to_move(o->beginnings[k]));
+  }
+  if (o->beginning_count == 0) tp_text_add(&p->text, "%s", tp_text_mechanism(c->mechanism));
+}
+
+/* What holds at the scene's tilt, in the light of the onset. */
+static void add_at_tilt(tp_page *p, const tp_case *c, const char *where) {
+  switch (c->mechanism) {
+  case TP_STANDS:
+  case TP_INTERLOCKED:
+    tp_text_add(&p->text, "  Stands %s.\n", where);
+    return;
+  case TP_MAY_MOVE:
+    tp_text_add(&p->text, "  May move %s, or stand: history decides", where);
+    if (c->onset.beginning_count > 0) {
+      tp_text_add(&p->text, ".\n  It ");
+      add_begun(p, c);
+    }
+    tp_text_add(&p->text, ".\n");
+    return;
+  case TP_MECHANISM_UNDECIDED:
+    tp_text_add(&p->text, "  Whether it stands %s is undecided at the precision allowed.\n", where);
+    return;
+  case TP_SLIDES:
+  case TP_TOPPLES:
+  case TP_SLIDES_AND_TOPPLES:
+  case TP_LEAVES_BASE:
+    tp_text_add(&p->text, "  Does not stand %s: it ", where);
+    add_begun(p, c);
+    tp_text_add(&p->text, ".\n");
+    return;
+  }
+}
+
+void tp_page_add_verdict(tp_page *p, const tp_case *c) {
+  char where[TP_NUMBER_SIZE + 8];
+  write_where(where, p->solution);
+  if (add_without_tilt(p, c, where)) return;
+  if (!tp_onset_is_known(&c->onset)) {
+    add_by_first(p, c, where);
+    if (c->onset.kind == TP_ONSET_UNDECIDED) {
+      tp_text_add(&p->text, "  Up to which tilt it is certain to stand is undecided%s.\n",
+                  c->onset.too_dear ? ": its proof takes\n  more work than is allowed" : "");
+    }
+    return;
+  }
+  if (p->solution->has_tilt_angle) add_at_tilt(p, c, where);
+  tp_page_add_onset(p, c);
+  tp_page_add_motions(p, c);
+}

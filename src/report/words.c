@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/words.h"
+
+const char *tp_text_fos(tp_fos fos) {
+  switch (fos.state) {
+  case TP_FOS_NUMBER:
+    return fos.value.value < -fos.value.error ? "none: what should hold it drives it" : NULL;
+  case TP_FOS_NO_OVERTURNING:
+    return "unbounded: nothing drives it";
+  case TP_FOS_UNDEFINED:
+    return "none: no strength would hold it";
+  case TP_FOS_UNDECIDED:
+    return "undecided";
+  case TP_FOS_NO_TILT:
+  case TP_FOS_NOT_ASKED:
+    break;
+  }
+  return NULL;
+}
+
+const char *tp_text_pivot_kind(tp_pivot_kind kind) {
+  switch (kind) {
+  case TP_PIVOT_VALLEY:
+    return "valley";
+  case TP_PIVOT_PEAK:
+    return "peak";
+  case TP_PIVOT_FLAT_END:
+    return "flat end";
+  case TP_PIVOT_FLANK:
+    return "flank";
+  }
+  return "unknown";
+}
+
+const char *tp_text_mechanism(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_STANDS:
+    return "stands";
+  case TP_SLIDES:
+    return "slides";
+  case TP_TOPPLES:
+    return "topples";
+  case TP_SLIDES_AND_TOPPLES:
+    return "slides and topples";
+  case TP_INTERLOCKED:
+    return "interlocked";
+  case TP_MAY_MOVE:
+    return "may move";
+  case TP_LEAVES_BASE:
+    return "leaves its base";
+  case TP_MECHANISM_UNDECIDED:
+    return "undecided";
+  }
+  return "unknown";
+}
+
+const char *tp_text_to_move(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_SLIDES:
+    return "slide";
+  case TP_TOPPLES:
+    return "topple";
+  case TP_SLIDES_AND_TOPPLES:
+    return "slide and topple";
+  case TP_LEAVES_BASE:
+    return "leave its base";
+  default:
+    return "move";
+  }
+}
+
+const char *tp_text_contact_state(tp_contact_state state) {
+  switch (state) {
+  case TP_CONTACT_OPENS:
+    return "opens";
+  case TP_CONTACT_STICKS:
+    return "sticks";
+  case TP_CONTACT_SLIPS_DOWN_DIP:
+    return "slips down-dip";
+  case TP_CONTACT_SLIPS_UP_DIP:
+    return "slips up-dip";
+  }
+  return "unknown";
+}
+
+const char *tp_text_direction(tp_direction direction) {
+  return direction == TP_TOWARDS_LEFT ? "left" : "right";
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The words of the program for what results are: one word for one thing, in every text that it
+ * writes. */
+
+#ifndef TP_REPORT_WORDS_H
+#define TP_REPORT_WORDS_H
+
+#include "topple.h"
+
+/* What a factor of safety is that is no number above zero; NULL of one that is, and of one that was
+ * not asked for. */
+const char *tp_text_fos(tp_fos fos);
+
+const char *tp_text_pivot_kind(tp_pivot_kind kind);
+const char *tp_text_mechanism(tp_mechanism mechanism);
+const char *tp_text_contact_state(tp_contact_state state);
+const char *tp_text_to_move(tp_mechanism mechanism); /* "slide and topple" */
+const char *tp_text_direction(tp_direction direction);
+
+#endif
