@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* A look at a scene; and borders between looks that are not alike, by halving: what happens there
+ * is one of several, no value that could be interpolated. */
+
 #include "chart/map.h"
 #include "chart/mechanism_style.h"
 

@@ -5,12 +5,13 @@
 
 #include "chart/mechanism_style.h"
 #include "chart/trace.h"
+#include "number/root.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SECANTS = 60 };
+enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SEARCH_LOOKS = 60 };
 
 /* An angle of a look that has contours. */
 typedef bool (*reader)(tp_bounded *degrees, const tp_look *look);
@@ -98,31 +99,34 @@ static tp_crossing bracket(const plane *p, const tp_look *low, const tp_look *hi
   return (tp_crossing){0};
 }
 
-/* Along an edge by false position (Illinois), which halves the weight of an end that stays, then
- * within a certain bracket. An angle that jumps over the level does not cross it. */
+typedef struct edge {
+  const plane *p;
+  const tp_look *low, *high;
+} edge;
+
+/* How far the angle is above the present level at a share of an edge. */
+static bool gap_at(double *gap, void *context, double share) {
+  const edge *e = context;
+  const tp_look found = between(e->p, e->low, e->high, share);
+  tp_bounded own;
+  if (e->p->map->status != TP_OK || !e->p->read(&own, &found)) return false;
+  *gap = own.value - e->p->level_deg;
+  return true;
+}
+
+/* Along an edge, then within a certain bracket. An angle that jumps over the level does not cross
+ * it. */
 static tp_crossing cross_level(void *context, tp_look low, tp_look high) {
   const plane *p = context;
-  tp_bounded first_deg, last_deg, own;
-  if (!p->read(&first_deg, &low) || !p->read(&last_deg, &high)) return (tp_crossing){0};
-  double a = first_deg.value - p->level_deg, b = last_deg.value - p->level_deg;
-  double first = 0, last = 1;
-  for (int step = 0; step < SECANTS && p->map->status == TP_OK; step++) {
-    const double share = first + a / (a - b) * (last - first);
-    const tp_look found = between(p, &low, &high, share);
-    if (!p->read(&own, &found)) return (tp_crossing){0};
-    const double gap = own.value - p->level_deg;
-    if (fabs(gap) <= 1e-11 * fabs(p->level_deg)) return bracket(p, &low, &high, share);
-    if ((gap < 0) == (a < 0)) {
-      first = share;
-      a = gap;
-      b /= 2;
-    } else {
-      last = share;
-      b = gap;
-      a /= 2;
-    }
-  }
-  return (tp_crossing){0};
+  tp_bounded first, last;
+  if (!p->read(&first, &low) || !p->read(&last, &high)) return (tp_crossing){0};
+  edge e = {p, &low, &high};
+  const tp_root_search search = {
+      .value = gap_at, .context = &e, .flat = 1e-11 * fabs(p->level_deg), .most = SEARCH_LOOKS};
+  tp_root root;
+  const bool found = tp_root_find(&root, &search, (tp_root_end){0, first.value - p->level_deg},
+                                  (tp_root_end){1, last.value - p->level_deg});
+  return found && root.flat ? bracket(p, &low, &high, root.low) : (tp_crossing){0};
 }
 
 /* Are two places so near that their labels touch? */

@@ -43,7 +43,8 @@ static bool fails_at(running *r, const tp_walk_direction *direction, double dist
          tp_walk_fails(&r->walk, &r->outside, 0) >= 0;
 }
 
-/* The distance of the first crossing, within the resolution; none: 0. */
+/* The distance of the first crossing, within the resolution; none: 0. By halving: whether all
+ * conditions hold is a yes or a no. */
 static double find_crossing(running *r, const tp_walk_direction *direction) {
   double near = 0, far = first_step;
   for (int k = 0; !fails_at(r, direction, far); k++) {

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Tilts are halved, not interpolated between (number/root.h): whether the base holds is a yes or a
+ * no, and sixty values of a mechanism's excess cost less than one program. */
+
 #include "limit/search.h"
 
 #include "number/ball.h"

@@ -83,7 +83,7 @@ static tp_status look(first_motion *first, const tp_mechanisms_rest *r, double w
 }
 
 /* Halve the widths from `low` to `high`, which begin with different motions, until no double lies
- * between them. */
+ * between them: a motion is no value that could be interpolated. */
 static tp_status part(first_motion *low, first_motion *high, const tp_mechanisms_rest *r,
                       tp_message *message) {
   for (;;) {

@@ -5,7 +5,10 @@
  *
  * A stretch on which it stays is told from one on which it is only near by digits: at points spread
  * over it the result is the same to 30 digits, and each end is bisected between a number at which
- * it is and one at which it is not. That it stays so between the points is not proven. */
+ * it is and one at which it is not. That it stays so between the points is not proven.
+ *
+ * What is bisected are certain sides, or sameness, not values: and how the gap shrinks from one
+ * half to the next is what tells a crossing from a jump. */
 
 #include "stability/find_level.h"
 

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* Between points: the domain ends at a yes or a no. The nearest value is looked for by golden
+ * section, not by Brent's method with its parabolas: it lies, as a rule, in a kink, where one pivot
+ * or mechanism takes over from another, and that method stops 10^-8 of the number before it. */
+
 #include "stability/find_search.h"
 
 #include "message.h"

@@ -6,6 +6,7 @@
 
 #include "number/ball.h"
 #include "number/judge.h"
+#include "number/root.h"
 #include "stability/friction.h"
 
 #include <math.h>
@@ -41,41 +42,48 @@ static bool estimate_image(double *image, const meeting *m, double tilt) {
   return found;
 }
 
-/* Between two tilts, the one below its image, the other above: by halves, until doubles do not tell
- * more. */
-static bool halve(double *tilt, const meeting *m, double below, double above) {
-  for (;;) {
-    double image = 0;
-    *tilt = below + (above - below) / 2;
-    if (*tilt == below || *tilt == above) return true;
-    if (!estimate_image(&image, m, *tilt)) return false;
-    *(image > *tilt ? &below : &above) = *tilt;
-  }
+/* By how much the image lies above the tilt. */
+static bool rise_at(double *rise, void *context, double tilt) {
+  double image = 0;
+  if (!estimate_image(&image, context, tilt)) return false;
+  *rise = image - tilt;
+  return true;
+}
+
+/* Between two tilts, the one below its image, the other above, until doubles do not tell more. */
+static bool meet_between(double *tilt, meeting *m, tp_root_end one, tp_root_end other) {
+  enum { MOST_VALUES = 400 };
+  const tp_root_search search = {.value = rise_at, .context = m, .most = MOST_VALUES};
+  const bool ordered = one.x < other.x;
+  tp_root root;
+  if (!tp_root_find(&root, &search, ordered ? one : other, ordered ? other : one)) return false;
+  *tilt = root.low + (root.high - root.low) / 2;
+  return true;
 }
 
 /* By turns friction from tilt and tilt from friction: where the tilt depends on friction less than
  * friction does on stress, the steps shrink. Else they go to and fro about it, and the two last
  * tilts have it between them; or go round without that for ever: through one that was marked, the
  * marks being twice as far apart each time (Brent). */
-static bool iterate(double *tilt, const meeting *m) {
+static bool iterate(double *tilt, meeting *m) {
   enum { MOST_STEPS = 200, PATIENCE = 24 };
   static const double near_enough = 1e-14;
-  double image = 0, step_before = 0, mark = NAN;
+  tp_root_end before = {0, 0};
+  double mark = NAN;
   *tilt = 0;
   for (int k = 0, next_mark = 1; k < MOST_STEPS; k++) {
+    double image = 0;
     if (!estimate_image(&image, m, *tilt)) return false;
-    const double step = image - *tilt;
-    if (k >= PATIENCE && step * step_before < 0) {
-      return step > 0 ? halve(tilt, m, *tilt, image) : halve(tilt, m, image, *tilt);
-    }
+    const tp_root_end own = {*tilt, image - *tilt};
+    if (k >= PATIENCE && own.value * before.value < 0) return meet_between(tilt, m, before, own);
     *tilt = image;
-    if (fabs(step) <= near_enough * fabs(image)) return true;
+    if (fabs(own.value) <= near_enough * fabs(image)) return true;
     if (image == mark) return false;
     if (k == next_mark) {
       mark = image;
       next_mark *= 2;
     }
-    step_before = step;
+    before = own;
   }
   return false;
 }
@@ -171,7 +179,7 @@ static int wanted_digits(const tp_evaluation *e) {
 bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit limit, void *context,
                       bool back) {
   enum { NARROWEST = 46, WIDEST = 30, DIGITS_OF_DOUBLE = 11, SPARE = 5 }; /* 2^-46 is 1.4e-14 */
-  const meeting m = {e, limit, context, back};
+  meeting m = {e, limit, context, back};
   double start = 0;
   if (!iterate(&start, &m)) return false;
   const int digits = wanted_digits(e);

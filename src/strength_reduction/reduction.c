@@ -5,6 +5,7 @@
 
 #include "limit/program.h"
 #include "number/ball.h"
+#include "number/root.h"
 #include "strength_reduction/reduced.h"
 
 #include <math.h>
@@ -12,32 +13,27 @@
 /* Factors tried: beyond these, strength does not matter. */
 static const double least_factor = 1e-6, most_factor = 1e6;
 
-/* A zero of the margin between two logarithms by regula falsi, the end that stays halved
- * (Illinois), and by halving where that is slow. */
-static double solve(tp_reduced *r, double low, double high, double at_low, double at_high) {
-  enum { MOST_STEPS = 200 };
-  int kept = 0;
-  for (int step = 0; step < MOST_STEPS && high - low > 4e-16 * fmax(1, fabs(low)); step++) {
-    const bool halves = step % 4 == 3;
-    double middle =
-        halves ? low + (high - low) / 2 : low + (high - low) * (at_low / (at_low - at_high));
-    if (!(middle > low && middle < high)) middle = low + (high - low) / 2;
-    if (!(middle > low && middle < high)) break;
-    const double own = tp_reduced_margin(r, middle);
-    if (own == 0) return middle;
-    if (own > 0) {
-      low = middle;
-      at_low = own;
-      if (kept > 0) at_high /= 2;
-      kept = 1;
-    } else {
-      high = middle;
-      at_high = own;
-      if (kept < 0) at_low /= 2;
-      kept = -1;
-    }
-  }
-  return low + (high - low) / 2;
+static bool margin_at(double *margin, void *context, double log_factor) {
+  *margin = tp_reduced_margin(context, log_factor);
+  return true;
+}
+
+/* The zero of the margin between two factors, to so few bits that they do not tell on which way it
+ * was come upon. */
+static bool search(arf_t factor, tp_reduced *r, double low, double high) {
+  enum { MOST_PROGRAMS = 200, BITS = 48 };
+  static const double width = 4e-16;
+  const double least = log(low), most = log(high);
+  const tp_root_end weakest = {most, tp_reduced_margin(r, most)};
+  const tp_root_end strongest = {least, tp_reduced_margin(r, least)};
+  const tp_root_search by = {
+      .value = margin_at, .context = r, .width = width, .most = MOST_PROGRAMS};
+  tp_root root;
+  if (!(strongest.value > 0 && weakest.value < 0)) return false;
+  if (!tp_root_find(&root, &by, strongest, weakest)) return false;
+  arf_set_d(factor, exp(root.low + (root.high - root.low) / 2));
+  arf_set_round(factor, factor, BITS, ARF_RND_NEAR);
+  return true;
 }
 
 /* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew.
@@ -178,13 +174,13 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
 static tp_limit_outcome find_quickly(tp_reduction *reduction, tp_reduced *r, double low,
                                      double high, int digits) {
   enum { OF_DOUBLES = 11, SPARE = 10 };
-  const double at_low = tp_reduced_margin(r, log(low)), at_high = tp_reduced_margin(r, log(high));
-  if (!(at_low > 0 && at_high < 0)) return TP_LIMIT_OPEN;
+  tp_limit_outcome outcome = TP_LIMIT_OPEN;
   arf_t about;
   arf_init(about);
-  arf_set_d(about, exp(solve(r, log(low), log(high), at_low, at_high)));
-  if (digits > OF_DOUBLES) (void)refine(about, r, digits + SPARE);
-  const tp_limit_outcome outcome = enclose(reduction, r, about, narrowest(digits), digits);
+  if (search(about, r, low, high)) {
+    if (digits > OF_DOUBLES) (void)refine(about, r, digits + SPARE);
+    outcome = enclose(reduction, r, about, narrowest(digits), digits);
+  }
   arf_clear(about);
   return outcome;
 }

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The one file that calls the GNU Scientific Library. Where that meets what it refuses it calls a
+ * handler of the process, which ends it unless the program has set another: the handler is none of
+ * ours to change, and is never called. For what is refused is kept from it: ends out of order,
+ * signs that do not differ and values that are no numbers (a search that comes upon one ends with
+ * the step that did, to which it is told as 0); and it is asked for no memory, as the state of its
+ * method, whose type is public, is kept on the stack. */
+
+#include "number/root.h"
+
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stddef.h>
+
+/* More than Brent's method needs, which is 8 doubles in GSL 2.7. */
+enum { STATE_DOUBLES = 32 };
+
+typedef struct looks {
+  const tp_root_search *search;
+  tp_root_end low, high, last; /* the ends of the range, and where it was looked last */
+  int count;
+  bool failed;
+} looks;
+
+static double look(double x, void *context) {
+  looks *l = context;
+  if (x == l->low.x) return l->low.value;
+  if (x == l->high.x) return l->high.value;
+  l->count++;
+  l->last = (tp_root_end){x, NAN};
+  l->failed = !(x > l->low.x && x < l->high.x) ||
+              !l->search->value(&l->last.value, l->search->context, x) || !isfinite(l->last.value);
+  return l->failed ? 0 : l->last.value;
+}
+
+static bool is_flat(const tp_root_search *s, double value) {
+  return fabs(value) <= s->flat;
+}
+
+static bool is_narrow(const tp_root *root, double width) {
+  const double middle = root->low + (root->high - root->low) / 2;
+  return root->high - root->low <= width || middle == root->low || middle == root->high;
+}
+
+/* Where the method says that two doubles are next to each other though one may lie between. */
+static void halve(tp_root *root, looks *l) {
+  const double middle = root->low + (root->high - root->low) / 2;
+  const double value = look(middle, l);
+  *((value < 0) == (l->low.value < 0) ? &root->low : &root->high) = middle;
+}
+
+static bool narrow(tp_root *root, gsl_root_fsolver *solver, looks *l) {
+  const tp_root_search *s = l->search;
+  while (!is_narrow(root, s->width)) {
+    const int before = l->count;
+    if (before >= s->most) return false;
+    (void)gsl_root_fsolver_iterate(solver);
+    if (l->count > before) {
+      root->low = solver->x_lower;
+      root->high = solver->x_upper;
+    } else {
+      halve(root, l);
+    }
+    if (l->failed) return false;
+    if (is_flat(s, l->last.value)) {
+      *root = (tp_root){l->last.x, l->last.x, true};
+      return true;
+    }
+  }
+  return true;
+}
+
+bool tp_root_find(tp_root *root, const tp_root_search *search, tp_root_end low, tp_root_end high) {
+  double state[STATE_DOUBLES];
+  if (!(low.x < high.x && isfinite(high.x - low.x))) return false;
+  if (!isfinite(low.value) || !isfinite(high.value)) return false;
+  if (is_flat(search, low.value) || is_flat(search, high.value)) {
+    const double x = is_flat(search, low.value) ? low.x : high.x;
+    *root = (tp_root){x, x, true};
+    return true;
+  }
+  if ((low.value < 0) == (high.value < 0) || gsl_root_fsolver_brent->size > sizeof state) {
+    return false;
+  }
+  looks l = {.search = search, .low = low, .high = high};
+  gsl_function function = {look, &l};
+  gsl_root_fsolver solver = {.type = gsl_root_fsolver_brent, .state = state};
+  if (gsl_root_fsolver_set(&solver, &function, low.x, high.x) != 0) return false;
+  tp_root own = {low.x, high.x, false};
+  if (!narrow(&own, &solver, &l)) return false;
+  *root = own;
+  return true;
+}
