@@ -59,10 +59,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     read_sweep(a, argument, state);
     return 0;
   case ARGP_KEY_ARG:
-    if (a->scene != NULL) {
-      tp_cli_refuse(state, "one scene at a time; '%s' is one too many", argument);
-    }
-    a->scene = argument;
+    tp_cli_take_file(&a->scene, argument, "scene", state);
     return 0;
   case ARGP_KEY_END:
     if (a->sweep == (a->scene != NULL)) {
@@ -103,26 +100,25 @@ static tp_status draw(const tp_accuracy *accuracy, const arguments *a, tp_messag
   return status;
 }
 
-static tp_status print(const tp_accuracy *accuracy, const arguments *a, int *written) {
+static tp_status print(const tp_accuracy *accuracy, const arguments *a, int *ended) {
   char *text = NULL;
   const tp_status status =
       a->json ? tp_report_accuracy_json(&text, accuracy) : tp_report_accuracy(&text, accuracy);
-  if (status == TP_OK) *written = tp_cli_print(text);
-  free(text);
+  return tp_cli_print_report(status, text, ended);
+}
+
+static tp_status measure_and_tell(const void *words, int *ended, tp_message *message) {
+  const arguments *a = words;
+  tp_accuracy *accuracy = NULL;
+  tp_status status = measure(&accuracy, a, message);
+  if (status == TP_OK) {
+    status = a->output != NULL ? draw(accuracy, a, message) : print(accuracy, a, ended);
+  }
+  tp_accuracy_free(accuracy);
   return status;
 }
 
 int tp_cli_accuracy(int argc, char **argv) {
   arguments a = {.least = 10, .most = 10000000};
-  const int refused = tp_cli_parse(&parser, argc, argv, &a);
-  if (refused != 0) return refused;
-  tp_accuracy *accuracy = NULL;
-  tp_message message = {""};
-  int written = 0;
-  tp_status status = measure(&accuracy, &a, &message);
-  if (status == TP_OK) {
-    status = a.output != NULL ? draw(accuracy, &a, &message) : print(accuracy, &a, &written);
-  }
-  tp_accuracy_free(accuracy);
-  return tp_cli_end(status, &message, written);
+  return tp_cli_run(&parser, &a, measure_and_tell, argc, argv);
 }

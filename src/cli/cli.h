@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The command line: one entry a command. */
+/* The command line: one entry a command, and what all commands share. */
 
 #ifndef TP_CLI_H
 #define TP_CLI_H
@@ -23,19 +23,27 @@ int tp_cli_verify(int argc, char **argv);
 /* Where FLINT and GMP run out of memory the program ends with a message and TP_EXIT_SYSTEM. */
 void tp_cli_guard_memory(void);
 
-/* Read the words of a command: 0, or the exit status, complained about. */
-int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments);
+/* What a command does once its words are read: to compute, and to print. `*ended` is the exit
+ * status of what went well, 0 before it begins. */
+typedef tp_status tp_cli_work(const void *words, int *ended, tp_message *message);
+
+/* A command: read `words` by their parser, do the work, tell its complaint. The exit status. */
+int tp_cli_run(const struct argp *parser, void *words, tp_cli_work *work, int argc, char **argv);
 
 /* tp_report_figure_if, from the library that draws. */
 TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
                                   const tp_solution *solution, tp_figure_consent consent,
                                   tp_message *message);
 
-/* The end of a command: its complaint on stderr unless the status is TP_OK; the exit status, which
- * is `written` (of tp_cli_print) then. */
-int tp_cli_end(tp_status status, const tp_message *message, int written);
+/* The complaint of a status on stderr unless it is TP_OK; the exit status, which is `ended` then.
+ */
+int tp_cli_end(tp_status status, const tp_message *message, int ended);
 
 /* Write a whole report to stdout: 0, or TP_EXIT_SYSTEM with a message. */
 int tp_cli_print(const char *text);
+
+/* Write a report, which is freed, where `status`, of its making, is TP_OK and nothing failed
+ * before. Returns that status. */
+tp_status tp_cli_print_report(tp_status status, char *report, int *ended);
 
 #endif

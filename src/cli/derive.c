@@ -6,7 +6,6 @@
 #include "cli/cli.h"
 
 #include <argp.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct arguments {
@@ -60,9 +59,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     a->for_all_counts = true;
     return 0;
   case ARGP_KEY_ARG:
-    if (a->scene != NULL)
-      tp_cli_refuse(state, "one scene at a time; '%s' is one too many", argument);
-    a->scene = argument;
+    tp_cli_take_file(&a->scene, argument, "scene", state);
     return 0;
   case ARGP_KEY_NO_ARGS:
     tp_cli_refuse(state, "a scene file is missing, for example examples/block_e_valley.yaml");
@@ -110,21 +107,20 @@ static tp_status report_family(char **report, const tp_scene *scene, const argum
   return status;
 }
 
+static tp_status derive(const void *words, int *ended, tp_message *message) {
+  const arguments *a = words;
+  tp_scene *scene = NULL;
+  char *report = NULL;
+  tp_status status = tp_scene_read(&scene, a->scene, message);
+  if (status == TP_OK) {
+    status = a->for_all_counts ? report_family(&report, scene, a, message)
+                               : report_formulas(&report, scene, a, message);
+  }
+  tp_scene_free(scene);
+  return tp_cli_print_report(status, report, ended);
+}
+
 int tp_cli_derive(int argc, char **argv) {
   arguments a = {.derive = tp_derive_options_default()};
-  const int refused = tp_cli_parse(&parser, argc, argv, &a);
-  if (refused != 0) return refused;
-  tp_scene *scene = NULL;
-  tp_message message = {""};
-  char *report = NULL;
-  int written = 0;
-  tp_status status = tp_scene_read(&scene, a.scene, &message);
-  if (status == TP_OK) {
-    status = a.for_all_counts ? report_family(&report, scene, &a, &message)
-                              : report_formulas(&report, scene, &a, &message);
-  }
-  if (status == TP_OK) written = tp_cli_print(report);
-  free(report);
-  tp_scene_free(scene);
-  return tp_cli_end(status, &message, written);
+  return tp_cli_run(&parser, &a, derive, argc, argv);
 }

@@ -9,7 +9,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
-#include <stdio_ext.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -25,15 +24,6 @@ static const struct command {
     {"chart", "Factors of safety and mechanism maps as figures", tp_cli_chart},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
-
-int tp_cli_print(const char *text) {
-  if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
-  tp_cli_complain("cannot write the report: %s", strerror(errno));
-  /* what is left is not tried again at the end */
-  __fpurge(stdout);
-  clearerr(stdout);
-  return TP_EXIT_SYSTEM;
-}
 
 /* At the end, for what help and version wrote: a full disk is an error there too. */
 static void close_output(void) {
@@ -51,29 +41,6 @@ static bool open_standard_streams(void) {
     if (open("/dev/null", modes[k]) != k) return false;
   }
   return true;
-}
-
-int tp_cli_parse(const struct argp *parser, int argc, char **argv, void *arguments) {
-  const char *strange = tp_cli_strange_option(parser, argc, argv);
-  if (strange != NULL) {
-    char option[80];
-    tp_plain_text(option, sizeof option, strange);
-    tp_cli_complain("there is no option '%s'; '%s --help' lists the options", option, argv[0]);
-    return TP_EXIT_USAGE;
-  }
-  argp_err_exit_status = TP_EXIT_USAGE;
-  argp_program_version = "topple " TP_VERSION;
-  const error_t failed = argp_parse(parser, argc, argv, 0, NULL, arguments);
-  if (failed == 0) return 0;
-  tp_cli_complain("the options cannot be read: %s",
-                  failed == ENOMEM ? "out of memory" : strerror(failed));
-  return TP_EXIT_SYSTEM;
-}
-
-int tp_cli_end(tp_status status, const tp_message *message, int written) {
-  if (status == TP_OK) return written;
-  tp_cli_complain("%s", message->text[0] != '\0' ? message->text : tp_status_meaning(status));
-  return tp_status_exit(status);
 }
 
 static void print_help(FILE *out) {

@@ -85,34 +85,25 @@ static int end_open(const tp_solution *solution, const tp_solve_words *a, const 
   return judged != 0 ? judged : tp_status_exit(TP_UNDECIDED);
 }
 
-/* The next of several reports, once those before it are written. */
-static tp_status print_next(char **report, tp_status status, int *written) {
-  if (status == TP_OK && *written == 0) *written = tp_cli_print(*report);
-  free(*report);
-  *report = NULL;
-  return status;
-}
-
-static tp_status print_text(const tp_solution *solution, const tp_solve_words *a, int *written) {
+static tp_status print_text(const tp_solution *solution, const tp_solve_words *a, int *ended) {
   char *report = NULL, *account = NULL, *effects = NULL;
   tp_status status = tp_report_text(&report, solution);
   if (status == TP_OK && a->verbose) status = tp_report_effects(&effects, solution);
   if (status == TP_OK && a->elements) status = tp_report_elements(&account, solution);
-  status = print_next(&report, status, written);
-  if (effects != NULL) status = print_next(&effects, status, written);
-  if (account != NULL) status = print_next(&account, status, written);
+  status = tp_cli_print_report(status, report, ended);
+  if (effects != NULL) status = tp_cli_print_report(status, effects, ended);
+  if (account != NULL) status = tp_cli_print_report(status, account, ended);
   return status;
 }
 
-static tp_status print_solution(const tp_solution *solution, const tp_solve_words *a,
-                                int *written) {
-  if (!a->json) return print_text(solution, a, written);
+static tp_status print_solution(const tp_solution *solution, const tp_solve_words *a, int *ended) {
+  if (!a->json) return print_text(solution, a, ended);
   char *report = NULL;
   const tp_status status = tp_report_json_pivots(&report, solution, a->pivots);
-  return print_next(&report, status, written);
+  return tp_cli_print_report(status, report, ended);
 }
 
-static tp_status print_found(const tp_solution *solution, const tp_solve_words *a, int *written,
+static tp_status print_found(const tp_solution *solution, const tp_solve_words *a, int *ended,
                              tp_message *message) {
   tp_found *found = NULL;
   char *report = NULL, *notes = NULL;
@@ -122,10 +113,8 @@ static tp_status print_found(const tp_solution *solution, const tp_solve_words *
                      : tp_report_found(&report, found, &a->find);
   }
   if (status == TP_OK && !a->json) status = tp_report_notes(&notes, solution);
-  if (status == TP_OK) *written = tp_cli_print(report);
-  if (status == TP_OK && *written == 0 && notes != NULL) *written = tp_cli_print(notes);
-  free(report);
-  free(notes);
+  status = tp_cli_print_report(status, report, ended);
+  if (notes != NULL) status = tp_cli_print_report(status, notes, ended);
   tp_found_free(found);
   return status;
 }
@@ -245,13 +234,12 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   return status;
 }
 
+static tp_status solve(const void *words, int *ended, tp_message *message) {
+  const tp_solve_words *a = words;
+  return a->table || a->csv ? print_table(a, ended, message) : print_one(a, ended, message);
+}
+
 int tp_cli_solve(int argc, char **argv) {
-  tp_solve_words a;
-  const int refused = tp_cli_read_solve(&a, argc, argv);
-  if (refused != 0) return refused;
-  tp_message message = {""};
-  int ended = 0;
-  const tp_status status =
-      a.table || a.csv ? print_table(&a, &ended, &message) : print_one(&a, &ended, &message);
-  return tp_cli_end(status, &message, ended);
+  tp_solve_words a = tp_solve_words_default();
+  return tp_cli_run(&tp_solve_parser, &a, solve, argc, argv);
 }

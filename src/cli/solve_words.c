@@ -209,7 +209,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   }
 }
 
-static const struct argp parser = {
+const struct argp tp_solve_parser = {
     .options = options,
     .parser = parse,
     .args_doc = "SCENE…",
@@ -219,8 +219,7 @@ static const struct argp parser = {
            "bound. Exit status: 0 done, 1 below the design FoS, 2 wrong usage, 3 bad input, 4 "
            "undecided, 5 system failed."};
 
-int tp_cli_read_solve(tp_solve_words *words, int argc, char **argv) {
-  const tp_solve_options unless_given = tp_solve_options_default();
-  *words = (tp_solve_words){.digits = unless_given.digits, .level = unless_given.level};
-  return tp_cli_parse(&parser, argc, argv, words);
+tp_solve_words tp_solve_words_default(void) {
+  const tp_solve_options solve = tp_solve_options_default();
+  return (tp_solve_words){.digits = solve.digits, .level = solve.level};
 }

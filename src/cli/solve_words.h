@@ -23,7 +23,9 @@ typedef struct tp_solve_words {
   tp_find_options find; /* key NULL: nothing is to be found */
 } tp_solve_words;
 
-/* Read them: 0, or the exit status, complained about. */
-int tp_cli_read_solve(tp_solve_words *words, int argc, char **argv);
+/* As they are where none is given. */
+tp_solve_words tp_solve_words_default(void);
+
+extern const struct argp tp_solve_parser;
 
 #endif

@@ -6,7 +6,6 @@
 #include "cli/cli.h"
 
 #include <argp.h>
-#include <stdlib.h>
 
 typedef struct arguments {
   const char *claims;
@@ -28,10 +27,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     a->markdown = true;
     return 0;
   case ARGP_KEY_ARG:
-    if (a->claims != NULL) {
-      tp_cli_refuse(state, "one claims file at a time; '%s' is one too many", argument);
-    }
-    a->claims = argument;
+    tp_cli_take_file(&a->claims, argument, "claims file", state);
     return 0;
   case ARGP_KEY_NO_ARGS:
     tp_cli_refuse(state, "a claims file is missing, for example examples/paper/claims.yaml");
@@ -54,25 +50,25 @@ static const struct argp parser = {
            "1 done and something is refuted or disagrees, 2 wrong usage, 3 bad input, 5 system "
            "failed."};
 
+static tp_status verify(const void *words, int *ended, tp_message *message) {
+  const arguments *a = words;
+  tp_verification *verification = NULL;
+  char *report = NULL;
+  tp_status status = tp_verify(&verification, a->claims, message);
+  if (status == TP_OK) {
+    status = a->json       ? tp_report_verification_json(&report, verification)
+             : a->markdown ? tp_report_verification_markdown(&report, verification)
+                           : tp_report_verification(&report, verification);
+  }
+  status = tp_cli_print_report(status, report, ended);
+  if (status == TP_OK && *ended == 0 && tp_verification_objects(verification)) {
+    *ended = TP_EXIT_REFUTED;
+  }
+  tp_verification_free(verification);
+  return status;
+}
+
 int tp_cli_verify(int argc, char **argv) {
   arguments a = {0};
-  const int refused = tp_cli_parse(&parser, argc, argv, &a);
-  if (refused != 0) return refused;
-  tp_verification *verification = NULL;
-  tp_message message = {""};
-  char *report = NULL;
-  int written = 0;
-  tp_status status = tp_verify(&verification, a.claims, &message);
-  if (status == TP_OK) {
-    status = a.json       ? tp_report_verification_json(&report, verification)
-             : a.markdown ? tp_report_verification_markdown(&report, verification)
-                          : tp_report_verification(&report, verification);
-  }
-  if (status == TP_OK) written = tp_cli_print(report);
-  if (status == TP_OK && written == 0 && tp_verification_objects(verification)) {
-    written = TP_EXIT_REFUTED;
-  }
-  free(report);
-  tp_verification_free(verification);
-  return tp_cli_end(status, &message, written);
+  return tp_cli_run(&parser, &a, verify, argc, argv);
 }

@@ -36,6 +36,12 @@ void tp_cli_refuse(const struct argp_state *state, const char *format, ...) {
   argp_error(state, "%s", plain);
 }
 
+void tp_cli_take_file(const char **file, const char *argument, const char *what,
+                      const struct argp_state *state) {
+  if (*file != NULL) tp_cli_refuse(state, "one %s at a time; '%s' is one too many", what, argument);
+  *file = argument;
+}
+
 static bool is_plain(const char *text) {
   char plain[COMPLAINT_SIZE];
   tp_plain_text(plain, sizeof plain, text);

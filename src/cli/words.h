@@ -17,6 +17,11 @@ void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* The one file that a command takes, into `*file`; a second one is refused. `what` it is of, as
+ * "scene". */
+void tp_cli_take_file(const char **file, const char *argument, const char *what,
+                      const struct argp_state *state);
+
 /* The first word of the command line that argp would quote as it is, as no option is spelt so;
  * NULL where there is none. */
 const char *tp_cli_strange_option(const struct argp *parser, int argc, char *const *argv);

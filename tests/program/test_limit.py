@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """The static limit of random contacts against brute force over all bases in exact whole numbers
 (limit_oracle.py), with tan(phi) enclosed from below and above: the limit grows with it. Seeds are
-fixed; TOPPLE_ROUNDS multiplies the number of rounds."""
+fixed; TOPPLE_ROUNDS multiplies the number of rounds. Each test says which mechanisms its scenes must
+come to, and how often at least: scenes that all end alike would compare little."""
 
 import math
 import os
@@ -125,6 +126,22 @@ def dropped():
     gaps = [y - height_at(profile, x) for x, y in under]
     gaps += [height_at(under, x) - y for x, y in profile if least <= x <= most]
     outline = [(x, y - min(gaps)) for x, y in outline]
+    return f"outline: {text_of(outline)}", f"profile: {text_of(profile)}", outline, profile
+
+
+def tied():
+    """A block on a level base with the centroid at 45 degrees over its left end: where the friction is
+    45 degrees too, it slides and topples towards the left at one tilt, exactly."""
+    width, height = random.randint(2, 40), random.randint(1, 40)
+    left = random.randint(-3, width - 1)
+    right = random.randint(max(-3, left - width + 1), 9)
+    outline = [(Fraction(x), Fraction(y)) for x, y in
+               ((0, 0), (width, 0), (width + right, height), (left, height))]
+    gx, gy = exact.centroid(exact.block_moments(outline))
+    if gx <= 0:
+        return tied()
+    outline = [(x, y * gx / gy) for x, y in outline]
+    profile = [(Fraction(-random.choice([0, 9])), Fraction(0)), (Fraction(width + 5), Fraction(0))]
     return f"outline: {text_of(outline)}", f"profile: {text_of(profile)}", outline, profile
 
 
@@ -252,12 +269,12 @@ class RandomContacts(unittest.TestCase):
         if holds:
             self.assertIn(case["mechanism"], ("stands", "interlocked", "may move"))
 
-    def run_random(self, make, rounds, seed):
+    def run_random(self, make, rounds, seed, draw_friction=friction, tilts=range(1, 61)):
         random.seed(seed)
         for _ in range(rounds * ROUNDS):
             block, base, outline, profile = make()
-            self.angle = friction()
-            tilt = random.randint(1, 60)
+            self.angle = draw_friction()
+            tilt = random.choice(tilts)
             ends = {towards: self.expected(outline, profile, self.angle, towards)
                     for towards in ("left", "right")}
             if ends["left"] is None:
@@ -273,17 +290,34 @@ class RandomContacts(unittest.TestCase):
                     self.balance(cases[towards], outline, own, towards)
                     self.verdict(cases[towards], own, tilt)
 
+    def assert_seen(self, **least):
+        """What the scenes came to, each so often at least, and nothing else."""
+        seen = {name.replace(" ", "_"): count for name, count in self.seen.items()}
+        self.assertEqual(set(seen), set(least))
+        for name, count in least.items():
+            self.assertGreaterEqual(seen[name], count, (name, seen))
+
     def test_teeth(self):
         self.run_random(mated_teeth, 60, 71)
+        self.assert_seen(slides=10, topples=20, slides_and_topples=20, interlocked=20, holds_nowhere=2)
 
     def test_polygons(self):
         self.run_random(mated_polygon, 60, 72)
+        self.assert_seen(slides=20, topples=5, slides_and_topples=8, interlocked=40)
 
     def test_worn_profiles(self):
         self.run_random(worn_profile, 60, 73)
+        self.assert_seen(slides=6, topples=15, slides_and_topples=20, interlocked=15, holds_nowhere=15)
 
     def test_dropped(self):
+        """Mostly on one point, where no friction keeps it from turning about that."""
         self.run_random(dropped, 60, 74)
+        self.assert_seen(topples=40, holds_nowhere=25)
+
+    def test_ties(self):
+        """Not at a tilt of just the tie, where the factor is 1 by both and no bits decide it."""
+        self.run_random(tied, 20, 75, lambda: 45, [k for k in range(1, 61) if k != 45])
+        self.assert_seen(topples=1, tie=20, slides=1)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What all commands share: to read their words, print their reports and end with their status. */
+
+#include "cli/cli.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdio_ext.h>
+#include <stdlib.h>
+#include <string.h>
+
+int tp_cli_print(const char *text) {
+  if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
+  tp_cli_complain("cannot write the report: %s", strerror(errno));
+  /* what is left is not tried again at the end */
+  __fpurge(stdout);
+  clearerr(stdout);
+  return TP_EXIT_SYSTEM;
+}
+
+tp_status tp_cli_print_report(tp_status status, char *report, int *ended) {
+  if (status == TP_OK && *ended == 0) *ended = tp_cli_print(report);
+  free(report);
+  return status;
+}
+
+/* 0, or the exit status, complained about. */
+static int parse(const struct argp *parser, void *words, int argc, char **argv) {
+  const char *strange = tp_cli_strange_option(parser, argc, argv);
+  if (strange != NULL) {
+    char option[80];
+    tp_plain_text(option, sizeof option, strange);
+    tp_cli_complain("there is no option '%s'; '%s --help' lists the options", option, argv[0]);
+    return TP_EXIT_USAGE;
+  }
+  argp_err_exit_status = TP_EXIT_USAGE;
+  argp_program_version = "topple " TP_VERSION;
+  const error_t failed = argp_parse(parser, argc, argv, 0, NULL, words);
+  if (failed == 0) return 0;
+  tp_cli_complain("the options cannot be read: %s",
+                  failed == ENOMEM ? "out of memory" : strerror(failed));
+  return TP_EXIT_SYSTEM;
+}
+
+int tp_cli_end(tp_status status, const tp_message *message, int ended) {
+  if (status == TP_OK) return ended;
+  tp_cli_complain("%s", message->text[0] != '\0' ? message->text : tp_status_meaning(status));
+  return tp_status_exit(status);
+}
+
+int tp_cli_run(const struct argp *parser, void *words, tp_cli_work *work, int argc, char **argv) {
+  const int refused = parse(parser, words, argc, argv);
+  if (refused != 0) return refused;
+  tp_message message = {""};
+  int ended = 0;
+  const tp_status status = work(words, &ended, &message);
+  return tp_cli_end(status, &message, ended);
+}
