@@ -11,7 +11,7 @@
  * Nanoseconds per vertex in cache, measured on a Xeon of 2.6 GHz, area and centroid or all six:
  *     double 0.5 or 0.8 with AVX-512, 0.7 or 1.1 with AVX2, 1.1 or 2.0 with SSE2;
  *     pairs of doubles 1.3 or 3.6, 1.7 or 4.9, 5.7 or 17; exactly 26 or 85; balls 280 for all six;
- * but a call takes some 30 ns in double and 60 in pairs even for a few vertices. Beyond the caches
+ * but a call takes some 16 ns in double and 40 in pairs even for a few vertices. Beyond the caches
  * memory is the limit.
  * Each entry has a `_first` form for the first `sum_count` of them alone: TP_AREA_SUM_COUNT, which
  * give area and centroid, or TP_SUM_COUNT. */

@@ -19,15 +19,14 @@ INLINE void KERNEL(chunk)(lane_rows *out, const span *s, int sum_count, bool pai
 }
 
 /* Chunks pairwise: level k holds the sum of 2^k chunks where bit k of `filled` is set. */
-INLINE void KERNEL(block)(lane_rows *out, const tp_ring *ring, long first, long count,
-                          int sum_count, bool pairs) {
+INLINE void KERNEL(chunks)(lane_rows *out, const tp_ring *ring, long first, long count,
+                           int sum_count, bool pairs) {
   lane_rows levels[BLOCK_LEVELS];
   unsigned filled = 0;
   for (long done = 0; done < count; done += TP_CHUNK_EDGES) {
     const long left = count - done;
     const span s = span_of(ring, first + done, left < TP_CHUNK_EDGES ? left : TP_CHUNK_EDGES);
     KERNEL(chunk)(out, &s, sum_count, pairs);
-    if (count <= TP_CHUNK_EDGES) return;
     int level = 0;
     for (; (filled >> level & 1) != 0; level++) {
       KERNEL(join)(out, levels + level, sum_count, pairs);
@@ -41,17 +40,29 @@ INLINE void KERNEL(block)(lane_rows *out, const tp_ring *ring, long first, long 
   }
 }
 
-#define BLOCK(name, sum_count, pairs)                                                              \
+/* A small ring is one chunk, and asks for no levels. */
+#define BLOCK(name, all_chunks, sum_count, pairs)                                                  \
+  static TARGET __attribute__((noinline)) void all_chunks(                                         \
+      double rows[TP_ROW_COUNT], const tp_ring *ring, long first, long count) {                    \
+    lane_rows lanes;                                                                               \
+    KERNEL(chunks)(&lanes, ring, first, count, sum_count, pairs);                                  \
+    join_lanes(rows, &lanes, sum_count, pairs);                                                    \
+  }                                                                                                \
   static TARGET void name(double rows[TP_ROW_COUNT], const tp_ring *ring, long first,              \
                           long count) {                                                            \
+    if (count > TP_CHUNK_EDGES) {                                                                  \
+      all_chunks(rows, ring, first, count);                                                        \
+      return;                                                                                      \
+    }                                                                                              \
     lane_rows lanes;                                                                               \
-    KERNEL(block)(&lanes, ring, first, count, sum_count, pairs);                                   \
+    const span s = span_of(ring, first, count);                                                    \
+    KERNEL(chunk)(&lanes, &s, sum_count, pairs);                                                   \
     join_lanes(rows, &lanes, sum_count, pairs);                                                    \
   }
-BLOCK(KERNEL(plain_area), TP_AREA_SUM_COUNT, false)
-BLOCK(KERNEL(plain_all), TP_SUM_COUNT, false)
-BLOCK(KERNEL(pair_area), TP_AREA_SUM_COUNT, true)
-BLOCK(KERNEL(pair_all), TP_SUM_COUNT, true)
+BLOCK(KERNEL(plain_area), KERNEL(plain_area_chunks), TP_AREA_SUM_COUNT, false)
+BLOCK(KERNEL(plain_all), KERNEL(plain_all_chunks), TP_SUM_COUNT, false)
+BLOCK(KERNEL(pair_area), KERNEL(pair_area_chunks), TP_AREA_SUM_COUNT, true)
+BLOCK(KERNEL(pair_all), KERNEL(pair_all_chunks), TP_SUM_COUNT, true)
 
 #undef BLOCK
 #undef INLINE

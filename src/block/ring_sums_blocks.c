@@ -122,9 +122,7 @@ static long levels_of(long count) {
   return levels;
 }
 
-/* In the lane, between lanes, between chunks, between blocks. */
-long tp_ring_additions(long count) {
-  if (count <= TP_CHUNK_EDGES) return (count + TP_LANES - 1) / TP_LANES + 3;
+long tp_ring_additions_of_chunks(long count) {
   const long of_a_block = count < TP_BLOCK_EDGES ? count : TP_BLOCK_EDGES;
   const long chunks = (of_a_block - 1) / TP_CHUNK_EDGES + 1;
   const long blocks = (count - 1) / TP_BLOCK_EDGES + 1;

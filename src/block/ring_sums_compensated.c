@@ -56,21 +56,31 @@ static tp_double_pair normalised(double high, double low) {
   return (tp_double_pair){sum, (high - (sum - of_low)) + (low - of_low)};
 }
 
+/* A sum from its two rows, and its bound from M and n U V, each times its factor. */
+static inline void take_sum(tp_double_pair *sums, double *bounds, const double rows[TP_ROW_COUNT],
+                            int sum, double added, double products) {
+  const double unit = DBL_EPSILON / 2;
+  const double scale = tp_ring_scale(sum, rows[TP_ROW_MOST_U], rows[TP_ROW_MOST_V]);
+  sums[sum] = normalised(rows[TP_ROW_SUMS + 2 * sum], rows[TP_ROW_SUMS + 2 * sum + 1]);
+  bounds[sum] = 1.01 * unit * unit * scale * (added + products);
+}
+
 void tp_ring_sums_compensated_first(tp_double_pair *sums, double *bounds, const double *u,
                                     const double *v, long count, tp_sums_plan plan) {
   double rows[TP_ROW_COUNT];
   tp_ring_rows(rows, &(tp_ring){u, v, count}, plan, true);
 
-  const double unit = DBL_EPSILON / 2, most_u = rows[TP_ROW_MOST_U], most_v = rows[TP_ROW_MOST_V];
-  const double scale[TP_SUM_COUNT] = {
-      1, 2 * most_u, 2 * most_v, 3 * most_u * most_u, 3 * most_v * most_v, 6 * most_u * most_v};
+  const double most_u = rows[TP_ROW_MOST_U], most_v = rows[TP_ROW_MOST_V];
   const double additions = (double)tp_ring_additions(count);
   const double added = 2.03 * (additions + 3) * (additions + 3) * rows[TP_ROW_MEASURES];
   const double products = 8.2 * (additions + 4) * (double)count * most_u * most_v;
-  for (int k = 0; k < plan.sum_count; k++) {
-    sums[k] = normalised(rows[TP_ROW_SUMS + 2 * k], rows[TP_ROW_SUMS + 2 * k + 1]);
-    bounds[k] = 1.01 * unit * unit * scale[k] * (added + products);
-  }
+  take_sum(sums, bounds, rows, TP_A2, added, products);
+  take_sum(sums, bounds, rows, TP_X6, added, products);
+  take_sum(sums, bounds, rows, TP_Y6, added, products);
+  if (plan.sum_count == TP_AREA_SUM_COUNT) return;
+  take_sum(sums, bounds, rows, TP_XX12, added, products);
+  take_sum(sums, bounds, rows, TP_YY12, added, products);
+  take_sum(sums, bounds, rows, TP_XY24, added, products);
 }
 
 void tp_ring_sums_compensated(tp_double_pair sums[TP_SUM_COUNT], double bounds[TP_SUM_COUNT],

@@ -26,25 +26,49 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
+/* Of coordinates that were rounded. */
+static void bound_rounded(double *bounds, double lost, double most_u, double most_v, long count,
+                          int sum_count) {
+  static const double moved[TP_SUM_COUNT] = {4.1, 6.2, 6.2, 8.3, 8.3, 8.4}; /* over K */
+  const double unit = DBL_EPSILON / 2;
+  const bool underflows = most_u < 1 || most_v < 1;
+  for (int k = 0; k < sum_count; k++) {
+    const double scale = tp_ring_scale(k, most_u, most_v);
+    const double own = moved[k] * unit * scale * most_u * most_v * (double)count;
+    bounds[k] = underflows ? INFINITY : 1.01 * (lost * scale + own);
+  }
+}
+
+/* Sum by sum and not by loops: of a small ring their turns would cost as much as the sums. */
 void tp_ring_sums_double_first(double *sums, double *bounds, const double *u, const double *v,
                                long count, bool exact, tp_sums_plan plan) {
   double rows[TP_ROW_COUNT];
   tp_ring_rows(rows, &(tp_ring){u, v, count}, plan, false);
-  memcpy(sums, rows + TP_ROW_SUMS, (size_t)plan.sum_count * sizeof *sums);
 
+  const bool all = plan.sum_count == TP_SUM_COUNT;
+  sums[TP_A2] = rows[TP_ROW_SUMS + TP_A2];
+  sums[TP_X6] = rows[TP_ROW_SUMS + TP_X6];
+  sums[TP_Y6] = rows[TP_ROW_SUMS + TP_Y6];
+  if (all) {
+    sums[TP_XX12] = rows[TP_ROW_SUMS + TP_XX12];
+    sums[TP_YY12] = rows[TP_ROW_SUMS + TP_YY12];
+    sums[TP_XY24] = rows[TP_ROW_SUMS + TP_XY24];
+  }
   const double unit = DBL_EPSILON / 2, most_u = rows[TP_ROW_MOST_U], most_v = rows[TP_ROW_MOST_V];
   const double measure = most_u * rows[TP_ROW_MEASURES + 1] + most_v * rows[TP_ROW_MEASURES];
-  const double scale[TP_SUM_COUNT] = {
-      1, 2 * most_u, 2 * most_v, 3 * most_u * most_u, 3 * most_v * most_v, 6 * most_u * most_v};
-  static const double moved[TP_SUM_COUNT] = {4.1, 6.2, 6.2, 8.3, 8.3, 8.4}; /* over `scale` */
   const double lost = (double)(tp_ring_additions(count) + 8) * unit * measure;
-  const bool underflows = !exact && (most_u < 1 || most_v < 1);
-  for (int k = 0; k < plan.sum_count; k++) {
-    double bound = lost * scale[k];
-    if (!exact) bound += moved[k] * unit * scale[k] * most_u * most_v * (double)count;
-    bounds[k] = underflows ? INFINITY : 1.01 * bound;
+  if (!exact) {
+    bound_rounded(bounds, lost, most_u, most_v, count, plan.sum_count);
+    return;
+  }
+  bounds[TP_A2] = 1.01 * (lost * tp_ring_scale(TP_A2, most_u, most_v));
+  bounds[TP_X6] = 1.01 * (lost * tp_ring_scale(TP_X6, most_u, most_v));
+  bounds[TP_Y6] = 1.01 * (lost * tp_ring_scale(TP_Y6, most_u, most_v));
+  if (all) {
+    bounds[TP_XX12] = 1.01 * (lost * tp_ring_scale(TP_XX12, most_u, most_v));
+    bounds[TP_YY12] = 1.01 * (lost * tp_ring_scale(TP_YY12, most_u, most_v));
+    bounds[TP_XY24] = 1.01 * (lost * tp_ring_scale(TP_XY24, most_u, most_v));
   }
 }
 

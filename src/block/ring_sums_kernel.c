@@ -49,6 +49,7 @@ static inline span span_of(const tp_ring *ring, long first, long count) {
 
 /* Two lanes at a time, as every machine can. */
 typedef double couple __attribute__((vector_size(16)));
+typedef long long couple_bits __attribute__((vector_size(16)));
 
 static inline couple load_couple(const double *values) {
   couple c;
@@ -63,24 +64,48 @@ static inline void join_couple(couple high[1], couple low[1], couple other, coup
   *low += lost + other_low;
 }
 
-/* Lanes k and k + 4, then k and k + 2, then the last two. */
-static inline double joined_sum(const double *lanes) {
+/* Lanes k and k + 4, then k and k + 2: what is left are two. */
+static inline couple last_two(const double *lanes) {
   const couple even = load_couple(lanes) + load_couple(lanes + 4),
-               odd = load_couple(lanes + 2) + load_couple(lanes + 6), all = even + odd;
-  return all[0] + all[1];
+               odd = load_couple(lanes + 2) + load_couple(lanes + 6);
+  return even + odd;
 }
 
-static inline double larger(double a, double b) {
-  return a > b ? a : b;
+static inline couple larger(couple a, couple b) {
+  const couple_bits above = a > b;
+  return (couple)(((couple_bits)a & above) | ((couple_bits)b & ~above));
 }
 
-static inline double joined_largest(const double *l) {
-  const double even = larger(larger(l[0], l[4]), larger(l[2], l[6])),
-               odd = larger(larger(l[1], l[5]), larger(l[3], l[7]));
-  return larger(even, odd);
+static inline couple largest_two(const double *lanes) {
+  return larger(larger(load_couple(lanes), load_couple(lanes + 4)),
+                larger(load_couple(lanes + 2), load_couple(lanes + 6)));
 }
 
-/* The same for pairs, whose low parts are the next row. */
+/* The first of both, and the second. */
+static inline couple firsts(couple a, couple b) {
+  return (couple){a[0], b[0]};
+}
+
+static inline couple seconds(couple a, couple b) {
+  return (couple){a[1], b[1]};
+}
+
+static inline void store_couple(double *values, couple c) {
+  memcpy(values, &c, sizeof c);
+}
+
+/* Two rows at a time, stored as one: who reads them next need not wait for two stores. */
+static inline void join_sums(double rows[2], const double *lanes) {
+  const couple a = last_two(lanes), b = last_two(lanes + TP_LANES);
+  store_couple(rows, firsts(a, b) + seconds(a, b));
+}
+
+static inline void join_largest(double rows[2], const double *lanes) {
+  const couple a = largest_two(lanes), b = largest_two(lanes + TP_LANES);
+  store_couple(rows, larger(firsts(a, b), seconds(a, b)));
+}
+
+/* A row of high parts and the next one, of the low ones. */
 static inline void join_pairs(double rows[2], const double *lanes) {
   const double *const lower = lanes + TP_LANES;
   couple a = load_couple(lanes), a_low = load_couple(lower), b = load_couple(lanes + 2),
@@ -89,19 +114,22 @@ static inline void join_pairs(double rows[2], const double *lanes) {
   join_couple(&b, &b_low, load_couple(lanes + 6), load_couple(lower + 6));
   join_couple(&a, &a_low, b, b_low);
   join_couple(&a, &a_low, (couple){a[1], 0}, (couple){a_low[1], 0});
-  rows[0] = a[0];
-  rows[1] = a_low[0];
+  store_couple(rows, firsts(a, a_low));
 }
 
 static inline __attribute__((always_inline)) void
 join_lanes(double rows[TP_ROW_COUNT], const lane_rows *lanes, int sum_count, bool pairs) {
-  for (int k = TP_ROW_MOST_U; k <= TP_ROW_MOST_V; k++) rows[k] = joined_largest(lanes->row[k]);
-  for (int k = TP_ROW_MEASURES; k < TP_ROW_SUMS; k++) rows[k] = joined_sum(lanes->row[k]);
-  for (int sum = 0; sum < sum_count; sum++) {
-    if (pairs) {
-      join_pairs(rows + TP_ROW_SUMS + 2 * sum, lanes->row[TP_ROW_SUMS + 2 * sum]);
+  join_largest(rows + TP_ROW_MOST_U, lanes->row[TP_ROW_MOST_U]);
+  join_sums(rows + TP_ROW_MEASURES, lanes->row[TP_ROW_MEASURES]);
+  for (int k = TP_ROW_SUMS; k < TP_ROW_SUMS + (pairs ? 2 * sum_count : 0); k += 2) {
+    join_pairs(rows + k, lanes->row[k]);
+  }
+  for (int k = TP_ROW_SUMS; k < TP_ROW_SUMS + (pairs ? 0 : sum_count); k += 2) {
+    if (k + 1 < TP_ROW_SUMS + sum_count) {
+      join_sums(rows + k, lanes->row[k]);
     } else {
-      rows[TP_ROW_SUMS + sum] = joined_sum(lanes->row[TP_ROW_SUMS + sum]);
+      const couple last = last_two(lanes->row[k]);
+      rows[k] = last[0] + last[1];
     }
   }
 }

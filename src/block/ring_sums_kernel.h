@@ -42,7 +42,30 @@ tp_ring_kernel tp_ring_kernel_choose(tp_sums_plan plan, bool pairs);
 /* The rows of the whole ring, in double or (`pairs`) in pairs. */
 void tp_ring_rows(double rows[TP_ROW_COUNT], const tp_ring *ring, tp_sums_plan plan, bool pairs);
 
-/* The additions that a term passes at most on its way into its sum. */
-long tp_ring_additions(long count);
+/* K of a sum, by which its bounds scale: 1, 2 U, 2 V, 3 U^2, 3 V^2, 6 U V. */
+static inline double tp_ring_scale(int sum, double most_u, double most_v) {
+  switch (sum) {
+  case TP_X6:
+    return 2 * most_u;
+  case TP_Y6:
+    return 2 * most_v;
+  case TP_XX12:
+    return 3 * most_u * most_u;
+  case TP_YY12:
+    return 3 * most_v * most_v;
+  case TP_XY24:
+    return 6 * most_u * most_v;
+  default:
+    return 1;
+  }
+}
+
+/* The additions that a term passes at most on its way into its sum: in the lane and between lanes;
+ * of a ring of more than one chunk between chunks and between blocks, too. */
+long tp_ring_additions_of_chunks(long count);
+static inline long tp_ring_additions(long count) {
+  return count <= TP_CHUNK_EDGES ? (count + TP_LANES - 1) / TP_LANES + 3
+                                 : tp_ring_additions_of_chunks(count);
+}
 
 #endif

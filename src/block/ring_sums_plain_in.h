@@ -25,6 +25,22 @@ INLINE void KERNEL(add_edges)(VECTOR rows[TP_ROW_SUMS + TP_SUM_COUNT], VECTOR u0
   rows[TP_ROW_MOST_V] = LARGER(KERNEL(absolute)(v0), rows[TP_ROW_MOST_V]);
 }
 
+/* Row by row, and not by a loop, so that the rows are registers for compilers, too. */
+INLINE void KERNEL(store_rows)(lane_rows *out, const VECTOR rows[TP_ROW_SUMS + TP_SUM_COUNT],
+                               long lane, int sum_count) {
+  KERNEL(store)(out->row[TP_ROW_MOST_U] + lane, rows[TP_ROW_MOST_U]);
+  KERNEL(store)(out->row[TP_ROW_MOST_V] + lane, rows[TP_ROW_MOST_V]);
+  KERNEL(store)(out->row[TP_ROW_MEASURES] + lane, rows[TP_ROW_MEASURES]);
+  KERNEL(store)(out->row[TP_ROW_MEASURES + 1] + lane, rows[TP_ROW_MEASURES + 1]);
+  KERNEL(store)(out->row[TP_ROW_SUMS + TP_A2] + lane, rows[TP_ROW_SUMS + TP_A2]);
+  KERNEL(store)(out->row[TP_ROW_SUMS + TP_X6] + lane, rows[TP_ROW_SUMS + TP_X6]);
+  KERNEL(store)(out->row[TP_ROW_SUMS + TP_Y6] + lane, rows[TP_ROW_SUMS + TP_Y6]);
+  if (sum_count == TP_AREA_SUM_COUNT) return;
+  KERNEL(store)(out->row[TP_ROW_SUMS + TP_XX12] + lane, rows[TP_ROW_SUMS + TP_XX12]);
+  KERNEL(store)(out->row[TP_ROW_SUMS + TP_YY12] + lane, rows[TP_ROW_SUMS + TP_YY12]);
+  KERNEL(store)(out->row[TP_ROW_SUMS + TP_XY24] + lane, rows[TP_ROW_SUMS + TP_XY24]);
+}
+
 /* A chunk lies in the nearest cache and is passed once for every WIDTH lanes, so that their sums
  * stay in registers. */
 INLINE void KERNEL(plain_chunk)(lane_rows *out, const span *s, int sum_count) {
@@ -41,6 +57,6 @@ INLINE void KERNEL(plain_chunk)(lane_rows *out, const span *s, int sum_count) {
       (rows, KERNEL(load_first)(u, left), KERNEL(load_first)(v, left),
        KERNEL(load_second)(u, left, s->end_u), KERNEL(load_second)(v, left, s->end_v), sum_count);
     }
-    for (int k = 0; k < TP_ROW_SUMS + sum_count; k++) KERNEL(store)(out->row[k] + lane, rows[k]);
+    KERNEL(store_rows)(out, rows, lane, sum_count);
   }
 }
