@@ -25,16 +25,14 @@ static void set_number(void *value, const fmpq_t number, const void *context) {
   fmpz_mpoly_q_set_fmpq(value, number, ring(context));
 }
 
-static bool set_name(void *value, const char *name, size_t length, const void *context) {
-  const tp_field *field = context;
-  for (long k = field->known - 1; k >= 0; k--) {
-    const char *known = field->parameters->names[k];
-    if (strlen(known) == length && strncmp(known, name, length) == 0) {
-      fmpz_mpoly_q_set(value, field->values + k, field->ring);
-      return true;
-    }
-  }
-  return false;
+static bool set_name(void *value, long name, tp_evaluator *evaluator) {
+  const tp_field *field = evaluator->context;
+  fmpz_mpoly_q_set(value, field->values + name, field->ring);
+  return true;
+}
+
+static void swap(void *value, void *other, const void *context) {
+  fmpz_mpoly_q_swap(value, other, ring(context));
 }
 
 static void negate(void *value, const void *context) {
@@ -75,41 +73,61 @@ const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *f
   return tp_field_problem(field);
 }
 
-static const char *combine(void *value, char op, const void *other, const void *context) {
-  const fmpz_mpoly_ctx_struct *ctx = ring(context);
-  if (op == '^') {
-    slong exponent = 0;
-    if (!whole_number(&exponent, other, ctx)) return "an exponent must be a whole number";
-    return tp_field_power(value, exponent, context);
-  }
-  if (op == '/' && fmpz_mpoly_q_is_zero(other, ctx)) {
-    return "division by zero, whatever the parameters";
-  }
-  switch (op) {
-  case '+':
-    tp_field_add(value, value, other, context);
+const char *tp_field_combine(fmpz_mpoly_q_t value, tp_formula_kind kind, const fmpz_mpoly_q_t other,
+                             const tp_field *field) {
+  switch (kind) {
+  case TP_FORMULA_ADD:
+    tp_field_add(value, value, other, field);
     break;
-  case '-':
-    tp_field_sub(value, value, other, context);
+  case TP_FORMULA_SUBTRACT:
+    tp_field_sub(value, value, other, field);
     break;
-  case '*':
-    tp_field_mul(value, value, other, context);
+  case TP_FORMULA_MULTIPLY:
+    tp_field_mul(value, value, other, field);
     break;
   default:
-    tp_field_div(value, value, other, context);
+    tp_field_div(value, value, other, field);
     break;
   }
-  return tp_field_problem(context);
+  return tp_field_problem(field);
 }
 
-static const tp_algebra field_algebra = {init, clear, set_number, set_name, negate, combine};
+static bool combine(void *value, tp_formula_kind kind, const void *other, tp_evaluator *evaluator) {
+  const tp_field *field = evaluator->context;
+  const char *problem = NULL;
+  slong exponent = 0;
+  if (kind == TP_FORMULA_DIVIDE && fmpz_mpoly_q_is_zero(other, field->ring)) {
+    problem = "division by zero, whatever the parameters";
+  } else if (kind != TP_FORMULA_POWER) {
+    problem = tp_field_combine(value, kind, other, field);
+  } else if (whole_number(&exponent, other, field->ring)) {
+    problem = tp_field_power(value, exponent, field);
+  } else {
+    problem = "an exponent must be a whole number";
+  }
+  return problem == NULL || tp_evaluator_fail(evaluator, problem);
+}
+
+/* Values are fmpz_mpoly_q, the context is the field; names are its parameters. */
+static const tp_algebra field_algebra = {
+    .size = sizeof(fmpz_mpoly_q_struct),
+    .init = init,
+    .clear = clear,
+    .swap = swap,
+    .negate = negate,
+    .set_number = set_number,
+    .set_name = set_name,
+    .combine = combine,
+};
 
 tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_node *node,
                         const tp_scene *scene, tp_message *message) {
   tp_place place = tp_node_place(node, scene->path);
   place.column += node->text_offset;
+  tp_parameters known = *field->parameters;
+  known.count = field->known; /* an expression may use those before it */
   const tp_status status =
-      tp_expression_read(value, &field_algebra, field, node->text, place, message);
+      tp_expression_evaluate_in(value, &field_algebra, field, node->text, place, &known, message);
   const slong terms = fmpz_mpoly_length(fmpz_mpoly_q_numref(value), field->ring) +
                       fmpz_mpoly_length(fmpz_mpoly_q_denref(value), field->ring);
   if (status == TP_OK && terms > TP_FIELD_COORDINATE_TERMS + 1) {

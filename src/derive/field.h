@@ -38,6 +38,11 @@ TP_MUST_USE tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field,
 TP_MUST_USE bool tp_field_list_symbols(size_t *count, char ***names, char ***parameters,
                                        const tp_field *field);
 
+/* value = value op other, for one of + - * /, of which a divisor that is zero is the caller's
+ * mistake; NULL, or what is wrong as a static string. */
+const char *tp_field_combine(fmpz_mpoly_q_t value, tp_formula_kind kind, const fmpz_mpoly_q_t other,
+                             const tp_field *field);
+
 /* base = base^exponent for a whole exponent; NULL, or what is wrong as a static string. */
 const char *tp_field_power(fmpz_mpoly_q_t base, long exponent, const tp_field *field);
 

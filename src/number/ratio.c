@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 static bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -154,6 +155,16 @@ bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const ch
   }
   if (negative) fmpq_neg(value, value);
   return true;
+}
+
+bool tp_ratio_is_not_finite(const char *text) {
+  static const char *const words[] = {"nan", "inf", "infinity", NULL};
+  if (*text == '+' || *text == '-') text++;
+  if (*text == '.') text++;
+  for (size_t k = 0; words[k] != NULL; k++) {
+    if (strcasecmp(text, words[k]) == 0) return true;
+  }
+  return false;
 }
 
 /* The decimal text of value if it is exact with at most 15 decimals. */

@@ -5,7 +5,6 @@
 
 #include "number/ratio.h"
 #include "scene/csv_row.h"
-#include "scene/expression.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -78,7 +77,7 @@ static bool is_header(const tp_csv_row *row) {
     const tp_csv_field *f = row->fields + k;
     char word[16] = "";
     strncat(word, row->text + f->at, f->length < 15 ? f->length : 15);
-    if (tp_expression_is_not_finite(word)) return false;
+    if (tp_ratio_is_not_finite(word)) return false;
     numbers += tp_csv_is_numeric(row, k);
   }
   if (row->count > 0 && tp_csv_is_numeric(row, 0)) return false;
@@ -159,7 +158,7 @@ static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *ro
   if (f.length == 0) return fail(r, f.at, "a number is missing; each line holds x, y");
   char word[16] = "", what[160];
   strncat(word, row->text + f.at, f.length < 15 ? f.length : 15);
-  if (tp_expression_is_not_finite(word)) {
+  if (tp_ratio_is_not_finite(word)) {
     snprintf(what, sizeof what, "'%s' is not a finite number", word);
   } else {
     snprintf(what, sizeof what, "what stands here %s; each line holds x, y", problem);

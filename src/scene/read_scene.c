@@ -6,6 +6,7 @@
 #include "host.h"
 #include "scene/read.h"
 
+#include "number/ratio.h"
 #include "outside.h"
 
 #include <stdlib.h>
@@ -46,7 +47,7 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
     return tp_fail_memory(reader->message, "the parameters");
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
-    if (!tp_expression_is_name(child->key) || tp_expression_is_not_finite(child->key)) {
+    if (!tp_expression_is_name(child->key) || tp_ratio_is_not_finite(child->key)) {
       return tp_read_fail(reader, child,
                           "'%s' cannot name a parameter; a name is made of letters, digits and _",
                           tp_quote_all(child->key).text);

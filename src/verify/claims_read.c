@@ -46,7 +46,7 @@ static tp_status read_declared(tp_claims *claims, const tp_node *node, bool angl
   }
   for (const tp_node *child = node->first; child != NULL; child = child->next) {
     char spelt[TP_NAME_SIZE];
-    const size_t used = tp_formula_spell(spelt, sizeof spelt, child->key, sizeof spelt);
+    const size_t used = tp_name_spell(spelt, sizeof spelt, child->key, sizeof spelt);
     if (used == 0 || child->key[used] != '\0' || strcmp(spelt, child->key) != 0) {
       return tp_claims_fail(claims, child, message,
                             "'%s' cannot be declared; names are at most %d letters, digits and _, "

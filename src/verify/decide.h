@@ -12,7 +12,6 @@
 typedef struct tp_question {
   tp_subject *subject;
   const tp_formula *quantity, *printed; /* printed NULL where a number is printed */
-  const tp_vocabulary *vocabulary;      /* that `printed` was read with */
   const char *number;                   /* as printed */
   tp_place number_place;
   const tp_sample *sample;

@@ -21,9 +21,8 @@ static tp_status read_end(fmpz_mpoly_q_t value, bool *has, const tp_claims *clai
   *has = strcmp(node->text, none) != 0;
   if (!*has) return TP_OK;
   tp_formula formula;
-  const tp_vocabulary vocabulary = tp_subject_vocabulary(subject);
   tp_status status =
-      tp_formula_read(&formula, node->text, text_place(claims, node), &vocabulary, message);
+      tp_subject_read(&formula, node->text, text_place(claims, node), subject, message);
   if (status != TP_OK) return status;
   bool rational = false;
   status = tp_evaluate_field(value, &rational, &formula, subject, message);

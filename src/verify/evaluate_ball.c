@@ -5,102 +5,113 @@
 
 #include "verify/evaluate.h"
 
+#include "formula/evaluate.h"
 #include "number/ball.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-typedef struct evaluation {
+/* The context of the algebra of balls. */
+typedef struct ball_context {
   tp_subject *subject;
   const tp_sample *sample;
   bool strict;
   long bits;
-  tp_message *message;
   arb_srcptr symbols;
   arb_ptr definitions; /* by name, computed once */
   bool *defined;
-} evaluation;
+} ball_context;
 
-static tp_status of_formula(arb_t value, evaluation *e, const tp_formula *formula);
+static tp_status of_formula(arb_t value, const ball_context *c, const tp_formula *formula,
+                            tp_message *message);
 
 /* Symbols that the formula uses need values: the angle i of a facet takes its own. */
-static tp_status check_given(const evaluation *e, const fmpz_mpoly_q_t f, const tp_formula *formula,
-                             const tp_formula_node *node) {
-  const tp_subject *s = e->subject;
+static bool check_given(const fmpz_mpoly_q_t f, tp_evaluator *e) {
+  const ball_context *c = e->context;
+  const tp_subject *s = c->subject;
   int *used = calloc((size_t)s->field->symbol_count, sizeof *used);
-  if (used == NULL) return tp_fail_memory(e->message, "a formula");
+  if (used == NULL) {
+    e->status = tp_fail_memory(e->message, "a formula");
+    return false;
+  }
   fmpz_mpoly_q_used_vars(used, f, s->field->ring);
-  tp_status status = TP_OK;
-  for (long k = 0; k < s->field->symbol_count && status == TP_OK; k++) {
+  bool given = true;
+  for (long k = 0; k < s->field->symbol_count && given; k++) {
     if (!used[k]) continue;
     long symbol = k;
     for (long a = 0; a < s->angle_count; a++) {
       if (s->angles[a].sine == k || s->angles[a].cosine == k) symbol = s->angles[a].degrees;
     }
     const bool own = s->scene != NULL && symbol == s->angles[TP_ANGLE_I].degrees;
-    if (e->sample->given[symbol] || own) continue;
+    if (c->sample->given[symbol] || own) continue;
     char problem[160];
     snprintf(problem, sizeof problem, "this needs a value of '%s': 'at: {%s: …}'",
              s->field->names[symbol], s->field->names[symbol]);
-    status = tp_formula_fail(formula, node, e->message, problem);
+    given = tp_evaluator_fail(e, problem);
   }
   free(used);
-  return status;
+  return given;
 }
 
-static tp_status of_rational(arb_t value, const evaluation *e, const fmpz_mpoly_q_t f,
-                             const tp_formula *formula, const tp_formula_node *node) {
-  const tp_status status = e->strict ? check_given(e, f, formula, node) : TP_OK;
-  if (status == TP_OK) tp_field_evaluate_ball(value, f, e->symbols, e->subject->field, e->bits);
-  return status;
+static bool of_rational(arb_t value, const fmpz_mpoly_q_t f, tp_evaluator *e) {
+  const ball_context *c = e->context;
+  if (c->strict && !check_given(f, e)) return false;
+  tp_field_evaluate_ball(value, f, c->symbols, c->subject->field, c->bits);
+  return true;
 }
 
-static tp_status of_direction(arb_t value, const evaluation *e, const tp_name *name,
-                              const tp_formula *formula, const tp_formula_node *node) {
+static bool of_direction(arb_t value, const tp_name *name, tp_evaluator *e) {
+  const ball_context *c = e->context;
   arb_t run;
   arb_init(run);
-  tp_status status = of_rational(value, e, name->value, formula, node);
-  if (status == TP_OK) status = of_rational(run, e, name->run, formula, node);
-  if (status == TP_OK) tp_ball_atan2_degrees(value, value, run, e->bits);
+  const bool known = of_rational(value, name->value, e) && of_rational(run, name->run, e);
+  if (known) tp_ball_atan2_degrees(value, value, run, c->bits);
   arb_clear(run);
-  return status;
+  return known;
 }
 
-static tp_status of_angle(arb_t value, const evaluation *e, long angle, const tp_formula *formula,
-                          const tp_formula_node *node) {
+static bool of_angle(arb_t value, long angle, tp_evaluator *e) {
+  const ball_context *c = e->context;
+  const tp_subject *s = c->subject;
   fmpz_mpoly_q_t symbol;
-  fmpz_mpoly_q_init(symbol, e->subject->field->ring);
-  fmpz_mpoly_q_gen(symbol, e->subject->angles[angle].degrees, e->subject->field->ring);
-  const tp_status status = of_rational(value, e, symbol, formula, node);
-  fmpz_mpoly_q_clear(symbol, e->subject->field->ring);
-  return status;
+  fmpz_mpoly_q_init(symbol, s->field->ring);
+  fmpz_mpoly_q_gen(symbol, s->angles[angle].degrees, s->field->ring);
+  const bool known = of_rational(value, symbol, e);
+  fmpz_mpoly_q_clear(symbol, s->field->ring);
+  return known;
 }
 
-static tp_status of_name(arb_t value, evaluation *e, const tp_formula *formula,
-                         const tp_formula_node *node) {
+static bool of_definition(arb_t value, const tp_name *name, long index, tp_evaluator *e) {
+  const ball_context *c = e->context;
+  if (!c->defined[index]) {
+    e->status = of_formula(c->definitions + index, c, &name->definition, e->message);
+    c->defined[index] = true;
+  }
+  arb_set(value, c->definitions + index);
+  return e->status == TP_OK;
+}
+
+static bool set_name(void *value, long index, tp_evaluator *e) {
+  const ball_context *c = e->context;
   const tp_name *name = NULL;
-  tp_status status = tp_subject_name(&name, e->subject, node->name, e->message);
-  if (status != TP_OK) return status;
+  e->status = tp_subject_name(&name, c->subject, index, e->message);
+  if (e->status != TP_OK) return false;
   switch (name->kind) {
-  case TP_NAME_FORMULA:
-    return of_rational(value, e, name->value, formula, node);
   case TP_NAME_ANGLE:
-    return of_angle(value, e, name->angle, formula, node);
+    return of_angle(value, name->angle, e);
   case TP_NAME_DIRECTION:
-    return of_direction(value, e, name, formula, node);
+    return of_direction(value, name, e);
   case TP_NAME_DEFINITION:
-    break;
+    return of_definition(value, name, index, e);
+  default:
+    return of_rational(value, name->value, e);
   }
-  if (!e->defined[node->name]) {
-    status = of_formula(e->definitions + node->name, e, &name->definition);
-    e->defined[node->name] = true;
-  }
-  arb_set(value, e->definitions + node->name);
-  return status;
 }
 
 /* Functions of angles in degrees. */
-static void call(arb_t value, tp_function function, long bits) {
+static bool call(void *value, tp_function function, tp_evaluator *e) {
+  const ball_context *c = e->context;
+  const long bits = c->bits;
   arb_t other;
   arb_init(other);
   switch (function) {
@@ -129,9 +140,12 @@ static void call(arb_t value, tp_function function, long bits) {
     break;
   }
   arb_clear(other);
+  return true;
 }
 
-static void combine(arb_t value, const arb_t other, tp_formula_kind kind, long bits) {
+static bool combine(void *value, tp_formula_kind kind, const void *other, tp_evaluator *e) {
+  const ball_context *c = e->context;
+  const long bits = c->bits;
   switch (kind) {
   case TP_FORMULA_ADD:
     arb_add(value, value, other, bits);
@@ -149,58 +163,66 @@ static void combine(arb_t value, const arb_t other, tp_formula_kind kind, long b
     arb_pow(value, value, other, bits);
     break;
   }
+  return true;
 }
 
-static tp_status of_nodes(arb_ptr values, evaluation *e, const tp_formula *formula) {
-  tp_status status = TP_OK;
-  for (long k = 0; k < formula->count && status == TP_OK; k++) {
-    const tp_formula_node *node = formula->nodes + k;
-    if (node->left >= 0) arb_swap(values + k, values + node->left);
-    switch (node->kind) {
-    case TP_FORMULA_NUMBER:
-      arb_set_fmpq(values + k, &node->value, e->bits);
-      break;
-    case TP_FORMULA_NAME:
-      status = of_name(values + k, e, formula, node);
-      break;
-    case TP_FORMULA_NEGATE:
-      arb_neg(values + k, values + k);
-      break;
-    case TP_FORMULA_CALL:
-      call(values + k, node->function, e->bits);
-      break;
-    default:
-      combine(values + k, values + node->right, node->kind, e->bits);
-      break;
-    }
-  }
-  return status;
+static void init(void *value, const void *context) {
+  (void)context;
+  arb_init(value);
 }
 
-static tp_status of_formula(arb_t value, evaluation *e, const tp_formula *formula) {
-  arb_ptr values = _arb_vec_init(formula->count);
-  const tp_status status = of_nodes(values, e, formula);
-  arb_swap(value, values + formula->count - 1);
-  _arb_vec_clear(values, formula->count);
-  return status;
+static void clear(void *value, const void *context) {
+  (void)context;
+  arb_clear(value);
+}
+
+static void swap(void *value, void *other, const void *context) {
+  (void)context;
+  arb_swap(value, other);
+}
+
+static void negate(void *value, const void *context) {
+  (void)context;
+  arb_neg(value, value);
+}
+
+static void set_number(void *value, const fmpq_t number, const void *context) {
+  const ball_context *c = context;
+  arb_set_fmpq(value, number, c->bits);
+}
+
+static const tp_algebra ball_algebra = {
+    .size = sizeof(arb_struct),
+    .init = init,
+    .clear = clear,
+    .swap = swap,
+    .negate = negate,
+    .set_number = set_number,
+    .set_name = set_name,
+    .combine = combine,
+    .call = call,
+};
+
+static tp_status of_formula(arb_t value, const ball_context *c, const tp_formula *formula,
+                            tp_message *message) {
+  return tp_formula_evaluate(value, formula, &ball_algebra, c, message);
 }
 
 tp_status tp_evaluate_ball(arb_t value, const tp_formula *formula, tp_subject *subject,
                            const tp_sample *sample, bool strict, long bits, tp_message *message) {
-  evaluation e = {.subject = subject,
-                  .sample = sample,
-                  .strict = strict,
-                  .bits = bits,
-                  .message = message,
-                  .defined = calloc((size_t)subject->name_count + 1, sizeof(bool))};
-  if (e.defined == NULL) return tp_fail_memory(message, "a formula");
+  ball_context c = {.subject = subject,
+                    .sample = sample,
+                    .strict = strict,
+                    .bits = bits,
+                    .defined = calloc((size_t)subject->name_count + 1, sizeof(bool))};
+  if (c.defined == NULL) return tp_fail_memory(message, "a formula");
   arb_ptr symbols = tp_sample_balls(sample, subject, bits);
-  e.symbols = symbols;
-  e.definitions = _arb_vec_init(subject->name_count);
-  const tp_status status = of_formula(value, &e, formula);
-  _arb_vec_clear(e.definitions, subject->name_count);
+  c.symbols = symbols;
+  c.definitions = _arb_vec_init(subject->name_count);
+  const tp_status status = of_formula(value, &c, formula, message);
+  _arb_vec_clear(c.definitions, subject->name_count);
   _arb_vec_clear(symbols, sample->count);
-  free(e.defined);
+  free(c.defined);
   return status;
 }
 

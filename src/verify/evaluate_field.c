@@ -1,106 +1,92 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Formulas as rational functions. */
+/* Formulas as rational functions: the algebra of the field with what is known of angles. A value is
+ * missing where a formula is no rational function. */
 
 #include "verify/branches.h"
 
 #include "derive/field_work.h"
+#include "formula/evaluate.h"
 
 #include <stdlib.h>
 
-/* What becomes of a node. */
-typedef enum outcome {
-  RATIONAL,
-  NOT_RATIONAL,
-  FAILED /* `status` says why */
-} outcome;
-
-typedef struct evaluation {
-  const tp_formula *formula;
+/* The context of the algebra. */
+typedef struct field_context {
   tp_subject *subject;
-  tp_message *message;
-  tp_status status;
-  fmpz_mpoly_q_struct *values; /* of the nodes so far */
-  bool *known;                 /* which of them are rational */
-} evaluation;
+} field_context;
 
-static const fmpz_mpoly_ctx_struct *ring_of(const evaluation *e) {
-  return e->subject->field->ring;
+static tp_subject *subject_of(const tp_evaluator *e) {
+  const field_context *c = e->context;
+  return c->subject;
 }
 
-static const tp_field *field_of(const evaluation *e) {
-  return e->subject->field;
-}
-
-static outcome fail(evaluation *e, const tp_formula_node *node, const char *problem) {
-  e->status = tp_formula_fail(e->formula, node, e->message, problem);
-  return FAILED;
+static const fmpz_mpoly_ctx_struct *ring_of(const tp_evaluator *e) {
+  return subject_of(e)->field->ring;
 }
 
 /* A definition is evaluated once. */
-static outcome of_definition(evaluation *e, fmpz_mpoly_q_t value, long index) {
-  tp_name *name = e->subject->names + index;
+static bool of_definition(fmpz_mpoly_q_t value, long index, tp_evaluator *e) {
+  tp_subject *s = subject_of(e);
+  tp_name *name = s->names + index;
   if (!name->ready) {
-    e->status =
-        tp_evaluate_field(name->value, &name->rational, &name->definition, e->subject, e->message);
-    if (e->status != TP_OK) return FAILED;
+    e->status = tp_evaluate_field(name->value, &name->rational, &name->definition, s, e->message);
+    if (e->status != TP_OK) return false;
     name->ready = true;
   }
-  if (!name->rational) return NOT_RATIONAL;
-  fmpz_mpoly_q_set(value, name->value, ring_of(e));
-  return RATIONAL;
+  if (name->rational) fmpz_mpoly_q_set(value, name->value, ring_of(e));
+  return name->rational;
 }
 
-static outcome of_name(evaluation *e, fmpz_mpoly_q_t value, long index) {
+static bool set_name(void *value, long index, tp_evaluator *e) {
+  tp_subject *s = subject_of(e);
   const tp_name *name = NULL;
-  e->status = tp_subject_name(&name, e->subject, index, e->message);
-  if (e->status != TP_OK) return FAILED;
+  e->status = tp_subject_name(&name, s, index, e->message);
+  if (e->status != TP_OK) return false;
   switch (name->kind) {
   case TP_NAME_FORMULA:
     fmpz_mpoly_q_set(value, name->value, ring_of(e));
-    return RATIONAL;
+    return true;
   case TP_NAME_ANGLE:
-    fmpz_mpoly_q_gen(value, e->subject->angles[name->angle].degrees, ring_of(e));
-    return RATIONAL;
+    fmpz_mpoly_q_gen(value, s->angles[name->angle].degrees, ring_of(e));
+    return true;
   case TP_NAME_DEFINITION:
-    return of_definition(e, value, index);
+    return of_definition(value, index, e);
   case TP_NAME_DIRECTION:
     break;
   }
-  return NOT_RATIONAL;
+  return false;
 }
 
 /* value = |value|, by the sign that it has on the domain or in the branch that is looked at. */
-static outcome magnitude(evaluation *e, fmpz_mpoly_q_t value) {
-  const int sign = tp_branches_sign(value, e->subject);
+static bool magnitude(fmpz_mpoly_q_t value, tp_evaluator *e) {
+  const int sign = tp_branches_sign(value, subject_of(e));
   if (sign < 0) fmpz_mpoly_q_neg(value, value, ring_of(e));
-  return sign != 0 ? RATIONAL : NOT_RATIONAL;
+  return sign != 0;
 }
 
 /* The root of a perfect square that is not below zero. */
-static outcome square_root(evaluation *e, fmpz_mpoly_q_t value) {
+static bool square_root(fmpz_mpoly_q_t value, tp_evaluator *e) {
   const fmpz_mpoly_ctx_struct *ring = ring_of(e);
   fmpz_mpoly_q_t root;
   fmpz_mpoly_q_init(root, ring);
   const bool square =
       fmpz_mpoly_sqrt(fmpz_mpoly_q_numref(root), fmpz_mpoly_q_numref(value), ring) &&
       fmpz_mpoly_sqrt(fmpz_mpoly_q_denref(root), fmpz_mpoly_q_denref(value), ring);
-  outcome result = NOT_RATIONAL;
+  bool known = false;
   if (square) {
     fmpz_mpoly_q_swap(value, root, ring);
-    result = magnitude(e, value);
+    known = magnitude(value, e);
   } else { /* the denominator of a value that is not valid must not be zero */
     fmpz_mpoly_q_one(root, ring);
   }
   fmpz_mpoly_q_clear(root, ring);
-  return result;
+  return known;
 }
 
 /* base = base^exponent: whole exponents, and halves of squares. */
-static outcome power(evaluation *e, fmpz_mpoly_q_t base, const fmpz_mpoly_q_t exponent,
-                     const tp_formula_node *node) {
-  if (!fmpz_mpoly_q_is_fmpq(exponent, ring_of(e))) return NOT_RATIONAL;
+static bool power(fmpz_mpoly_q_t base, const fmpz_mpoly_q_t exponent, tp_evaluator *e) {
+  if (!fmpz_mpoly_q_is_fmpq(exponent, ring_of(e))) return false;
   fmpz_t top, below;
   fmpz_init(top);
   fmpz_init(below);
@@ -110,170 +96,173 @@ static outcome power(evaluation *e, fmpz_mpoly_q_t base, const fmpz_mpoly_q_t ex
   const long count = fmpz_fits_si(top) ? fmpz_get_si(top) : LONG_MAX;
   fmpz_clear(top);
   fmpz_clear(below);
-  if (!whole && !half) return NOT_RATIONAL;
-  const outcome root = half ? square_root(e, base) : RATIONAL;
-  if (root != RATIONAL) return root;
-  if (count < 0) tp_branches_divide(base, e->subject);
-  const char *problem = tp_field_power(base, count, e->subject->field);
-  return problem == NULL ? RATIONAL : fail(e, node, problem);
+  if (!whole && !half) return false;
+  if (half && !square_root(base, e)) return false;
+  if (count < 0) tp_branches_divide(base, subject_of(e));
+  const char *problem = tp_field_power(base, count, subject_of(e)->field);
+  return problem == NULL || tp_evaluator_fail(e, problem);
 }
 
 /* A tangent is not finite where its denominator vanishes. */
-static void divide_by_denominator(evaluation *e, const fmpz_mpoly_q_t value) {
+static void divide_by_denominator(const fmpz_mpoly_q_t value, tp_evaluator *e) {
   fmpz_mpoly_q_t below;
   fmpz_mpoly_q_init(below, ring_of(e));
   fmpz_mpoly_set(fmpz_mpoly_q_numref(below), fmpz_mpoly_q_denref(value), ring_of(e));
-  tp_branches_divide(below, e->subject);
+  tp_branches_divide(below, subject_of(e));
   fmpz_mpoly_q_clear(below, ring_of(e));
 }
 
-static outcome call(evaluation *e, fmpz_mpoly_q_t value, const tp_formula_node *node) {
+/* value = cot value, from the tangent; zero where that is infinite, and the other way round. */
+static bool cotangent(fmpz_mpoly_q_t value, bool *infinite, tp_evaluator *e) {
   const fmpz_mpoly_ctx_struct *ring = ring_of(e);
-  if (node->function == TP_FUNCTION_SQRT) return square_root(e, value);
-  if (node->function == TP_FUNCTION_ABS) return magnitude(e, value);
-  fmpz_mpoly_q_t sine, cosine;
-  fmpz_mpoly_q_init(sine, ring);
-  fmpz_mpoly_q_init(cosine, ring);
+  if (*infinite) {
+    fmpz_mpoly_q_zero(value, ring);
+    *infinite = false;
+    return true;
+  }
+  *infinite = fmpz_mpoly_q_is_zero(value, ring) != 0;
+  if (*infinite) return false;
+  tp_branches_divide(value, subject_of(e));
+  fmpz_mpoly_q_inv(value, value, ring);
+  return true;
+}
+
+/* Sine, cosine, tangent or cotangent. */
+static bool trigonometric(fmpz_mpoly_q_t value, tp_function function, tp_evaluator *e) {
+  const fmpz_mpoly_ctx_struct *ring = ring_of(e);
+  const tp_subject *s = subject_of(e);
+  fmpz_mpoly_q_t result, other;
+  fmpz_mpoly_q_init(result, ring);
+  fmpz_mpoly_q_init(other, ring);
   bool infinite = false, known = false;
-  switch (node->function) {
-  case TP_FUNCTION_SIN:
-    known = tp_angle_sine_cosine(sine, cosine, value, e->subject);
-    fmpz_mpoly_q_swap(value, sine, ring);
+  if (function == TP_FUNCTION_SIN) known = tp_angle_sine_cosine(result, other, value, s);
+  if (function == TP_FUNCTION_COS) known = tp_angle_sine_cosine(other, result, value, s);
+  if (function == TP_FUNCTION_TAN || function == TP_FUNCTION_COT)
+    known = tp_angle_tangent(result, &infinite, value, s);
+  fmpz_mpoly_q_swap(value, result, ring);
+  if (known && function == TP_FUNCTION_COT) known = cotangent(value, &infinite, e);
+  fmpz_mpoly_q_clear(result, ring);
+  fmpz_mpoly_q_clear(other, ring);
+  if (infinite) return tp_evaluator_fail(e, "it is infinite, whatever the values");
+  if (known && function == TP_FUNCTION_TAN) divide_by_denominator(value, e);
+  return known;
+}
+
+static bool call(void *value, tp_function function, tp_evaluator *e) {
+  bool known = false;
+  switch (function) {
+  case TP_FUNCTION_SQRT:
+    known = square_root(value, e);
     break;
-  case TP_FUNCTION_COS:
-    known = tp_angle_sine_cosine(sine, cosine, value, e->subject);
-    fmpz_mpoly_q_swap(value, cosine, ring);
+  case TP_FUNCTION_ABS:
+    known = magnitude(value, e);
     break;
-  case TP_FUNCTION_TAN:
-    known = tp_angle_tangent(sine, &infinite, value, e->subject);
-    fmpz_mpoly_q_swap(value, sine, ring);
+  case TP_FUNCTION_ATAN:
+  case TP_FUNCTION_LOG10:
     break;
-  case TP_FUNCTION_COT:
-    known = tp_angle_tangent(sine, &infinite, value, e->subject);
-    fmpz_mpoly_q_swap(value, sine, ring);
-    if (known && !infinite && fmpz_mpoly_q_is_zero(value, ring)) {
-      known = false;
-      infinite = true;
-    } else if (known && infinite) {
-      fmpz_mpoly_q_zero(value, ring);
-      infinite = false;
-    } else if (known) {
-      tp_branches_divide(value, e->subject);
-      fmpz_mpoly_q_inv(value, value, ring);
+  default:
+    known = trigonometric(value, function, e);
+    break;
+  }
+  if (known) tp_subject_reduce(value, subject_of(e));
+  return known;
+}
+
+/* value = value op other, in normal form */
+static bool combine(void *value, tp_formula_kind kind, const void *other, tp_evaluator *e) {
+  const tp_field *field = subject_of(e)->field;
+  bool known = true;
+  if (kind == TP_FORMULA_POWER) {
+    known = power(value, other, e);
+  } else {
+    if (kind == TP_FORMULA_DIVIDE) {
+      if (fmpz_mpoly_q_is_zero(other, field->ring))
+        return tp_evaluator_fail(e, "division by zero, whatever the values");
+      tp_branches_divide(other, subject_of(e));
     }
-    break;
-  default:
-    break;
+    const char *problem = tp_field_combine(value, kind, other, field);
+    known = problem == NULL || tp_evaluator_fail(e, problem);
   }
-  fmpz_mpoly_q_clear(sine, ring);
-  fmpz_mpoly_q_clear(cosine, ring);
-  if (infinite) return fail(e, node, "it is infinite, whatever the values");
-  if (known && node->function == TP_FUNCTION_TAN) divide_by_denominator(e, value);
-  return known ? RATIONAL : NOT_RATIONAL;
+  if (known) tp_subject_reduce(value, subject_of(e));
+  return known;
 }
 
-/* left = left op right */
-static outcome combine(evaluation *e, fmpz_mpoly_q_t left, const fmpz_mpoly_q_t right,
-                       const tp_formula_node *node) {
-  const tp_field *field = field_of(e);
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  if (node->kind == TP_FORMULA_POWER) return power(e, left, right, node);
-  switch (node->kind) {
-  case TP_FORMULA_ADD:
-    tp_field_add(left, left, right, field);
-    break;
-  case TP_FORMULA_SUBTRACT:
-    tp_field_sub(left, left, right, field);
-    break;
-  case TP_FORMULA_MULTIPLY:
-    tp_field_mul(left, left, right, field);
-    break;
-  default:
-    if (fmpz_mpoly_q_is_zero(right, ring)) {
-      return fail(e, node, "division by zero, whatever the values");
-    }
-    tp_branches_divide(right, e->subject);
-    tp_field_div(left, left, right, field);
-    break;
-  }
-  const char *problem = tp_field_problem(field);
-  return problem == NULL ? RATIONAL : fail(e, node, problem);
+static const fmpz_mpoly_ctx_struct *ring_in(const void *context) {
+  const field_context *c = context;
+  return c->subject->field->ring;
 }
 
-/* The value of a node from those of its operands, which it may take over. */
-static outcome of_node(evaluation *e, const tp_formula_node *node, fmpz_mpoly_q_t value) {
-  if (node->left >= 0) fmpz_mpoly_q_swap(value, e->values + node->left, ring_of(e));
-  outcome result = RATIONAL;
-  switch (node->kind) {
-  case TP_FORMULA_NUMBER:
-    fmpz_mpoly_q_set_fmpq(value, &node->value, ring_of(e));
-    break;
-  case TP_FORMULA_NAME:
-    result = of_name(e, value, node->name);
-    break;
-  case TP_FORMULA_NEGATE:
-    fmpz_mpoly_q_neg(value, value, ring_of(e));
-    break;
-  case TP_FORMULA_CALL:
-    result = call(e, value, node);
-    break;
-  default:
-    result = combine(e, value, e->values + node->right, node);
-    break;
-  }
-  if (result == RATIONAL) tp_subject_reduce(value, e->subject);
-  return result;
+static void init(void *value, const void *context) {
+  fmpz_mpoly_q_init(value, ring_in(context));
 }
 
-/* Evaluate all nodes before `end`. After one that is not rational the others are looked at for the
- * sake of their branches alone, and what is wrong with them is left to the points. */
-static void of_nodes(evaluation *e, long end) {
+static void clear(void *value, const void *context) {
+  fmpz_mpoly_q_clear(value, ring_in(context));
+}
+
+static void swap(void *value, void *other, const void *context) {
+  fmpz_mpoly_q_swap(value, other, ring_in(context));
+}
+
+static void negate(void *value, const void *context) {
+  fmpz_mpoly_q_neg(value, value, ring_in(context));
+}
+
+static void set_number(void *value, const fmpq_t number, const void *context) {
+  fmpz_mpoly_q_set_fmpq(value, number, ring_in(context));
+}
+
+static const tp_algebra angles_algebra = {
+    .size = sizeof(fmpz_mpoly_q_struct),
+    .init = init,
+    .clear = clear,
+    .swap = swap,
+    .negate = negate,
+    .set_number = set_number,
+    .set_name = set_name,
+    .combine = combine,
+    .call = call,
+};
+
+/* Evaluate all nodes before `end`; `known` tells which have a value. After one that has none the
+ * others are looked at for the sake of their branches alone, and what is wrong with them is left to
+ * the points. */
+static void of_nodes(tp_evaluator *e, bool *known, long end) {
   bool all = true;
   for (long k = 0; k < end && e->status == TP_OK; k++) {
     const tp_formula_node *node = e->formula->nodes + k;
-    if (node->left >= 0 && !e->known[node->left]) continue;
-    if (node->right >= 0 && !e->known[node->right]) continue;
-    if (!all && e->subject->branches == NULL) return;
-    e->known[k] = of_node(e, node, e->values + k) == RATIONAL;
+    if (node->left >= 0 && !known[node->left]) continue;
+    if (node->right >= 0 && !known[node->right]) continue;
+    if (!all && subject_of(e)->branches == NULL) return;
+    known[k] = tp_evaluator_step(e, k);
     if (!all && e->status != TP_OK && e->status != TP_OUT_OF_MEMORY) {
       e->status = TP_OK;
-      tp_field_forgive(field_of(e));
+      tp_field_forgive(subject_of(e)->field);
     }
-    all = all && e->known[k];
+    all = all && known[k];
   }
-}
-
-static fmpz_mpoly_q_struct *new_values(long count, const fmpz_mpoly_ctx_t ring) {
-  fmpz_mpoly_q_struct *values = malloc((size_t)count * sizeof *values);
-  for (long k = 0; values != NULL && k < count; k++) fmpz_mpoly_q_init(values + k, ring);
-  return values;
-}
-
-static void free_values(fmpz_mpoly_q_struct *values, long count, const fmpz_mpoly_ctx_t ring) {
-  for (long k = 0; k < count; k++) fmpz_mpoly_q_clear(values + k, ring);
-  free(values);
 }
 
 /* The value of the formula, or with `operand` of what its root is taken of. */
 static tp_status evaluate(fmpz_mpoly_q_t value, bool *rational, bool operand,
                           const tp_formula *formula, tp_subject *subject, tp_message *message) {
-  const fmpz_mpoly_ctx_struct *ring = subject->field->ring;
   const long last = formula->count - 1;
-  fmpz_mpoly_q_struct *values = new_values(formula->count, ring);
-  if (values == NULL) return tp_fail_memory(message, "a formula");
+  const field_context context = {subject};
+  tp_evaluator e = {
+      .formula = formula, .algebra = &angles_algebra, .context = &context, .message = message};
   bool *known = calloc((size_t)formula->count, sizeof *known);
-  if (known == NULL) {
-    free_values(values, formula->count, ring);
-    return tp_fail_memory(message, "a formula");
+  if (known == NULL) return tp_fail_memory(message, "a formula");
+  const tp_status room = tp_evaluator_init(&e);
+  if (room != TP_OK) {
+    free(known);
+    return room;
   }
-  evaluation e = {
-      .formula = formula, .subject = subject, .message = message, .values = values, .known = known};
-  of_nodes(&e, operand ? last : last + 1);
+  of_nodes(&e, known, operand ? last : last + 1);
   const long wanted = operand ? tp_formula_root(formula)->left : last;
   *rational = e.status == TP_OK && known[wanted];
   free(known);
-  if (*rational) fmpz_mpoly_q_swap(value, values + wanted, ring);
-  free_values(values, formula->count, ring);
+  if (*rational) fmpz_mpoly_q_swap(value, tp_evaluator_value(&e, wanted), subject->field->ring);
+  tp_evaluator_clear(&e);
   return e.status;
 }
 

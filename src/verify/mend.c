@@ -40,7 +40,7 @@ static bool may_be_identity(const char *text, search *s) {
   const tp_question *q = s->question;
   tp_formula formula;
   tp_message ignored;
-  tp_status status = tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored);
+  tp_status status = tp_subject_read(&formula, text, q->printed->place, q->subject, &ignored);
   s->failed = s->failed || status == TP_OUT_OF_MEMORY;
   if (status != TP_OK) return false;
   arb_t value;

@@ -29,7 +29,7 @@ bool tp_mend_difference(fmpz_mpoly_q_t difference, bool *failed, const char *tex
   tp_message ignored;
   tp_question other = *q;
   other.message = &ignored;
-  tp_status status = tp_formula_read(&formula, text, q->printed->place, q->vocabulary, &ignored);
+  tp_status status = tp_subject_read(&formula, text, q->printed->place, q->subject, &ignored);
   if (status == TP_OUT_OF_MEMORY) *failed = true;
   if (status != TP_OK) return false;
   other.printed = &formula;

@@ -57,7 +57,7 @@ static long symbol_of(const tp_subject *s, const tp_name *name) {
 
 long tp_sample_symbol(const tp_subject *s, const char *name) {
   char spelt[TP_NAME_SIZE];
-  const size_t used = tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
+  const size_t used = tp_name_spell(spelt, sizeof spelt, name, sizeof spelt);
   if (name[used] != '\0') return -1;
   const long index = tp_subject_find(s, spelt, strlen(spelt));
   return index >= 0 ? symbol_of(s, s->names + index) : -1;

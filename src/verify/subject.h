@@ -13,7 +13,8 @@
 
 #include "derive/family.h"
 #include "derive/rounding.h"
-#include "verify/formula.h"
+#include "formula/formula.h"
+#include "formula/spelling.h"
 
 typedef enum tp_name_kind {
   TP_NAME_FORMULA,   /* `value` */
@@ -101,10 +102,12 @@ TP_MUST_USE tp_status tp_subject_init(tp_subject *subject, const tp_subject_opti
                                       tp_place place, tp_message *message);
 void tp_subject_clear(tp_subject *subject);
 
-/* The number of a name, or -1; whether it is an angle by its form; both together. */
-long tp_subject_find(const void *subject, const char *name, size_t length);
-bool tp_subject_is_angle(const void *subject, long name);
-tp_vocabulary tp_subject_vocabulary(const tp_subject *subject);
+/* The number of a name, or -1. */
+long tp_subject_find(const tp_subject *subject, const char *name, size_t length);
+
+/* A formula as papers print them, in the subject's names. */
+TP_MUST_USE tp_status tp_subject_read(tp_formula *formula, const char *text, tp_place place,
+                                      const tp_subject *subject, tp_message *message);
 
 /* Add a name of the given kind; NULL when memory is exhausted. */
 tp_name *tp_subject_add_name(tp_subject *subject, const char *text, tp_name_kind kind);

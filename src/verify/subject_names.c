@@ -11,8 +11,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-long tp_subject_find(const void *subject, const char *name, size_t length) {
-  const tp_subject *s = subject;
+enum { MOST_NODES = 10000 };
+
+static const tp_dialect dialect = {
+    .letters = true,
+    .products = true,
+    .functions = true,
+    .lines = true,
+    .most_nodes = MOST_NODES,
+    .formula = "a formula",
+    .operand = "a number or a name",
+    .no_operand = "does not begin a number, a name or a bracket",
+    .continued = "a formula",
+    .unknown_name = "names are the scene's parameters, the quantities, and what 'symbols', "
+                    "'angles' and 'with' define",
+    .quoted = 20,
+};
+
+/* Of names that are the same the last counts. */
+long tp_subject_find(const tp_subject *s, const char *name, size_t length) {
   for (long k = s->name_count - 1; k >= 0; k--) {
     const char *text = s->names[k].text;
     if (text[0] == name[0] && strncmp(text, name, length) == 0 && text[length] == '\0') return k;
@@ -20,20 +37,27 @@ long tp_subject_find(const void *subject, const char *name, size_t length) {
   return -1;
 }
 
-bool tp_subject_is_angle(const void *subject, long index) {
+static long find(const void *subject, const char *name, size_t length) {
+  return tp_subject_find(subject, name, length);
+}
+
+/* Is a name an angle, by its form? */
+static bool is_angle(const void *subject, long index) {
   const tp_subject *s = subject;
   const tp_name *name = s->names + index;
   if (name->kind != TP_NAME_DEFINITION) return name->kind != TP_NAME_FORMULA;
   for (long k = 0; k < name->definition.count; k++) { /* 90 - i, an arctangent */
     const tp_formula_node *n = name->definition.nodes + k;
-    if (n->kind == TP_FORMULA_NAME && !tp_subject_is_angle(s, n->name)) return false;
+    if (n->kind == TP_FORMULA_NAME && !is_angle(s, n->name)) return false;
     if (n->kind == TP_FORMULA_CALL) return n->function == TP_FUNCTION_ATAN;
   }
   return true;
 }
 
-tp_vocabulary tp_subject_vocabulary(const tp_subject *s) {
-  return (tp_vocabulary){tp_subject_find, tp_subject_is_angle, s};
+tp_status tp_subject_read(tp_formula *formula, const char *text, tp_place place,
+                          const tp_subject *s, tp_message *message) {
+  const tp_vocabulary names = {find, is_angle, s};
+  return tp_formula_read(formula, text, place, &dialect, &names, message);
 }
 
 tp_name *tp_subject_add_name(tp_subject *s, const char *text, tp_name_kind kind) {
@@ -71,13 +95,12 @@ void tp_subject_forget(tp_subject *subject) {
 tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, tp_place place,
                             tp_message *message) {
   char spelt[TP_NAME_SIZE];
-  const size_t used = tp_formula_spell(spelt, sizeof spelt, name, sizeof spelt);
+  const size_t used = tp_name_spell(spelt, sizeof spelt, name, sizeof spelt);
   if (used == 0 || name[used] != '\0') {
     return tp_fail(message, TP_BAD_INPUT, place, "'%s' cannot be a name", tp_quote_all(name).text);
   }
   tp_formula definition;
-  const tp_vocabulary vocabulary = tp_subject_vocabulary(s);
-  const tp_status status = tp_formula_read(&definition, text, place, &vocabulary, message);
+  const tp_status status = tp_subject_read(&definition, text, place, s, message);
   if (status != TP_OK) return status;
   tp_name *added = tp_subject_add_name(s, spelt, TP_NAME_DEFINITION);
   if (added == NULL) {

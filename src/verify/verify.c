@@ -122,21 +122,19 @@ static tp_status set_values(work *w, tp_sample *sample, const tp_subject *subjec
 static tp_status decide(work *w, tp_claim_result *result, const tp_claim *claim,
                         tp_subject *subject, const tp_sample *sample) {
   tp_formula quantity, printed = {0};
-  const tp_vocabulary vocabulary = tp_subject_vocabulary(subject);
-  tp_status status = tp_formula_read(&quantity, claim->quantity->text,
-                                     text_place(w, claim->quantity), &vocabulary, w->message);
+  tp_status status = tp_subject_read(&quantity, claim->quantity->text,
+                                     text_place(w, claim->quantity), subject, w->message);
   if (status != TP_OK) return status;
   tp_question question = {.subject = subject,
                           .quantity = &quantity,
-                          .vocabulary = &vocabulary,
                           .number = claim->printed->text,
                           .number_place = text_place(w, claim->printed),
                           .sample = sample,
                           .message = w->message};
   result->is_formula = !tp_decide_is_number(claim->printed->text);
   if (result->is_formula) {
-    status = tp_formula_read(&printed, claim->printed->text, question.number_place, &vocabulary,
-                             w->message);
+    status =
+        tp_subject_read(&printed, claim->printed->text, question.number_place, subject, w->message);
     question.printed = &printed;
     if (status == TP_OK) status = tp_decide_formula(result, &question);
     tp_formula_clear(&printed);

@@ -4,6 +4,7 @@
 /* Expressions in named parameters. */
 
 #include "fuzz.h"
+#include "number/ratio.h"
 #include "scene/expression.h"
 
 #include <stdlib.h>
@@ -25,7 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fmpq_set_si(values, 41, 43);
   if (status == TP_OK) {
     FUZZ_EXPECT(fmpq_is_canonical(value));
-    FUZZ_EXPECT(!tp_expression_is_not_finite(text));
+    FUZZ_EXPECT(!tp_ratio_is_not_finite(text));
   } else {
     FUZZ_EXPECT(message.text[0] != '\0' && fmpq_equal(value, values));
   }

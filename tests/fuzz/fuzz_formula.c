@@ -4,7 +4,7 @@
 /* Formulas as papers print them: a tree whose parts lie within the text. */
 
 #include "fuzz.h"
-#include "verify/formula.h"
+#include "formula/formula.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -25,6 +25,21 @@ static bool is_angle(const void *context, long name) {
   return name == 0;
 }
 
+/* All that a dialect may allow. */
+static const tp_dialect dialect = {
+    .letters = true,
+    .products = true,
+    .functions = true,
+    .lines = true,
+    .most_nodes = 10000,
+    .formula = "a formula",
+    .operand = "a number or a name",
+    .no_operand = "is no operand",
+    .continued = "a formula",
+    .unknown_name = "it is not known",
+    .quoted = 20,
+};
+
 static void check_tree(const tp_formula *formula, size_t size) {
   FUZZ_EXPECT(formula->count > 0);
   for (long k = 0; k < formula->count; k++) {
@@ -43,7 +58,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   tp_formula formula;
   tp_message message = {""};
   const tp_status status =
-      tp_formula_read(&formula, text, (tp_place){"text", 1, 1}, &vocabulary, &message);
+      tp_formula_read(&formula, text, (tp_place){"text", 1, 1}, &dialect, &vocabulary, &message);
   if (status == TP_OK) {
     check_tree(&formula, strlen(text));
   } else {

@@ -1,12 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Names with Greek letters. */
+/* Names, and the Greek letters in them. */
 
-#include "verify/formula.h"
+#include "formula/spelling.h"
 
 #include <ctype.h>
+#include <stdbool.h>
 #include <string.h>
+
+static bool is_plain(char c, bool first) {
+  return isalpha((unsigned char)c) || c == '_' || (!first && isdigit((unsigned char)c));
+}
+
+size_t tp_name_length(const char *text) {
+  size_t length = 0;
+  while (is_plain(text[length], length == 0)) length++;
+  return length;
+}
 
 /* UTF-8 of the letters that papers of this field use. The capital delta is a difference, as in the
  * block's width. */
@@ -20,7 +31,7 @@ static const struct {
 
 /* One character of a name: its bytes, and what it is spelt as. */
 static size_t spell_one(const char **spelt, size_t *length, const char *text, bool first) {
-  if (isalpha((unsigned char)*text) || *text == '_' || (!first && isdigit((unsigned char)*text))) {
+  if (is_plain(*text, first)) {
     *spelt = text;
     *length = 1;
     return 1;
@@ -36,7 +47,7 @@ static size_t spell_one(const char **spelt, size_t *length, const char *text, bo
   return 0;
 }
 
-size_t tp_formula_spell(char *name, size_t size, const char *text, size_t most) {
+size_t tp_name_spell(char *name, size_t size, const char *text, size_t most) {
   size_t used = 0, filled = 0;
   const char *spelt = NULL;
   size_t length = 0;

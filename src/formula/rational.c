@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Expressions in exact rationals. */
-
-#include "scene/expression.h"
+#include "formula/rational.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { MOST_BITS = 20000 };
 static const char too_large[] = "the value grows beyond 20 000 bits here";
@@ -26,15 +23,15 @@ static void set_number(void *value, const fmpq_t number, const void *context) {
   fmpq_set(value, number);
 }
 
-static bool set_name(void *value, const char *name, size_t length, const void *context) {
-  const tp_parameters *known = context;
-  for (long k = known != NULL ? known->count - 1 : -1; k >= 0; k--) {
-    if (strlen(known->names[k]) == length && strncmp(known->names[k], name, length) == 0) {
-      fmpq_set(value, known->values + k);
-      return true;
-    }
-  }
-  return false;
+static bool set_name(void *value, long name, tp_evaluator *evaluator) {
+  const fmpq *values = evaluator->context;
+  fmpq_set(value, values + name);
+  return true;
+}
+
+static void swap(void *value, void *other, const void *context) {
+  (void)context;
+  fmpq_swap(value, other);
 }
 
 static void negate(void *value, const void *context) {
@@ -54,39 +51,41 @@ static const char *power(fmpq *base, const fmpq *exponent) {
   return NULL;
 }
 
-static const char *combine(void *value, char op, const void *other, const void *context) {
-  (void)context;
-  switch (op) {
-  case '+':
+/* value = value op other; NULL, or what is wrong. */
+static const char *apply(fmpq *value, tp_formula_kind kind, const fmpq *other) {
+  switch (kind) {
+  case TP_FORMULA_ADD:
     fmpq_add(value, value, other);
     break;
-  case '-':
+  case TP_FORMULA_SUBTRACT:
     fmpq_sub(value, value, other);
     break;
-  case '*':
+  case TP_FORMULA_MULTIPLY:
     fmpq_mul(value, value, other);
     break;
-  case '/':
+  case TP_FORMULA_DIVIDE:
     if (fmpq_is_zero(other)) return "division by zero";
     fmpq_div(value, value, other);
     break;
   default:
     return power(value, other);
   }
-  const fmpq *result = value;
-  const bool bounded = fmpz_bits(fmpq_numref(result)) + fmpz_bits(fmpq_denref(result)) <= MOST_BITS;
+  const bool bounded = fmpz_bits(fmpq_numref(value)) + fmpz_bits(fmpq_denref(value)) <= MOST_BITS;
   return bounded ? NULL : too_large;
 }
 
-const tp_algebra tp_rational_algebra = {init, clear, set_number, set_name, negate, combine};
-
-tp_status tp_expression_evaluate(fmpq_t value, const char *text, tp_place place,
-                                 const tp_parameters *parameters, tp_message *message) {
-  fmpq_t result;
-  fmpq_init(result);
-  const tp_status status =
-      tp_expression_read(result, &tp_rational_algebra, parameters, text, place, message);
-  if (status == TP_OK) fmpq_swap(value, result);
-  fmpq_clear(result);
-  return status;
+static bool combine(void *value, tp_formula_kind kind, const void *other, tp_evaluator *evaluator) {
+  const char *problem = apply(value, kind, other);
+  return problem == NULL || tp_evaluator_fail(evaluator, problem);
 }
+
+const tp_algebra tp_rational_algebra = {
+    .size = sizeof(fmpq),
+    .init = init,
+    .clear = clear,
+    .swap = swap,
+    .negate = negate,
+    .set_number = set_number,
+    .set_name = set_name,
+    .combine = combine,
+};

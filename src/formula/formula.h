@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Formulas as papers print them, as trees that know where in the text each part stands.
+/* The language of formulas: their syntax trees, which know where in the text each part stands.
  *
- * + - * / ^ and parentheses over decimals, which are exact, and names; sin, cos, tan, cot, atan,
- * sqrt, log10, abs; angles are in degrees throughout. The paper's notations are read too: Greek
- * letters (alpha and its letter are one name), 27ab as a product, sin alpha without parentheses,
- * and tan^-1: of an angle it is the cotangent, as in the paper's factors of safety, of anything
- * else the arctangent, as in its critical angles. */
+ * + - * / ^ and parentheses over decimals, which are exact, and names. -2^2 is -(2^2), 2^-1 is
+ * allowed, 2^3^2 is 2^(3^2). A dialect (formula/dialect.h) says what else may stand in a formula; a
+ * vocabulary says which names. Nesting is bounded by 200 levels, so that no text exhausts the
+ * stack. What a tree comes to is a matter of an algebra (formula/evaluate.h). */
 
 #ifndef TP_FORMULA_H
 #define TP_FORMULA_H
 
+#include "formula/dialect.h"
 #include "message.h"
 
 #include <flint/fmpq.h>
@@ -28,6 +28,7 @@ typedef enum tp_formula_kind {
   TP_FORMULA_CALL /* function of left */
 } tp_formula_kind;
 
+/* Angles are in degrees. */
 typedef enum tp_function {
   TP_FUNCTION_SIN,
   TP_FUNCTION_COS,
@@ -52,25 +53,35 @@ typedef struct tp_formula_node {
 typedef struct tp_formula {
   const char *text; /* borrowed */
   tp_place place;   /* of its first character */
-  long count;
-  tp_formula_node *nodes; /* operands before what they are operands of; the last is the root */
+  long count, capacity;
+  tp_formula_node *nodes;      /* operands before what they are operands of; the last is the root */
+  const tp_formula_node *lent; /* the nodes while they lie in room that the caller lent */
 } tp_formula;
 
 /* The names that a formula may use: `find` gives the number of a name (not terminated, Greek
- * letters spelt out) or -1, `is_angle` tells whether it stands for an angle. */
+ * letters spelt out) or -1, `is_angle` tells whether it stands for an angle; it is asked where the
+ * dialect has functions alone. */
 typedef struct tp_vocabulary {
   long (*find)(const void *context, const char *name, size_t length);
   bool (*is_angle)(const void *context, long name);
   const void *context;
 } tp_vocabulary;
 
-/* `formula` is left empty on failure. */
+/* `formula` is left empty on failure. The text must outlive it. */
 TP_MUST_USE tp_status tp_formula_read(tp_formula *formula, const char *text, tp_place place,
-                                      const tp_vocabulary *vocabulary, tp_message *message);
+                                      const tp_dialect *dialect, const tp_vocabulary *vocabulary,
+                                      tp_message *message);
+
+/* The same, where a short formula takes no memory but the `count` nodes at `lent`, which must
+ * outlive it. */
+TP_MUST_USE tp_status tp_formula_read_into(tp_formula *formula, tp_formula_node *lent, long count,
+                                           const char *text, tp_place place,
+                                           const tp_dialect *dialect,
+                                           const tp_vocabulary *vocabulary, tp_message *message);
 void tp_formula_clear(tp_formula *formula);
 
-/* Append a node; its index, or -1 when memory is exhausted. */
-long tp_formula_add(tp_formula *formula, tp_formula_node node);
+/* Append a node, its value zero; NULL when memory is exhausted. */
+tp_formula_node *tp_formula_add(tp_formula *formula, tp_formula_kind kind);
 
 const tp_formula_node *tp_formula_root(const tp_formula *formula);
 
@@ -80,12 +91,5 @@ tp_place tp_formula_place(const tp_formula *formula, int at);
 /* Complain at a node. */
 tp_status tp_formula_fail(const tp_formula *formula, const tp_formula_node *node,
                           tp_message *message, const char *problem);
-
-/* A name, Greek letters spelt out, is shorter; what is longer is refused, never cut. */
-enum { TP_NAME_SIZE = 128 };
-
-/* The name at the front of a text with Greek letters spelt out (delta for its letter, d for the
- * capital one); bytes used, 0 where no name begins. */
-size_t tp_formula_spell(char *name, size_t size, const char *text, size_t most);
 
 #endif

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A formula as it is read: operators, brackets and numbers (read.c); names and functions (words.c).
+ * What fails gives -1 and sets the status. Of this room alone. */
+
+#ifndef TP_FORMULA_PARSER_H
+#define TP_FORMULA_PARSER_H
+
+#include "formula/formula.h"
+
+typedef struct tp_parser {
+  tp_formula *formula;
+  const tp_dialect *dialect;
+  const tp_vocabulary *vocabulary;
+  tp_message *message;
+  size_t size; /* of the text */
+  int at, depth;
+  tp_status status;
+} tp_parser;
+
+__attribute__((format(printf, 3, 4))) long tp_parser_fail(tp_parser *parser, int at,
+                                                          const char *format, ...);
+
+/* Bytes of the text. */
+typedef struct tp_span {
+  int at, length;
+} tp_span;
+
+/* Append a node of no operand, which ends here, of one, of two, with the span of its number, name
+ * or operator; its index. */
+long tp_parser_leaf(tp_parser *parser, tp_formula_kind kind, tp_span own);
+long tp_parser_unary(tp_parser *parser, tp_formula_kind kind, long operand, tp_span own);
+long tp_parser_binary(tp_parser *parser, tp_formula_kind kind, long left, long right, tp_span own);
+
+static inline const char *tp_parser_here(const tp_parser *parser) {
+  return parser->formula->text + parser->at;
+}
+
+static inline void tp_parser_skip_blanks(tp_parser *parser) {
+  const char *text = tp_parser_here(parser);
+  for (; *text == ' ' || *text == '\t' || (*text == '\n' && parser->dialect->lines); text++)
+    parser->at++;
+}
+
+/* The operator here and its length in the text; 0 where there is none. */
+int tp_parser_operator(tp_parser *parser, char *op);
+
+/* Does a number, or a name, begin here? */
+bool tp_parser_begins_number(const tp_parser *parser);
+bool tp_parser_begins_word(const tp_parser *parser);
+
+/* Between an opening bracket here and its partner. */
+long tp_parser_bracketed(tp_parser *parser, char close);
+long tp_parser_number(tp_parser *parser);
+/* Signs and powers: -2^2 is -(2^2), 2^3^2 is 2^(3^2). */
+long tp_parser_factor(tp_parser *parser);
+/* A name or a function. Where factors may stand side by side it is the longest known front of the
+ * letters here, so that 27ab is a product. As an argument a function is none. */
+long tp_parser_word(tp_parser *parser, bool as_argument);
+
+#endif
