@@ -5,6 +5,7 @@
 
 #include "chart/chart.h"
 #include "host.h"
+#include "output/encode.h"
 #include "output/json.h"
 
 #include <stdio.h>
@@ -65,56 +66,43 @@ tp_status tp_report_chart_csv(char **text, const tp_chart *chart) {
   return tp_text_finish(&t, text);
 }
 
-static void add_member(tp_text *t, const char *key, const char *text) {
-  tp_encode_json(t, key);
-  tp_text_add(t, ": ");
-  if (text == NULL) {
-    tp_text_add(t, "null");
-  } else {
-    tp_encode_json(t, text);
+static void json_point(tp_json *j, const tp_chart *chart, const tp_chart_point *p) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_bounded(j, "x", p->x);
+  tp_json_bounded(j, "y", p->y);
+  for (size_t k = 0; k < TP_CHART_NOTES && chart->note_names[k] != NULL; k++) {
+    if (p->notes[k] != NULL) tp_json_string(j, chart->note_names[k], p->notes[k]);
   }
+  tp_json_close(j);
 }
 
-static void add_json_point(tp_text *t, const tp_chart *chart, const tp_chart_point *p) {
-  tp_text_add(t, "{");
-  tp_json_number(t, "x", p->x);
-  tp_text_add(t, ", ");
-  tp_json_number(t, "y", p->y);
-  for (size_t k = 0; k < TP_CHART_NOTES && chart->note_names[k] != NULL; k++) {
-    if (p->notes[k] == NULL) continue;
-    tp_text_add(t, ", ");
-    add_member(t, chart->note_names[k], p->notes[k]);
+static void json_series(tp_json *j, const tp_chart *chart, const tp_chart_series *s) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_count(j, "panel", s->panel + 1);
+  for (size_t k = 0; k < TP_CHART_KEYS && chart->key_names[k] != NULL; k++) {
+    tp_json_string(j, chart->key_names[k], s->keys[k]);
   }
-  tp_text_add(t, "}");
+  tp_json_array(j, "points", TP_JSON_LIST);
+  for (size_t k = 0; k < s->count; k++) json_point(j, chart, s->points + k);
+  tp_json_close(j);
+  tp_json_close(j);
 }
 
 tp_status tp_report_chart_json(char **text, const tp_chart *chart) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, chart);
-  tp_text t = {0};
-  bool any = false;
-  tp_text_add(&t, "{\n  \"topple\": \"" TP_VERSION "\",\n  \"chart\": \"%s\",\n  ", chart->kind);
-  add_member(&t, "x", chart->x_name);
-  tp_text_add(&t, ", ");
-  add_member(&t, "y", chart->y_name);
-  tp_text_add(&t, ",\n  \"series\": [");
+  tp_json j = {0};
+  tp_json_report(&j);
+  tp_json_string(&j, "chart", chart->kind);
+  tp_json_string(&j, "x", chart->x_name);
+  tp_json_beside(&j);
+  tp_json_string(&j, "y", chart->y_name);
+  tp_json_array(&j, "series", TP_JSON_LIST);
   for (size_t k = 0; k < chart->series_count; k++) {
-    const tp_chart_series *s = chart->series + k;
-    if (s->drawn_only) continue;
-    tp_text_add(&t, "%s\n    {\"panel\": %zu, ", any ? "," : "", s->panel + 1);
-    any = true;
-    for (size_t j = 0; j < TP_CHART_KEYS && chart->key_names[j] != NULL; j++) {
-      add_member(&t, chart->key_names[j], s->keys[j]);
-      tp_text_add(&t, ", ");
-    }
-    tp_text_add(&t, "\"points\": [");
-    for (size_t p = 0; p < s->count; p++) {
-      tp_text_add(&t, "%s\n      ", p > 0 ? "," : "");
-      add_json_point(&t, chart, s->points + p);
-    }
-    tp_text_add(&t, "]}");
+    if (!chart->series[k].drawn_only) json_series(&j, chart, chart->series + k);
   }
-  tp_text_add(&t, "]\n}\n");
-  return tp_text_finish(&t, text);
+  tp_json_close(&j);
+  tp_json_close(&j);
+  return tp_json_finish(&j, text);
 }

@@ -25,29 +25,47 @@ void tp_encode_column(tp_text *t, const char *outside, int width) {
   if (characters < width) tp_text_add(t, "%*s", width - characters, "");
 }
 
+/* How many bytes of ASCII stand at the beginning that a string of JSON holds as they are. */
+static size_t json_span(const char *text) {
+  size_t length = 0;
+  while (text[length] >= ' ' && text[length] <= '~' && text[length] != '"' &&
+         text[length] != '\\') {
+    length++;
+  }
+  return length;
+}
+
+static void add_json_character(tp_text *t, const char *outside, uint32_t c, size_t length) {
+  char plain[TP_PLAIN_SIZE];
+  const char *after = outside;
+  const bool seen = strncmp(tp_plain_next(plain, &after), outside, length) == 0;
+  if (c == TP_NO_CHARACTER) {
+    tp_text_add(t, "\\ufffd");
+  } else if (c == '"' || c == '\\') {
+    tp_text_add(t, "\\%c", (int)c);
+  } else if (!seen && c > 0xffff) {
+    const unsigned pair = (unsigned)c - 0x10000; /* in UTF-16, as JSON has it */
+    tp_text_add(t, "\\u%04x\\u%04x", 0xd800 + (pair >> 10), 0xdc00 + (pair & 0x3ff));
+  } else if (!seen) {
+    tp_text_add(t, "\\u%04x", (unsigned)c);
+  } else {
+    tp_text_append(t, outside, length);
+  }
+}
+
 void tp_encode_json(tp_text *t, const char *outside) {
-  tp_text_add(t, "\"");
+  tp_text_append(t, "\"", 1);
   while (*outside != '\0') {
+    const size_t span = json_span(outside);
+    tp_text_append(t, outside, span);
+    outside += span;
+    if (*outside == '\0') break;
     uint32_t c = 0;
     const size_t length = tp_character_read(&c, outside);
-    const char *after = outside;
-    char plain[TP_PLAIN_SIZE];
-    const bool seen = strncmp(tp_plain_next(plain, &after), outside, length) == 0;
-    if (c == TP_NO_CHARACTER) {
-      tp_text_add(t, "\\ufffd");
-    } else if (c == '"' || c == '\\') {
-      tp_text_add(t, "\\%c", (int)c);
-    } else if (!seen && c > 0xffff) {
-      const unsigned pair = (unsigned)c - 0x10000; /* in UTF-16, as JSON has it */
-      tp_text_add(t, "\\u%04x\\u%04x", 0xd800 + (pair >> 10), 0xdc00 + (pair & 0x3ff));
-    } else if (!seen) {
-      tp_text_add(t, "\\u%04x", (unsigned)c);
-    } else {
-      tp_text_add(t, "%.*s", (int)length, outside);
-    }
+    add_json_character(t, outside, c, length);
     outside += length;
   }
-  tp_text_add(t, "\"");
+  tp_text_append(t, "\"", 1);
 }
 
 /* A blank between two characters that mean something together. */

@@ -10,26 +10,42 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Room for so many bytes more and the zero behind them; false when memory is exhausted. */
+static bool make_room(tp_text *text, size_t added) {
+  const size_t needed = text->length + added + 1;
+  if (text->failed || needed <= text->capacity) return !text->failed;
+  const size_t capacity = needed < 4096 ? 4096 : 2 * needed;
+  char *data = realloc(text->data, capacity);
+  text->failed = data == NULL;
+  if (data == NULL) return false;
+  text->data = data;
+  text->capacity = capacity;
+  data[text->length] = '\0'; /* also where nothing is added */
+  return true;
+}
+
+void tp_text_append(tp_text *text, const char *bytes, size_t length) {
+  if (!make_room(text, length)) return;
+  memcpy(text->data + text->length, bytes, length);
+  text->length += length;
+  text->data[text->length] = '\0';
+}
+
+/* Printed where the text ends, and once more where there was no room for all of it. */
 void tp_text_add(tp_text *text, const char *format, ...) {
   va_list arguments, again;
+  if (!make_room(text, 0)) return;
   va_start(arguments, format);
   va_copy(again, arguments);
-  const int added = vsnprintf(NULL, 0, format, arguments);
+  const size_t room = text->capacity - text->length;
+  const int added = vsnprintf(text->data + text->length, room, format, arguments);
   va_end(arguments);
-  if (added < 0) text->failed = true; /* some numbers take memory to print */
-  const size_t needed = text->length + (size_t)(added > 0 ? added : 0) + 1;
-  if (!text->failed && needed > text->capacity) {
-    const size_t capacity = needed < 4096 ? 4096 : 2 * needed;
-    char *data = realloc(text->data, capacity);
-    text->failed = data == NULL;
-    if (data != NULL) {
-      text->data = data;
-      text->capacity = capacity;
-      data[text->length] = '\0'; /* also where nothing is added */
-    }
-  }
-  if (!text->failed && added >= 0) {
-    vsnprintf(text->data + text->length, text->capacity - text->length, format, again);
+  if (added < 0) { /* some numbers take memory to print */
+    text->failed = true;
+  } else if ((size_t)added < room) {
+    text->length += (size_t)added;
+  } else if (make_room(text, (size_t)added)) {
+    vsnprintf(text->data + text->length, (size_t)added + 1, format, again);
     text->length += (size_t)added;
   }
   va_end(again);

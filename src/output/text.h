@@ -16,6 +16,9 @@ typedef struct tp_text {
 
 void tp_text_add(tp_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* So many bytes as they are. */
+void tp_text_append(tp_text *text, const char *bytes, size_t length);
+
 /* Hand the text over to the caller; TP_OUT_OF_MEMORY if anything was dropped. */
 TP_MUST_USE tp_status tp_text_finish(tp_text *text, char **result);
 

@@ -4,8 +4,8 @@
 /* What accuracy costs, as a page and as JSON. */
 
 #include "host.h"
+#include "output/encode.h"
 #include "output/json.h"
-#include "output/text.h"
 #include "report/words.h"
 
 #include <math.h>
@@ -92,54 +92,48 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
   return tp_text_finish(&t, text);
 }
 
-static void add_logarithm(tp_text *t, const char *key, double value) {
-  if (isfinite(value)) {
-    tp_text_add(t, ", \"%s\": %.6f", key, value);
+/* The logarithm goes on where doubles end. */
+static void json_run(tp_json *j, const tp_accuracy_run *run) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_string(j, "method", tp_accuracy_method_name(run->method));
+  tp_json_string(j, "level", tp_level_name(run->level));
+  tp_json_integer(j, "bits", run->bits);
+  tp_json_count(j, "vertices", run->vertices);
+  tp_json_significant(j, "seconds", run->seconds, 6);
+  if (run->has_bound) {
+    tp_json_double(j, "bound", run->bound);
+    tp_json_fixed(j, "bound_log10", run->log10_bound, 6);
   } else {
-    tp_text_add(t, ", \"%s\": null", key);
+    tp_json_null(j, "bound");
+    tp_json_null(j, "bound_log10");
   }
+  tp_json_double(j, "true_error", run->true_error);
+  tp_json_fixed(j, "true_error_log10", run->log10_true_error, 6);
+  tp_json_close(j);
 }
 
-static void add_json_run(tp_text *t, const tp_accuracy_run *run) {
-  tp_text_add(t, "    {\"method\": \"%s\", \"level\": \"%s\", \"bits\": %ld, \"vertices\": %zu, ",
-              tp_accuracy_method_name(run->method), tp_level_name(run->level), run->bits,
-              run->vertices);
-  tp_text_add(t, "\"seconds\": %.6g, ", run->seconds);
-  if (run->has_bound) {
-    tp_text_add(t, "\"bound\": %.17g", run->bound);
-    add_logarithm(t, "bound_log10", run->log10_bound);
-  } else {
-    tp_text_add(t, "\"bound\": null, \"bound_log10\": null");
-  }
-  tp_text_add(t, ", \"true_error\": %.17g", run->true_error);
-  add_logarithm(t, "true_error_log10", run->log10_true_error);
-  tp_text_add(t, "}");
+static void json_value(tp_json *j, const tp_accuracy_value *value) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_string(j, "method", tp_accuracy_method_name(value->method));
+  tp_json_count(j, "vertices", value->vertices);
+  tp_json_bounded(j, "angle_deg", value->angle_deg);
+  tp_json_close(j);
 }
 
 tp_status tp_report_accuracy_json(char **text, const tp_accuracy *a) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, a);
-  tp_text t = {0};
-  tp_text_add(&t, "{\n  \"topple\": \"%s\",\n", TP_VERSION);
-  if (a->title != NULL) {
-    tp_text_add(&t, "  \"title\": ");
-    tp_encode_json(&t, a->title);
-    tp_text_add(&t, ",\n");
-  }
-  tp_text_add(&t, "  \"towards\": \"%s\",\n  \"runs\": [\n", tp_text_direction(a->towards));
-  for (size_t k = 0; k < a->run_count; k++) {
-    add_json_run(&t, a->runs + k);
-    tp_text_add(&t, "%s\n", k + 1 < a->run_count ? "," : "");
-  }
-  tp_text_add(&t, "  ],\n  \"values\": [\n");
-  for (size_t k = 0; k < a->value_count; k++) {
-    const tp_accuracy_value *value = a->values + k;
-    tp_text_add(&t, "    {\"method\": \"%s\", \"vertices\": %zu, ",
-                tp_accuracy_method_name(value->method), value->vertices);
-    tp_json_number(&t, "angle_deg", value->angle_deg);
-    tp_text_add(&t, "}%s\n", k + 1 < a->value_count ? "," : "");
-  }
-  tp_text_add(&t, "  ]\n}\n");
-  return tp_text_finish(&t, text);
+  tp_json j = {0};
+  tp_json_report(&j);
+  if (a->title != NULL) tp_json_string(&j, "title", a->title);
+  tp_json_string(&j, "towards", tp_text_direction(a->towards));
+  tp_json_array(&j, "runs", TP_JSON_BLOCK);
+  for (size_t k = 0; k < a->run_count; k++) json_run(&j, a->runs + k);
+  tp_json_close(&j);
+  tp_json_array(&j, "values", TP_JSON_BLOCK);
+  for (size_t k = 0; k < a->value_count; k++) json_value(&j, a->values + k);
+  tp_json_close(&j);
+  tp_json_close(&j);
+  return tp_json_finish(&j, text);
 }

@@ -6,6 +6,7 @@
 #include "output/json.h"
 #include "report/c_arguments.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* What was solved about a condition, where it was met. */
@@ -79,41 +80,44 @@ static const char *verdict_name(tp_check_verdict verdict) {
 }
 
 /* "c = 7.41, b = 100" as {"c": 7.41, "b": 100}. */
-static void add_numbers(tp_text *t, const char *text) {
-  tp_text_add(t, "{");
-  while (*text != '\0') {
-    const size_t key = strcspn(text, " "), number = strcspn(text + key + 3, ",");
-    tp_text_add(t, "\"%.*s\": %.*s", (int)key, text, (int)number, text + key + 3);
-    text += key + 3 + number;
-    if (*text == ',') {
-      tp_text_add(t, ", ");
-      text += 2;
-    }
+static void json_numbers(tp_json *j, const char *key, const char *text) {
+  static const char between[] = " =,";
+  char *own = strdup(text), *rest = NULL;
+  if (own == NULL) {
+    j->text.failed = true;
+    return;
   }
-  tp_text_add(t, "}");
+  tp_json_object(j, key, TP_JSON_LINE);
+  for (const char *symbol = strtok_r(own, between, &rest); symbol != NULL;
+       symbol = strtok_r(NULL, between, &rest)) {
+    const char *number = strtok_r(NULL, between, &rest);
+    tp_json_printed(j, symbol, number != NULL ? number : "");
+  }
+  tp_json_close(j);
+  free(own);
 }
 
-static void add_json_checks(tp_text *t, const tp_derived_checks *checks) {
+static void json_checks(tp_json *j, const tp_derived_checks *checks) {
   if (!checks->run) return;
-  tp_text_add(t, ",\n     \"checks\": [");
+  tp_json_break(j);
+  tp_json_array(j, "checks", TP_JSON_LIST);
   for (size_t k = 0; k < checks->count; k++) {
     const tp_derived_check *c = checks->items + k;
-    tp_text_add(t, "%s\n       {\"condition\": %zu, \"inside\": ", k == 0 ? "" : ",", c->number);
-    add_numbers(t, c->inside);
-    tp_text_add(t, ", \"outside\": ");
-    add_numbers(t, c->outside);
-    tp_text_add(t, ", \"beyond\": \"%s\"}", verdict_name(c->beyond));
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_count(j, "condition", c->number);
+    json_numbers(j, "inside", c->inside);
+    json_numbers(j, "outside", c->outside);
+    tp_json_string(j, "beyond", verdict_name(c->beyond));
+    tp_json_close(j);
   }
-  tp_text_add(t, "]");
+  tp_json_close(j);
 }
 
-void tp_json_conditions(tp_text *t, const tp_condition_list *l) {
-  tp_text_add(t, ",\n     \"parameters_above_zero\": %s, \"conditions\": [",
-              tp_json_truth(l->positive));
-  for (size_t k = 0; k < l->count; k++) {
-    tp_text_add(t, "%s\n       ", k == 0 ? "" : ",");
-    tp_encode_json(t, l->items[k].formula);
-  }
-  tp_text_add(t, "]");
-  add_json_checks(t, l->checks);
+void tp_json_conditions(tp_json *j, const tp_condition_list *l) {
+  tp_json_break(j);
+  tp_json_truth(j, "parameters_above_zero", l->positive);
+  tp_json_array(j, "conditions", TP_JSON_LIST);
+  for (size_t k = 0; k < l->count; k++) tp_json_string(j, NULL, l->items[k].formula);
+  tp_json_close(j);
+  json_checks(j, l->checks);
 }

@@ -7,7 +7,7 @@
 #ifndef TP_REPORT_CONDITIONS_H
 #define TP_REPORT_CONDITIONS_H
 
-#include "output/text.h"
+#include "output/json.h"
 
 /* Of the limit, which holds on its conditions' zeros too, or of the onset, which does not. */
 typedef struct tp_condition_list {
@@ -29,9 +29,7 @@ void tp_latex_conditions(tp_text *text, const tp_condition_list *list);
 void tp_c_conditional(tp_text *text, const tp_condition_list *list, const tp_derivation *derivation,
                       const char *tangent, const char *side);
 
-/* `,\n     "parameters_above_zero": …, "conditions": […]`, and `, "checks": […]` where they were
- * run.
- */
-void tp_json_conditions(tp_text *text, const tp_condition_list *list);
+/* The keys `parameters_above_zero` and `conditions`, and `checks` where they were run. */
+void tp_json_conditions(tp_json *json, const tp_condition_list *list);
 
 #endif

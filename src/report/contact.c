@@ -3,7 +3,7 @@
 
 #include "report/contact.h"
 
-#include "output/json.h"
+#include "report/parts_json.h"
 #include "report/words.h"
 
 static void add_beyond(tp_page *p, const tp_contact_result *c) {
@@ -148,71 +148,75 @@ void tp_page_add_contact(tp_page *p) {
   add_cautions(p, c);
 }
 
-static void json_end(tp_text *t, const char *side, tp_contact_end end, tp_bounded x_m,
+static void json_end(tp_json *j, const char *key, tp_contact_end end, tp_bounded x_m,
                      tp_bounded y_m) {
   static const char *const words[] = {[TP_END_WHOLE] = "end of the underside",
                                       [TP_END_STATED] = "between",
                                       [TP_END_STEEP] = "steeper than 45 degrees",
                                       [TP_END_OVERHANG] = "overhang",
                                       [TP_END_PROFILE] = "profile"};
-  tp_text_add(t, "\"%s_end\": {\"is\": \"%s\", ", side, words[end]);
-  tp_json_number(t, "x_m", x_m);
-  tp_text_add(t, ", ");
-  tp_json_number(t, "y_m", y_m);
-  tp_text_add(t, "},\n        ");
+  tp_json_object(j, key, TP_JSON_LINE);
+  tp_json_string(j, "is", words[end]);
+  tp_json_bounded(j, "x_m", x_m);
+  tp_json_bounded(j, "y_m", y_m);
+  tp_json_close(j);
 }
 
-void tp_json_frame(tp_text *t, const tp_frame_result *f) {
-  tp_text_add(t, "      \"frame\": {\"is\": \"%s\", \"stated\": %s", f->world ? "world" : "base",
-              tp_json_truth(f->stated));
+void tp_json_frame(tp_json *j, const tp_frame_result *f) {
+  tp_json_object(j, "frame", TP_JSON_LINE);
+  tp_json_string(j, "is", f->world ? "world" : "base");
+  tp_json_truth(j, "stated", f->stated);
   if (f->world) {
-    tp_text_add(t, ", \"mean_plane\": \"%s\", \"dips_towards\": %s%s%s, ",
-                f->fitted ? "fitted" : "given", f->dips ? "\"" : "",
-                f->dips ? tp_text_direction(f->dips_towards) : "null", f->dips ? "\"" : "");
-    tp_json_number(t, "dip_deg", f->dip_deg);
-    tp_text_add(t, ",\n        \"turned_about\": {");
-    tp_json_number(t, "x_m", f->about_x_m);
-    tp_text_add(t, ", ");
-    tp_json_number(t, "y_m", f->about_y_m);
-    tp_text_add(t, "}");
+    tp_json_string(j, "mean_plane", f->fitted ? "fitted" : "given");
+    tp_json_string(j, "dips_towards", f->dips ? tp_text_direction(f->dips_towards) : NULL);
+    tp_json_bounded(j, "dip_deg", f->dip_deg);
+    tp_json_break(j);
+    tp_json_point(j, "turned_about", f->about_x_m, f->about_y_m);
   } else if (!f->stated) {
-    tp_text_add(t, ", \"inclined\": %s, ", tp_json_truth(f->inclined));
-    tp_json_number(t, "inclination_deg", f->inclination_deg);
+    tp_json_truth(j, "inclined", f->inclined);
+    tp_json_bounded(j, "inclination_deg", f->inclination_deg);
   }
-  tp_text_add(t, "},\n");
+  tp_json_close(j);
 }
 
-void tp_json_contact(tp_text *t, const tp_contact_result *c, bool has_weight) {
-  tp_text_add(
-      t,
-      "      \"contact\": {\n        \"mated\": %s, \"beyond_stated\": %s, \"facets\": %zu, "
-      "\"points\": %zu, \"corner_points\": %zu,\n        ",
-      tp_json_truth(c->mated), tp_json_truth(c->beyond_stated), c->facets, c->points,
-      c->corner_points);
-  json_end(t, "left", c->left_end, c->left_x_m, c->left_y_m);
-  json_end(t, "right", c->right_end, c->right_x_m, c->right_y_m);
-  tp_text_add(t, "\"cut_by_default\": %s, \"steep\": %s, ", tp_json_truth(is_default_cut(c)),
-              tp_json_truth(c->steep));
-  if (c->facets > 0) {
-    tp_json_number(t, "steepest_deg", c->steepest_deg);
-    tp_text_add(t, ", ");
-  }
-  tp_json_number(t, "share_of_height", c->reach);
-  tp_text_add(t, ",\n        ");
+/* What touches, in numbers. */
+static void json_counts(tp_json *j, const tp_contact_result *c) {
+  tp_json_truth(j, "mated", c->mated);
+  tp_json_beside(j);
+  tp_json_truth(j, "beyond_stated", c->beyond_stated);
+  tp_json_beside(j);
+  tp_json_count(j, "facets", c->facets);
+  tp_json_beside(j);
+  tp_json_count(j, "points", c->points);
+  tp_json_beside(j);
+  tp_json_count(j, "corner_points", c->corner_points);
+}
+
+static void json_steepness(tp_json *j, const tp_contact_result *c) {
+  tp_json_truth(j, "cut_by_default", is_default_cut(c));
+  tp_json_beside(j);
+  tp_json_truth(j, "steep", c->steep);
+  tp_json_beside(j);
+  if (c->facets > 0) tp_json_bounded(j, "steepest_deg", c->steepest_deg);
+  tp_json_beside(j);
+  tp_json_bounded(j, "share_of_height", c->reach);
+}
+
+void tp_json_contact(tp_json *j, const tp_contact_result *c, bool has_weight) {
+  tp_json_object(j, "contact", TP_JSON_BLOCK);
+  json_counts(j, c);
+  json_end(j, "left_end", c->left_end, c->left_x_m, c->left_y_m);
+  json_end(j, "right_end", c->right_end, c->right_x_m, c->right_y_m);
+  json_steepness(j, c);
   if (c->mated) {
-    tp_json_number(t, "beyond_left_m", c->beyond_left_m);
-    tp_text_add(t, ",\n        ");
-    tp_json_number(t, "beyond_right_m", c->beyond_right_m);
-    tp_text_add(t, ",\n        ");
+    tp_json_bounded(j, "beyond_left_m", c->beyond_left_m);
+    tp_json_bounded(j, "beyond_right_m", c->beyond_right_m);
   }
-  tp_json_number(t, "length_m", c->length_m);
-  tp_text_add(t, ",\n        ");
-  tp_json_number(t, "nominal_length_m", c->nominal_length_m);
+  tp_json_bounded(j, "length_m", c->length_m);
+  tp_json_bounded(j, "nominal_length_m", c->nominal_length_m);
   if (has_weight) {
-    tp_text_add(t, ",\n        ");
-    tp_json_number(t, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
-    tp_text_add(t, ",\n        ");
-    tp_json_number(t, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
+    tp_json_bounded(j, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
+    tp_json_bounded(j, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);
   }
-  tp_text_add(t, "\n      },\n");
+  tp_json_close(j);
 }

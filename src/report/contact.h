@@ -6,10 +6,11 @@
 #ifndef TP_REPORT_CONTACT_H
 #define TP_REPORT_CONTACT_H
 
+#include "output/json.h"
 #include "report/page.h"
 
 void tp_page_add_contact(tp_page *page);
-void tp_json_frame(tp_text *text, const tp_frame_result *frame);
-void tp_json_contact(tp_text *text, const tp_contact_result *contact, bool has_weight);
+void tp_json_frame(tp_json *json, const tp_frame_result *frame);
+void tp_json_contact(tp_json *json, const tp_contact_result *contact, bool has_weight);
 
 #endif

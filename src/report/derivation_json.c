@@ -11,91 +11,82 @@
 #include "report/parts_json.h"
 #include "report/words.h"
 
-static void add_elements_form(tp_text *t, const tp_derived_pivot *p) {
-  if (!p->has_elements) return;
-  tp_text_add(t, ",\n     \"fos_elements\": {");
-  tp_json_fraction(t, "stabilising_cos", &p->normal_stabilising);
-  tp_text_add(t, ",\n       ");
-  tp_json_fraction(t, "stabilising_sin", &p->parallel_stabilising);
-  tp_text_add(t, ",\n       ");
-  tp_json_fraction(t, "overturning_cos", &p->normal_overturning);
-  tp_text_add(t, ",\n       ");
-  tp_json_fraction(t, "overturning_sin", &p->parallel_overturning);
-  if (p->splits) {
-    tp_text_add(t, ",\n       ");
-    tp_json_fraction(t, "cot", &p->fos_cot);
-    tp_text_add(t, ",\n       ");
-    tp_json_fraction(t, "constant", &p->fos_constant);
-  }
-  tp_text_add(t, "}");
+static void add_fraction_below(tp_json *j, const char *key, const tp_fraction *f) {
+  tp_json_break(j);
+  tp_json_fraction(j, key, f);
 }
 
-static void add_pivot(tp_text *t, const tp_derived_pivot *p) {
-  tp_text_add(
-      t, "    {\"towards\": \"%s\", \"kind\": \"%s\", \"admissible\": %s, \"governs\": %s,\n     ",
-      tp_text_direction(p->towards), tp_text_pivot_kind(p->kind), tp_json_truth(p->admissible),
-      tp_json_truth(p->governs));
-  tp_json_fraction(t, "x", &p->x);
-  tp_text_add(t, ", ");
-  tp_json_fraction(t, "y", &p->y);
-  tp_text_add(t, ",\n     ");
-  tp_json_fraction(t, "tan_critical_angle", &p->tangent);
-  tp_text_add(t, ",\n     ");
-  tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
-  add_elements_form(t, p);
-  tp_text_add(t, "}");
+static void add_elements_form(tp_json *j, const tp_derived_pivot *p) {
+  if (!p->has_elements) return;
+  tp_json_break(j);
+  tp_json_object(j, "fos_elements", TP_JSON_LINE);
+  tp_json_fraction(j, "stabilising_cos", &p->normal_stabilising);
+  add_fraction_below(j, "stabilising_sin", &p->parallel_stabilising);
+  add_fraction_below(j, "overturning_cos", &p->normal_overturning);
+  add_fraction_below(j, "overturning_sin", &p->parallel_overturning);
+  if (p->splits) {
+    add_fraction_below(j, "cot", &p->fos_cot);
+    add_fraction_below(j, "constant", &p->fos_constant);
+  }
+  tp_json_close(j);
+}
+
+static void add_pivot(tp_json *j, const tp_derived_pivot *p) {
+  tp_json_object(j, NULL, TP_JSON_ALIGNED);
+  tp_json_string(j, "towards", tp_text_direction(p->towards));
+  tp_json_string(j, "kind", tp_text_pivot_kind(p->kind));
+  tp_json_truth(j, "admissible", p->admissible);
+  tp_json_truth(j, "governs", p->governs);
+  add_fraction_below(j, "x", &p->x);
+  tp_json_fraction(j, "y", &p->y);
+  add_fraction_below(j, "tan_critical_angle", &p->tangent);
+  tp_json_break(j);
+  tp_json_bounded(j, "critical_angle_deg", p->critical_angle_deg);
+  add_elements_form(j, p);
+  tp_json_close(j);
+}
+
+static void add_rounding(tp_json *j, const tp_derived_rounding *r, tp_direction towards) {
+  tp_json_object(j, NULL, TP_JSON_ALIGNED);
+  tp_json_string(j, "towards", tp_text_direction(towards));
+  tp_json_string(j, "kind", tp_text_pivot_kind(r->kind));
+  add_fraction_below(j, "tan_critical_angle", &r->tangent);
+  add_fraction_below(j, "rounding_length", &r->length);
+  if (r->has_radius) add_fraction_below(j, "corner_radius", &r->radius);
+  tp_json_close(j);
 }
 
 /* Where rounded corners were asked for. */
-static void add_rounded(tp_text *t, const tp_derivation *d) {
-  const char *separator = ",\n  \"rounded\": [\n    ";
-  bool any = false;
+static void add_rounded(tp_json *j, const tp_derivation *d) {
+  if (!d->rounded[0].known && !d->rounded[1].known) return;
+  tp_json_array(j, "rounded", TP_JSON_BLOCK);
   for (int k = 0; k < 2; k++) {
-    const tp_derived_rounding *r = d->rounded + k;
-    if (!r->known) continue;
-    tp_text_add(t, "%s{\"towards\": \"%s\", \"kind\": \"%s\",\n     ", separator,
-                tp_text_direction((tp_direction)k), tp_text_pivot_kind(r->kind));
-    tp_json_fraction(t, "tan_critical_angle", &r->tangent);
-    tp_text_add(t, ",\n     ");
-    tp_json_fraction(t, "rounding_length", &r->length);
-    if (r->has_radius) {
-      tp_text_add(t, ",\n     ");
-      tp_json_fraction(t, "corner_radius", &r->radius);
-    }
-    tp_text_add(t, "}");
-    separator = ",\n    ";
-    any = true;
+    if (d->rounded[k].known) add_rounding(j, d->rounded + k, (tp_direction)k);
   }
-  if (any) tp_text_add(t, "\n  ]");
+  tp_json_close(j);
 }
 
 tp_status tp_report_derivation_json(char **text, const tp_derivation *derivation) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, derivation);
-  tp_text t = {0};
-  tp_text_add(&t, "{\n  \"topple\": \"%s\",\n  \"symbols\": [", TP_VERSION);
+  tp_json j = {0};
+  tp_json_report(&j);
+  tp_json_array(&j, "symbols", TP_JSON_LINE);
   for (size_t k = 0; k < derivation->symbol_count; k++) {
-    tp_text_add(&t, "%s", k > 0 ? ", " : "");
-    tp_encode_json(&t, derivation->symbols[k]);
+    tp_json_string(&j, NULL, derivation->symbols[k]);
   }
-  tp_text_add(&t, "],\n");
-  tp_json_notes(&t, &derivation->notes);
-  tp_text_add(&t, "  ");
-  tp_json_fraction(&t, "area", &derivation->area);
-  tp_text_add(&t, ",\n  ");
-  tp_json_fraction(&t, "x_moment", &derivation->x_moment);
-  tp_text_add(&t, ",\n  ");
-  tp_json_fraction(&t, "y_moment", &derivation->y_moment);
-  tp_text_add(&t, ",\n  \"pivots\": [\n");
-  for (size_t k = 0; k < derivation->pivot_count; k++) {
-    add_pivot(&t, derivation->pivots + k);
-    tp_text_add(&t, "%s\n", k + 1 < derivation->pivot_count ? "," : "");
-  }
-  tp_text_add(&t, "  ]");
-  add_rounded(&t, derivation);
-  tp_json_derived_limit(&t, derivation);
-  tp_json_derived_onset(&t, derivation);
-  tp_text_add(&t, "\n}\n");
-  return tp_text_finish(&t, text);
+  tp_json_close(&j);
+  tp_json_notes(&j, &derivation->notes);
+  tp_json_fraction(&j, "area", &derivation->area);
+  tp_json_fraction(&j, "x_moment", &derivation->x_moment);
+  tp_json_fraction(&j, "y_moment", &derivation->y_moment);
+  tp_json_array(&j, "pivots", TP_JSON_BLOCK);
+  for (size_t k = 0; k < derivation->pivot_count; k++) add_pivot(&j, derivation->pivots + k);
+  tp_json_close(&j);
+  add_rounded(&j, derivation);
+  tp_json_derived_limit(&j, derivation);
+  tp_json_derived_onset(&j, derivation);
+  tp_json_close(&j);
+  return tp_json_finish(&j, text);
 }

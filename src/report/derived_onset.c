@@ -101,52 +101,55 @@ void tp_c_derived_onset(tp_text *t, const tp_derivation *d) {
   }
 }
 
-static void add_json_row(tp_text *t, const tp_derived_row *r) {
-  tp_text_add(t, "{\"row\": \"%s\"", r->is_force ? "force" : r->turns ? "turns" : "slides");
-  if (r->is_force) tp_text_add(t, ", \"against_slip\": %s", tp_json_truth(r->against_slip));
+static void json_row(tp_json *j, const tp_derived_row *r) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_string(j, "row", r->is_force ? "force" : r->turns ? "turns" : "slides");
+  if (r->is_force) tp_json_truth(j, "against_slip", r->against_slip);
   if (r->is_force || r->turns) {
-    tp_text_add(t, ", ");
-    tp_json_fraction(t, "x", &r->x);
-    tp_text_add(t, ", ");
-    tp_json_fraction(t, "y", &r->y);
+    tp_json_fraction(j, "x", &r->x);
+    tp_json_fraction(j, "y", &r->y);
   }
-  tp_text_add(t, "}");
+  tp_json_close(j);
 }
 
-static void add_json(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
-  tp_text_add(t, "{\"towards\": \"%s\", \"mechanism\": \"%s\", \"below_limit\": %s",
-              tp_text_direction(towards), tp_text_mechanism(o->mechanism),
-              tp_json_truth(o->below_limit));
-  if (!o->known) {
-    tp_text_add(t, ", \"tan_critical_angle\": null,\n     \"why\": ");
-    tp_encode_json(t, missing(o));
-    tp_text_add(t, "}");
-    return;
-  }
-  tp_text_add(t, ", \"same_as_limit\": %s,\n     ", tp_json_truth(o->same_as_limit));
-  tp_json_fraction(t, "tan_critical_angle", &o->tangent);
-  tp_text_add(t, ",\n     ");
-  tp_json_number(t, "critical_angle_deg", o->critical_angle_deg);
-  tp_text_add(t, ",\n     \"balance\": [");
-  for (int k = 0; k < 2; k++) {
-    if (k > 0) tp_text_add(t, ",\n       ");
-    add_json_row(t, o->rows + k);
-  }
-  tp_text_add(t, "]");
+static void json_formulas(tp_json *j, const tp_derived_onset *o) {
+  tp_json_truth(j, "same_as_limit", o->same_as_limit);
+  tp_json_break(j);
+  tp_json_fraction(j, "tan_critical_angle", &o->tangent);
+  tp_json_break(j);
+  tp_json_bounded(j, "critical_angle_deg", o->critical_angle_deg);
+  tp_json_break(j);
+  tp_json_array(j, "balance", TP_JSON_LINE);
+  json_row(j, o->rows);
+  tp_json_break(j);
+  json_row(j, o->rows + 1);
+  tp_json_close(j);
   const tp_condition_list conditions = conditions_of(o);
-  tp_json_conditions(t, &conditions);
-  tp_text_add(t, "}");
+  tp_json_conditions(j, &conditions);
 }
 
-void tp_json_derived_onset(tp_text *t, const tp_derivation *d) {
-  const char *separator = ",\n  \"onset\": [\n    ";
-  bool any = false;
-  for (int k = 0; k < 2; k++) {
-    if (d->onset[k].kind == TP_ONSET_NOT_ASKED) continue;
-    tp_text_add(t, "%s", separator);
-    add_json(t, d->onset + k, (tp_direction)k);
-    separator = ",\n    ";
-    any = true;
+static void add_json(tp_json *j, const tp_derived_onset *o, tp_direction towards) {
+  tp_json_object(j, NULL, TP_JSON_ALIGNED);
+  tp_json_string(j, "towards", tp_text_direction(towards));
+  tp_json_string(j, "mechanism", tp_text_mechanism(o->mechanism));
+  tp_json_truth(j, "below_limit", o->below_limit);
+  if (o->known) {
+    json_formulas(j, o);
+  } else {
+    tp_json_null(j, "tan_critical_angle");
+    tp_json_break(j);
+    tp_json_string(j, "why", missing(o));
   }
-  if (any) tp_text_add(t, "\n  ]");
+  tp_json_close(j);
+}
+
+void tp_json_derived_onset(tp_json *j, const tp_derivation *d) {
+  bool asked[2];
+  for (int k = 0; k < 2; k++) asked[k] = d->onset[k].kind != TP_ONSET_NOT_ASKED;
+  if (!asked[0] && !asked[1]) return;
+  tp_json_array(j, "onset", TP_JSON_BLOCK);
+  for (int k = 0; k < 2; k++) {
+    if (asked[k]) add_json(j, d->onset + k, (tp_direction)k);
+  }
+  tp_json_close(j);
 }

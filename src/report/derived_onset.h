@@ -6,11 +6,11 @@
 #ifndef TP_REPORT_DERIVED_ONSET_H
 #define TP_REPORT_DERIVED_ONSET_H
 
-#include "output/text.h"
+#include "output/json.h"
 
 void tp_text_derived_onset(tp_text *text, const tp_derivation *derivation);
 void tp_latex_derived_onset(tp_text *text, const tp_derivation *derivation);
 void tp_c_derived_onset(tp_text *text, const tp_derivation *derivation);
-void tp_json_derived_onset(tp_text *text, const tp_derivation *derivation);
+void tp_json_derived_onset(tp_json *json, const tp_derivation *derivation);
 
 #endif

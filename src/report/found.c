@@ -4,9 +4,9 @@
 /* What back-analysis found. */
 
 #include "host.h"
-#include "output/json.h"
+#include "output/encode.h"
+#include "report/solution_json.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* What the result was instead of the value. */
@@ -56,42 +56,44 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
   return tp_text_finish(&t, text);
 }
 
+static void json_numbers(tp_json *j, const char *key, const tp_bounded *numbers, size_t count) {
+  tp_json_break(j);
+  tp_json_array(j, key, TP_JSON_LINE);
+  for (size_t k = 0; k < count; k++) tp_json_bounded(j, NULL, numbers[k]);
+  tp_json_close(j);
+}
+
+static void json_intervals(tp_json *j, const tp_found *f) {
+  tp_json_break(j);
+  tp_json_array(j, "intervals", TP_JSON_LINE);
+  for (size_t k = 0; k < f->interval_count; k++) {
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_bounded(j, "from", f->intervals[k].low);
+    tp_json_bounded(j, "to", f->intervals[k].high);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}
+
 tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution *solution) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, f);
   TP_REFUSE_NULL(NULL, solution);
-  char *solved = NULL;
-  tp_status status = tp_report_json(&solved, solution);
-  if (status != TP_OK) return status;
-  tp_text t = {0};
-  const size_t length = strlen(solved);
-  /* before the closing brace of the whole */
-  tp_text_add(&t, "%.*s,\n  \"find\": {\"key\": ", (int)(length - 3), solved);
-  tp_encode_json(&t, f->key);
-  tp_text_add(&t, ", \"from\": %.17g, \"to\": %.17g,\n    ", f->low, f->high);
-  tp_json_number(&t, "least", f->least);
-  tp_text_add(&t, ", ");
-  tp_json_number(&t, "greatest", f->greatest);
-  tp_text_add(&t, ",\n    \"solutions\": [");
-  for (size_t k = 0; k < f->count; k++) {
-    tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
-                f->solutions[k].value, f->solutions[k].error);
-  }
-  tp_text_add(&t, "],\n    \"touching\": [");
-  for (size_t k = 0; k < f->touching_count; k++) {
-    tp_text_add(&t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
-                f->touching[k].value, f->touching[k].error);
-  }
-  tp_text_add(&t, "],\n    \"intervals\": [");
-  for (size_t k = 0; k < f->interval_count; k++) {
-    tp_text_add(&t, "%s{", k > 0 ? ", " : "");
-    tp_json_number(&t, "from", f->intervals[k].low);
-    tp_text_add(&t, ", ");
-    tp_json_number(&t, "to", f->intervals[k].high);
-    tp_text_add(&t, "}");
-  }
-  tp_text_add(&t, "]}\n}\n");
-  free(solved);
-  return tp_text_finish(&t, text);
+  tp_json j = {0};
+  tp_json_report(&j);
+  tp_json_solution(&j, solution, TP_PIVOTS_BY_COUNT);
+  tp_json_object(&j, "find", TP_JSON_LINE);
+  tp_json_string(&j, "key", f->key);
+  tp_json_double(&j, "from", f->low);
+  tp_json_double(&j, "to", f->high);
+  tp_json_break(&j);
+  tp_json_bounded(&j, "least", f->least);
+  tp_json_bounded(&j, "greatest", f->greatest);
+  json_numbers(&j, "solutions", f->solutions, f->count);
+  json_numbers(&j, "touching", f->touching, f->touching_count);
+  json_intervals(&j, f);
+  tp_json_close(&j);
+  tp_json_close(&j);
+  return tp_json_finish(&j, text);
 }

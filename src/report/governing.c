@@ -132,47 +132,55 @@ void tp_page_add_governing(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "\n");
 }
 
-static void add_words(tp_text *t, const tp_factor *factor) {
-  tp_text_add(t, "\"mechanism\": \"%s\", \"definition\": \"%s\"",
-              tp_text_mechanism(factor->mechanism), tp_fos_definition_name(factor->definition));
-  if (factor->definition == TP_FOS_BY_MOMENTS) {
-    tp_text_add(t, ", \"pivot\": %zu", factor->pivot);
+static void add_words(tp_json *j, const tp_factor *factor) {
+  tp_json_string(j, "mechanism", tp_text_mechanism(factor->mechanism));
+  tp_json_string(j, "definition", tp_fos_definition_name(factor->definition));
+  if (factor->definition == TP_FOS_BY_MOMENTS) tp_json_count(j, "pivot", factor->pivot);
+}
+
+/* Why there is no factor, where more is known of that than a factor of safety tells. */
+static const char *why_none(const tp_governing_fos *g) {
+  if (g->up_dip) return "none: at this tilt it lets go up-dip";
+  if (g->beyond) return "none: it lets go at a lesser tilt already";
+  if (g->fos.state == TP_FOS_NO_TILT) return "none: the scene gives no tilt";
+  if (g->fos.state == TP_FOS_NOT_ASKED) return "none: turning is blocked about every pivot";
+  return NULL;
+}
+
+static void add_fos(tp_json *j, const tp_governing_fos *g) {
+  const char *why = why_none(g);
+  if (why == NULL) {
+    tp_json_fos(j, "fos", g->fos);
+  } else {
+    tp_json_no_fos(j, "fos", why);
   }
 }
 
-static void add_why(tp_text *t, const tp_governing_fos *g) {
-  if (g->up_dip) {
-    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: at this tilt it lets go up-dip\"");
-  } else if (g->beyond) {
-    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: it lets go at a lesser tilt already\"");
-  } else if (g->fos.state == TP_FOS_NO_TILT) {
-    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: the scene gives no tilt\"");
-  } else if (g->fos.state == TP_FOS_NOT_ASKED) {
-    tp_text_add(t, "\"fos\": null, \"fos_is\": \"none: turning is blocked about every pivot\"");
-  } else {
-    tp_json_fos(t, "fos", g->fos);
-  }
-}
-
-void tp_json_governing(tp_text *t, const tp_case *c) {
-  const tp_governing_fos *g = &c->governing_fos;
-  tp_text_add(t, "      \"governing_fos\": {");
-  add_why(t, g);
-  tp_text_add(t, ", ");
-  if (g->has_factor) {
-    add_words(t, g->factors + g->factor);
-  } else {
-    tp_text_add(t, "\"mechanism\": null, \"definition\": null");
-  }
-  tp_text_add(t, ", \"tie\": %s, \"sliding_judged\": %s, \"complete\": %s},\n",
-              tp_json_truth(g->tie), tp_json_truth(g->sliding_judged), tp_json_truth(g->complete));
-  tp_text_add(t, "      \"factors\": [");
+static void add_factors(tp_json *j, const tp_governing_fos *g) {
+  tp_json_array(j, "factors", g->factor_count > 0 ? TP_JSON_BLOCK : TP_JSON_LINE);
   for (size_t k = 0; k < g->factor_count; k++) {
-    tp_text_add(t, "%s\n        {", k > 0 ? "," : "");
-    tp_json_fos(t, "fos", g->factors[k].fos);
-    tp_text_add(t, ", ");
-    add_words(t, g->factors + k);
-    tp_text_add(t, ", \"counts\": %s}", tp_json_truth(g->factors[k].counts));
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_fos(j, "fos", g->factors[k].fos);
+    add_words(j, g->factors + k);
+    tp_json_truth(j, "counts", g->factors[k].counts);
+    tp_json_close(j);
   }
-  tp_text_add(t, "%s],\n", g->factor_count > 0 ? "\n      " : "");
+  tp_json_close(j);
+}
+
+void tp_json_governing(tp_json *j, const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  tp_json_object(j, "governing_fos", TP_JSON_LINE);
+  add_fos(j, g);
+  if (g->has_factor) {
+    add_words(j, g->factors + g->factor);
+  } else {
+    tp_json_null(j, "mechanism");
+    tp_json_null(j, "definition");
+  }
+  tp_json_truth(j, "tie", g->tie);
+  tp_json_truth(j, "sliding_judged", g->sliding_judged);
+  tp_json_truth(j, "complete", g->complete);
+  tp_json_close(j);
+  add_factors(j, g);
 }

@@ -6,6 +6,7 @@
 #ifndef TP_REPORT_GOVERNING_H
 #define TP_REPORT_GOVERNING_H
 
+#include "output/json.h"
 #include "report/page.h"
 
 /* "FoS 2.292 against toppling about the toe (moments)", or why there is none; nothing where the
@@ -19,6 +20,6 @@ void tp_text_against(tp_text *text, const tp_factor *factor);
 void tp_page_add_governing(tp_page *page, const tp_case *own);
 
 /* The keys `governing_fos` and `factors`. */
-void tp_json_governing(tp_text *text, const tp_case *own);
+void tp_json_governing(tp_json *json, const tp_case *own);
 
 #endif

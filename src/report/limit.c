@@ -3,16 +3,9 @@
 
 #include "report/limit.h"
 
+#include "report/first.h"
 #include "report/onset.h"
 #include "report/words.h"
-
-/* "slides and topples about (-21.6, -57.7)" */
-static void add_motion(tp_page *p, const tp_case *c, const tp_limit *l) {
-  tp_text_add(&p->text, "%s", tp_text_mechanism(l->mechanism));
-  if (!l->has_centre) return;
-  if (l->turns_up_dip) tp_text_add(&p->text, " turning up-dip");
-  tp_page_add_centre(p, c, l->centre_x_m, l->centre_y_m);
-}
 
 static const char *base_text(const tp_limit *l) {
   return l->base_beyond_toe ? "goes on past the toe" : "ends at the toe";
@@ -24,7 +17,7 @@ static void add_outcome(tp_page *p, const tp_case *c, const tp_limit *l) {
   switch (l->kind) {
   case TP_LIMIT_AT_ANGLE:
     tp_text_add(&p->text, "it ");
-    add_motion(p, c, l);
+    tp_page_add_limit_motion(p, c, l);
     tp_text_add(&p->text, " at %s°", tp_text_fixed(n, l->critical_angle_deg, 3));
     break;
   case TP_LIMIT_INTERLOCKED:
@@ -38,17 +31,6 @@ static void add_outcome(tp_page *p, const tp_case *c, const tp_limit *l) {
     tp_text_add(&p->text, "the limit is undecided at the precision allowed");
     break;
   }
-}
-
-void tp_page_add_first(tp_page *p, const tp_case *c) {
-  if (c->limit.kind == TP_LIMIT_AT_ANGLE && !c->slides_sooner) {
-    add_motion(p, c, &c->limit);
-    return;
-  }
-  tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
-  if (c->first != TP_TOPPLES || !c->has_governing) return;
-  const tp_pivot *pivot = c->pivots + c->governing;
-  tp_page_add_centre(p, c, pivot->x_m, pivot->y_m);
 }
 
 /* "φ - 9.462° = 20.538°" */

@@ -6,11 +6,10 @@
 #ifndef TP_REPORT_LIMIT_H
 #define TP_REPORT_LIMIT_H
 
+#include "output/json.h"
 #include "report/page.h"
 
-void tp_json_limit(tp_text *text, const tp_case *own);
-/* What happens first: "topples about the valley at (0, 0)". */
-void tp_page_add_first(tp_page *page, const tp_case *own);
+void tp_json_limit(tp_json *json, const tp_case *own);
 void tp_page_add_limit(tp_page *page, const tp_case *own);
 
 #endif

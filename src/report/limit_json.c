@@ -9,58 +9,43 @@
 #include "report/parts_json.h"
 #include "report/words.h"
 
-static void add_point(tp_text *t, tp_bounded x, tp_bounded y) {
-  tp_text_add(t, "{");
-  tp_json_number(t, "x_m", x);
-  tp_text_add(t, ", ");
-  tp_json_number(t, "y_m", y);
-  tp_text_add(t, "}");
-}
-
-static void add_answer(tp_text *t, const tp_limit *l) {
-  if (l->kind == TP_LIMIT_AT_ANGLE) {
-    tp_json_number(t, "critical_angle_deg", l->critical_angle_deg);
-  } else {
-    tp_text_add(t, "\"critical_angle_deg\": null");
-  }
+/* Where the limit lies, what moves there and what is as near. */
+static void add_answer(tp_json *j, const tp_limit *l) {
   const bool nowhere = l->kind == TP_LIMIT_NOWHERE;
-  tp_text_add(t, ", \"mechanism\": \"%s\", \"tied_with\": ",
-              nowhere ? "holds nowhere" : tp_text_mechanism(l->mechanism));
-  if (l->tie) {
-    tp_text_add(t, "\"%s\"", tp_text_mechanism(l->tied_with));
-    tp_json_tie(t, l->tie, l->tie_bits);
-  } else {
-    tp_text_add(t, "null");
-  }
-  tp_text_add(t, ",\n        ");
-  if (l->has_centre) {
-    tp_json_number(t, "centre_x_m", l->centre_x_m);
-    tp_text_add(t, ", ");
-    tp_json_number(t, "centre_y_m", l->centre_y_m);
-  } else {
-    tp_text_add(t, "\"centre_x_m\": null, \"centre_y_m\": null");
-  }
-  tp_text_add(t, ", \"base_beyond_toe\": %s, ", tp_json_truth(l->base_beyond_toe));
-  tp_json_number(t, "friction_angle_deg", l->friction_angle_deg);
-  tp_text_add(t, ", ");
-  tp_json_fos(t, "fos", l->fos);
+  tp_json_known(j, "critical_angle_deg", l->kind == TP_LIMIT_AT_ANGLE, l->critical_angle_deg);
+  tp_json_string(j, "mechanism", nowhere ? "holds nowhere" : tp_text_mechanism(l->mechanism));
+  tp_json_string(j, "tied_with", l->tie ? tp_text_mechanism(l->tied_with) : NULL);
+  tp_json_tie(j, l->tie, l->tie_bits);
+  tp_json_break(j);
+  tp_json_known(j, "centre_x_m", l->has_centre, l->centre_x_m);
+  tp_json_known(j, "centre_y_m", l->has_centre, l->centre_y_m);
+  tp_json_truth(j, "base_beyond_toe", l->base_beyond_toe);
+  tp_json_bounded(j, "friction_angle_deg", l->friction_angle_deg);
+  tp_json_fos(j, "fos", l->fos);
 }
 
-static void add_reactions(tp_text *t, const tp_limit *l) {
-  tp_text_add(t, ",\n        \"reactions\": [");
+static void add_facet(tp_json *j, const tp_limit *l) {
+  if (!l->has_facet) return;
+  tp_json_break(j);
+  tp_json_array(j, "facet", TP_JSON_LINE);
+  tp_json_point(j, NULL, l->facet_x0_m, l->facet_y0_m);
+  tp_json_point(j, NULL, l->facet_x1_m, l->facet_y1_m);
+  tp_json_close(j);
+}
+
+static void add_reactions(tp_json *j, const tp_limit *l) {
+  tp_json_break(j);
+  tp_json_array(j, "reactions", TP_JSON_LINE);
   for (size_t k = 0; k < l->reaction_count; k++) {
     const tp_reaction *r = l->reactions + k;
-    tp_text_add(t, "%s{", k > 0 ? ", " : "");
-    tp_json_number(t, "x_m", r->x_m);
-    tp_text_add(t, ", ");
-    tp_json_number(t, "y_m", r->y_m);
-    tp_text_add(t, ", ");
-    tp_json_number(t, "share_x", r->share_x);
-    tp_text_add(t, ", ");
-    tp_json_number(t, "share_y", r->share_y);
-    tp_text_add(t, "}");
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_bounded(j, "x_m", r->x_m);
+    tp_json_bounded(j, "y_m", r->y_m);
+    tp_json_bounded(j, "share_x", r->share_x);
+    tp_json_bounded(j, "share_y", r->share_y);
+    tp_json_close(j);
   }
-  tp_text_add(t, "]");
+  tp_json_close(j);
 }
 
 static const char *from_where(const tp_limit *back) {
@@ -79,39 +64,32 @@ static const char *from_where(const tp_limit *back) {
 }
 
 /* The least tilt at which forces hold it; null where there is none, and why. */
-static void add_holds_from(tp_text *t, const tp_limit *back) {
-  tp_text_add(t, "\"holds_from\": \"%s\", ", from_where(back));
-  if (back->kind != TP_LIMIT_AT_ANGLE) {
-    const bool nowhere = back->kind == TP_LIMIT_NOWHERE;
-    tp_text_add(t, "\"holds_from_deg\": null, \"holds_from_is\": \"%s\"",
-                back->kind == TP_LIMIT_UNDECIDED ? "undecided"
-                : nowhere                        ? "at no tilt"
-                                                 : "however far it is tilted back");
-    return;
-  }
+static void add_holds_from(tp_json *j, const tp_limit *back) {
   const tp_bounded from = {.value = 0 - back->critical_angle_deg.value,
                            .error = back->critical_angle_deg.error};
-  tp_json_number(t, "holds_from_deg", from);
+  tp_json_string(j, "holds_from", from_where(back));
+  tp_json_known(j, "holds_from_deg", back->kind == TP_LIMIT_AT_ANGLE, from);
+  if (back->kind == TP_LIMIT_AT_ANGLE) return;
+  tp_json_string(j, "holds_from_is",
+                 back->kind == TP_LIMIT_UNDECIDED ? "undecided"
+                 : back->kind == TP_LIMIT_NOWHERE ? "at no tilt"
+                                                  : "however far it is tilted back");
 }
 
-void tp_json_limit(tp_text *t, const tp_case *c) {
+void tp_json_limit(tp_json *j, const tp_case *c) {
   const tp_limit *l = &c->limit;
   if (l->kind == TP_LIMIT_NOT_ASKED) return;
-  tp_text_add(t, "      \"limit\": {");
-  add_answer(t, l);
-  tp_text_add(t, ", \"turns_up_dip\": %s", tp_json_truth(l->turns_up_dip));
-  if (l->has_facet) {
-    tp_text_add(t, ",\n        \"facet\": [");
-    add_point(t, l->facet_x0_m, l->facet_y0_m);
-    tp_text_add(t, ", ");
-    add_point(t, l->facet_x1_m, l->facet_y1_m);
-    tp_text_add(t, "]");
-  }
-  add_reactions(t, l);
-  tp_text_add(t, ",\n        \"otherwise\": {");
-  add_answer(t, &c->limit_otherwise);
-  tp_text_add(t, "}, ");
-  add_holds_from(t, &c->limit_back);
-  tp_text_add(t, ", \"base_matters\": %s, \"slides_sooner\": %s},\n",
-              tp_json_truth(c->base_matters), tp_json_truth(c->slides_sooner));
+  tp_json_object(j, "limit", TP_JSON_LINE);
+  add_answer(j, l);
+  tp_json_truth(j, "turns_up_dip", l->turns_up_dip);
+  add_facet(j, l);
+  add_reactions(j, l);
+  tp_json_break(j);
+  tp_json_object(j, "otherwise", TP_JSON_FLUSH);
+  add_answer(j, &c->limit_otherwise);
+  tp_json_close(j);
+  add_holds_from(j, &c->limit_back);
+  tp_json_truth(j, "base_matters", c->base_matters);
+  tp_json_truth(j, "slides_sooner", c->slides_sooner);
+  tp_json_close(j);
 }

@@ -75,30 +75,28 @@ void tp_page_add_loads(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "\n");
 }
 
-void tp_json_loads(tp_text *t, const tp_case *c) {
-  if (c->water_overtops) {
-    tp_text_add(t, "      ");
-    tp_json_number(t, "water_overtops_deg", c->water_overtops_deg);
-    tp_text_add(t, ",\n");
-  }
+void tp_json_loads(tp_json *j, const tp_case *c) {
+  if (c->water_overtops) tp_json_bounded(j, "water_overtops_deg", c->water_overtops_deg);
   if (c->load_count == 0) return;
-  tp_text_add(t, "      \"loads\": [");
+  tp_json_array(j, "loads", TP_JSON_BLOCK);
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
-    tp_text_add(t, "%s\n        {\"name\": \"%s\", \"called_for_by\": ", k > 0 ? "," : "", l->name);
-    tp_encode_json(t, l->called_for_by);
-    tp_text_add(t, ", ");
-    tp_json_number(t, "moment_nm", l->moment_nm);
-    tp_text_add(t, ", \"side\": \"%s\"}", side_name(l->side));
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_string(j, "name", l->name);
+    tp_json_string(j, "called_for_by", l->called_for_by);
+    tp_json_bounded(j, "moment_nm", l->moment_nm);
+    tp_json_string(j, "side", side_name(l->side));
+    tp_json_close(j);
   }
-  tp_text_add(t, "\n      ],\n");
+  tp_json_close(j);
 }
 
-void tp_json_limits(tp_text *t, const tp_pivot *pivot) {
-  tp_text_add(t, ", \"limits_deg\": [");
+/* Doubles, whatever digits were asked for. */
+void tp_json_limits(tp_json *j, const tp_pivot *pivot) {
+  tp_json_array(j, "limits_deg", TP_JSON_LINE);
   for (size_t k = 0; k < pivot->limit_count; k++) {
-    tp_text_add(t, "%s{\"value\": %.17g, \"error\": %.17g}", k > 0 ? ", " : "",
-                pivot->limits_deg[k].value, pivot->limits_deg[k].error);
+    const tp_bounded *limit = pivot->limits_deg + k;
+    tp_json_bounded(j, NULL, (tp_bounded){.value = limit->value, .error = limit->error});
   }
-  tp_text_add(t, "]");
+  tp_json_close(j);
 }

@@ -6,6 +6,7 @@
 #ifndef TP_REPORT_LOADS_H
 #define TP_REPORT_LOADS_H
 
+#include "output/json.h"
 #include "report/page.h"
 
 /* The account of moments about the governing pivot, and the tilts at which it lets go and holds
@@ -13,9 +14,9 @@
 void tp_page_add_loads(tp_page *page, const tp_case *own);
 
 /* "loads": […], for a case. */
-void tp_json_loads(tp_text *text, const tp_case *own);
+void tp_json_loads(tp_json *json, const tp_case *own);
 
 /* ", "limits_deg": […]" of a pivot under loads. */
-void tp_json_limits(tp_text *text, const tp_pivot *pivot);
+void tp_json_limits(tp_json *json, const tp_pivot *pivot);
 
 #endif

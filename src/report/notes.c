@@ -61,16 +61,15 @@ tp_status tp_report_notes(char **text, const tp_solution *solution) {
   return tp_text_finish(&t, text);
 }
 
-void tp_json_notes(tp_text *t, const tp_notes *notes) {
-  tp_text_add(t, "  \"notes\": [");
+void tp_json_notes(tp_json *j, const tp_notes *notes) {
+  tp_json_array(j, "notes", TP_JSON_LIST);
   for (size_t k = 0; k < notes->count; k++) {
     const tp_note *note = notes->items + k;
-    tp_text_add(t, "%s\n    {\"kind\": \"%s\", \"place\": ", k > 0 ? "," : "",
-                tp_note_kind_name(note->kind));
-    tp_encode_json(t, note->place);
-    tp_text_add(t, ", \"text\": ");
-    tp_encode_json(t, note->text);
-    tp_text_add(t, "}");
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_string(j, "kind", tp_note_kind_name(note->kind));
+    tp_json_string(j, "place", note->place);
+    tp_json_string(j, "text", note->text);
+    tp_json_close(j);
   }
-  tp_text_add(t, "],\n");
+  tp_json_close(j);
 }

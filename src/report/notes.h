@@ -6,13 +6,13 @@
 #ifndef TP_REPORT_NOTES_H
 #define TP_REPORT_NOTES_H
 
-#include "output/text.h"
+#include "output/json.h"
 
 /* On a page of 80 columns, each with its kind before it and its place behind it; nothing where
  * there are none. */
 void tp_text_notes(tp_text *text, const tp_notes *notes);
 
 /* `"notes": [{"kind": …, "place": …, "text": …}]` and a comma. */
-void tp_json_notes(tp_text *text, const tp_notes *notes);
+void tp_json_notes(tp_json *json, const tp_notes *notes);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "report/onset.h"
 
-#include "report/limit.h"
+#include "report/first.h"
 #include "report/words.h"
 
 bool tp_onset_is_known(const tp_onset *o) {

@@ -8,6 +8,7 @@
 #ifndef TP_REPORT_ONSET_H
 #define TP_REPORT_ONSET_H
 
+#include "output/json.h"
 #include "report/page.h"
 
 /* Is it known up to which tilt no motion can begin? */
@@ -26,10 +27,10 @@ void tp_page_add_windows(tp_page *page, const tp_onset *onset);
 void tp_page_add_motions(tp_page *page, const tp_case *own);
 
 /* The keys `onset` and `motions` of a case. */
-void tp_json_onset(tp_text *text, const tp_case *own);
+void tp_json_onset(tp_json *json, const tp_case *own);
 
 /* The key `can_begin`: what can begin at the scene's tilt; null where that is not known. */
-void tp_json_beginnings(tp_text *text, const tp_case *own);
+void tp_json_beginnings(tp_json *json, const tp_case *own);
 
 /* What can begin at the scene's tilt, in words: "slides or topples". */
 void tp_text_beginnings(tp_text *text, const tp_onset *onset);

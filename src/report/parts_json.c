@@ -3,42 +3,59 @@
 
 #include "report/parts_json.h"
 
-#include "output/encode.h"
-#include "output/json.h"
 #include "report/words.h"
 
-void tp_json_fraction(tp_text *t, const char *key, const tp_fraction *f) {
-  tp_text_add(t, "\"%s\": {\"numerator\": ", key);
-  tp_encode_json(t, f->numerator);
-  tp_text_add(t, ", \"denominator\": ");
-  tp_encode_json(t, f->denominator);
-  tp_text_add(t, "}");
+#include <stdio.h>
+
+/* A factor of safety in words, beside its key. */
+static void add_words(tp_json *j, const char *key, const char *words) {
+  char key_is[32];
+  snprintf(key_is, sizeof key_is, "%s_is", key);
+  tp_json_string(j, key_is, words);
 }
 
-void tp_json_fos(tp_text *t, const char *key, tp_fos fos) {
-  if (fos.state == TP_FOS_NUMBER) {
-    tp_json_number(t, key, fos.value);
-  } else {
-    tp_text_add(t, "\"%s\": null", key);
-  }
-  const char *why = tp_text_fos(fos);
-  if (why != NULL) tp_text_add(t, ", \"%s_is\": \"%s\"", key, why);
+void tp_json_fos(tp_json *j, const char *key, tp_fos fos) {
+  const char *words = tp_text_fos(fos);
+  tp_json_known(j, key, fos.state == TP_FOS_NUMBER, fos.value);
+  if (words != NULL) add_words(j, key, words);
 }
 
-void tp_json_critical_angle(tp_text *t, const tp_pivot *p) {
-  if (p->never || p->always) {
-    tp_text_add(t, "\"critical_angle_deg\": null, \"critical_angle_is\": \"%s\"",
-                p->never ? "never" : "always");
-  } else {
-    tp_json_number(t, "critical_angle_deg", p->critical_angle_deg);
-  }
+void tp_json_no_fos(tp_json *j, const char *key, const char *words) {
+  tp_json_null(j, key);
+  add_words(j, key, words);
 }
 
-void tp_json_tie(tp_text *t, bool tie, long bits) {
+void tp_json_tie(tp_json *j, bool tie, long bits) {
   if (!tie) return;
-  if (bits == 0) {
-    tp_text_add(t, ", \"tie_is\": \"exact\"");
+  char words[64] = "exact";
+  if (bits > 0) snprintf(words, sizeof words, "not told apart by %ld bits", bits);
+  tp_json_string(j, "tie_is", words);
+}
+
+void tp_json_fraction(tp_json *j, const char *key, const tp_fraction *f) {
+  tp_json_object(j, key, TP_JSON_LINE);
+  tp_json_string(j, "numerator", f->numerator);
+  tp_json_string(j, "denominator", f->denominator);
+  tp_json_close(j);
+}
+
+void tp_json_point(tp_json *j, const char *key, tp_bounded x_m, tp_bounded y_m) {
+  tp_json_object(j, key, TP_JSON_LINE);
+  tp_json_bounded(j, "x_m", x_m);
+  tp_json_bounded(j, "y_m", y_m);
+  tp_json_close(j);
+}
+
+void tp_json_known(tp_json *j, const char *key, bool known, tp_bounded number) {
+  if (known) {
+    tp_json_bounded(j, key, number);
   } else {
-    tp_text_add(t, ", \"tie_is\": \"not told apart by %ld bits\"", bits);
+    tp_json_null(j, key);
   }
+}
+
+void tp_json_critical_angle(tp_json *j, const tp_pivot *p) {
+  const bool none = p->never || p->always;
+  tp_json_known(j, "critical_angle_deg", !none, p->critical_angle_deg);
+  if (none) tp_json_string(j, "critical_angle_is", p->never ? "never" : "always");
 }

@@ -69,28 +69,28 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
 }
 
 /* A factor below zero is one of the governing pivot alone; elsewhere there is none. */
-static void add_fos(tp_text *t, const char *key, tp_fos fos, bool admissible) {
-  if (!admissible && tp_text_fos(fos) != NULL) {
-    tp_text_add(t, "\"%s\": null, \"%s_is\": \"%s\"", key, key, tp_text_fos(fos));
+static void add_fos(tp_json *j, const char *key, tp_fos fos, bool admissible) {
+  const char *words = tp_text_fos(fos);
+  if (!admissible && words != NULL) {
+    tp_json_no_fos(j, key, words);
   } else {
-    tp_json_fos(t, key, fos);
+    tp_json_fos(j, key, fos);
   }
 }
 
-static void add_pivot(tp_text *t, const tp_pivot *p, size_t k, bool loaded) {
-  tp_text_add(t, "        {\"index\": %zu, \"kind\": \"%s\", ", k, tp_text_pivot_kind(p->kind));
-  tp_json_number(t, "x_m", p->x_m);
-  tp_text_add(t, ", ");
-  tp_json_number(t, "y_m", p->y_m);
-  tp_text_add(t, ", ");
-  tp_json_critical_angle(t, p);
-  tp_text_add(t, ", ");
-  add_fos(t, "fos", p->fos_resultant, p->admissible);
-  tp_text_add(t, ", ");
-  add_fos(t, "fos_elements", p->fos_elements, p->admissible);
-  if (loaded) tp_json_limits(t, p);
-  tp_text_add(t, ", \"admissible\": %s%s}", tp_json_truth(p->admissible),
-              p->rounded ? ", \"rounded\": true" : "");
+static void add_pivot(tp_json *j, const tp_pivot *p, size_t k, bool loaded) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_count(j, "index", k);
+  tp_json_string(j, "kind", tp_text_pivot_kind(p->kind));
+  tp_json_bounded(j, "x_m", p->x_m);
+  tp_json_bounded(j, "y_m", p->y_m);
+  tp_json_critical_angle(j, p);
+  add_fos(j, "fos", p->fos_resultant, p->admissible);
+  add_fos(j, "fos_elements", p->fos_elements, p->admissible);
+  if (loaded) tp_json_limits(j, p);
+  tp_json_truth(j, "admissible", p->admissible);
+  if (p->rounded) tp_json_truth(j, "rounded", true);
+  tp_json_close(j);
 }
 
 static bool is_at(tp_bounded a, tp_bounded b) {
@@ -108,15 +108,13 @@ static bool matters(const tp_case *c, size_t k) {
   return p->admissible || governs(c, k) || holds;
 }
 
-void tp_json_pivots(tp_text *t, const tp_solution *s, const tp_case *c, bool all) {
-  tp_text_add(t, "      \"pivot_count\": %zu, \"pivots_listed\": \"%s\",\n      \"pivots\": [",
-              c->pivot_count, all ? "all" : "governing");
-  bool first = true;
+void tp_json_pivots(tp_json *j, const tp_solution *s, const tp_case *c, bool all) {
+  tp_json_count(j, "pivot_count", c->pivot_count);
+  tp_json_beside(j);
+  tp_json_string(j, "pivots_listed", all ? "all" : "governing");
+  tp_json_array(j, "pivots", TP_JSON_BLOCK);
   for (size_t k = 0; k < c->pivot_count; k++) {
-    if (!all && !matters(c, k)) continue;
-    tp_text_add(t, "%s\n", first ? "" : ",");
-    add_pivot(t, c->pivots + k, k, s->loaded);
-    first = false;
+    if (all || matters(c, k)) add_pivot(j, c->pivots + k, k, s->loaded);
   }
-  tp_text_add(t, "\n      ],\n");
+  tp_json_close(j);
 }

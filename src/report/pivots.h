@@ -6,6 +6,7 @@
 #ifndef TP_REPORT_PIVOTS_H
 #define TP_REPORT_PIVOTS_H
 
+#include "output/json.h"
 #include "report/page.h"
 
 /* The table of pivots, numbered as in figures. */
@@ -15,6 +16,6 @@ void tp_page_add_pivots(tp_page *page, const tp_case *own);
 const char *tp_text_turning(const tp_case *own, size_t pivot);
 
 /* The key `pivots`: all of them, or those that can govern and those that hold the block. */
-void tp_json_pivots(tp_text *text, const tp_solution *solution, const tp_case *own, bool all);
+void tp_json_pivots(tp_json *json, const tp_solution *solution, const tp_case *own, bool all);
 
 #endif

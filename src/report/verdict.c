@@ -3,7 +3,7 @@
 
 #include "report/verdict.h"
 
-#include "report/limit.h"
+#include "report/first.h"
 #include "report/onset.h"
 #include "report/words.h"
 

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/first.h"
+
+#include "report/words.h"
+
+void tp_page_add_limit_motion(tp_page *p, const tp_case *c, const tp_limit *l) {
+  tp_text_add(&p->text, "%s", tp_text_mechanism(l->mechanism));
+  if (!l->has_centre) return;
+  if (l->turns_up_dip) tp_text_add(&p->text, " turning up-dip");
+  tp_page_add_centre(p, c, l->centre_x_m, l->centre_y_m);
+}
+
+void tp_page_add_first(tp_page *p, const tp_case *c) {
+  if (c->limit.kind == TP_LIMIT_AT_ANGLE && !c->slides_sooner) {
+    tp_page_add_limit_motion(p, c, &c->limit);
+    return;
+  }
+  tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
+  if (c->first != TP_TOPPLES || !c->has_governing) return;
+  const tp_pivot *pivot = c->pivots + c->governing;
+  tp_page_add_centre(p, c, pivot->x_m, pivot->y_m);
+}
