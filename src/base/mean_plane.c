@@ -26,42 +26,38 @@ static void turn(fmpq_t a, fmpq_t b, const tp_mean_plane *p, const fmpq_t x, con
   fmpq_submul(b, p->along[1], x);
 }
 
-/* sum += weight * (f0 * 2 g0 + f0 g1 + f1 g0 + f1 * 2 g1) / 6 */
+/* sum += weight * (f0 * 2 g0 + f0 g1 + f1 g0 + f1 * 2 g1) */
 static void add_product(fmpq_t sum, const fmpq_t weight, const fmpq_t f0, const fmpq_t f1,
                         const fmpq_t g0, const fmpq_t g1) {
-  fmpq_t own, twice;
+  fmpq_t own, both, inner;
   fmpq_init(own);
-  fmpq_init(twice);
-  fmpq_add(twice, g0, g0);
-  fmpq_add(twice, twice, g1);
-  fmpq_mul(own, f0, twice);
-  fmpq_add(twice, g1, g1);
-  fmpq_add(twice, twice, g0);
-  fmpq_addmul(own, f1, twice);
-  fmpq_div_2exp(own, own, 1);
-  fmpq_set_si(twice, 1, 3);
-  fmpq_mul(own, own, twice);
+  fmpq_init(both);
+  fmpq_init(inner);
+  fmpq_add(both, g0, g1);
+  fmpq_add(inner, both, g0);
+  fmpq_mul(own, f0, inner);
+  fmpq_add(inner, both, g1);
+  fmpq_addmul(own, f1, inner);
   fmpq_addmul(sum, weight, own);
   fmpq_clear(own);
-  fmpq_clear(twice);
+  fmpq_clear(both);
+  fmpq_clear(inner);
 }
 
 void tp_mean_plane_add(tp_mean_plane *p, const fmpq_t x0, const fmpq_t y0, const fmpq_t x1,
                        const fmpq_t y1) {
-  fmpq_t a0, b0, a1, b1, weight, mean;
-  fmpq *const all[] = {a0, b0, a1, b1, weight, mean};
+  fmpq_t a0, b0, a1, b1, weight, both;
+  fmpq *const all[] = {a0, b0, a1, b1, weight, both};
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
   turn(a0, b0, p, x0, y0);
   turn(a1, b1, p, x1, y1);
   fmpq_sub(weight, a1, a0);
   fmpq_abs(weight, weight);
   fmpq_add(p->length, p->length, weight);
-  fmpq_add(mean, a0, a1);
-  fmpq_div_2exp(mean, mean, 1);
-  fmpq_addmul(p->a, weight, mean);
-  fmpq_add(mean, b0, b1);
-  fmpq_div_2exp(mean, mean, 1);
-  fmpq_addmul(p->b, weight, mean);
+  fmpq_add(both, a0, a1);
+  fmpq_addmul(p->a, weight, both);
+  fmpq_add(both, b0, b1);
+  fmpq_addmul(p->b, weight, both);
   add_product(p->aa, weight, a0, a1, a0, a1);
   add_product(p->ab, weight, a0, a1, b0, b1);
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
@@ -71,20 +67,28 @@ bool tp_mean_plane_direction(fmpq_t u, fmpq_t v, const tp_mean_plane *p) {
   if (fmpq_is_zero(p->along[0]) && fmpq_is_zero(p->along[1])) return false;
   fmpq_set(u, p->along[0]);
   fmpq_set(v, p->along[1]);
-  fmpq_t slope, variance;
+  fmpq_t slope, variance, square; /* both sums times 12 L */
   fmpq_init(slope);
   fmpq_init(variance);
+  fmpq_init(square);
   fmpq_mul(variance, p->aa, p->length);
-  fmpq_submul(variance, p->a, p->a);
+  fmpq_add(variance, variance, variance);
+  fmpq_mul(square, p->a, p->a);
+  fmpq_mul_ui(square, square, 3);
+  fmpq_sub(variance, variance, square);
   if (!fmpq_is_zero(variance)) { /* else no facet lies along the line at all */
     fmpq_mul(slope, p->ab, p->length);
-    fmpq_submul(slope, p->a, p->b);
+    fmpq_add(slope, slope, slope);
+    fmpq_mul(square, p->a, p->b);
+    fmpq_mul_ui(square, square, 3);
+    fmpq_sub(slope, slope, square);
     fmpq_div(slope, slope, variance);
     fmpq_submul(u, slope, p->along[1]);
     fmpq_addmul(v, slope, p->along[0]);
   }
   fmpq_clear(slope);
   fmpq_clear(variance);
+  fmpq_clear(square);
   return true;
 }
 

@@ -19,7 +19,7 @@
 
 typedef struct tp_mean_plane {
   fmpq_t along[2];             /* the line between the ends */
-  fmpq_t length, a, b, aa, ab; /* the sums */
+  fmpq_t length, a, b, aa, ab; /* L, 2 S_a, 2 S_b, 6 S_aa, 6 S_ab: whole where the points are */
 } tp_mean_plane;
 
 void tp_mean_plane_init(tp_mean_plane *plane);

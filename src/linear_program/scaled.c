@@ -15,7 +15,7 @@ static double in_units(const arb_t ball, long exponent) {
   arf_t middle;
   arf_init(middle);
   arf_mul_2exp_si(middle, arb_midref(ball), -exponent);
-  const double value = arf_get_d(middle, ARF_RND_NEAR);
+  const double value = tp_ball_nearest(middle);
   arf_clear(middle);
   return value;
 }
@@ -56,7 +56,7 @@ static bool to_double(double *value, const arb_t ball) {
       arf_cmpabs_2exp_si(arb_midref(ball), DBL_MANT_DIG) > 0) {
     return false;
   }
-  *value = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+  *value = tp_ball_nearest(arb_midref(ball));
   return true;
 }
 

@@ -6,9 +6,45 @@
 #include <float.h>
 #include <math.h>
 
+/* Well within the range of doubles, and no pointer. */
+static bool is_moderate(fmpz exponent) {
+  enum { MOST = 1000 };
+  return exponent < MOST && exponent > -MOST;
+}
+
+/* By hand, as arf_get_d goes by way of MPFR. */
+double tp_ball_nearest(const arf_struct *number) {
+  enum { LOST_BITS = FLINT_BITS - DBL_MANT_DIG };
+  mp_srcptr words;
+  mp_size_t count;
+  if (arf_is_special(number) || !is_moderate(ARF_EXP(number))) {
+    return arf_get_d(number, ARF_RND_NEAR);
+  }
+  ARF_GET_MPN_READONLY(words, count, number);
+  const mp_limb_t top = words[count - 1], half = (mp_limb_t)1 << (LOST_BITS - 1);
+  const mp_limb_t lost = top & (2 * half - 1);
+  mp_limb_t kept = top >> LOST_BITS;
+  /* the lowest word is not zero: where there is one below the top, something is lost in it */
+  if (lost > half || (lost == half && (count > 1 || (kept & 1) != 0))) kept++;
+  const double size = ldexp((double)kept, (int)ARF_EXP(number) - DBL_MANT_DIG);
+  return ARF_SGNBIT(number) ? -size : size;
+}
+
+/* Its 30 bits are a double. */
+static double above(const mag_t size) {
+  if (is_moderate(MAG_EXP(size)))
+    return ldexp((double)MAG_MAN(size), (int)MAG_EXP(size) - MAG_BITS);
+  arf_t exact;
+  arf_init(exact);
+  arf_set_mag(exact, size);
+  const double result = arf_get_d(exact, ARF_RND_UP);
+  arf_clear(exact);
+  return result;
+}
+
 tp_bounded tp_ball_bounded(const arb_t ball) {
   if (!arb_is_finite(ball)) return (tp_bounded){.error = INFINITY};
-  tp_bounded result = {.value = arf_get_d(arb_midref(ball), ARF_RND_NEAR)};
+  tp_bounded result = {.value = tp_ball_nearest(arb_midref(ball))};
   if (!isfinite(result.value)) {
     return (tp_bounded){.value = copysign(DBL_MAX, result.value), .error = INFINITY};
   }
@@ -20,8 +56,7 @@ tp_bounded tp_ball_bounded(const arb_t ball) {
   arf_sub(rest, rest, arb_midref(ball), ARF_PREC_EXACT, ARF_RND_UP);
   arf_get_mag(error, rest);
   mag_add(error, error, arb_radref(ball));
-  arf_set_mag(rest, error);
-  result.error = arf_get_d(rest, ARF_RND_UP);
+  result.error = above(error);
   arf_clear(rest);
   mag_clear(error);
   return result;

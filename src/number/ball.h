@@ -27,6 +27,9 @@ static inline int tp_ball_sign(const arb_t ball) {
   return arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;
 }
 
+/* The double nearest to a finite number, half to even; an infinity beyond all. */
+double tp_ball_nearest(const arf_struct *number);
+
 /* Enclosure of the ball by a double and a double bound, both rounded the safe way. */
 tp_bounded tp_ball_bounded(const arb_t ball);
 

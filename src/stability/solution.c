@@ -93,8 +93,12 @@ static void describe_teeth(tp_solution *solution, const tp_scene *scene) {
   result->right_end = right_valley ? TP_PIVOT_VALLEY : TP_PIVOT_PEAK;
 }
 
-/* What is exact about the pivots, once for all rungs. */
-static void describe_pivots(tp_case *own, const tp_problem *problem) {
+/* What is exact about the pivots, once for all rungs and for both directions. */
+static void describe_pivots(tp_case *own, const tp_case *described, const tp_problem *problem) {
+  if (described != NULL) {
+    memcpy(own->pivots, described->pivots, own->pivot_count * sizeof *own->pivots);
+    return;
+  }
   for (size_t k = 0; k < own->pivot_count; k++) {
     const tp_contact_point *p = problem->contact.points + k;
     own->pivots[k] = (tp_pivot){.kind = p->kind,
@@ -113,7 +117,7 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
     own->pivot_count = (size_t)problem->contact.point_count;
     own->pivots = calloc(own->pivot_count, sizeof *own->pivots);
     if (own->pivots == NULL) return tp_fail_memory(message, "the pivots");
-    describe_pivots(own, problem);
+    describe_pivots(own, own > solution->cases ? solution->cases : NULL, problem);
     if (problem->loaded) {
       own->loads = calloc((size_t)tp_loaded_account_count(problem->scene), sizeof *own->loads);
       own->limits = calloc(own->pivot_count * TP_ROOTS_MAX, sizeof *own->limits);

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Contact points sorted by the exact order of t . q within their families: doubles first where they
+ * tell two apart, then words where all numbers are whole and short, as on a lattice, or balls. */
+
+#include "motion/normals_order.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* t below 2^25 and q up to 2^36: t . q is below 2^62. */
+enum { SHORT_BITS = 25, WHOLE_BITS = 36 };
+
+static int whole_order(fmpz a, fmpz b) {
+  if (COEFF_IS_MPZ(a) || COEFF_IS_MPZ(b)) return fmpz_cmp(&a, &b);
+  return (a > b) - (a < b);
+}
+
+/* Where all is whole one slope is one axis. */
+static int compare_whole(const void *left, const void *right) {
+  const tp_normal_entry *a = left, *b = right;
+  if (a->slope != b->slope) return a->slope < b->slope ? -1 : 1;
+  const bool against = tp_normal_entry_is_against(a);
+  if (against != tp_normal_entry_is_against(b)) return against ? -1 : 1;
+  if (a->as.whole.along != b->as.whole.along) {
+    return a->as.whole.along < b->as.whole.along ? -1 : 1;
+  }
+  if (a->as.whole.site != b->as.whole.site) return a->as.whole.site < b->as.whole.site ? -1 : 1;
+  return a->tag < b->tag ? -1 : a->tag > b->tag; /* by points */
+}
+
+static int axis_order(const tp_normal_entry *a, const tp_normal_entry *b) {
+  if (a->slope != b->slope) return a->slope < b->slope ? -1 : 1;
+  if (tp_normal_entry_is_short(a) && tp_normal_entry_is_short(b)) return 0;
+  const tp_normal_place *own = a->as.ball.place, *other = b->as.ball.place;
+  const int order = whole_order(own->axis_x, other->axis_x);
+  return order != 0 ? order : whole_order(own->axis_y, other->axis_y);
+}
+
+static int compare_balls(const void *left, const void *right) {
+  const tp_normal_entry *own = left, *other = right;
+  const int axis = axis_order(own, other);
+  if (axis != 0) return axis;
+  const bool against = tp_normal_entry_is_against(own);
+  if (against != tp_normal_entry_is_against(other)) return against ? -1 : 1;
+  if (own->as.ball.along != other->as.ball.along) {
+    return own->as.ball.along < other->as.ball.along ? -1 : 1;
+  }
+  const tp_normal_place *a = own->as.ball.place, *b = other->as.ball.place;
+  const int along = arf_cmp(arb_midref(a->along), arb_midref(b->along));
+  if (along != 0) return along;
+  if (a->site != b->site) return a->site < b->site ? -1 : 1;
+  return own->tag < other->tag ? -1 : own->tag > other->tag; /* by points */
+}
+
+static double slope_of(const fmpz *axis_x, const fmpz *axis_y) {
+  if (fmpz_is_zero(axis_x)) return INFINITY;
+  slong along, up;
+  const double x = fmpz_get_d_2exp(&along, axis_x), y = fmpz_get_d_2exp(&up, axis_y);
+  const slong most = 2000; /* beyond the exponents of doubles */
+  const slong shift = up - along;
+  return ldexp(y / x, (int)(shift > most ? most : shift < -most ? -most : shift));
+}
+
+static bool is_short(const fmpz *number) {
+  return fmpz_bits(number) <= SHORT_BITS;
+}
+
+static bool is_whole_ball(const arb_t ball) {
+  return arb_is_exact(ball) && arf_is_int(arb_midref(ball)) &&
+         arf_cmpabs_2exp_si(arb_midref(ball), WHOLE_BITS) <= 0;
+}
+
+static bool is_whole(const tp_normals *n) {
+  for (long k = 0; k < n->cones->count; k++) {
+    if (!is_short(n->tx + k) || !is_short(n->ty + k) || !is_whole_ball(n->cones->x + k) ||
+        !is_whole_ball(n->cones->y + k)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* 1 or -1. */
+static int sense_of(const fmpz *tx, const fmpz *ty) {
+  const int along = fmpz_sgn(tx);
+  return along != 0 ? along : fmpz_sgn(ty);
+}
+
+static long word_of(const arb_t whole) {
+  return arf_get_si(arb_midref(whole), ARF_RND_DOWN);
+}
+
+static long tag_of(long point, bool is_short, bool is_against) {
+  return 4 * point + 2 * is_short + is_against;
+}
+
+static void set_whole(tp_normal_entry *e, const tp_normals *n, long point) {
+  const long tx = n->tx[point], ty = n->ty[point]; /* short */
+  const bool is_against = tx < 0 || (tx == 0 && ty < 0);
+  const double x = (double)(is_against ? -tx : tx), y = (double)(is_against ? -ty : ty);
+  *e = (tp_normal_entry){.slope = tx == 0 ? INFINITY : y / x,
+                         .tag = tag_of(point, true, is_against)};
+  e->as.whole.along = word_of(n->cones->x + point) * tx + word_of(n->cones->y + point) * ty;
+  e->as.whole.site = n->cones->points[point].site;
+}
+
+static void set_balls(tp_normal_entry *e, tp_normal_place *p, const tp_normals *n, long point) {
+  const fmpz *tx = n->tx + point, *ty = n->ty + point;
+  const int sense = sense_of(tx, ty);
+  p->site = n->cones->points[point].site;
+  fmpz_mul_si(&p->axis_x, tx, sense);
+  fmpz_mul_si(&p->axis_y, ty, sense);
+  arb_init(p->along);
+  tp_normals_set_along(p->along, n, point);
+  *e = (tp_normal_entry){.slope = slope_of(&p->axis_x, &p->axis_y),
+                         .tag = tag_of(point, is_short(tx) && is_short(ty), sense < 0)};
+  e->as.ball.along = tp_normals_top(arb_midref(p->along), 0);
+  e->as.ball.place = p;
+}
+
+bool tp_normals_order_init(tp_normals_order *order, const tp_normals *n) {
+  const long count = n->cones->count;
+  *order = (tp_normals_order){.is_whole = is_whole(n)};
+  order->entries = calloc((size_t)count + 1, sizeof *order->entries);
+  if (!order->is_whole) order->places = calloc((size_t)count + 1, sizeof *order->places);
+  if (order->entries == NULL || (!order->is_whole && order->places == NULL)) {
+    tp_normals_order_clear(order);
+    return false;
+  }
+  order->count = count;
+  for (long k = 0; k < count; k++) {
+    if (order->is_whole) {
+      set_whole(order->entries + k, n, k);
+    } else {
+      set_balls(order->entries + k, order->places + k, n, k);
+    }
+  }
+  qsort(order->entries, (size_t)count, sizeof *order->entries,
+        order->is_whole ? compare_whole : compare_balls);
+  return true;
+}
+
+void tp_normals_order_clear(tp_normals_order *order) {
+  for (long k = 0; k < order->count && order->places != NULL; k++) {
+    fmpz_clear(&order->places[k].axis_x);
+    fmpz_clear(&order->places[k].axis_y);
+    arb_clear(order->places[k].along);
+  }
+  free(order->entries);
+  free(order->places);
+  memset(order, 0, sizeof *order);
+}
+
+bool tp_normals_order_same_axis(const tp_normals_order *order, long k, long other) {
+  const tp_normal_entry *a = order->entries + k, *b = order->entries + other;
+  return order->is_whole ? a->slope == b->slope : axis_order(a, b) == 0;
+}
+
+int tp_normals_order_same_line(const tp_normals_order *order, long k, long other,
+                               const tp_judge *judge) {
+  const tp_normal_entry *one = order->entries + k, *two = order->entries + other;
+  if (order->is_whole) return one->as.whole.along == two->as.whole.along;
+  const tp_normal_place *a = one->as.ball.place, *b = two->as.ball.place;
+  if (a->site == b->site) return 1;
+  if (arb_is_exact(a->along) && arb_is_exact(b->along)) return arb_equal(a->along, b->along);
+  arb_t gap;
+  arb_init(gap);
+  arb_sub(gap, a->along, b->along, judge->precision);
+  tp_vector size;
+  tp_vector_init(&size);
+  arb_set(size.of, a->along);
+  const int sign = tp_judge_sign(judge, gap, tp_vector_log2_size(&size));
+  tp_vector_clear(&size);
+  arb_clear(gap);
+  return sign == TP_OPEN_SIGN ? TP_OPEN_SIGN : sign == 0;
+}
+
+/* As tp_normals_near does with balls: over the power of two next above the largest. */
+static void set_near(double near[3], const long h[3]) {
+  unsigned long all = 0;
+  for (int k = 0; k < 3; k++) all |= (unsigned long)labs(h[k]);
+  const double unit = ldexp(1, -(int)FLINT_BIT_COUNT(all));
+  for (int k = 0; k < 3; k++) near[k] = (double)h[k] * unit;
+}
+
+void tp_normals_order_near(double near[3], const tp_normals_order *order, long k,
+                           const tp_normals *n) {
+  const tp_normal_entry *e = order->entries + k;
+  const long point = tp_normal_entry_point(e);
+  if (order->is_whole) {
+    set_near(near, (long[3]){-n->ty[point], n->tx[point], e->as.whole.along});
+    return;
+  }
+  tp_vector h;
+  tp_vector_init(&h);
+  arb_set_fmpz(h.of, n->ty + point);
+  arb_neg(h.of, h.of);
+  arb_set_fmpz(h.of + 1, n->tx + point);
+  arb_set(h.of + 2, e->as.ball.place->along);
+  tp_normals_near(near, &h);
+  tp_vector_clear(&h);
+}
