@@ -11,6 +11,7 @@
 #include "verify/mend.h"
 
 #include "derive/field_work.h"
+#include "verify/evaluate.h"
 
 #include <math.h>
 #include <stdio.h>
