@@ -7,7 +7,7 @@
 #ifndef TP_FORMULA_PARSER_H
 #define TP_FORMULA_PARSER_H
 
-#include "formula/formula.h"
+#include "formula/read.h"
 
 typedef struct tp_parser {
   tp_formula *formula;

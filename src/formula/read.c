@@ -66,8 +66,9 @@ long tp_parser_binary(tp_parser *p, tp_formula_kind kind, long left, long right,
   if (node == NULL) return -1;
   node->left = left;
   node->right = right;
-  node->begin = p->formula->nodes[left].begin;
-  node->end = p->formula->nodes[right].end;
+  const tp_formula_node *first = p->formula->nodes + left, *last = p->formula->nodes + right;
+  node->begin = first->begin;
+  node->end = first->end > last->end ? first->end : last->end; /* sin^2 x ends with x */
   return p->formula->count - 1;
 }
 

@@ -4,6 +4,7 @@
 #include "scene/expression.h"
 
 #include "formula/rational.h"
+#include "formula/read.h"
 #include "formula/spelling.h"
 #include "number/ratio.h"
 

@@ -4,7 +4,7 @@
 /* Ranges of angles over a domain: equal tangents say that two angles differ by a multiple of 180
  * degrees, and ranges that do not reach so far say that it is none. */
 
-#include "verify/decide.h"
+#include "verify/angle_range.h"
 
 #include "number/ball.h"
 #include "verify/domain.h"

@@ -8,7 +8,7 @@
  * (cos t_k + i sin t_k)^n_k and of i^m. The tangent needs only twice the angle to be of that form:
  * tan x = sin 2x / (1 + cos 2x). */
 
-#include "verify/evaluate.h"
+#include "verify/angles.h"
 
 #include "derive/field_work.h"
 

@@ -4,7 +4,7 @@
 /* Quantities of the contact of a block with its base. For all numbers of teeth they are those of
  * one tooth: c / a its slope, c its amplitude, N a the width. */
 
-#include "verify/quantities.h"
+#include "verify/quantity_rules.h"
 
 #include "derive/field_work.h"
 

@@ -6,7 +6,8 @@
 #ifndef TP_CLAIMS_H
 #define TP_CLAIMS_H
 
-#include "verify/evaluate.h"
+#include "verify/domain.h"
+#include "verify/subject_init.h"
 
 /* A block that claims are about. */
 typedef struct tp_geometry {

@@ -5,6 +5,7 @@
 
 #include "verify/claims.h"
 
+#include "formula/spelling.h"
 #include "outside.h"
 
 #include <stdarg.h>

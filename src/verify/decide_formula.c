@@ -14,41 +14,12 @@
 #include "verify/decide.h"
 
 #include "derive/field_work.h"
+#include "verify/angle_range.h"
+#include "verify/mend.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-tp_status tp_decide_difference(fmpz_mpoly_q_t difference, fmpz_mpoly_q_struct *derived,
-                               bool *rational, bool *tangents, const tp_question *q) {
-  tp_subject *s = q->subject;
-  const tp_field *field = s->field;
-  const fmpz_mpoly_ctx_struct *ring = field->ring;
-  fmpz_mpoly_q_t value;
-  fmpz_mpoly_q_init(value, ring);
-  bool both = false;
-  *rational = *tangents = false;
-  tp_status status = tp_evaluate_tangent(value, rational, q->quantity, s, q->message);
-  if (status == TP_OK && *rational) {
-    status = tp_evaluate_tangent(difference, &both, q->printed, s, q->message);
-  }
-  *tangents = both;
-  if (status == TP_OK && !both) {
-    status = tp_evaluate_field(value, rational, q->quantity, s, q->message);
-    if (status == TP_OK) status = tp_evaluate_field(difference, &both, q->printed, s, q->message);
-  }
-  *rational = *rational && both;
-  if (status == TP_OK && *rational) {
-    tp_field_sub(difference, difference, value, field);
-    tp_subject_reduce(difference, s);
-    if (derived != NULL) fmpz_mpoly_q_swap(derived, value, field->ring);
-    const char *problem = tp_field_problem(field);
-    if (problem != NULL) {
-      status = tp_formula_fail(q->printed, tp_formula_root(q->printed), q->message, problem);
-    }
-  }
-  fmpz_mpoly_q_clear(value, ring);
-  return status;
-}
 
 /* What the branches of a claim say. */
 typedef struct survey {
@@ -84,7 +55,7 @@ static tp_status name_branch(char **text, const tp_branches *b, const tp_questio
   tp_status status = TP_OK;
   for (long k = 0; k < b->count && status == TP_OK; k++) {
     char *one = NULL;
-    status = tp_decide_write(&one, b->items[k].of, q);
+    status = tp_question_write(&one, b->items[k].of, q);
     const size_t size = (all != NULL ? strlen(all) : 0) + (one != NULL ? strlen(one) : 0) + 16;
     char *longer = status == TP_OK ? malloc(size) : NULL;
     if (status == TP_OK && longer == NULL) status = tp_fail_memory(q->message, "a claim");
@@ -109,7 +80,7 @@ static tp_status survey_branch(survey *v, bool *formed, bool first, const tp_que
   fmpz_mpoly_q_init(derived, ring);
   bool rational = false;
   tp_branches_use(&v->branches, q->subject);
-  tp_status status = tp_decide_difference(difference, derived, &rational, &v->tangents, q);
+  tp_status status = tp_question_difference(difference, derived, &rational, &v->tangents, q);
   *formed = status == TP_OK;
   if (status == TP_OK && !rational) {
     v->rational = false;
@@ -168,7 +139,7 @@ static tp_status find_vanishing(char **text, const survey *v, const tp_question 
       shared = fmpz_mpoly_total_degree_si(fmpz_mpoly_q_numref(rest), ring) < before;
     }
     if (tp_domain_sign(rest, q->subject->domain, true) == 0)
-      status = tp_decide_write(text, rest, q);
+      status = tp_question_write(text, rest, q);
   }
   fmpz_mpoly_q_clear(rest, ring);
   fmpz_mpoly_q_clear(below, ring);
@@ -215,7 +186,7 @@ static tp_status decide_identity(tp_claim_result *result, const survey *v, const
 
 static tp_status refute(tp_claim_result *result, const survey *v, const tp_question *q) {
   result->verdict = TP_VERDICT_REFUTED;
-  tp_status status = tp_decide_write(&result->difference, v->difference, q);
+  tp_status status = tp_question_write(&result->difference, v->difference, q);
   if (status == TP_OK) status = tp_decide_witness(result, q);
   tp_branches_use(NULL, q->subject);
   return status == TP_OK ? tp_mend_find(result, q) : status;
@@ -243,7 +214,7 @@ tp_status tp_decide_formula(tp_claim_result *result, const tp_question *q) {
   tp_status status = survey_all(&v, q);
   result->is_tangent = v.rational && v.tangents;
   if (status == TP_OK && v.rational && v.equal + v.other > 0) {
-    status = tp_decide_write(&result->derived, v.derived, q);
+    status = tp_question_write(&result->derived, v.derived, q);
   }
   if (status != TP_OK) {
     survey_clear(&v, q);

@@ -15,6 +15,7 @@
 #include "number/ball.h"
 #include "number/ratio.h"
 #include "outside.h"
+#include "verify/evaluate.h"
 
 #include <ctype.h>
 #include <stdlib.h>

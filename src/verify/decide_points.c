@@ -15,6 +15,7 @@
 
 #include "derive/field_work.h"
 #include "number/ball.h"
+#include "verify/evaluate.h"
 #include "verify/points.h"
 
 #include <stdio.h>
@@ -36,8 +37,8 @@ static tp_status values_text(char **out, const tp_question *q, const tp_sample *
   char text[600];
   int *used = calloc((size_t)sample->count, sizeof *used);
   if (used == NULL) return tp_fail_memory(q->message, "a claim");
-  tp_status status = tp_evaluate_used(used, q->printed, q->subject, q->message);
-  if (status == TP_OK) status = tp_evaluate_used(used, q->quantity, q->subject, q->message);
+  tp_status status = tp_subject_used(used, q->printed, q->subject, q->message);
+  if (status == TP_OK) status = tp_subject_used(used, q->quantity, q->subject, q->message);
   tp_sample_text(text, sizeof text, sample, q->subject, used);
   free(used);
   if (status != TP_OK) return status;

@@ -3,7 +3,7 @@
 
 /* The domain of a claim. */
 
-#include "verify/domain_images.h"
+#include "verify/domain.h"
 
 #include "derive/field_work.h"
 
@@ -12,16 +12,12 @@
 void tp_domain_free(tp_domain *d) {
   if (d == NULL) return;
   const fmpz_mpoly_ctx_struct *ring = d->subject->field->ring;
-  for (long k = 0; d->images != NULL && k < d->symbol_count; k++) {
-    fmpz_mpoly_q_clear(d->images + k, ring);
-  }
   for (long k = 0; k < d->bounds_count; k++) {
     fmpz_mpoly_q_clear(d->bounds[k].low, ring);
     fmpz_mpoly_q_clear(d->bounds[k].high, ring);
   }
+  tp_images_clear(&d->images);
   free(d->bounds);
-  free(d->images);
-  free(d->free);
   free(d->signs);
   free(d);
 }
@@ -36,21 +32,16 @@ tp_domain *tp_domain_new(const tp_subject *s, const tp_sample *sample) {
   if (d == NULL) return NULL;
   d->subject = s;
   d->symbol_count = s->field->symbol_count;
-  d->free = calloc((size_t)d->symbol_count, sizeof *d->free);
-  d->images = calloc((size_t)d->symbol_count, sizeof *d->images);
   d->signs = calloc((size_t)d->symbol_count, sizeof *d->signs);
-  if (d->free == NULL || d->images == NULL || d->signs == NULL) {
-    free(d->images);
-    d->images = NULL;
+  if (d->signs == NULL || !tp_images_init(&d->images, s->field)) {
     tp_domain_free(d);
     return NULL;
   }
   for (long k = 0; k < d->symbol_count; k++) {
     const int sign = fmpq_sgn(sample->values + k);
-    fmpz_mpoly_q_init(d->images + k, ring);
-    fmpz_mpoly_q_gen(d->images + k, k, ring);
-    if (sign < 0) fmpz_mpoly_q_neg(d->images + k, d->images + k, ring);
-    d->free[k] = sign == 0;
+    fmpz_mpoly_q_struct *image = d->images.of + k;
+    if (sign < 0) fmpz_mpoly_q_neg(image, image, ring);
+    d->images.free[k] = sign == 0;
     d->signs[k] = sign;
   }
   fmpq_t low, high;
@@ -59,9 +50,9 @@ tp_domain *tp_domain_new(const tp_subject *s, const tp_sample *sample) {
   fmpq_set_si(high, 90, 1);
   for (long k = 0; k < s->angle_count; k++) {
     const tp_angle *a = s->angles + k;
-    d->free[a->degrees] = !within_right_angle(sample->values + a->degrees);
-    if (!d->free[a->degrees]) fmpz_mpoly_q_gen(d->images + a->degrees, a->degrees, ring);
-    if (!d->free[a->degrees]) tp_domain_image_angle(d, a, low, high);
+    d->images.free[a->degrees] = !within_right_angle(sample->values + a->degrees);
+    if (!d->images.free[a->degrees]) fmpz_mpoly_q_gen(d->images.of + a->degrees, a->degrees, ring);
+    if (!d->images.free[a->degrees]) tp_images_set_angle(&d->images, a, low, high);
   }
   fmpq_clear(low);
   fmpq_clear(high);
@@ -108,7 +99,7 @@ static bool bound_angle(tp_domain *d, const tp_bounds *b, const tp_angle *angle)
                tp_field_evaluate_at(high, b->high, d->subject->values, d->subject->field) &&
                fmpq_cmp_si(low, -179) >= 0 && fmpq_cmp_si(high, 179) <= 0 &&
                fmpq_cmp(low, high) < 0;
-  if (known) tp_domain_image_angle(d, angle, low, high);
+  if (known) tp_images_set_angle(&d->images, angle, low, high);
   fmpq_clear(low);
   fmpq_clear(high);
   return known;
@@ -141,7 +132,7 @@ tp_status tp_domain_bound(tp_domain *d, const tp_bounds *bounds, const tp_sample
     return tp_fail(message, TP_BAD_INPUT, place,
                    "the domain of an angle is two numbers of degrees between -179 and 179");
   }
-  tp_domain_image_symbol(d, own);
+  tp_images_set_symbol(&d->images, own);
   return tp_field_check(d->subject->field, place, message);
 }
 
@@ -155,7 +146,7 @@ const tp_bounds *tp_domain_bounds_of(const tp_domain *d, long symbol) {
 bool tp_domain_angle(double *low, double *high, const tp_domain *d, long angle) {
   const long symbol = d->subject->angles[angle].degrees;
   const tp_bounds *b = tp_domain_bounds_of(d, symbol);
-  if (d->free[symbol] && b == NULL) return false;
+  if (d->images.free[symbol] && b == NULL) return false;
   *low = 0;
   *high = 90;
   if (b == NULL) return true;
@@ -177,8 +168,8 @@ bool tp_domain_holds(const tp_domain *d, const tp_sample *sample) {
     if (bounds != NULL) {
       if (!inside(d, bounds, sample, true)) return false;
     } else if (tp_domain_angle_of(d, k) != NULL) {
-      if (!d->free[k] && !within_right_angle(value)) return false;
-    } else if (!d->free[k] && sign != 0 && fmpq_sgn(value) != sign) {
+      if (!d->images.free[k] && !within_right_angle(value)) return false;
+    } else if (!d->images.free[k] && sign != 0 && fmpq_sgn(value) != sign) {
       return false;
     }
   }

@@ -15,21 +15,14 @@
 #ifndef TP_DOMAIN_H
 #define TP_DOMAIN_H
 
-#include "verify/evaluate.h"
-
-/* Bounds of a symbol, open; `has_…` false: none. */
-typedef struct tp_bounds {
-  long symbol;
-  bool has_low, has_high;
-  fmpz_mpoly_q_t low, high;
-} tp_bounds;
+#include "verify/domain_images.h"
+#include "verify/sample.h"
 
 struct tp_domain {
   const tp_subject *subject;
   long symbol_count;
-  bool *free;                  /* by symbol: any value */
-  int *signs;                  /* by symbol without bounds: of its value at the claim */
-  fmpz_mpoly_q_struct *images; /* by symbol: in terms of t, for which the symbol itself stands */
+  int *signs;       /* by symbol without bounds: of its value at the claim */
+  tp_images images; /* of the symbols, in terms of t */
   long bounds_count, bounds_capacity;
   tp_bounds *bounds;
 };

@@ -1,9 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+/* The substitutions of the head of domain.h: t, low + t, (low + high t)/(1 + t) for a symbol; for
+ * an angle tan(angle/2) so, with ends that are rounded outwards by 2^-40, and sine and cosine from
+ * that. */
+
 #include "verify/domain_images.h"
 
 #include "derive/field_work.h"
+
+#include <stdlib.h>
+
+bool tp_images_init(tp_images *images, const tp_field *field) {
+  const size_t count = (size_t)field->symbol_count;
+  *images = (tp_images){.field = field,
+                        .free = calloc(count, sizeof *images->free),
+                        .of = calloc(count, sizeof *images->of)};
+  if (images->free == NULL || images->of == NULL) {
+    free(images->free);
+    free(images->of);
+    *images = (tp_images){0};
+    return false;
+  }
+  for (long k = 0; k < field->symbol_count; k++) {
+    fmpz_mpoly_q_init(images->of + k, field->ring);
+    fmpz_mpoly_q_gen(images->of + k, k, field->ring);
+  }
+  return true;
+}
+
+void tp_images_clear(tp_images *images) {
+  for (long k = 0; images->of != NULL && k < images->field->symbol_count; k++) {
+    fmpz_mpoly_q_clear(images->of + k, images->field->ring);
+  }
+  free(images->of);
+  free(images->free);
+}
 
 /* tan(degrees / 2) as a rational number, outwards by 2^-40 where it is none. */
 static void half_tangent(fmpq_t tangent, const fmpq_t degrees, bool upwards) {
@@ -27,9 +59,9 @@ static void half_tangent(fmpq_t tangent, const fmpq_t degrees, bool upwards) {
   fmpz_clear(rounded);
 }
 
-void tp_domain_image_angle(tp_domain *d, const tp_angle *angle, const fmpq_t low,
-                           const fmpq_t high) {
-  const tp_field *field = d->subject->field;
+void tp_images_set_angle(tp_images *images, const tp_angle *angle, const fmpq_t low,
+                         const fmpq_t high) {
+  const tp_field *field = images->field;
   const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpq_t first, last;
   fmpz_mpoly_q_t t, n, one;
@@ -49,10 +81,10 @@ void tp_domain_image_angle(tp_domain *d, const tp_angle *angle, const fmpq_t low
   fmpz_mpoly_q_one(one, ring);
   tp_field_sub(one, one, n, field);
   fmpz_mpoly_q_add_si(n, n, 1, ring);
-  tp_field_div(d->images + angle->cosine, one, n, field);
+  tp_field_div(images->of + angle->cosine, one, n, field);
   tp_field_add(t, t, t, field);
-  tp_field_div(d->images + angle->sine, t, n, field);
-  d->free[angle->sine] = d->free[angle->cosine] = false;
+  tp_field_div(images->of + angle->sine, t, n, field);
+  images->free[angle->sine] = images->free[angle->cosine] = false;
   fmpz_mpoly_q_clear(t, ring);
   fmpz_mpoly_q_clear(n, ring);
   fmpz_mpoly_q_clear(one, ring);
@@ -61,8 +93,8 @@ void tp_domain_image_angle(tp_domain *d, const tp_angle *angle, const fmpq_t low
 }
 
 /* A bound in terms of the t of the symbols in it. */
-static bool in_images(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t bound, const tp_domain *d) {
-  const tp_field *field = d->subject->field;
+static bool in_images(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t bound, const tp_images *images) {
+  const tp_field *field = images->field;
   const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t halves[2], term;
   fmpz_mpoly_q_init(term, ring);
@@ -76,11 +108,11 @@ static bool in_images(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t bound, const tp
       fmpz_mpoly_get_term_coeff_fmpz(coefficient, p, t, ring);
       fmpz_mpoly_q_set_fmpz(term, coefficient, ring);
       fmpz_clear(coefficient);
-      for (long k = 0; k < d->symbol_count; k++) {
+      for (long k = 0; k < field->symbol_count; k++) {
         const slong exponent = fmpz_mpoly_get_term_var_exp_si(p, t, k, ring);
-        if (exponent > 0 && d->free[k]) known = false;
+        if (exponent > 0 && images->free[k]) known = false;
         for (slong j = 0; j < exponent && known; j++) {
-          tp_field_mul(term, term, d->images + k, field);
+          tp_field_mul(term, term, images->of + k, field);
           known = tp_field_problem(field) == NULL;
         }
       }
@@ -95,16 +127,16 @@ static bool in_images(fmpz_mpoly_q_t value, const fmpz_mpoly_q_t bound, const tp
   return known;
 }
 
-void tp_domain_image_symbol(tp_domain *d, const tp_bounds *b) {
-  const tp_field *field = d->subject->field;
+void tp_images_set_symbol(tp_images *images, const tp_bounds *b) {
+  const tp_field *field = images->field;
   const fmpz_mpoly_ctx_struct *ring = field->ring;
   fmpz_mpoly_q_t t, low, high;
   fmpz_mpoly_q_init(t, ring);
   fmpz_mpoly_q_init(low, ring);
   fmpz_mpoly_q_init(high, ring);
   bool known = b->has_low || b->has_high;
-  if (b->has_low) known = known && in_images(low, b->low, d);
-  if (b->has_high) known = known && in_images(high, b->high, d);
+  if (b->has_low) known = known && in_images(low, b->low, images);
+  if (b->has_high) known = known && in_images(high, b->high, images);
   fmpz_mpoly_q_gen(t, b->symbol, ring);
   if (b->has_low && b->has_high) {
     tp_field_mul(high, high, t, field);
@@ -124,8 +156,8 @@ void tp_domain_image_symbol(tp_domain *d, const tp_bounds *b) {
     known = fmpz_sgn(coefficient) > 0;
     fmpz_clear(coefficient);
   }
-  d->free[b->symbol] = !known;
-  fmpz_mpoly_q_swap(d->images + b->symbol, t, ring);
+  images->free[b->symbol] = !known;
+  fmpz_mpoly_q_swap(images->of + b->symbol, t, ring);
   fmpz_mpoly_q_clear(t, ring);
   fmpz_mpoly_q_clear(low, ring);
   fmpz_mpoly_q_clear(high, ring);

@@ -78,7 +78,7 @@ bool tp_domain_scatter(tp_sample *sample, const tp_domain *d, unsigned seed) {
   for (long k = 0; k < sample->count; k++) {
     const uint64_t random = next(&state);
     if (k == count || tp_domain_bounds_of(d, k) != NULL) continue;
-    move(sample->values + k, tp_domain_angle_of(d, k) != NULL, d->free[k], random, near);
+    move(sample->values + k, tp_domain_angle_of(d, k) != NULL, d->images.free[k], random, near);
   }
   bool inside_all = true;
   for (long k = 0; k < d->bounds_count && inside_all; k++) {

@@ -4,7 +4,7 @@
 /* The key `domain` of a claims file: {a: [1, 5], b: [a, inf]}. */
 
 #include "verify/claims.h"
-#include "verify/domain.h"
+#include "verify/evaluate.h"
 
 #include <string.h>
 

@@ -60,7 +60,7 @@ static bool substitute(fmpz_mpoly_q_t value, const fmpz_mpoly_t p, const tp_doma
   slong *exponents = degrees + count;
   fmpz_mpoly_degrees_si(degrees, p, ring);
   bool known = p->length <= MOST_TERMS;
-  for (long k = 0; k < count; k++) known = known && (degrees[k] == 0 || !domain->free[k]);
+  for (long k = 0; k < count; k++) known = known && (degrees[k] == 0 || !domain->images.free[k]);
   fmpz_mpoly_q_t term;
   fmpz_mpoly_q_init(term, ring);
   fmpz_mpoly_q_zero(value, ring);
@@ -68,7 +68,8 @@ static bool substitute(fmpz_mpoly_q_t value, const fmpz_mpoly_t p, const tp_doma
     fmpz_mpoly_q_one(term, ring);
     fmpz_mpoly_get_term_exp_si(exponents, p, t, ring);
     for (long k = 0; k < count; k++) {
-      if (degrees[k] > 0) multiply_image(term, domain->images + k, exponents[k], degrees[k], field);
+      if (degrees[k] > 0)
+        multiply_image(term, domain->images.of + k, exponents[k], degrees[k], field);
     }
     fmpz_t coefficient;
     fmpz_init(coefficient);

@@ -244,31 +244,3 @@ double tp_evaluate_units(const tp_formula *formula, const tp_subject *s, long bi
   }
   return units;
 }
-
-/* By names alone, so that it holds for what is not rational too. */
-tp_status tp_evaluate_used(int *used, const tp_formula *formula, tp_subject *s,
-                           tp_message *message) {
-  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
-  int *own = calloc((size_t)s->field->symbol_count, sizeof *own);
-  if (own == NULL) return tp_fail_memory(message, "a formula");
-  tp_status status = TP_OK;
-  for (long k = 0; k < formula->count && status == TP_OK; k++) {
-    const tp_formula_node *node = formula->nodes + k;
-    const tp_name *name = NULL;
-    if (node->kind != TP_FORMULA_NAME) continue;
-    status = tp_subject_name(&name, s, node->name, message);
-    if (status != TP_OK) break;
-    if (name->kind == TP_NAME_DEFINITION) {
-      for (long j = 0; j < s->field->symbol_count; j++) used[j] |= name->used[j];
-      continue;
-    }
-    if (name->kind == TP_NAME_ANGLE) used[s->angles[name->angle].degrees] = 1;
-    fmpz_mpoly_q_used_vars(own, name->value, ring);
-    for (long j = 0; j < s->field->symbol_count; j++) used[j] |= own[j];
-    if (name->kind != TP_NAME_DIRECTION) continue;
-    fmpz_mpoly_q_used_vars(own, name->run, ring);
-    for (long j = 0; j < s->field->symbol_count; j++) used[j] |= own[j];
-  }
-  free(own);
-  return status;
-}

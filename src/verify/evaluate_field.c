@@ -4,10 +4,12 @@
 /* Formulas as rational functions: the algebra of the field with what is known of angles. A value is
  * missing where a formula is no rational function. */
 
-#include "verify/branches.h"
+#include "verify/evaluate.h"
 
 #include "derive/field_work.h"
 #include "formula/evaluate.h"
+#include "verify/angles.h"
+#include "verify/branches.h"
 
 #include <stdlib.h>
 

@@ -6,6 +6,7 @@
 #include "verify/evaluate.h"
 
 #include "derive/field_work.h"
+#include "verify/angles.h"
 
 /* The tangent of a name: of a direction, of an angle, of what it is defined by. */
 static tp_status tangent_of_name(fmpz_mpoly_q_t value, bool *rational, long index,

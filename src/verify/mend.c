@@ -11,6 +11,7 @@
 #include "verify/mend.h"
 
 #include "derive/field_work.h"
+#include "verify/evaluate.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -217,9 +218,11 @@ static void change_exponents(search *s) {
     }
     if (is_base) continue;
     const int base_end = power ? f->nodes[n->left].end : n->end;
+    const bool inside = power && f->nodes[n->right].end < base_end; /* sin^2 x */
     tp_mend_part(of, sizeof of, printed(s), n->begin, base_end);
     for (size_t j = 0; j < sizeof exponents / sizeof exponents[0]; j++) {
-      try_exponent(s, base_end, n->end, exponents[j], (double)j, of);
+      try_exponent(s, inside ? n->at : base_end, inside ? f->nodes[n->right].end : n->end,
+                   exponents[j], (double)j, of);
     }
   }
 }

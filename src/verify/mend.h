@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the search for a mend tries: other texts of a formula. */
+/* The search for a mend, and what it tries: other texts of a formula. */
 
 #ifndef TP_MEND_H
 #define TP_MEND_H
 
-#include "verify/decide.h"
+#include "verify/question.h"
+
+/* The smallest change of one sign, coefficient, exponent or name that makes a refuted formula an
+ * identity; none where none is found. */
+TP_MUST_USE tp_status tp_mend_find(tp_claim_result *result, const tp_question *question);
 
 /* The name of the unknown in a text, spelt like no name of a paper. */
 #define TP_MEND_UNKNOWN "the_mended_number"

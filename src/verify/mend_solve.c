@@ -34,7 +34,7 @@ bool tp_mend_difference(fmpz_mpoly_q_t difference, bool *failed, const char *tex
   if (status != TP_OK) return false;
   other.printed = &formula;
   bool rational = false, tangents = false;
-  status = tp_decide_difference(difference, NULL, &rational, &tangents, &other);
+  status = tp_question_difference(difference, NULL, &rational, &tangents, &other);
   if (status == TP_OUT_OF_MEMORY) *failed = true;
   tp_formula_clear(&formula);
   return status == TP_OK && rational;

@@ -3,12 +3,11 @@
 
 /* Moments by elements, as Appendix A sums them. */
 
-#include "verify/quantities.h"
+#include "verify/quantity_rules.h"
 
 #include "derive/field_work.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* The elements in the order of their weights' numbers. */
 typedef struct numbered {
@@ -163,8 +162,7 @@ tp_status tp_quantity_fos_elements(fmpz_mpoly_q_t value, fmpz_mpoly_q_t run, tp_
   return TP_OK;
 }
 
-/* Areas of the elements at the scene's values. */
-static bool example_weights(tp_subject *s) {
+bool tp_quantity_example_weights(tp_subject *s) {
   tp_symbolic_point pivot;
   const tp_model *m = &s->model;
   const long count = m->problem.elements.count;
@@ -181,20 +179,4 @@ static bool example_weights(tp_subject *s) {
   tp_element_formulas_clear(&e, s->field);
   free(order);
   return true;
-}
-
-bool tp_quantities_example_values(tp_subject *s) {
-  const long alpha = s->angles[TP_ANGLE_ALPHA].degrees;
-  const tp_name *width = NULL;
-  if (!s->given[alpha]) fmpq_set_si(s->values + alpha, 20, 1);
-  fmpq_set_si(s->values + s->angles[TP_ANGLE_I].degrees, 10, 1); /* where no facet says otherwise */
-  const long index = tp_subject_find(s, "block_width", strlen("block_width"));
-  if (s->has_model && index >= 0 && tp_subject_name(&width, s, index, NULL) == TP_OK &&
-      tp_field_evaluate(s->values + s->length, width->value, s->field)) {
-    fmpz_t fifty;
-    fmpz_init_set_ui(fifty, 50);
-    fmpq_div_fmpz(s->values + s->length, s->values + s->length, fifty);
-    fmpz_clear(fifty);
-  }
-  return !s->has_model || example_weights(s);
 }

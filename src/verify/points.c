@@ -4,6 +4,8 @@
 #include "verify/points.h"
 
 #include "derive/field_work.h"
+#include "verify/angle_range.h"
+#include "verify/evaluate.h"
 
 #include <arb_fmpz_poly.h>
 #include <flint/fmpz_poly.h>

@@ -6,7 +6,8 @@
 #ifndef TP_POINTS_H
 #define TP_POINTS_H
 
-#include "verify/decide.h"
+#include "verify/branches.h"
+#include "verify/question.h"
 
 enum { TP_POINTS_WIDE = 40, TP_MOST_ROOTS = 64, TP_MOST_DIRECTIONS = 8 };
 

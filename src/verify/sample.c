@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Values of the symbols. */
+#include "verify/sample.h"
 
-#include "verify/evaluate.h"
-
+#include "formula/spelling.h"
 #include "number/ball.h"
 #include "number/ratio.h"
 #include "outside.h"

@@ -1,166 +1,169 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "verify/evaluate.h"
-#include "verify/quantities.h"
+/* The names that formulas about a subject may use, and the dialect in which they are written. */
 
-#include <stdio.h>
+#include "verify/subject.h"
+
+#include "derive/field_work.h"
+#include "formula/read.h"
+#include "formula/spelling.h"
+#include "outside.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_WEIGHTS = 1000 };
+enum { MOST_NODES = 10000 };
 
-/* Elements of the block, which the paper's sums weigh one by one: of teeth and slabs those of
- * Appendix A, of a plain outline its triangles. */
-static long count_weights(const tp_scene *scene) {
-  const tp_block_description *block = &scene->block;
-  if (block->hole_count > 0 || block->part_count > 0) return 0;
-  long count = block->outline.count - 2;
-  if (block->form == TP_OUTLINE_TEETH) count = 2 * block->teeth.count;
-  if (block->form == TP_OUTLINE_SLAB) count = 1;
-  return count <= MOST_WEIGHTS ? count : 0;
+static const tp_dialect dialect = {
+    .letters = true,
+    .products = true,
+    .functions = true,
+    .lines = true,
+    .most_nodes = MOST_NODES,
+    .formula = "a formula",
+    .operand = "a number or a name",
+    .no_operand = "does not begin a number, a name or a bracket",
+    .continued = "a formula",
+    .unknown_name = "names are the scene's parameters, the quantities, and what 'symbols', "
+                    "'angles' and 'with' define",
+    .quoted = 20,
+};
+
+/* Of names that are the same the last counts. */
+long tp_subject_find(const tp_subject *s, const char *name, size_t length) {
+  for (long k = s->name_count - 1; k >= 0; k--) {
+    const char *text = s->names[k].text;
+    if (text[0] == name[0] && strncmp(text, name, length) == 0 && text[length] == '\0') return k;
+  }
+  return -1;
 }
 
-/* printf into new memory, appended to the symbols' names, all of which are short enough. */
-static bool add_symbol(tp_subject *s, const char *format, const char *name, long number) {
-  char text[TP_NAME_SIZE + sizeof "sin()"];
-  snprintf(text, sizeof text, format, name, number);
-  s->symbol_names[s->symbol_count] = strdup(text);
-  return s->symbol_names[s->symbol_count++] != NULL;
+static long find(const void *subject, const char *name, size_t length) {
+  return tp_subject_find(subject, name, length);
 }
 
-static bool add_angle(tp_subject *s, const char *name) {
-  tp_angle *angle = s->angles + s->angle_count++;
-  *angle = (tp_angle){s->symbol_count, s->symbol_count + 1, s->symbol_count + 2};
-  return add_symbol(s, "%s", name, 0) && add_symbol(s, "sin(%s)", name, 0) &&
-         add_symbol(s, "cos(%s)", name, 0);
-}
-
-/* Names of the symbols that are added to the scene's parameters. */
-static bool name_symbols(tp_subject *s, const tp_subject_options *options) {
-  const long declared = options->declared_count;
-  s->symbol_names = calloc((size_t)(3 * (declared + TP_OWN_ANGLES) + s->weight_count + 3),
-                           sizeof *s->symbol_names);
-  s->angles = calloc((size_t)(declared + TP_OWN_ANGLES), sizeof *s->angles);
-  if (s->symbol_names == NULL || s->angles == NULL) return false;
-  bool done = add_angle(s, "alpha") && add_angle(s, "i");
-  s->length = s->symbol_count;
-  done = done && add_symbol(s, "r", "", 0);
-  s->mend = s->symbol_count;
-  done = done && add_symbol(s, "?", "", 0);
-  s->first_weight = s->symbol_count;
-  for (long k = 0; k < s->weight_count && done; k++) done = add_symbol(s, "w%s_%ld", "", k + 1);
-  for (long k = 0; k < declared && done; k++) {
-    const tp_declared *d = options->declared + k;
-    done = d->angle ? add_angle(s, d->name) : add_symbol(s, "%s", d->name, 0);
-  }
-  return done;
-}
-
-static tp_status init_field(tp_subject *s, tp_message *message) {
-  const tp_symbol_names names = {s->symbol_count, (const char *const *)s->symbol_names};
-  if (s->scene != NULL && s->members == TP_MEMBERS_ONE) {
-    const tp_status status = tp_model_init(&s->model, s->scene, true, &names, message);
-    if (status != TP_OK) return status;
-    s->has_model = true;
-    s->field = &s->model.symbols.field;
-    return TP_OK;
-  }
-  const tp_status status = tp_field_init(&s->own.field, s->scene, &names, message);
-  if (status == TP_OK) s->field = &s->own.field;
-  return status;
-}
-
-/* Indices among the added symbols become indices of the field. */
-static void shift_symbols(tp_subject *s) {
-  for (long k = 0; k < s->angle_count; k++) {
-    tp_angle *a = s->angles + k;
-    *a = (tp_angle){tp_field_added(s->field, a->degrees), tp_field_added(s->field, a->sine),
-                    tp_field_added(s->field, a->cosine)};
-  }
-  s->length = tp_field_added(s->field, s->length);
-  s->mend = tp_field_added(s->field, s->mend);
-  s->first_weight = tp_field_added(s->field, s->first_weight);
-}
-
-/* Values of the symbols, where they have one. */
-static bool init_values(tp_subject *s, const tp_subject_options *options) {
-  const tp_field *field = s->field;
-  s->values = calloc((size_t)field->symbol_count, sizeof *s->values);
-  s->given = calloc((size_t)field->symbol_count, sizeof *s->given);
-  if (s->values == NULL || s->given == NULL) return false;
-  for (long k = 0; k < field->symbol_count; k++) fmpq_init(s->values + k);
-  for (long k = 0; k < field->parameters->count; k++) {
-    fmpq_set(s->values + k, field->parameters->values + k);
-    s->given[k] = true;
-  }
-  if (s->scene != NULL && s->scene->block.form != TP_OUTLINE_VERTICES) {
-    const long count = field->parameters->count;
-    fmpq_set_si(s->values + count, s->scene->block.teeth.count, 1);
-    s->given[count] = true;
-  }
-  const long alpha = s->angles[TP_ANGLE_ALPHA].degrees;
-  if (s->scene != NULL && s->scene->tilt_angle_deg.given) {
-    fmpq_set(s->values + alpha, s->scene->tilt_angle_deg.value);
-    s->given[alpha] = true;
-  }
-  for (long k = s->first_weight + s->weight_count, d = 0; d < options->declared_count; d++) {
-    fmpq_set(s->values + k, options->declared[d].value);
-    s->given[k] = true;
-    k += options->declared[d].angle ? 3 : 1;
+/* Is a name an angle, by its form? */
+static bool is_angle(const void *subject, long index) {
+  const tp_subject *s = subject;
+  const tp_name *name = s->names + index;
+  if (name->kind != TP_NAME_DEFINITION) return name->kind != TP_NAME_FORMULA;
+  for (long k = 0; k < name->definition.count; k++) { /* 90 - i, an arctangent */
+    const tp_formula_node *n = name->definition.nodes + k;
+    if (n->kind == TP_FORMULA_NAME && !is_angle(s, n->name)) return false;
+    if (n->kind == TP_FORMULA_CALL) return n->function == TP_FUNCTION_ATAN;
   }
   return true;
 }
 
-/* The direction of tilt and the pivot. */
-static tp_status choose_pivot(tp_subject *s, const tp_subject_options *options, tp_place place,
-                              tp_message *message) {
-  s->towards = options->has_direction   ? options->towards
-               : s->scene->towards_left ? TP_TOWARDS_LEFT
-                                        : TP_TOWARDS_RIGHT;
-  if (!s->has_model) return tp_family_check(s->scene, message);
-  const tp_solution *solution = s->model.solution;
-  for (size_t c = 0; c < solution->case_count; c++) {
-    if (solution->cases[c].towards == s->towards) s->at = solution->cases + c;
+tp_status tp_subject_read(tp_formula *formula, const char *text, tp_place place,
+                          const tp_subject *s, tp_message *message) {
+  const tp_vocabulary names = {find, is_angle, s};
+  return tp_formula_read(formula, text, place, &dialect, &names, message);
+}
+
+tp_name *tp_subject_add_name(tp_subject *s, const char *text, tp_name_kind kind) {
+  if (s->name_count == s->name_capacity) {
+    const long capacity = 2 * s->name_capacity + 64;
+    tp_name *names = realloc(s->names, (size_t)capacity * sizeof *names);
+    if (names == NULL) return NULL;
+    s->names = names;
+    s->name_capacity = capacity;
   }
-  if (s->at == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, place, "the scene does not tilt this way");
+  tp_name *name = s->names + s->name_count;
+  *name = (tp_name){.kind = kind, .text = strdup(text), .ready = true};
+  if (name->text == NULL) return NULL;
+  fmpz_mpoly_q_init(name->value, s->field->ring);
+  fmpz_mpoly_q_init(name->run, s->field->ring);
+  s->name_count++;
+  return name;
+}
+
+/* Take away the names after the first `keep`. */
+static void drop_names(tp_subject *s, long keep) {
+  while (s->name_count > keep) {
+    tp_name *name = s->names + --s->name_count;
+    tp_formula_clear(&name->definition);
+    free(name->used);
+    fmpz_mpoly_q_clear(name->value, s->field->ring);
+    fmpz_mpoly_q_clear(name->run, s->field->ring);
+    free(name->text);
   }
-  s->pivot = options->has_pivot ? options->pivot : s->at->governing;
-  if (options->has_pivot ? s->pivot >= s->at->pivot_count : !s->at->has_governing) {
-    return tp_fail(message, TP_BAD_INPUT, place, "the scene has no such pivot");
+}
+
+void tp_subject_forget(tp_subject *subject) {
+  drop_names(subject, subject->permanent);
+}
+
+tp_status tp_subject_name(const tp_name **name, tp_subject *s, long index, tp_message *message) {
+  tp_name *found = s->names + index;
+  if (!found->ready && found->kind != TP_NAME_DEFINITION) {
+    const tp_status status = found->rule(found->value, found->run, s, message);
+    if (status != TP_OK) return status;
+    tp_subject_reduce(found->value, s);
+    tp_subject_reduce(found->run, s);
+    const tp_place place = s->scene != NULL ? s->scene->block.place : (tp_place){0};
+    const tp_status within = tp_field_check(s->field, place, message);
+    if (within != TP_OK) return within;
+    found->ready = true;
   }
+  *name = found;
   return TP_OK;
 }
 
-tp_status tp_subject_init(tp_subject *s, const tp_subject_options *options, tp_place place,
+/* By names alone, so that it holds for what is not rational too. */
+tp_status tp_subject_used(int *used, const tp_formula *formula, tp_subject *s,
                           tp_message *message) {
-  memset(s, 0, sizeof *s);
-  s->rounded = options->rounded;
-  s->members = options->members;
+  const fmpz_mpoly_ctx_struct *ring = s->field->ring;
+  int *own = calloc((size_t)s->field->symbol_count, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "a formula");
   tp_status status = TP_OK;
-  if (options->scene != NULL) status = tp_scene_read(&s->scene, options->scene, message);
-  if (status == TP_OK && s->scene != NULL) s->weight_count = count_weights(s->scene);
-  if (status == TP_OK && !name_symbols(s, options)) status = tp_fail_memory(message, "the symbols");
-  if (status == TP_OK) status = init_field(s, message);
-  if (status == TP_OK && s->scene != NULL) status = choose_pivot(s, options, place, message);
-  if (status == TP_OK) {
-    shift_symbols(s);
-    if (!tp_subject_init_ones(s) || !init_values(s, options))
-      status = tp_fail_memory(message, "the symbols");
+  for (long k = 0; k < formula->count && status == TP_OK; k++) {
+    const tp_formula_node *node = formula->nodes + k;
+    const tp_name *name = NULL;
+    if (node->kind != TP_FORMULA_NAME) continue;
+    status = tp_subject_name(&name, s, node->name, message);
+    if (status != TP_OK) break;
+    if (name->kind == TP_NAME_DEFINITION) {
+      for (long j = 0; j < s->field->symbol_count; j++) used[j] |= name->used[j];
+      continue;
+    }
+    if (name->kind == TP_NAME_ANGLE) used[s->angles[name->angle].degrees] = 1;
+    fmpz_mpoly_q_used_vars(own, name->value, ring);
+    for (long j = 0; j < s->field->symbol_count; j++) used[j] |= own[j];
+    if (name->kind != TP_NAME_DIRECTION) continue;
+    fmpz_mpoly_q_used_vars(own, name->run, ring);
+    for (long j = 0; j < s->field->symbol_count; j++) used[j] |= own[j];
   }
-  if (status == TP_OK) status = tp_subject_add_names(s, options, place, message);
-  if (status == TP_OK && !tp_quantities_example_values(s)) {
-    status = tp_fail_memory(message, "the symbols");
-  }
-  s->permanent = s->name_count;
-  if (status != TP_OK) tp_subject_clear(s);
+  free(own);
   return status;
+}
+
+tp_status tp_subject_define(tp_subject *s, const char *name, const char *text, tp_place place,
+                            tp_message *message) {
+  char spelt[TP_NAME_SIZE];
+  const size_t used = tp_name_spell(spelt, sizeof spelt, name, sizeof spelt);
+  if (used == 0 || name[used] != '\0') {
+    return tp_fail(message, TP_BAD_INPUT, place, "'%s' cannot be a name", tp_quote_all(name).text);
+  }
+  tp_formula definition;
+  const tp_status status = tp_subject_read(&definition, text, place, s, message);
+  if (status != TP_OK) return status;
+  tp_name *added = tp_subject_add_name(s, spelt, TP_NAME_DEFINITION);
+  if (added == NULL) {
+    tp_formula_clear(&definition);
+    return tp_fail_memory(message, "a definition");
+  }
+  added->definition = definition;
+  added->ready = false;
+  added->used = calloc((size_t)s->field->symbol_count, sizeof *added->used);
+  if (added->used == NULL) return tp_fail_memory(message, "a definition");
+  return tp_subject_used(added->used, &added->definition, s, message);
 }
 
 void tp_subject_clear(tp_subject *s) {
   if (s->field != NULL) {
-    tp_subject_drop_names(s, 0);
+    drop_names(s, 0);
     for (long k = 0; s->ones != NULL && k < s->angle_count; k++) {
       fmpz_mpoly_clear(s->ones[k], s->field->ring);
     }

@@ -14,7 +14,6 @@
 #include "derive/family.h"
 #include "derive/rounding.h"
 #include "formula/formula.h"
-#include "formula/spelling.h"
 
 typedef enum tp_name_kind {
   TP_NAME_FORMULA,   /* `value` */
@@ -48,27 +47,7 @@ typedef struct tp_angle {
   long degrees, sine, cosine;
 } tp_angle;
 
-/* A symbol or angle that a claims file declares, with its value where numbers are needed. */
-typedef struct tp_declared {
-  const char *name;
-  const fmpq *value;
-  bool angle;
-} tp_declared;
-
 typedef enum tp_members { TP_MEMBERS_ONE, TP_MEMBERS_EVEN, TP_MEMBERS_ODD } tp_members;
-
-/* How a geometry is set up; `scene` NULL: no block, formulas in declared symbols alone. */
-typedef struct tp_subject_options {
-  const char *scene; /* path */
-  bool has_direction;
-  tp_direction towards; /* else the first of the scene */
-  bool has_pivot;
-  size_t pivot;       /* else the governing one */
-  bool rounded;       /* the corner at the pivot, by the length r */
-  tp_members members; /* one block, or all N of a parity */
-  long declared_count;
-  const tp_declared *declared;
-} tp_subject_options;
 
 struct tp_subject {
   tp_scene *scene;
@@ -98,8 +77,6 @@ struct tp_subject {
 
 enum { TP_ANGLE_ALPHA, TP_ANGLE_I, TP_OWN_ANGLES };
 
-TP_MUST_USE tp_status tp_subject_init(tp_subject *subject, const tp_subject_options *options,
-                                      tp_place place, tp_message *message);
 void tp_subject_clear(tp_subject *subject);
 
 /* The number of a name, or -1. */
@@ -124,15 +101,11 @@ TP_MUST_USE tp_status tp_subject_name(const tp_name **name, tp_subject *subject,
 /* Bring a formula to its normal form under sin^2 + cos^2 = 1. */
 void tp_subject_reduce(fmpz_mpoly_q_t formula, const tp_subject *subject);
 
-/* Parts of the initialisation, and of its reverse: the polynomials `ones`; all permanent names; the
- * names after the first `keep` taken away. */
-TP_MUST_USE bool tp_subject_init_ones(tp_subject *subject);
-TP_MUST_USE tp_status tp_subject_add_names(tp_subject *subject, const tp_subject_options *options,
-                                           tp_place place, tp_message *message);
-void tp_subject_drop_names(tp_subject *subject, long keep);
+/* Mark the field's symbols that a formula depends on. */
+TP_MUST_USE tp_status tp_subject_used(int *used, const tp_formula *formula, tp_subject *subject,
+                                      tp_message *message);
 
-/* The quantities that a block offers, as part of its initialisation; false when memory is
- * exhausted. */
-TP_MUST_USE bool tp_quantities_add(tp_subject *subject);
+/* The polynomials `ones`, once the angles are in place; false when memory is exhausted. */
+TP_MUST_USE bool tp_subject_init_ones(tp_subject *subject);
 
 #endif

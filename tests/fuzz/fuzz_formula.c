@@ -3,8 +3,8 @@
 
 /* Formulas as papers print them: a tree whose parts lie within the text. */
 
+#include "formula/read.h"
 #include "fuzz.h"
-#include "formula/formula.h"
 
 #include <stdlib.h>
 #include <string.h>

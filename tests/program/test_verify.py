@@ -323,6 +323,16 @@ class Small(unittest.TestCase):
         twice = A1_4.replace("14", "13").replace("27", "26")
         self.assertIsNone(self.claim("critical_angle", twice)["mend"])
 
+    def test_mend_powers_of_functions(self):
+        """The exponent of sin^2 x stands before what the sine is of: it is mended there, and the part that a
+        change names goes on to the end of x."""
+        for quantity, printed, change, mend in (
+                ("a*sin(i)^3", "a sin^2 i", "the exponent of sin^2 i is 3", "a sin^3 i"),
+                ("a - tan(i)", "a - tan^2 (i)", "the exponent of tan^2 (i) is 1", "a - tan^1 (i)"),
+                ("a - sin(i)^2", "a + sin^2 i", "the sign before sin^2 i is -", "a - sin^2 i")):
+            result = self.claim(quantity, printed)
+            self.assertEqual((result["verdict"], result["change"], result["mend"]), ("refuted", change, mend))
+
     def test_long_names(self):
         """Names and identifiers that share any beginning are told apart as far as they go, and printed whole;
         a name beyond what a formula may have is refused, never cut to another."""

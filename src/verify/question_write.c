@@ -6,7 +6,7 @@
  * Where every term of numerator and denominator has the same degree in sine and cosine of an angle
  * together, both are divided by that power of the cosine: sine over cosine is the tangent. */
 
-#include "verify/decide.h"
+#include "verify/question.h"
 
 #include "derive/notation.h"
 
@@ -47,7 +47,7 @@ static char *tangent_of(const char *angle) {
   return text;
 }
 
-tp_status tp_decide_write(char **text, const fmpz_mpoly_q_t formula, const tp_question *q) {
+tp_status tp_question_write(char **text, const fmpz_mpoly_q_t formula, const tp_question *q) {
   const tp_subject *s = q->subject;
   const fmpz_mpoly_ctx_struct *ring = s->field->ring;
   tp_field shown = *s->field;
