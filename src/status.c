@@ -24,5 +24,6 @@ int tp_status_exit(tp_status status) {
     TP_STATUS_LIST(TP_STATUS_EXIT)
 #undef TP_STATUS_EXIT
   }
-  return 5;
+  enum { SYSTEM_FAILED = 5 }; /* a number that is no status: the caller's memory is in disorder */
+  return SYSTEM_FAILED;
 }

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Numbers: exact reading of decimals, certified balls, and the ladder. The references are written
+/* Numbers: exact reading of decimals, signs of roots, and the ladder. The references are written
  * out by hand or computed with GMP's rationals, which the code under test does not use. */
 
-#include "number/ball.h"
 #include "number/ladder.h"
 #include "number/ratio.h"
 #include "number/surd.h"
@@ -117,92 +116,6 @@ START_TEST(texts_of_values) {
 }
 END_TEST
 
-/* The way back to doubles encloses: for random balls, both ends lie within value +- error. The
- * comparison is exact (arf), so no tolerance is needed. */
-START_TEST(balls_to_doubles_enclose) {
-  flint_rand_t state;
-  arb_t ball, around;
-  flint_randinit(state);
-  arb_init(ball);
-  arb_init(around);
-  for (int k = 0; k < 20000; k++) {
-    arb_randtest(ball, state, 200, 8);
-    const tp_bounded result = tp_ball_bounded(ball);
-    if (!isfinite(result.error)) continue;
-    arf_set_d(arb_midref(around), result.value);
-    arf_t error;
-    arf_init(error);
-    arf_set_d(error, result.error);
-    arb_set_arf(around, arb_midref(around));
-    arb_add_error_arf(around, error);
-    ck_assert(arb_contains(around, ball));
-    arf_clear(error);
-  }
-  arb_clear(ball);
-  arb_clear(around);
-  flint_randclear(state);
-}
-END_TEST
-
-/* What lies outside the range of a double says so instead of lying. */
-START_TEST(out_of_range) {
-  arb_t ball;
-  arb_init(ball);
-  arb_set_str(ball, "1e600", 100);
-  ck_assert(isinf(tp_ball_bounded(ball).error));
-  arb_set_str(ball, "1e-600", 100);
-  const tp_bounded tiny = tp_ball_bounded(ball);
-  ck_assert(tiny.value == 0 && tiny.error > 0 && tiny.error < 1e-300);
-  arb_clear(ball);
-}
-END_TEST
-
-/* Multiples of 45 degrees are exact in all octants; every other angle encloses MPFR's. */
-START_TEST(angles) {
-  arb_t x, y, angle;
-  arb_init(x);
-  arb_init(y);
-  arb_init(angle);
-  static const int octants[8][3] = {{0, 3, 0},    {2, 2, 45},   {5, 0, 90},   {1, -1, 135},
-                                    {0, -4, 180}, {-3, 3, -45}, {-1, 0, -90}, {-7, -7, -135}};
-  for (int k = 0; k < 8; k++) {
-    arb_set_si(y, octants[k][0]);
-    arb_set_si(x, octants[k][1]);
-    tp_ball_atan2_degrees(angle, y, x, 64);
-    ck_assert(arb_is_exact(angle) && arb_equal_si(angle, octants[k][2]));
-  }
-  arb_set_si(y, 1);
-  arb_set_si(x, 2);
-  tp_ball_atan2_degrees(angle, y, x, 64);
-  ck_assert(!arb_is_exact(angle) && tp_ball_certain(angle, 15));
-  ck_assert(fabs(tp_ball_bounded(angle).value - 26.56505117707799) < 1e-13); /* atan(1/2) */
-  arb_clear(x);
-  arb_clear(y);
-  arb_clear(angle);
-}
-END_TEST
-
-/* sin and cos of rational degrees: exact at quarter turns, and sin^2 + cos^2 encloses 1. */
-START_TEST(functions_of_degrees) {
-  fmpq_t degrees;
-  arb_t sine, cosine;
-  fmpq_init(degrees);
-  arb_init(sine);
-  arb_init(cosine);
-  for (long k = -720; k <= 720; k += 15) {
-    fmpq_set_si(degrees, k, 1);
-    tp_ball_sin_cos_degrees(sine, cosine, degrees, 100);
-    ck_assert_int_eq(k % 90 == 0, arb_is_exact(sine) && arb_is_exact(cosine));
-    arb_mul(sine, sine, sine, 100);
-    arb_addmul(sine, cosine, cosine, 100);
-    ck_assert(arb_contains_si(sine, 1) && tp_ball_certain(sine, 20));
-  }
-  fmpq_clear(degrees);
-  arb_clear(sine);
-  arb_clear(cosine);
-}
-END_TEST
-
 static tp_status certain_at(void *context, tp_rung rung, bool *certain) {
   const tp_level *enough = context;
   *certain = rung.level >= *enough;
@@ -305,10 +218,6 @@ int main(void) {
   tcase_add_test(numbers, random_decimals_agree_with_gmp);
   tcase_add_test(numbers, no_numbers);
   tcase_add_test(numbers, texts_of_values);
-  tcase_add_test(numbers, balls_to_doubles_enclose);
-  tcase_add_test(numbers, out_of_range);
-  tcase_add_test(numbers, angles);
-  tcase_add_test(numbers, functions_of_degrees);
   tcase_add_test(numbers, ladder);
   tcase_add_test(numbers, signs_of_roots);
   suite_add_tcase(suite, numbers);

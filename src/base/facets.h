@@ -48,14 +48,8 @@ TP_MUST_USE tp_status tp_facets_of_profile(tp_facets *facets, const tp_section *
                                            const tp_base *base, const tp_lattice *lattice,
                                            tp_message *message);
 
-/* Sign of (b - a) x (d - c) and of (b - a) . (d - c) for points of the lattice. */
-int tp_facet_cross(const tp_lattice *lattice, long a, long b, long c, long d);
-int tp_facet_dot(const tp_lattice *lattice, long a, long b, long c, long d);
-
 /* Of two edges that touch in one point alone that point, an end of one of them. */
 long tp_facet_touch(const tp_lattice *lattice, long a0, long a1, long b0, long b1);
-
-bool tp_facet_same_point(const tp_lattice *lattice, long a, long b);
 
 /* Does the facet begin or end in the point? */
 bool tp_facet_ends_in(const tp_lattice *lattice, const tp_facet *facet, tp_outline_point point);

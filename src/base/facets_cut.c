@@ -76,8 +76,8 @@ static bool is_told(const tp_facets *facets, long own, const tp_lattice *l) {
   for (long k = own < NEAR ? 0 : own - NEAR; k < facets->count && k <= own + NEAR; k++) {
     const tp_facet *other = facets->items + k;
     if (k == own || !tp_facet_ends_in(l, other, tp_facet_begin(f))) continue;
-    if (tp_facet_cross(l, f->t0, f->t1, other->t0, other->t1) != 0 ||
-        tp_facet_dot(l, f->t0, f->t1, other->t0, other->t1) <= 0) {
+    if (tp_lattice_cross(l, f->t0, f->t1, other->t0, other->t1) != 0 ||
+        tp_lattice_dot(l, f->t0, f->t1, other->t0, other->t1) <= 0) {
       continue;
     }
     if (other->q0 != other->q1 || k < own) return true;

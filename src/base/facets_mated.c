@@ -12,8 +12,8 @@ tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const
   const long ring = lattice->start[section->ring_count];
   const long first = base->mated_first, last = first + base->mated_count; /* of the profile */
   bool done = true;
-  if (first > 0 &&
-      tp_facet_cross(lattice, ring + first - 1, ring + first, ring + first, ring + first + 1) > 0) {
+  if (first > 0 && tp_lattice_cross(lattice, ring + first - 1, ring + first, ring + first,
+                                    ring + first + 1) > 0) {
     done = tp_facets_append(facets, (tp_facet){.q0 = outline + base->outline_first,
                                                .q1 = outline + base->outline_first,
                                                .t0 = ring + first - 1,
@@ -27,7 +27,7 @@ tp_status tp_facets_of_mated(tp_facets *facets, const tp_section *section, const
         facets, (tp_facet){.q0 = from, .q1 = to, .t0 = from, .t1 = to, .base_edge = first + k});
   }
   if (last < base->edge_count && done &&
-      tp_facet_cross(lattice, ring + last - 1, ring + last, ring + last, ring + last + 1) > 0) {
+      tp_lattice_cross(lattice, ring + last - 1, ring + last, ring + last, ring + last + 1) > 0) {
     const long end = outline + (base->outline_first + base->mated_count) % vertices;
     done = tp_facets_append(
         facets,

@@ -49,9 +49,9 @@ static long before_in_outline(const search *s, long vertex) {
 static bool add_overlap(search *s, long a0, long a1, long base_edge) {
   const tp_lattice *l = s->lattice;
   const long b0 = base_from(s, base_edge), b1 = base_to(s, base_edge);
-  if (tp_facet_dot(l, a0, a1, b0, b1) < 0) return true; /* back to back: the overlap check's */
-  const long q0 = tp_facet_dot(l, a0, b0, a0, a1) > 0 ? b0 : a0;
-  const long q1 = tp_facet_dot(l, a1, b1, a1, a0) > 0 ? b1 : a1;
+  if (tp_lattice_dot(l, a0, a1, b0, b1) < 0) return true; /* back to back: the overlap check's */
+  const long q0 = tp_lattice_dot(l, a0, b0, a0, a1) > 0 ? b0 : a0;
+  const long q1 = tp_lattice_dot(l, a1, b1, a1, a0) > 0 ? b1 : a1;
   return tp_facets_append(
       s->facets, (tp_facet){.q0 = q0, .q1 = q1, .t0 = a0, .t1 = a1, .base_edge = base_edge});
 }
@@ -104,8 +104,8 @@ static tp_status fail_cut(const search *s, tp_message *message) {
 /* Order along the base: the edge, then the distance from the edge's beginning. */
 static int compare_points(const search *s, long edge_p, long p, long edge_q, long q) {
   if (edge_p != edge_q) return edge_p < edge_q ? -1 : 1;
-  if (tp_facet_same_point(s->lattice, p, q)) return 0;
-  return tp_facet_dot(s->lattice, p, q, base_from(s, edge_p), base_to(s, edge_p)) > 0 ? -1 : 1;
+  if (tp_lattice_same_point(s->lattice, p, q)) return 0;
+  return tp_lattice_dot(s->lattice, p, q, base_from(s, edge_p), base_to(s, edge_p)) > 0 ? -1 : 1;
 }
 
 /* Does a facet of positive length end in the point q: in any direction, or in that of t0 -> t1?
@@ -125,8 +125,8 @@ static bool facet_ends_in(const search *s, long q, long base_edge, long t0, long
   for (long k = low > 2 ? low - 2 : 0; k < s->facets->count && k < low + 2; k++) {
     const tp_facet *f = s->facets->items + k;
     if (!tp_facet_ends_in(l, f, (tp_outline_point){.point = q})) continue;
-    if (t0 == t1 || (tp_facet_cross(l, f->t0, f->t1, t0, t1) == 0 &&
-                     tp_facet_dot(l, f->t0, f->t1, t0, t1) > 0)) {
+    if (t0 == t1 || (tp_lattice_cross(l, f->t0, f->t1, t0, t1) == 0 &&
+                     tp_lattice_dot(l, f->t0, f->t1, t0, t1) > 0)) {
       return true;
     }
   }
@@ -146,8 +146,8 @@ static bool add_corner(search *s, long vertex, long corner, long base_edge) {
   const tp_lattice *l = s->lattice;
   const long before = before_in_outline(s, vertex), after = next_of_outline(s, vertex);
   const long base_before = base_from(s, corner - s->ring - 1);
-  const int up = tp_facet_cross(l, base_before, corner, corner, corner + 1);
-  const int down = tp_facet_cross(l, before, vertex, vertex, after);
+  const int up = tp_lattice_cross(l, base_before, corner, corner, corner + 1);
+  const int down = tp_lattice_cross(l, before, vertex, vertex, after);
   if (up > 0) {
     return add_point(s, vertex, base_before, corner, corner - s->ring - 1) &&
            add_point(s, vertex, corner, corner + 1, corner - s->ring);
@@ -175,8 +175,8 @@ static void sort(search *s, tp_facets *facets) {
 
 static bool same_direction(const search *s, const tp_facet *a, const tp_facet *b) {
   const tp_lattice *l = s->lattice;
-  return tp_facet_cross(l, a->t0, a->t1, b->t0, b->t1) == 0 &&
-         tp_facet_dot(l, a->t0, a->t1, b->t0, b->t1) >= 0;
+  return tp_lattice_cross(l, a->t0, a->t1, b->t0, b->t1) == 0 &&
+         tp_lattice_dot(l, a->t0, a->t1, b->t0, b->t1) >= 0;
 }
 
 /* Several touches tell of one point: keep one facet for each direction, then merge. */
@@ -186,7 +186,7 @@ static bool merge_points(search *s) {
     const tp_facet *own = s->points.items + k;
     bool known = false;
     for (long j = k - 1; j >= 0 && !known; j--) {
-      if (!tp_facet_same_point(s->lattice, s->points.items[j].q0, own->q0)) break;
+      if (!tp_lattice_same_point(s->lattice, s->points.items[j].q0, own->q0)) break;
       known = same_direction(s, s->points.items + j, own);
     }
     if (!known && !tp_facets_append(s->facets, *own)) return false;
@@ -197,8 +197,8 @@ static bool merge_points(search *s) {
 
 /* The vertex of an edge that lies in point q, or -1. */
 static long vertex_in(const tp_lattice *l, long q, long from, long to) {
-  if (tp_facet_same_point(l, q, from)) return from;
-  return tp_facet_same_point(l, q, to) ? to : -1;
+  if (tp_lattice_same_point(l, q, from)) return from;
+  return tp_lattice_same_point(l, q, to) ? to : -1;
 }
 
 static bool resolve_touches(search *s) {

@@ -14,11 +14,11 @@ typedef struct sector {
 } sector;
 
 static int cross(const tp_lattice *l, way a, way b) {
-  return tp_facet_cross(l, a.from, a.to, b.from, b.to);
+  return tp_lattice_cross(l, a.from, a.to, b.from, b.to);
 }
 
 static bool same_way(const tp_lattice *l, way a, way b) {
-  return cross(l, a, b) == 0 && tp_facet_dot(l, a.from, a.to, b.from, b.to) > 0;
+  return cross(l, a, b) == 0 && tp_lattice_dot(l, a.from, a.to, b.from, b.to) > 0;
 }
 
 static long next_of(const tp_overlap_ring *ring, long point) {
@@ -33,9 +33,9 @@ static long before(const tp_overlap_ring *ring, long point) {
 static sector sector_at(const tp_lattice *l, const tp_overlap_ring *ring, long edge, long point) {
   const long far = next_of(ring, edge);
   way to_next = {edge, far}, to_last = {far, edge};
-  if (tp_facet_same_point(l, point, edge)) {
+  if (tp_lattice_same_point(l, point, edge)) {
     to_last = (way){edge, before(ring, edge)};
-  } else if (tp_facet_same_point(l, point, far)) {
+  } else if (tp_lattice_same_point(l, point, far)) {
     to_next = (way){far, next_of(ring, far)};
   }
   return ring->clockwise ? (sector){to_last, to_next} : (sector){to_next, to_last};
@@ -72,7 +72,7 @@ static bool lies_in(const tp_lattice *l, const tp_overlap_ring *ring, long point
     const long next = next_of(ring, k);
     const bool from = fmpz_cmp(l->y + k, l->y + point) > 0;
     const bool to = fmpz_cmp(l->y + next, l->y + point) > 0;
-    if (from != to) in ^= (tp_facet_cross(l, k, next, k, point) > 0) == to;
+    if (from != to) in ^= (tp_lattice_cross(l, k, next, k, point) > 0) == to;
   }
   return in;
 }

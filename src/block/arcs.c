@@ -5,19 +5,16 @@
 
 #include "block/check_ring.h"
 #include "block/circle.h"
+#include "grow.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 static tp_arc_tip *add_tip(tp_arc_tips *tips) {
-  if (tips->count == tips->capacity) {
-    const long capacity = 2 * tips->capacity + 16;
-    tp_arc_tip *items = realloc(tips->items, (size_t)capacity * sizeof *items);
-    if (items == NULL) return NULL;
-    tips->items = items;
-    tips->capacity = capacity;
-  }
+  tp_arc_tip *more = tp_grow(tips->items, tips->count, &tips->capacity, sizeof *more);
+  if (more == NULL) return NULL;
+  tips->items = more;
   tp_arc_tip *tip = tips->items + tips->count++;
   fmpq_init(tip->before_x);
   fmpq_init(tip->before_y);

@@ -29,25 +29,11 @@ static tp_status fail_repeated(const tp_polyline *ring, long k, long next, const
                      : "");
 }
 
-static bool collinear(const tp_lattice *lattice, long first, long count) {
-  const fmpz *x = lattice->x + first, *y = lattice->y + first;
-  fmpz_t dx, dy, turn;
-  fmpz_init(dx);
-  fmpz_init(dy);
-  fmpz_init(turn);
+static bool collinear(const tp_lattice *l, long first, long count) {
   bool straight = true;
-  for (long k = 2; k < count && straight; k++) {
-    fmpz_sub(dx, x + 1, x);
-    fmpz_sub(dy, y + k, y);
-    fmpz_mul(turn, dx, dy);
-    fmpz_sub(dx, x + k, x);
-    fmpz_sub(dy, y + 1, y);
-    fmpz_submul(turn, dx, dy);
-    straight = fmpz_is_zero(turn);
+  for (long k = first + 2; k < first + count && straight; k++) {
+    straight = tp_lattice_cross(l, first, first + 1, first, k) == 0;
   }
-  fmpz_clear(dx);
-  fmpz_clear(dy);
-  fmpz_clear(turn);
   return straight;
 }
 

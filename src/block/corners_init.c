@@ -35,27 +35,6 @@ static long find_vertex(const tp_polyline *outline, const tp_corner_description 
   return -1;
 }
 
-/* Sign of (b - a) x (p - a). */
-static int turn(const tp_lattice *l, long a, long b, long p) {
-  fmpz_t dx, dy, ex, ey;
-  fmpz_init(dx);
-  fmpz_init(dy);
-  fmpz_init(ex);
-  fmpz_init(ey);
-  fmpz_sub(dx, l->x + b, l->x + a);
-  fmpz_sub(dy, l->y + b, l->y + a);
-  fmpz_sub(ex, l->x + p, l->x + a);
-  fmpz_sub(ey, l->y + p, l->y + a);
-  fmpz_mul(dx, dx, ey);
-  fmpz_submul(dx, dy, ex);
-  const int sign = fmpz_sgn(dx);
-  fmpz_clear(dx);
-  fmpz_clear(dy);
-  fmpz_clear(ex);
-  fmpz_clear(ey);
-  return sign;
-}
-
 static void name_corner(char *text, size_t size, const tp_section *section, long vertex) {
   char x[80], y[80];
   tp_ratio_text(x, sizeof x, section->rings[0].x + vertex);
@@ -77,7 +56,8 @@ static tp_status locate(tp_corner *corner, const tp_corner_description *c, const
   }
   corner->before = (corner->vertex + count - 1) % count;
   corner->after = (corner->vertex + 1) % count;
-  const int turns = turn(l, corner->before, corner->vertex, corner->after);
+  const int turns =
+      tp_lattice_cross(l, corner->before, corner->vertex, corner->before, corner->after);
   if (turns > 0) return TP_OK;
   char name[100];
   name_corner(name, sizeof name, section, corner->vertex);
@@ -158,8 +138,9 @@ static tp_status check_reach(const tp_corner_ball *c, const tp_corner *corner, l
   bool reaches = false;
   for (long k = first; k < l->start[1 + section->hole_count] && !reaches; k++) {
     if (k == corner->vertex || k == corner->before || k == corner->after) continue;
-    reaches = turn(l, corner->vertex, corner->after, k) >= 0 &&
-              turn(l, corner->before, corner->vertex, k) >= 0 && in_tip(c, l, k, BITS);
+    reaches = tp_lattice_cross(l, corner->vertex, corner->after, corner->vertex, k) >= 0 &&
+              tp_lattice_cross(l, corner->before, corner->vertex, corner->before, k) >= 0 &&
+              in_tip(c, l, k, BITS);
   }
   if (!reaches) return TP_OK;
   return tp_fail(message, TP_BAD_INPUT, corner->radius_place, "%s reaches across this arc",

@@ -101,11 +101,9 @@ static tp_answer triple_judge(const triple *t, const tp_judge *judge) {
 /* Of two columns the area, of three the volume. */
 static double extent(const double *a, const double *b, const double *c) {
   double cross[3];
-  for (int k = 0; k < 3; k++) {
-    cross[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  }
+  tp_vector_cross_near(cross, a, b);
   if (c == NULL) return fabs(cross[0]) + fabs(cross[1]) + fabs(cross[2]);
-  return fabs(cross[0] * c[0] + cross[1] * c[1] + cross[2] * c[2]);
+  return fabs(tp_vector_dot_near(cross, c));
 }
 
 static void complete(tp_basis *basis, const tp_scaled *scaled) {

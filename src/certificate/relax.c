@@ -5,12 +5,8 @@
 
 #include <math.h>
 
-static double power(const double v[3], const double c[3]) {
-  return v[0] * c[0] + v[1] * c[1] + v[2] * c[2];
-}
-
 static double size_of(const double c[3]) {
-  return sqrt(power(c, c));
+  return sqrt(tp_vector_dot_near(c, c));
 }
 
 /* The edge against which the twist does least, over the edge's size. */
@@ -18,7 +14,7 @@ static long find_least(double *least, const double twist[3], const tp_scaled *s,
   long found = 0;
   *least = INFINITY;
   for (long k = 0; k < edges; k++) {
-    const double own = power(twist, s->columns[k]) / size_of(s->columns[k]);
+    const double own = tp_vector_dot_near(twist, s->columns[k]) / size_of(s->columns[k]);
     if (own >= *least) continue;
     *least = own;
     found = k;

@@ -187,16 +187,8 @@ static tp_status solve_at(tp_solution **solution, const tp_walk *w, const tp_wal
 
 /* The formula's angle there, and the solver's. */
 static tp_check_verdict compare(const tp_walk *w, const tp_walk_point *p, tp_bounded solved) {
-  arb_t angle, one;
-  arb_init(angle);
-  arb_init(one);
-  arb_one(one);
-  tp_field_evaluate_ball(angle, w->formula->tangent, p->values, w->formula->conditions->field,
-                         BITS);
-  tp_ball_atan2_degrees(angle, angle, one, BITS);
-  const tp_bounded own = tp_ball_bounded(angle);
-  arb_clear(angle);
-  arb_clear(one);
+  const tp_bounded own =
+      tp_field_angle(w->formula->tangent, p->values, w->formula->conditions->field, BITS);
   return fabs(own.value - solved.value) <= own.error + solved.error ? TP_CHECK_SAME
                                                                     : TP_CHECK_OTHER;
 }

@@ -4,6 +4,7 @@
 #include "derive/conditions.h"
 
 #include "derive/field_work.h"
+#include "grow.h"
 
 #include <flint/fmpz_mpoly_factor.h>
 #include <stdlib.h>
@@ -27,22 +28,6 @@ long tp_conditions_length(const tp_conditions *c, long first) {
   return terms;
 }
 
-/* 1 or -1 where all coefficients have that sign, 0 where they differ. */
-static int sign_of_coefficients(const fmpz_mpoly_t polynomial, const tp_field *field) {
-  fmpz_t coefficient;
-  fmpz_init(coefficient);
-  int sign = 0;
-  bool mixed = false;
-  for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring) && !mixed; t++) {
-    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, t, field->ring);
-    const int own = fmpz_sgn(coefficient);
-    mixed = sign != 0 && own != sign;
-    sign = own;
-  }
-  fmpz_clear(coefficient);
-  return mixed ? 0 : sign;
-}
-
 /* Turn it so that it is not below zero at the values. */
 static void orient(fmpz_mpoly_q_t value, const tp_conditions *c) {
   arb_t ball;
@@ -60,16 +45,12 @@ static bool is_known(const tp_conditions *c, const fmpz_mpoly_q_t value) {
 }
 
 static void append(tp_conditions *c, const fmpz_mpoly_q_t value) {
-  if (c->count == c->capacity) {
-    const long capacity = c->capacity == 0 ? 8 : 2 * c->capacity;
-    fmpz_mpoly_q_struct *items = realloc(c->items, (size_t)capacity * sizeof *items);
-    if (items == NULL) {
-      c->failed = true;
-      return;
-    }
-    c->items = items;
-    c->capacity = capacity;
+  fmpz_mpoly_q_struct *more = tp_grow(c->items, c->count, &c->capacity, sizeof *more);
+  if (more == NULL) {
+    c->failed = true;
+    return;
   }
+  c->items = more;
   fmpz_mpoly_q_init(c->items + c->count, c->field->ring);
   fmpz_mpoly_q_set(c->items + c->count++, value, c->field->ring);
 }
@@ -77,7 +58,7 @@ static void append(tp_conditions *c, const fmpz_mpoly_q_t value) {
 static void add_factor(tp_conditions *c, const fmpz_mpoly_t factor) {
   const fmpz_mpoly_ctx_struct *ring = c->field->ring;
   if (fmpz_mpoly_is_fmpz(factor, ring)) return;
-  if (c->positive && sign_of_coefficients(factor, c->field) != 0) return;
+  if (c->positive && tp_field_sign_of_coefficients(factor, c->field) != 0) return;
   fmpz_mpoly_q_t condition;
   fmpz_mpoly_q_init(condition, ring);
   fmpz_mpoly_set(fmpz_mpoly_q_numref(condition), factor, ring);

@@ -179,19 +179,11 @@ void tp_derive_limit_values(arb_ptr values, const tp_model *model, long friction
 
 static tp_bounded angle_at_values(const writing *w) {
   const tp_limit_formulas *f = w->formulas;
-  arb_t tangent, one;
-  arb_init(tangent);
-  arb_init(one);
   fmpz_mpoly_q_t quotient;
   fmpz_mpoly_q_init(quotient, w->field->ring);
   tp_field_div(quotient, f->sine, f->cosine, w->field);
-  tp_field_evaluate_ball(tangent, quotient, w->values, w->field, BITS);
-  arb_one(one);
-  tp_ball_atan2_degrees(tangent, tangent, one, BITS);
-  const tp_bounded angle = tp_ball_bounded(tangent);
+  const tp_bounded angle = tp_field_angle(quotient, w->values, w->field, BITS);
   fmpz_mpoly_q_clear(quotient, w->field->ring);
-  arb_clear(tangent);
-  arb_clear(one);
   return angle;
 }
 

@@ -91,19 +91,6 @@ static void write_conditions(const writing *w) {
   }
 }
 
-static tp_bounded angle_at_values(const tp_onset_formulas *f) {
-  arb_t tangent, one;
-  arb_init(tangent);
-  arb_init(one);
-  tp_field_evaluate_ball(tangent, f->tangent, f->terms.values, f->terms.field, f->terms.bits);
-  arb_one(one);
-  tp_ball_atan2_degrees(tangent, tangent, one, f->terms.bits);
-  const tp_bounded angle = tp_ball_bounded(tangent);
-  arb_clear(tangent);
-  arb_clear(one);
-  return angle;
-}
-
 static bool all_positive(const tp_scene *scene) {
   for (long k = 0; k < scene->parameters.count; k++) {
     if (fmpq_sgn(scene->parameters.values + k) <= 0) return false;
@@ -130,7 +117,8 @@ static tp_status derive(tp_derived_onset *out, const tp_onset_wanted *wanted,
   const writing w = {out, &formulas, options->notation, failed};
   out->known = true;
   out->tangent = write(&w, formulas.tangent);
-  out->critical_angle_deg = angle_at_values(&formulas);
+  out->critical_angle_deg = tp_field_angle(formulas.tangent, formulas.terms.values,
+                                           formulas.terms.field, formulas.terms.bits);
   write_rows(&w);
   write_conditions(&w);
   const tp_status status = options->checked && !*failed ? check(&w, wanted, message) : TP_OK;

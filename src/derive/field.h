@@ -64,4 +64,11 @@ bool tp_field_evaluate_at(fmpq_t value, const fmpz_mpoly_q_t formula, const fmpq
 void tp_field_evaluate_ball(arb_t value, const fmpz_mpoly_q_t formula, arb_srcptr symbols,
                             const tp_field *field, long bits);
 
+/* The angle of which the formula is the tangent, in degrees, where each symbol takes its ball. */
+tp_bounded tp_field_angle(const fmpz_mpoly_q_t tangent, arb_srcptr symbols, const tp_field *field,
+                          long bits);
+
+/* 1 or -1 where all coefficients of a polynomial have that sign, 0 where they differ. */
+int tp_field_sign_of_coefficients(const fmpz_mpoly_t polynomial, const tp_field *field);
+
 #endif

@@ -4,6 +4,7 @@
 /* Values of formulas: exact at the scene's parameters, or in balls. */
 
 #include "derive/field.h"
+#include "number/ball.h"
 
 /* Bits that powers of the values may have: a quarter of a megabyte. */
 static const double most_bits = 2e6;
@@ -110,4 +111,33 @@ void tp_field_evaluate_ball(arb_t value, const fmpz_mpoly_q_t formula, arb_srcpt
   evaluate_polynomial_ball(below, fmpz_mpoly_q_denref(formula), symbols, field, bits);
   arb_div(value, value, below, bits);
   arb_clear(below);
+}
+
+tp_bounded tp_field_angle(const fmpz_mpoly_q_t tangent, arb_srcptr symbols, const tp_field *field,
+                          long bits) {
+  arb_t angle, one;
+  arb_init(angle);
+  arb_init(one);
+  tp_field_evaluate_ball(angle, tangent, symbols, field, bits);
+  arb_one(one);
+  tp_ball_atan2_degrees(angle, angle, one, bits);
+  const tp_bounded result = tp_ball_bounded(angle);
+  arb_clear(angle);
+  arb_clear(one);
+  return result;
+}
+
+int tp_field_sign_of_coefficients(const fmpz_mpoly_t polynomial, const tp_field *field) {
+  fmpz_t coefficient;
+  fmpz_init(coefficient);
+  int sign = 0;
+  bool mixed = false;
+  for (slong t = 0; t < fmpz_mpoly_length(polynomial, field->ring) && !mixed; t++) {
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, t, field->ring);
+    const int own = fmpz_sgn(coefficient);
+    mixed = sign != 0 && own != sign;
+    sign = own;
+  }
+  fmpz_clear(coefficient);
+  return mixed ? 0 : sign;
 }

@@ -4,6 +4,7 @@
 #include "derive/onset_modes.h"
 
 #include "derive/field_work.h"
+#include "grow.h"
 #include "number/ball.h"
 
 #include <stdlib.h>
@@ -153,13 +154,9 @@ static bool add_sliding(tp_onset_mode *own, const tp_onset_modes *m, const tp_mo
 
 static tp_motion_outcome add_mode(void *context, const tp_mode *mode) {
   tp_onset_modes *m = context;
-  if (m->count == m->room) {
-    const long room = 2 * m->room + 8;
-    tp_onset_mode *more = realloc(m->modes, (size_t)room * sizeof *more);
-    if (more == NULL) return TP_MOTION_OUT_OF_MEMORY;
-    m->modes = more;
-    m->room = room;
-  }
+  tp_onset_mode *more = tp_grow(m->modes, m->count, &m->room, sizeof *more);
+  if (more == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  m->modes = more;
   tp_onset_mode *own = m->modes + m->count++;
   *own = (tp_onset_mode){.leaves = mode->ray_count == 0};
   bool done = true;

@@ -3,6 +3,8 @@
 
 #include "derive/onset_planes.h"
 
+#include "grow.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,13 +18,9 @@ void tp_onset_planes_clear(tp_onset_planes *p) {
 }
 
 static tp_onset_plane *add_plane(tp_onset_planes *p) {
-  if (p->count == p->room) {
-    const long room = 2 * p->room + 32;
-    tp_onset_plane *more = realloc(p->items, (size_t)room * sizeof *more);
-    if (more == NULL) return NULL;
-    p->items = more;
-    p->room = room;
-  }
+  tp_onset_plane *more = tp_grow(p->items, p->count, &p->room, sizeof *more);
+  if (more == NULL) return NULL;
+  p->items = more;
   tp_onset_plane *own = p->items + p->count++;
   *own = (tp_onset_plane){.turn = 1};
   arb_init(own->slope);

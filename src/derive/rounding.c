@@ -16,7 +16,7 @@ static bool has_upright_side(const tp_problem *problem, long point) {
   const tp_lattice *lattice = &problem->lattice;
   const long first = lattice->start[0], count = lattice->start[1] - first;
   for (long k = 0; k < count; k++) {
-    if (!tp_facet_same_point(lattice, first + k, point)) continue;
+    if (!tp_lattice_same_point(lattice, first + k, point)) continue;
     const long before = first + (k + count - 1) % count, after = first + (k + 1) % count;
     return compare(lattice->x, before, point) == 0 || compare(lattice->x, after, point) == 0;
   }

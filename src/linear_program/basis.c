@@ -101,16 +101,6 @@ tp_status tp_basis_exact(tp_basis *basis, const tp_cones *cones, const long *col
   return done == TP_GEOM_OK ? TP_OK : TP_DEPENDENCY_FAILED;
 }
 
-static void cross(double product[3], const double a[3], const double b[3]) {
-  for (int k = 0; k < 3; k++) {
-    product[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-  }
-}
-
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* The columns as generators of what can still be borne. */
 typedef struct generating {
   const tp_scaled *scaled;
@@ -135,10 +125,10 @@ long tp_basis_across(const tp_scaled *scaled, long shared, long other, bool full
   const double *edge = scaled->columns[shared];
   double column[3], normal[3], inward = 0;
   if (!set_column(column, &g, other)) return -1;
-  cross(normal, edge, column);
+  tp_vector_cross_near(normal, edge, column);
   for (long k = 0; k < scaled->count; k++) {
     if (!set_column(column, &g, k)) continue;
-    const double side = dot(normal, column);
+    const double side = tp_vector_dot_near(normal, column);
     if (fabs(side) > fabs(inward)) inward = side;
   }
   const double turn = inward < 0 ? 1 : -1;
@@ -146,9 +136,9 @@ long tp_basis_across(const tp_scaled *scaled, long shared, long other, bool full
   for (long k = 0; k < scaled->count; k++) {
     double own[3];
     if (!set_column(column, &g, k)) continue;
-    cross(own, edge, column);
+    tp_vector_cross_near(own, edge, column);
     if (fabs(own[0]) + fabs(own[1]) + fabs(own[2]) < rounding) continue; /* the edge itself */
-    if (found < 0 || turn * dot(normal, column) < -rounding) {
+    if (found < 0 || turn * tp_vector_dot_near(normal, column) < -rounding) {
       found = k;
       for (int row = 0; row < 3; row++) normal[row] = own[row];
     }

@@ -3,6 +3,7 @@
 
 #include "motion/bounds.h"
 
+#include "grow.h"
 #include "motion/newton.h"
 
 #include <stdlib.h>
@@ -27,16 +28,13 @@ void tp_bounds_clear(tp_bounds *bounds) {
 }
 
 static tp_bound *add_bound(tp_bounds *bounds) {
-  if (bounds->count == bounds->room) {
-    const long room = 2 * bounds->room + 8;
-    tp_bound *more = realloc(bounds->items, (size_t)room * sizeof *more);
-    if (more == NULL) return NULL;
-    for (long k = bounds->room; k < room; k++) {
-      tp_vector_init(&more[k].h);
-      arb_init(more[k].held);
-    }
-    bounds->items = more;
-    bounds->room = room;
+  const long before = bounds->room;
+  tp_bound *more = tp_grow(bounds->items, bounds->count, &bounds->room, sizeof *more);
+  if (more == NULL) return NULL;
+  bounds->items = more;
+  for (long k = before; k < bounds->room; k++) {
+    tp_vector_init(&more[k].h);
+    arb_init(more[k].held);
   }
   arb_zero(bounds->items[bounds->count].held);
   bounds->items[bounds->count].ray_and_edge = false;

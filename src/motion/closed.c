@@ -3,6 +3,7 @@
 
 #include "motion/closed.h"
 
+#include "grow.h"
 #include "number/ball.h"
 
 #include <stdlib.h>
@@ -14,13 +15,9 @@ void tp_closed_clear(tp_closed *closed) {
 }
 
 static bool add_edge(tp_closed *closed, long point, bool against) {
-  if (closed->edge_count == closed->edge_room) {
-    const long room = 2 * closed->edge_room + 8;
-    tp_mode_edge *more = realloc(closed->edges, (size_t)room * sizeof *more);
-    if (more == NULL) return false;
-    closed->edges = more;
-    closed->edge_room = room;
-  }
+  tp_mode_edge *more = tp_grow(closed->edges, closed->edge_count, &closed->edge_room, sizeof *more);
+  if (more == NULL) return false;
+  closed->edges = more;
   closed->edges[closed->edge_count++] = (tp_mode_edge){point, against};
   return true;
 }

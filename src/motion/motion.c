@@ -3,6 +3,7 @@
 
 #include "motion/motion.h"
 
+#include "grow.h"
 #include "motion/bounds.h"
 #include "number/ball.h"
 
@@ -91,13 +92,9 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
 }
 
 static bool keep_mode(tp_motions *m, const tp_mode *mode) {
-  if (m->mode_count == m->mode_room) {
-    const long room = 2 * m->mode_room + 8;
-    tp_motion_mode *more = realloc(m->modes, (size_t)room * sizeof *more);
-    if (more == NULL) return false;
-    m->modes = more;
-    m->mode_room = room;
-  }
+  tp_motion_mode *more = tp_grow(m->modes, m->mode_count, &m->mode_room, sizeof *more);
+  if (more == NULL) return false;
+  m->modes = more;
   tp_motion_mode *own = m->modes + m->mode_count;
   *own = (tp_motion_mode){.mechanism = mode->mechanism,
                           .ray_count = mode->ray_count,

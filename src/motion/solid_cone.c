@@ -3,6 +3,8 @@
 
 #include "motion/solid_cone.h"
 
+#include "grow.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,16 +18,15 @@ void tp_solid_cone_clear(tp_solid_cone *c) {
 }
 
 static bool make_room(tp_solid_cone *c) {
-  const long room = 2 * c->room + 16;
-  tp_solid_ray *more = realloc(c->rays, (size_t)room * sizeof *more);
+  const long before = c->room;
+  tp_solid_ray *more = tp_grow(c->rays, before, &c->room, sizeof *more);
   if (more == NULL) return false;
-  for (long k = c->room; k < room; k++) {
+  for (long k = before; k < c->room; k++) {
     tp_vector_init(&more[k].twist);
-    more[k].after = k + 1 < room ? k + 1 : c->unused;
+    more[k].after = k + 1 < c->room ? k + 1 : c->unused;
   }
-  c->unused = c->room;
+  c->unused = before;
   c->rays = more;
-  c->room = room;
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "motion/tilts.h"
 
+#include "grow.h"
 #include "load/zeros.h"
 #include "number/ball.h"
 
@@ -60,16 +61,13 @@ void tp_tilts_empty(tp_tilts *spans) {
 }
 
 tp_tilt_span *tp_tilts_add(tp_tilts *spans) {
-  if (spans->count == spans->room) {
-    const long room = 2 * spans->room + 4;
-    tp_tilt_span *more = realloc(spans->items, (size_t)room * sizeof *more);
-    if (more == NULL) return NULL;
-    for (long k = spans->room; k < room; k++) {
-      tp_tilt_init(&more[k].from);
-      tp_tilt_init(&more[k].to);
-    }
-    spans->items = more;
-    spans->room = room;
+  const long before = spans->room;
+  tp_tilt_span *more = tp_grow(spans->items, spans->count, &spans->room, sizeof *more);
+  if (more == NULL) return NULL;
+  spans->items = more;
+  for (long k = before; k < spans->room; k++) {
+    tp_tilt_init(&more[k].from);
+    tp_tilt_init(&more[k].to);
   }
   tp_tilt_span *own = spans->items + spans->count++;
   own->from.endless = own->to.endless = true;

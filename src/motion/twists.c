@@ -3,6 +3,7 @@
 
 #include "motion/twists.h"
 
+#include "grow.h"
 #include "motion/double_description.h"
 
 #include <stdlib.h>
@@ -17,13 +18,9 @@ void tp_twists_clear(tp_twists *t) {
 }
 
 static tp_ray *next_ray(tp_twists *t) {
-  if (t->ray_count == t->ray_room) {
-    const long room = 2 * t->ray_room + 8;
-    tp_ray *more = realloc(t->rays, (size_t)room * sizeof *more);
-    if (more == NULL) return NULL;
-    t->rays = more;
-    t->ray_room = room;
-  }
+  tp_ray *more = tp_grow(t->rays, t->ray_count, &t->ray_room, sizeof *more);
+  if (more == NULL) return NULL;
+  t->rays = more;
   tp_ray *ray = t->rays + t->ray_count++;
   memset(ray, 0, sizeof *ray);
   tp_vector_init(&ray->twist);
@@ -57,13 +54,9 @@ static bool add_ray(tp_twists *t, const tp_vector *twist, bool back) {
 }
 
 bool tp_twists_tell_line(tp_twists *t, long line) {
-  if (t->line_count == t->line_room) {
-    const long room = 2 * t->line_room + 8;
-    long *more = realloc(t->lines, (size_t)room * sizeof *more);
-    if (more == NULL) return false;
-    t->lines = more;
-    t->line_room = room;
-  }
+  long *more = tp_grow(t->lines, t->line_count, &t->line_room, sizeof *more);
+  if (more == NULL) return false;
+  t->lines = more;
   tp_ray *own = t->rays + t->ray_count - 1;
   if (own->line_count++ == 0) own->first_line = t->line_count;
   t->lines[t->line_count++] = line;

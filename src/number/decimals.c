@@ -3,6 +3,8 @@
 
 #include "number/decimals.h"
 
+#include "grow.h"
+
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,12 +34,9 @@ bool tp_decimals_failed(const tp_decimals *decimals) {
 }
 
 static bool reserve(tp_decimals *decimals) {
-  if (decimals->count < decimals->capacity) return true;
-  const long capacity = decimals->capacity > 0 ? 2 * decimals->capacity : 16;
-  char **texts = realloc(decimals->texts, (size_t)capacity * sizeof *texts);
-  if (texts == NULL) return false;
-  decimals->texts = texts;
-  decimals->capacity = capacity;
+  char **more = tp_grow(decimals->texts, decimals->count, &decimals->capacity, sizeof *more);
+  if (more == NULL) return false;
+  decimals->texts = more;
   return true;
 }
 

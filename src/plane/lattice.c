@@ -191,3 +191,43 @@ void tp_lattice_metres_x(fmpq_t result, const tp_lattice *lattice, const fmpz_t 
 void tp_lattice_metres_y(fmpq_t result, const tp_lattice *lattice, const fmpz_t y) {
   metres(result, y, lattice->origin_y, lattice->step_m);
 }
+
+static int bilinear_sign(const fmpz *a, const fmpz *b, const fmpz *c, const fmpz *d, bool add) {
+  fmpz_t result;
+  fmpz_init(result);
+  fmpz_mul(result, a, b);
+  if (add) {
+    fmpz_addmul(result, c, d);
+  } else {
+    fmpz_submul(result, c, d);
+  }
+  const int sign = fmpz_sgn(result);
+  fmpz_clear(result);
+  return sign;
+}
+
+static int sign_of_product(const tp_lattice *l, long a, long b, long c, long d, bool dot) {
+  fmpz r[4]; /* dx and dy of b - a and of d - c */
+  for (int k = 0; k < 4; k++) fmpz_init(r + k);
+  fmpz_sub(r, l->x + b, l->x + a);
+  fmpz_sub(r + 1, l->y + b, l->y + a);
+  fmpz_sub(r + 2, l->x + d, l->x + c);
+  fmpz_sub(r + 3, l->y + d, l->y + c);
+  const int sign = dot ? bilinear_sign(r, r + 2, r + 1, r + 3, true)
+                       : bilinear_sign(r, r + 3, r + 1, r + 2, false);
+  for (int k = 0; k < 4; k++) fmpz_clear(r + k);
+  return sign;
+}
+
+int tp_lattice_cross(const tp_lattice *lattice, long a, long b, long c, long d) {
+  return sign_of_product(lattice, a, b, c, d, false);
+}
+
+int tp_lattice_dot(const tp_lattice *lattice, long a, long b, long c, long d) {
+  return sign_of_product(lattice, a, b, c, d, true);
+}
+
+bool tp_lattice_same_point(const tp_lattice *lattice, long a, long b) {
+  return a == b ||
+         (fmpz_equal(lattice->x + a, lattice->x + b) && fmpz_equal(lattice->y + a, lattice->y + b));
+}

@@ -48,4 +48,11 @@ double tp_lattice_work(const tp_lattice *lattice);
 void tp_lattice_metres_x(fmpq_t metres, const tp_lattice *lattice, const fmpz_t x);
 void tp_lattice_metres_y(fmpq_t metres, const tp_lattice *lattice, const fmpz_t y);
 
+/* Sign of (b - a) x (d - c) and of (b - a) . (d - c) for points of the lattice. */
+int tp_lattice_cross(const tp_lattice *lattice, long a, long b, long c, long d);
+int tp_lattice_dot(const tp_lattice *lattice, long a, long b, long c, long d);
+
+/* Do they lie in one point? */
+bool tp_lattice_same_point(const tp_lattice *lattice, long a, long b);
+
 #endif

@@ -73,8 +73,8 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
 static bool is_one_place(const tp_contact *contact, const tp_lattice *l) {
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
-    if (!tp_facet_same_point(l, f->q0, f->q1) ||
-        !tp_facet_same_point(l, f->q0, contact->facets->q0)) {
+    if (!tp_lattice_same_point(l, f->q0, f->q1) ||
+        !tp_lattice_same_point(l, f->q0, contact->facets->q0)) {
       return false;
     }
   }

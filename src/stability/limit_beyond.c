@@ -51,13 +51,13 @@ static long edge_at(bool *inside, const tp_lattice *l, long point) {
   const long count = l->start[1];
   *inside = false;
   for (long k = 0; k < count; k++) {
-    if (tp_facet_same_point(l, k, point)) return k;
+    if (tp_lattice_same_point(l, k, point)) return k;
   }
   *inside = true;
   for (long k = 0; k < count; k++) {
     const long next = k + 1 == count ? 0 : k + 1;
-    if (tp_facet_cross(l, k, next, k, point) == 0 && tp_facet_dot(l, k, point, k, next) > 0 &&
-        tp_facet_dot(l, next, point, next, k) > 0) {
+    if (tp_lattice_cross(l, k, next, k, point) == 0 && tp_lattice_dot(l, k, point, k, next) > 0 &&
+        tp_lattice_dot(l, next, point, next, k) > 0) {
       return k;
     }
   }
@@ -93,7 +93,7 @@ static bool step(bool *done, tp_limit_beyond *b, const walk *w, long edge, long 
   const tp_facet *before =
       b->sole.count > 0 ? b->sole.items + b->sole.count - 1 : facet_at_toe(w->problem, w->towards);
   const bool goes_on =
-      straight || (before != NULL && tp_facet_cross(l, before->t0, before->t1, edge, next) == 0);
+      straight || (before != NULL && tp_lattice_cross(l, before->t0, before->t1, edge, next) == 0);
   if (!goes_on && !is_sole(l, edge, next)) return false;
   *done = tp_facets_append(&b->sole, (tp_facet){.q0 = q0, .q1 = q1, .t0 = edge, .t1 = next});
   return *done;

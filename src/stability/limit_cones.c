@@ -13,7 +13,7 @@ static long past_straight(const tp_problem *problem, long corner, long step) {
   const tp_lattice *l = &problem->lattice;
   const long ring = l->start[problem->section.ring_count];
   const bool inner = corner > ring && corner < ring + problem->base.edge_count;
-  const bool straight = inner && tp_facet_cross(l, corner - 1, corner, corner, corner + 1) == 0;
+  const bool straight = inner && tp_lattice_cross(l, corner - 1, corner, corner, corner + 1) == 0;
   return straight ? corner + step : corner;
 }
 

@@ -61,8 +61,8 @@ static bool is_free_to_slip(const tp_problem *problem) {
     const tp_facet *f = contact->facets + k;
     if (f->t0 == f->t1) continue;
     if (first == NULL) first = f;
-    if (tp_facet_cross(&problem->lattice, first->t0, first->t1, f->t0, f->t1) != 0 ||
-        tp_facet_dot(&problem->lattice, first->t0, first->t1, f->t0, f->t1) < 0) {
+    if (tp_lattice_cross(&problem->lattice, first->t0, first->t1, f->t0, f->t1) != 0 ||
+        tp_lattice_dot(&problem->lattice, first->t0, first->t1, f->t0, f->t1) < 0) {
       return false;
     }
   }

@@ -133,15 +133,15 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
     for (long f = 0; f < problem->contact.facet_count; f++) {
       const tp_facet *facet = problem->contact.facets + f;
       for (int side = inwards ? 1 : 0; side < 2; side++) {
-        const bool along = tp_facet_cross(l, tip, ends[side], tip, facet->q0) == 0 &&
-                           tp_facet_cross(l, tip, ends[side], tip, facet->q1) == 0;
-        const bool toward = tp_facet_dot(l, tip, ends[side], tip, facet->q0) >= 0 &&
-                            tp_facet_dot(l, ends[side], tip, ends[side], facet->q1) >= 0 &&
-                            tp_facet_dot(l, tip, ends[side], tip, facet->q1) >= 0 &&
-                            tp_facet_dot(l, ends[side], tip, ends[side], facet->q0) >= 0;
+        const bool along = tp_lattice_cross(l, tip, ends[side], tip, facet->q0) == 0 &&
+                           tp_lattice_cross(l, tip, ends[side], tip, facet->q1) == 0;
+        const bool toward = tp_lattice_dot(l, tip, ends[side], tip, facet->q0) >= 0 &&
+                            tp_lattice_dot(l, ends[side], tip, ends[side], facet->q1) >= 0 &&
+                            tp_lattice_dot(l, tip, ends[side], tip, facet->q1) >= 0 &&
+                            tp_lattice_dot(l, ends[side], tip, ends[side], facet->q0) >= 0;
         const bool own_end =
-            facet->q0 == facet->q1 && (tp_facet_same_point(l, facet->q0, ends[side]) ||
-                                       (inwards && tp_facet_same_point(l, facet->q0, tip)));
+            facet->q0 == facet->q1 && (tp_lattice_same_point(l, facet->q0, ends[side]) ||
+                                       (inwards && tp_lattice_same_point(l, facet->q0, tip)));
         if (!along || !toward || own_end) continue;
         return tp_fail(message, TP_BAD_INPUT, problem->scene->block.arcs[0].place,
                        "the block touches its base on an arc; say where the contact ends, 'base: "

@@ -51,8 +51,8 @@ static const tp_corner *corner_at(const tp_problem *problem, const tp_contact_po
   }
   if (corner == NULL) return NULL;
   const long edge_end = left ? corner->after : corner->before;
-  const bool on_edge =
-      tp_facet_cross(&problem->lattice, corner->vertex, edge_end, corner->vertex, toe->point) == 0;
+  const bool on_edge = tp_lattice_cross(&problem->lattice, corner->vertex, edge_end, corner->vertex,
+                                        toe->point) == 0;
   return on_edge && tp_tangent_compare(corner, left, &problem->lattice, toe->point) == 0 ? corner
                                                                                          : NULL;
 }
@@ -65,7 +65,8 @@ static bool find_plane(rolling *r, const tp_problem *problem) {
   const long t0 = r->left ? r->corner->vertex : r->corner->before;
   const long t1 = r->left ? r->corner->after : r->corner->vertex;
   for (long from = ring; from < last; from++) {
-    if (tp_facet_cross(l, t0, t1, t0, from) != 0 || tp_facet_cross(l, t0, t1, t0, from + 1) != 0) {
+    if (tp_lattice_cross(l, t0, t1, t0, from) != 0 ||
+        tp_lattice_cross(l, t0, t1, t0, from + 1) != 0) {
       continue;
     }
     const tp_outline_point begin = {.point = from}, end = {.point = from + 1};
@@ -74,7 +75,7 @@ static bool find_plane(rolling *r, const tp_problem *problem) {
     if (r->left ? before >= 0 || after < 0 : after <= 0 || before > 0) continue;
     const long step = r->left ? -1 : 1, stop = r->left ? ring : last;
     r->end = r->left ? from : from + 1;
-    while (r->end != stop && tp_facet_cross(l, r->end - 1, r->end, r->end, r->end + 1) == 0) {
+    while (r->end != stop && tp_lattice_cross(l, r->end - 1, r->end, r->end, r->end + 1) == 0) {
       r->end += step;
     }
     return true;

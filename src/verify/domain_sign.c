@@ -18,22 +18,6 @@
 enum { MULTIPLICATIONS = 8, MOST_TERMS = 2000 };
 static const double most_units = 20000; /* for one polynomial */
 
-/* 1 or -1 where all coefficients have that sign, 0 where they differ. */
-static int sign_of_coefficients(const fmpz_mpoly_t p, const tp_field *field) {
-  fmpz_t coefficient;
-  fmpz_init(coefficient);
-  int sign = 0;
-  bool mixed = false;
-  for (slong t = 0; t < fmpz_mpoly_length(p, field->ring) && !mixed; t++) {
-    fmpz_mpoly_get_term_coeff_fmpz(coefficient, p, t, field->ring);
-    const int own = fmpz_sgn(coefficient);
-    mixed = sign != 0 && own != sign;
-    sign = own;
-  }
-  fmpz_clear(coefficient);
-  return mixed ? 0 : sign;
-}
-
 /* value = value top^exponent below^(degree - exponent) of an image. */
 static void multiply_image(fmpz_mpoly_q_t value, const fmpz_mpoly_q_struct *image, slong exponent,
                            slong degree, const tp_field *field) {
@@ -122,12 +106,12 @@ static int sign_of_factor(const fmpz_mpoly_t p, const tp_domain *domain) {
   int sign = 0;
   if (substitute(value, p, domain)) {
     const fmpz_mpoly_struct *top = fmpz_mpoly_q_numref(value);
-    sign = sign_of_coefficients(top, field);
+    sign = tp_field_sign_of_coefficients(top, field);
     set_multiplier(multiplier, top, field);
     for (int k = 0; k < MULTIPLICATIONS && sign == 0 && top->length < MOST_TERMS; k++) {
       tp_field_mul(value, value, multiplier, field);
       if (tp_field_problem(field) != NULL) break;
-      sign = sign_of_coefficients(top, field);
+      sign = tp_field_sign_of_coefficients(top, field);
     }
   }
   fmpz_mpoly_q_clear(value, field->ring);

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Every status has a meaning and an exit status of its own list, and a number that is none says so.
+ */
+
+#include "runner.h"
+#include "topple.h"
+
+#include <string.h>
+
+START_TEST(every_status_is_told) {
+  static const struct {
+    tp_status status;
+    int exit_status;
+  } all[] = {{TP_OK, 0},
+             {TP_BAD_INPUT, 3},
+             {TP_NO_ANSWER, 3},
+             {TP_UNDECIDED, 4},
+             {TP_OUT_OF_MEMORY, 5},
+             {TP_SYSTEM_FAILED, 5},
+             {TP_DEPENDENCY_FAILED, 5}};
+  enum { COUNT = sizeof all / sizeof all[0] };
+#define ONE(name, exit_status, meaning) +1
+  ck_assert_int_eq(COUNT, 0 TP_STATUS_LIST(ONE));
+#undef ONE
+  for (int k = 0; k < COUNT; k++) {
+    ck_assert_int_eq(tp_status_exit(all[k].status), all[k].exit_status);
+    ck_assert_str_ne(tp_status_meaning(all[k].status), "");
+    for (int other = 0; other < k; other++) {
+      ck_assert_str_ne(tp_status_meaning(all[k].status), tp_status_meaning(all[other].status));
+    }
+  }
+}
+END_TEST
+
+START_TEST(what_is_no_status) {
+  const int none[] = {-1, TP_DEPENDENCY_FAILED + 1, 1000};
+  for (size_t k = 0; k < sizeof none / sizeof none[0]; k++) {
+    ck_assert_str_eq(tp_status_meaning((tp_status)none[k]), "unknown status");
+    ck_assert_int_eq(tp_status_exit((tp_status)none[k]), tp_status_exit(TP_SYSTEM_FAILED));
+  }
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("status");
+  TCase *statuses = tcase_create("status");
+  tcase_add_test(statuses, every_status_is_told);
+  tcase_add_test(statuses, what_is_no_status);
+  suite_add_tcase(suite, statuses);
+  return run_suite(suite);
+}
