@@ -213,6 +213,10 @@ void tp_json_solution(tp_json *j, const tp_solution *s, tp_pivots_listed listed)
   tp_json_string(j, "level", tp_level_name(s->level));
   tp_json_beside(j);
   tp_json_integer(j, "bits", s->bits);
+  if (s->zero_bits != 0) {
+    tp_json_beside(j);
+    tp_json_integer(j, "zero_bits", s->zero_bits);
+  }
   tp_json_notes(j, &s->notes);
   tp_json_array(j, "cases", TP_JSON_BLOCK);
   for (size_t k = 0; k < s->case_count; k++) add_case(j, s, s->cases + k, listed);

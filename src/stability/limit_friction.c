@@ -42,6 +42,17 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_clear(angle);
 }
 
+/* Where the judge would take zeros, first without: what is proven so rests on none. */
+static tp_limit_outcome find(tp_limit_asking *a) {
+  if (a->question->judge.settled) {
+    tp_limit_question strict = *a->question;
+    strict.judge.settled = false;
+    const tp_limit_outcome outcome = tp_limit_find(a->answer, &strict);
+    if (outcome != TP_LIMIT_OPEN) return outcome;
+  }
+  return tp_limit_find(a->answer, a->question);
+}
+
 /* A friction angle to the limit that it gives (tp_friction_limit). */
 static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
   tp_limit_asking *a = context;
@@ -56,7 +67,7 @@ static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estima
     tp_scaled_clear(&scaled);
     return true;
   }
-  a->outcome = tp_limit_find(a->answer, a->question);
+  a->outcome = find(a);
   if (a->outcome != TP_LIMIT_PROVEN) return false;
   sharpen_slide(a->answer, a->cones, a->e, degrees, a->back);
   arb_set(tilt, a->answer->degrees);

@@ -52,7 +52,7 @@ typedef struct asking {
   tp_onset_asked asked;
   tp_motion_outcome outcome;
   bool has_windows;
-  tp_judge judge; /* by which they are found */
+  long first; /* of the windows: tp_onset_first_window */
   tp_motions motions;
   tp_motion_windows windows;
 } asking;
@@ -67,7 +67,7 @@ static void forget(asking *a) {
 /* The windows with a friction angle; with a judge of few bits as an estimate. */
 static bool find_by(asking *a, const arb_t friction, const tp_judge *judge) {
   tp_motion_question q = a->asked.question;
-  q.judge = a->judge = *judge;
+  q.judge = *judge;
   forget(a);
   tp_friction_tangent(a->asked.cones.friction, friction, a->e->rung.bits);
   a->outcome = tp_motions_init(&a->motions, &q);
@@ -78,11 +78,20 @@ static bool find_by(asking *a, const arb_t friction, const tp_judge *judge) {
     return false;
   }
   a->has_windows = true;
+  a->first = tp_onset_first_window(&a->windows, &q.judge);
   return true;
 }
 
+/* Where the judge would take zeros, first without: what is proven so rests on none. */
 static bool find(asking *a, const arb_t friction) {
-  return find_by(a, friction, &a->asked.question.judge);
+  const tp_judge *given = &a->asked.question.judge;
+  if (given->settled) {
+    tp_judge strict = *given;
+    strict.settled = false;
+    const bool found = find_by(a, friction, &strict);
+    if (found ? a->first != TP_WINDOW_OPEN : a->outcome != TP_MOTION_OPEN) return found;
+  }
+  return find_by(a, friction, given);
 }
 
 /* With few bits, by what these tell: all of a search but its proof. */
@@ -96,12 +105,11 @@ static bool find_roughly(asking *a, const arb_t friction) {
 static bool onset_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
   asking *a = context;
   if (!(estimate ? find_roughly(a, degrees) : find(a, degrees))) return false;
-  const long first = tp_onset_first_window(&a->windows, &a->judge);
-  if (first == -2) {
+  if (a->first == TP_WINDOW_OPEN) {
     a->outcome = TP_MOTION_OPEN;
     return false;
   }
-  const tp_motion_window *w = first >= 0 ? a->windows.items + first : NULL;
+  const tp_motion_window *w = a->first >= 0 ? a->windows.items + a->first : NULL;
   arb_set_si(tilt, w == NULL ? 90 : -90);
   if (w != NULL && !w->from.endless) arb_set(tilt, w->from.degrees);
   if (estimate) mag_zero(arb_radref(tilt));
@@ -130,9 +138,8 @@ static void find_onset(asking *a) {
 static void tell_onset(asking *a) {
   const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
                               &a->motions, &a->windows};
-  const long first = tp_onset_first_window(&a->windows, &a->judge);
-  if (first >= 0) arb_set(a->found->degrees, a->windows.items[first].from.degrees);
-  if (!tp_onset_describe(&t, first)) a->outcome = TP_MOTION_OUT_OF_MEMORY;
+  if (a->first >= 0) arb_set(a->found->degrees, a->windows.items[a->first].from.degrees);
+  if (!tp_onset_describe(&t, a->first)) a->outcome = TP_MOTION_OUT_OF_MEMORY;
 }
 
 /* Where they stay open, or are too dear, the rest is told without them. */

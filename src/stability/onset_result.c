@@ -11,14 +11,14 @@
 long tp_onset_first_window(const tp_motion_windows *windows, const tp_judge *judge) {
   arb_t level;
   arb_init(level);
-  long found = -1;
-  for (long k = 0; k < windows->count && found == -1; k++) {
+  long found = TP_NO_WINDOW;
+  for (long k = 0; k < windows->count && found == TP_NO_WINDOW; k++) {
     const tp_motion_window *w = windows->items + k;
     const tp_answer holds = tp_window_holds(w, level);
     if (holds == TP_YES || (!w->from.endless && arb_is_positive(w->from.degrees))) found = k;
     if (holds != TP_OPEN) continue;
     const bool at_lower_end = !w->from.endless && arb_contains_zero(w->from.degrees);
-    found = at_lower_end && judge->settled ? k : -2;
+    found = at_lower_end && tp_judge_takes_equal(judge) ? k : TP_WINDOW_OPEN;
   }
   arb_clear(level);
   return found;

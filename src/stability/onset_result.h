@@ -20,7 +20,8 @@ typedef struct tp_onset_telling {
 } tp_onset_telling;
 
 /* The window that the onset is the lower end of: the one that holds level ground, or else the first
- * above it; -1 where there is none, -2 where that is open. */
+ * above it. */
+enum { TP_NO_WINDOW = -1, TP_WINDOW_OPEN = -2 };
 long tp_onset_first_window(const tp_motion_windows *windows, const tp_judge *judge);
 
 /* Fills in all but the motions at the scene's tilt, with the first window. False when memory is
