@@ -103,12 +103,12 @@ static double seconds(const tp_solution *s) {
 static void add_certainty(tp_page *p) {
   const tp_solution *s = p->solution;
   const double ms = 1e3 * seconds(s);
+  tp_text_add(&p->text, "\n");
   if (s->zero_bits != 0) {
-    tp_text_add(&p->text,
-                "\nA decision above takes for zero what %ld bits do not tell from it.\n",
+    tp_text_add(&p->text, "A decision above takes for zero what %ld bits do not tell from it.\n",
                 s->zero_bits);
   }
-  tp_text_add(&p->text, "\nCertain to every digit printed; %s, %.*f ms (--verbose: what ran).\n",
+  tp_text_add(&p->text, "Certain to every digit printed; %s, %.*f ms (--verbose: what ran).\n",
               tp_level_name(s->level), ms < 10 ? 2 : 0, ms);
 }
 

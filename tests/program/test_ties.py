@@ -115,6 +115,20 @@ class Ties(unittest.TestCase):
         self.assertLessEqual(factor(own), least + 1e-11 * abs(least), self.text)
         return len(tied) > 1
 
+    def test_a_line_through_the_pivot(self):
+        """An anchor at 45 degrees whose line passes through the toe overturns nothing: its moment is zero, which
+        balls never prove, and the report says so. A nanometre off there is nothing to say, nor without the anchor."""
+        anchored = ("topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 3}, unit_weight_kn_m3: 26}\n"
+                    "loads: {anchors: [{at: [1, HEIGHT], direction_deg: 225, force_kn: 10}]}\n"
+                    "tilt: {towards: left, angle_deg: 10}\n")
+        for height, bits in (("1", 160), ("1.000000001", None), ("0.999999999", None)):
+            self.path.write_text(anchored.replace("HEIGHT", height))
+            self.assertEqual(json.loads(run("solve", "--json", self.path)[1]).get("zero_bits"), bits, height)
+            said = "A decision above takes for zero what 160 bits do not tell from it." in run("solve", self.path)[1]
+            self.assertEqual(said, bits is not None, height)
+        self.path.write_text("\n".join(line for line in anchored.splitlines() if not line.startswith("loads")))
+        self.assertNotIn("zero_bits", json.loads(run("solve", "--json", self.path)[1]))
+
     def test_mirror_images(self):
         """Random teeth under random loads, strong ones among them, which keep a block on several pivots at
         every tilt or on none."""
