@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A look at a scene; and borders between looks that are not alike, by halving: what happens there
- * is one of several, no value that could be interpolated. */
+/* Samples of a scene; and borders between samples that are not alike, by halving: what happens
+ * there is one of several, no value that could be interpolated. */
 
 #include "chart/map.h"
 #include "chart/mechanism_style.h"
@@ -45,8 +45,8 @@ tp_chart_style tp_regime_region(tp_regime regime) {
   return tp_region_other;
 }
 
-bool tp_look_has_limit(const tp_look *look) {
-  return look->regime >= TP_REGIME_SLIDES && look->regime <= TP_REGIME_TIE;
+bool tp_map_sample_has_limit(const tp_map_sample *sample) {
+  return sample->regime >= TP_REGIME_SLIDES && sample->regime <= TP_REGIME_TIE;
 }
 
 static tp_regime regime_of(const tp_case *own) {
@@ -71,64 +71,65 @@ static tp_regime regime_of(const tp_case *own) {
   return TP_REGIME_UNDECIDED;
 }
 
-static void add_strip(tp_look *look, unsigned motions, tp_bounded from, tp_bounded to) {
-  if (look->strip_count < TP_STRIPS_MAX) {
-    look->strips[look->strip_count++] = (tp_strip){motions, from, to};
+static void add_strip(tp_map_sample *sample, unsigned motions, tp_bounded from, tp_bounded to) {
+  if (sample->strip_count < TP_STRIPS_MAX) {
+    sample->strips[sample->strip_count++] = (tp_strip){motions, from, to};
   } else {
-    look->has_strips = false;
+    sample->has_strips = false;
   }
 }
 
 /* From level on; two that meet have the same tilt for an end. */
-static void take_strips(tp_look *look, const tp_onset *onset) {
+static void take_strips(tp_map_sample *sample, const tp_onset *onset) {
   const tp_bounded level = {0}, upright = {.value = 90};
-  look->has_strips = onset->has_ranges;
+  sample->has_strips = onset->has_ranges;
   for (size_t k = 0; k < onset->range_count; k++) {
     const tp_motion_range *own = onset->ranges + k;
     const tp_bounded to = own->to_above ? upright : own->to_deg;
     tp_bounded from = own->from_below ? level : own->from_deg;
     if (to.value <= 0) continue;
     if (from.value < 0) from = level;
-    const tp_strip *last = look->strip_count > 0 ? look->strips + look->strip_count - 1 : NULL;
-    if (last != NULL && last->to_deg.value != from.value) add_strip(look, 0, last->to_deg, from);
-    add_strip(look, own->motions, from, to);
+    const tp_strip *last =
+        sample->strip_count > 0 ? sample->strips + sample->strip_count - 1 : NULL;
+    if (last != NULL && last->to_deg.value != from.value) add_strip(sample, 0, last->to_deg, from);
+    add_strip(sample, own->motions, from, to);
   }
 }
 
-static void take(tp_look *look, const tp_solution *solution) {
+static void take(tp_map_sample *sample, const tp_solution *solution) {
   const tp_case *own = solution->cases;
-  look->regime = regime_of(own);
-  look->limit_deg = own->limit.critical_angle_deg;
-  look->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
-  if (look->has_onset) look->onset_deg = own->onset.critical_angle_deg;
-  look->has_toppling = own->has_governing && !own->pivots[own->governing].never &&
-                       !own->pivots[own->governing].always;
-  look->governing = own->governing;
-  if (look->has_toppling) look->toppling_deg = own->pivots[own->governing].critical_angle_deg;
-  look->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
-  if (look->has_sliding) look->sliding_deg = own->sliding.critical_angle_deg;
-  take_strips(look, &own->onset);
+  sample->regime = regime_of(own);
+  sample->limit_deg = own->limit.critical_angle_deg;
+  sample->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
+  if (sample->has_onset) sample->onset_deg = own->onset.critical_angle_deg;
+  sample->has_toppling = own->has_governing && !own->pivots[own->governing].never &&
+                         !own->pivots[own->governing].always;
+  sample->governing = own->governing;
+  if (sample->has_toppling) sample->toppling_deg = own->pivots[own->governing].critical_angle_deg;
+  sample->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
+  if (sample->has_sliding) sample->sliding_deg = own->sliding.critical_angle_deg;
+  take_strips(sample, &own->onset);
 }
 
-tp_look tp_map_look(tp_map *map, const double *values) {
-  tp_look look = {.regime = TP_REGIME_NONE};
+tp_map_sample tp_map_take_sample(tp_map *map, const double *values) {
+  tp_map_sample sample = {.regime = TP_REGIME_NONE};
   tp_solution *solution = NULL;
-  for (size_t k = 0; k < map->scene.count; k++) look.values[k] = values[k];
+  for (size_t k = 0; k < map->scene.count; k++) sample.values[k] = values[k];
   const tp_status status = tp_varied_solve(&solution, &map->scene, values, &map->why);
   if (status == TP_OK) {
-    take(&look, solution);
+    take(&sample, solution);
     map->patton = solution->friction_is_patton;
   }
-  if (status == TP_UNDECIDED) look.regime = TP_REGIME_UNDECIDED;
+  if (status == TP_UNDECIDED) sample.regime = TP_REGIME_UNDECIDED;
   if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
     map->status = status;
     *map->message = map->why;
   }
   tp_solution_free(solution);
-  return look;
+  return sample;
 }
 
-bool tp_look_is_like(const tp_look *one, const tp_look *other) {
+bool tp_map_sample_is_like(const tp_map_sample *one, const tp_map_sample *other) {
   if (one->regime != other->regime || one->has_strips != other->has_strips ||
       one->strip_count != other->strip_count) {
     return false;
@@ -139,7 +140,7 @@ bool tp_look_is_like(const tp_look *one, const tp_look *other) {
   return true;
 }
 
-void tp_map_border(tp_map *map, tp_look *low, tp_look *high) {
+void tp_map_border(tp_map *map, tp_map_sample *low, tp_map_sample *high) {
   for (int step = 0; step < STEPS && map->status == TP_OK; step++) {
     double middle[TP_VARIED_MAX];
     bool moved = false;
@@ -149,8 +150,8 @@ void tp_map_border(tp_map *map, tp_look *low, tp_look *high) {
       moved |= middle[k] != a && middle[k] != b;
     }
     if (!moved) return;
-    const tp_look found = tp_map_look(map, middle);
-    if (tp_look_is_like(&found, low)) {
+    const tp_map_sample found = tp_map_take_sample(map, middle);
+    if (tp_map_sample_is_like(&found, low)) {
       *low = found;
     } else {
       *high = found;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The mechanism map of a scene: what the map looks at, and how borders between certified mechanisms
- * are found. Shared by the map along one scalar and the map over two. */
+/* The mechanism map of a scene: what it is sampled for, and how borders between certified
+ * mechanisms are found. Shared by the map along one scalar and the map over two. */
 
 #ifndef TP_MAP_H
 #define TP_MAP_H
@@ -47,7 +47,7 @@ typedef struct tp_strip {
 
 enum { TP_STRIPS_MAX = 12 };
 
-typedef struct tp_look {
+typedef struct tp_map_sample {
   double values[TP_VARIED_MAX];
   tp_regime regime;
   tp_bounded limit_deg; /* slides, topples, both, tie */
@@ -59,19 +59,19 @@ typedef struct tp_look {
   bool has_strips; /* where they were asked for, and are no more than there is room for */
   size_t strip_count;
   tp_strip strips[TP_STRIPS_MAX]; /* from level, or the first beyond, to 90 degrees at most */
-} tp_look;
+} tp_map_sample;
 
-bool tp_look_has_limit(const tp_look *look);
+bool tp_map_sample_has_limit(const tp_map_sample *sample);
 
 /* Solve the scene with the values. */
-tp_look tp_map_look(tp_map *map, const double *values);
+tp_map_sample tp_map_take_sample(tp_map *map, const double *values);
 
 /* Are the regimes the same, and the motions of the strips, one after the other? */
-bool tp_look_is_like(const tp_look *one, const tp_look *other);
+bool tp_map_sample_is_like(const tp_map_sample *one, const tp_map_sample *other);
 
-/* Along the line between two looks that are not alike: the last point like the first and the next
+/* Along the line between two samples that are not alike: the last point like the first and the next
  * double, along the axis that moves, that is not. */
-void tp_map_border(tp_map *map, tp_look *low, tp_look *high);
+void tp_map_border(tp_map *map, tp_map_sample *low, tp_map_sample *high);
 
 /* "slides | topples" */
 void tp_map_border_name(char *text, size_t size, tp_regime one, tp_regime other);

@@ -6,10 +6,10 @@
 #include <math.h>
 
 double tp_line_at(const tp_map_line *l, size_t k) {
-  return l->looks[k].values[0];
+  return l->samples[k].values[0];
 }
 
-tp_bounded tp_line_root(const tp_look *low, const tp_look *high) {
+tp_bounded tp_line_root(const tp_map_sample *low, const tp_map_sample *high) {
   const double half = (high->values[0] - low->values[0]) / 2;
   return (tp_bounded){.value = low->values[0] + half,
                       .error = half + fabs(low->values[0]) * 0x1p-52};
@@ -17,7 +17,7 @@ tp_bounded tp_line_root(const tp_look *low, const tp_look *high) {
 
 size_t tp_line_end(const tp_map_line *l, size_t begin) {
   size_t end = begin + 1;
-  while (end < l->count && tp_look_is_like(l->looks + end, l->looks + begin)) end++;
+  while (end < l->count && tp_map_sample_is_like(l->samples + end, l->samples + begin)) end++;
   return end;
 }
 
@@ -33,12 +33,14 @@ void tp_line_place(const tp_map_line *l, double scalar, double tilt) {
   tp_line_add(l, tp_chart_exactly(scalar), tp_chart_exactly(tp_line_clamped(l, tilt)));
 }
 
-double tp_line_moves_from(const tp_map_line *l, const tp_look *look) {
-  if (tp_look_has_limit(look)) return tp_line_clamped(l, look->limit_deg.value);
-  return look->regime == TP_REGIME_MAY_MOVE || look->regime == TP_REGIME_INTERLOCKED ? l->tilt.to
-                                                                                     : l->tilt.from;
+double tp_line_moves_from(const tp_map_line *l, const tp_map_sample *sample) {
+  if (tp_map_sample_has_limit(sample)) return tp_line_clamped(l, sample->limit_deg.value);
+  return sample->regime == TP_REGIME_MAY_MOVE || sample->regime == TP_REGIME_INTERLOCKED
+             ? l->tilt.to
+             : l->tilt.from;
 }
 
-double tp_line_stands_to(const tp_map_line *l, const tp_look *look) {
-  return look->has_onset ? tp_line_clamped(l, look->onset_deg.value) : tp_line_moves_from(l, look);
+double tp_line_stands_to(const tp_map_line *l, const tp_map_sample *sample) {
+  return sample->has_onset ? tp_line_clamped(l, sample->onset_deg.value)
+                           : tp_line_moves_from(l, sample);
 }

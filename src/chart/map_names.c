@@ -12,13 +12,13 @@ static double clearance(const tp_map_line *l, double scalar, double tilt, double
                         const tp_line_region *region) {
   double least = INFINITY;
   for (size_t k = region->begin; k < region->end; k++) {
-    const tp_look *look = l->looks + k;
+    const tp_map_sample *sample = l->samples + k;
     if (fabs(tp_line_at(l, k) - scalar) > half_name) continue;
     double low = 0, high = 0;
-    region->part(&low, &high, l, look, region->strip);
+    region->part(&low, &high, l, sample, region->strip);
     least = fmin(least, fmin(tilt - low, high - tilt));
-    if (look->has_toppling) least = fmin(least, fabs(look->toppling_deg.value - tilt));
-    if (look->has_sliding) least = fmin(least, fabs(look->sliding_deg.value - tilt));
+    if (sample->has_toppling) least = fmin(least, fabs(sample->toppling_deg.value - tilt));
+    if (sample->has_sliding) least = fmin(least, fabs(sample->sliding_deg.value - tilt));
   }
   return least;
 }

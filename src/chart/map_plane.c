@@ -13,22 +13,22 @@
 
 enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SEARCH_LOOKS = 60 };
 
-/* An angle of a look that has contours. */
-typedef bool (*reader)(tp_bounded *degrees, const tp_look *look);
+/* An angle of a sample that has contours. */
+typedef bool (*reader)(tp_bounded *degrees, const tp_map_sample *sample);
 
-static bool read_limit(tp_bounded *degrees, const tp_look *look) {
-  *degrees = look->limit_deg;
-  return tp_look_has_limit(look);
+static bool read_limit(tp_bounded *degrees, const tp_map_sample *sample) {
+  *degrees = sample->limit_deg;
+  return tp_map_sample_has_limit(sample);
 }
 
-static bool read_onset(tp_bounded *degrees, const tp_look *look) {
-  *degrees = look->onset_deg;
-  return look->has_onset;
+static bool read_onset(tp_bounded *degrees, const tp_map_sample *sample) {
+  *degrees = sample->onset_deg;
+  return sample->has_onset;
 }
 
 typedef struct plane {
   tp_map *map;
-  tp_look *grid;
+  tp_map_sample *grid;
   tp_place_2d *places;
   reader read;      /* of the present contour */
   double level_deg; /* likewise */
@@ -43,57 +43,59 @@ static bool scan(const plane *p) {
   for (int k = 0; k < LOOKS && p->map->status == TP_OK; k++) {
     const double values[2] = {coordinate(&p->map->options->x.range, k % SIDE),
                               coordinate(&p->map->options->y.range, k / SIDE)};
-    p->grid[k] = tp_map_look(p->map, values);
+    p->grid[k] = tp_map_take_sample(p->map, values);
     any |= p->grid[k].regime != TP_REGIME_NONE;
   }
   return any;
 }
 
-static int regime_region(const void *context, const tp_look *look) {
+static int regime_region(const void *context, const tp_map_sample *sample) {
   (void)context;
-  return (int)look->regime;
+  return (int)sample->regime;
 }
 
-static tp_crossing middle_of(const tp_look *low, const tp_look *high) {
+static tp_crossing middle_of(const tp_map_sample *low, const tp_map_sample *high) {
   const double half_x = (high->values[0] - low->values[0]) / 2;
   const double half_y = (high->values[1] - low->values[1]) / 2;
   const double x = low->values[0] + half_x, y = low->values[1] + half_y;
   return (tp_crossing){true, {x, y, half_x + 0x1p-52 * fabs(x), half_y + 0x1p-52 * fabs(y)}};
 }
 
-static tp_crossing cross_regimes(void *context, tp_look low, tp_look high) {
+static tp_crossing cross_regimes(void *context, tp_map_sample low, tp_map_sample high) {
   const plane *p = context;
   tp_map_border(p->map, &low, &high);
   return middle_of(&low, &high);
 }
 
-static int contour_region(const void *context, const tp_look *look) {
+static int contour_region(const void *context, const tp_map_sample *sample) {
   const plane *p = context;
   tp_bounded own;
-  if (!p->read(&own, look)) return 0;
+  if (!p->read(&own, sample)) return 0;
   return own.value < p->level_deg ? 1 : 2;
 }
 
 /* 1 above the present level for certain, -1 below it; 0 else. */
-static int side_of(const plane *p, const tp_look *look) {
+static int side_of(const plane *p, const tp_map_sample *sample) {
   tp_bounded own;
-  if (!p->read(&own, look)) return 0;
+  if (!p->read(&own, sample)) return 0;
   const double gap = own.value - p->level_deg;
   return gap > own.error ? 1 : gap < -own.error ? -1 : 0;
 }
 
-static tp_look between(const plane *p, const tp_look *low, const tp_look *high, double share) {
+static tp_map_sample between(const plane *p, const tp_map_sample *low, const tp_map_sample *high,
+                             double share) {
   share = fmin(fmax(share, 0), 1);
   const double values[2] = {low->values[0] + share * (high->values[0] - low->values[0]),
                             low->values[1] + share * (high->values[1] - low->values[1])};
-  return tp_map_look(p->map, values);
+  return tp_map_take_sample(p->map, values);
 }
 
 /* The narrowest certain bracket about a share of an edge. */
-static tp_crossing bracket(const plane *p, const tp_look *low, const tp_look *high, double share) {
+static tp_crossing bracket(const plane *p, const tp_map_sample *low, const tp_map_sample *high,
+                           double share) {
   for (double h = 0x1p-36; h < 1 && p->map->status == TP_OK; h *= 16) {
-    const tp_look below = between(p, low, high, share - h),
-                  above = between(p, low, high, share + h);
+    const tp_map_sample below = between(p, low, high, share - h),
+                        above = between(p, low, high, share + h);
     if (side_of(p, &below) * side_of(p, &above) < 0) return middle_of(&below, &above);
   }
   return (tp_crossing){0};
@@ -101,13 +103,13 @@ static tp_crossing bracket(const plane *p, const tp_look *low, const tp_look *hi
 
 typedef struct edge {
   const plane *p;
-  const tp_look *low, *high;
+  const tp_map_sample *low, *high;
 } edge;
 
 /* How far the angle is above the present level at a share of an edge. */
 static bool gap_at(double *gap, void *context, double share) {
   const edge *e = context;
-  const tp_look found = between(e->p, e->low, e->high, share);
+  const tp_map_sample found = between(e->p, e->low, e->high, share);
   tp_bounded own;
   if (e->p->map->status != TP_OK || !e->p->read(&own, &found)) return false;
   *gap = own.value - e->p->level_deg;
@@ -116,7 +118,7 @@ static bool gap_at(double *gap, void *context, double share) {
 
 /* Along an edge, then within a certain bracket. An angle that jumps over the level does not cross
  * it. */
-static tp_crossing cross_level(void *context, tp_look low, tp_look high) {
+static tp_crossing cross_level(void *context, tp_map_sample low, tp_map_sample high) {
   const plane *p = context;
   tp_bounded first, last;
   if (!p->read(&first, &low) || !p->read(&last, &high)) return (tp_crossing){0};

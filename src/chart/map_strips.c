@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Over looks that are alike, strip for strip, the ends of the strips are curves; where two looks a
- * double apart are not alike, the tilts at which their motions differ are an upright border. */
+/* Over samples that are alike, strip for strip, the ends of the strips are curves; where two
+ * samples a double apart are not alike, the tilts at which their motions differ are an upright
+ * border. */
 
 #include "chart/map_strips.h"
 
@@ -15,36 +16,36 @@
  * with no height. */
 static const double least_share = 0x1p-10;
 
-static void strip_part(double *low, double *high, const tp_map_line *l, const tp_look *look,
+static void strip_part(double *low, double *high, const tp_map_line *l, const tp_map_sample *sample,
                        size_t strip) {
-  const double from = tp_line_moves_from(l, look);
-  *low = fmax(from, tp_line_clamped(l, look->strips[strip].from_deg.value));
-  *high = fmax(from, tp_line_clamped(l, look->strips[strip].to_deg.value));
+  const double from = tp_line_moves_from(l, sample);
+  *low = fmax(from, tp_line_clamped(l, sample->strips[strip].from_deg.value));
+  *high = fmax(from, tp_line_clamped(l, sample->strips[strip].to_deg.value));
 }
 
-static void limit_part(double *low, double *high, const tp_map_line *l, const tp_look *look,
+static void limit_part(double *low, double *high, const tp_map_line *l, const tp_map_sample *sample,
                        size_t strip) {
   (void)strip;
-  *low = tp_line_moves_from(l, look);
+  *low = tp_line_moves_from(l, sample);
   *high = l->tilt.to;
 }
 
-static void stable_part(double *low, double *high, const tp_map_line *l, const tp_look *look,
-                        size_t strip) {
+static void stable_part(double *low, double *high, const tp_map_line *l,
+                        const tp_map_sample *sample, size_t strip) {
   (void)strip;
   *low = l->tilt.from;
-  *high = tp_line_stands_to(l, look);
+  *high = tp_line_stands_to(l, sample);
 }
 
 static void add_region(const tp_map_line *l, const tp_line_region *r, tp_chart_style style) {
   double low = 0, high = 0;
   tp_chart_add_guide(l->map->chart, style);
   for (size_t k = r->begin; k < r->end; k++) {
-    r->part(&low, &high, l, l->looks + k, r->strip);
+    r->part(&low, &high, l, l->samples + k, r->strip);
     tp_line_place(l, tp_line_at(l, k), low);
   }
   for (size_t k = r->end; k-- > r->begin;) {
-    r->part(&low, &high, l, l->looks + k, r->strip);
+    r->part(&low, &high, l, l->samples + k, r->strip);
     tp_line_place(l, tp_line_at(l, k), high);
   }
 }
@@ -53,7 +54,7 @@ static void add_region(const tp_map_line *l, const tp_line_region *r, tp_chart_s
 static bool is_seen(const tp_map_line *l, const tp_line_region *r) {
   for (size_t k = r->begin; k < r->end; k++) {
     double low = 0, high = 0;
-    r->part(&low, &high, l, l->looks + k, r->strip);
+    r->part(&low, &high, l, l->samples + k, r->strip);
     if (high > low) return true;
   }
   return false;
@@ -69,14 +70,14 @@ static void add_sort(const tp_map_line *l, const sort *of, const char *name, tp_
   tp_line_name at = {false};
   bool any = false;
   for (size_t k = 0, end; k < l->count; k = end) {
-    const tp_look *look = l->looks + k;
+    const tp_map_sample *sample = l->samples + k;
     end = tp_line_end(l, k);
-    if (end - k < 2 || look->regime == TP_REGIME_NONE) continue;
-    for (size_t s = 0; s < (look->has_strips ? look->strip_count : 1); s++) {
-      const tp_line_region r = {k, end, look->has_strips ? strip_part : limit_part, s};
-      const bool is_of = look->has_strips ? look->strips[s].motions == of->motions
-                                          : of->motions == 0 && look->regime == of->regime;
-      if (!is_of || (look->has_strips && of->motions == 0) || !is_seen(l, &r)) continue;
+    if (end - k < 2 || sample->regime == TP_REGIME_NONE) continue;
+    for (size_t s = 0; s < (sample->has_strips ? sample->strip_count : 1); s++) {
+      const tp_line_region r = {k, end, sample->has_strips ? strip_part : limit_part, s};
+      const bool is_of = sample->has_strips ? sample->strips[s].motions == of->motions
+                                            : of->motions == 0 && sample->regime == of->regime;
+      if (!is_of || (sample->has_strips && of->motions == 0) || !is_seen(l, &r)) continue;
       any = true;
       add_region(l, &r, style);
       tp_line_find_name(&at, l, name, &r);
@@ -99,7 +100,9 @@ void tp_line_add_regions(const tp_map_line *l) {
   tp_line_name at = {false};
   for (size_t k = 0, end = 0; k<l->count; k = end> k ? end : k + 1) { /* whatever the regime */
     end = k;
-    while (end < l->count && (tp_look_has_limit(l->looks + end) || l->looks[end].has_onset)) end++;
+    while (end < l->count &&
+           (tp_map_sample_has_limit(l->samples + end) || l->samples[end].has_onset))
+      end++;
     if (end > k + 1) tp_line_find_name(&at, l, "stable", &(tp_line_region){k, end, stable_part, 0});
   }
   (void)tp_line_add_name(l, "stable", &at);
@@ -111,31 +114,31 @@ static void begin_border(const tp_map_line *l, unsigned one, unsigned other) {
   tp_map_begin(l->map, tp_line_dynamic, "motion", both);
 }
 
-/* From one strip to the next, upwards, over looks that are alike. */
+/* From one strip to the next, upwards, over samples that are alike. */
 static void add_curves(const tp_map_line *l, size_t begin, size_t end) {
-  const tp_look *first = l->looks + begin;
+  const tp_map_sample *first = l->samples + begin;
   for (size_t s = 0; s + 1 < first->strip_count; s++) {
     begin_border(l, first->strips[s].motions, first->strips[s + 1].motions);
     for (size_t k = begin; k < end; k++) {
-      tp_line_add(l, tp_chart_exactly(tp_line_at(l, k)), l->looks[k].strips[s].to_deg);
+      tp_line_add(l, tp_chart_exactly(tp_line_at(l, k)), l->samples[k].strips[s].to_deg);
     }
   }
 }
 
-static unsigned motions_at(const tp_look *look, double tilt) {
-  for (size_t s = 0; s < look->strip_count; s++) {
-    const tp_strip *own = look->strips + s;
+static unsigned motions_at(const tp_map_sample *sample, double tilt) {
+  for (size_t s = 0; s < sample->strip_count; s++) {
+    const tp_strip *own = sample->strips + s;
     if (own->from_deg.value <= tilt && tilt <= own->to_deg.value) return own->motions;
   }
   return 0;
 }
 
-/* Of all ends of strips of both looks the next above a tilt. */
-static tp_bounded next_end(const tp_look *const looks[2], double tilt) {
+/* Of all ends of strips of both samples the next above a tilt. */
+static tp_bounded next_end(const tp_map_sample *const samples[2], double tilt) {
   tp_bounded next = {.value = 90};
   for (int side = 0; side < 2; side++) {
-    for (size_t s = 0; s < looks[side]->strip_count; s++) {
-      const tp_strip *own = looks[side]->strips + s;
+    for (size_t s = 0; s < samples[side]->strip_count; s++) {
+      const tp_strip *own = samples[side]->strips + s;
       const tp_bounded ends[2] = {own->from_deg, own->to_deg};
       for (int e = 0; e < 2; e++) {
         if (ends[e].value > tilt && ends[e].value < next.value) next = ends[e];
@@ -146,12 +149,12 @@ static tp_bounded next_end(const tp_look *const looks[2], double tilt) {
 }
 
 /* Where no motion can begin on one side, the onset jumps. */
-static void add_upright(const tp_map_line *l, const tp_look *low, const tp_look *high) {
-  const tp_look *const looks[2] = {low, high};
+static void add_upright(const tp_map_line *l, const tp_map_sample *low, const tp_map_sample *high) {
+  const tp_map_sample *const samples[2] = {low, high};
   const double least = least_share * (l->tilt.to - l->tilt.from);
   tp_bounded from = {0}, to = {0};
   for (; from.value < 90; from = to) {
-    to = next_end(looks, from.value);
+    to = next_end(samples, from.value);
     const double middle = (from.value + to.value) / 2;
     const unsigned one = motions_at(low, middle), other = motions_at(high, middle);
     if (one == other || to.value - from.value < least) continue;
@@ -164,8 +167,8 @@ static void add_upright(const tp_map_line *l, const tp_look *low, const tp_look 
 void tp_line_add_motions(const tp_map_line *l) {
   for (size_t k = 0, end; k < l->count; k = end) {
     end = tp_line_end(l, k);
-    if (l->looks[k].has_strips && end > k + 1) add_curves(l, k, end);
-    if (end == l->count || !l->looks[k].has_strips || !l->looks[end].has_strips) continue;
-    add_upright(l, l->looks + end - 1, l->looks + end);
+    if (l->samples[k].has_strips && end > k + 1) add_curves(l, k, end);
+    if (end == l->count || !l->samples[k].has_strips || !l->samples[end].has_strips) continue;
+    add_upright(l, l->samples + end - 1, l->samples + end);
   }
 }

@@ -10,7 +10,7 @@ enum { HALVINGS = 12, HALVINGS_OF_BENDS = 5 };
 
 /* Corners counter-clockwise from the lower left; edge k joins corners k and k + 1. */
 typedef struct cell {
-  tp_look corners[4];
+  tp_map_sample corners[4];
   tp_crossing crossings[4];
 } cell;
 
@@ -56,13 +56,13 @@ static void add_patch(tp_pieces *p, const tp_patch *patch) {
   if (own != NULL) *own = *patch;
 }
 
-static tp_place_2d place_of(const tp_look *look) {
-  return (tp_place_2d){.x = look->values[0], .y = look->values[1]};
+static tp_place_2d place_of(const tp_map_sample *sample) {
+  return (tp_place_2d){.x = sample->values[0], .y = sample->values[1]};
 }
 
 /* The crossing of an edge, always from its lower or left end, so that both cells beside it find the
  * same place. */
-static tp_crossing cross(const tp_field *field, const tp_look *a, const tp_look *b) {
+static tp_crossing cross(const tp_field *field, const tp_map_sample *a, const tp_map_sample *b) {
   if (field->region(field->context, a) == field->region(field->context, b)) {
     return (tp_crossing){0};
   }
@@ -79,16 +79,16 @@ static void set_crossings(cell *c, const tp_field *field) {
 static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_field *field, const cell *c,
                        int depth);
 
-static tp_look middle(tp_map *map, const tp_look *a, const tp_look *b) {
+static tp_map_sample middle(tp_map *map, const tp_map_sample *a, const tp_map_sample *b) {
   const double values[2] = {a->values[0] + (b->values[0] - a->values[0]) / 2,
                             a->values[1] + (b->values[1] - a->values[1]) / 2};
-  return tp_map_look(map, values);
+  return tp_map_take_sample(map, values);
 }
 
 static void halve(tp_pieces *pieces, tp_map *map, const tp_field *field, const cell *c, int depth) {
-  tp_look sides[4];
+  tp_map_sample sides[4];
   for (int k = 0; k < 4; k++) sides[k] = middle(map, c->corners + k, c->corners + (k + 1) % 4);
-  const tp_look centre = middle(map, c->corners, c->corners + 2);
+  const tp_map_sample centre = middle(map, c->corners, c->corners + 2);
   for (int k = 0; k < 4; k++) {
     cell part;
     part.corners[k] = c->corners[k];
@@ -137,9 +137,9 @@ static bool is_straight(tp_map *map, const tp_field *field, const cell *c, const
                         values[0] < c->corners[2].values[0] &&
                         values[1] > c->corners[0].values[1] && values[1] < c->corners[2].values[1];
     if (!inside) continue;
-    const tp_look look = tp_map_look(map, values);
+    const tp_map_sample sample = tp_map_take_sample(map, values);
     const int expected = region_of(field, c, side == 0 ? found[0] : found[0] + 1);
-    if (field->region(field->context, &look) != expected) return false;
+    if (field->region(field->context, &sample) != expected) return false;
   }
   return true;
 }
@@ -179,12 +179,12 @@ static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_field *field, co
 }
 
 /* The crossings of the row's lower edges become those of the next row's. */
-void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_look *grid,
+void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_map_sample *grid,
               size_t columns, size_t rows) {
   tp_crossing *below = calloc(columns, sizeof *below), *above = calloc(columns, sizeof *above);
   pieces->failed = below == NULL || above == NULL;
   for (size_t row = 0; row < rows && !pieces->failed; row++) {
-    const tp_look *low = grid + row * columns, *high = low + columns;
+    const tp_map_sample *low = grid + row * columns, *high = low + columns;
     tp_crossing left = {0};
     for (size_t k = 0; k + 1 < columns && row == 0; k++)
       below[k] = cross(field, low + k, low + k + 1);

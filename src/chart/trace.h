@@ -23,11 +23,11 @@ typedef struct tp_crossing {
   tp_place_2d place;
 } tp_crossing;
 
-/* What is traced: regions by number, and the border between two looks of different regions. */
+/* What is traced: regions by number, and the border between two samples of different regions. */
 typedef struct tp_field {
   void *context;
-  int (*region)(const void *context, const tp_look *look);
-  tp_crossing (*cross)(void *context, tp_look low, tp_look high);
+  int (*region)(const void *context, const tp_map_sample *sample);
+  tp_crossing (*cross)(void *context, tp_map_sample low, tp_map_sample high);
 } tp_field;
 
 /* A polygon of a region, convex and counter-clockwise. */
@@ -53,8 +53,8 @@ typedef struct tp_pieces {
 
 void tp_pieces_clear(tp_pieces *pieces);
 
-/* All pieces over a grid of columns x rows looks, row by row. */
-void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_look *grid,
+/* All pieces over a grid of columns x rows samples, row by row. */
+void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_map_sample *grid,
               size_t columns, size_t rows);
 
 /* The next curve: its places in order into `places` (of room for pieces->count + 1), their number,

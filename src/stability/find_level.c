@@ -35,7 +35,7 @@ void tp_search_cross(tp_search *s, tp_sample low, tp_sample high) {
     const double x = low.x + (high.x - low.x) / 2;
     gaps[count++] = fabs(high.gap.value - low.gap.value);
     if (high.x - low.x <= 1e-14 * fabs(x) || x <= low.x || x >= high.x) break;
-    const tp_sample middle = tp_search_look(s, x);
+    const tp_sample middle = tp_search_sample(s, x);
     if (!middle.known) break;
     if (tp_search_side(&middle) == 0) {
       tp_search_level(s, &low, &middle, &middle, &high);
@@ -55,17 +55,17 @@ static void narrow(tp_search *s, tp_sample *told, tp_sample *level) {
   for (int k = 0; k < STEPS && s->status == TP_OK; k++) {
     const double x = told->x + (level->x - told->x) / 2;
     if (is_narrow(fmin(told->x, level->x), fmax(told->x, level->x), x)) return;
-    const tp_sample middle = tp_search_look(s, x);
+    const tp_sample middle = tp_search_sample(s, x);
     if (!middle.known) return;
     *(tp_search_side(&middle) == 0 ? level : told) = middle;
   }
 }
 
 /* Beyond an end of the range the nearest point that is told from the wanted value. */
-static bool look_beyond(tp_search *s, tp_sample *told, const tp_sample *end, int way) {
+static bool sample_beyond(tp_search *s, tp_sample *told, const tp_sample *end, int way) {
   const double scale = end->x != 0 ? fabs(end->x) : s->step;
   for (double h = 1e-15 * scale; h < s->step && s->status == TP_OK; h *= 4) {
-    *told = tp_search_look(s, end->x + way * h);
+    *told = tp_search_sample(s, end->x + way * h);
     if (!told->known) return false;
     if (tp_search_side(told) != 0) return true;
   }
@@ -73,10 +73,10 @@ static bool look_beyond(tp_search *s, tp_sample *told, const tp_sample *end, int
 }
 
 /* With more digits. */
-static tp_sample look_closely(tp_search *s, double x) {
+static tp_sample sample_closely(tp_search *s, double x) {
   const int digits = s->scene.options.digits;
   s->scene.options.digits = LEVEL_DIGITS;
-  const tp_sample at = tp_search_look(s, x);
+  const tp_sample at = tp_search_sample(s, x);
   s->scene.options.digits = digits;
   return at;
 }
@@ -95,9 +95,9 @@ static bool stays(tp_search *s, double low, double high, tp_sample *middle) {
   enum { PIECES = 10 };
   const double x = low + (high - low) / 2;
   if (is_narrow(low, high, x) || high - low <= 1e-13 * fabs(x)) return false;
-  *middle = look_closely(s, x);
+  *middle = sample_closely(s, x);
   for (int k = 1; k < PIECES && s->status == TP_OK; k++) {
-    const tp_sample own = look_closely(s, low + (high - low) * k / PIECES);
+    const tp_sample own = sample_closely(s, low + (high - low) * k / PIECES);
     if (!is_same(&own, middle)) return false;
   }
   return s->status == TP_OK;
@@ -105,13 +105,13 @@ static bool stays(tp_search *s, double low, double high, tp_sample *middle) {
 
 /* Bisect where it leaves what it is in the middle, on the way to `end`; two numbers, ascending. */
 static void find_end(tp_search *s, double ends[2], const tp_sample *middle, double end) {
-  tp_sample own = look_closely(s, end);
+  tp_sample own = sample_closely(s, end);
   double inside = middle->x, outside = end;
   if (is_same(&own, middle)) inside = end;
   while (s->status == TP_OK && inside != end) {
     const double x = inside + (outside - inside) / 2;
     if (is_narrow(fmin(inside, outside), fmax(inside, outside), x)) break;
-    own = look_closely(s, x);
+    own = sample_closely(s, x);
     *(is_same(&own, middle) ? &inside : &outside) = x;
   }
   ends[0] = fmin(inside, outside);
@@ -133,8 +133,8 @@ void tp_search_level(tp_search *s, const tp_sample *before, const tp_sample *fir
     if (s->status == TP_OK) tp_search_add_interval(s, from, to);
     return;
   }
-  if (!has_under) has_under = look_beyond(s, &under, first, -1);
-  if (!has_over) has_over = look_beyond(s, &over, last, 1);
+  if (!has_under) has_under = sample_beyond(s, &under, first, -1);
+  if (!has_over) has_over = sample_beyond(s, &over, last, 1);
   if (s->status != TP_OK) return;
   if (!has_under) under = low;
   if (!has_over) over = high;

@@ -7,7 +7,7 @@
 #ifndef TP_FIND_LEVEL_H
 #define TP_FIND_LEVEL_H
 
-#include "stability/find_look.h"
+#include "stability/find_sample.h"
 
 /* Between two points on different sides: a solution, or a stretch of them, or a jump. */
 void tp_search_cross(tp_search *search, tp_sample low, tp_sample high);

@@ -23,7 +23,7 @@ static tp_sample domain_edge(tp_search *s, tp_sample inside, tp_sample outside) 
     const double x = inside.x + (outside.x - inside.x) / 2;
     if (x == inside.x || x == outside.x) break;
     if (fabs(outside.x - inside.x) < 1e-14 * fmax(fabs(x), fabs(s->own))) break;
-    const tp_sample middle = tp_search_look(s, x);
+    const tp_sample middle = tp_search_sample(s, x);
     if (middle.known) {
       inside = middle;
     } else {
@@ -36,14 +36,14 @@ static tp_sample domain_edge(tp_search *s, tp_sample inside, tp_sample outside) 
 /* Three points in a row on one side, the middle one nearest to the wanted value: by golden section
  * to the nearest between them, which may touch the value, or lie beyond it. */
 static void descend(tp_search *s, tp_sample low, tp_sample middle, tp_sample high) {
-  enum { MOST_LOOKS = 64 };
+  enum { MOST_SAMPLES = 64 };
   static const double golden = 0.38196601125010515;
   const int own = tp_search_side(&middle);
-  for (int k = 0; k < MOST_LOOKS && s->status == TP_OK; k++) {
+  for (int k = 0; k < MOST_SAMPLES && s->status == TP_OK; k++) {
     const bool right = high.x - middle.x > middle.x - low.x;
     const double x = middle.x + golden * (right ? high.x - middle.x : low.x - middle.x);
     if (x <= low.x || x >= high.x || x == middle.x) return;
-    const tp_sample next = tp_search_look(s, x);
+    const tp_sample next = tp_search_sample(s, x);
     if (!next.known) return;
     if (tp_search_side(&next) == 0) {
       tp_search_level(s, &low, &next, &next, &high);
@@ -103,12 +103,12 @@ static void end_row(tp_search *s, rows *r) {
   r->count = 0;
 }
 
-static void look_at_all(tp_search *s, rows *r) {
+static void sample_all(tp_search *s, rows *r) {
   const tp_found *found = s->found;
   tp_sample last = {0};
   for (int k = 0; k < POINTS && s->status == TP_OK; k++) {
     const tp_sample next =
-        tp_search_look(s, k == POINTS - 1 ? found->high : found->low + k * s->step);
+        tp_search_sample(s, k == POINTS - 1 ? found->high : found->low + k * s->step);
     if (k > 0 && last.known && !next.known) { /* the domain ends between them */
       const tp_sample edge = domain_edge(s, last, next);
       if (edge.x > last.x) r->row[r->count++] = edge;
@@ -143,11 +143,11 @@ void tp_search_scan(tp_search *s) {
     return;
   }
   s->step = width / (POINTS - 1);
-  look_at_all(s, r);
+  sample_all(s, r);
   if (s->status == TP_OK && r->any && r->last > r->first && r->last - r->first < width / 2) {
     start_again(s, r); /* few of the points had an answer */
     s->step = (found->high - found->low) / (POINTS - 1);
-    look_at_all(s, r);
+    sample_all(s, r);
   }
   if (s->status == TP_OK && !r->any) {
     s->status = tp_fail(s->message, TP_NO_ANSWER, tp_node_place(s->scene.numbers[0], s->scene.path),

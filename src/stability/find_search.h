@@ -6,7 +6,7 @@
 #ifndef TP_FIND_SEARCH_H
 #define TP_FIND_SEARCH_H
 
-#include "stability/find_look.h"
+#include "stability/find_sample.h"
 
 /* Fill in what is found from found->low to found->high, and cut that to where the scene has an
  * answer; how it went is in search->status. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "stability/find_look.h"
+#include "stability/find_sample.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -69,7 +69,7 @@ static void note_result(tp_found *found, tp_bounded value) {
 }
 
 /* Solve the scene with the number replaced. */
-tp_sample tp_search_look(tp_search *s, double x) {
+tp_sample tp_search_sample(tp_search *s, double x) {
   tp_sample at = {.x = x};
   tp_solution *solution = NULL;
   const tp_status status = tp_varied_solve(&solution, &s->scene, &x, &s->why);

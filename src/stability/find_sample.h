@@ -3,8 +3,8 @@
 
 /* Back-analysis: the result of a scene at a number, and the list of what is found. */
 
-#ifndef TP_FIND_LOOK_H
-#define TP_FIND_LOOK_H
+#ifndef TP_FIND_SAMPLE_H
+#define TP_FIND_SAMPLE_H
 
 #include "stability/varied.h"
 
@@ -30,7 +30,7 @@ typedef struct tp_sample {
   char digits[TP_SAMPLE_DIGITS];
 } tp_sample;
 
-tp_sample tp_search_look(tp_search *search, double x);
+tp_sample tp_search_sample(tp_search *search, double x);
 
 /* 1 above the wanted value, -1 below; 0 where that is not certain. */
 int tp_search_side(const tp_sample *at);
