@@ -11,6 +11,7 @@
 #include "runner.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -316,13 +317,13 @@ START_TEST(names_have_lengths) {
 }
 END_TEST
 
-/* `count` times `text`, in new memory. */
+/* `count` times `text` and what follows, in new memory. */
 static char *repeated(const char *text, size_t count, const char *behind) {
-  const size_t length = strlen(text);
-  char *all = malloc(count * length + strlen(behind) + 1);
+  const size_t length = strlen(text), size = count * length + strlen(behind) + 1;
+  char *all = malloc(size);
   ck_assert_ptr_nonnull(all);
-  for (size_t k = 0; k < count; k++) memcpy(all + k * length, text, length);
-  strcpy(all + count * length, behind);
+  for (size_t k = 0; k < count * length; k++) all[k] = text[k % length];
+  snprintf(all + count * length, size - count * length, "%s", behind);
   return all;
 }
 

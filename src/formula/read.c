@@ -81,7 +81,8 @@ static int operator_at(const char *text, bool letters, char *op) {
       {"\u2212", '-'}, {"\u2013", '-'}, {"\u00b7", '*'}, {"\u22c5", '*'}, {"\u00d7", '*'}};
   const char first = *text;
   const bool plain = first == '+' || first == '-' || first == '*' || first == '/' || first == '^';
-  *op = plain ? first : '\0';
+  *op = '\0';
+  if (plain) *op = first;
   if (plain || !letters || ((unsigned char)first & 0x80) == 0) return plain ? 1 : 0;
   for (size_t k = 0; k < sizeof printed / sizeof printed[0]; k++) {
     const size_t length = strlen(printed[k].spelling);
