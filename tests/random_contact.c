@@ -14,7 +14,7 @@ static long largest(const polygon *p) {
   return most;
 }
 
-void random_contact_draw_kinks(random_scene *s, uint64_t *state) {
+void random_contact_draw_kinks(random_scene *s, random_numbers *state) {
   enum { MOST = 1 << 20 }; /* twice 2^41 times as large it still is a long */
   const int shift = 6 + (int)draw_below(state, 36);
   if (largest(&s->outline) > MOST || largest(&s->profile) > MOST) return;
@@ -38,7 +38,7 @@ void random_contact_draw_kinks(random_scene *s, uint64_t *state) {
   }
 }
 
-void random_contact_draw_wall(random_scene *s, uint64_t *state) {
+void random_contact_draw_wall(random_scene *s, random_numbers *state) {
   polygon *p = &s->profile;
   if (p->count == 0 || p->count + 2 >= POLYGON_MOST) return;
   const long off = GRAIN * draw_below(state, 4), up = GRAIN * (1 + draw_below(state, 12));

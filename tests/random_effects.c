@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 /* The number times a share of `steps` steps, not zero. */
-static void draw_share(fmpq_t share, const fmpq *of, long steps, uint64_t *state) {
+static void draw_share(fmpq_t share, const fmpq *of, long steps, random_numbers *state) {
   fmpq_set(share, of);
   fmpq_mul_si(share, share, 1 + draw_below(state, steps));
   fmpz_mul_si(fmpq_denref(share), fmpq_denref(share), steps);
@@ -40,7 +40,7 @@ static double edge_length(const polygon *o, long k) {
 }
 
 /* Of radii that mostly fit the edges beside them. */
-static void draw_corners(random_scene *s, uint64_t *state) {
+static void draw_corners(random_scene *s, random_numbers *state) {
   random_effects *e = &s->effects;
   const polygon *o = &s->outline;
   e->paper_model = draw_once_in(state, 3);
@@ -58,7 +58,7 @@ static void draw_corners(random_scene *s, uint64_t *state) {
 }
 
 /* Edges that run to the left, which are above the block, bent out or in. */
-static void draw_arcs(random_scene *s, uint64_t *state) {
+static void draw_arcs(random_scene *s, random_numbers *state) {
   random_effects *e = &s->effects;
   const polygon *o = &s->outline;
   const long first = draw_below(state, o->count);
@@ -73,7 +73,7 @@ static void draw_arcs(random_scene *s, uint64_t *state) {
   }
 }
 
-static void draw_line(random_scene *s, int at, uint64_t *state) {
+static void draw_line(random_scene *s, int at, random_numbers *state) {
   const polygon *o = &s->outline;
   const long k = draw_below(state, o->count), next = (k + 1) % o->count;
   random_effects *e = &s->effects;
@@ -86,7 +86,7 @@ static void draw_line(random_scene *s, int at, uint64_t *state) {
   }
 }
 
-static void draw_water(random_scene *s, const fmpq *height, uint64_t *state) {
+static void draw_water(random_scene *s, const fmpq *height, random_numbers *state) {
   random_effects *e = &s->effects;
   fmpq *n = e->numbers;
   e->water = true;
@@ -98,7 +98,8 @@ static void draw_water(random_scene *s, const fmpq *height, uint64_t *state) {
   if (draw_once_in(state, 3)) fmpq_set_si(n + WATER_WEIGHT, 1 + draw_below(state, 26), 1);
 }
 
-static void draw_loads(random_scene *s, const fmpq *width, const fmpq *height, uint64_t *state) {
+static void draw_loads(random_scene *s, const fmpq *width, const fmpq *height,
+                       random_numbers *state) {
   random_effects *e = &s->effects;
   fmpq *n = e->numbers;
   fmpq_t stress, force; /* of the block's own weight */
@@ -140,7 +141,7 @@ static void draw_loads(random_scene *s, const fmpq *width, const fmpq *height, u
   fmpq_clear(force);
 }
 
-static void draw_law(random_scene *s, const fmpq *height, uint64_t *state) {
+static void draw_law(random_scene *s, const fmpq *height, random_numbers *state) {
   random_effects *e = &s->effects;
   fmpq *n = e->numbers;
   e->law = (random_law)(1 + draw_below(state, 4));
@@ -154,7 +155,7 @@ static void draw_law(random_scene *s, const fmpq *height, uint64_t *state) {
   fmpq_set_si(s->numbers + FRICTION, 10 + draw_below(state, 30), 1);
 }
 
-void random_effects_draw(random_scene *s, uint64_t *state) {
+void random_effects_draw(random_scene *s, random_numbers *state) {
   random_effects *e = &s->effects;
   fmpq_t width, height;
   fmpq_init(width);

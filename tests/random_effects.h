@@ -8,9 +8,10 @@
 #ifndef TP_TEST_RANDOM_EFFECTS_H
 #define TP_TEST_RANDOM_EFFECTS_H
 
+#include "random_numbers.h"
+
 #include <flint/fmpq.h>
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 
 enum { CORNERS_MOST = 3, ARCS_MOST = 2, LINES_MOST = 2, ANCHORS_MOST = 2 };
@@ -69,7 +70,7 @@ typedef struct random_effects {
 struct random_scene;
 
 /* Up to all of them at once. */
-void random_effects_draw(struct random_scene *scene, uint64_t *state);
+void random_effects_draw(struct random_scene *scene, random_numbers *state);
 
 bool random_effects_load(const random_effects *effects); /* any besides the weight */
 

@@ -10,11 +10,7 @@ void polygon_add(polygon *p, long x, long y) {
   p->y[p->count++] = y;
 }
 
-static double draw_part(uint64_t *state) {
-  return (double)(draw(state) >> 11) * 0x1p-53;
-}
-
-void draw_star(polygon *p, long count, double radius_x, double radius_y, uint64_t *state) {
+void draw_star(polygon *p, long count, double radius_x, double radius_y, random_numbers *state) {
   p->count = 0;
   for (long k = 0; k < count; k++) {
     const double angle = 2 * acos(-1) * ((double)k + 0.4 * draw_part(state)) / (double)count;
@@ -23,7 +19,7 @@ void draw_star(polygon *p, long count, double radius_x, double radius_y, uint64_
   }
 }
 
-void draw_between_chains(polygon *p, long count, long step, long height, uint64_t *state) {
+void draw_between_chains(polygon *p, long count, long step, long height, random_numbers *state) {
   const long lower = 2 + draw_below(state, count - 3), upper = count - lower;
   long x = 0;
   p->count = 0;

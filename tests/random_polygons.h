@@ -19,12 +19,12 @@ void polygon_add(polygon *p, long x, long y);
 
 /* Angles jump by 0.6 to 1.4 of a full turn over `count`, radii are 0.3 to 1 of the given ones:
  * simple while rounding to integers is less than a jump. */
-void draw_star(polygon *p, long count, double radius_x, double radius_y, uint64_t *state);
+void draw_star(polygon *p, long count, double radius_x, double radius_y, random_numbers *state);
 
 /* Between a lower and an upper chain over rising x: `count` vertices or one more, steps up to
  * `step`, y up to `height` for the lower chain and beyond `height` up to twice that for the upper
  * one; upright at both ends. Teeth and slabs are of this kind. */
-void draw_between_chains(polygon *p, long count, long step, long height, uint64_t *state);
+void draw_between_chains(polygon *p, long count, long step, long height, random_numbers *state);
 
 /* x += along * y and y += up * x, one after the other: a shear keeps a polygon simple, and its
  * area.

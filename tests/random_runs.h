@@ -34,12 +34,12 @@ static inline long random_scenes(void) {
 }
 
 /* True once in `count` times. */
-static inline int draw_once_in(uint64_t *state, long count) {
+static inline int draw_once_in(random_numbers *state, long count) {
   return draw_below(state, count) == 0;
 }
 
 /* From -size to size. */
-static inline long draw_signed(uint64_t *state, long size) {
+static inline long draw_signed(random_numbers *state, long size) {
   return draw_below(state, 2 * size + 1) - size;
 }
 

@@ -11,7 +11,7 @@ const random_unit random_units[UNITS] = {{"m", {1, 1}},       {"mm", {1, 1000}},
                                          {"cm", {1, 100}},    {"km", {1000, 1}},
                                          {"in", {127, 5000}}, {"ft", {381, 1250}}};
 
-static void draw_star_block(random_scene *s, uint64_t *state) {
+static void draw_star_block(random_scene *s, random_numbers *state) {
   const double radius = draw_once_in(state, 2) ? 4 : 1000;
   const long count = 3 + draw_below(state, radius < 5 ? 4 : 22);
   draw_star(&s->outline, count, radius, draw_once_in(state, 3) ? radius / 3 : radius, state);
@@ -22,7 +22,8 @@ static void draw_star_block(random_scene *s, uint64_t *state) {
 }
 
 /* A triangle in the left half and a rectangle in the right half of an upright body. */
-static void draw_inside(random_scene *s, long width, long bottom, long height, uint64_t *state) {
+static void draw_inside(random_scene *s, long width, long bottom, long height,
+                        random_numbers *state) {
   const long w = width / GRAIN, h = height / GRAIN;
   if (draw_once_in(state, 4)) {
     polygon_add(&s->hole, w, bottom + 3 * h);
@@ -40,7 +41,7 @@ static void draw_inside(random_scene *s, long width, long bottom, long height, u
 
 /* The first `count` vertices of the outline, some of them lowered, the first one kept; sometimes it
  * goes on past the block, level or down. */
-static void draw_profile(random_scene *s, long count, uint64_t *state) {
+static void draw_profile(random_scene *s, long count, random_numbers *state) {
   const polygon *o = &s->outline;
   const bool lowers = draw_once_in(state, 2);
   if (draw_once_in(state, 3)) {
@@ -60,7 +61,7 @@ static void draw_profile(random_scene *s, long count, uint64_t *state) {
 /* An underside of `steps` facets, regular teeth or rough; above it a body that leans or stands
  * upright. A leaning side stays clear of the teeth below it while it moves by less than their width
  * over their depth. */
-static void draw_body(random_scene *s, uint64_t *state) {
+static void draw_body(random_scene *s, random_numbers *state) {
   const bool small = draw_once_in(state, 2), regular = draw_once_in(state, 2);
   const long steps = 1 + draw_below(state, draw_once_in(state, 250) ? 200 : small ? 3 : 9);
   const long width = GRAIN * (1 + draw_below(state, small ? 4 : 40));
@@ -81,7 +82,7 @@ static void draw_body(random_scene *s, uint64_t *state) {
 }
 
 /* On a level foot from 0 to `foot`, wider above, to either side. */
-static void draw_overhang(random_scene *s, uint64_t *state) {
+static void draw_overhang(random_scene *s, random_numbers *state) {
   const long foot = GRAIN * (1 + draw_below(state, 6)), neck = GRAIN * (1 + draw_below(state, 5));
   const long left = GRAIN * draw_below(state, 5), right = GRAIN * (1 + draw_below(state, 5));
   const long top = neck + GRAIN * (1 + draw_below(state, 5));
@@ -101,7 +102,7 @@ static void draw_overhang(random_scene *s, uint64_t *state) {
  * a facet that falls to the right from the one, a level one to the right from the other, higher
  * one. The outline is its own mirror image in a point, which is its centroid then. Or almost in one
  * line: off it by one or two parts in 10^15, which doubles do not tell apart. */
-static void draw_tied(random_scene *s, uint64_t *state) {
+static void draw_tied(random_scene *s, random_numbers *state) {
   const bool almost = draw_once_in(state, 2);
   const long grain = almost ? (long)GRAIN << 44 : GRAIN, off = almost ? draw_signed(state, 2) : 0;
   const long dx = grain * (2 + draw_below(state, 3)), dy = grain * (1 + draw_below(state, 4));
@@ -121,7 +122,7 @@ static void draw_tied(random_scene *s, uint64_t *state) {
 }
 
 /* A length of about 1, of one of many kinds, or of very many digits. */
-static void draw_factor(fmpq_t factor, uint64_t *state) {
+static void draw_factor(fmpq_t factor, random_numbers *state) {
   fmpz *top = fmpq_numref(factor), *below = fmpq_denref(factor);
   fmpz_one(top);
   fmpz_one(below);
@@ -150,7 +151,7 @@ static void draw_factor(fmpq_t factor, uint64_t *state) {
   fmpq_canonicalise(factor);
 }
 
-static void draw_map(random_scene *s, uint64_t *state) {
+static void draw_map(random_scene *s, random_numbers *state) {
   fmpq *n = s->numbers;
   draw_factor(n + XX, state);
   fmpq_set(n + YY, n + XX);
@@ -167,7 +168,7 @@ static void draw_map(random_scene *s, uint64_t *state) {
 }
 
 /* From 0 to `most` degrees: whole, or any number of sevenths. */
-static void draw_angle(fmpq_t angle, long most, uint64_t *state) {
+static void draw_angle(fmpq_t angle, long most, random_numbers *state) {
   const bool whole = draw_once_in(state, 2);
   fmpq_set_si(angle, draw_below(state, whole ? most + 1 : 7 * most), whole ? 1 : 7);
 }
@@ -178,7 +179,7 @@ static void drop_closing(polygon *p) {
   if (last > 0 && p->x[last] == p->x[0] && p->y[last] == p->y[0]) p->count--;
 }
 
-void random_scene_draw(random_scene *s, uint64_t *state) {
+void random_scene_draw(random_scene *s, random_numbers *state) {
   memset(s, 0, sizeof *s);
   for (int k = 0; k < NUMBERS; k++) fmpq_init(s->numbers + k);
   for (int k = 0; k < EFFECT_NUMBERS; k++) fmpq_init(s->effects.numbers + k);

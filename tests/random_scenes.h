@@ -37,7 +37,7 @@ enum { GRAIN = 8 };
  * overhangs) on bases that are mated or touch here and there, some of them degenerate on purpose:
  * small whole coordinates tie pivots and put centroids above them, friction equals tilt, tilts are
  * 0, 45 and 90. Some are small, large, far off, or of many digits. */
-void random_scene_draw(random_scene *scene, uint64_t *state);
+void random_scene_draw(random_scene *scene, random_numbers *state);
 void random_scene_copy(random_scene *copy, const random_scene *scene);
 /* A vertex of one of its rings, or of its profile, in scene lengths. */
 void random_scene_vertex(fmpq_t x, fmpq_t y, const random_scene *scene, const polygon *ring,

@@ -30,7 +30,7 @@ void fmpz_set_wide(fmpz_t integer, wide value) {
   if (value < 0) fmpz_neg(integer, integer);
 }
 
-void draw_polygon(polygon *p, uint64_t *state) {
+void draw_polygon(polygon *p, random_numbers *state) {
   const long most = draw_once_in(state, 256) ? 500 : draw_once_in(state, 16) ? 60 : 9;
   const long count = 4 + draw_below(state, most - 3);
   const long height = 1L << draw_below(state, 14), step = 1L << draw_below(state, 10);

@@ -20,7 +20,7 @@ sums polygon_sums(const polygon *p);
 
 /* Few vertices mostly; sometimes past the seams of the double sums at 8 and 512. No coordinate is
  * beyond 2^21. */
-void draw_polygon(polygon *p, uint64_t *state);
+void draw_polygon(polygon *p, random_numbers *state);
 
 void fmpz_set_wide(fmpz_t integer, wide value);
 

@@ -4,7 +4,7 @@
 #include "random_variants.h"
 
 /* By less than the scene's size, to where doubles hold no coordinate. */
-static bool nudge(random_scene *s, relation *r, uint64_t *state) {
+static bool nudge(random_scene *s, relation *r, random_numbers *state) {
   if (s->effects.ellipse) return false;
   fmpq_t by;
   fmpq_init(by);
@@ -19,7 +19,7 @@ static bool nudge(random_scene *s, relation *r, uint64_t *state) {
 }
 
 /* Far off on one axis or both: by up to 10^40 lengths, or many digits of one. */
-static bool move(random_scene *s, relation *r, uint64_t *state) {
+static bool move(random_scene *s, relation *r, random_numbers *state) {
   if (s->effects.ellipse) return false;
   fmpq_t by;
   fmpq_init(by);
@@ -71,7 +71,7 @@ static bool scale_by(random_scene *s, relation *r, const fmpq *factor) {
   return true;
 }
 
-static bool scale(random_scene *s, relation *r, uint64_t *state) {
+static bool scale(random_scene *s, relation *r, random_numbers *state) {
   fmpq_t factor;
   fmpq_init(factor);
   fmpq_set_si(factor, 1 + draw_below(state, 1000000), (ulong)(1 + draw_below(state, 1000000)));
@@ -80,7 +80,7 @@ static bool scale(random_scene *s, relation *r, uint64_t *state) {
   return true;
 }
 
-static bool scale_by_ten(random_scene *s, relation *r, uint64_t *state) {
+static bool scale_by_ten(random_scene *s, relation *r, random_numbers *state) {
   fmpq_t factor;
   fmpq_init(factor);
   fmpz_one(fmpq_denref(factor));
@@ -91,7 +91,7 @@ static bool scale_by_ten(random_scene *s, relation *r, uint64_t *state) {
   return true;
 }
 
-static bool scale_by_two(random_scene *s, relation *r, uint64_t *state) {
+static bool scale_by_two(random_scene *s, relation *r, random_numbers *state) {
   fmpq_t factor;
   fmpq_init(factor);
   fmpq_set_si(factor, 1, 1);
@@ -103,7 +103,7 @@ static bool scale_by_two(random_scene *s, relation *r, uint64_t *state) {
 }
 
 /* The same lengths, in another unit. */
-static bool change_unit(random_scene *s, relation *r, uint64_t *state) {
+static bool change_unit(random_scene *s, relation *r, random_numbers *state) {
   (void)r;
   fmpq_t factor;
   fmpq_init(factor);
@@ -127,7 +127,7 @@ static void reverse(polygon *p) {
 }
 
 /* Left for right. The outline is then clockwise. */
-static bool mirror(random_scene *s, relation *r, uint64_t *state) {
+static bool mirror(random_scene *s, relation *r, random_numbers *state) {
   (void)state;
   static const int mirrored[] = {XX, XY, MOVE_X};
   for (size_t k = 0; k < sizeof mirrored / sizeof *mirrored; k++) {
@@ -147,7 +147,7 @@ static bool repeats_the_one_before(const polygon *p, long k) {
 }
 
 /* A ring may close by its first vertex once more, but not repeat another. */
-static bool renumber(random_scene *s, relation *r, uint64_t *state) {
+static bool renumber(random_scene *s, relation *r, random_numbers *state) {
   (void)r;
   polygon *rings[] = {&s->outline, &s->hole, &s->part};
   for (size_t i = 0; i < sizeof rings / sizeof *rings; i++) {
@@ -164,7 +164,7 @@ static bool renumber(random_scene *s, relation *r, uint64_t *state) {
 }
 
 /* Twice as large before a map of half the size, with the middles of some edges as vertices. */
-static void subdivide(polygon *p, const random_effects *e, bool closed, uint64_t *state) {
+static void subdivide(polygon *p, const random_effects *e, bool closed, random_numbers *state) {
   const polygon old = *p;
   p->count = 0;
   for (long k = 0; k < old.count; k++) {
@@ -178,7 +178,7 @@ static void subdivide(polygon *p, const random_effects *e, bool closed, uint64_t
   }
 }
 
-static bool add_vertices(random_scene *s, relation *r, uint64_t *state) {
+static bool add_vertices(random_scene *s, relation *r, random_numbers *state) {
   random_effects *e = &s->effects;
   if (e->ellipse || e->corners > 0) return false; /* a rounding must fit the pieces of its edges */
   subdivide(&s->outline, e, true, state);
@@ -215,7 +215,7 @@ static bool is_ear(const polygon *p, const long corner[3]) {
 }
 
 /* A part of the block's own density: an ear of the outline. */
-static bool part_out(random_scene *s, relation *r, uint64_t *state) {
+static bool part_out(random_scene *s, relation *r, random_numbers *state) {
   (void)r;
   const polygon *o = &s->outline;
   if (s->part.count > 0 || s->hole.count > 0 || s->effects.ellipse || s->effects.arcs > 0 ||
@@ -254,7 +254,7 @@ static bool still_a_base(const random_scene *s, const long leg[2]) {
 }
 
 /* Block and base together, counter-clockwise where the leg is positive, by a Pythagorean angle. */
-static bool turn(random_scene *s, relation *r, uint64_t *state) {
+static bool turn(random_scene *s, relation *r, random_numbers *state) {
   static const long triples[][3] = {
       {4, 3, 5}, {12, 5, 13}, {24, 7, 25}, {15, -8, 17}, {40, -9, 41}};
   const long *t = triples[draw_below(state, 5)];

@@ -13,7 +13,7 @@ typedef struct random_variant {
   const char *name;
   /* Change the scene, and tell how its solution is related to the one before. False: it does not
    * apply to this scene. */
-  bool (*change)(random_scene *scene, relation *r, uint64_t *state);
+  bool (*change)(random_scene *scene, relation *r, random_numbers *state);
 } random_variant;
 
 enum { VARIANTS = 11 };

@@ -43,7 +43,7 @@ static void check_same(const results *a, const results *b, int sum_count, const 
 }
 
 /* A chain of integers of magnitude up to 2^bits, no polygon: the sums do not ask for one. */
-static void set_chain(long count, int bits, uint64_t *state) {
+static void set_chain(long count, int bits, random_numbers *state) {
   for (long k = 0; k < count; k++) {
     pu[k] = (double)((long)(draw(state) >> (63 - bits)) - (1L << bits));
     pv[k] = (double)((long)(draw(state) >> (63 - bits)) - (1L << bits));
@@ -55,7 +55,7 @@ static void set_chain(long count, int bits, uint64_t *state) {
  * sums of six are the three. Coordinates up to 2^53: nothing is exact by chance. */
 START_TEST(test_every_instruction_set_gives_the_same_bits) {
   static const long seams[] = {63, 64, 65, 511, 512, 513, 514, 1024, 1025, 5003, BLOCK + 9};
-  uint64_t state = 11 + (uint64_t)_i;
+  random_numbers state = random_numbers_from(11 + (uint64_t)_i);
   const long seam_count = sizeof seams / sizeof *seams;
   for (long s = 0; s <= 40 + seam_count; s++) {
     const long count = s <= 40 ? s : seams[s - 41];
@@ -77,7 +77,7 @@ END_TEST
 START_TEST(test_any_number_of_threads_gives_the_same_bits) {
   static const long counts[] = {BLOCK, BLOCK + 1, 3 * BLOCK, 4 * BLOCK + 1, MOST};
   static const int threads[] = {0, 2, 3, 7, 16};
-  uint64_t state = 12;
+  random_numbers state = random_numbers_from(12);
   set_chain(MOST, 53, &state);
   for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
     const results one =
@@ -102,7 +102,7 @@ START_TEST(test_callers_do_not_disturb_each_other) {
   enum { CALLERS = 3 };
   static results got[CALLERS];
   pthread_t callers[CALLERS];
-  uint64_t state = 13;
+  random_numbers state = random_numbers_from(13);
   set_chain(MOST, 40, &state);
   for (int k = 0; k < CALLERS; k++) {
     ck_assert_int_eq(pthread_create(callers + k, NULL, call, got + k), 0);
@@ -161,7 +161,7 @@ static double check_pairs(long count, int threads) {
 }
 
 /* Every coordinate -2^53 or 2^53: what rounds, rounds as much as it can. */
-static void set_corners(long count, uint64_t *state) {
+static void set_corners(long count, random_numbers *state) {
   for (long k = 0; k < count; k++) {
     pu[k] = draw(state) % 2 == 0 ? 0x1p53 : -0x1p53;
     pv[k] = draw(state) % 2 == 0 ? 0x1p53 : -0x1p53;
@@ -174,7 +174,7 @@ static void set_corners(long count, uint64_t *state) {
  * most w^2 (2.03 92^2 2.01 + 8.2 93) 1.01 < 2^-90 of the scale. */
 START_TEST(test_pairs_keep_their_bound) {
   static const long counts[] = {1, 2, 3, 4, 7, 8, 9, 17, 511, 512, 513, 514, 1026, 20000};
-  uint64_t state = 14 + (uint64_t)_i;
+  random_numbers state = random_numbers_from(14 + (uint64_t)_i);
   for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
     const long count = counts[c];
     set_chain(count, _i == 0 ? 53 : _i == 1 ? 27 : 20, &state);
@@ -191,7 +191,7 @@ END_TEST
 
 /* Guards the joining of blocks in pairs: two full ones and a rest, by two threads. */
 START_TEST(test_blocks_of_pairs_keep_their_bound) {
-  uint64_t state = 15;
+  random_numbers state = random_numbers_from(15);
   set_chain(2 * BLOCK + 5, 53, &state);
   ck_assert_double_lt(check_pairs(2 * BLOCK + 5, 2), 0x1p-90);
 }

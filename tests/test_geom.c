@@ -42,7 +42,7 @@ static void add_ring(figure *f, const long (*points)[2], size_t count) {
 }
 
 /* 3 to 9 vertices on the grid 0 … 6, no two neighbours equal. */
-static void add_random_ring(figure *f, uint64_t *state) {
+static void add_random_ring(figure *f, random_numbers *state) {
   long p[9][2];
   const size_t count = 3 + draw(state) % 7;
   for (size_t k = 0; k < count; k++) {
@@ -56,11 +56,11 @@ static void add_random_ring(figure *f, uint64_t *state) {
 }
 
 /* Star-shaped about (u, 0): angles jump by less than a half turn, radii are 0.3 to 1 `radius`. */
-static void add_star(figure *f, long u, double radius, size_t count, uint64_t *state) {
+static void add_star(figure *f, long u, double radius, size_t count, random_numbers *state) {
   long p[MOST][2];
   for (size_t k = 0; k < count; k++) {
-    const double turn = ((double)k + 0.4 * (double)(draw(state) >> 11) * 0x1p-53) / (double)count;
-    const double r = radius * (0.3 + 0.7 * (double)(draw(state) >> 11) * 0x1p-53);
+    const double turn = ((double)k + 0.4 * draw_part(state)) / (double)count;
+    const double r = radius * (0.3 + 0.7 * draw_part(state));
     p[k][0] = u + lround(r * cos(2 * acos(-1) * turn));
     p[k][1] = lround(r * sin(2 * acos(-1) * turn));
   }
@@ -141,7 +141,7 @@ static bool note_meeting(void *context, tp_geom_meeting meeting) {
  * orientations), none twice; a ring is simple where it has none. All answers come up often. */
 START_TEST(test_meetings_are_what_all_pairs_say) {
   static meetings expected, actual;
-  uint64_t state = 1;
+  random_numbers state = random_numbers_from(1);
   size_t found[4] = {0}, simple_count = 0;
   for (int k = 0; k < 10000; k++) {
     figure f = {0};
@@ -234,7 +234,7 @@ static const long side[8][2] = {{0, 0}, {1, 0}, {3, 0}, {6, 0}, {6, 6}, {5, 6}, 
  * m - 2 that fill each hole; without holes (first half) and with a square that has vertices along
  * its sides. An outline of 8 or more vertices covers 0.3 cos(1.4 pi / 8) = 0.25 of its radius. */
 START_TEST(test_outline_is_filled_and_holes_are_not) {
-  uint64_t state = 3;
+  random_numbers state = random_numbers_from(3);
   for (size_t n = 2, count; n < 60; n++) {
     const size_t holes = n < 30 ? 0 : 2;
     figure f = {0};
@@ -264,7 +264,7 @@ END_TEST
  * vertices or pieces of edges only are no conflict, rings whose interiors meet are. */
 START_TEST(test_rings_of_one_layer_and_of_two) {
   static meetings m;
-  uint64_t state = 4;
+  random_numbers state = random_numbers_from(4);
   size_t failed = 0, conflicts = 0, along = 0, count, shared;
   while (failed < 1000 || conflicts < 40 || along < 40) {
     figure f = {0};

@@ -11,7 +11,7 @@
 
 enum { CONES = 6000, MOST = 7 };
 
-static uint64_t state;
+static random_numbers state;
 
 /* A contact, K's planes, and what is told of K. */
 typedef struct contact {
@@ -187,7 +187,7 @@ static void check_faces(const contact *c) {
 }
 
 START_TEST(rays_are_those_of_all_pairs_of_planes) {
-  state = 20261122;
+  state = random_numbers_from(20261122);
   long ranks[4] = {0}, flat = 0, nothing = 0;
   for (long k = 0; k < CONES; k++) {
     contact c;

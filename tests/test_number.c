@@ -7,6 +7,7 @@
 #include "number/ladder.h"
 #include "number/ratio.h"
 #include "number/surd.h"
+#include "random_numbers.h"
 #include "runner.h"
 
 #include <gmp.h>
@@ -58,11 +59,10 @@ START_TEST(random_decimals_agree_with_gmp) {
   fmpq_init(value);
   mpq_inits(expected, found, NULL);
   mpz_init(power);
-  unsigned long state = 7;
+  random_numbers state = random_numbers_from(7);
   for (int k = 0; k < 5000; k++) {
-    state = state * 6364136223846793005UL + 1442695040888963407UL;
-    const unsigned long mantissa = (state >> 3) >> (k % 60);
-    const int exponent = (int)(state >> 58) - 32;
+    const unsigned long mantissa = draw(&state) >> (3 + k % 60);
+    const int exponent = (int)draw_below(&state, 64) - 32;
     char text[64];
     snprintf(text, sizeof text, "%lue%d", mantissa, exponent);
     ck_assert(read_field(value, text));

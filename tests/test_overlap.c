@@ -19,7 +19,7 @@ typedef struct figure {
   fmpz x[2 * MOST], y[2 * MOST];
 } figure;
 
-static void draw_ring(figure *f, int ring, uint64_t *state) {
+static void draw_ring(figure *f, int ring, random_numbers *state) {
   const size_t first = f->start[ring];
   const size_t count = 3 + draw(state) % (MOST - 2);
   f->start[ring + 1] = first + count;
@@ -81,7 +81,7 @@ static bool shares_triangle(const figure *f) {
 }
 
 START_TEST(meetings_tell_of_an_overlap) {
-  uint64_t state = FIRST_SEED;
+  random_numbers state = random_numbers_from(FIRST_SEED);
   static figure f;
   long touching[2] = {0}, apart[2] = {0};
   for (long round = 0; round < ROUNDS; round++) {

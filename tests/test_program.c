@@ -18,7 +18,7 @@
 
 enum { MOST = 12 };
 
-static uint64_t state;
+static random_numbers state;
 
 /* A program whose entries are eighths: the same in doubles and in rationals. */
 typedef struct program {
@@ -170,7 +170,7 @@ static bool has_ray(const program *p, bool *regular) {
 }
 
 START_TEST(exact_against_all_bases) {
-  state = 41;
+  state = random_numbers_from(41);
   int seen[3] = {0};
   for (int round = 0; round < 1500; round++) {
     program p;
@@ -231,7 +231,7 @@ static tp_simplex_outcome solve_precisely(double *t, const tp_simplex_program *g
 }
 
 START_TEST(doubles_against_exact) {
-  state = 42;
+  state = random_numbers_from(42);
   int seen[3] = {0};
   for (int round = 0; round < 20000; round++) {
     program p;

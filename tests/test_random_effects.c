@@ -96,7 +96,7 @@ static void claim_same(counts *seen, const result *one, const random_scene *chan
 }
 
 static void claim_variant(counts *seen, const random_scene *scene, const result *one, int variant,
-                          uint64_t *state) {
+                          random_numbers *state) {
   const tp_solve_options options = tp_solve_options_default();
   random_scene changed;
   relation r;
@@ -112,7 +112,7 @@ static void claim_variant(counts *seen, const random_scene *scene, const result 
 
 /* Both directions are those of each by itself. */
 static void claim_direction(counts *seen, const random_scene *scene, const result *one,
-                            uint64_t *state) {
+                            random_numbers *state) {
   if (scene->effects.towards != TOWARDS_BOTH) return;
   const tp_solve_options options = tp_solve_options_default();
   random_scene changed;
@@ -138,7 +138,7 @@ static void claim_direction(counts *seen, const random_scene *scene, const resul
 }
 
 static void claim_options(counts *seen, const random_scene *scene, const result *one, int property,
-                          uint64_t *state) {
+                          random_numbers *state) {
   static const int digits[] = {1, 3, 6, 12, 15, 20, 30};
   tp_solve_options options = tp_solve_options_default();
   relation r;
@@ -157,7 +157,7 @@ static void claim_options(counts *seen, const random_scene *scene, const result 
  * many. */
 static void claim_property(counts *seen, const random_scene *scene, const result *one,
                            int property) {
-  uint64_t state = ~(seed * PROPERTIES + (uint64_t)property);
+  random_numbers state = random_numbers_from(~(seed * PROPERTIES + (uint64_t)property));
   if (property < VARIANTS) claim_variant(seen, scene, one, property, &state);
   if (property == DIRECTIONS_APART) claim_direction(seen, scene, one, &state);
   if (property > DIRECTIONS_APART) claim_options(seen, scene, one, property, &state);
@@ -167,7 +167,7 @@ enum { ALL_PROPERTIES_UP_TO = 10000, ENOUGH = 200 };
 
 static void claim_scene(counts *seen, long count) {
   const tp_solve_options options = tp_solve_options_default();
-  uint64_t state = seed;
+  random_numbers state = random_numbers_from(seed);
   random_scene scene;
   random_scene_draw(&scene, &state);
   random_effects_draw(&scene, &state);

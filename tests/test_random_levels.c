@@ -67,7 +67,7 @@ static void claim_levels(counts *seen, const tp_problem *problem, const tp_solut
   relation_clear(&same);
 }
 
-static void claim_scene(counts *seen, const tp_scene *scene, uint64_t *state) {
+static void claim_scene(counts *seen, const tp_scene *scene, random_numbers *state) {
   static const int digits[] = {3, 9, 13, 15, 25, 50};
   tp_solution prepared = {0};
   tp_problem problem;
@@ -98,7 +98,7 @@ START_TEST(test_levels_of_random_scenes) {
   counts seen = {0};
   for (long k = 0; k < count; k++) {
     seed = first + (uint64_t)k;
-    uint64_t state = seed;
+    random_numbers state = random_numbers_from(seed);
     random_scene drawn;
     random_scene_draw(&drawn, &state);
     text = random_scene_text(&drawn);

@@ -24,7 +24,7 @@ typedef struct axis {
 } axis;
 
 /* Up to 10^30 times, or one of so many, and as many digits. */
-static void draw_number(fmpq_t number, uint64_t *state) {
+static void draw_number(fmpq_t number, random_numbers *state) {
   fmpz_ui_pow_ui(fmpq_numref(number), 10, (ulong)draw_below(state, 31));
   fmpz_ui_pow_ui(fmpq_denref(number), 10, (ulong)draw_below(state, 31));
   fmpz_mul_ui(fmpq_numref(number), fmpq_numref(number), 1 + draw(state) % 1000000);
@@ -32,7 +32,7 @@ static void draw_number(fmpq_t number, uint64_t *state) {
   fmpq_canonicalise(number);
 }
 
-static void axis_init(axis *a, uint64_t *state) {
+static void axis_init(axis *a, random_numbers *state) {
   fmpq_init(a->scale);
   fmpq_init(a->move);
   fmpq_one(a->scale);
@@ -159,7 +159,7 @@ static void claim_rungs(const fmpz expected[TP_SUM_COUNT], const tp_section *sec
   tp_moments_clear(&before);
 }
 
-static void claim_polygon(uint64_t *state) {
+static void claim_polygon(random_numbers *state) {
   const fmpq metre = {1, 1};
   polygon p;
   axis x, y;
@@ -191,7 +191,7 @@ START_TEST(test_moments_of_random_polygons) {
   const long count = random_scenes() * POLYGONS_A_SCENE;
   for (long k = 0; k < count; k++) {
     seed = first + (uint64_t)k;
-    uint64_t state = seed;
+    random_numbers state = random_numbers_from(seed);
     claim_polygon(&state);
   }
 }

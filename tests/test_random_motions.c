@@ -95,7 +95,7 @@ START_TEST(test_ranges_of_random_scenes) {
   const long count = random_scenes_or(1000);
   long windows = 0, moving = 0;
   for (long k = 0; k < count; k++) {
-    uint64_t state = first + (uint64_t)k;
+    random_numbers state = random_numbers_from(first + (uint64_t)k);
     random_scene scene;
     random_scene_draw(&scene, &state);
     if (k % 2 == 0) random_effects_draw(&scene, &state);

@@ -42,7 +42,7 @@ typedef struct counts {
 } counts;
 
 static void claim_variant(counts *seen, const random_scene *scene, const tp_solution *one,
-                          int variant, uint64_t *state) {
+                          int variant, random_numbers *state) {
   random_scene changed;
   relation r;
   char why[256], *text = NULL;
@@ -72,7 +72,7 @@ static bool is_large(const polygon *p) {
 
 /* All lengths times a power of two, with which the integers of the lattice stay below 2^53 and
  * doubles hold them; or with both so far beyond that doubles hold neither. */
-static void claim_powers_of_two(random_scene *scene, uint64_t *state) {
+static void claim_powers_of_two(random_scene *scene, random_numbers *state) {
   char why[256], *texts[2] = {NULL, NULL};
   const bool beyond = draw_once_in(state, 2) || is_large(&scene->outline);
   random_scene_make_even(scene);
@@ -97,7 +97,7 @@ START_TEST(test_variants_of_random_scenes) {
   counts seen = {0};
   for (long k = 0; k < count; k++) {
     seed = first + (uint64_t)k;
-    uint64_t state = seed;
+    random_numbers state = random_numbers_from(seed);
     random_scene scene;
     char *text = NULL, why[256];
     random_scene_draw(&scene, &state);

@@ -99,7 +99,7 @@ static void claim_balls(const sums *truth, long count) {
 }
 
 /* Times 2^k and the like, to powers that leave the range of doubles far off: the same bits. */
-static void claim_powers_of_two(long count, uint64_t *state) {
+static void claim_powers_of_two(long count, random_numbers *state) {
   double plain[2][TP_SUM_COUNT], scaled[2][TP_SUM_COUNT];
   const int power_u = (int)draw_signed(state, 100), power_v = (int)draw_signed(state, 100);
   tp_ring_sums_double(plain[0], plain[1], u, v, count, true);
@@ -149,7 +149,7 @@ static void change_polygon(polygon *p, const change *t) {
 }
 
 /* A turn by a Pythagorean angle, a mirror, ten times the unit, a move; or some of them together. */
-static change draw_change(uint64_t *state) {
+static change draw_change(random_numbers *state) {
   static const long triples[][2] = {{3, 4}, {5, 12}, {8, 15}, {7, 24}, {20, 21}, {0, 1}};
   change t = {1, 0, 0, 1, 0, 0};
   const long kinds = 1 + draw_below(state, 15);
@@ -166,7 +166,7 @@ static change draw_change(uint64_t *state) {
   return t;
 }
 
-static void claim_changed(const polygon *p, const sums *truth, uint64_t *state) {
+static void claim_changed(const polygon *p, const sums *truth, random_numbers *state) {
   polygon changed = *p;
   const change t = draw_change(state);
   change_polygon(&changed, &t);
@@ -175,7 +175,7 @@ static void claim_changed(const polygon *p, const sums *truth, uint64_t *state) 
 }
 
 /* From another vertex, and the other way about. */
-static void claim_renumbered(const polygon *p, const sums *truth, uint64_t *state) {
+static void claim_renumbered(const polygon *p, const sums *truth, random_numbers *state) {
   polygon changed = {.count = 0};
   sums expected = *truth;
   const long first = draw_below(state, p->count), way = draw_once_in(state, 2) ? 1 : p->count - 1;
@@ -187,7 +187,7 @@ static void claim_renumbered(const polygon *p, const sums *truth, uint64_t *stat
 }
 
 /* Twice as large, with the middles of some edges as vertices. */
-static void claim_collinear(const polygon *p, const sums *truth, uint64_t *state) {
+static void claim_collinear(const polygon *p, const sums *truth, random_numbers *state) {
   polygon changed = {.count = 0};
   for (long k = 0; k < p->count; k++) {
     const long next = (k + 1) % p->count;
@@ -201,7 +201,7 @@ static void claim_collinear(const polygon *p, const sums *truth, uint64_t *state
 
 /* Along a diagonal: what the two pieces have adds up to the whole, exactly, and in double within
  * the sum of their bounds. A diagonal may lie outside: its two edges cancel all the same. */
-static void claim_split(const polygon *p, const sums *truth, uint64_t *state) {
+static void claim_split(const polygon *p, const sums *truth, random_numbers *state) {
   const long from = draw_below(state, p->count), length = 2 + draw_below(state, p->count - 2);
   double values[TP_SUM_COUNT], bounds[TP_SUM_COUNT], room[TP_SUM_COUNT] = {0};
   wide total[TP_SUM_COUNT] = {0};
@@ -232,14 +232,14 @@ START_TEST(test_sums_of_random_polygons) {
   const long count = random_scenes() * POLYGONS_A_SCENE;
   for (long k = 0; k < count; k++) {
     seed = first + (uint64_t)k;
-    uint64_t state = seed;
+    random_numbers state = random_numbers_from(seed);
     polygon p;
     draw_polygon(&p, &state);
     const sums truth = polygon_sums(&p);
     claim_sums(&p, &truth, "as drawn");
     if (draw_once_in(&state, 16)) claim_balls(&truth, p.count);
     claim_powers_of_two(p.count, &state);
-    static void (*const claims[])(const polygon *, const sums *, uint64_t *) = {
+    static void (*const claims[])(const polygon *, const sums *, random_numbers *) = {
         claim_changed, claim_changed, claim_renumbered, claim_collinear, claim_split};
     claims[draw_below(&state, 5)](&p, &truth, &state);
   }

@@ -27,10 +27,10 @@ static void set_point(long k, long u, long v) {
 /* Vertices first … first + count - 1 about the centre: angles jump by 0.6 to 1.4 of a full turn
  * over `count`, radii are 0.3 to 1 of the given ones. Simple while rounding is less than a jump. */
 static void set_star(long first, long count, double radius_u, double radius_v, const long centre[2],
-                     uint64_t *state) {
+                     random_numbers *state) {
   for (long k = 0; k < count; k++) {
-    const double jitter = 0.4 * (double)(draw(state) >> 11) * 0x1p-53;
-    const double part = 0.3 + 0.7 * (double)(draw(state) >> 11) * 0x1p-53;
+    const double jitter = 0.4 * draw_part(state);
+    const double part = 0.3 + 0.7 * draw_part(state);
     const double angle = 2 * acos(-1) * ((double)k + jitter) / (double)count;
     set_point(first + k, centre[0] + lround(part * radius_u * cos(angle)),
               centre[1] + lround(part * radius_v * sin(angle)));
@@ -83,7 +83,7 @@ static void check_triangles(const size_t *start, size_t ring_count, bool small) 
 /* Guards the boundary formulas against integrals over triangles that another algorithm found. A
  * star of three or more covers 0.3 cos(1.4 pi / 3) = 0.031 of its radius: a hole of 0.02 fits. */
 START_TEST(test_ring_sums_are_sums_over_triangles) {
-  uint64_t state = 1;
+  random_numbers state = random_numbers_from(1);
   for (int k = 0; k < 200; k++) {
     const size_t n = 3 + draw(&state) % (k < 100 ? 30 : 498), m = 3 + draw(&state) % 60;
     const long centre[2] = {(long)(draw(&state) % 2000000) - 1000000, k % 3 * 500000L};
@@ -131,7 +131,7 @@ static const long sizes[] = {3, 4, 7, 8, 9, 10, 17, 511, 512, 513, 514, 1025, 10
  * edges |du| + |dv| <= R and A2 > 0.5 R^2, so 142 w n R^2 / A2 < 4e-11 for a thousand vertices. */
 START_TEST(test_double_sums_keep_their_bound) {
   const long far = 1L << 52, centres[4][2] = {{0, 0}, {far, far}, {3, -far}, {7, 0}};
-  uint64_t state = 2 + (uint64_t)_i;
+  random_numbers state = random_numbers_from(2 + (uint64_t)_i);
   for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
     const long n = sizes[s];
     set_star(0, n, _i < 3 ? 1e6 : 0x1p50, _i < 3 ? 1e6 : 1e3, centres[_i % 4], &state);
@@ -150,7 +150,7 @@ END_TEST
  * difference, 8 R^2 >= A2 of the sum so far: 500 * 32 R^2 2^-bits. The first ring needs 500 * 12
  * R^4 < 2^96: at 128 bits nothing is rounded. */
 START_TEST(test_balls_contain_the_truth) {
-  uint64_t state = 3;
+  random_numbers state = random_numbers_from(3);
   set_star(0, 500, 1e6, 1e6, (const long[]){0, 0}, &state);
   fmpz exact[TP_SUM_COUNT] = {0};
   arb_struct *sums = _arb_vec_init(TP_SUM_COUNT);
@@ -211,7 +211,8 @@ static const unsigned long scenes[SCENES][4] = {{53, 53, 0, 0}, {0, 0, 0, 0},  {
 static const fmpq foot = {381, 1250}; /* in metres */
 
 /* A scaled coordinate of the star, or an integer half way between two doubles or next to that. */
-static void draw_value(fmpq_t value, const fmpz_t star, int scene, int axis, uint64_t *state) {
+static void draw_value(fmpq_t value, const fmpz_t star, int scene, int axis,
+                       random_numbers *state) {
   fmpz *top = fmpq_numref(value), *below = fmpq_denref(value);
   if (scene == TIES) {
     fmpz_set_ui(top, draw(state) >> 11 << 1 | UINT64_C(1) << 53 | 1);
@@ -240,7 +241,7 @@ static void check_coordinate(double u, const fmpz_t x, long exponent, fmpq_t met
 }
 
 /* The first chain, which centres the lattice: about 0, or 4 * 2^200; the second is the scene. */
-static void draw_lines(tp_polyline lines[2], int scene, uint64_t *state) {
+static void draw_lines(tp_polyline lines[2], int scene, random_numbers *state) {
   for (long k = 0; k < 2002; k++) {
     fmpq x = {(scene == FAR_OFF ? 4 : 0) + 2 * k - 1, 1}, y = {0, 1};
     fmpq_mul_2exp(&x, &x, scenes[scene][3]);
@@ -258,7 +259,7 @@ static void draw_lines(tp_polyline lines[2], int scene, uint64_t *state) {
  * slivers of aspect 1e-55 and 1e-300, tiny ones, a ring far off the centre of the lattice, and
  * ties. */
 START_TEST(test_lattice_rounds_as_it_says) {
-  uint64_t state = 4;
+  random_numbers state = random_numbers_from(4);
   tp_polyline lines[2] = {0};
   tp_lattice lattice;
   fmpq metres = {0, 1};

@@ -1,18 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Zeros are told apart by Arb's own isolation (arb_calc): boxes are halved until the function has
- * no zero over one, or changes its sign over it with a slope that has none. Each zero is then
- * narrowed by Newton's steps in intervals. Those of arb_calc do not serve: they want a start that
- * is known to so many bits of its size, which a zero at level ground never is, and a second
- * derivative. */
+/* Why not by arb_calc, whose isolation does the like: it settles no box without a zero by its
+ * slope, and next to two zeros that all but meet the boxes that are left to it double with every
+ * bit. Its Newton's method wants a start that is known to some bits of its size, which a zero at
+ * level ground never is. */
 
 #include "load/isolate.h"
 
 #include "number/ball.h"
-
-#include <arb_calc.h>
-#include <arb_poly.h>
 
 /* A function of the tilt times the power of cos a, 1 or 2, with which it stays bounded up to the
  * right angles: there it is its leading term alone, so that a zero close to them is one of f. */
@@ -26,26 +22,58 @@ static bounded bound(const tp_trig *f, long bits) {
   return (bounded){f, !arb_is_zero(f->of + TP_SEC2), bits};
 }
 
-/* The value, and of `order` 2 the slope after it: with p = A cos + B sin + C p cos + D, or
- * (p cos + D) cos + E, in power series about the angle. */
-static void series_at(arb_ptr out, const bounded *b, const arb_t angle, slong order) {
-  enum { ORDER = 2 };
+/* With p = A cos + B sin + C: p cos + D, or (p cos + D) cos + E. */
+static void value_at(arb_t value, const bounded *b, const arb_t angle) {
   const arb_struct *of = b->f->of;
-  const int last = b->squared ? TP_SEC2 : TP_SEC;
-  arb_ptr room = _arb_vec_init(4 * ORDER);
-  arb_ptr sine = room, cosine = room + ORDER, product = room + 2 * ORDER, at = room + 3 * ORDER;
-  arb_set(at, angle);
-  arb_one(at + 1);
-  _arb_poly_sin_cos_series(sine, cosine, at, ORDER, order, b->bits);
-  _arb_vec_scalar_mul(out, cosine, order, of + TP_COS, b->bits);
-  _arb_vec_scalar_addmul(out, sine, order, of + TP_SIN, b->bits);
-  arb_add(out, out, of + TP_ONE, b->bits);
-  for (int k = TP_SEC; k <= last; k++) {
-    _arb_poly_mullow(product, out, order, cosine, order, order, b->bits);
-    arb_add(out, product, of + k, b->bits);
-    if (order > 1) arb_swap(out + 1, product + 1);
+  arb_t sine, cosine;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_sin_cos(sine, cosine, angle, b->bits);
+  arb_mul(value, of + TP_COS, cosine, b->bits);
+  arb_addmul(value, of + TP_SIN, sine, b->bits);
+  arb_add(value, value, of + TP_ONE, b->bits);
+  arb_mul(value, value, cosine, b->bits);
+  arb_add(value, value, of + TP_SEC, b->bits);
+  if (b->squared) {
+    arb_mul(value, value, cosine, b->bits);
+    arb_add(value, value, of + TP_SEC2, b->bits);
   }
-  _arb_vec_clear(room, 4 * ORDER);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+/* With p' = B cos - A sin: p' cos - p sin, or (p' cos - 2 p sin) cos - D sin. */
+static void slope_at(arb_t slope, const bounded *b, const arb_t angle) {
+  const arb_struct *of = b->f->of;
+  arb_t sine, cosine, p;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(p);
+  arb_sin_cos(sine, cosine, angle, b->bits);
+  arb_mul(slope, of + TP_SIN, cosine, b->bits);
+  arb_submul(slope, of + TP_COS, sine, b->bits);
+  arb_mul(slope, slope, cosine, b->bits);
+  arb_mul(p, of + TP_COS, cosine, b->bits);
+  arb_addmul(p, of + TP_SIN, sine, b->bits);
+  arb_add(p, p, of + TP_ONE, b->bits);
+  if (b->squared) arb_mul_2exp_si(p, p, 1);
+  arb_submul(slope, p, sine, b->bits);
+  if (b->squared) {
+    arb_mul(slope, slope, cosine, b->bits);
+    arb_submul(slope, of + TP_SEC, sine, b->bits);
+  }
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(p);
+}
+
+/* An interval with ends of machine precision at first. */
+typedef struct box {
+  arf_t low, high;
+} box;
+
+static void box_ball(arb_t ball, const box *b, long bits) {
+  arb_set_interval_arf(ball, b->low, b->high, bits);
 }
 
 static int sign_at(const bounded *g, const arf_t at) {
@@ -53,7 +81,7 @@ static int sign_at(const bounded *g, const arf_t at) {
   arb_init(x);
   arb_init(value);
   arb_set_arf(x, at);
-  series_at(value, g, x, 1);
+  value_at(value, g, x);
   const int sign = tp_ball_sign(value);
   arb_clear(x);
   arb_clear(value);
@@ -62,39 +90,39 @@ static int sign_at(const bounded *g, const arf_t at) {
 
 /* Newton's step in intervals, m - g(m) / g'(box), keeps the zero: is what is left of the box less
  * than half as wide? */
-static bool contract(arf_interval_t box, const bounded *g, const arf_t middle) {
-  arb_ptr over = _arb_vec_init(2), slope = over + 1; /* the box */
-  arb_t x, value;
+static bool contract(box *b, const bounded *g, const arf_t middle) {
+  arb_t x, value, slope;
   arf_t low, high, width, left;
   arb_init(x);
   arb_init(value);
+  arb_init(slope);
   arf_init(low);
   arf_init(high);
   arf_init(width);
   arf_init(left);
-  arf_interval_get_arb(x, box, g->bits);
-  series_at(over, g, x, 2);
+  box_ball(x, b, g->bits);
+  slope_at(slope, g, x);
   arb_set_arf(x, middle);
-  series_at(value, g, x, 1);
+  value_at(value, g, x);
   arb_div(value, value, slope, g->bits);
   arb_sub(x, x, value, g->bits);
   bool narrower = false;
   if (arb_is_finite(x)) {
     arb_get_interval_arf(low, high, x, g->bits);
-    arf_max(low, low, &box->a);
-    arf_min(high, high, &box->b);
-    arf_sub(width, &box->b, &box->a, g->bits, ARF_RND_NEAR);
+    arf_max(low, low, b->low);
+    arf_min(high, high, b->high);
+    arf_sub(width, b->high, b->low, g->bits, ARF_RND_NEAR);
     arf_sub(left, high, low, g->bits, ARF_RND_NEAR);
     arf_mul_2exp_si(left, left, 1);
     narrower = arf_cmp(left, width) < 0 && arf_cmp(low, high) <= 0;
   }
   if (narrower) {
-    arf_swap(&box->a, low);
-    arf_swap(&box->b, high);
+    arf_swap(b->low, low);
+    arf_swap(b->high, high);
   }
-  _arb_vec_clear(over, 2);
   arb_clear(x);
   arb_clear(value);
+  arb_clear(slope);
   arf_clear(low);
   arf_clear(high);
   arf_clear(width);
@@ -103,9 +131,9 @@ static bool contract(arf_interval_t box, const bounded *g, const arf_t middle) {
 }
 
 /* Narrow a box over which g is monotone and changes its sign. */
-static void bracket(tp_roots *roots, const tp_trig *f, arf_interval_t box, long bits) {
+static void bracket(tp_roots *roots, const tp_trig *f, box *b, long bits) {
   const bounded own_bits = bound(f, bits), *g = &own_bits;
-  const int low = sign_at(g, &box->a), high = sign_at(g, &box->b);
+  const int low = sign_at(g, b->low), high = sign_at(g, b->high);
   if (low == 0 || high != -low) {
     roots->certain = false;
     return;
@@ -113,57 +141,66 @@ static void bracket(tp_roots *roots, const tp_trig *f, arf_interval_t box, long 
   arf_t middle;
   arf_init(middle);
   for (long k = 0; k < g->bits; k++) {
-    arf_add(middle, &box->a, &box->b, g->bits, ARF_RND_NEAR);
+    arf_add(middle, b->low, b->high, g->bits, ARF_RND_NEAR);
     arf_mul_2exp_si(middle, middle, -1);
-    if (arf_cmp(middle, &box->a) <= 0 || arf_cmp(middle, &box->b) >= 0) break;
-    if (contract(box, g, middle)) continue;
+    if (arf_cmp(middle, b->low) <= 0 || arf_cmp(middle, b->high) >= 0) break;
+    if (contract(b, g, middle)) continue;
     const int own = sign_at(g, middle);
     if (own == 0) break;
-    arf_set(own == low ? &box->a : &box->b, middle);
+    arf_set(own == low ? b->low : b->high, middle);
   }
   arf_clear(middle);
   arb_t radians;
   arb_init(radians);
-  arf_interval_get_arb(radians, box, g->bits);
+  box_ball(radians, b, g->bits);
   tp_roots_keep(roots, radians, low < 0, g->bits);
   arb_clear(radians);
 }
 
-/* What Arb's isolation asks. Where a box that is halved no further stays open nothing is certain
- * any more, and the others are not looked at: with bounds too wide for this precision they would
- * all stay open. They are called free of zeros, and what is found is not used. */
-typedef struct isolation {
-  bounded g;
-  long depth;
-  bool open;
-} isolation;
-
-static int look(arb_ptr out, const arb_t angle, void *context, slong order, slong prec) {
-  isolation *own = context;
-  const mag_struct *radius = arb_radref(angle);
-  (void)prec; /* that of g */
-  if (!mag_is_zero(radius) && mag_cmp_2exp_si(radius, -own->depth) < 0) own->open = true;
-  if (own->open) {
-    arb_one(out);
-    return ARB_CALC_SUCCESS;
+/* Zeros in a box: none, one, which is narrowed with so many `bits`, or halves of it. Where one box
+ * stays open to the last nothing is certain any more, and the others are not looked at: with bounds
+ * too wide for this precision they would all stay open. */
+static void isolate(tp_roots *roots, const bounded *g, box *b, long depth, long bits) {
+  if (!roots->certain) return;
+  arb_t x, value;
+  arb_init(x);
+  arb_init(value);
+  box_ball(x, b, g->bits);
+  value_at(value, g, x);
+  bool settled = arb_is_finite(value) && !arb_contains_zero(value);
+  if (!settled) {
+    slope_at(value, g, x);
+    const int low = sign_at(g, b->low), high = sign_at(g, b->high);
+    if (arb_is_finite(value) && !arb_contains_zero(value) && low != 0 && high != 0) {
+      settled = true;
+      if (low != high) bracket(roots, g->f, b, bits);
+    }
   }
-  series_at(out, &own->g, angle, order);
-  return ARB_CALC_SUCCESS;
-}
-
-/* The zeros in a box, each narrowed with so many `bits`. */
-static void isolate(tp_roots *roots, isolation *own, const arf_interval_t box, long bits) {
-  arf_interval_ptr found = NULL;
-  int *single = NULL;
-  const slong count = arb_calc_isolate_roots(&found, &single, look, own, box, own->depth + 2,
-                                             WORD_MAX, TP_ROOTS_MAX + 1, own->g.bits);
-  if (own->open) roots->certain = false;
-  for (slong k = 0; k < count && roots->certain; k++) {
-    roots->certain = single[k] == 1;
-    if (roots->certain) bracket(roots, own->g.f, found + k, bits);
+  arb_clear(x);
+  arb_clear(value);
+  if (settled) return;
+  if (depth == 0) {
+    roots->certain = false;
+    return;
   }
-  _arf_interval_vec_clear(found, count);
-  flint_free(single);
+  box half[2];
+  for (int k = 0; k < 2; k++) {
+    arf_init(half[k].low);
+    arf_init(half[k].high);
+    arf_set(half[k].low, b->low);
+    arf_set(half[k].high, b->high);
+  }
+  /* not quite in the middle, so that zeros at round angles fall inside */
+  arf_sub(half[0].high, b->high, b->low, g->bits, ARF_RND_NEAR);
+  arf_mul_ui(half[0].high, half[0].high, 517, g->bits, ARF_RND_NEAR);
+  arf_mul_2exp_si(half[0].high, half[0].high, -10);
+  arf_add(half[0].high, half[0].high, b->low, g->bits, ARF_RND_NEAR);
+  arf_set(half[1].low, half[0].high);
+  for (int k = 0; k < 2; k++) {
+    isolate(roots, g, half + k, depth - 1, bits);
+    arf_clear(half[k].low);
+    arf_clear(half[k].high);
+  }
 }
 
 /* A double zero stays open however often its box is halved: with n bits it is not told from two
@@ -197,21 +234,16 @@ static void set_end(arf_t end, const bounded *g) {
   arb_clear(angle);
 }
 
-/* On either side of an angle that is not quite level, so that zeros at round angles fall inside. */
 static void find(tp_roots *roots, const tp_trig *f, long few, long bits) {
-  isolation own = {bound(f, few), most_depth(few), false};
-  arf_interval_t below, above;
-  arf_interval_init(below);
-  arf_interval_init(above);
-  set_end(&above->b, &own.g);
-  arf_neg(&below->a, &above->b);
-  arf_mul_ui(&below->b, &above->b, 5, few, ARF_RND_NEAR);
-  arf_mul_2exp_si(&below->b, &below->b, -9);
-  arf_set(&above->a, &below->b);
-  isolate(roots, &own, below, bits);
-  if (roots->certain) isolate(roots, &own, above, bits);
-  arf_interval_clear(below);
-  arf_interval_clear(above);
+  const bounded g = bound(f, few);
+  box all;
+  arf_init(all.low);
+  arf_init(all.high);
+  set_end(all.high, &g);
+  arf_neg(all.low, all.high);
+  isolate(roots, &g, &all, most_depth(few), bits);
+  arf_clear(all.low);
+  arf_clear(all.high);
 }
 
 /* Telling zeros apart takes many looks and few bits, as a rule. */

@@ -5,8 +5,8 @@
  *
  * A cos a + B sin a + C = R cos(a - psi) + C has its zeros at psi +- acos(-C / R), in closed form.
  * With terms in 1 / cos a the function is taken times cos a or cos^2 a, which is bounded, and its
- * zeros are isolated by bisection of intervals, as Arb has it; then each is narrowed by Newton's
- * steps in intervals.
+ * zeros are isolated by interval bisection: a box over which it or its derivative has no zero is
+ * settled, any other is halved; then each is narrowed by Newton's steps in intervals.
  */
 
 #ifndef TP_ZEROS_H

@@ -88,8 +88,8 @@ static bool iterate(double *tilt, meeting *m) {
   return false;
 }
 
-/* From doubles to 10^-digits degrees, by secants of image less tilt. Search alone: the proof comes
- * after it. */
+/* From doubles to 10^-digits degrees, by secants of image less tilt: it has no derivative, as
+ * Newton's method of arb_calc would want it. Search alone: the proof comes after it. */
 static void refine(arf_t tilt, const meeting *m, int digits) {
   enum { MOST_STEPS = 64 };
   const long bits = m->e->rung.bits;

@@ -36,8 +36,9 @@ static bool search(arf_t factor, tp_reduced *r, double low, double high) {
   return true;
 }
 
-/* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew.
- * Search alone: the proof comes after it. */
+/* From doubles to 10^-digits of the factor by secants of limit less tilt, each limit found anew: it
+ * has no derivative, as Newton's method of arb_calc would want it. Search alone: the proof comes
+ * after it. */
 static tp_limit_outcome refine(arf_t factor, tp_reduced *r, int digits) {
   enum { MOST_STEPS = 64 };
   const long bits = r->question->judge.bits;

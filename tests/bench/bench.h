@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What the benchmarks share: clocks and the median.
+/* What the benchmarks share: clocks, and arguments.
  *
  * Nothing here asserts a time: a benchmark fails only where a call fails, with exit status 5. */
 
 #ifndef TP_BENCH_H
 #define TP_BENCH_H
 
+#include <gsl/gsl_statistics_double.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,17 +28,6 @@ static inline double bench_computed(void) {
   struct timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static inline int bench_compare(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-/* The median; sorts the samples. */
-static inline double bench_median(double *samples, size_t count) {
-  qsort(samples, count, sizeof *samples, bench_compare);
-  return (samples[(count - 1) / 2] + samples[count / 2]) / 2;
 }
 
 /* A whole number from `low` on in an argument; 0 where it is none. */

@@ -8,6 +8,7 @@
  * By the seconds that tp_solve tells of its effects, one direction, 9 digits, no tilt given; each
  * column a median of its own, `ratio` that of onset over limit. */
 
+#include "../random_numbers.h"
 #include "bench.h"
 
 #include "topple.h"
@@ -24,10 +25,9 @@ static void fail(const char *what) {
 
 /* Heights in mm over u from 0 to 1 along the base, 10 mm a facet. */
 static double rough(double u) {
-  static uint64_t state = 3;
-  (void)u;
-  state = state * 6364136223846793005U + 1442695040888963407U;
-  return 1000 + (double)(state >> 33) / 0x1p31 * 9;
+  static random_numbers numbers;
+  if (u == 0) numbers = random_numbers_from(3);
+  return 1000 + 9 * draw_part(&numbers);
 }
 
 static double fine_wave(double u) {
@@ -67,7 +67,7 @@ static const base bases[] = {
     {"cohesion", rough, FEW, "loads: {cohesion_kpa: 5}\n"},
     {"cohesion, bond", rough, FEW, "loads: {cohesion_kpa: 5, bond_kpa: 5}\n"}};
 
-static tp_scene *draw(const base *b) {
+static tp_scene *make_scene(const base *b) {
   enum { MOST_OF_VERTEX = 40, MOST_OF_REST = 500 };
   char *text = malloc((size_t)(b->facets + 1) * MOST_OF_VERTEX + MOST_OF_REST), *at = text;
   if (text == NULL) fail("out of memory");
@@ -102,7 +102,7 @@ static void measure(const base *b) {
   double limit[SAMPLES], onset[SAMPLES], ratio[SAMPLES], whole[SAMPLES];
   const tp_solve_options options = tp_solve_options_default();
   tp_message message = {""};
-  tp_scene *scene = draw(b);
+  tp_scene *scene = make_scene(b);
   for (int s = 0; s < SAMPLES; s++) {
     tp_solution *solution = NULL;
     const double began = bench_computed();
@@ -115,8 +115,8 @@ static void measure(const base *b) {
   }
   tp_scene_free(scene);
   printf("%-16s %7ld %9.1f %9.1f %7.2f %9.1f\n", b->name, b->facets,
-         1e3 * bench_median(limit, SAMPLES), 1e3 * bench_median(onset, SAMPLES),
-         bench_median(ratio, SAMPLES), 1e3 * bench_median(whole, SAMPLES));
+         1e3 * gsl_stats_median(limit, 1, SAMPLES), 1e3 * gsl_stats_median(onset, 1, SAMPLES),
+         gsl_stats_median(ratio, 1, SAMPLES), 1e3 * gsl_stats_median(whole, 1, SAMPLES));
 }
 
 int main(void) {

@@ -64,7 +64,7 @@ static double median_ms(const tp_scene *scene, void (*once)(const tp_scene *)) {
     once(scene);
     samples[k] = 1e3 * (bench_now() - began);
   }
-  return bench_median(samples, SAMPLES);
+  return gsl_stats_median(samples, 1, SAMPLES);
 }
 
 /* SymPy's time for the tangent about the toe of three teeth, measured by itself; skipped where it

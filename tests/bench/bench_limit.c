@@ -199,7 +199,7 @@ static void measure(const char *name, const char *path) {
   }
   printf("%s: %ld facets\n", name, w.problem.contact.facet_count);
   for (int r = 0; r < ROWS; r++) {
-    medians[r] = bench_median(samples[r], SAMPLES);
+    medians[r] = gsl_stats_median(samples[r], 1, SAMPLES);
     printf("  %-18s %12.1f us %10.1f\n", rows[r].name, 1e6 * medians[r], medians[r] / medians[0]);
   }
   work_clear(&w);

@@ -163,7 +163,7 @@ static void drop_inputs(work *w) {
 static void print_table(double seconds[PARTS][ROUNDS], long count) {
   printf("%-18s %10s %10s\n", "part", "ms", "ns/vertex");
   for (int p = 0; p < PARTS; p++) {
-    const double median = bench_median(seconds[p], ROUNDS);
+    const double median = gsl_stats_median(seconds[p], 1, ROUNDS);
     printf("%-18s %10.2f %10.1f\n", parts[p].name, 1e3 * median, 1e9 * median / (double)count);
   }
 }

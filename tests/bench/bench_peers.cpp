@@ -166,7 +166,7 @@ std::vector<double> measure(const std::vector<Named> &methods, size_t count) {
     }
   }
   std::vector<double> medians;
-  for (auto &of_one : samples) medians.push_back(bench_median(of_one.data(), of_one.size()));
+  for (auto &of_one : samples) medians.push_back(gsl_stats_median(of_one.data(), 1, of_one.size()));
   return medians;
 }
 

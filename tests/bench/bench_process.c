@@ -14,6 +14,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <gsl/gsl_sort.h>
 #include <spawn.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -60,11 +61,12 @@ static int run_in_turn(double *samples[2], long runs, char *const *commands[2],
 
 static void print_table(double *samples[2], long runs) {
   static const char *const names[] = {"topple solve", "trivial"};
-  const double reference = bench_median(samples[1], (size_t)runs);
+  for (int c = 0; c < 2; c++) gsl_sort(samples[c], 1, (size_t)runs);
+  const double reference = gsl_stats_median_from_sorted_data(samples[1], 1, (size_t)runs);
   printf("%-14s %6s %10s %10s %10s %16s\n", "program", "runs", "min ms", "median ms", "max ms",
          "median/trivial");
   for (int c = 0; c < 2; c++) {
-    const double median = bench_median(samples[c], (size_t)runs);
+    const double median = gsl_stats_median_from_sorted_data(samples[c], 1, (size_t)runs);
     printf("%-14s %6ld %10.3f %10.3f %10.3f %16.2f\n", names[c], runs, 1e3 * samples[c][0],
            1e3 * median, 1e3 * samples[c][runs - 1], median / reference);
   }

@@ -138,7 +138,7 @@ static void measure(double *per_vertex, const input *in, const method *methods, 
     }
   }
   for (int k = 0; k < count; k++) {
-    per_vertex[k] = repeats[k] == 0 ? NAN : bench_median(samples[k], SAMPLES);
+    per_vertex[k] = repeats[k] == 0 ? NAN : gsl_stats_median(samples[k], 1, SAMPLES);
   }
 }
 
