@@ -156,6 +156,13 @@ static tp_status fail_apart(bool cut, const tp_base *base, tp_message *message) 
                        "coordinates, and contact is exact: give them the same vertices");
 }
 
+/* Neighbouring facets share their ends: about half of the room for points is left. */
+static void give_back_rest(tp_contact *contact) {
+  const size_t size = (size_t)contact->point_count * sizeof *contact->points;
+  tp_contact_point *points = size > 0 ? realloc(contact->points, size) : NULL;
+  if (points != NULL) contact->points = points;
+}
+
 tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const tp_corners *corners,
                           const tp_base *base, const tp_lattice *lattice, tp_message *message) {
   memset(contact, 0, sizeof *contact);
@@ -173,6 +180,7 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
   }
   if (contact->points != NULL) {
     collect_points(contact, base, lattice, ring);
+    give_back_rest(contact);
     find_steepest(contact, lattice);
     return TP_OK;
   }

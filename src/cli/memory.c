@@ -10,9 +10,14 @@
 
 #include <flint/flint.h>
 #include <gmp.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 /* Without stdio, which takes memory. */
 _Noreturn static void end(const char *complaint) {
@@ -59,7 +64,17 @@ _Noreturn static void give_up(void) {
   end("topple: FLINT, a library that Topple builds on, gave up; please report the scene\n");
 }
 
+/* A large base has arrays that come and go a dozen times, each of a size that glibc would have anew
+ * from the system and clear page by page: they come from one heap, which keeps what is freed. */
+static void keep_freed_memory(void) {
+#ifdef M_MMAP_THRESHOLD
+  (void)mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  (void)mallopt(M_TRIM_THRESHOLD, INT_MAX);
+#endif
+}
+
 void tp_cli_guard_memory(void) {
+  keep_freed_memory();
   __flint_set_memory_functions(take, take_zeros, resize, free);
   flint_set_abort(give_up);
   mp_set_memory_functions(take, resize_known, give_back);

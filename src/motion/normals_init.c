@@ -38,7 +38,14 @@ static void set_direction(tp_normals *n, long point) {
   fmpz_clear(common);
 }
 
+static bool is_new_family(const tp_normals_order *order, long k) {
+  return k == 0 || !tp_normals_order_same_axis(order, k - 1, k) ||
+         tp_normal_entry_is_against(order->entries + k) !=
+             tp_normal_entry_is_against(order->entries + k - 1);
+}
+
 static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
+  long alike = 0; /* the first point of the family in hand */
   for (long k = 0; k < order->count; k++) {
     const tp_normal_entry *e = order->entries + k, *before = k > 0 ? e - 1 : NULL;
     const long point = tp_normal_entry_point(e);
@@ -49,6 +56,7 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
     const int same_line = same_family ? tp_normals_order_same_line(order, k - 1, k, &n->judge) : 0;
     if (same_line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (!same_family) {
+      alike = point;
       const long axis = n->family_count == 0 ? 0 : n->families[n->family_count - 1].axis;
       n->families[n->family_count++] =
           (tp_contact_family){.first = n->count,
@@ -61,7 +69,7 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
       n->families[n->family_count - 1].count++;
       tp_normal *own = n->items + n->count++;
       *own = (tp_normal){.first = k, .count = 1, .family = n->family_count - 1};
-      tp_normals_order_near(own->near, order, k, n);
+      tp_normals_order_near(own->near, order, k, n, alike);
     }
     n->family_of[point] = n->family_count - 1;
     n->normal_of[point] = n->count - 1;
@@ -73,21 +81,18 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
   return TP_MOTION_PROVEN;
 }
 
-static bool make_room(tp_normals *n, const tp_cones *cones) {
-  const size_t room = (size_t)cones->count + 1;
+static bool make_room(tp_normals *n, const tp_normals_order *order) {
+  const size_t room = (size_t)order->count + 1;
+  size_t families = 1;
+  for (long k = 0; k < order->count; k++) families += is_new_family(order, k);
   n->order = calloc(room, sizeof *n->order);
   n->same = calloc(room, sizeof *n->same);
   n->normal_of = calloc(room, sizeof *n->normal_of);
   n->family_of = calloc(room, sizeof *n->family_of);
   n->items = calloc(room, sizeof *n->items);
-  n->families = calloc(room, sizeof *n->families);
-  if (n->order == NULL || n->same == NULL || n->family_of == NULL || n->normal_of == NULL ||
-      n->items == NULL || n->families == NULL) {
-    return false;
-  }
-  n->tx = _fmpz_vec_init(cones->count);
-  n->ty = _fmpz_vec_init(cones->count);
-  return true;
+  n->families = calloc(families, sizeof *n->families);
+  return n->order != NULL && n->same != NULL && n->family_of != NULL && n->normal_of != NULL &&
+         n->items != NULL && n->families != NULL;
 }
 
 static bool is_exact(const tp_cones *cones) {
@@ -102,14 +107,14 @@ tp_motion_outcome tp_normals_init(tp_normals *n, const tp_cones *cones, const tp
   n->cones = cones;
   n->judge = *judge;
   n->judge.precision = is_exact(cones) ? ARF_PREC_EXACT : judge->bits;
+  n->tx = _fmpz_vec_init(cones->count);
+  n->ty = _fmpz_vec_init(cones->count);
+  for (long k = 0; k < cones->count; k++) set_direction(n, k);
   tp_motion_outcome outcome = TP_MOTION_OUT_OF_MEMORY;
-  if (make_room(n, cones)) {
-    tp_normals_order order;
-    for (long k = 0; k < cones->count; k++) set_direction(n, k);
-    if (tp_normals_order_init(&order, n)) {
-      outcome = gather(n, &order);
-      tp_normals_order_clear(&order);
-    }
+  tp_normals_order order;
+  if (tp_normals_order_init(&order, n)) {
+    if (make_room(n, &order)) outcome = gather(n, &order);
+    tp_normals_order_clear(&order);
   }
   if (outcome != TP_MOTION_PROVEN) tp_normals_clear(n);
   return outcome;

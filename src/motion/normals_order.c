@@ -187,18 +187,17 @@ static void set_near(double near[3], const long h[3]) {
 }
 
 void tp_normals_order_near(double near[3], const tp_normals_order *order, long k,
-                           const tp_normals *n) {
+                           const tp_normals *n, long alike) {
   const tp_normal_entry *e = order->entries + k;
-  const long point = tp_normal_entry_point(e);
   if (order->is_whole) {
-    set_near(near, (long[3]){-n->ty[point], n->tx[point], e->as.whole.along});
+    set_near(near, (long[3]){-n->ty[alike], n->tx[alike], e->as.whole.along});
     return;
   }
   tp_vector h;
   tp_vector_init(&h);
-  arb_set_fmpz(h.of, n->ty + point);
+  arb_set_fmpz(h.of, n->ty + alike);
   arb_neg(h.of, h.of);
-  arb_set_fmpz(h.of + 1, n->tx + point);
+  arb_set_fmpz(h.of + 1, n->tx + alike);
   arb_set(h.of + 2, e->as.ball.place->along);
   tp_normals_near(near, &h);
   tp_vector_clear(&h);

@@ -62,8 +62,8 @@ bool tp_normals_order_same_axis(const tp_normals_order *order, long k, long othe
 int tp_normals_order_same_line(const tp_normals_order *order, long k, long other,
                                const tp_judge *judge);
 
-/* h of an entry in doubles. */
+/* h of an entry in doubles; `alike` is a point of its family. */
 void tp_normals_order_near(double near[3], const tp_normals_order *order, long k,
-                           const tp_normals *normals);
+                           const tp_normals *normals, long alike);
 
 #endif
