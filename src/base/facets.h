@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Facets of a contact: their geometry on the lattice, and how they are found. */
+/* Facets of a contact: where edges of the underside and of the base lie on each other, found among
+ * the meetings of their edges (CGAL's exact predicates) or, on a mated base, one by one. All of it
+ * by signs of whole numbers, so that nothing needs a bound. */
 
 #ifndef TP_FACETS_H
 #define TP_FACETS_H

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Is a section a block? Simple rings, holes and parts inside the outline, none overlapping. */
+/* Is a section a block? Simple rings, holes and parts inside the outline, none overlapping.
+ *
+ * Each ring by itself first (block/check_ring.h), then the meetings of edges of different rings,
+ * then the triangles of a constrained Delaunay triangulation: each says which rings it lies in.
+ * Exact. Cost: a section of one ring is never triangulated. */
 
 #ifndef TP_CHECK_H
 #define TP_CHECK_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Points, circles and arcs in exact rationals. */
+/* Points, circles and arcs in exact rationals: the point at the angle t from another one is
+ * rational with tan(t / 2), (1 - u^2, 2 u) / (1 + u^2), so an arc needs no roots. */
 
 #ifndef TP_CIRCLE_H
 #define TP_CIRCLE_H

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moments of a section: what the lattice sums mean in lengths. */
+/* Moments of a section: the boundary sums of its rings (block/ring_sums.h) at the price of a rung,
+ * each times its ring's whole-number weight, or an ellipse's in closed form. The bound of the sums
+ * goes along in balls; powers of two and weights are multiplied exactly. */
 
 #ifndef TP_MOMENTS_H
 #define TP_MOMENTS_H

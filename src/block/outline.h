@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Outlines that a scene describes by a few numbers: toothed blocks and slabs. */
+/* Outlines that a scene describes by a few numbers: toothed blocks (Alejano et al., Fig. 5) and
+ * slabs. The joints of the teeth lie at multiples of a, in turn at the heights 0 and c; exact. */
 
 #ifndef TP_OUTLINE_H
 #define TP_OUTLINE_H

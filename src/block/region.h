@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Moments of regions with curved sides, in balls: sums of triangles and of circular sectors. */
+/* Moments of regions with curved sides, in balls: sums of triangles, of which the integral of a
+ * product of coordinates p q is A / 12 (sum p sum q + sum p q over the corners), and of circular
+ * sectors about their own centres, moved to the origin. The balls are the bound. */
 
 #ifndef TP_REGION_H
 #define TP_REGION_H

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A vertex put on the other side of an edge, or away from it. */
+/* A vertex put on the other side of an edge, or away from it: of the four ends of two edges that
+ * meet the nearest to the other edge, and where it goes (block/repair.c says why). In rationals;
+ * the nearest is decided exactly. */
 
 #ifndef TP_REPAIR_MOVE_H
 #define TP_REPAIR_MOVE_H

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A limit with its mechanism: what is proven of it. */
+/* A limit with its mechanism: the tilt as a ball, the face of the cone of forces through which the
+ * loads leave it there, its twist, and the two forces that still hold. What is proven, and by whom,
+ * is in certificate/prove.h, extremes.h and bracket.h. */
 
 #ifndef TP_ANSWER_H
 #define TP_ANSWER_H

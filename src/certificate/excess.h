@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The work of the loads on a mechanism over what resists it, and the tilt at which that begins. */
+/* The work of the loads on a mechanism over what resists it, v . F(alpha) - K, and the tilt at
+ * which it passes zero upwards. Where all loads turn with the tilt that is an arctangent; else one
+ * of the zeros that are isolated in balls (load/zeros.h), all of which have to be certain. */
 
 #ifndef TP_EXCESS_H
 #define TP_EXCESS_H

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Proofs that there is no limit: forces hold the block at every tilt, or at none. */
+/* Proofs that there is no limit, for loads F_c cos + F_s sin: forces hold the block at every tilt,
+ * by three that balance F_s, or at none, by a twist with v . F_s = 0 < v . F_c that nothing
+ * resists. Both are looked for in doubles and proven in balls (certificate/equilibrium.h, face.h).
+ */
 
 #ifndef TP_EXTREMES_H
 #define TP_EXTREMES_H

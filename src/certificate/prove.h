@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The proof of a limit from a basis of its linear program. */
+/* The proof of a limit from the two columns of a basis of its linear program: the twist that does
+ * no work against either is admissible, the loads do work on it beyond one tilt, and there both
+ * columns bear forces that are not negative. By duality no base bears more, and this one bears as
+ * much. */
 
 #ifndef TP_PROVE_H
 #define TP_PROVE_H

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Inequalities between polynomials, in short. */
+/* Inequalities between polynomials, in short: each keeps the sign that it has at the scene's
+ * values, read in balls, and is written as its factors (FLINT), each with its own sign. That is
+ * enough for the product, not needed for it. */
 
 #ifndef TP_CONDITIONS_H
 #define TP_CONDITIONS_H

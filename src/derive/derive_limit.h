@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Formulas of the static limit, written. */
+/* Formulas of the static limit, written: the certified solve names the two columns that hold last,
+ * and tan(alpha) follows from them in the field (derive/limit_formulas.h), with
+ * the conditions under which they stay the ones. */
 
 #ifndef TP_DERIVE_LIMIT_H
 #define TP_DERIVE_LIMIT_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Formulas of the onset of motion, written. */
+/* Formulas of the onset of motion, written: the plane at which the first motion begins, its tangent
+ * and its conditions, from derive/onset_formulas.h. */
 
 #ifndef TP_DERIVE_ONSET_H
 #define TP_DERIVE_ONSET_H

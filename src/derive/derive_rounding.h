@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Formulas of a rounded corner, written. */
+/* Formulas of a rounded corner, written: tan(alpha) about the axis where rounding puts it, with the
+ * tangent length and the angle of its flank as symbols (Eqs. 4 and 5; derive/rounding.h). */
 
 #ifndef TP_DERIVE_ROUNDING_H
 #define TP_DERIVE_ROUNDING_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Are the loads on the block? */
+/* Are the loads on the block? In exact rationals: a point lies in the outline by the crossings of a
+ * ray from it, a line on it where both its ends lie on one edge. */
 
 #ifndef TP_LOAD_CHECK_H
 #define TP_LOAD_CHECK_H

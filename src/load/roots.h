@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The tilts at which a moment or a force vanishes, and the one at which a block lets go. */
+/* The tilts at which a moment or a force vanishes, and the one at which a block lets go: of zeros
+ * that are told apart (load/zeros.h, load/isolate.h), the first that rises above level. */
 
 #ifndef TP_ROOTS_H
 #define TP_ROOTS_H

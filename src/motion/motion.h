@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* At which tilts can a block begin to move from rest (mechanics section 6a)? */
+/* At which tilts can a block begin to move from rest (docs/mechanics.md section 6a)? Mode by mode
+ * (motion/strata.h) the planes that bound its cone of loads (motion/bounds.h) are inequalities
+ * h . w(alpha) >= 0; the tilts that keep all of them are intersected (motion/tilts.h). */
 
 #ifndef TP_MOTION_H
 #define TP_MOTION_H

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The tilts at which some mode can begin: all spans of all modes put together. */
+/* The tilts at which some mode can begin: all spans of all modes, sorted by their lower ends and
+ * put together where they meet. Ends whose order stays open are one ball that holds both, and a gap
+ * that may be none counts as none: a block is never said to stand in it. */
 
 #ifndef TP_WINDOWS_H
 #define TP_WINDOWS_H

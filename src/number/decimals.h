@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Decimal texts of balls, to more digits than a double holds, and what owns them. */
+/* Decimal texts of balls, to more digits than a double holds, and what owns them. Both ends of a
+ * ball are rounded to nearest by MPFR, and the text has the most digits on which the two agree: all
+ * of them are certain. */
 
 #ifndef TP_DECIMALS_H
 #define TP_DECIMALS_H

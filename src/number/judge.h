@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Questions of sign put to balls: an answer, or that more bits are needed. */
+/* Questions of sign put to balls: an answer, or that more bits are needed. A ball about zero is an
+ * answer only by assumption, where it is as narrow as half the bits at hand and the rung is high
+ * enough for that to be called a tie (docs/mechanics.md section 10). */
 
 #ifndef TP_JUDGE_H
 #define TP_JUDGE_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The way to a node of a scene by its keys. */
+/* The way to a node of a scene by its keys, and what in the scene a number bears upon. A miss names
+ * the nearest key by Levenshtein's distance (scene/keys.c). */
 
 #ifndef TP_KEY_H
 #define TP_KEY_H

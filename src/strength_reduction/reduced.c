@@ -56,7 +56,8 @@ static void divide_by(const tp_reduced *r, const arf_t factor) {
   arb_clear(divisor);
 }
 
-/* The share of a push from within the cone that the base bears beside the loads (balance.h). */
+/* The share of a push from within the cone that the base bears beside the loads, as
+ * certificate/equilibrium.h has it. */
 double tp_reduced_margin(tp_reduced *r, double log_factor) {
   static const double much = 1e3; /* times the loads: as good as held by any force */
   const long edges = 2 * r->cones->count;

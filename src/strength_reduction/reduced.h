@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A contact whose strength is divided by a factor, and its limit. */
+/* A contact whose strength is divided by a factor: tan(phi), cohesion and bond alike. Its margin at
+ * the scene's tilt by the simplex method in doubles, which only proposes; its limit as
+ * limit/limit.h proves it; and on which side of the tilt it lies, by forces that hold or a twist
+ * that fails, both proven. */
 
 #ifndef TP_REDUCED_H
 #define TP_REDUCED_H

@@ -20,6 +20,7 @@ ROOMS = [row["room"] for row in table("rooms.csv")]
 EXCEPTIONS = {(row["from"], row["to"]) for row in table("rooms_exceptions.csv") if row["reason"].strip()}
 INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 PUBLIC = re.compile(r"topple\w*\.h")
+STANDARD = {"math.h", "float.h"}  # headers of C that a comment may name
 NEVER_CALLED = {"printf", "puts", "putchar", "vprintf", "perror", "stdout", "stderr", "exit", "_exit", "quick_exit",
                 "abort", "raise", "__assert_fail", "setlocale", "__printf_chk"}
 
@@ -189,6 +190,18 @@ class Includes(unittest.TestCase):
             self.assertIn(f"'{path}'", build)
             for name in re.findall(r'#include ["<]([^">]+)[">]', text):
                 self.assertTrue(PUBLIC.fullmatch(name) or name in ("stdbool.h", "stddef.h"), f"{path}: {name}")
+
+    def test_files_that_comments_name_are_there(self):
+        """A comment sends the reader to a file by its path from src/, or by its name where that says which."""
+        files = {str(path) for path, _ in sources()} | {str(path.relative_to(ROOT)) for path in ROOT.glob("docs/*.md")}
+        looked_at = 0
+        for path, text in sources():
+            for comment in re.findall(r"/\*.*?\*/", text, re.DOTALL):
+                for name in re.findall(r"(?<![\w/.<-])(?:\w+/)*\w+\.(?:c|h|md)\b", comment):
+                    looked_at += 1
+                    there = any(file == name or file.endswith("/" + name) for file in files)
+                    self.assertTrue(there or name in STANDARD, f"{path}: a comment names {name}")
+        self.assertGreater(looked_at, 100)
 
     def test_cpp_stays_in_its_room(self):
         for path, text in sources():
