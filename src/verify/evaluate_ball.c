@@ -143,6 +143,20 @@ static bool call(void *value, tp_function function, tp_evaluator *e) {
   return true;
 }
 
+/* Whole exponents by products: arb_pow takes a root first, which a ball about zero or below has
+ * none of. */
+static void power(arb_t value, const arb_t exponent, long bits) {
+  if (!arb_is_int(exponent)) {
+    arb_pow(value, value, exponent, bits);
+    return;
+  }
+  fmpz_t whole;
+  fmpz_init(whole);
+  arb_get_unique_fmpz(whole, exponent);
+  arb_pow_fmpz(value, value, whole, bits);
+  fmpz_clear(whole);
+}
+
 static bool combine(void *value, tp_formula_kind kind, const void *other, tp_evaluator *e) {
   const ball_context *c = e->context;
   const long bits = c->bits;
@@ -160,7 +174,7 @@ static bool combine(void *value, tp_formula_kind kind, const void *other, tp_eva
     arb_div(value, value, other, bits);
     break;
   default:
-    arb_pow(value, value, other, bits);
+    power(value, other, bits);
     break;
   }
   return true;
