@@ -23,15 +23,13 @@ void tp_certainty_leave_open(tp_certainty *certainty, const tp_evaluation *e) {
 }
 
 bool tp_is_zero_width(const tp_evaluation *e, const arb_t ball, double log2_scale) {
-  enum { LEAST_BITS = 160 };
-  if (!tp_problem_is_enclosed(e->problem) || e->rung.bits < LEAST_BITS) return false;
+  if (!tp_problem_is_enclosed(e->problem) || e->rung.bits < TP_BALL_BITS) return false;
   return arb_is_finite(ball) &&
          mag_get_d_log2_approx(arb_radref(ball)) < log2_scale - 0.5 * (double)e->rung.bits;
 }
 
 bool tp_is_settled(const tp_evaluation *e, const arb_t ball) {
-  enum { SETTLING_BITS = 1280 };
-  return e->rung.bits >= SETTLING_BITS && tp_is_zero_width(e, ball, 0);
+  return e->rung.bits >= TP_SETTLING_BITS && tp_is_zero_width(e, ball, 0);
 }
 
 bool tp_result_is_above(const tp_evaluation *e, tp_bounded high, tp_bounded low,

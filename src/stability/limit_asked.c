@@ -27,11 +27,11 @@ static void turn_back(tp_wrench *load) {
 /* From here on, what half the bits do not tell from zero is zero: a tie of mechanisms then is one.
  * That half is more than the digits asked for. */
 static bool is_settled(const tp_evaluation *e) {
-  enum { SETTLING_BITS = 1280, SETTLING_BITS_ENCLOSED = 160, SPARE = 32 };
+  enum { SPARE = 32 };
   const tp_problem *problem = e->problem;
   const bool enclosed =
       tp_problem_is_enclosed(problem) && !problem->loaded; /* loads are rationals */
-  return e->rung.bits >= (enclosed ? SETTLING_BITS_ENCLOSED : SETTLING_BITS) &&
+  return e->rung.bits >= (enclosed ? TP_BALL_BITS : TP_SETTLING_BITS) &&
          (double)e->rung.bits >= 2 * (tp_digits_bits(e->digits) + SPARE);
 }
 
