@@ -3,7 +3,6 @@
 
 #include "report/conditions.h"
 
-#include "output/json.h"
 #include "report/c_arguments.h"
 
 #include <stdlib.h>

@@ -10,6 +10,8 @@
 #include "report/page.h"
 
 void tp_page_add_contact(tp_page *page);
+
+/* The keys `frame` and `contact` of a case. */
 void tp_json_frame(tp_json *json, const tp_frame_result *frame);
 void tp_json_contact(tp_json *json, const tp_contact_result *contact, bool has_weight);
 

@@ -11,6 +11,8 @@
 void tp_text_derived_limit(tp_text *text, const tp_derivation *derivation);
 void tp_latex_derived_limit(tp_text *text, const tp_derivation *derivation);
 void tp_c_derived_limit(tp_text *text, const tp_derivation *derivation);
+
+/* The key `limit`. */
 void tp_json_derived_limit(tp_json *json, const tp_derivation *derivation);
 
 #endif

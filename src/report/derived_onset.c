@@ -3,7 +3,6 @@
 
 #include "report/derived_onset.h"
 
-#include "output/json.h"
 #include "report/conditions.h"
 #include "report/parts_json.h"
 #include "report/words.h"

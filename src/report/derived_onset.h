@@ -11,6 +11,8 @@
 void tp_text_derived_onset(tp_text *text, const tp_derivation *derivation);
 void tp_latex_derived_onset(tp_text *text, const tp_derivation *derivation);
 void tp_c_derived_onset(tp_text *text, const tp_derivation *derivation);
+
+/* The key `onset`. */
 void tp_json_derived_onset(tp_json *json, const tp_derivation *derivation);
 
 #endif

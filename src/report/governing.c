@@ -3,7 +3,6 @@
 
 #include "report/governing.h"
 
-#include "output/json.h"
 #include "report/parts_json.h"
 #include "report/words.h"
 

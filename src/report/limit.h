@@ -9,7 +9,9 @@
 #include "output/json.h"
 #include "report/page.h"
 
-void tp_json_limit(tp_json *json, const tp_case *own);
 void tp_page_add_limit(tp_page *page, const tp_case *own);
+
+/* The key `limit` of a case. */
+void tp_json_limit(tp_json *json, const tp_case *own);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "report/limit.h"
 
-#include "output/json.h"
 #include "report/parts_json.h"
 #include "report/words.h"
 

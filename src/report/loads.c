@@ -3,8 +3,6 @@
 
 #include "report/loads.h"
 
-#include "output/json.h"
-
 static const char *side_name(tp_load_side side) {
   switch (side) {
   case TP_STABILISES:

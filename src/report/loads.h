@@ -13,10 +13,10 @@
  * again. Nothing where the scene has no loads. */
 void tp_page_add_loads(tp_page *page, const tp_case *own);
 
-/* "loads": […], for a case. */
+/* The keys `water_overtops_deg` and `loads` of a case, where it has them. */
 void tp_json_loads(tp_json *json, const tp_case *own);
 
-/* ", "limits_deg": […]" of a pivot under loads. */
+/* The key `limits_deg` of a pivot under loads. */
 void tp_json_limits(tp_json *json, const tp_pivot *pivot);
 
 #endif

@@ -12,7 +12,7 @@
  * there are none. */
 void tp_text_notes(tp_text *text, const tp_notes *notes);
 
-/* `"notes": [{"kind": …, "place": …, "text": …}]` and a comma. */
+/* The key `notes`. */
 void tp_json_notes(tp_json *json, const tp_notes *notes);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "report/pivots.h"
 
-#include "output/json.h"
 #include "report/loads.h"
 #include "report/parts_json.h"
 #include "report/words.h"
