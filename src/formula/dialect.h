@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What may stand in a formula besides + - * / ^, parentheses, decimals and plain names, and what
- * messages call its parts. */
+/* What may stand in a formula besides + - * / ^, parentheses, decimals and plain names, what
+ * messages call its parts, and which names it knows. */
 
 #ifndef TP_DIALECT_H
 #define TP_DIALECT_H
@@ -26,5 +26,14 @@ typedef struct tp_dialect {
   const char *unknown_name; /* "define it …": what to do about an unknown name */
   size_t quoted;            /* bytes of a stray text that a message quotes at most */
 } tp_dialect;
+
+/* The names that a formula may use: `find` gives the number of a name (not terminated, Greek
+ * letters spelt out) or -1, `is_angle` tells whether it stands for an angle; it is asked where the
+ * dialect has functions alone. */
+typedef struct tp_vocabulary {
+  long (*find)(const void *context, const char *name, size_t length);
+  bool (*is_angle)(const void *context, long name);
+  const void *context;
+} tp_vocabulary;
 
 #endif

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A formula as it is read: operators, brackets and numbers (read.c); names and functions (words.c).
- * What fails gives -1 and sets the status. Of this room alone. */
+/* A formula as it is read (read.c): its place in the text, and the pieces found there, operators
+ * and numbers (parser.c), names and functions (words.c). What fails gives -1 or false and sets the
+ * status. Of this room alone. */
 
 #ifndef TP_FORMULA_PARSER_H
 #define TP_FORMULA_PARSER_H
 
-#include "formula/read.h"
+#include "formula/dialect.h"
+#include "formula/formula.h"
 
 typedef struct tp_parser {
   tp_formula *formula;
@@ -50,13 +52,25 @@ int tp_parser_operator(tp_parser *parser, char *op);
 bool tp_parser_begins_number(const tp_parser *parser);
 bool tp_parser_begins_word(const tp_parser *parser);
 
-/* Between an opening bracket here and its partner. */
-long tp_parser_bracketed(tp_parser *parser, char close);
+/* The number here, as a node. */
 long tp_parser_number(tp_parser *parser);
-/* Signs and powers: -2^2 is -(2^2), 2^3^2 is 2^(3^2). */
-long tp_parser_factor(tp_parser *parser);
-/* A name or a function. Where factors may stand side by side it is the longest known front of the
- * letters here, so that 27ab is a product. As an argument a function is none. */
-long tp_parser_word(tp_parser *parser, bool as_argument);
+
+/* Complain about the number or word here. */
+long tp_parser_fail_at_word(tp_parser *parser, const char *problem);
+
+/* A name or a function. */
+typedef struct tp_word {
+  bool is_function;
+  tp_function function;
+  long name; /* of the vocabulary */
+  tp_span own;
+} tp_word;
+
+/* The word here, and step past it. Where factors may stand side by side it is the longest known
+ * front of the letters, so that 27ab is a product. As an argument a function is none. */
+bool tp_parser_word(tp_parser *parser, tp_word *word, bool as_argument);
+
+/* "sin", "log10" */
+const char *tp_function_name(tp_function function);
 
 #endif

@@ -1,107 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A formula into its syntax tree, by recursive descent: sums, products, powers. The time is
+/* A formula into its syntax tree, by recursive descent: sums, products, powers, words. The time is
  * proportional to the length of the text, but for names that are looked up. */
 
-#include "formula/parser.h"
+#include "formula/read.h"
 
-#include "formula/spelling.h"
-#include "number/ratio.h"
+#include "formula/parser.h"
 #include "outside.h"
 
-#include <ctype.h>
 #include <limits.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { MOST_DEPTH = 200 };
 
-long tp_parser_fail(tp_parser *p, int at, const char *format, ...) {
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  p->status = tp_fail(p->message, TP_BAD_INPUT, tp_formula_place(p->formula, at), "%s", text);
-  return -1;
-}
-
-/* Append a node; NULL when there is no room. */
-static tp_formula_node *add(tp_parser *p, tp_formula_kind kind, tp_span own) {
-  tp_formula *f = p->formula;
-  if (f->count == p->dialect->most_nodes && f->count > 0) {
-    tp_parser_fail(p, own.at, "a formula of more than %ld numbers, names and operators",
-                   p->dialect->most_nodes);
-    return NULL;
-  }
-  tp_formula_node *node = tp_formula_add(f, kind);
-  if (node == NULL) {
-    p->status = tp_fail_memory(p->message, "a formula");
-    return NULL;
-  }
-  node->begin = node->at = own.at;
-  node->length = own.length;
-  return node;
-}
-
-long tp_parser_leaf(tp_parser *p, tp_formula_kind kind, tp_span own) {
-  tp_formula_node *node = add(p, kind, own);
-  if (node == NULL) return -1;
-  node->end = p->at;
-  return p->formula->count - 1;
-}
-
-long tp_parser_unary(tp_parser *p, tp_formula_kind kind, long operand, tp_span own) {
-  tp_formula_node *node = add(p, kind, own);
-  if (node == NULL) return -1;
-  node->left = operand;
-  node->end = p->formula->nodes[operand].end;
-  return p->formula->count - 1;
-}
-
-long tp_parser_binary(tp_parser *p, tp_formula_kind kind, long left, long right, tp_span own) {
-  tp_formula_node *node = add(p, kind, own);
-  if (node == NULL) return -1;
-  node->left = left;
-  node->right = right;
-  const tp_formula_node *first = p->formula->nodes + left, *last = p->formula->nodes + right;
-  node->begin = first->begin;
-  node->end = first->end > last->end ? first->end : last->end; /* sin^2 x ends with x */
-  return p->formula->count - 1;
-}
-
-/* One of these operators, by any of its spellings, at the front; bytes used, or 0. */
-static int operator_at(const char *text, bool letters, char *op) {
-  static const struct {
-    const char *spelling;
-    char op;
-  } printed[] = {
-      {"\u2212", '-'}, {"\u2013", '-'}, {"\u00b7", '*'}, {"\u22c5", '*'}, {"\u00d7", '*'}};
-  const char first = *text;
-  const bool plain = first == '+' || first == '-' || first == '*' || first == '/' || first == '^';
-  *op = '\0';
-  if (plain) *op = first;
-  if (plain || !letters || ((unsigned char)first & 0x80) == 0) return plain ? 1 : 0;
-  for (size_t k = 0; k < sizeof printed / sizeof printed[0]; k++) {
-    const size_t length = strlen(printed[k].spelling);
-    if (strncmp(text, printed[k].spelling, length) != 0) continue;
-    *op = printed[k].op;
-    return (int)length;
-  }
-  return 0;
-}
-
-int tp_parser_operator(tp_parser *p, char *op) {
-  tp_parser_skip_blanks(p);
-  return operator_at(tp_parser_here(p), p->dialect->letters, op);
-}
-
 static long sum(tp_parser *p);
+static long factor(tp_parser *p);
+static long word(tp_parser *p, bool as_argument);
 
 /* Between an opening bracket here and its partner. */
-long tp_parser_bracketed(tp_parser *p, char close) {
+static long bracketed(tp_parser *p, char close) {
   const int open = p->at++;
   const long inner = sum(p);
   if (inner < 0) return -1;
@@ -114,73 +32,77 @@ long tp_parser_bracketed(tp_parser *p, char close) {
   return inner;
 }
 
-/* What stands here as one word for a message: a number with its exponent, or what looks like one.
- */
-static size_t word_length(const char *text) {
-  size_t length = 0;
-  while (text[length] != '\0' && strchr(" \t\n*/^()", text[length]) == NULL) {
-    const bool sign = text[length] == '+' || text[length] == '-';
-    if (sign && (length == 0 || strchr("eE", text[length - 1]) == NULL)) break;
-    length++;
-  }
-  return length > 0 ? length : 1;
+/* What a function is taken of: brackets, a name or a number. */
+static long argument(tp_parser *p, const char *function) {
+  tp_parser_skip_blanks(p);
+  if (*tp_parser_here(p) == '(') return bracketed(p, ')');
+  if (*tp_parser_here(p) != '.' && tp_parser_begins_number(p)) return tp_parser_number(p);
+  if (tp_parser_begins_word(p)) return word(p, true);
+  return tp_parser_fail(p, p->at, "%s of what? Write %s(x)", function, function);
 }
 
-/* Complain about the word here. */
-static long fail_at_word(tp_parser *p, const char *problem) {
-  const char *text = tp_parser_here(p);
-  return tp_parser_fail(p, p->at, "'%s' %s", tp_quote_of(text, word_length(text)).text,
-                        tp_ratio_is_not_finite(text) ? "is not a finite number" : problem);
-}
-
-long tp_parser_number(tp_parser *p) {
-  const char *problem = NULL;
-  const int at = p->at;
-  fmpq_t value;
-  fmpq_init(value);
-  const size_t used =
-      tp_ratio_read_decimal(value, tp_parser_here(p), p->size - (size_t)at, &problem);
-  long node = -1;
-  if (used == 0) {
-    fail_at_word(p, problem);
+/* sin, sin^2 or tan^-1, and what it is taken of. */
+static long application(tp_parser *p, tp_function function, tp_span own) {
+  const char *name = tp_function_name(function);
+  char op;
+  long exponent = -1;
+  bool inverse = false;
+  const int mark = p->at, used = tp_parser_operator(p, &op);
+  const int power_at = p->at;
+  if (op == '^') {
+    p->at += used;
+    exponent = factor(p);
+    if (exponent < 0) return -1;
+    const tp_formula_node *e = p->formula->nodes + exponent;
+    inverse = e->kind == TP_FORMULA_NEGATE &&
+              p->formula->nodes[e->left].kind == TP_FORMULA_NUMBER &&
+              fmpq_is_one(&p->formula->nodes[e->left].value);
+    if (inverse && function != TP_FUNCTION_TAN) {
+      return tp_parser_fail(
+          p, own.at, "what does %s^-1 mean? Write 1/%s(x), or an inverse function", name, name);
+    }
   } else {
-    static const char degrees[] = "\u00b0"; /* the unit of angles anyway */
-    p->at += (int)used;
-    if (p->dialect->letters && strncmp(tp_parser_here(p), degrees, strlen(degrees)) == 0)
-      p->at += (int)strlen(degrees);
-    node = tp_parser_leaf(p, TP_FORMULA_NUMBER, (tp_span){at, (int)used});
-    if (node >= 0) fmpq_swap(&p->formula->nodes[node].value, value);
+    p->at = mark;
   }
-  fmpq_clear(value);
+  const long of = argument(p, name);
+  if (of < 0) return -1;
+  if (inverse) {
+    const tp_formula_node *n = p->formula->nodes + of;
+    const bool angle =
+        n->kind == TP_FORMULA_NAME && p->vocabulary->is_angle(p->vocabulary->context, n->name);
+    function = angle ? TP_FUNCTION_COT : TP_FUNCTION_ATAN;
+  }
+  const long value = tp_parser_unary(p, TP_FORMULA_CALL, of, own);
+  if (value < 0) return -1;
+  p->formula->nodes[value].function = function;
+  if (exponent < 0 || inverse) return value;
+  return tp_parser_binary(p, TP_FORMULA_POWER, value, exponent, (tp_span){power_at, used});
+}
+
+/* A name, or a function of something; as an argument a function is none. */
+static long word(tp_parser *p, bool as_argument) {
+  tp_word found;
+  if (!tp_parser_word(p, &found, as_argument)) return -1;
+  if (found.is_function) return application(p, found.function, found.own);
+  const long node = tp_parser_leaf(p, TP_FORMULA_NAME, found.own);
+  if (node >= 0) p->formula->nodes[node].name = found.name;
   return node;
-}
-
-bool tp_parser_begins_number(const tp_parser *p) {
-  const char first = *tp_parser_here(p);
-  return isdigit((unsigned char)first) || first == '.';
-}
-
-bool tp_parser_begins_word(const tp_parser *p) {
-  char name[TP_NAME_SIZE];
-  const char *text = tp_parser_here(p);
-  return tp_name_length(text) > 0 ||
-         (p->dialect->letters && tp_name_spell(name, sizeof name, text, sizeof name) > 0);
 }
 
 static long primary(tp_parser *p) {
   tp_parser_skip_blanks(p);
   const char first = *tp_parser_here(p);
-  if (first == '(') return tp_parser_bracketed(p, ')');
-  if (first == '{' && p->dialect->letters) return tp_parser_bracketed(p, '}');
+  if (first == '(') return bracketed(p, ')');
+  if (first == '{' && p->dialect->letters) return bracketed(p, '}');
   if (first == '\0')
     return tp_parser_fail(p, p->at, "%s is missing at the end", p->dialect->operand);
   if (tp_parser_begins_number(p)) return tp_parser_number(p);
-  if (tp_parser_begins_word(p)) return tp_parser_word(p, false);
-  return fail_at_word(p, p->dialect->no_operand);
+  if (tp_parser_begins_word(p)) return word(p, false);
+  return tp_parser_fail_at_word(p, p->dialect->no_operand);
 }
 
 /* Signs and powers: -2^2 is -(2^2), 2^3^2 is 2^(3^2). */
-long tp_parser_factor(tp_parser *p) {
+static long factor(tp_parser *p) {
   if (++p->depth > MOST_DEPTH)
     return tp_parser_fail(p, p->at, "nested deeper than %d levels", MOST_DEPTH);
   char op;
@@ -189,7 +111,7 @@ long tp_parser_factor(tp_parser *p) {
   long value;
   if (op == '+' || op == '-') {
     p->at += used;
-    value = tp_parser_factor(p);
+    value = factor(p);
     if (value >= 0 && op == '-')
       value = tp_parser_unary(p, TP_FORMULA_NEGATE, value, (tp_span){at, used});
   } else {
@@ -197,7 +119,7 @@ long tp_parser_factor(tp_parser *p) {
     if (value >= 0 && (used = tp_parser_operator(p, &op)) > 0 && op == '^') {
       const int mark = p->at;
       p->at += used;
-      const long exponent = tp_parser_factor(p);
+      const long exponent = factor(p);
       value = exponent < 0
                   ? -1
                   : tp_parser_binary(p, TP_FORMULA_POWER, value, exponent, (tp_span){mark, used});
@@ -215,7 +137,7 @@ static bool factor_follows(tp_parser *p) {
 }
 
 static long product(tp_parser *p) {
-  long value = tp_parser_factor(p);
+  long value = factor(p);
   bool divided = false;
   while (value >= 0) {
     char op;
@@ -229,7 +151,7 @@ static long product(tp_parser *p) {
           "the divisor");
     }
     p->at += written ? used : 0;
-    const long other = tp_parser_factor(p);
+    const long other = factor(p);
     if (other < 0) return -1;
     const bool divide = op == '/';
     value = tp_parser_binary(p, divide ? TP_FORMULA_DIVIDE : TP_FORMULA_MULTIPLY, value, other,

@@ -13,15 +13,6 @@
 #include "formula/dialect.h"
 #include "formula/formula.h"
 
-/* The names that a formula may use: `find` gives the number of a name (not terminated, Greek
- * letters spelt out) or -1, `is_angle` tells whether it stands for an angle; it is asked where the
- * dialect has functions alone. */
-typedef struct tp_vocabulary {
-  long (*find)(const void *context, const char *name, size_t length);
-  bool (*is_angle)(const void *context, long name);
-  const void *context;
-} tp_vocabulary;
-
 /* `formula` is left empty on failure. The text must outlive it. */
 TP_MUST_USE tp_status tp_formula_read(tp_formula *formula, const char *text, tp_place place,
                                       const tp_dialect *dialect, const tp_vocabulary *vocabulary,

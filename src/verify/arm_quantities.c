@@ -8,10 +8,6 @@
 
 #include "derive/field_work.h"
 
-tp_status tp_quantity_fail(const tp_subject *s, tp_message *message, const char *problem) {
-  return tp_fail(message, TP_NO_ANSWER, s->scene->block.place, "%s", problem);
-}
-
 static tp_status init_rounding(tp_rounding *rounding, const tp_subject *s, tp_message *message) {
   const tp_angle *i = s->angles + TP_ANGLE_I;
   const tp_rounding_symbols symbols = {s->length, i->sine, i->cosine};
@@ -130,7 +126,7 @@ TP_QUANTITY_RULE(tp_quantity_fos) {
   const tp_status status = tp_quantity_critical_angle(value, run, s, message);
   if (status != TP_OK) return status;
   if (fmpz_mpoly_q_is_zero(run, s->field->ring)) {
-    return tp_quantity_fail(s, message,
+    return tp_subject_lacks(s, message,
                             "nothing overturns about this pivot, so it has no factor of safety");
   }
   tp_field_div(value, value, run, s->field);
@@ -141,7 +137,7 @@ TP_QUANTITY_RULE(tp_quantity_fos) {
 static tp_status set_rounding(fmpz_mpoly_q_t value, tp_subject *s, bool radius,
                               tp_message *message) {
   if (!s->has_model)
-    return tp_quantity_fail(s, message, "corners are rounded for one number of teeth");
+    return tp_subject_lacks(s, message, "corners are rounded for one number of teeth");
   const tp_angle *alpha = s->angles + TP_ANGLE_ALPHA;
   tp_rounding rounding;
   tp_status status = init_rounding(&rounding, s, message);
@@ -153,7 +149,7 @@ static tp_status set_rounding(fmpz_mpoly_q_t value, tp_subject *s, bool radius,
   fmpz_mpoly_q_gen(sine, alpha->sine, s->field->ring);
   fmpz_mpoly_q_gen(cosine, alpha->cosine, s->field->ring);
   if (status == TP_OK && radius && !rounding.upright_side) {
-    status = tp_quantity_fail(
+    status = tp_subject_lacks(
         s, message,
         "the corner at the pivot has no side normal to the base, so its angle is not that "
         "of Appendix B; ask for rounding_length");

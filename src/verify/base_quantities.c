@@ -67,13 +67,13 @@ static tp_status sum_slopes(fmpz_mpoly_q_t squares, fmpz_mpoly_q_t length, fmpz_
     tp_symbolic_point p, q;
     if (f->q0 == f->q1) continue;
     if (!ends(&p, &q, s, f->q0, f->q1)) {
-      return tp_quantity_fail(s, message,
+      return tp_subject_lacks(s, message,
                               "the contact ends on the base, which has no formula there");
     }
     tp_field_sub(dx, q.x, p.x, field);
     tp_field_sub(dy, q.y, p.y, field);
     if (fmpz_mpoly_q_is_zero(dx, ring)) {
-      return tp_quantity_fail(s, message, "a facet stands upright: its slope is not finite");
+      return tp_subject_lacks(s, message, "a facet stands upright: its slope is not finite");
     }
     tp_field_add(length, length, dx, field);
     tp_field_mul(dy, dy, dy, field);
@@ -99,7 +99,7 @@ TP_QUANTITY_RULE(tp_quantity_mean_square_slope) {
   fmpz_mpoly_q_zero(run, ring);
   tp_status status = sum_slopes(value, run, dx, dy, s, message);
   if (status == TP_OK && fmpz_mpoly_q_is_zero(run, ring)) {
-    status = tp_quantity_fail(s, message, "the block touches its base in points alone");
+    status = tp_subject_lacks(s, message, "the block touches its base in points alone");
   }
   if (status == TP_OK) tp_field_div(value, value, run, field);
   fmpz_mpoly_q_clear(dx, ring);
@@ -113,7 +113,7 @@ TP_QUANTITY_RULE(tp_quantity_block_width) {
   const tp_contact *contact = &s->model.problem.contact;
   tp_symbolic_point p, q;
   if (!ends(&p, &q, s, contact->points[0].point, contact->points[contact->point_count - 1].point)) {
-    return tp_quantity_fail(s, message, "the contact ends on the base, which has no formula there");
+    return tp_subject_lacks(s, message, "the contact ends on the base, which has no formula there");
   }
   tp_field_sub(value, q.x, p.x, s->field);
   return TP_OK;
@@ -132,7 +132,7 @@ TP_QUANTITY_RULE(tp_quantity_amplitude) {
   }
   tp_symbolic_point p, q;
   if (!ends(&p, &q, s, low, high)) {
-    return tp_quantity_fail(s, message, "the contact ends on the base, which has no formula there");
+    return tp_subject_lacks(s, message, "the contact ends on the base, which has no formula there");
   }
   tp_field_sub(value, q.y, p.y, s->field);
   return TP_OK;

@@ -8,33 +8,8 @@
 #include "formula/spelling.h"
 #include "outside.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-tp_status tp_claims_fail(const tp_claims *claims, const tp_node *node, tp_message *message,
-                         const char *format, ...) {
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, claims->path), "%s", text);
-}
-
-tp_status tp_claims_text(const char **text, const tp_claims *claims, const tp_node *mapping,
-                         const char *key, bool needed, tp_message *message) {
-  const tp_node *node = tp_node_get(mapping, key);
-  *text = NULL;
-  if (node == NULL && !needed) return TP_OK;
-  if (node == NULL) return tp_claims_fail(claims, mapping, message, "'%s' is missing here", key);
-  if (node->kind != TP_NODE_SCALAR) {
-    return tp_claims_fail(claims, node, message, "'%s' must be text", key);
-  }
-  *text = node->text;
-  return TP_OK;
-}
 
 /* Names with values, appended to what is declared. */
 static tp_status read_declared(tp_claims *claims, const tp_node *node, bool angles,

@@ -71,12 +71,12 @@ static tp_status sum_elements(tp_side_formulas *sides, tp_subject *s, bool weigh
   const tp_model *m = &s->model;
   tp_symbolic_point pivot;
   if (!s->has_model)
-    return tp_quantity_fail(s, message, "sums over elements are for one number of teeth");
+    return tp_subject_lacks(s, message, "sums over elements are for one number of teeth");
   tp_status status = tp_model_pivot(&pivot, m, s->pivot, message);
   if (status != TP_OK) return status;
   const long count = m->problem.elements.count;
   if (weights && count > s->weight_count) {
-    return tp_quantity_fail(
+    return tp_subject_lacks(
         s, message,
         "elements are weighed one by one for teeth, slabs and plain outlines, at most 1000");
   }
@@ -155,7 +155,7 @@ tp_status tp_quantity_fos_elements(fmpz_mpoly_q_t value, fmpz_mpoly_q_t run, tp_
   const tp_status status = set_moments(value, run, s, false, message);
   if (status != TP_OK) return status;
   if (fmpz_mpoly_q_is_zero(run, s->field->ring)) {
-    return tp_quantity_fail(s, message,
+    return tp_subject_lacks(s, message,
                             "nothing overturns about this pivot, so it has no factor of safety");
   }
   tp_field_div(value, value, run, s->field);

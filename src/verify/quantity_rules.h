@@ -34,9 +34,6 @@ TP_QUANTITY_RULE(tp_quantity_mean_square_slope);
 TP_QUANTITY_RULE(tp_quantity_block_width);
 TP_QUANTITY_RULE(tp_quantity_amplitude);
 
-/* A quantity that this block does not have. */
-tp_status tp_quantity_fail(const tp_subject *s, tp_message *message, const char *problem);
-
 /* Moments x, y of a weight about the sharp corner, brought to the axis where rounding puts it. */
 TP_MUST_USE tp_status tp_quantity_shift(fmpz_mpoly_q_t x, fmpz_mpoly_q_t y,
                                         const fmpz_mpoly_q_t weight, const tp_subject *s,

@@ -95,6 +95,10 @@ void tp_subject_forget(tp_subject *subject) {
   drop_names(subject, subject->permanent);
 }
 
+tp_status tp_subject_lacks(const tp_subject *s, tp_message *message, const char *problem) {
+  return tp_fail(message, TP_NO_ANSWER, s->scene->block.place, "%s", problem);
+}
+
 tp_status tp_subject_name(const tp_name **name, tp_subject *s, long index, tp_message *message) {
   tp_name *found = s->names + index;
   if (!found->ready && found->kind != TP_NAME_DEFINITION) {

@@ -98,6 +98,9 @@ void tp_subject_forget(tp_subject *subject);
 TP_MUST_USE tp_status tp_subject_name(const tp_name **name, tp_subject *subject, long index,
                                       tp_message *message);
 
+/* Complain that this block does not have a quantity. */
+tp_status tp_subject_lacks(const tp_subject *subject, tp_message *message, const char *problem);
+
 /* Bring a formula to its normal form under sin^2 + cos^2 = 1. */
 void tp_subject_reduce(fmpz_mpoly_q_t formula, const tp_subject *subject);
 
