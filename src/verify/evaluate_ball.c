@@ -143,6 +143,19 @@ static bool call(void *value, tp_function function, tp_evaluator *e) {
   return true;
 }
 
+/* arb_pow takes even whole powers of a ball about zero by the logarithm, which is none. */
+static void raise_to(arb_t value, const arb_t exponent, long bits) {
+  enum { MOST_BITS = 30 };
+  const bool whole = arb_is_int(exponent) && arb_is_positive(exponent) &&
+                     arf_cmpabs_2exp_si(arb_midref(exponent), MOST_BITS) < 0;
+  if (whole && arb_contains_zero(value)) {
+    const slong times = arf_get_si(arb_midref(exponent), ARF_RND_DOWN);
+    arb_pow_ui(value, value, (ulong)times, bits);
+  } else {
+    arb_pow(value, value, exponent, bits);
+  }
+}
+
 static bool combine(void *value, tp_formula_kind kind, const void *other, tp_evaluator *e) {
   const ball_context *c = e->context;
   const long bits = c->bits;
@@ -160,7 +173,7 @@ static bool combine(void *value, tp_formula_kind kind, const void *other, tp_eva
     arb_div(value, value, other, bits);
     break;
   default:
-    arb_pow(value, value, other, bits);
+    raise_to(value, other, bits);
     break;
   }
   return true;
