@@ -42,7 +42,7 @@ static void list_numbers(fmpq *all[NUMBERS], load_stage *s) {
   memcpy(all, numbers, sizeof numbers);
 }
 
-void load_stage_init(load_stage *s, uint64_t *state) {
+void load_stage_init(load_stage *s, random_numbers *state) {
   memset(s, 0, sizeof *s);
   s->state = state;
   fmpq *all[NUMBERS];

@@ -12,14 +12,13 @@
 
 #include "exact_vectors.h"
 #include "load/loads.h"
-
-#include <stdint.h>
+#include "random_numbers.h"
 
 enum { STAGE_BITS = 128, STAGE_SCRATCH = 6 };
 
 /* A random setting of a load at a random tilt, mirrored or not. */
 typedef struct load_stage {
-  uint64_t *state; /* of the random numbers */
+  random_numbers *state; /* of the random numbers */
   tp_scene scene;
   tp_load_setting setting;
   fmpq weight, x, y, toe_x, heel_x, heel_y, thickness; /* what the balls of the setting are */
@@ -30,7 +29,7 @@ typedef struct load_stage {
   fmpq t[STAGE_SCRATCH];
 } load_stage;
 
-void load_stage_init(load_stage *s, uint64_t *state);
+void load_stage_init(load_stage *s, random_numbers *state);
 void load_stage_clear(load_stage *s);
 
 /* A number of the scene, with a denominator that no ball holds. */

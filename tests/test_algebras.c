@@ -39,7 +39,7 @@ typedef struct written {
 
 /* A formula as it is drawn. */
 typedef struct drawing {
-  uint64_t random;
+  random_numbers random;
   bool functions;
   bool fits; /* its numbers stay small, and away from where functions are steep */
 } drawing;
@@ -214,9 +214,9 @@ static void draw_tree(drawing *d, written *w, int depth) {
 }
 
 /* Draw until a formula fits. */
-static void draw_formula(written *w, uint64_t *random, bool functions) {
+static void draw_formula(written *w, random_numbers *random, bool functions) {
   for (;;) {
-    drawing d = {.random = draw(random), .functions = functions, .fits = true};
+    drawing d = {.random = random_numbers_from(draw(random)), .functions = functions, .fits = true};
     w->text[0] = '\0';
     draw_tree(&d, w, 1 + (int)draw_below(random, DEEPEST));
     if (d.fits) return;
@@ -256,7 +256,7 @@ static bool evaluate(fmpz_mpoly_q_t value, arb_t ball, const char *text, tp_subj
 }
 
 START_TEST(verify_agrees_with_rationals) {
-  uint64_t random = 14;
+  random_numbers random = random_numbers_from(14);
   tp_subject subject;
   tp_sample sample;
   written w;
@@ -290,7 +290,7 @@ START_TEST(verify_agrees_with_rationals) {
 END_TEST
 
 START_TEST(verify_agrees_with_doubles) {
-  uint64_t random = 15;
+  random_numbers random = random_numbers_from(15);
   long rational = 0;
   tp_subject subject;
   tp_sample sample;
@@ -329,7 +329,7 @@ END_TEST
  * where these are symbols. */
 START_TEST(scenes_and_derive_agree_with_rationals) {
   enum { ROUNDS = 100, EACH = 30, SHORT = 40 }; /* derive takes so many terms in one number */
-  uint64_t random = 16;
+  random_numbers random = random_numbers_from(16);
   char *text = malloc((size_t)EACH * (SIZE + 40) + 400);
   ck_assert_ptr_nonnull(text);
   for (long round = 0; round < ROUNDS; round++) {

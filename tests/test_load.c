@@ -12,7 +12,7 @@
 
 enum { ROUNDS = 2000, REACH = 20, LINE_REACH = 60 };
 
-static uint64_t state = 51;
+static random_numbers state;
 
 static void on_stages(void (*try)(load_stage *s)) {
   for (int k = 0; k < ROUNDS; k++) {
@@ -179,6 +179,7 @@ START_TEST(surcharge_weighs_on_its_line) {
 END_TEST
 
 int main(void) {
+  state = random_numbers_from(51);
   Suite *suite = suite_create("load");
   TCase *cases = tcase_create("load");
   tcase_set_timeout(cases, 120);

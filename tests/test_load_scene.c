@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-static uint64_t state = 52;
+static random_numbers state;
 
 static void anchor_init(tp_anchor_description *a) {
   memset(a, 0, sizeof *a);
@@ -281,6 +281,7 @@ START_TEST(lines_are_on_an_edge) {
 END_TEST
 
 int main(void) {
+  state = random_numbers_from(52);
   Suite *suite = suite_create("load_scene");
   TCase *cases = tcase_create("load_scene");
   tcase_set_timeout(cases, 120);

@@ -91,10 +91,6 @@ START_TEST(digits_of_a_number) {
 END_TEST
 
 /* A random number from 0 to 1. */
-static double share(uint64_t *state) {
-  return (double)(draw(state) >> 11) * 0x1p-53;
-}
-
 /* Both ends of the number lie within half a unit of the last printed place, or within the bound. */
 static void holds(const char *printed, tp_bounded number) {
   char *end = NULL;
@@ -108,11 +104,11 @@ static void holds(const char *printed, tp_bounded number) {
 }
 
 START_TEST(printed_digits_are_certain) {
-  uint64_t state = 1;
+  random_numbers state = random_numbers_from(1);
   for (int k = 0; k < 100000; k++) {
     char out[TP_NUMBER_SIZE];
-    const double value = (share(&state) - 0.5) * pow(10, (double)draw_below(&state, 7) - 2);
-    const double error = k % 10 == 0 ? 0 : pow(10, 12 * share(&state) - 9);
+    const double value = (draw_part(&state) - 0.5) * pow(10, (double)draw_below(&state, 7) - 2);
+    const double error = k % 10 == 0 ? 0 : pow(10, 12 * draw_part(&state) - 9);
     const tp_bounded number = {.value = value, .error = error};
     holds(tp_text_fixed(out, number, (int)draw_below(&state, 8)), number);
   }
@@ -121,11 +117,11 @@ END_TEST
 
 /* A quotient and a difference hold those of all numbers within the bounds. */
 START_TEST(bounds_of_what_is_reckoned_for_print) {
-  uint64_t state = 2;
+  random_numbers state = random_numbers_from(2);
   for (int k = 0; k < 100000; k++) {
-    const tp_bounded a = {.value = 1e6 * share(&state), .error = 1e-3 * share(&state)};
-    const tp_bounded b = {.value = 1e6 * share(&state), .error = 1e-3 * share(&state)};
-    const double unit = 1e-3 + 1e3 * share(&state);
+    const tp_bounded a = {.value = 1e6 * draw_part(&state), .error = 1e-3 * draw_part(&state)};
+    const tp_bounded b = {.value = 1e6 * draw_part(&state), .error = 1e-3 * draw_part(&state)};
+    const double unit = 1e-3 + 1e3 * draw_part(&state);
     const tp_bounded over = tp_text_over(a, unit), less = tp_text_less(a, b);
     for (int side = -1; side <= 1; side += 2) {
       const long double end = (long double)a.value + side * (long double)a.error;

@@ -16,7 +16,7 @@
 
 enum { BITS = 192, ROUNDS = 4000, DEGREE = 6 };
 
-static uint64_t state;
+static random_numbers state;
 
 typedef struct moment {
   long of[TP_BASIS];
@@ -200,7 +200,7 @@ static void try_moments(long counts[DEGREE + 1], long most, bool secants) {
 /* By the closed form psi +- acos(-C / R). */
 START_TEST(zeros_of_turning_loads) {
   long counts[DEGREE + 1] = {0};
-  state = 61;
+  state = random_numbers_from(61);
   try_moments(counts, 100, false);
   for (int k = 0; k <= 2; k++) ck_assert_int_gt(counts[k], 100);
 }
@@ -210,7 +210,7 @@ END_TEST
  * ends, so that the zeros are even in number. */
 START_TEST(zeros_with_level_water) {
   long counts[DEGREE + 1] = {0};
-  state = 62;
+  state = random_numbers_from(62);
   try_moments(counts, 20, true);
   for (int k = 0; k <= 4; k += 2) ck_assert_int_gt(counts[k], 10);
 }
