@@ -14,6 +14,10 @@
 
 #include <vector>
 
+#if __has_include(<execinfo.h>)
+#include <execinfo.h>
+#endif
+
 namespace tp {
 
 /* Integers of at most 53 bits are doubles: filtered predicates decide them exactly. */
@@ -21,7 +25,19 @@ using Small = CGAL::Exact_predicates_inexact_constructions_kernel;
 /* Larger ones go as exact numbers with an interval in front. */
 using Large = CGAL::Exact_predicates_exact_constructions_kernel;
 
+/* What is thrown through a std::call_once, as CGAL's lazy numbers use, is unwound by glibc itself,
+ * which loads its unwinder at the first need, and ends the process where memory has run out: it is
+ * loaded beforehand, by who makes such numbers. */
+inline void load_unwinder() {
+#if __has_include(<execinfo.h>)
+  void *frame = nullptr;
+  static const int loaded = backtrace(&frame, 1);
+  static_cast<void>(loaded);
+#endif
+}
+
 inline Large::FT exact_integer(const fmpz *value) {
+  load_unwinder();
   CGAL::Gmpz integer;
   fmpz_get_mpz(integer.mpz(), value);
   return Large::FT(Large::Exact_kernel::FT(CGAL::Gmpq(integer).mpq()));

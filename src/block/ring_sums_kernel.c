@@ -13,6 +13,9 @@
 
 #ifdef __x86_64__
 #include <immintrin.h>
+#if __has_include(<sys/platform/x86.h>)
+#include <sys/platform/x86.h>
+#endif
 #endif
 
 /* The error-free transformations, and the same bits everywhere, need double to be double. */
@@ -188,15 +191,25 @@ join_lanes(double rows[TP_ROW_COUNT], const lane_rows *lanes, int sum_count, boo
 #endif
 #include "block/ring_sums_block_in.h"
 
+/* glibc has asked the processor at the start; the compiler's library would ask again, which takes
+ * tens of microseconds on a virtual machine. */
+#ifdef CPU_FEATURE_ACTIVE
+#define HAS_AVX2 (CPU_FEATURE_ACTIVE(AVX2) && CPU_FEATURE_ACTIVE(FMA))
+#define HAS_AVX512 CPU_FEATURE_ACTIVE(AVX512F)
+#else
+#define HAS_AVX2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+#define HAS_AVX512 __builtin_cpu_supports("avx512f")
+#endif
+
 bool tp_instructions_present(tp_instructions set) {
   switch (set) {
   case TP_INSTRUCTIONS_BASELINE:
     return true;
 #ifdef __x86_64__
   case TP_INSTRUCTIONS_AVX2:
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return HAS_AVX2;
   case TP_INSTRUCTIONS_AVX512:
-    return __builtin_cpu_supports("avx512f");
+    return HAS_AVX512;
 #endif
   default:
     return false;
