@@ -13,10 +13,6 @@ bool tp_evaluator_fail(tp_evaluator *e, const char *problem) {
   return false;
 }
 
-void *tp_evaluator_value(const tp_evaluator *e, long k) {
-  return e->values + (size_t)k * e->algebra->size;
-}
-
 static void init_values(const tp_evaluator *e) {
   for (long k = 0; k < e->formula->count; k++) {
     e->algebra->init(tp_evaluator_value(e, k), e->context);

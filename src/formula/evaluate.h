@@ -52,7 +52,9 @@ TP_MUST_USE tp_status tp_formula_evaluate(void *value, const tp_formula *formula
  * message in place; the k-th node, whose operands must have values; its value; clear. */
 TP_MUST_USE tp_status tp_evaluator_init(tp_evaluator *evaluator);
 bool tp_evaluator_step(tp_evaluator *evaluator, long k);
-void *tp_evaluator_value(const tp_evaluator *evaluator, long k);
+static inline void *tp_evaluator_value(const tp_evaluator *evaluator, long k) {
+  return evaluator->values + (size_t)k * evaluator->algebra->size;
+}
 void tp_evaluator_clear(tp_evaluator *evaluator);
 
 /* Complain at the node in hand; false. */

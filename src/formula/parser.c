@@ -68,18 +68,12 @@ long tp_parser_binary(tp_parser *p, tp_formula_kind kind, long left, long right,
   return p->formula->count - 1;
 }
 
-/* One of these operators, by any of its spellings, at the front; bytes used, or 0. */
-static int operator_at(const char *text, bool letters, char *op) {
+int tp_operator_printed(const char *text, char *op) {
   static const struct {
     const char *spelling;
     char op;
   } printed[] = {
       {"\u2212", '-'}, {"\u2013", '-'}, {"\u00b7", '*'}, {"\u22c5", '*'}, {"\u00d7", '*'}};
-  const char first = *text;
-  const bool plain = first == '+' || first == '-' || first == '*' || first == '/' || first == '^';
-  *op = '\0';
-  if (plain) *op = first;
-  if (plain || !letters || ((unsigned char)first & 0x80) == 0) return plain ? 1 : 0;
   for (size_t k = 0; k < sizeof printed / sizeof printed[0]; k++) {
     const size_t length = strlen(printed[k].spelling);
     if (strncmp(text, printed[k].spelling, length) != 0) continue;
@@ -87,11 +81,6 @@ static int operator_at(const char *text, bool letters, char *op) {
     return (int)length;
   }
   return 0;
-}
-
-int tp_parser_operator(tp_parser *p, char *op) {
-  tp_parser_skip_blanks(p);
-  return operator_at(tp_parser_here(p), p->dialect->letters, op);
 }
 
 /* What stands here as one word for a message: a number with its exponent, or what looks like one.

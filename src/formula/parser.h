@@ -45,8 +45,19 @@ static inline void tp_parser_skip_blanks(tp_parser *parser) {
     parser->at++;
 }
 
-/* The operator here and its length in the text; 0 where there is none. */
-int tp_parser_operator(tp_parser *parser, char *op);
+/* An operator by a spelling of print at the front; bytes used, or 0. */
+int tp_operator_printed(const char *text, char *op);
+
+/* The operator here, or zero, and its length in the text. */
+static inline int tp_parser_operator(tp_parser *parser, char *op) {
+  tp_parser_skip_blanks(parser);
+  const char first = *tp_parser_here(parser);
+  *op = first;
+  if (first == '+' || first == '-' || first == '*' || first == '/' || first == '^') return 1;
+  *op = '\0';
+  if (!parser->dialect->letters || ((unsigned char)first & 0x80) == 0) return 0;
+  return tp_operator_printed(tp_parser_here(parser), op);
+}
 
 /* Does a number, or a name, begin here? */
 bool tp_parser_begins_number(const tp_parser *parser);

@@ -144,9 +144,10 @@ static bool call(void *value, tp_function function, tp_evaluator *e) {
 }
 
 /* Whole exponents by products: arb_pow takes a root first, which a ball about zero or below has
- * none of. */
+ * none of. Those of more bits than a word would take all memory to write down. */
 static void power(arb_t value, const arb_t exponent, long bits) {
-  if (!arb_is_int(exponent)) {
+  enum { MOST_BITS = 62 };
+  if (!arb_is_int(exponent) || arf_cmpabs_2exp_si(arb_midref(exponent), MOST_BITS) > 0) {
     arb_pow(value, value, exponent, bits);
     return;
   }

@@ -457,7 +457,8 @@ class Small(unittest.TestCase):
         """Towers of powers and the like end in a verdict or a complaint, never in an abort."""
         for quantity in ("2^(2^(2^100))", "(1+1e-300)^(9^500)", "(-2)^(1e300)", "sin(2^(2^60))",
                          "sqrt(2)^(2^80)", "9^9^9^9", "(1/3)^(9^9^9)", "tan(1e308*1e308*1e308)",
-                         "0^0", "0^-1", "(-1)^0.5", "cot(0)", "log10(2^(2^70))"):
+                         "0^0", "0^-1", "(-1)^0.5", "cot(0)", "log10(2^(2^70))", "log10(2) + 3^(2^(2^42))",
+                         "log10(2) + (1/3 - 1/3)^(2^(2^42))", "log10(2) + 0.1^-(2^(2^60))"):
             status, _, err = self.verify(f"- {{id: x, where: here, quantity: '{quantity}', printed: 1}}\n")
             self.assertIn(status, (0, 1, 3), quantity)
             self.assertEqual(err.count("\n"), 1 if status == 3 else 0, err)
