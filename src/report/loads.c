@@ -89,12 +89,10 @@ void tp_json_loads(tp_json *j, const tp_case *c) {
   tp_json_close(j);
 }
 
-/* Doubles, whatever digits were asked for. */
 void tp_json_limits(tp_json *j, const tp_pivot *pivot) {
   tp_json_array(j, "limits_deg", TP_JSON_LINE);
   for (size_t k = 0; k < pivot->limit_count; k++) {
-    const tp_bounded *limit = pivot->limits_deg + k;
-    tp_json_bounded(j, NULL, (tp_bounded){.value = limit->value, .error = limit->error});
+    tp_json_bounded(j, NULL, pivot->limits_deg[k]);
   }
   tp_json_close(j);
 }

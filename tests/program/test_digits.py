@@ -78,6 +78,12 @@ class Digits(unittest.TestCase):
             limit = solve(scene, "--digits", 200)["cases"][0]["limit"]["critical_angle_deg"]
         self.assertLess(abs(Decimal(limit["digits"]) - 20), Decimal(10) ** -196)
 
+    def test_limits_under_loads(self):
+        """Every tilt at which a loaded block lets go has the digits asked for: the first is the critical angle."""
+        pivot = solve("examples/block_seismic.yaml", "--digits", 50)["cases"][0]["pivots"][0]
+        self.assertEqual(pivot["limits_deg"][0]["digits"], pivot["critical_angle_deg"]["digits"])
+        self.assertEqual(len(pivot["limits_deg"][0]["digits"]), 51)
+
     def test_barton(self):
         """Barton's law at the static limit, to 100 digits: the friction angle reported is that of Eq. (8)
         at the mean stress at the tilt reported, and with that angle given the limit is that tilt."""
