@@ -6,6 +6,8 @@
  * has. */
 
 #include "number/ball.h"
+#include "number/binary.h"
+#include "random_numbers.h"
 #include "runner.h"
 
 #include <arb.h>
@@ -221,6 +223,52 @@ START_TEST(functions_of_degrees) {
 }
 END_TEST
 
+static void expect_nearest(const arf_struct *number) {
+  const double own = tp_ball_nearest(number), arb = arf_get_d(number, ARF_RND_NEAR);
+  ck_assert_msg(own == arb && signbit(own) == signbit(arb), "%a instead of %a", own, arb);
+}
+
+/* As Arb rounds by way of MPFR: one word and more, ties with and without something below them, and
+ * exponents in and beyond the range of doubles. */
+START_TEST(doubles_of_balls_are_those_of_arb) {
+  enum { ROUNDS = 20000 };
+  random_numbers numbers = random_numbers_from(11);
+  arf_t number, little;
+  arf_init(number);
+  arf_init(little);
+  for (int round = 0; round < ROUNDS; round++) {
+    arf_set_ui(number, draw(&numbers));
+    if (round % 2 == 0) { /* beside half a unit of the last place, or on it */
+      arf_set_ui(number, (draw(&numbers) | (uint64_t)1 << 63) & ~(uint64_t)0x3ff);
+      arf_set_si_2exp_si(little, draw_below(&numbers, 3) - 1, -draw_below(&numbers, 200));
+      arf_add(number, number, little, ARF_PREC_EXACT, ARF_RND_DOWN);
+    }
+    if (round % 3 == 0) arf_mul_2exp_si(number, number, draw_below(&numbers, 2400) - 1200);
+    if (draw_below(&numbers, 2) == 0) arf_neg(number, number);
+    expect_nearest(number);
+  }
+  arf_zero(number);
+  expect_nearest(number);
+  arf_neg_inf(number);
+  expect_nearest(number);
+  arf_clear(number);
+  arf_clear(little);
+}
+END_TEST
+
+START_TEST(powers_of_two_are_those_of_the_library) {
+  for (int exponent = DBL_MIN_EXP - 1; exponent < DBL_MAX_EXP; exponent++) {
+    int of_library = 0;
+    const double power = ldexp(1, exponent), above = nextafter(power, INFINITY);
+    ck_assert(tp_two_to(exponent) == power);
+    (void)frexp(above, &of_library);
+    ck_assert_int_eq(tp_binary_exponent(above), of_library);
+    ck_assert_int_eq(tp_binary_exponent(power), of_library);
+  }
+  ck_assert(tp_larger(1, 2) == 2 && tp_larger(2, 1) == 2 && tp_larger(1, NAN) == 1);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("ball");
   TCase *balls = tcase_create("ball");
@@ -230,6 +278,8 @@ int main(void) {
   tcase_add_test(balls, functions_of_degrees);
   tcase_add_test(balls, balls_to_doubles_enclose);
   tcase_add_test(balls, out_of_range);
+  tcase_add_test(balls, doubles_of_balls_are_those_of_arb);
+  tcase_add_test(balls, powers_of_two_are_those_of_the_library);
   suite_add_tcase(suite, balls);
   return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 #include "linear_program/scaled.h"
 
 #include "number/ball.h"
+#include "number/binary.h"
 
 #include <float.h>
 #include <math.h>
@@ -49,6 +50,7 @@ static void set_moment(arb_t moment, const tp_scaled *s, const tp_vector *of) {
 typedef struct doubles {
   bool known;
   double x, y, friction;
+  double log2_friction;
 } doubles;
 
 static bool to_double(double *value, const arb_t ball) {
@@ -60,6 +62,16 @@ static bool to_double(double *value, const arb_t ball) {
   return true;
 }
 
+/* Log2 of tan(phi). */
+static double friction_above(const tp_cones *cones) {
+  mag_t friction;
+  mag_init(friction);
+  arb_get_mag(friction, cones->friction);
+  const double log2_above = tp_mag_log2_above(friction);
+  mag_clear(friction);
+  return log2_above;
+}
+
 /* Friction known to half a unit in its last place and a little more. */
 static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
   enum { BITS_OF_FRICTION = 60 }; /* the 53 of a double and some */
@@ -69,6 +81,7 @@ static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
       (arb_is_zero(cones->friction) || arb_rel_accuracy_bits(cones->friction) >= BITS_OF_FRICTION);
   d.friction = arf_get_d(arb_midref(cones->friction), ARF_RND_NEAR);
   d.known = d.known && isfinite(d.friction);
+  d.log2_friction = friction_above(cones);
   return d;
 }
 
@@ -94,7 +107,7 @@ static long length_exponent(const tp_scaled *s, const tp_cones *cones, const dou
   mag_init(own);
   for (long k = 0; k < cones->count; k++) {
     if (away_in_double(&dx, &dy, d, cones, k)) {
-      farthest = fmax(farthest, fmax(fabs(dx), fabs(dy)));
+      farthest = tp_larger(tp_larger(farthest, fabs(dx)), fabs(dy));
       continue;
     }
     arb_sub(away, cones->x + k, s->x, s->bits);
@@ -113,18 +126,15 @@ static long length_exponent(const tp_scaled *s, const tp_cones *cones, const dou
   return exponent;
 }
 
-/* Log2 of the size of a force; of the edges of one cone, that of the first. */
+/* Log2 of the size of the first edge of a cone, for both; from that of tan(phi). */
+static long edge_exponent(const tp_cones *cones, long point, double log2_friction) {
+  const slong x = (slong)fmpz_bits(cones->tx + point), y = (slong)fmpz_bits(cones->ty + point);
+  return exponent_of((double)(x > y ? x : y) + tp_larger(0, log2_friction));
+}
+
+/* Log2 of the size of a force. */
 static long column_exponent(const tp_cones *cones, long k, const tp_vector *entries) {
-  if (tp_cones_is_edge(cones, k)) {
-    const fmpz *tx = cones->tx + k / 2, *ty = cones->ty + k / 2;
-    const double along = (double)(fmpz_bits(tx) > fmpz_bits(ty) ? fmpz_bits(tx) : fmpz_bits(ty));
-    mag_t friction;
-    mag_init(friction);
-    arb_get_mag(friction, cones->friction);
-    const double factor = tp_mag_log2_above(friction);
-    mag_clear(friction);
-    return exponent_of(along + fmax(factor, 0));
-  }
+  if (tp_cones_is_edge(cones, k)) return edge_exponent(cones, k / 2, friction_above(cones));
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
@@ -165,7 +175,7 @@ static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point,
   if (!away_in_double(&dx, &dy, d, cones, point)) return false;
   if (fmpz_cmp_si(x, most) > 0 || fmpz_cmp_si(x, -most) < 0) return false;
   if (fmpz_cmp_si(y, most) > 0 || fmpz_cmp_si(y, -most) < 0) return false;
-  const double unit = ldexp(1, (int)-column_exponent(cones, 2 * point, NULL));
+  const double unit = ldexp(1, (int)-edge_exponent(cones, point, d->log2_friction));
   const double length = ldexp(1, (int)-s->length_exponent);
   const double tx = (double)fmpz_get_si(x) * unit, ty = (double)fmpz_get_si(y) * unit;
   for (int against = 0; against < 2; against++) {
@@ -174,10 +184,10 @@ static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point,
     own[0] = friction * tx - ty;
     own[1] = friction * ty + tx;
     own[2] = dx * length * own[1] - dy * length * own[0];
-    for (int row = 0; row < 3; row++) s->largest[row] = fmax(s->largest[row], fabs(own[row]));
+    for (int row = 0; row < 3; row++) s->largest[row] = tp_larger(s->largest[row], fabs(own[row]));
     if (s->most != NULL) s->most[2 * point + against] = INFINITY;
   }
-  s->error = fmax(s->error, error + DBL_MIN);
+  s->error = tp_larger(s->error, error + DBL_MIN);
   return true;
 }
 

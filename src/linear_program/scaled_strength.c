@@ -5,6 +5,8 @@
 
 #include "linear_program/scaled.h"
 
+#include "number/binary.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -12,9 +14,15 @@
 
 /* Size one again, by the power of two that is returned. */
 static double normalise(double column[3]) {
-  int exponent = 0;
-  (void)frexp(fmax(fabs(column[0]), fabs(column[1])), &exponent);
-  const double factor = ldexp(1, -exponent);
+  const double size = tp_larger(fabs(column[0]), fabs(column[1]));
+  double factor;
+  if (size > 0x1p-1000 && size < 0x1p1000) {
+    factor = tp_two_to(-tp_binary_exponent(size));
+  } else {
+    int exponent = 0;
+    (void)frexp(size, &exponent);
+    factor = ldexp(1, -exponent);
+  }
   for (int row = 0; row < 3; row++) column[row] *= factor;
   return factor;
 }
@@ -51,9 +59,10 @@ void tp_scaled_divide_strength(tp_scaled *scaled, const tp_scaled *given, long e
       with[row] = mean + half;
       against[row] = mean - half;
     }
-    factor = fmax(factor, fmax(normalise(with), normalise(against)));
+    factor = tp_larger(tp_larger(factor, normalise(with)), normalise(against));
     for (int row = 0; row < 3; row++) {
-      scaled->largest[row] = fmax(scaled->largest[row], fmax(fabs(with[row]), fabs(against[row])));
+      const double own = tp_larger(fabs(with[row]), fabs(against[row]));
+      scaled->largest[row] = tp_larger(scaled->largest[row], own);
     }
   }
   /* three roundings of what is at most the largest over a small divisor */

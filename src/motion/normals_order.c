@@ -18,19 +18,6 @@ static int whole_order(fmpz a, fmpz b) {
   return (a > b) - (a < b);
 }
 
-/* Where all is whole one slope is one axis. */
-static int compare_whole(const void *left, const void *right) {
-  const tp_normal_entry *a = left, *b = right;
-  if (a->slope != b->slope) return a->slope < b->slope ? -1 : 1;
-  const bool against = tp_normal_entry_is_against(a);
-  if (against != tp_normal_entry_is_against(b)) return against ? -1 : 1;
-  if (a->as.whole.along != b->as.whole.along) {
-    return a->as.whole.along < b->as.whole.along ? -1 : 1;
-  }
-  if (a->as.whole.site != b->as.whole.site) return a->as.whole.site < b->as.whole.site ? -1 : 1;
-  return a->tag < b->tag ? -1 : a->tag > b->tag; /* by points */
-}
-
 static int axis_order(const tp_normal_entry *a, const tp_normal_entry *b) {
   if (a->slope != b->slope) return a->slope < b->slope ? -1 : 1;
   if (tp_normal_entry_is_short(a) && tp_normal_entry_is_short(b)) return 0;
@@ -138,8 +125,12 @@ bool tp_normals_order_init(tp_normals_order *order, const tp_normals *n) {
       set_balls(order->entries + k, order->places + k, n, k);
     }
   }
-  qsort(order->entries, (size_t)count, sizeof *order->entries,
-        order->is_whole ? compare_whole : compare_balls);
+  if (order->is_whole) {
+    if (tp_normals_order_by_families(order)) return true;
+    tp_normals_order_clear(order);
+    return false;
+  }
+  qsort(order->entries, (size_t)count, sizeof *order->entries, compare_balls);
   return true;
 }
 

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The order of contact points by the lines of their normals: by axis, by sense, by t . q, and on
- * one line by site. Inner header of motion/normals_init.c. */
+ * one line by site. Inner header of motion/normals_*.c. */
 
 #ifndef TP_NORMALS_ORDER_H
 #define TP_NORMALS_ORDER_H
@@ -55,6 +55,8 @@ typedef struct tp_normals_order {
 
 /* The points of `normals`, whose t are set, in order; false when memory is exhausted. */
 TP_MUST_USE bool tp_normals_order_init(tp_normals_order *order, const tp_normals *normals);
+/* Sorts entries where all is whole; false, with nothing done, when memory is exhausted. */
+TP_MUST_USE bool tp_normals_order_by_families(tp_normals_order *order);
 void tp_normals_order_clear(tp_normals_order *order);
 
 /* Do two entries lie along one axis; of one family, on one line: 1, 0, or TP_OPEN_SIGN? */

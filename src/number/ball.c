@@ -3,12 +3,14 @@
 
 #include "number/ball.h"
 
+#include "number/binary.h"
+
 #include <float.h>
 #include <math.h>
 
 /* Well within the range of doubles, and no pointer. */
 static bool is_moderate(fmpz exponent) {
-  enum { MOST = 1000 };
+  enum { MOST = 900 };
   return exponent < MOST && exponent > -MOST;
 }
 
@@ -26,14 +28,14 @@ double tp_ball_nearest(const arf_struct *number) {
   mp_limb_t kept = top >> LOST_BITS;
   /* the lowest word is not zero: where there is one below the top, something is lost in it */
   if (lost > half || (lost == half && (count > 1 || (kept & 1) != 0))) kept++;
-  const double size = ldexp((double)kept, (int)ARF_EXP(number) - DBL_MANT_DIG);
+  const double size = (double)kept * tp_two_to(ARF_EXP(number) - DBL_MANT_DIG);
   return ARF_SGNBIT(number) ? -size : size;
 }
 
 /* Its 30 bits are a double. */
 static double above(const mag_t size) {
   if (is_moderate(MAG_EXP(size)))
-    return ldexp((double)MAG_MAN(size), (int)MAG_EXP(size) - MAG_BITS);
+    return (double)MAG_MAN(size) * tp_two_to(MAG_EXP(size) - MAG_BITS);
   arf_t exact;
   arf_init(exact);
   arf_set_mag(exact, size);
