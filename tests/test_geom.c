@@ -10,7 +10,6 @@
 #include "random_numbers.h"
 #include "runner.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 

@@ -19,7 +19,7 @@ static double share(double value, const tp_panel_axis *axis) {
   return axis->logarithmic ? log10(value / from) / log10(to / from) : (value - from) / (to - from);
 }
 
-static void place(double at[2], const tp_chart *chart, double x, double y) {
+static void locate(double at[2], const tp_chart *chart, double x, double y) {
   const tp_chart_panel *panel = chart->panels + chart->panel_count - 1;
   at[0] = share(x, &panel->x) * chart->panel_width_mm;
   at[1] = share(y, &panel->y) * chart->panel_height_mm;
@@ -67,8 +67,8 @@ static size_t strikes(const tp_chart *chart, const box *b) {
       const bool joined = s->style.mark == TP_MARK_LINE && i + 1 < s->count;
       const tp_chart_point *one = s->points + i, *other = joined ? one + 1 : one;
       double p[2], q[2];
-      place(p, chart, one->x.value, one->y.value);
-      place(q, chart, other->x.value, other->y.value);
+      locate(p, chart, one->x.value, one->y.value);
+      locate(q, chart, other->x.value, other->y.value);
       const bool known = isfinite(p[0]) && isfinite(p[1]) && isfinite(q[0]) && isfinite(q[1]);
       count += known && crosses(b, p, q);
     }
@@ -84,7 +84,7 @@ tp_label_side tp_chart_free_side(const tp_chart *chart, double x, double y, cons
   size_t least = SIZE_MAX;
   double at[2];
   if (chart->failed) return best;
-  place(at, chart, x, y);
+  locate(at, chart, x, y);
   for (size_t k = 0; k < sizeof sides / sizeof sides[0]; k++) {
     const box own = box_of(sides[k], at, text);
     const bool inside = own.low[0] > 0 && own.low[1] > 0 && own.high[0] < chart->panel_width_mm &&

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* How far a place keeps from the curves of moments and of sliding, and from the bounds of its
+/* How far a name keeps from the curves of moments and of sliding, and from the bounds of its
  * region, over the width of a name; in degrees. */
 static double clearance(const tp_map_line *l, double scalar, double tilt, double half_name,
                         const tp_line_region *region) {

@@ -167,8 +167,8 @@ static tp_status add_panel(drawing *d, double amplitude, size_t sub_blocks, bool
                                      .range = {0, fos_most},
                                      .tick = 0.5});
   tp_chart_add_guide(d->chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.6});
-  tp_chart_add_place(d->chart, 0, 1);
-  tp_chart_add_place(d->chart, o->tilt_deg.to, 1);
+  tp_chart_add_corner(d->chart, 0, 1);
+  tp_chart_add_corner(d->chart, o->tilt_deg.to, 1);
   for (size_t k = 0; k < o->inverse_slenderness.count; k++) {
     d->block = (tp_toothed){o->inverse_slenderness.values[k], amplitude, sub_blocks};
     for (int toe = 0; toe < 3; toe++) {

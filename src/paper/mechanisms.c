@@ -80,8 +80,8 @@ static tp_status add_toppling(const drawing *d, tp_toe_kind toe, tp_chart_style 
 
 static void add_sliding(const drawing *d, double angle) {
   begin_series(d, tp_line_slides, "slides");
-  tp_chart_add_place(d->chart, 0, angle);
-  tp_chart_add_place(d->chart, d->x_most, angle);
+  tp_chart_add_corner(d->chart, 0, angle);
+  tp_chart_add_corner(d->chart, d->x_most, angle);
 }
 
 /* Fill between two borders of one end of the map to the other. */
@@ -107,11 +107,11 @@ static void add_region(const drawing *d, tp_chart_style style, edge low, edge hi
   tp_chart_add_guide(d->chart, style);
   for (int k = 0; k < POINTS; k++) {
     const double x = from + (to - from) * k / (POINTS - 1);
-    tp_chart_add_place(d->chart, x, height(d, low, sliding, x));
+    tp_chart_add_corner(d->chart, x, height(d, low, sliding, x));
   }
   for (int k = POINTS - 1; k >= 0; k--) {
     const double x = from + (to - from) * k / (POINTS - 1);
-    tp_chart_add_place(d->chart, x, height(d, high, sliding, x));
+    tp_chart_add_corner(d->chart, x, height(d, high, sliding, x));
   }
 }
 
@@ -137,7 +137,7 @@ static void add_block(const drawing *d, const tp_table_7_block *block,
   const double away = sides[block->number - 1] == TP_LABEL_CENTRE ? 0.04 : 0;
   char number[16];
   snprintf(number, sizeof number, "%d", block->number);
-  tp_chart_add_place(d->chart, block->inverse_slenderness, block->tilt_deg);
+  tp_chart_add_corner(d->chart, block->inverse_slenderness, block->tilt_deg);
   tp_chart_add_note(d->chart, 0, number);
   tp_chart_add_note(d->chart, 1, v->program);
   tp_chart_add_note(d->chart, 2, v->from_rest);
@@ -152,7 +152,7 @@ static tp_status add_blocks(const drawing *d, bool rough) {
   if (d->options->roughness_angle_deg < TP_TABLE_7_LEAST_ROUGHNESS) return status;
   begin_series(d, dots, "Table 7");
   for (int number = 1; number <= TP_TABLE_7_BLOCKS && status == TP_OK; number++) {
-    const tp_table_7_block block = tp_table_7_place(number, d->options);
+    const tp_table_7_block block = tp_table_7_locate(number, d->options);
     tp_table_7_verdict verdict = {0};
     status = tp_table_7_judge(&verdict, &block, d->options, rough, d->message);
     if (status == TP_OK) add_block(d, &block, &verdict);

@@ -21,7 +21,7 @@ static const char *const verdicts[2][4] = {
     {"slides", "slides, topples too if valley", "slides and topples, slides if peak",
      "slides and topples"}};
 
-tp_table_7_block tp_table_7_place(int number, const tp_chart_mechanisms_options *o) {
+tp_table_7_block tp_table_7_locate(int number, const tp_chart_mechanisms_options *o) {
   const double sliding = o->friction_deg + o->roughness_angle_deg;
   const bool steep = number == 2 || number == 3;
   tp_table_7_block block = {.number = number,
