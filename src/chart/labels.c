@@ -27,6 +27,7 @@ static void locate(double at[2], const tp_chart *chart, double x, double y) {
 
 /* Letters of 7 points, as chart/script.c puts them. */
 static box box_of(tp_label_side side, const double at[2], const char *text) {
+  /* mm: a letter wide, half a line high, as far from the point */
   const double letter = 1.25, half = 1.3, away = 1.2, down = 1.3;
   const double width = letter * (double)strlen(text), x = at[0], y = at[1];
   switch (side) {
@@ -79,7 +80,7 @@ static size_t strikes(const tp_chart *chart, const box *b) {
 tp_label_side tp_chart_free_side(const tp_chart *chart, double x, double y, const char *text) {
   static const tp_label_side sides[] = {TP_LABEL_BELOW, TP_LABEL_LEFT, TP_LABEL_RIGHT,
                                         TP_LABEL_ABOVE};
-  const size_t outside = 1000;
+  const size_t outside = 1000; /* worse than any number of curves struck */
   tp_label_side best = sides[0];
   size_t least = SIZE_MAX;
   double at[2];

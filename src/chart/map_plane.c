@@ -134,8 +134,9 @@ static tp_crossing cross_level(void *context, tp_map_sample low, tp_map_sample h
 /* Are two points so near that their labels touch? */
 static bool is_near(const plane *p, tp_map_point at, const tp_chart_label *label) {
   const tp_chart_range *x = &p->map->options->x.range, *y = &p->map->options->y.range;
-  return fabs(label->x - at.x) < 0.09 * (x->to - x->from) &&
-         fabs(label->y - at.y) < 0.05 * (y->to - y->from);
+  static const double of_width = 0.09, of_height = 0.05; /* "87.5" and a line, with room */
+  return fabs(label->x - at.x) < of_width * (x->to - x->from) &&
+         fabs(label->y - at.y) < of_height * (y->to - y->from);
 }
 
 /* The present level on its curve, where no other stands; a short curve has none. */

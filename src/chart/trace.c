@@ -210,7 +210,8 @@ void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_ma
 /* Both cells beside an edge find the same doubles but for those of a finer cell, which may stop a
  * few doubles off. */
 static bool same(tp_map_point a, tp_map_point b) {
-  return fabs(a.x - b.x) <= 0x1p-40 * fabs(a.x) && fabs(a.y - b.y) <= 0x1p-40 * fabs(a.y);
+  static const double few_doubles = 0x1p-40; /* 2^13 of them, far below a cell */
+  return fabs(a.x - b.x) <= few_doubles * fabs(a.x) && fabs(a.y - b.y) <= few_doubles * fabs(a.y);
 }
 
 /* The one unused piece between the same regions that goes on from a point. */

@@ -133,13 +133,13 @@ static void add_examples(const drawing *d, tp_toe_kind toe, tp_bounded critical)
 /* The inverse slenderness stands where its planar curve meets the upper border, if there is room
  * behind what stands to its left. */
 static void add_slenderness_labels(const drawing *d) {
-  const double degree = 57.29577951308232;
   const tp_chart_range *tilt = &d->options->tilt_deg;
   const double per_mm = tilt->to / d->chart->panel_width_mm, room = 5 * per_mm;
   double free_from = 8 * per_mm;
   bool any = false;
   for (size_t k = 0; k < d->options->inverse_slenderness.count; k++) {
-    const double x = d->options->inverse_slenderness.values[k], at = atan(x / fos_most) * degree;
+    const double x = d->options->inverse_slenderness.values[k],
+                 at = atan(x / fos_most) * tp_degrees_of_radian;
     char text[32];
     snprintf(text, sizeof text, "%.4g", x);
     if (at < tilt->from || at > tilt->to || at - room / 2 < free_from) continue;

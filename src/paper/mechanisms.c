@@ -17,8 +17,6 @@
 
 enum { POINTS = 121 };
 
-static const double degree = 57.29577951308232;
-
 tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void) {
   return (tp_chart_mechanisms_options){
       .friction_deg = 30, .roughness_angle_deg = 10, .amplitude = 0.01};
@@ -88,7 +86,7 @@ static void add_sliding(const drawing *d, double angle) {
 typedef enum edge { EDGE_SLIDES, EDGE_TOPPLES, EDGE_HIGHER, EDGE_TOP } edge;
 
 static double height(const drawing *d, edge which, double sliding, double x) {
-  const double toppling = fmin(atan(x) * degree, d->y_most);
+  const double toppling = fmin(atan(x) * tp_degrees_of_radian, d->y_most);
   switch (which) {
   case EDGE_SLIDES:
     return sliding;
@@ -117,7 +115,7 @@ static void add_region(const drawing *d, tp_chart_style style, edge low, edge hi
 
 /* The regions by the mean border of toppling, that of the planar base. */
 static void add_regions(const drawing *d, double sliding, bool rough) {
-  const double meet = tan(sliding / degree), width = d->x_most, top = d->y_most;
+  const double meet = tan(sliding / tp_degrees_of_radian), width = d->x_most, top = d->y_most;
   add_region(d, tp_region_topples, EDGE_TOPPLES, EDGE_SLIDES, sliding, 0, meet);
   add_region(d, tp_region_slides, EDGE_SLIDES, EDGE_TOPPLES, sliding, meet, width);
   add_region(d, tp_region_both, EDGE_HIGHER, EDGE_TOP, sliding, 0, width);
@@ -125,7 +123,8 @@ static void add_regions(const drawing *d, double sliding, bool rough) {
   tp_chart_add_label(d->chart, (rough ? 0.2 : 0.33) * meet, 0.72 * sliding, TP_LABEL_CENTRE,
                      "topples");
   tp_chart_add_label(d->chart, 0.7 * width, 0.92 * top, TP_LABEL_CENTRE, "slides and topples");
-  tp_chart_add_label(d->chart, 0.87 * width, sliding + 0.35 * (atan(width) * degree - sliding),
+  tp_chart_add_label(d->chart, 0.87 * width,
+                     sliding + 0.35 * (atan(width) * tp_degrees_of_radian - sliding),
                      TP_LABEL_CENTRE, "slides");
 }
 
@@ -230,7 +229,7 @@ tp_status tp_chart_mechanisms(tp_chart **chart, const tp_chart_mechanisms_option
   const double most = options->friction_deg + options->roughness_angle_deg;
   drawing d = {.options = options,
                .message = message,
-               .x_most = 0.2 * ceil(7.5 * tan(most / degree)),
+               .x_most = 0.2 * ceil(7.5 * tan(most / tp_degrees_of_radian)),
                .y_most = fmin(90, 10 * ceil(0.15 * most))};
   d.chart = tp_chart_new(
       "mechanisms", (const char *const[]){"base", "series", NULL}, "inverse_slenderness",
