@@ -3,8 +3,8 @@
 
 #include "memory_calls.h"
 
-#include "failing_memory.h"
-#include "runner.h"
+#include "memory_charts.h"
+#include "memory_expect.h"
 
 #include "topple.h"
 
@@ -12,34 +12,9 @@
 
 #define EXAMPLE(name) TP_EXAMPLES "/" name
 
-/* Check takes memory for every assertion; these take some only where they fail. */
-#define EXPECT(condition, ...)                                                                     \
-  do {                                                                                             \
-    if (!(condition)) {                                                                            \
-      failing_memory_state.fail_at = 0;                                                            \
-      ck_abort_msg(__VA_ARGS__);                                                                   \
-    }                                                                                              \
-  } while (false)
-
-/* A call succeeds, or says that memory ran out; with no output. */
-static bool done(tp_status status, const void *output, const tp_message *message) {
-  EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status,
-         message->text);
-  EXPECT(status == TP_OK || message->text[0] != '\0', "no message");
-  EXPECT((status == TP_OK) == (output != NULL), "status %d, but an output", (int)status);
-  return status == TP_OK;
-}
-
 /* The call comes first, then its output is looked at. */
 static tp_status last;
 #define DONE(call, output) (last = (call), done(last, output, &message))
-
-/* Reports have no message but their status. */
-static void expect_report(tp_status status, char *text) {
-  static const tp_message own = {"a report"};
-  (void)done(status, text, &own);
-  free(text);
-}
 
 static void solve_scene(const char *path, bool elements) {
   tp_scene *scene = NULL;
@@ -242,50 +217,6 @@ static void verify(void) {
     expect_report(status, page);
   }
   tp_verification_free(verification);
-}
-
-static void report_chart(tp_status status, tp_chart *chart, const tp_message *message) {
-  if (done(status, chart, message)) {
-    char *csv = NULL, *json = NULL;
-    status = tp_report_chart_csv(&csv, chart);
-    expect_report(status, csv);
-    status = tp_report_chart_json(&json, chart);
-    expect_report(status, json);
-  }
-  tp_chart_free(chart);
-}
-
-static void chart_fos(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_chart_fos_options options = tp_chart_fos_options_default();
-  const tp_status status = tp_chart_fos(&chart, &options, &message);
-  report_chart(status, chart, &message);
-}
-
-static void chart_mechanisms(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_chart_mechanisms_options options = tp_chart_mechanisms_options_default();
-  const tp_status status = tp_chart_mechanisms(&chart, &options, &message);
-  report_chart(status, chart, &message);
-}
-
-static void chart_ranges(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_status status = tp_chart_ranges(&chart, &message);
-  report_chart(status, chart, &message);
-}
-
-static void chart_map(void) {
-  tp_chart *chart = NULL;
-  tp_message message = {""};
-  const tp_chart_map_options options = {.scene = EXAMPLE("slab_left.yaml"),
-                                        .x = {"block.slab.width", {10, 150}},
-                                        .y = {"tilt", {0, 90}}};
-  const tp_status status = tp_chart_map(&chart, &options, &message);
-  report_chart(status, chart, &message);
 }
 
 const memory_call memory_calls[] = {{"solve teeth", solve_teeth, 200},

@@ -6,88 +6,12 @@
  * tolerances. Every test runs twice: _i = 0 on the path of big integers, 1 on that of doubles. */
 
 #include "geom.h"
+#include "geom_figure.h"
 #include "random_numbers.h"
 #include "runner.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
-
-enum { MOST = 64, RINGS = 3 };
-typedef struct figure {
-  size_t ring_count, count, start[RINGS + 1];
-  double u[MOST], v[MOST];
-} figure;
-static fmpz large_x[MOST], large_y[MOST]; /* initialised, to 0 */
-
-/* Rings in the coordinates of one path only, lest it take the other's; big ones moved, scaled. */
-static tp_geom_rings view(const figure *f, bool small) {
-  for (size_t k = 0; k < f->count; k++) {
-    fmpz_set_si(large_x + k, (long)f->u[k] - 1000003);
-    fmpz_set_si(large_y + k, (long)f->v[k] + 2000003);
-    fmpz_mul_2exp(large_x + k, large_x + k, 70);
-    fmpz_mul_2exp(large_y + k, large_y + k, 70);
-    fmpz_add_ui(large_x + k, large_x + k, 12345678987654321);
-  }
-  if (small) return (tp_geom_rings){f->ring_count, f->start, f->u, f->v, NULL, NULL, true};
-  return (tp_geom_rings){f->ring_count, f->start, NULL, NULL, large_x, large_y, false};
-}
-
-static void add_ring(figure *f, const long (*points)[2], size_t count) {
-  for (size_t k = 0; k < count; k++, f->count++) {
-    f->u[f->count] = (double)points[k][0];
-    f->v[f->count] = (double)points[k][1];
-  }
-  f->start[++f->ring_count] = f->count;
-}
-
-/* 3 to 9 vertices on the grid 0 … 6, no two neighbours equal. */
-static void add_random_ring(figure *f, random_numbers *state) {
-  long p[9][2];
-  const size_t count = 3 + draw(state) % 7;
-  for (size_t k = 0; k < count; k++) {
-    do {
-      p[k][0] = (long)(draw(state) % 7);
-      p[k][1] = (long)(draw(state) % 7);
-    } while ((k > 0 && memcmp(p[k], p[k - 1], sizeof *p) == 0) ||
-             (k + 1 == count && memcmp(p[k], p[0], sizeof *p) == 0));
-  }
-  add_ring(f, p, count);
-}
-
-/* Star-shaped about (u, 0): angles jump by less than a half turn, radii are 0.3 to 1 `radius`. */
-static void add_star(figure *f, long u, double radius, size_t count, random_numbers *state) {
-  long p[MOST][2];
-  for (size_t k = 0; k < count; k++) {
-    const double turn = ((double)k + 0.4 * draw_part(state)) / (double)count;
-    const double r = radius * (0.3 + 0.7 * draw_part(state));
-    p[k][0] = u + lround(r * cos(2 * acos(-1) * turn));
-    p[k][1] = lround(r * sin(2 * acos(-1) * turn));
-  }
-  add_ring(f, p, count);
-}
-
-static size_t ring_of(const figure *f, size_t vertex) {
-  return (size_t)(vertex >= f->start[1]) + (f->ring_count > 2 && vertex >= f->start[2]);
-}
-
-static size_t next_of(const figure *f, size_t vertex) {
-  const size_t ring = ring_of(f, vertex);
-  return vertex + 1 == f->start[ring + 1] ? f->start[ring] : vertex + 1;
-}
-
-typedef __int128 wide;
-typedef struct vector {
-  wide u, v;
-} vector;
-
-static vector between(const figure *f, size_t from, size_t to) {
-  return (vector){(wide)f->u[to] - (wide)f->u[from], (wide)f->v[to] - (wide)f->v[from]};
-}
-
-static wide cross(vector a, vector b) {
-  return a.u * b.v - a.v * b.u;
-}
 
 enum { APART, CROSS = 1 + TP_GEOM_CROSS, TOUCH = 1 + TP_GEOM_TOUCH, LIE = 1 + TP_GEOM_OVERLAP };
 

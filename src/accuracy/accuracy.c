@@ -130,8 +130,7 @@ static double upwards(const mag_t size) {
 }
 
 static double log10_of(const mag_t size) {
-  static const double log10_of_2 = 0.30102999566398120;
-  return log10_of_2 * tp_mag_log2(size);
+  return tp_bits_digits(tp_mag_log2(size));
 }
 
 static void judge(tp_accuracy_run *run, const arb_t degrees, const arb_t truth) {

@@ -75,8 +75,8 @@ static void add_margin(tp_chart *chart, const tp_accuracy *a, const tp_accuracy_
   const double proven = digits(a, run), right = digits_of(run->log10_true_error, a, run);
   if (!run->has_bound || !isfinite(proven)) return;
   tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.4});
-  tp_chart_add_place(chart, proven, 1e6 * run->seconds);
-  tp_chart_add_place(chart, fmin(right, most), 1e6 * run->seconds);
+  tp_chart_add_corner(chart, proven, 1e6 * run->seconds);
+  tp_chart_add_corner(chart, fmin(right, most), 1e6 * run->seconds);
 }
 
 static void add_row(tp_chart *chart, const tp_accuracy *a, size_t from, size_t count) {
@@ -88,7 +88,7 @@ static void add_row(tp_chart *chart, const tp_accuracy *a, size_t from, size_t c
     tp_chart_add_guide(chart, line);
     for (size_t k = from; k < from + count; k++) {
       const double x = digits(a, a->runs + k);
-      if (isfinite(x)) tp_chart_add_place(chart, x, 1e6 * a->runs[k].seconds);
+      if (isfinite(x)) tp_chart_add_corner(chart, x, 1e6 * a->runs[k].seconds);
     }
   }
   begin_series(chart, first, points, false);
@@ -136,8 +136,8 @@ static void add_models(tp_chart *chart, const tp_accuracy *a, const tp_panel_axi
   const double at = log10(fabs(exact->angle_deg.value) / apart);
   if (!(at > x->range.from && at < x->range.to)) return;
   tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_DASHED, 0});
-  tp_chart_add_place(chart, at, y->range.from);
-  tp_chart_add_place(chart, at, y->range.to);
+  tp_chart_add_corner(chart, at, y->range.from);
+  tp_chart_add_corner(chart, at, y->range.to);
   tp_chart_add_label(chart, at, y->range.to * 0.6, TP_LABEL_RIGHT,
                      "here the two models of the corner part");
 }

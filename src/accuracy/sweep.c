@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Beyond these a way by triangles or by the limit takes minutes, and is left out. */
 enum { MOST_TRIANGLES = 1000000, MOST_FACETS = 100000 };
 
 static bool allocate(tp_lattice *l, size_t count) {

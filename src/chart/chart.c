@@ -99,12 +99,12 @@ void tp_chart_add_point(tp_chart *chart, tp_bounded x, tp_bounded y) {
   series->points[series->count++] = (tp_chart_point){.x = x, .y = y};
 }
 
-void tp_chart_add_place(tp_chart *chart, double x, double y) {
+void tp_chart_add_corner(tp_chart *chart, double x, double y) {
   tp_chart_add_point(chart, tp_chart_exactly(x), tp_chart_exactly(y));
 }
 
 void tp_chart_add_break(tp_chart *chart) {
-  tp_chart_add_place(chart, NAN, NAN);
+  tp_chart_add_corner(chart, NAN, NAN);
 }
 
 void tp_chart_add_note(tp_chart *chart, size_t which, const char *text) {

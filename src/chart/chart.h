@@ -123,7 +123,7 @@ void tp_chart_add_note(tp_chart *chart, size_t which, const char *text);
 
 /* What is drawn only, in the last panel. */
 void tp_chart_add_guide(tp_chart *chart, tp_chart_style style);
-void tp_chart_add_place(tp_chart *chart, double x, double y);
+void tp_chart_add_corner(tp_chart *chart, double x, double y);
 void tp_chart_add_break(tp_chart *chart); /* another polygon of the same region begins */
 void tp_chart_add_label(tp_chart *chart, double x, double y, tp_label_side side, const char *text);
 void tp_chart_add_legend(tp_chart *chart, const char *text, tp_chart_style style);

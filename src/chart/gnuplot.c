@@ -18,6 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+/* It answers in a second, with some megabytes at most; what takes more hangs, or runs away. */
 enum { MOST_SECONDS = 60, MOST_BYTES = 256 << 20, COMPLAINT_SIZE = 400 };
 enum { COMMANDS, FIGURE, COMPLAINTS, STREAMS };
 

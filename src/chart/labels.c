@@ -19,7 +19,7 @@ static double share(double value, const tp_panel_axis *axis) {
   return axis->logarithmic ? log10(value / from) / log10(to / from) : (value - from) / (to - from);
 }
 
-static void place(double at[2], const tp_chart *chart, double x, double y) {
+static void locate(double at[2], const tp_chart *chart, double x, double y) {
   const tp_chart_panel *panel = chart->panels + chart->panel_count - 1;
   at[0] = share(x, &panel->x) * chart->panel_width_mm;
   at[1] = share(y, &panel->y) * chart->panel_height_mm;
@@ -27,6 +27,7 @@ static void place(double at[2], const tp_chart *chart, double x, double y) {
 
 /* Letters of 7 points, as chart/script.c puts them. */
 static box box_of(tp_label_side side, const double at[2], const char *text) {
+  /* mm: a letter wide, half a line high, as far from the point */
   const double letter = 1.25, half = 1.3, away = 1.2, down = 1.3;
   const double width = letter * (double)strlen(text), x = at[0], y = at[1];
   switch (side) {
@@ -67,8 +68,8 @@ static size_t strikes(const tp_chart *chart, const box *b) {
       const bool joined = s->style.mark == TP_MARK_LINE && i + 1 < s->count;
       const tp_chart_point *one = s->points + i, *other = joined ? one + 1 : one;
       double p[2], q[2];
-      place(p, chart, one->x.value, one->y.value);
-      place(q, chart, other->x.value, other->y.value);
+      locate(p, chart, one->x.value, one->y.value);
+      locate(q, chart, other->x.value, other->y.value);
       const bool known = isfinite(p[0]) && isfinite(p[1]) && isfinite(q[0]) && isfinite(q[1]);
       count += known && crosses(b, p, q);
     }
@@ -79,12 +80,12 @@ static size_t strikes(const tp_chart *chart, const box *b) {
 tp_label_side tp_chart_free_side(const tp_chart *chart, double x, double y, const char *text) {
   static const tp_label_side sides[] = {TP_LABEL_BELOW, TP_LABEL_LEFT, TP_LABEL_RIGHT,
                                         TP_LABEL_ABOVE};
-  const size_t outside = 1000;
+  const size_t outside = 1000; /* worse than any number of curves struck */
   tp_label_side best = sides[0];
   size_t least = SIZE_MAX;
   double at[2];
   if (chart->failed) return best;
-  place(at, chart, x, y);
+  locate(at, chart, x, y);
   for (size_t k = 0; k < sizeof sides / sizeof sides[0]; k++) {
     const box own = box_of(sides[k], at, text);
     const bool inside = own.low[0] > 0 && own.low[1] > 0 && own.high[0] < chart->panel_width_mm &&

@@ -53,11 +53,11 @@ static void add_windows(const tp_map_line *l) {
     if (end < k + 2) continue;
     tp_chart_add_guide(l->map->chart, tp_region_history);
     for (size_t j = k; j < end; j++)
-      tp_line_place(l, tp_line_at(l, j), l->samples[j].onset_deg.value);
+      tp_line_add_corner(l, tp_line_at(l, j), l->samples[j].onset_deg.value);
     for (size_t j = end; j-- > k;) {
       const tp_map_sample *sample = l->samples + j;
-      tp_line_place(l, tp_line_at(l, j),
-                    tp_map_sample_has_limit(sample) ? sample->limit_deg.value : l->tilt.to);
+      tp_line_add_corner(l, tp_line_at(l, j),
+                         tp_map_sample_has_limit(sample) ? sample->limit_deg.value : l->tilt.to);
     }
   }
 }
@@ -73,7 +73,7 @@ static void add_limits(const tp_map_line *l) {
   }
 }
 
-/* Where the limit's mechanism changes: a place on its curve, as what begins beyond is another
+/* Where the limit's mechanism changes: a point on its curve, as what begins beyond is another
  * question, which strips answer; without strips on both sides, up to the top. Where one side has no
  * limit, from that of the other on; without any limit, all of the height. */
 static void add_border(const tp_map_line *l, const tp_map_sample *low, const tp_map_sample *high) {

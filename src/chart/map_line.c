@@ -29,7 +29,7 @@ double tp_line_clamped(const tp_map_line *l, double tilt) {
   return fmin(fmax(tilt, l->tilt.from), l->tilt.to);
 }
 
-void tp_line_place(const tp_map_line *l, double scalar, double tilt) {
+void tp_line_add_corner(const tp_map_line *l, double scalar, double tilt) {
   tp_line_add(l, tp_chart_exactly(scalar), tp_chart_exactly(tp_line_clamped(l, tilt)));
 }
 

@@ -25,11 +25,11 @@ tp_bounded tp_line_root(const tp_map_sample *low, const tp_map_sample *high);
 /* One past the last of the samples from `begin` on that are alike. */
 size_t tp_line_end(const tp_map_line *line, size_t begin);
 
-/* A tilt within the map; a point of the series at hand; a place of what is drawn, within the map.
+/* A tilt within the map; a point of the series at hand; a corner of what is drawn, within the map.
  */
 double tp_line_clamped(const tp_map_line *line, double tilt);
 void tp_line_add(const tp_map_line *line, tp_bounded scalar, tp_bounded tilt);
-void tp_line_place(const tp_map_line *line, double scalar, double tilt);
+void tp_line_add_corner(const tp_map_line *line, double scalar, double tilt);
 
 /* Up to where a sample is certain to stand; from where no forces hold the block: its limit, or the
  * top where they do at any tilt, or the bottom where they do at none, or that is not known. */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* How far a place keeps from the curves of moments and of sliding, and from the bounds of its
+/* How far a name keeps from the curves of moments and of sliding, and from the bounds of its
  * region, over the width of a name; in degrees. */
 static double clearance(const tp_map_line *l, double scalar, double tilt, double half_name,
                         const tp_line_region *region) {
@@ -28,10 +28,11 @@ void tp_line_find_name(tp_line_name *best, const tp_map_line *l, const char *nam
   enum { HEIGHTS = 40 };
   const double first = tp_line_at(l, region->begin), last = tp_line_at(l, region->end - 1);
   const double high = l->tilt.to - l->tilt.from, wide = l->scalar.to - l->scalar.from;
-  /* letters of 7 points in a panel of 72 mm by 62 mm */
+  /* letters of 7 points in a panel of 72 mm by 62 mm: shares of its width and height */
+  static const double letter_of_width = 0.011, letter_of_height = 0.013, half_a_line = 0.03;
   const double length = (double)strlen(name);
-  const double half_name = (l->scalar_is_x ? 0.011 * length : 0.03) * wide;
-  const double half_line = (l->scalar_is_x ? 0.03 : 0.013 * length) * high;
+  const double half_name = (l->scalar_is_x ? letter_of_width * length : half_a_line) * wide;
+  const double half_line = (l->scalar_is_x ? half_a_line : letter_of_height * length) * high;
   for (size_t k = region->begin; k < region->end; k++) {
     const double x = tp_line_at(l, k);
     if (x - first < half_name || last - x < half_name) continue;
@@ -39,8 +40,9 @@ void tp_line_find_name(tp_line_name *best, const tp_map_line *l, const char *nam
       const double y = l->tilt.from + high * h / HEIGHTS;
       const double clear = clearance(l, x, y, half_name, region);
       /* where much is free, the middle is best */
+      static const double much = 0.15, off_middle = 0.1;
       const double worth =
-          fmin(clear, 0.15 * high) - 0.1 * high * fabs(x - (first + last) / 2) / wide;
+          fmin(clear, much * high) - off_middle * high * fabs(x - (first + last) / 2) / wide;
       if (clear < half_line || (best->found && worth <= best->worth)) continue;
       *best = (tp_line_name){true, worth, x, y};
     }

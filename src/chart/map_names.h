@@ -14,10 +14,10 @@ typedef struct tp_line_name {
   double worth, scalar, tilt;
 } tp_line_name;
 
-/* `best` or a better place in the region; of a new one `found` is false. */
+/* `best` or a better point in the region; of a new one `found` is false. */
 void tp_line_find_name(tp_line_name *best, const tp_map_line *line, const char *name,
                        const tp_line_region *region);
-/* False where it has no place. */
+/* False where there is none. */
 bool tp_line_add_name(const tp_map_line *line, const char *name, const tp_line_name *at);
 
 #endif

@@ -29,7 +29,7 @@ static bool read_onset(tp_bounded *degrees, const tp_map_sample *sample) {
 typedef struct plane {
   tp_map *map;
   tp_map_sample *grid;
-  tp_place_2d *places;
+  tp_map_point *points;
   reader read;      /* of the present contour */
   double level_deg; /* likewise */
 } plane;
@@ -131,11 +131,12 @@ static tp_crossing cross_level(void *context, tp_map_sample low, tp_map_sample h
   return found && root.flat ? bracket(p, &low, &high, root.low) : (tp_crossing){0};
 }
 
-/* Are two places so near that their labels touch? */
-static bool is_near(const plane *p, tp_place_2d at, const tp_chart_label *label) {
+/* Are two points so near that their labels touch? */
+static bool is_near(const plane *p, tp_map_point at, const tp_chart_label *label) {
   const tp_chart_range *x = &p->map->options->x.range, *y = &p->map->options->y.range;
-  return fabs(label->x - at.x) < 0.09 * (x->to - x->from) &&
-         fabs(label->y - at.y) < 0.05 * (y->to - y->from);
+  static const double of_width = 0.09, of_height = 0.05; /* "87.5" and a line, with room */
+  return fabs(label->x - at.x) < of_width * (x->to - x->from) &&
+         fabs(label->y - at.y) < of_height * (y->to - y->from);
 }
 
 /* The present level on its curve, where no other stands; a short curve has none. */
@@ -145,7 +146,7 @@ static void add_level(const plane *p, size_t count) {
   char text[32];
   snprintf(text, sizeof text, "%.4g°", p->level_deg);
   for (size_t k = 0; k < sizeof shares / sizeof shares[0] && count > SIDE / 6; k++) {
-    const tp_place_2d at = p->places[(size_t)((double)count * shares[k])];
+    const tp_map_point at = p->points[(size_t)((double)count * shares[k])];
     bool is_free = true;
     for (size_t j = 0; j < chart->label_count; j++) is_free &= !is_near(p, at, chart->labels + j);
     if (!is_free) continue;
@@ -169,7 +170,7 @@ static void add_regions(tp_map *map, const tp_pieces *pieces) {
       }
       any = true;
       for (size_t j = 0; j < patch->count; j++) {
-        tp_chart_add_place(map->chart, patch->corners[j].x, patch->corners[j].y);
+        tp_chart_add_corner(map->chart, patch->corners[j].x, patch->corners[j].y);
       }
     }
   }
@@ -180,21 +181,21 @@ static void add_curves(plane *p, const tp_field *field, tp_chart_style style, co
                        bool levels) {
   tp_pieces pieces = {0};
   tp_trace(&pieces, p->map, field, p->grid, SIDE, SIDE);
-  free(p->places);
-  p->places = calloc(pieces.count + 2, sizeof *p->places);
-  if (pieces.failed || p->places == NULL) {
+  free(p->points);
+  p->points = calloc(pieces.count + 2, sizeof *p->points);
+  if (pieces.failed || p->points == NULL) {
     p->map->status = tp_fail_memory(p->map->message, "the map");
   }
   int regions[2];
   size_t count = 0;
-  while (p->places != NULL && p->map->status == TP_OK &&
-         (count = tp_trace_next(p->places, regions, &pieces)) > 0) {
+  while (p->points != NULL && p->map->status == TP_OK &&
+         (count = tp_trace_next(p->points, regions, &pieces)) > 0) {
     char name[80];
     tp_map_border_name(name, sizeof name, (tp_regime)regions[0], (tp_regime)regions[1]);
     if (levels) snprintf(name, sizeof name, "%.15g", p->level_deg);
     tp_map_begin(p->map, style, series, name);
     for (size_t k = 0; k < count; k++) {
-      const tp_place_2d *at = p->places + k;
+      const tp_map_point *at = p->points + k;
       tp_chart_add_point(p->map->chart, (tp_bounded){.value = at->x, .error = at->x_error},
                          (tp_bounded){.value = at->y, .error = at->y_error});
     }
@@ -244,6 +245,6 @@ void tp_map_draw_plane(tp_map *map) {
   if (map->status == TP_OK) add_contours(&p, read_limit, tp_line_contour, "limit");
   if (map->status == TP_OK) add_contours(&p, read_onset, tp_line_stands, "certain to stand");
   if (map->status == TP_OK) add_curves(&p, &field, tp_line_border, "border", false);
-  free(p.places);
+  free(p.points);
   free(p.grid);
 }

@@ -42,11 +42,11 @@ static void add_region(const tp_map_line *l, const tp_line_region *r, tp_chart_s
   tp_chart_add_guide(l->map->chart, style);
   for (size_t k = r->begin; k < r->end; k++) {
     r->part(&low, &high, l, l->samples + k, r->strip);
-    tp_line_place(l, tp_line_at(l, k), low);
+    tp_line_add_corner(l, tp_line_at(l, k), low);
   }
   for (size_t k = r->end; k-- > r->begin;) {
     r->part(&low, &high, l, l->samples + k, r->strip);
-    tp_line_place(l, tp_line_at(l, k), high);
+    tp_line_add_corner(l, tp_line_at(l, k), high);
   }
 }
 

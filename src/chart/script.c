@@ -192,7 +192,7 @@ static void add_margins(tp_text *t, const sheet *s, size_t panel) {
               (top - c->panel_height_mm) / s->height_mm);
 }
 
-/* A sample of a style at a place of the sheet. In an SVG gnuplot joins arrows of one colour and
+/* A sample of a style at a point of the sheet. In an SVG gnuplot joins arrows of one colour and
  * width into one path of one dash: `apart` makes their widths differ, by less than is seen. */
 static void add_sample(tp_text *t, const sheet *s, const tp_chart_style *style, double x, double y,
                        double apart) {

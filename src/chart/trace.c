@@ -33,7 +33,7 @@ static void *grow(bool *failed, void **array, size_t *count, size_t *capacity, s
   return (char *)*array + (*count)++ * size;
 }
 
-static void add_piece(tp_pieces *p, tp_place_2d a, tp_place_2d b, int one, int other) {
+static void add_piece(tp_pieces *p, tp_map_point a, tp_map_point b, int one, int other) {
   tp_piece *piece =
       grow(&p->failed, (void **)&p->pieces, &p->count, &p->capacity, sizeof *p->pieces);
   if (piece == NULL) return;
@@ -56,12 +56,12 @@ static void add_patch(tp_pieces *p, const tp_patch *patch) {
   if (own != NULL) *own = *patch;
 }
 
-static tp_place_2d place_of(const tp_map_sample *sample) {
-  return (tp_place_2d){.x = sample->values[0], .y = sample->values[1]};
+static tp_map_point point_of(const tp_map_sample *sample) {
+  return (tp_map_point){.x = sample->values[0], .y = sample->values[1]};
 }
 
 /* The crossing of an edge, always from its lower or left end, so that both cells beside it find the
- * same place. */
+ * same point. */
 static tp_crossing cross(const tp_field *field, const tp_map_sample *a, const tp_map_sample *b) {
   if (field->region(field->context, a) == field->region(field->context, b)) {
     return (tp_crossing){0};
@@ -108,23 +108,23 @@ static int region_of(const tp_field *field, const cell *c, int corner) {
  * `to`, and the cut. */
 static void add_side(tp_pieces *pieces, const tp_field *field, const cell *c, int from, int to) {
   tp_patch patch = {.region = region_of(field, c, from + 1)};
-  patch.corners[patch.count++] = c->crossings[from % 4].place;
+  patch.corners[patch.count++] = c->crossings[from % 4].point;
   for (int k = from + 1; k <= to; k++) {
-    patch.corners[patch.count++] = place_of(c->corners + k % 4);
+    patch.corners[patch.count++] = point_of(c->corners + k % 4);
   }
-  patch.corners[patch.count++] = c->crossings[to % 4].place;
+  patch.corners[patch.count++] = c->crossings[to % 4].point;
   add_patch(pieces, &patch);
 }
 
 static void add_whole(tp_pieces *pieces, const tp_field *field, const cell *c) {
   tp_patch patch = {.region = region_of(field, c, 0), .count = 4};
-  for (int k = 0; k < 4; k++) patch.corners[k] = place_of(c->corners + k);
+  for (int k = 0; k < 4; k++) patch.corners[k] = point_of(c->corners + k);
   add_patch(pieces, &patch);
 }
 
 /* Is the border between two crossings about straight? */
 static bool is_straight(tp_map *map, const tp_field *field, const cell *c, const int found[2]) {
-  const tp_place_2d a = c->crossings[found[0]].place, b = c->crossings[found[1]].place;
+  const tp_map_point a = c->crossings[found[0]].point, b = c->crossings[found[1]].point;
   const double wide = c->corners[2].values[0] - c->corners[0].values[0];
   const double high = c->corners[2].values[1] - c->corners[0].values[1];
   /* the normal, in shares of the cell, to the left from a to b: corner found[0] lies there */
@@ -148,10 +148,10 @@ static bool is_straight(tp_map *map, const tp_field *field, const cell *c, const
 static void meet(tp_pieces *pieces, const tp_field *field, const cell *c) {
   const double *low = c->corners[0].values, *high = c->corners[2].values;
   const double half_x = (high[0] - low[0]) / 2, half_y = (high[1] - low[1]) / 2;
-  const tp_place_2d centre = {low[0] + half_x, low[1] + half_y, half_x, half_y};
+  const tp_map_point centre = {low[0] + half_x, low[1] + half_y, half_x, half_y};
   for (int k = 0; k < 4; k++) {
     if (!c->crossings[k].found) continue;
-    add_piece(pieces, c->crossings[k].place, centre, region_of(field, c, k),
+    add_piece(pieces, c->crossings[k].point, centre, region_of(field, c, k),
               region_of(field, c, k + 1));
   }
   add_whole(pieces, field, c);
@@ -167,7 +167,7 @@ static void trace_cell(tp_pieces *pieces, tp_map *map, const tp_field *field, co
   if (count < 2) {
     add_whole(pieces, field, c);
   } else if (count == 2 && (depth >= HALVINGS_OF_BENDS || is_straight(map, field, c, found))) {
-    add_piece(pieces, c->crossings[found[0]].place, c->crossings[found[1]].place,
+    add_piece(pieces, c->crossings[found[0]].point, c->crossings[found[1]].point,
               region_of(field, c, found[0]), region_of(field, c, found[0] + 1));
     add_side(pieces, field, c, found[0], found[1]);
     add_side(pieces, field, c, found[1], found[0] + 4);
@@ -209,12 +209,13 @@ void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_ma
 
 /* Both cells beside an edge find the same doubles but for those of a finer cell, which may stop a
  * few doubles off. */
-static bool same(tp_place_2d a, tp_place_2d b) {
-  return fabs(a.x - b.x) <= 0x1p-40 * fabs(a.x) && fabs(a.y - b.y) <= 0x1p-40 * fabs(a.y);
+static bool same(tp_map_point a, tp_map_point b) {
+  static const double few_doubles = 0x1p-40; /* 2^13 of them, far below a cell */
+  return fabs(a.x - b.x) <= few_doubles * fabs(a.x) && fabs(a.y - b.y) <= few_doubles * fabs(a.y);
 }
 
-/* The one unused piece between the same regions that goes on from a place. */
-static tp_piece *next_piece(tp_pieces *p, tp_place_2d from, const int regions[2], int *end) {
+/* The one unused piece between the same regions that goes on from a point. */
+static tp_piece *next_piece(tp_pieces *p, tp_map_point from, const int regions[2], int *end) {
   for (size_t k = 0; k < p->count; k++) {
     tp_piece *piece = p->pieces + k;
     if (piece->used || piece->regions[0] != regions[0] || piece->regions[1] != regions[1]) continue;
@@ -225,17 +226,17 @@ static tp_piece *next_piece(tp_pieces *p, tp_place_2d from, const int regions[2]
   return NULL;
 }
 
-static size_t follow(tp_place_2d *places, size_t count, const int regions[2], tp_pieces *p) {
+static size_t follow(tp_map_point *points, size_t count, const int regions[2], tp_pieces *p) {
   int end = 0;
-  for (tp_piece *piece = next_piece(p, places[count - 1], regions, &end); piece != NULL;
-       piece = next_piece(p, places[count - 1], regions, &end)) {
+  for (tp_piece *piece = next_piece(p, points[count - 1], regions, &end); piece != NULL;
+       piece = next_piece(p, points[count - 1], regions, &end)) {
     piece->used = true;
-    places[count++] = piece->ends[1 - end];
+    points[count++] = piece->ends[1 - end];
   }
   return count;
 }
 
-size_t tp_trace_next(tp_place_2d *places, int regions[2], tp_pieces *p) {
+size_t tp_trace_next(tp_map_point *points, int regions[2], tp_pieces *p) {
   size_t k = 0;
   while (k < p->count && p->pieces[k].used) k++;
   if (k == p->count) return 0;
@@ -243,13 +244,13 @@ size_t tp_trace_next(tp_place_2d *places, int regions[2], tp_pieces *p) {
   first->used = true;
   regions[0] = first->regions[0];
   regions[1] = first->regions[1];
-  places[0] = first->ends[1];
-  places[1] = first->ends[0];
-  size_t count = follow(places, 2, regions, p);
+  points[0] = first->ends[1];
+  points[1] = first->ends[0];
+  size_t count = follow(points, 2, regions, p);
   for (size_t a = 0, b = count - 1; a < b; a++, b--) { /* turned about, on from the other end */
-    const tp_place_2d held = places[a];
-    places[a] = places[b];
-    places[b] = held;
+    const tp_map_point held = points[a];
+    points[a] = points[b];
+    points[b] = held;
   }
-  return follow(places, count, regions, p);
+  return follow(points, count, regions, p);
 }

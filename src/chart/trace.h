@@ -4,7 +4,7 @@
 /* Borders in a plane, traced as curves.
  *
  * A cell of a grid with two borders across its edges holds a piece of one curve; one with more
- * holds a place where regions meet, and is halved until that place is known to 2^-12 of a cell.
+ * holds a point where regions meet, and is halved until that point is known to 2^-12 of a cell.
  * Pieces that share an end are joined. Where a border crosses an edge is for the caller to find. */
 
 #ifndef TP_TRACE_H
@@ -13,14 +13,14 @@
 #include "chart/map.h"
 
 /* Of a crossing, the border lies within the error of it. */
-typedef struct tp_place_2d {
+typedef struct tp_map_point {
   double x, y;
   double x_error, y_error;
-} tp_place_2d;
+} tp_map_point;
 
 typedef struct tp_crossing {
   bool found;
-  tp_place_2d place;
+  tp_map_point point;
 } tp_crossing;
 
 /* What is traced: regions by number, and the border between two samples of different regions. */
@@ -34,11 +34,11 @@ typedef struct tp_field {
 typedef struct tp_patch {
   int region;
   size_t count;
-  tp_place_2d corners[5];
+  tp_map_point corners[5];
 } tp_patch;
 
 typedef struct tp_piece {
-  tp_place_2d ends[2];
+  tp_map_point ends[2];
   int regions[2]; /* the lesser first */
   bool used;
 } tp_piece;
@@ -57,8 +57,8 @@ void tp_pieces_clear(tp_pieces *pieces);
 void tp_trace(tp_pieces *pieces, tp_map *map, const tp_field *field, const tp_map_sample *grid,
               size_t columns, size_t rows);
 
-/* The next curve: its places in order into `places` (of room for pieces->count + 1), their number,
+/* The next curve: its points in order into `points` (of room for pieces->count + 1), their number,
  * 0 when none is left, and the regions that it parts. */
-size_t tp_trace_next(tp_place_2d *places, int regions[2], tp_pieces *pieces);
+size_t tp_trace_next(tp_map_point *points, int regions[2], tp_pieces *pieces);
 
 #endif

@@ -40,7 +40,7 @@ static bool is_trusted(const char *path, const struct stat *program) {
  * wherever to; else where it was meant to be installed. It stays loaded: Fontconfig keeps what it
  * knows until the process ends. */
 static void *load_library(void) {
-  static const char *const places[] = {LIBRARY, TP_LIBRARY_FROM_PROGRAM "/" LIBRARY};
+  static const char *const relative[] = {LIBRARY, TP_LIBRARY_FROM_PROGRAM "/" LIBRARY};
   char folder[PATH_MAX], path[2 * PATH_MAX];
   struct stat program;
   const ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
@@ -51,8 +51,8 @@ static void *load_library(void) {
   }
   if (slash != NULL && stat("/proc/self/exe", &program) == 0) {
     slash[1] = '\0';
-    for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
-      snprintf(path, sizeof path, "%s%s", folder, places[k]);
+    for (size_t k = 0; k < sizeof relative / sizeof relative[0]; k++) {
+      snprintf(path, sizeof path, "%s%s", folder, relative[k]);
       if (is_trusted(path, &program)) return dlopen(path, RTLD_NOW);
     }
   }

@@ -99,35 +99,35 @@ size_t tp_state_pivots(size_t listed[TP_PIVOTS_LISTED], const tp_figure *figure,
                        const tp_state *state);
 tp_spot tp_figure_pivot_spot(const tp_figure *figure, const tp_case *own, size_t pivot);
 
-enum { TP_PLACES_MAX = 64 };
+enum { TP_LABEL_ROOM_MAX = 64 };
 
-typedef struct tp_places {
+typedef struct tp_label_room {
   tp_box area;
   size_t label_count, line_count;
-  tp_box labels[TP_PLACES_MAX];
-  tp_spot lines[TP_PLACES_MAX][2]; /* arrows and the like, avoided where possible */
+  tp_box labels[TP_LABEL_ROOM_MAX];
+  tp_spot lines[TP_LABEL_ROOM_MAX][2]; /* arrows and the like, avoided where possible */
   size_t side_count;
   tp_spot (*sides)[2]; /* of the block: never touched */
-} tp_places;
+} tp_label_room;
 
 /* Sides of the block as the view shows it. False when memory is exhausted. */
-TP_MUST_USE bool tp_places_init(tp_places *places, cairo_t *cr, const tp_figure *figure,
-                                const tp_view *view, tp_box area);
-void tp_places_clear(tp_places *places);
-void tp_places_line(tp_places *places, tp_spot from, tp_spot to);
+TP_MUST_USE bool tp_label_room_init(tp_label_room *room, cairo_t *cr, const tp_figure *figure,
+                                    const tp_view *view, tp_box area);
+void tp_label_room_clear(tp_label_room *room);
+void tp_label_room_line(tp_label_room *room, tp_spot from, tp_spot to);
 
 /* Room for a box of the given size beside the anchor, at most `reach` points away, first in the
  * direction (of length 1): off the block, other labels and the lines (where possible, or `strict`).
  * It is kept for the label; false where there is none. */
-bool tp_places_find(tp_box *box, tp_places *places, tp_spot anchor, tp_spot direction, double width,
-                    double height, double reach, bool strict);
+bool tp_label_room_find(tp_box *box, tp_label_room *room, tp_spot anchor, tp_spot direction,
+                        double width, double height, double reach, bool strict);
 
 typedef struct tp_panel {
   cairo_t *cr;
   const tp_figure *figure;
   const tp_state *state;
   tp_view view;
-  tp_places places;
+  tp_label_room room;
 } tp_panel;
 
 /* The rock that is shown: of the profile between two abscissae, down to a depth. */

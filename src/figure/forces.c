@@ -39,7 +39,7 @@ static void dashed(tp_panel *p, tp_spot from, tp_spot to, tp_ink ink) {
   cairo_move_to(p->cr, a.x, a.y);
   cairo_line_to(p->cr, end.x, end.y);
   cairo_stroke(p->cr);
-  tp_places_line(&p->places, a, end);
+  tp_label_room_line(&p->room, a, end);
   cairo_restore(p->cr);
 }
 
@@ -75,7 +75,7 @@ static void draw_force(tp_panel *p, tp_spot tail, tp_spot tip, tp_ink ink) {
   const tp_spot a = tp_view_spot(&p->view, tail), b = tp_view_spot(&p->view, tip);
   tp_figure_ink(p->cr, ink);
   tp_figure_arrow(p->cr, a, b, FORCE_WIDTH);
-  tp_places_line(&p->places, a, b);
+  tp_label_room_line(&p->room, a, b);
 }
 
 void tp_figure_label_forces(tp_panel *p) {
@@ -90,7 +90,7 @@ void tp_figure_label_forces(tp_panel *p) {
     const tp_spot back = tp_view_direction(&p->view, (tp_spot){-r->share.x, -r->share.y});
     const double width = tp_figure_text_width(p->cr, label) + 2;
     tp_box box;
-    if (tp_places_find(&box, &p->places, tail, back, width, TP_BODY_SIZE + 1, 20, false)) {
+    if (tp_label_room_find(&box, &p->room, tail, back, width, TP_BODY_SIZE + 1, 20, false)) {
       tp_figure_text_in(p->cr, box, label);
     }
   }
@@ -124,8 +124,8 @@ static void draw_centre(tp_panel *p) {
     cairo_move_to(p->cr, c.x - arm, c.y - k * arm);
     cairo_line_to(p->cr, c.x + arm, c.y + k * arm);
     cairo_stroke(p->cr);
-    tp_places_line(&p->places, (tp_spot){c.x - arm, c.y - k * arm},
-                   (tp_spot){c.x + arm, c.y + k * arm});
+    tp_label_room_line(&p->room, (tp_spot){c.x - arm, c.y - k * arm},
+                       (tp_spot){c.x + arm, c.y + k * arm});
   }
 }
 

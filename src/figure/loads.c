@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Loads that have a place: water, pressures, surcharges, anchors. Their sizes are not to scale. */
+/* Loads that act at a point or on a line: water, pressures, surcharges, anchors. Their sizes are
+ * not to scale. */
 
 #include "figure/figure.h"
 
@@ -51,7 +52,7 @@ static void arrow_onto(tp_panel *p, tp_spot tip, tp_spot direction, double lengt
   const tp_spot tail = {at.x - length * direction.x, at.y - length * direction.y};
   tp_figure_ink(p->cr, TP_INK_PURPLE);
   tp_figure_arrow(p->cr, tail, at, 0.9);
-  tp_places_line(&p->places, tail, at);
+  tp_label_room_line(&p->room, tail, at);
 }
 
 /* Arrows along a line: pressures press to its left, surcharges downwards. */
@@ -84,7 +85,7 @@ static void draw_anchor(tp_panel *p, const tp_anchor_description *anchor) {
   cairo_arc(p->cr, at.x, at.y, 2, 0, 8 * atan(1));
   cairo_fill(p->cr);
   tp_figure_arrow(p->cr, at, tip, 1.4);
-  tp_places_line(&p->places, at, tip);
+  tp_label_room_line(&p->room, at, tip);
 }
 
 void tp_figure_draw_loads(tp_panel *p) {

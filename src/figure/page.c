@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* The page: title, a panel for each direction of tilt, legend. Everything that is text stands above
- * or below the drawings, or where tp_places_find found room for it. */
+ * or below the drawings, or where tp_label_room_find found room for it. */
 
 #include "figure/figure.h"
 #include "output/encode.h"
@@ -81,7 +81,7 @@ static bool draw_panel(cairo_t *cr, const tp_figure *figure, size_t own, const t
   p.view = turned(p.state, scale);
   p.view.x = (area.x0 + area.x1) / 2 - scale * (extent->x0 + extent->x1) / 2;
   p.view.y = (area.y0 + area.y1) / 2 - scale * (extent->y0 + extent->y1) / 2;
-  if (!tp_places_init(&p.places, cr, figure, &p.view, area)) return false;
+  if (!tp_label_room_init(&p.room, cr, figure, &p.view, area)) return false;
   cairo_save(cr);
   cairo_rectangle(cr, area.x0, area.y0, area.x1 - area.x0, area.y1 - area.y0);
   cairo_clip(cr);
@@ -95,7 +95,7 @@ static bool draw_panel(cairo_t *cr, const tp_figure *figure, size_t own, const t
   tp_figure_label_forces(&p);
   tp_figure_label_tilt(&p);
   cairo_restore(cr);
-  tp_places_clear(&p.places);
+  tp_label_room_clear(&p.room);
   return done;
 }
 

@@ -56,15 +56,15 @@ static void draw_number(tp_panel *p, size_t pivot, bool governs) {
   const tp_spot down = tp_view_direction(&p->view, (tp_spot){0, -1});
   const double half = disc_half_width(cr, pivot + 1), reach = reach_of(p, pivot);
   tp_box box;
-  if (tp_places_find(&box, &p->places, at, down, 2 * half + 1, 2 * DISC_RADIUS + 1, reach,
-                     reach < NEAR)) {
+  if (tp_label_room_find(&box, &p->room, at, down, 2 * half + 1, 2 * DISC_RADIUS + 1, reach,
+                         reach < NEAR)) {
     const tp_spot centre = {(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
     tp_figure_ink(cr, TP_INK_BLACK);
     cairo_set_line_width(cr, 0.4);
     cairo_move_to(cr, at.x, at.y);
     cairo_line_to(cr, centre.x, centre.y);
     cairo_stroke(cr);
-    tp_places_line(&p->places, at, centre);
+    tp_label_room_line(&p->room, at, centre);
     tp_figure_disc(cr, centre, pivot + 1, governs);
   }
 }
@@ -136,8 +136,8 @@ void tp_figure_draw_tilt(tp_panel *p) {
   cairo_line_to(cr, w.low.x, w.low.y);
   cairo_line_to(cr, w.high.x, w.high.y);
   cairo_stroke(cr);
-  tp_places_line(&p->places, w.low, w.level);
-  tp_places_line(&p->places, w.low, w.high);
+  tp_label_room_line(&p->room, w.low, w.level);
+  tp_label_room_line(&p->room, w.low, w.high);
   if (p->view.sine >= 0) {
     cairo_arc(cr, w.low.x, w.low.y, w.radius, from, 0);
   } else {
@@ -145,10 +145,10 @@ void tp_figure_draw_tilt(tp_panel *p) {
   }
   cairo_stroke(cr);
   const tp_spot along = tp_view_direction(&p->view, (tp_spot){p->view.sine >= 0 ? 1 : -1, 0});
-  tp_places_line(&p->places, (tp_spot){w.low.x + w.radius * along.x, w.low.y + w.radius * along.y},
-                 w.on_arc);
+  tp_label_room_line(
+      &p->room, (tp_spot){w.low.x + w.radius * along.x, w.low.y + w.radius * along.y}, w.on_arc);
   const double level = w.level.x > w.low.x ? w.radius : -w.radius;
-  tp_places_line(&p->places, w.on_arc, (tp_spot){w.low.x + level, w.low.y});
+  tp_label_room_line(&p->room, w.on_arc, (tp_spot){w.low.x + level, w.low.y});
 }
 
 void tp_figure_label_tilt(tp_panel *p) {
@@ -159,8 +159,8 @@ void tp_figure_label_tilt(tp_panel *p) {
   snprintf(text, sizeof text, "%s°", tp_text_fixed(number, p->state->tilt_deg, 2));
   tp_figure_font(p->cr, TP_BODY_SIZE, true);
   tp_figure_ink(p->cr, TP_INK_BLACK);
-  if (tp_places_find(&box, &p->places, w.on_arc, w.middle, tp_figure_text_width(p->cr, text) + 2,
-                     TP_BODY_SIZE + 1, 40, false)) {
+  if (tp_label_room_find(&box, &p->room, w.on_arc, w.middle, tp_figure_text_width(p->cr, text) + 2,
+                         TP_BODY_SIZE + 1, 40, false)) {
     tp_figure_text_in(p->cr, box, text);
   }
 }

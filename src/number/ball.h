@@ -22,6 +22,12 @@ static inline double tp_digits_bits(int digits) {
   return bits_of_one * digits;
 }
 
+/* The other way: decimal digits of so many bits. */
+static inline double tp_bits_digits(double bits) {
+  static const double log10_of_2 = 0.30102999566398120;
+  return log10_of_2 * bits;
+}
+
 /* 1 above zero, -1 below it; 0 where it is zero or not known. */
 static inline int tp_ball_sign(const arb_t ball) {
   return arb_is_positive(ball) ? 1 : arb_is_negative(ball) ? -1 : 0;

@@ -18,14 +18,14 @@ static void begin_line(tp_json *j, int indent) {
   j->indent = indent;
 }
 
-static bool begins_line(const tp_json *j, const tp_json_open *within) {
+static bool begins_line(const tp_json *j, const tp_json_bracket *within) {
   if (j->next != TP_JSON_BY_LAYOUT) return j->next == TP_JSON_ON_NEXT_LINE;
   return within->layout == TP_JSON_LIST || within->layout == TP_JSON_BLOCK;
 }
 
-/* All that stands before a value. False where there is no place for it. */
+/* All that stands before a value. False where it may not stand. */
 static bool begin_value(tp_json *j, const char *key) {
-  tp_json_open *within = j->depth > 0 ? j->open + j->depth - 1 : NULL;
+  tp_json_bracket *within = j->depth > 0 ? j->brackets + j->depth - 1 : NULL;
   const bool keyed = within != NULL && within->is_object;
   const bool second = within == NULL && j->text.length > 0;
   if (keyed != (key != NULL) || second) j->wrong = true;
@@ -53,10 +53,10 @@ static void open_bracket(tp_json *j, const char *key, bool is_object, tp_json_la
   if (j->depth == TP_JSON_DEEPEST) j->wrong = true;
   if (!begin_value(j, key)) return;
   add(j, is_object ? "{" : "[");
-  j->open[j->depth++] = (tp_json_open){.is_object = is_object,
-                                       .layout = layout,
-                                       .outer = j->indent,
-                                       .inner = j->indent + deeper[layout]};
+  j->brackets[j->depth++] = (tp_json_bracket){.is_object = is_object,
+                                              .layout = layout,
+                                              .outer = j->indent,
+                                              .inner = j->indent + deeper[layout]};
 }
 
 void tp_json_object(tp_json *j, const char *key, tp_json_layout layout) {
@@ -70,7 +70,7 @@ void tp_json_array(tp_json *j, const char *key, tp_json_layout layout) {
 void tp_json_close(tp_json *j) {
   if (j->depth == 0) j->wrong = true;
   if (j->wrong) return;
-  const tp_json_open *within = j->open + --j->depth;
+  const tp_json_bracket *within = j->brackets + --j->depth;
   if (within->layout == TP_JSON_BLOCK) begin_line(j, within->outer);
   add(j, within->is_object ? "}" : "]");
   j->indent = within->outer;

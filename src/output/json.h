@@ -25,25 +25,25 @@ typedef enum tp_json_layout {
 
 enum { TP_JSON_DEEPEST = 12 };
 
-typedef struct tp_json_open {
+typedef struct tp_json_bracket {
   bool is_object, has_members;
   tp_json_layout layout;
   int outer, inner; /* indents: of the line of the bracket, of lines within */
-} tp_json_open;
+} tp_json_bracket;
 
-typedef enum tp_json_place {
+typedef enum tp_json_position {
   TP_JSON_BY_LAYOUT,
   TP_JSON_ON_NEXT_LINE,
   TP_JSON_ON_SAME_LINE
-} tp_json_place;
+} tp_json_position;
 
 /* Begin with {0}. */
 typedef struct tp_json {
   tp_text text;
-  tp_json_open open[TP_JSON_DEEPEST];
+  tp_json_bracket brackets[TP_JSON_DEEPEST];
   int depth;
-  int indent;         /* of the present line */
-  tp_json_place next; /* of the next member */
+  int indent;            /* of the present line */
+  tp_json_position next; /* of the next member */
   bool wrong;
 } tp_json;
 

@@ -133,13 +133,13 @@ static void add_examples(const drawing *d, tp_toe_kind toe, tp_bounded critical)
 /* The inverse slenderness stands where its planar curve meets the upper border, if there is room
  * behind what stands to its left. */
 static void add_slenderness_labels(const drawing *d) {
-  const double degree = 57.29577951308232;
   const tp_chart_range *tilt = &d->options->tilt_deg;
   const double per_mm = tilt->to / d->chart->panel_width_mm, room = 5 * per_mm;
   double free_from = 8 * per_mm;
   bool any = false;
   for (size_t k = 0; k < d->options->inverse_slenderness.count; k++) {
-    const double x = d->options->inverse_slenderness.values[k], at = atan(x / fos_most) * degree;
+    const double x = d->options->inverse_slenderness.values[k],
+                 at = atan(x / fos_most) * tp_degrees_of_radian;
     char text[32];
     snprintf(text, sizeof text, "%.4g", x);
     if (at < tilt->from || at > tilt->to || at - room / 2 < free_from) continue;
@@ -167,8 +167,8 @@ static tp_status add_panel(drawing *d, double amplitude, size_t sub_blocks, bool
                                      .range = {0, fos_most},
                                      .tick = 0.5});
   tp_chart_add_guide(d->chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_SOLID, 0.6});
-  tp_chart_add_place(d->chart, 0, 1);
-  tp_chart_add_place(d->chart, o->tilt_deg.to, 1);
+  tp_chart_add_corner(d->chart, 0, 1);
+  tp_chart_add_corner(d->chart, o->tilt_deg.to, 1);
   for (size_t k = 0; k < o->inverse_slenderness.count; k++) {
     d->block = (tp_toothed){o->inverse_slenderness.values[k], amplitude, sub_blocks};
     for (int toe = 0; toe < 3; toe++) {

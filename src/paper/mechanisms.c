@@ -17,8 +17,6 @@
 
 enum { POINTS = 121 };
 
-static const double degree = 57.29577951308232;
-
 tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void) {
   return (tp_chart_mechanisms_options){
       .friction_deg = 30, .roughness_angle_deg = 10, .amplitude = 0.01};
@@ -80,15 +78,15 @@ static tp_status add_toppling(const drawing *d, tp_toe_kind toe, tp_chart_style 
 
 static void add_sliding(const drawing *d, double angle) {
   begin_series(d, tp_line_slides, "slides");
-  tp_chart_add_place(d->chart, 0, angle);
-  tp_chart_add_place(d->chart, d->x_most, angle);
+  tp_chart_add_corner(d->chart, 0, angle);
+  tp_chart_add_corner(d->chart, d->x_most, angle);
 }
 
 /* Fill between two borders of one end of the map to the other. */
 typedef enum edge { EDGE_SLIDES, EDGE_TOPPLES, EDGE_HIGHER, EDGE_TOP } edge;
 
 static double height(const drawing *d, edge which, double sliding, double x) {
-  const double toppling = fmin(atan(x) * degree, d->y_most);
+  const double toppling = fmin(atan(x) * tp_degrees_of_radian, d->y_most);
   switch (which) {
   case EDGE_SLIDES:
     return sliding;
@@ -107,17 +105,17 @@ static void add_region(const drawing *d, tp_chart_style style, edge low, edge hi
   tp_chart_add_guide(d->chart, style);
   for (int k = 0; k < POINTS; k++) {
     const double x = from + (to - from) * k / (POINTS - 1);
-    tp_chart_add_place(d->chart, x, height(d, low, sliding, x));
+    tp_chart_add_corner(d->chart, x, height(d, low, sliding, x));
   }
   for (int k = POINTS - 1; k >= 0; k--) {
     const double x = from + (to - from) * k / (POINTS - 1);
-    tp_chart_add_place(d->chart, x, height(d, high, sliding, x));
+    tp_chart_add_corner(d->chart, x, height(d, high, sliding, x));
   }
 }
 
 /* The regions by the mean border of toppling, that of the planar base. */
 static void add_regions(const drawing *d, double sliding, bool rough) {
-  const double meet = tan(sliding / degree), width = d->x_most, top = d->y_most;
+  const double meet = tan(sliding / tp_degrees_of_radian), width = d->x_most, top = d->y_most;
   add_region(d, tp_region_topples, EDGE_TOPPLES, EDGE_SLIDES, sliding, 0, meet);
   add_region(d, tp_region_slides, EDGE_SLIDES, EDGE_TOPPLES, sliding, meet, width);
   add_region(d, tp_region_both, EDGE_HIGHER, EDGE_TOP, sliding, 0, width);
@@ -125,7 +123,8 @@ static void add_regions(const drawing *d, double sliding, bool rough) {
   tp_chart_add_label(d->chart, (rough ? 0.2 : 0.33) * meet, 0.72 * sliding, TP_LABEL_CENTRE,
                      "topples");
   tp_chart_add_label(d->chart, 0.7 * width, 0.92 * top, TP_LABEL_CENTRE, "slides and topples");
-  tp_chart_add_label(d->chart, 0.87 * width, sliding + 0.35 * (atan(width) * degree - sliding),
+  tp_chart_add_label(d->chart, 0.87 * width,
+                     sliding + 0.35 * (atan(width) * tp_degrees_of_radian - sliding),
                      TP_LABEL_CENTRE, "slides");
 }
 
@@ -137,7 +136,7 @@ static void add_block(const drawing *d, const tp_table_7_block *block,
   const double away = sides[block->number - 1] == TP_LABEL_CENTRE ? 0.04 : 0;
   char number[16];
   snprintf(number, sizeof number, "%d", block->number);
-  tp_chart_add_place(d->chart, block->inverse_slenderness, block->tilt_deg);
+  tp_chart_add_corner(d->chart, block->inverse_slenderness, block->tilt_deg);
   tp_chart_add_note(d->chart, 0, number);
   tp_chart_add_note(d->chart, 1, v->program);
   tp_chart_add_note(d->chart, 2, v->from_rest);
@@ -152,7 +151,7 @@ static tp_status add_blocks(const drawing *d, bool rough) {
   if (d->options->roughness_angle_deg < TP_TABLE_7_LEAST_ROUGHNESS) return status;
   begin_series(d, dots, "Table 7");
   for (int number = 1; number <= TP_TABLE_7_BLOCKS && status == TP_OK; number++) {
-    const tp_table_7_block block = tp_table_7_place(number, d->options);
+    const tp_table_7_block block = tp_table_7_locate(number, d->options);
     tp_table_7_verdict verdict = {0};
     status = tp_table_7_judge(&verdict, &block, d->options, rough, d->message);
     if (status == TP_OK) add_block(d, &block, &verdict);
@@ -230,7 +229,7 @@ tp_status tp_chart_mechanisms(tp_chart **chart, const tp_chart_mechanisms_option
   const double most = options->friction_deg + options->roughness_angle_deg;
   drawing d = {.options = options,
                .message = message,
-               .x_most = 0.2 * ceil(7.5 * tan(most / degree)),
+               .x_most = 0.2 * ceil(7.5 * tan(most / tp_degrees_of_radian)),
                .y_most = fmin(90, 10 * ceil(0.15 * most))};
   d.chart = tp_chart_new(
       "mechanisms", (const char *const[]){"base", "series", NULL}, "inverse_slenderness",

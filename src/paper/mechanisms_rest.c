@@ -12,8 +12,6 @@
 
 enum { SLABS = 120, BLOCKS_MAX = 60, FLANKS_MAX = 3000, BORDERS_MAX = 4 * SLABS, NAME_SIZE = 240 };
 
-static const double degree = 57.29577951308232;
-
 typedef struct border_list {
   size_t count;
   tp_toothed_border items[BORDERS_MAX];
@@ -133,7 +131,8 @@ tp_status tp_mechanisms_rest_planar(const tp_mechanisms_rest *r, tp_message *mes
 
 /* Even numbers of flanks, `step` apart. */
 static tp_toothed_question sawtooth(const tp_mechanisms_rest *r, tp_toe_kind toe, int flanks) {
-  const double i = r->options->roughness_angle_deg / degree, amplitude = r->options->amplitude;
+  const double i = r->options->roughness_angle_deg / tp_degrees_of_radian,
+               amplitude = r->options->amplitude;
   return (tp_toothed_question){.block = {flanks * amplitude / tan(i), amplitude, (size_t)flanks},
                                .toe = toe,
                                .friction_deg = r->options->friction_deg};
@@ -145,7 +144,7 @@ static int most_flanks(int *step, const tp_mechanisms_rest *r) {
   const tp_chart_mechanisms_options *o = r->options;
   *step = 2;
   if (!(o->amplitude > 0 && o->roughness_angle_deg > 0)) return 0;
-  const double most = r->x_most * tan(o->roughness_angle_deg / degree) / o->amplitude;
+  const double most = r->x_most * tan(o->roughness_angle_deg / tp_degrees_of_radian) / o->amplitude;
   if (most > FLANKS_MAX) return 0;
   *step = 2 * (int)fmax(1, ceil(most / (2 * BLOCKS_MAX)));
   return (int)most;

@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double degree = 57.29577951308232;
-
 static const char *const printed[TP_TABLE_7_BLOCKS][2] = {{"slides", "stable"},
                                                           {"slides", "stable, topples if valley"},
                                                           {"slides", "topples, stable if peak"},
@@ -21,18 +19,18 @@ static const char *const verdicts[2][4] = {
     {"slides", "slides, topples too if valley", "slides and topples, slides if peak",
      "slides and topples"}};
 
-tp_table_7_block tp_table_7_place(int number, const tp_chart_mechanisms_options *o) {
+tp_table_7_block tp_table_7_locate(int number, const tp_chart_mechanisms_options *o) {
   const double sliding = o->friction_deg + o->roughness_angle_deg;
   const bool steep = number == 2 || number == 3;
   tp_table_7_block block = {.number = number,
                             .tilt_deg = steep ? sliding - 1 : o->friction_deg + 1};
-  const double along = tan(block.tilt_deg / degree), a = o->amplitude;
+  const double along = tan(block.tilt_deg / tp_degrees_of_radian), a = o->amplitude;
   switch (number) {
   case 1:
-    block.inverse_slenderness = 1.1 * tan(sliding / degree);
+    block.inverse_slenderness = 1.1 * tan(sliding / tp_degrees_of_radian);
     break;
   case 2:
-    block.inverse_slenderness = 1.001 * tan(sliding / degree);
+    block.inverse_slenderness = 1.001 * tan(sliding / tp_degrees_of_radian);
     break;
   case 3:
     block.inverse_slenderness = along * (1 - (a + a * a / 12) / 2);

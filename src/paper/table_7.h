@@ -29,7 +29,7 @@ typedef struct tp_table_7_verdict {
   bool agrees; /* the paper with the program, or with what begins from rest */
 } tp_table_7_verdict;
 
-tp_table_7_block tp_table_7_place(int number, const tp_chart_mechanisms_options *options);
+tp_table_7_block tp_table_7_locate(int number, const tp_chart_mechanisms_options *options);
 
 TP_MUST_USE tp_status tp_table_7_judge(tp_table_7_verdict *verdict, const tp_table_7_block *block,
                                        const tp_chart_mechanisms_options *options, bool rough,

@@ -12,6 +12,8 @@ typedef enum tp_toe_kind { TP_TOE_PLANAR, TP_TOE_PEAK, TP_TOE_VALLEY } tp_toe_ki
 
 extern const char *const tp_toe_names[3];
 
+static const double tp_degrees_of_radian = 57.29577951308232; /* 180 / pi */
+
 /* A block of mean height 1. */
 typedef struct tp_toothed {
   double inverse_slenderness; /* dx / y */

@@ -91,12 +91,12 @@ const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
   return NULL;
 }
 
-/* The tree under construction: the open collections, and a key that waits for its value. */
+/* The tree under construction: the collections that it is within, and a key that waits for its value. */
 typedef struct builder {
   const char *path;
   tp_message *message;
   tp_node *root;
-  tp_node *open[MOST_DEPTH];
+  tp_node *within[MOST_DEPTH];
   int depth;
   char *key;
   tp_mark key_mark;
@@ -108,12 +108,12 @@ static tp_place at(const builder *b, tp_mark mark) {
 
 /* Does the file say that it is for this program? Nothing is quoted of a file that does not. */
 static bool is_ours(const builder *b) {
-  return tp_node_get(b->open[0], "topple") != NULL ||
-         tp_node_get(b->open[0], "topple_claims") != NULL;
+  return tp_node_get(b->within[0], "topple") != NULL ||
+         tp_node_get(b->within[0], "topple_claims") != NULL;
 }
 
 static tp_status take_key(builder *b, const char *text, tp_mark mark) {
-  const tp_node *mapping = b->open[b->depth - 1];
+  const tp_node *mapping = b->within[b->depth - 1];
   const tp_node *twin = tp_node_get(mapping, text);
   if (twin != NULL && !is_ours(b)) {
     return tp_fail(b->message, TP_BAD_INPUT, at(b, mark),
@@ -133,7 +133,7 @@ static tp_status take_key(builder *b, const char *text, tp_mark mark) {
 }
 
 static bool wants_key(const builder *b) {
-  return b->depth > 0 && b->open[b->depth - 1]->kind == TP_NODE_MAPPING && b->key == NULL;
+  return b->depth > 0 && b->within[b->depth - 1]->kind == TP_NODE_MAPPING && b->key == NULL;
 }
 
 static tp_status attach(builder *b, tp_node_kind kind, tp_mark mark, tp_node **attached) {
@@ -151,7 +151,7 @@ static tp_status attach(builder *b, tp_node_kind kind, tp_mark mark, tp_node **a
   if (b->depth == 0) {
     b->root = node;
   } else {
-    tp_node *parent = b->open[b->depth - 1];
+    tp_node *parent = b->within[b->depth - 1];
     if (parent->last == NULL) {
       parent->first = node;
     } else {
@@ -179,14 +179,14 @@ static tp_status take_scalar(builder *b, const yaml_event_t *event) {
   return node->text != NULL ? TP_OK : tp_fail_memory(b->message, "the scene");
 }
 
-static tp_status open_collection(builder *b, tp_node_kind kind, tp_mark mark) {
+static tp_status enter_collection(builder *b, tp_node_kind kind, tp_mark mark) {
   tp_node *node = NULL;
   if (b->depth == MOST_DEPTH) {
     return tp_fail(b->message, TP_BAD_INPUT, at(b, mark), "nested deeper than %d levels",
                    MOST_DEPTH);
   }
   const tp_status status = attach(b, kind, mark, &node);
-  if (status == TP_OK && node != NULL) b->open[b->depth++] = node;
+  if (status == TP_OK && node != NULL) b->within[b->depth++] = node;
   return status;
 }
 
@@ -199,9 +199,9 @@ static tp_status take_event(builder *b, const yaml_event_t *event) {
   case YAML_SCALAR_EVENT:
     return take_scalar(b, event);
   case YAML_SEQUENCE_START_EVENT:
-    return open_collection(b, TP_NODE_SEQUENCE, mark);
+    return enter_collection(b, TP_NODE_SEQUENCE, mark);
   case YAML_MAPPING_START_EVENT:
-    return open_collection(b, TP_NODE_MAPPING, mark);
+    return enter_collection(b, TP_NODE_MAPPING, mark);
   case YAML_SEQUENCE_END_EVENT:
   case YAML_MAPPING_END_EVENT:
     b->depth--;

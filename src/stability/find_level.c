@@ -15,11 +15,18 @@
 #include <math.h>
 #include <string.h>
 
-enum { STEPS = 200, LEVEL_DIGITS = 30, LEAST_DIGITS = 20 };
+/* Halvings of a range of doubles, of which 60 come to neighbours: the rest is for ranges about
+ * zero. */
+enum { STEPS = 200 };
+enum { LEVEL_DIGITS = 30, LEAST_DIGITS = 20 }; /* asked of the result, and enough of them */
+
+/* Shares of a number: neighbours, a few doubles apart; as near as a solution is bisected; and as
+ * far apart as the ends of a stretch have to be. */
+static const double neighbours = 1e-15, bisected = 1e-14, stretch = 1e-13;
 
 /* Two neighbours, as far as is worth telling. */
 static bool is_narrow(double low, double high, double middle) {
-  return !(middle > low && middle < high) || high - low <= 1e-15 * fabs(middle);
+  return !(middle > low && middle < high) || high - low <= neighbours * fabs(middle);
 }
 
 /* The width shrinks by 1000 between the two gaps, and that of what is continuous does likewise. */
@@ -34,7 +41,7 @@ void tp_search_cross(tp_search *s, tp_sample low, tp_sample high) {
   while (count < STEPS && s->status == TP_OK) {
     const double x = low.x + (high.x - low.x) / 2;
     gaps[count++] = fabs(high.gap.value - low.gap.value);
-    if (high.x - low.x <= 1e-14 * fabs(x) || x <= low.x || x >= high.x) break;
+    if (high.x - low.x <= bisected * fabs(x) || x <= low.x || x >= high.x) break;
     const tp_sample middle = tp_search_sample(s, x);
     if (!middle.known) break;
     if (tp_search_side(&middle) == 0) {
@@ -64,7 +71,7 @@ static void narrow(tp_search *s, tp_sample *told, tp_sample *level) {
 /* Beyond an end of the range the nearest point that is told from the wanted value. */
 static bool sample_beyond(tp_search *s, tp_sample *told, const tp_sample *end, int way) {
   const double scale = end->x != 0 ? fabs(end->x) : s->step;
-  for (double h = 1e-15 * scale; h < s->step && s->status == TP_OK; h *= 4) {
+  for (double h = neighbours * scale; h < s->step && s->status == TP_OK; h *= 4) {
     *told = tp_search_sample(s, end->x + way * h);
     if (!told->known) return false;
     if (tp_search_side(told) != 0) return true;
@@ -94,7 +101,7 @@ static bool is_same(const tp_sample *a, const tp_sample *b) {
 static bool stays(tp_search *s, double low, double high, tp_sample *middle) {
   enum { PIECES = 10 };
   const double x = low + (high - low) / 2;
-  if (is_narrow(low, high, x) || high - low <= 1e-13 * fabs(x)) return false;
+  if (is_narrow(low, high, x) || high - low <= stretch * fabs(x)) return false;
   *middle = sample_closely(s, x);
   for (int k = 1; k < PIECES && s->status == TP_OK; k++) {
     const tp_sample own = sample_closely(s, low + (high - low) * k / PIECES);

@@ -14,15 +14,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of the range: solutions nearer to each other than two of them may be missed. */
 enum { POINTS = 512 };
 
 /* The last point with an answer between one that has some and one that has none. */
 static tp_sample domain_edge(tp_search *s, tp_sample inside, tp_sample outside) {
   enum { STEPS = 200 };
+  static const double near_enough = 1e-14; /* a share of the number, some 50 doubles */
   for (int k = 0; k < STEPS && s->status == TP_OK; k++) {
     const double x = inside.x + (outside.x - inside.x) / 2;
     if (x == inside.x || x == outside.x) break;
-    if (fabs(outside.x - inside.x) < 1e-14 * fmax(fabs(x), fabs(s->own))) break;
+    if (fabs(outside.x - inside.x) < near_enough * fmax(fabs(x), fabs(s->own))) break;
     const tp_sample middle = tp_search_sample(s, x);
     if (middle.known) {
       inside = middle;
@@ -37,7 +39,7 @@ static tp_sample domain_edge(tp_search *s, tp_sample inside, tp_sample outside) 
  * to the nearest between them, which may touch the value, or lie beyond it. */
 static void descend(tp_search *s, tp_sample low, tp_sample middle, tp_sample high) {
   enum { MOST_SAMPLES = 64 };
-  static const double golden = 0.38196601125010515;
+  static const double golden = 0.38196601125010515; /* (3 - sqrt(5)) / 2 */
   const int own = tp_search_side(&middle);
   for (int k = 0; k < MOST_SAMPLES && s->status == TP_OK; k++) {
     const bool right = high.x - middle.x > middle.x - low.x;

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Ends and plane settle in two or three; a contact that goes to and fro between them is refused. */
 enum { MOST_ROUNDS = 16 };
 
 /* Direction of the mean plane, the point that stays, and the ends of the contact where they have to

@@ -87,16 +87,16 @@ static tp_limit_outcome find_motion(tp_reduction *reduction, tp_reduced *r, cons
   return outcome == TP_LIMIT_OPEN ? TP_LIMIT_PROVEN : outcome;
 }
 
-/* Is the factor within 2^-places of its size of the estimate? Proven at both ends. */
+/* Is the factor within 2^-wanted of its size of the estimate? Proven at both ends. */
 static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_reduced *r,
-                                    const arf_t estimate, slong places) {
+                                    const arf_t estimate, slong wanted) {
   const long bits = r->question->judge.bits;
   arf_t width, low, high;
   int side = 0;
   arf_init(width);
   arf_init(low);
   arf_init(high);
-  arf_mul_2exp_si(width, estimate, -places);
+  arf_mul_2exp_si(width, estimate, -wanted);
   arf_sub(low, estimate, width, bits, ARF_RND_DOWN);
   arf_add(high, estimate, width, bits, ARF_RND_UP);
   tp_limit_outcome outcome = tp_reduced_side(&side, r, low);
@@ -117,16 +117,16 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
   return outcome;
 }
 
-/* Widen about the estimate from so many places until both sides are proven, to what is asked for.
+/* Widen about the estimate from so many bits until both sides are proven, to what is asked for.
  */
 static tp_limit_outcome enclose(tp_reduction *reduction, tp_reduced *r, const arf_t about,
-                                slong places, int digits) {
+                                slong wanted, int digits) {
   const slong widest = (slong)tp_digits_bits(digits + 1) + 1;
   tp_limit_outcome outcome = TP_LIMIT_PROVEN;
   bool proven = false;
-  for (; places >= widest && !proven; places -= 3) {
+  for (; wanted >= widest && !proven; wanted -= 3) {
     if (outcome == TP_LIMIT_OUT_OF_MEMORY || outcome == TP_LIMIT_FAILED) break;
-    outcome = prove_about(reduction, &proven, r, about, places);
+    outcome = prove_about(reduction, &proven, r, about, wanted);
   }
   return outcome == TP_LIMIT_PROVEN && !proven ? TP_LIMIT_OPEN : outcome;
 }
@@ -139,13 +139,13 @@ static slong narrowest(int digits) {
   return asked < NARROWEST ? NARROWEST : asked + (slong)tp_digits_bits(SPARE);
 }
 
-/* Halve between two factors on proven sides alone, to 10^-digits of the factor and some places
+/* Halve between two factors on proven sides alone, to 10^-digits of the factor and some bits
  * more: for limits too fine for doubles, and flat ones, on which secants go astray. */
 static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double most, int digits) {
-  enum { LEAST_PLACES = 52, SPARE = 20 };
+  enum { LEAST_BITS = 52, SPARE = 20 };
   const long bits = r->question->judge.bits;
   const long asked = (long)tp_digits_bits(digits) + SPARE;
-  const slong places = asked > LEAST_PLACES ? asked : LEAST_PLACES;
+  const slong wanted = asked > LEAST_BITS ? asked : LEAST_BITS;
   arf_t low, high, width;
   arf_init(low);
   arf_init(high);
@@ -158,7 +158,7 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
     arf_add(factor, low, high, bits, ARF_RND_NEAR);
     arf_mul_2exp_si(factor, factor, -1);
     arf_sub(width, high, low, bits, ARF_RND_UP);
-    arf_mul_2exp_si(width, width, places);
+    arf_mul_2exp_si(width, width, wanted);
     if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
       break;
     }

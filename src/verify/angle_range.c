@@ -38,6 +38,7 @@ typedef struct search {
   long left; /* of the nodes that may be looked at */
 } search;
 
+/* Of a formula with all that its names stand for: beyond it a range is unknown. */
 enum { MOST_NODES = 20000 };
 
 static range of_formula(const tp_formula *formula, search *w);
@@ -71,7 +72,11 @@ static range of_name(search *w, long index) {
 
 /* Numbers of few digits alone: their sums in doubles are then on the right side of 180. */
 static range of_number(const fmpq *number) {
-  if (fmpz_bits(fmpq_numref(number)) > 30 || fmpz_bits(fmpq_denref(number)) > 10) return unknown;
+  enum { MOST_BITS = 30, MOST_BITS_BELOW = 10 };
+  if (fmpz_bits(fmpq_numref(number)) > MOST_BITS ||
+      fmpz_bits(fmpq_denref(number)) > MOST_BITS_BELOW) {
+    return unknown;
+  }
   const double value = fmpq_get_d(number);
   return (range){value, value, true};
 }

@@ -14,7 +14,9 @@
 
 #include <stdlib.h>
 
-enum { MOST_MULTIPLE = 40 };
+/* sin(40 x) is a polynomial of degree 40 in sin x and cos x; larger multiples, and quarter turns of
+ * more than MOST_BITS, are left to balls. */
+enum { MOST_MULTIPLE = 40, MOST_BITS = 11 };
 
 typedef struct complex_formula {
   fmpz_mpoly_q_t re, im;
@@ -83,7 +85,7 @@ static bool split(long *multiples, long *quarters, const fmpz_mpoly_q_t angle, l
     if (constant) fmpz_mul_ui(fmpq_denref(coefficient), fmpq_denref(coefficient), 90);
     fmpq_canonicalise(coefficient);
     fits = (constant || own >= 0) && fmpz_is_one(fmpq_denref(coefficient)) &&
-           fmpz_bits(fmpq_numref(coefficient)) < 12;
+           fmpz_bits(fmpq_numref(coefficient)) <= MOST_BITS;
     const long whole = fits ? fmpz_get_si(fmpq_numref(coefficient)) : 0;
     fits = fits && (constant || labs(whole) <= MOST_MULTIPLE);
     if (fits) *(constant ? quarters : multiples + own) = whole;

@@ -34,7 +34,11 @@ static int sign_at_sample(const fmpz_mpoly_q_t of, const tp_branches *b, bool *z
   arb_init(value);
   int sign = 0;
   *zero = false;
-  for (long bits = 128; bits <= 2048 && sign == 0 && !*zero; bits *= 4) {
+  enum {
+    FIRST_BITS = 128,
+    MOST_BITS = 2048
+  }; /* what these do not tell is left to the other samples */
+  for (long bits = FIRST_BITS; bits <= MOST_BITS && sign == 0 && !*zero; bits *= 4) {
     tp_sample_evaluate(value, of, b->sample, b->subject, bits);
     sign = tp_ball_sign(value);
     *zero = arb_is_zero(value) != 0;

@@ -21,6 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Doubled until the digits printed are told, or what is printed is taken for undecided. */
 enum { FIRST_BITS = 128, MOST_BITS = 8192 };
 
 /* A printed number: relation ('=' none, '<', '>', 'l' <=, 'g' >=), value, and its decimals. */

@@ -22,7 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 256 };
+enum { BITS = 256 }; /* 77 digits: both sides agree to fewer unless they are one */
 
 /* Both sides at a sample. */
 static tp_status both_sides(arb_t printed, arb_t derived, const tp_question *q,
@@ -66,9 +66,9 @@ static int digits_of(const arb_t printed, const arb_t derived) {
   arb_get_mag_lower(scale, derived);
   double digits = 1; /* of zero itself */
   if (mag_is_zero(size)) {
-    digits = BITS * 0.301;
+    digits = tp_bits_digits(BITS);
   } else if (!mag_is_zero(scale)) {
-    digits = -(mag_get_d_log2_approx(size) - mag_get_d_log2_approx(scale)) * 0.30102999566;
+    digits = -tp_bits_digits(mag_get_d_log2_approx(size) - mag_get_d_log2_approx(scale));
   }
   mag_clear(size);
   mag_clear(scale);

@@ -47,14 +47,15 @@ static void half_tangent(fmpq_t tangent, const fmpq_t degrees, bool upwards) {
   fmpz_t rounded;
   arb_init(turn);
   fmpz_init(rounded);
-  arb_set_fmpq(turn, degrees, 128);
-  arb_div_ui(turn, turn, 360, 128);
-  arb_tan_pi(turn, turn, 128);
-  arb_mul_2exp_si(turn, turn, 40);
+  enum { BITS = 128, GRID = 40 }; /* multiples of 2^-40, outwards by one and more */
+  arb_set_fmpq(turn, degrees, BITS);
+  arb_div_ui(turn, turn, 360, BITS);
+  arb_tan_pi(turn, turn, BITS);
+  arb_mul_2exp_si(turn, turn, GRID);
   arf_get_fmpz(rounded, arb_midref(turn), ARF_RND_FLOOR);
   fmpz_add_si(rounded, rounded, upwards ? 2 : -1);
   fmpq_set_fmpz(tangent, rounded);
-  fmpq_div_2exp(tangent, tangent, 40);
+  fmpq_div_2exp(tangent, tangent, GRID);
   arb_clear(turn);
   fmpz_clear(rounded);
 }

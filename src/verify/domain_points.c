@@ -14,6 +14,27 @@ static uint64_t next(uint64_t *state) {
   return *state;
 }
 
+/* Points are drawn in thousandths, some near the claim's values, the others anywhere. */
+enum {
+  THOUSAND = 1000,
+  NEAR_LEAST = 850, /* near: from 0.85 to 1.15 times the value */
+  NEAR_STEPS = 301,
+  FAR_STEPS = 997,  /* else from 1 to 2 times, ... */
+  MOST_SHIFT = 8,   /* ... times a power of two up to 2^8 either way */
+  ANGLE_STEPS = 997 /* of a degree: a prime, so that no angle is a round one by chance */
+};
+
+static void set_factor(fmpq_t factor, uint64_t random, bool near) {
+  const uint64_t step = random % (near ? NEAR_STEPS : FAR_STEPS);
+  fmpq_set_si(factor, (near ? NEAR_LEAST : THOUSAND) + (long)step, THOUSAND);
+}
+
+static void shift(fmpq_t value, uint64_t random) {
+  const long by = (long)((random >> 32) % (2 * MOST_SHIFT + 1)) - MOST_SHIFT;
+  if (by > 0) fmpq_mul_2exp(value, value, (ulong)by);
+  if (by < 0) fmpq_div_2exp(value, value, (ulong)-by);
+}
+
 /* A symbol between its bounds. */
 static bool place_between(fmpq_t value, const tp_domain *d, const tp_bounds *b,
                           const tp_sample *sample, uint64_t random, bool near) {
@@ -25,7 +46,7 @@ static bool place_between(fmpq_t value, const tp_domain *d, const tp_bounds *b,
   if (b->has_low) known = known && tp_domain_bound_at(low, b->low, d, sample);
   if (b->has_high) known = known && tp_domain_bound_at(high, b->high, d, sample);
   if (known && b->has_low && b->has_high) {
-    fmpq_set_si(part, 1 + (long)(random % 999), 1000);
+    fmpq_set_si(part, 1 + (long)(random % (THOUSAND - 1)), THOUSAND);
     fmpq_sub(high, high, low);
     known = fmpq_sgn(high) > 0;
     fmpq_mul(high, high, part);
@@ -34,11 +55,9 @@ static bool place_between(fmpq_t value, const tp_domain *d, const tp_bounds *b,
     const fmpq *end = b->has_low ? low : high;
     fmpq_sub(part, sample->values + b->symbol, end);
     if (fmpq_is_zero(part)) fmpq_set_si(part, b->has_low ? 1 : -1, 1);
-    fmpq_set_si(high, near ? 850 + (long)(random % 301) : 1000 + (long)(random % 997), 1000);
+    set_factor(high, random, near);
     fmpq_mul(part, part, high);
-    const long shift = near ? 0 : (long)((random >> 32) % 17) - 8;
-    if (shift > 0) fmpq_mul_2exp(part, part, (ulong)shift);
-    if (shift < 0) fmpq_div_2exp(part, part, (ulong)-shift);
+    if (!near) shift(part, random);
     if (b->has_low == (fmpq_sgn(part) < 0)) fmpq_neg(part, part);
     fmpq_add(value, end, part);
   }
@@ -53,19 +72,18 @@ static void move(fmpq_t value, bool angle, bool is_free, uint64_t random, bool n
   fmpq_t factor;
   fmpq_init(factor);
   if (near) {
-    fmpq_set_si(factor, 850 + (long)(random % 301), 1000);
+    set_factor(factor, random, true);
     fmpq_mul(value, value, factor);
     if (angle && !is_free && fmpq_cmp_si(value, 90) > 0) fmpq_div(value, value, factor);
   } else if (angle) {
     const long range = is_free ? 359 : 90, least = is_free ? -179 : 0;
-    fmpq_set_si(value, least * 997 + 1 + (long)(random % (uint64_t)(range * 997 - 1)), 997);
+    const uint64_t steps = (uint64_t)(range * ANGLE_STEPS - 1);
+    fmpq_set_si(value, least * ANGLE_STEPS + 1 + (long)(random % steps), ANGLE_STEPS);
   } else {
-    fmpq_set_si(factor, 1000 + (long)(random % 997), 1000);
-    const long shift = (long)((random >> 32) % 17) - 8;
+    set_factor(factor, random, false);
     if (fmpq_is_zero(value)) fmpq_one(value);
     fmpq_mul(value, value, factor);
-    if (shift > 0) fmpq_mul_2exp(value, value, (ulong)shift);
-    if (shift < 0) fmpq_div_2exp(value, value, (ulong)-shift);
+    shift(value, random);
     if (is_free && (random >> 60) % 2 == 0) fmpq_neg(value, value);
   }
   fmpq_clear(factor);

@@ -23,9 +23,12 @@ const char *tp_mend_part(char *out, size_t size, const tp_formula *formula, int 
   return out;
 }
 
+/* Whole numbers before halves, before thirds and so on; among those of one denominator the smaller
+ * first. Sizes count up to MOST_SIZE, less than a step of the denominator. */
 double tp_mend_simplicity(const fmpq_t value) {
+  enum { OF_DENOMINATOR = 1000, MOST_SIZE = 900 };
   const double size = fabs(fmpq_get_d(value));
-  return 1000 * fmpz_get_d(fmpq_denref(value)) + (size < 900 ? size : 900);
+  return OF_DENOMINATOR * fmpz_get_d(fmpq_denref(value)) + fmin(size, MOST_SIZE);
 }
 
 void tp_mend_digits(char *out, size_t size, const fmpq_t value, bool decimal) {

@@ -12,14 +12,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DEGREE = 20, SIDES = 6, BITS = 128 };
+enum { SIDES = 6, BITS = 128 };
+
+/* Polynomials whose zeros are looked for: isolating them takes milliseconds at most. */
+enum { MOST_DEGREE = 20, MOST_TERMS = 500, MOST_COEFFICIENT_BITS = 4000 };
 
 /* The polynomial in one symbol, the others at the claim's values; false where it takes more than
  * whole numbers can say. */
 static bool along(fmpz_poly_t out, const fmpz_mpoly_t p, long symbol, const tp_question *q) {
   const tp_field *field = q->subject->field;
   const slong degree = fmpz_mpoly_degree_si(p, symbol, field->ring);
-  if (degree < 1 || degree > MOST_DEGREE || p->length > 500) return false;
+  if (degree < 1 || degree > MOST_DEGREE || p->length > MOST_TERMS) return false;
   for (long a = 0; a < q->subject->angle_count; a++) {
     const tp_angle *angle = q->subject->angles + a;
     if (fmpz_mpoly_degree_si(p, angle->sine, field->ring) > 0 ||
@@ -49,8 +52,8 @@ static bool along(fmpz_poly_t out, const fmpz_mpoly_t p, long symbol, const tp_q
   }
   fmpz_clear(common);
   fmpz_mpoly_q_clear(coefficient, field->ring);
-  return known && fmpz_poly_degree(out) > 0 && fmpz_poly_max_bits(out) > -4000 &&
-         fmpz_poly_max_bits(out) < 4000;
+  return known && fmpz_poly_degree(out) > 0 &&
+         labs(fmpz_poly_max_bits(out)) < MOST_COEFFICIENT_BITS;
 }
 
 static void add_zeros(tp_points *points, const fmpz_poly_t polynomial, long symbol) {

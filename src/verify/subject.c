@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of one formula, as a message says. */
 enum { MOST_NODES = 10000 };
 
 static const tp_dialect dialect = {

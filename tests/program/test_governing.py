@@ -7,64 +7,23 @@ are closed forms of slabs and sheared blocks: (b/h)/tan(alpha) by moments, tan(p
 along a sole inclined by i, tan(phi + i)/tan(alpha) on the mean plane. What text, JSON, table, CSV and figure say is one
 and the same, and what a script asks by --fail-below is answered with caution. TOPPLE_ROUNDS multiplies the scenes."""
 
-import csv
-import io
 import json
 import math
 import os
-import pathlib
 import random
-import tempfile
-import unittest
 
+from governing_case import APEXES, GoverningCase, slab
 from harness import ROOT, main, run
 
 ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 DEGREE = math.pi / 180
-APEXES = """topple: 1
-length_unit: m
-block: {outline: [[0, 0], [1, 1], [2, 0], [2, 4], [0, 4]]}
-base: {profile: [[-1, -1], [0, 0], [1, -1], [2, 0], [3, -1]]}
-friction_angle_deg: 38
-tilt: {towards: left, angle_deg: 5}
-"""
-
-
-def slab(width, height, friction, tilt, towards="left"):
-    friction = "" if friction is None else f"friction_angle_deg: {friction}\n"
-    angle = "" if tilt is None else f", angle_deg: {tilt}"
-    return ("topple: 1\nlength_unit: m\n"
-            f"block: {{slab: {{width: {width}, height: {height}}}, unit_weight_kn_m3: 25}}\n"
-            f"base: {{mated: true, beyond: {{left: 1, right: 1}}}}\n{friction}tilt: {{towards: {towards}{angle}}}\n")
 
 
 def tan(degrees):
     return math.tan(degrees * DEGREE)
 
 
-class Governing(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="topple governing ")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def scene(self, text, name="scene.yaml"):
-        path = self.folder / name
-        path.write_text(text)
-        return path
-
-    def solve(self, text, *options, status=0):
-        done, out, err = run("solve", "--json", *options, self.scene(text))
-        self.assertEqual(done, status, err)
-        return json.loads(out)["cases"]
-
-    def near(self, number, truth):
-        self.assertLessEqual(abs(number["value"] - truth), number["error"] + 1e-12 * abs(truth))
-
-    def by(self, case, definition):
-        (factor,) = [f for f in case["factors"] if f["definition"] == definition]
-        return factor
-
+class Governing(GoverningCase):
     def test_slender_column(self):
         """The story: 40 m high, 1 m wide, 38 degrees of friction, tilted by 0.625 degrees."""
         text = slab(1, 40, 38, 0.625)
@@ -195,114 +154,6 @@ class Governing(unittest.TestCase):
         self.assertIn("Does not stand: no forces of the base hold it at any tilt", report)
         self.assertNotIn("up-dip", report)
         self.assertNotIn("By contact forces, on a base that goes on past the toe: \n", report)
-
-    def test_table_and_csv(self):
-        """The same factor and verdict in each; a scene that is wrong costs its own row alone."""
-        scenes = [self.scene(slab(k, 7, 33, 20), f"{k}.yaml") for k in range(1, 6)]
-        cases = [json.loads(run("solve", "--json", scene)[1])["cases"][0] for scene in scenes]
-        wrong = self.scene("topple: 1\n", "wrong.yaml")
-        status, out, err = run("solve", "--csv", *scenes[:2], wrong, *scenes[2:])
-        self.assertEqual(status, 3)
-        self.assertIn("wrong.yaml", err)
-        rows = list(csv.DictReader(io.StringIO(out)))
-        self.assertEqual(len(rows), 5)
-        for row, case in zip(rows, cases):
-            governing = case["governing_fos"]
-            self.assertEqual(float(row["fos"]), governing["fos"]["value"])
-            self.assertEqual(float(row["fos_error"]), governing["fos"]["error"])
-            self.assertEqual((row["fos_mechanism"], row["fos_definition"]), (governing["mechanism"], governing["definition"]))
-            self.assertEqual((row["verdict"], float(row["tilt_deg"])), (case["mechanism"], 20))
-            self.assertEqual(float(row["limit_deg"]), case["limit"]["critical_angle_deg"]["value"])
-        status, out, _ = run("solve", "--table", wrong, *scenes)
-        self.assertEqual((status, len(out.splitlines())), (3, 7))
-        for line, case in zip(out.splitlines()[2:], cases):
-            cells = [cell.strip() for cell in line.split("|")]
-            self.assertEqual(cells[3:6], ["20.000°", case["mechanism"], f"{case['governing_fos']['fos']['value']:.3f}"])
-        self.assertEqual(run("solve", "--table", wrong)[:2], (3, ""))
-
-    def test_fail_below(self):
-        """Exit status 1 where the factor is certainly below, or there is none to compare; 0 only where it is certainly
-        as much and the block stands."""
-        good = slab(2, 3, 45, 20)  # 1.83 by moments, 2.75 by shear strength
-        for design, status in ((1.3, 0), (1.83, 0), (1.84, 1), (3, 1)):
-            done, out, err = run("solve", f"--fail-below={design}", self.scene(good))
-            self.assertEqual((done, err == ""), (status, status == 0))
-            self.assertIn("FoS 1.832", out)
-        self.assertIn("its governing factor is below", err)
-        for text, why in ((slab(2, 3, 45, None), "gives no tilt"), (slab(2, 3, None, 20), "sliding is not judged"),
-                          (slab(2, 3, 15, 20), "not certain to stand"), (APEXES, "factor is below|not certain")):
-            status, _, err = run("solve", "--fail-below", "0.1", self.scene(text))
-            self.assertEqual(status, 1, text)
-            self.assertRegex(err, why)
-        scenes = [self.scene(good, "good.yaml"), self.scene(slab(2, 3, 15, 20), "bad.yaml")]
-        self.assertEqual(run("solve", "--csv", "--fail-below", "1.3", scenes[0])[0], 0)
-        status, out, err = run("solve", "--csv", "--fail-below", "1.3", *scenes)
-        self.assertEqual((status, len(out.splitlines())), (1, 3))
-        self.assertNotIn("good.yaml", err)
-        for words in (["--fail-below", "0"], ["--fail-below", "-1"], ["--fail-below", "nan"], ["--fail-below", "x"],
-                      ["--fail-below", "1.3", "--find", "friction_angle_deg", "--for", "fos=1"]):
-            self.assertEqual(run("solve", *words, self.scene(good))[0], 2, words)
-
-    def test_fail_below_at_the_factor(self):
-        """A slab as wide as high at 45 degrees has exactly 1 by moments: it does not pass as more, and what its bound
-        leaves open is undecided rather than passed."""
-        for design, allowed in ((1, (1, 4)), (1.0000000001, (1,)), (0.9999999999, (1,))):
-            status, _, _ = run("solve", f"--fail-below={design}", self.scene(slab(1, 1, 60, 45)))
-            self.assertIn(status, allowed)
-
-    def test_pivots_of_json(self):
-        """Ten teeth: all pivots. Four hundred: those that can govern or hold the block, with their index; all of them
-        on demand."""
-        def scene(count):
-            return ("topple: 1\nlength_unit: m\nblock: {teeth: {count: %d, width: 1, height: 900, depth: 1/4, left_end: "
-                    "valley}}\nfriction_angle_deg: 30\ntilt: {towards: left, angle_deg: 10}\n" % count)
-        (few,), (many,) = self.solve(scene(10)), self.solve(scene(400))
-        (all_of_many,) = self.solve(scene(400), "--pivots=all")
-        (few_of_few,) = self.solve(scene(10), "--pivots=governing")
-        self.assertEqual((few["pivots_listed"], len(few["pivots"])), ("all", few["pivot_count"]))
-        self.assertEqual([p["index"] for p in few["pivots"]], list(range(few["pivot_count"])))
-        self.assertEqual((many["pivots_listed"], many["pivot_count"]), ("governing", 401))
-        self.assertEqual(len(all_of_many["pivots"]), 401)
-        for case, listed in ((all_of_many, many), (few, few_of_few)):
-            self.assertLess(len(listed["pivots"]), 20)
-            indices = [p["index"] for p in listed["pivots"]]
-            self.assertIn(listed["toppling"]["pivot"], indices)
-            self.assertEqual(listed["pivots"], [case["pivots"][k] for k in indices])
-            self.assertTrue({k for k, p in enumerate(case["pivots"]) if p["admissible"]} <= set(indices))
-        self.assertEqual(run("solve", "--pivots=some", "--json", self.scene(scene(3)))[0], 2)
-        self.assertEqual(run("solve", "--pivots=all", self.scene(scene(3)))[0], 2)
-
-    def test_no_negative_factor_on_a_blocked_pivot(self):
-        for path in sorted((ROOT / "examples").glob("*.yaml")):
-            for case in json.loads(run("solve", "--json", path)[1])["cases"]:
-                for pivot in case["pivots"]:
-                    if not pivot["admissible"] and pivot["fos"] is not None:
-                        self.assertGreaterEqual(pivot["fos"]["value"], 0, path.name)
-
-    def test_words(self):
-        """An angle that is subtracted is; what is no less safe is no caution; Patton's is what Patton's law gives."""
-        f = run("solve", "examples/block_f.yaml")[1]
-        self.assertIn("φ − i = 30° − 9.462° = 20.538°", f)
-        for text in (f, run("solve", "examples/slab.yaml")[1]):
-            self.assertNotIn("Patton", text)
-        law = slab(2, 3, 45, 20).replace("friction_angle_deg: 45",
-                                         "friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 10}")
-        self.assertIn("by Patton's law (Eq. 6)", run("solve", self.scene(law))[1])
-        e_valley = run("solve", "examples/block_e_valley.yaml")[1]
-        self.assertIn("friction ends there at φ − 9.462° = 20.538°", e_valley)
-        self.assertNotIn("Caution", e_valley)  # on the other kind of base it would be safer
-        goes_on = (ROOT / "examples/block_e_valley.yaml").read_text(encoding="utf-8")
-        goes_on = goes_on.replace("beyond: {left: 0, right: 0}", "beyond: {left: 60, right: 60}")
-        self.assertIn("Caution: on a base that ends at the toe\n", run("solve", self.scene(goes_on))[1])
-
-    def test_what_ran(self):
-        """One line by default, all of it on demand."""
-        plain, told = run("solve", "examples/slab.yaml")[1], run("solve", "--verbose", "examples/slab.yaml")[1]
-        self.assertNotIn("What ran", plain)
-        self.assertIn("(--verbose: what ran).", plain)
-        listed = told[told.index("\nWhat ran\n"):]
-        for effect in ("moments", "toppling", "sliding", "limit"):
-            self.assertRegex(listed, rf"\n  {effect} +[0-9.]+ ms   for ")
 
 
 if __name__ == "__main__":

@@ -2,54 +2,17 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Loads against closed forms worked by hand; each test says how. W = unit weight * width * height."""
 
-import json
 import math
-import pathlib
 import random
-import tempfile
-import unittest
 from fractions import Fraction
 
-from harness import main, run, solve
+from harness import main
+from loads_case import G, LoadsCase
 
-G = 26.0  # kN/m3
 WATER = 9.81
 
 
-def slab(width, height, loads, tilt=None, towards="left", friction=None, extra=""):
-    return ("topple: 1\nlength_unit: m\nblock:\n  slab: {width: %r, height: %r}\n  unit_weight_kn_m3: 26\n%s"
-            "loads: %s\n%stilt: {towards: %s%s}\n"
-            % (width, height, extra, loads, f"friction_angle_deg: {friction!r}\n" if friction else "",
-               towards, f", angle_deg: {tilt!r}" if tilt is not None else ""))
-
-
-def opening(q0, q1, pivot, side):
-    """Of the facet from q0 to q1, as the block turns about the pivot towards the left (1) or right (-1)."""
-    t = (q1[0] - q0[0], q1[1] - q0[1])
-    ends = [max(0, side * ((q[0] - pivot[0]) * t[0] + (q[1] - pivot[1]) * t[1])) for q in (q0, q1)]
-    return side * (ends[1] ** 2 - ends[0] ** 2) / (2 * (t[0] ** 2 + t[1] ** 2))
-
-
-class Loads(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.scene = pathlib.Path(self.folder.name) / "scene.yaml"
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def solve(self, *arguments, **options):
-        self.scene.write_text(slab(*arguments, **options))
-        return solve(self.scene)["cases"][0]
-
-    def assert_angle(self, case, expected):
-        """The critical angle within its bound, and 1e-10 degrees for the expected one's roundings."""
-        found = case["toppling"]["critical_angle_deg"]
-        self.assertLessEqual(abs(found["value"] - expected), found["error"] + 1e-10)
-
-    def assert_fos(self, case, expected):
-        self.assertAlmostEqual(case["toppling"]["fos"]["value"], expected, delta=1e-11 * abs(expected))
-
+class Loads(LoadsCase):
     def test_seismic(self):
         """Slab b x h: about the toe W (b/2) cos a = W (h/2) sin a + k W ((h/2) cos a + (b/2) sin a), so
         tan a = (b - k h) / (h + k b). With k_v upwards gravity is (1 - k_v) of itself. Towards both
@@ -186,35 +149,6 @@ class Loads(unittest.TestCase):
             ring = points + [(Fraction(count), Fraction(count)), (Fraction(0), Fraction(count))]
             self.compare_bonds(points, ring, generator.choice([1, 7]))
 
-    def compare_bonds(self, points, ring, bond):
-        outline = ", ".join(f"[{float(x)}, {float(y)}]" for x, y in ring)
-        self.scene.write_text("topple: 1\nlength_unit: m\nblock: {unit_weight_kn_m3: 26, outline: [%s]}\n"
-                              "base: {mated: whole}\nloads: {bond_kpa: %d}\ntilt: {towards: both}\n" % (outline, bond))
-        cross = [a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1])]
-        area = sum(cross) / 2
-        centre = [sum((a[axis] + b[axis]) * c for a, b, c in zip(ring, ring[1:] + ring[:1], cross)) / (6 * area)
-                  for axis in range(2)]
-        compared = 0
-        for case in solve(self.scene, "--pivots", "all")["cases"]:
-            side = 1 if case["towards"] == "left" else -1
-            for pivot in case["pivots"]:
-                at = (pivot["x_m"]["value"], pivot["y_m"]["value"])
-                p = min(points, key=lambda q: math.dist((float(q[0]), float(q[1])), at))
-                held = bond * sum(opening(a, b, p, side) for a, b in zip(points, points[1:]))
-                # 26 area ((y_G - y_P) sin a - side (x_G - x_P) cos a) = held
-                up, along = 26 * area * (centre[1] - p[1]), 26 * area * (centre[0] - p[0]) * side
-                size = math.hypot(up, along)
-                if held > size:
-                    self.assertIsNone(pivot["critical_angle_deg"])
-                    continue
-                expected = math.degrees(math.atan2(along, up) + math.asin(held / size))
-                if not -90 < expected < 90:
-                    continue
-                found = pivot["critical_angle_deg"]
-                self.assertLessEqual(abs(found["value"] - expected), found["error"] + 1e-10)
-                compared += 1
-        self.assertGreater(compared, len(points))
-
     def test_sliding(self):
         """W sin a = W cos a tan f + c b: sin(a - f) = c b cos f / W. With k_h: tan(a + atan k) = tan f."""
         b, h, f, c = 4.0, 2.0, 30.0, 5.0
@@ -238,87 +172,12 @@ class Loads(unittest.TestCase):
         self.assertIsNone(case["toppling"]["critical_angle_deg"])
         self.assertEqual(case["mechanism"], "topples")
 
-    def test_limits(self):
-        """Loads to nothing: the dry block, at first order."""
-        dry = math.degrees(math.atan2(2, 5))
-        for form in ("{seismic: {horizontal: %r}}", "{water: {height: 3, unit_weight_kn_m3: %r}}",
-                     "{bond_kpa: %r}", "{anchors: [{at: [0, 4], direction_deg: 0, force_kn: %r}]}"):
-            gaps = [self.solve(2.0, 5.0, form % size)["toppling"]["critical_angle_deg"]["value"] - dry
-                    for size in (2e-4, 1e-4, 0)]
-            self.assertAlmostEqual(gaps[2], 0, delta=1e-11)
-            self.assertAlmostEqual(gaps[0] / gaps[1], 2, delta=1e-3)
-
-    def test_only_what_is_called_for(self):
-        """Each load is in the account of effects if and only if the scene calls for it, with its place, and
-        changes no number of the block."""
-        loads = {"seismic": "{seismic: {horizontal: 0.1}}", "water": "{water: {height: 1}}",
-                 "pressure": "{pressures: [{from: [2, 0], to: [2, 5], kpa: 1}]}",
-                 "surcharge": "{surcharges: [{from: [0, 5], to: [2, 5], kpa: 1}]}",
-                 "anchor": "{anchors: [{at: [0, 4], direction_deg: 0, force_kn: 1}]}",
-                 "bond": "{bond_kpa: 1}", "cohesion": "{cohesion_kpa: 1}"}
-        blocks = []
-        for name, text in loads.items():
-            case = self.solve(2.0, 5.0, text, tilt=5)
-            effects = {e["name"]: e["called_for_by"] for e in case["effects"]}
-            self.assertEqual([n for n in loads if n in effects], [name])
-            self.assertIn("scene.yaml:6:", effects[name])
-            if name != "cohesion":  # which has no moment
-                self.assertIn(name, [load["name"] for load in case["loads"]])
-            blocks.append((case["block"], case["contact"]))
-        self.assertEqual(blocks.count(blocks[0]), len(blocks))
-
     def test_rounded_toe_under_load(self):
         """With a rounded toe the lever arms are about the moved axis: a slab with k, model paper,
         tan a = ((b - 2 r) - k h) / (h + k (b - 2 r))."""
         rounded = "  rounded: {model: paper, corners: [{at: left_end, radius: 0.1}]}\n"
         case = self.solve(2.0, 5.0, "{seismic: {horizontal: 0.1}}", extra=rounded)
         self.assert_angle(case, math.degrees(math.atan2(1.8 - 0.5, 5 + 0.18)))
-
-    def test_support_and_yield(self):
-        """Back-analysis: the yield acceleration of a slab is (b - h tan a) / (h + b tan a); the anchor for
-        FoS 1.5 is F = (overturning - stabilising / 1.5) / z."""
-        self.scene.write_text(slab(2.0, 4.0, "{seismic: {horizontal: 0.15}}", tilt=15))
-        status, out, err = run("solve", "--json", "--find", "loads.seismic.horizontal", "--for", "fos=1", self.scene)
-        self.assertEqual((status, err), (0, ""))
-        t = math.tan(math.radians(15))
-        found = json.loads(out)["find"]["solutions"]
-        self.assertEqual(len(found), 1)
-        self.assertAlmostEqual(found[0]["value"], (2 - 4 * t) / (4 + 2 * t), delta=1e-12)
-        self.scene.write_text(slab(2.0, 5.0, "{anchors: [{at: [0, 4], direction_deg: 0, force_kn: 10}]}", tilt=20))
-        status, out, err = run("solve", "--json", "--find", "loads.anchors.1.force_kn", "--for", "fos=1.5",
-                               "--from", 0, "--to", 60, self.scene)
-        self.assertEqual((status, err), (0, ""))
-        weight, a = G * 10, math.radians(20)
-        force = (weight * 2.5 * math.sin(a) - weight * math.cos(a) / 1.5) / 4
-        self.assertAlmostEqual(json.loads(out)["find"]["solutions"][0]["value"], force, delta=1e-10)
-
-    def refuse(self, loads, message, *options, text=None):
-        self.scene.write_text(text or slab(2.0, 5.0, loads))
-        status, out, err = run("solve", *options, self.scene)
-        self.assertEqual((status, out), (3, ""), err)
-        self.assertIn(message, err)
-        self.assertIn("scene.yaml:", err)
-
-    def test_bad_loads(self):
-        self.refuse("{anchors: [{at: [3, 4], direction_deg: 0, force_kn: 1}]}", "'at' lies outside its outline")
-        self.refuse("{anchors: [{at: [1, 4], direction_deg: 0, force_kn: -1}]}", "must not be negative")
-        self.refuse("{anchors: [{at: [1, 4], force_kn: 1}]}", "'direction_deg' is missing here")
-        self.refuse("{anchors: {at: [1, 4]}}", "anchors are a list")
-        self.refuse("{pressures: [{from: [2, 0], to: [2, 5], kpa: [-1, 0]}]}", "a pressure must not be negative")
-        self.refuse("{pressures: [{from: [2, 5], to: [2, 0], kpa: 1}]}", "this pressure would pull")
-        self.refuse("{pressures: [{from: [2, 0], to: [0, 5], kpa: 1}]}", "does not act on an edge of the block")
-        self.refuse("{surcharges: [{from: [0, 6], to: [2, 6], kpa: 1}]}", "does not act on an edge of the block")
-        self.refuse("{water: {height: 6}}", "the water stands above the top of the block")
-        self.refuse("{water: {uplift: true}}", "'height' is missing here")
-        self.refuse("{seismic: {}}", "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)")
-        self.refuse("{sismic: {horizontal: 1}}", "did you mean 'seismic'?")
-        self.refuse("{cohesion_kpa: -1}", "cohesion_kpa must not be negative")
-        self.refuse("{seismic: {horizontal: 0.1}}", "leave out --elements", "--elements")
-        tip = slab(2.0, 5.0, "{cohesion_kpa: 1}").replace(
-            "tilt:", "base: {profile: [[-1, -1], [0, 0], [1, -1], [2, 0], [3, -1]]}\ntilt:")
-        self.refuse(None, "touches its base in points alone", text=tip)
-        self.refuse(None, "give its 'unit_weight_kn_m3'",
-                    text=slab(2.0, 5.0, "{bond_kpa: 1}").replace("  unit_weight_kn_m3: 26\n", ""))
 
 
 if __name__ == "__main__":

@@ -13,10 +13,10 @@ from fractions import Fraction
 import exact
 from harness import main
 from limit_oracle import contacts
+from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
+from onset_case import degrees_of, rough_tangent
 from onset_oracle import gyration
 from onset_strength_oracle import StrongOnset, facets
-from test_limit import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
-from test_onset import degrees_of, rough_tangent
 
 ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 MOST_POINTS = 6

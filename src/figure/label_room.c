@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-void tp_places_clear(tp_places *places) {
-  free(places->sides);
-  memset(places, 0, sizeof *places);
+void tp_label_room_clear(tp_label_room *room) {
+  free(room->sides);
+  memset(room, 0, sizeof *room);
 }
 
 /* The sides of a flattened path; with `sides` NULL only their number. */
@@ -38,26 +38,26 @@ static size_t collect_sides(tp_spot (*sides)[2], const cairo_path_t *path) {
   return count;
 }
 
-bool tp_places_init(tp_places *places, cairo_t *cr, const tp_figure *figure, const tp_view *view,
-                    tp_box area) {
-  memset(places, 0, sizeof *places);
-  places->area = area;
+bool tp_label_room_init(tp_label_room *room, cairo_t *cr, const tp_figure *figure,
+                        const tp_view *view, tp_box area) {
+  memset(room, 0, sizeof *room);
+  room->area = area;
   tp_view_path(cr, view, &figure->shape.outline);
   cairo_path_t *path = cairo_copy_path_flat(cr);
   cairo_new_path(cr);
   if (path->status == CAIRO_STATUS_SUCCESS) {
     const size_t count = collect_sides(NULL, path);
-    places->sides = calloc(count + 1, sizeof *places->sides);
-    if (places->sides != NULL) places->side_count = collect_sides(places->sides, path);
+    room->sides = calloc(count + 1, sizeof *room->sides);
+    if (room->sides != NULL) room->side_count = collect_sides(room->sides, path);
   }
   cairo_path_destroy(path);
-  return places->sides != NULL;
+  return room->sides != NULL;
 }
 
-void tp_places_line(tp_places *places, tp_spot from, tp_spot to) {
-  if (places->line_count == TP_PLACES_MAX) return;
-  places->lines[places->line_count][0] = from;
-  places->lines[places->line_count++][1] = to;
+void tp_label_room_line(tp_label_room *room, tp_spot from, tp_spot to) {
+  if (room->line_count == TP_LABEL_ROOM_MAX) return;
+  room->lines[room->line_count][0] = from;
+  room->lines[room->line_count++][1] = to;
 }
 
 /* Does the segment enter the box? Clipped against its four sides one by one. */
@@ -79,11 +79,11 @@ static bool crosses(const tp_spot side[2], const tp_box *box) {
   return begin <= end;
 }
 
-static bool touches_block(const tp_places *places, const tp_box *box) {
+static bool touches_block(const tp_label_room *room, const tp_box *box) {
   const double x = (box->x0 + box->x1) / 2, y = (box->y0 + box->y1) / 2;
   bool inside = false;
-  for (size_t k = 0; k < places->side_count; k++) {
-    const tp_spot *side = places->sides[k];
+  for (size_t k = 0; k < room->side_count; k++) {
+    const tp_spot *side = room->sides[k];
     if (crosses(side, box)) return true;
     if ((side[0].y > y) == (side[1].y > y)) continue;
     const double t = (y - side[0].y) / (side[1].y - side[0].y);
@@ -92,28 +92,28 @@ static bool touches_block(const tp_places *places, const tp_box *box) {
   return inside;
 }
 
-static bool is_free(const tp_places *places, const tp_box *box, bool off_lines) {
-  const tp_box *a = &places->area;
+static bool is_free(const tp_label_room *room, const tp_box *box, bool off_lines) {
+  const tp_box *a = &room->area;
   if (box->x0 < a->x0 || box->x1 > a->x1 || box->y0 < a->y0 || box->y1 > a->y1) return false;
-  for (size_t k = 0; k < places->label_count; k++) {
-    const tp_box *other = places->labels + k;
+  for (size_t k = 0; k < room->label_count; k++) {
+    const tp_box *other = room->labels + k;
     if (box->x0 < other->x1 && other->x0 < box->x1 && box->y0 < other->y1 && other->y0 < box->y1) {
       return false;
     }
   }
-  for (size_t k = 0; k < places->line_count && off_lines; k++) {
-    if (crosses(places->lines[k], box)) return false;
+  for (size_t k = 0; k < room->line_count && off_lines; k++) {
+    if (crosses(room->lines[k], box)) return false;
   }
-  return !touches_block(places, box);
+  return !touches_block(room, box);
 }
 
-bool tp_places_find(tp_box *box, tp_places *places, tp_spot anchor, tp_spot direction, double width,
-                    double height, double reach, bool strict) {
+bool tp_label_room_find(tp_box *box, tp_label_room *room, tp_spot anchor, tp_spot direction,
+                        double width, double height, double reach, bool strict) {
   enum { TURNS = 13, STEP = 3 };
   const double turn = atan(1) / 3; /* 15 degrees */
   for (int off_lines = 1; off_lines >= (strict ? 1 : 0); off_lines--) {
     for (int step = 0; 3 + STEP * step <= reach; step++) {
-      for (int k = 0; k < TURNS && places->label_count < TP_PLACES_MAX; k++) {
+      for (int k = 0; k < TURNS && room->label_count < TP_LABEL_ROOM_MAX; k++) {
         const int turns = (k + 1) / 2; /* to either side by turns */
         const double angle = turn * (k % 2 == 0 ? turns : -turns);
         const tp_spot d = {direction.x * cos(angle) - direction.y * sin(angle),
@@ -124,8 +124,8 @@ bool tp_places_find(tp_box *box, tp_places *places, tp_spot anchor, tp_spot dire
         const double away = 3 + STEP * step + fmin(half, hypot(width, height) / 2);
         const double x = anchor.x + away * d.x, y = anchor.y + away * d.y;
         const tp_box candidate = {x - width / 2, y - height / 2, x + width / 2, y + height / 2};
-        if (!is_free(places, &candidate, off_lines == 1)) continue;
-        *box = places->labels[places->label_count++] = candidate;
+        if (!is_free(room, &candidate, off_lines == 1)) continue;
+        *box = room->labels[room->label_count++] = candidate;
         return true;
       }
     }

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "memory_charts.h"
+
+#include "memory_expect.h"
+
+#define EXAMPLE(name) TP_EXAMPLES "/" name
+
+static void report_chart(tp_status status, tp_chart *chart, const tp_message *message) {
+  if (done(status, chart, message)) {
+    char *csv = NULL, *json = NULL;
+    status = tp_report_chart_csv(&csv, chart);
+    expect_report(status, csv);
+    status = tp_report_chart_json(&json, chart);
+    expect_report(status, json);
+  }
+  tp_chart_free(chart);
+}
+
+void chart_fos(void) {
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_chart_fos_options options = tp_chart_fos_options_default();
+  const tp_status status = tp_chart_fos(&chart, &options, &message);
+  report_chart(status, chart, &message);
+}
+
+void chart_mechanisms(void) {
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_chart_mechanisms_options options = tp_chart_mechanisms_options_default();
+  const tp_status status = tp_chart_mechanisms(&chart, &options, &message);
+  report_chart(status, chart, &message);
+}
+
+void chart_ranges(void) {
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_status status = tp_chart_ranges(&chart, &message);
+  report_chart(status, chart, &message);
+}
+
+void chart_map(void) {
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_chart_map_options options = {.scene = EXAMPLE("slab_left.yaml"),
+                                        .x = {"block.slab.width", {10, 150}},
+                                        .y = {"tilt", {0, 90}}};
+  const tp_status status = tp_chart_map(&chart, &options, &message);
+  report_chart(status, chart, &message);
+}

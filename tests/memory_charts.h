@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Charts while memory runs out. */
+
+#ifndef TP_TEST_MEMORY_CHARTS_H
+#define TP_TEST_MEMORY_CHARTS_H
+
+void chart_fos(void);
+void chart_mechanisms(void);
+void chart_ranges(void);
+void chart_map(void);
+
+#endif
