@@ -13,7 +13,7 @@
 #include <arb.h>
 #include <math.h>
 
-enum { SCENES = 600, BITS = 200 };
+enum { SCENES = 4000, BITS = 200 };
 
 static random_numbers state;
 
