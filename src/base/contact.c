@@ -187,3 +187,24 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
   tp_contact_clear(contact);
   return status != TP_OK ? status : tp_fail_memory(message, "the contact");
 }
+
+bool tp_contact_restrains(const tp_contact *contact) {
+  for (long k = 0; k < contact->facet_count; k++) {
+    if (contact->facets[k].t0 != contact->facets[k].t1) return true;
+  }
+  return false;
+}
+
+bool tp_contact_is_free_to_slip(const tp_contact *contact, const tp_lattice *lattice) {
+  const tp_facet *first = NULL;
+  for (long k = 0; k < contact->facet_count; k++) {
+    const tp_facet *f = contact->facets + k;
+    if (f->t0 == f->t1) continue;
+    if (first == NULL) first = f;
+    if (tp_lattice_cross(lattice, first->t0, first->t1, f->t0, f->t1) != 0 ||
+        tp_lattice_dot(lattice, first->t0, first->t1, f->t0, f->t1) < 0) {
+      return false;
+    }
+  }
+  return first != NULL;
+}

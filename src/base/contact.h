@@ -53,4 +53,10 @@ tp_outline_point tp_contact_end_place(const tp_contact_point *point, bool left);
 /* Where the contact ends on one side. */
 tp_outline_point tp_contact_extreme(const tp_contact *contact, bool left);
 
+/* Does any of it restrain the block? A corner on a corner does not. */
+bool tp_contact_restrains(const tp_contact *contact);
+
+/* Can the block slip along all of it at once, so that no facet stands in the way of another? */
+bool tp_contact_is_free_to_slip(const tp_contact *contact, const tp_lattice *lattice);
+
 #endif

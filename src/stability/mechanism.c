@@ -8,7 +8,6 @@
 #include "stability/onset_question.h"
 #include "stability/stages.h"
 
-#include "base/facets.h"
 #include "number/ball.h"
 
 /* Sign of the angle minus 90 degrees. */
@@ -53,29 +52,13 @@ static const tp_direction_ball *first_by_formula(const tp_evaluation *e, tp_case
   return NULL;
 }
 
-/* Can it slip along all of its contacts at once, so that none stands in the way of another? */
-static bool is_free_to_slip(const tp_problem *problem) {
-  const tp_contact *contact = &problem->contact;
-  const tp_facet *first = NULL;
-  for (long k = 0; k < contact->facet_count; k++) {
-    const tp_facet *f = contact->facets + k;
-    if (f->t0 == f->t1) continue;
-    if (first == NULL) first = f;
-    if (tp_lattice_cross(&problem->lattice, first->t0, first->t1, f->t0, f->t1) != 0 ||
-        tp_lattice_dot(&problem->lattice, first->t0, first->t1, f->t0, f->t1) < 0) {
-      return false;
-    }
-  }
-  return first != NULL;
-}
-
 /* Contact forces let a bond pull in one place and press in another, which counts as friction of
  * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
  * is more than the scene gives it: then it slides where the forces along the facet say so. */
 static bool slides_sooner(const tp_evaluation *e, const tp_case *result, tp_certainty *certainty) {
   const tp_sliding *s = &result->sliding;
   if (fmpq_is_zero(e->problem->scene->loads.bond_kpa.value) || !s->known || s->never ||
-      !is_free_to_slip(e->problem)) {
+      !tp_contact_is_free_to_slip(&e->problem->contact, &e->problem->lattice)) {
     return false;
   }
   if (result->limit.kind == TP_LIMIT_INTERLOCKED) return true;
@@ -84,17 +67,9 @@ static bool slides_sooner(const tp_evaluation *e, const tp_case *result, tp_cert
                                          certainty); /* of a tie the limit tells */
 }
 
-/* Does any contact restrain it? A corner on a corner does not. */
-static bool has_support(const tp_problem *problem) {
-  for (long k = 0; k < problem->contact.facet_count; k++) {
-    if (problem->contact.facets[k].t0 != problem->contact.facets[k].t1) return true;
-  }
-  return false;
-}
-
 /* Where nothing holds it at any tilt, what begins. */
 static tp_mechanism first_of_nothing(const tp_evaluation *e, const tp_case *result) {
-  if (!has_support(e->problem)) return TP_LEAVES_BASE;
+  if (!tp_contact_restrains(&e->problem->contact)) return TP_LEAVES_BASE;
   switch (result->onset.kind) {
   case TP_ONSET_NOWHERE:
     return result->onset.mechanism;
