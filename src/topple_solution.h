@@ -28,11 +28,11 @@ typedef struct tp_pivot {
   tp_pivot_kind kind;
   bool rounded;    /* the corner is: (x, y) is where the axis then lies */
   bool admissible; /* to first order: turning about it opens every contact facet */
+  bool never;      /* loads keep it from toppling about this pivot at any tilt, ... */
+  bool always;     /* ... or from standing on it at any: there is no critical angle */
   tp_bounded x_m, y_m;
   tp_bounded
       critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
-  bool never;             /* loads keep it from toppling about this pivot at any tilt, ... */
-  bool always;            /* ... or from standing on it at any: there is no critical angle */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
   tp_bounded *limits_deg; /* owned by the case */
   tp_fos fos_resultant; /* Eq. (2): tan(critical angle) / tan(tilt); with loads what stabilises over
@@ -201,8 +201,8 @@ typedef struct tp_solution {
   int digits;       /* asked of every number */
   bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
                        rule */
-  long zero_bits;   /* 0: every decision is proven; else some rest on quantities that so many bits do
-                       not tell from zero, besides the ties that say so themselves */
+  long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do
+                     not tell from zero, besides the ties that say so themselves */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
 
