@@ -28,11 +28,11 @@ typedef struct tp_pivot {
   tp_pivot_kind kind;
   bool rounded;    /* the corner is: (x, y) is where the axis then lies */
   bool admissible; /* to first order: turning about it opens every contact facet */
+  bool never;      /* loads keep it from toppling about this pivot at any tilt, ... */
+  bool always;     /* ... or from standing on it at any: there is no critical angle */
   tp_bounded x_m, y_m;
   tp_bounded
       critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
-  bool never;             /* loads keep it from toppling about this pivot at any tilt, ... */
-  bool always;            /* ... or from standing on it at any: there is no critical angle */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
   tp_bounded *limits_deg; /* owned by the case */
   tp_fos fos_resultant; /* Eq. (2): tan(critical angle) / tan(tilt); with loads what stabilises over

@@ -18,12 +18,33 @@ void tp_mean_plane_ends(tp_mean_plane *p, const fmpq_t dx, const fmpq_t dy) {
   fmpq_set(p->along[1], dy);
 }
 
+static bool is_whole(const fmpq_t number) {
+  return fmpz_is_one(fmpq_denref(number));
+}
+
+/* sum += a b, and sum -= a b: mostly of whole numbers, which take no common denominators. */
+static void add_multiple(fmpq_t sum, const fmpq_t a, const fmpq_t b) {
+  if (is_whole(sum) && is_whole(a) && is_whole(b)) {
+    fmpz_addmul(fmpq_numref(sum), fmpq_numref(a), fmpq_numref(b));
+  } else {
+    fmpq_addmul(sum, a, b);
+  }
+}
+
+static void subtract_multiple(fmpq_t sum, const fmpq_t a, const fmpq_t b) {
+  if (is_whole(sum) && is_whole(a) && is_whole(b)) {
+    fmpz_submul(fmpq_numref(sum), fmpq_numref(a), fmpq_numref(b));
+  } else {
+    fmpq_submul(sum, a, b);
+  }
+}
+
 /* Along the line between the ends and normal to it, both times its length. */
 static void turn(fmpq_t a, fmpq_t b, const tp_mean_plane *p, const fmpq_t x, const fmpq_t y) {
   fmpq_mul(a, p->along[0], x);
-  fmpq_addmul(a, p->along[1], y);
+  add_multiple(a, p->along[1], y);
   fmpq_mul(b, p->along[0], y);
-  fmpq_submul(b, p->along[1], x);
+  subtract_multiple(b, p->along[1], x);
 }
 
 /* sum += weight * (f0 * 2 g0 + f0 g1 + f1 g0 + f1 * 2 g1) */
@@ -37,8 +58,8 @@ static void add_product(fmpq_t sum, const fmpq_t weight, const fmpq_t f0, const 
   fmpq_add(inner, both, g0);
   fmpq_mul(own, f0, inner);
   fmpq_add(inner, both, g1);
-  fmpq_addmul(own, f1, inner);
-  fmpq_addmul(sum, weight, own);
+  add_multiple(own, f1, inner);
+  add_multiple(sum, weight, own);
   fmpq_clear(own);
   fmpq_clear(both);
   fmpq_clear(inner);
@@ -55,9 +76,9 @@ void tp_mean_plane_add(tp_mean_plane *p, const fmpq_t x0, const fmpq_t y0, const
   fmpq_abs(weight, weight);
   fmpq_add(p->length, p->length, weight);
   fmpq_add(both, a0, a1);
-  fmpq_addmul(p->a, weight, both);
+  add_multiple(p->a, weight, both);
   fmpq_add(both, b0, b1);
-  fmpq_addmul(p->b, weight, both);
+  add_multiple(p->b, weight, both);
   add_product(p->aa, weight, a0, a1, a0, a1);
   add_product(p->ab, weight, a0, a1, b0, b1);
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
