@@ -1,65 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Reports of solutions that are filled in by hand. The page: kinds of onset that scenes come to
- * rarely, every line fits a terminal, and none says that a block stands where a motion can begin.
- * JSON and tables: what stands where there is no number, and text from outside. */
+/* Reports of solutions that are filled in by hand: kinds of onset that scenes come to rarely, every
+ * line fits a terminal, and none says that a block stands where a motion can begin. JSON of them is
+ * in test_report_json.c. */
 
+#include "report_stage.h"
 #include "runner.h"
 
 #include "topple.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static tp_bounded number(double value) {
-  return (tp_bounded){.value = value, .error = 1e-12};
-}
-
-/* A square on friction, tilted to the left by 20 degrees, with a limit of 40. */
-static tp_solution filled(void) {
-  tp_solution s = {.length_unit = "m", .metres_per_unit = 1, .has_tilt_angle = true};
-  s.tilt_angle_deg = (tp_bounded){.value = 20};
-  s.has_friction = true;
-  s.friction_angle_deg = (tp_bounded){.value = 40};
-  s.block.area_m2 = number(1);
-  s.block.vertices = 4;
-  s.contact = (tp_contact_result){.facets = 1};
-  s.digits = 9;
-  s.case_count = 1;
-  tp_case *c = s.cases;
-  c->limit = (tp_limit){.kind = TP_LIMIT_AT_ANGLE, .mechanism = TP_SLIDES};
-  c->limit.critical_angle_deg = number(40);
-  c->mechanism = TP_STANDS;
-  c->first = TP_SLIDES;
-  c->has_first_angle = c->has_margin = c->has_margin_to_first = true;
-  c->first_angle_deg = number(40);
-  c->margin_deg = c->margin_to_first_deg = number(20);
-  c->governing_fos.fos.state = TP_FOS_NUMBER;
-  c->governing_fos.fos.value = number(2);
-  c->governing_fos.sliding_judged = c->governing_fos.complete = true;
-  return s;
-}
-
-/* Characters of the longest line. */
-static size_t longest_line(const char *text) {
-  size_t longest = 0, length = 0;
-  for (; *text != '\0'; text++) {
-    length = *text == '\n' ? 0 : length + (((unsigned char)*text & 0xc0) != 0x80);
-    if (length > longest) longest = length;
-  }
-  return longest;
-}
-
-/* The report has the words, and not those others. */
-static void says(const tp_solution *s, const char *words, const char *others) {
-  char *text = NULL;
-  ck_assert_int_eq(tp_report_text(&text, s), TP_OK);
-  ck_assert_msg(strstr(text, words) != NULL, "'%s' is not in\n%s", words, text);
-  ck_assert_msg(others == NULL || strstr(text, others) == NULL, "'%s' is in\n%s", others, text);
-  ck_assert_uint_le(longest_line(text), 80);
-  free(text);
-}
 
 START_TEST(windows) {
   tp_solution s = filled();
@@ -178,78 +130,6 @@ START_TEST(design_factors) {
 }
 END_TEST
 
-/* The JSON has the members, in a row. */
-static void json_has(const tp_solution *s, const char *members) {
-  char *text = NULL;
-  ck_assert_int_eq(tp_report_json(&text, s), TP_OK);
-  ck_assert_msg(strstr(text, members) != NULL, "'%s' is not in\n%s", members, text);
-  free(text);
-}
-
-START_TEST(json_of_what_is_no_number) {
-  tp_solution s = filled();
-  tp_case *c = s.cases;
-  json_has(&s, "      \"toppling\": null,\n");
-  json_has(&s, "      \"can_begin\": null,\n");
-  json_has(&s, "        \"weight_n\": null,\n        \"vertices\": 4, \"holes\": 0, ");
-  json_has(&s, "      \"pivots\": [\n      ],\n");
-  json_has(&s, "      \"factors\": [],\n");
-  c->governing_fos.up_dip = true;
-  json_has(&s, "{\"fos\": null, \"fos_is\": \"none: at this tilt it lets go up-dip\", ");
-  c->sliding = (tp_sliding){.known = true, .never = true};
-  json_has(&s, "\"critical_angle_is\": \"never\", \"fos\": null, \"fos_is\": \"unbounded: ");
-  c->sliding = (tp_sliding){.known = true, .always = true};
-  json_has(&s, "\"critical_angle_deg\": null, \"critical_angle_is\": \"always\", \"fos\": {");
-  c->limit_back.kind = TP_LIMIT_NOWHERE;
-  json_has(&s, "\"holds_from_deg\": null, \"holds_from_is\": \"at no tilt\", ");
-  c->limit.tie = true;
-  c->limit.tied_with = TP_TOPPLES;
-  json_has(&s,
-           "\"tied_with\": \"topples\", \"tie_is\": \"exact\",\n        \"centre_x_m\": null, ");
-  c->limit.tie_bits = 160;
-  json_has(&s, "\"tie_is\": \"not told apart by 160 bits\",\n");
-}
-END_TEST
-
-/* A factor below zero is the governing pivot's alone. */
-START_TEST(json_of_pivots) {
-  tp_solution s = filled();
-  tp_pivot own[2] = {{.kind = TP_PIVOT_PEAK, .never = true}, {.kind = TP_PIVOT_VALLEY}};
-  for (int k = 0; k < 2; k++) {
-    own[k].fos_resultant = (tp_fos){.state = TP_FOS_NUMBER, .value = {.value = -2}};
-    own[k].fos_elements = (tp_fos){.state = TP_FOS_UNDEFINED};
-  }
-  own[1].admissible = true;
-  s.cases[0].pivot_count = 2;
-  s.cases[0].pivots = own;
-  json_has(&s, "\"pivot_count\": 2, \"pivots_listed\": \"all\",\n      \"pivots\": [\n        {");
-  json_has(&s, "{\"index\": 0, \"kind\": \"peak\", ");
-  json_has(&s,
-           "\"critical_angle_deg\": null, \"critical_angle_is\": \"never\", \"fos\": null, "
-           "\"fos_is\": \"none: what should hold it drives it\", \"fos_elements\": null, "
-           "\"fos_elements_is\": \"none: no strength would hold it\", \"admissible\": false},\n");
-  json_has(&s, "\"fos\": {\"value\": -2, \"error\": 0}, \"fos_is\": \"none: what should hold it "
-               "drives it\", ");
-}
-END_TEST
-
-/* In each language by its own rules. */
-START_TEST(titles_from_outside) {
-  tp_solution s = filled();
-  const tp_solution *all[] = {&s};
-  char title[] = "=A \"block\",\n| <b>\x1b[1m", *text = NULL;
-  s.title = title;
-  json_has(&s, "  \"title\": \"=A \\\"block\\\",\\u000a| <b>\\u001b[1m\",\n");
-  says(&s, "=A \"block\", | <b>\\x1B[1m\n", NULL);
-  ck_assert_int_eq(tp_report_table(&text, all, 1), TP_OK);
-  ck_assert_ptr_nonnull(strstr(text, "\n| \\=A \"block\", \\| &lt;b&gt;"));
-  free(text);
-  ck_assert_int_eq(tp_report_csv(&text, all, 1), TP_OK);
-  ck_assert_ptr_nonnull(strstr(text, "\n\"'=A \"\"block\"\", | <b>\\x1B[1m\",left,20,0,stands,"));
-  free(text);
-}
-END_TEST
-
 /* Notes break at words, below each other. */
 START_TEST(notes) {
   tp_solution s = filled();
@@ -291,9 +171,6 @@ int main(void) {
   tcase_add_test(cases, onset_at_the_ends);
   tcase_add_test(cases, motions);
   tcase_add_test(cases, design_factors);
-  tcase_add_test(cases, json_of_what_is_no_number);
-  tcase_add_test(cases, json_of_pivots);
-  tcase_add_test(cases, titles_from_outside);
   tcase_add_test(cases, notes);
   tcase_add_test(cases, what_was_found);
   suite_add_tcase(suite, cases);

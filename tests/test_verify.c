@@ -1,102 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Claims from within: what names a subject has and what they stand for, the quantities of a slab
- * w wide and h high, which are known by hand, and the verdict on a formula that is right, wrong by
- * a factor, right at the claim's own values alone, or not rational. */
+/* Subjects of claims from within: what names one has and what they stand for, and the quantities of
+ * a slab w wide and h high, which are known by hand. */
 
 #include "runner.h"
-#include "verify/decide.h"
-#include "verify/domain.h"
-#include "verify/evaluate.h"
 #include "verify/subject_init.h"
+#include "verify_bench.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-/* A slab w = 2 wide and h = 3 high; a symbol m = 5 and an angle psi = 30 degrees besides. */
-typedef struct bench {
-  tp_subject subject;
-  tp_sample sample;
-  tp_message message;
-} bench;
-
-/* A subject of the slab, whose declared symbol has this name. */
-static tp_status init_subject(tp_subject *subject, const char *name, tp_message *message) {
-  static const char scene[] = "topple: 1\nlength_unit: m\nparameters: {w: 2, h: 3}\n"
-                              "block: {slab: {width: w, height: h}}\nbase: {mated: true}\n"
-                              "tilt: {towards: left, angle_deg: 20}\n";
-  char path[] = "/tmp/topple-test-XXXXXX";
-  const int handle = mkstemp(path);
-  ck_assert_int_ge(handle, 0);
-  ck_assert_int_eq(write(handle, scene, strlen(scene)), (ssize_t)strlen(scene));
-  close(handle);
-  fmpq values[2];
-  for (int k = 0; k < 2; k++) fmpq_init(values + k);
-  fmpq_set_si(values, 5, 1);
-  fmpq_set_si(values + 1, 30, 1);
-  const tp_declared declared[2] = {{name, values, false}, {"psi", values + 1, true}};
-  const tp_subject_options options = {.scene = path, .declared_count = 2, .declared = declared};
-  const tp_status status = tp_subject_init(subject, &options, (tp_place){"t", 1, 1}, message);
-  unlink(path);
-  for (int k = 0; k < 2; k++) fmpq_clear(values + k);
-  return status;
-}
-
-static void bench_init(bench *b) {
-  b->message = (tp_message){""};
-  ck_assert_msg(init_subject(&b->subject, "m", &b->message) == TP_OK, "%s", b->message.text);
-  ck_assert(tp_sample_init(&b->sample, &b->subject));
-}
-
-static void bench_clear(bench *b) {
-  tp_sample_clear(&b->sample);
-  tp_subject_clear(&b->subject);
-}
-
-static void reads(tp_formula *formula, bench *b, const char *text) {
-  ck_assert_msg(tp_subject_read(formula, text, (tp_place){"t", 1, 1}, &b->subject, &b->message) ==
-                    TP_OK,
-                "%s: %s", text, b->message.text);
-}
-
-/* The text's value at the sample. */
-static double value_of(bench *b, const char *text) {
-  tp_formula formula;
-  arb_t ball;
-  arb_init(ball);
-  reads(&formula, b, text);
-  ck_assert_msg(tp_evaluate_ball(ball, &formula, &b->subject, &b->sample, true, 128, &b->message) ==
-                    TP_OK,
-                "%s: %s", text, b->message.text);
-  const double value = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
-  tp_formula_clear(&formula);
-  arb_clear(ball);
-  return value;
-}
-
-/* Are both texts the same rational function? */
-static bool same(bench *b, const char *one, const char *other) {
-  const fmpz_mpoly_ctx_struct *ring = b->subject.field->ring;
-  const char *texts[2] = {one, other};
-  fmpz_mpoly_q_t values[2];
-  for (int k = 0; k < 2; k++) {
-    tp_formula formula;
-    bool rational = false;
-    fmpz_mpoly_q_init(values[k], ring);
-    reads(&formula, b, texts[k]);
-    ck_assert_int_eq(tp_evaluate_field(values[k], &rational, &formula, &b->subject, &b->message),
-                     TP_OK);
-    ck_assert_msg(rational, "%s", texts[k]);
-    tp_formula_clear(&formula);
-  }
-  const bool equal = fmpz_mpoly_q_equal(values[0], values[1], ring) != 0;
-  fmpz_mpoly_q_clear(values[0], ring);
-  fmpz_mpoly_q_clear(values[1], ring);
-  return equal;
-}
 
 START_TEST(names_of_a_subject) {
   bench b;
@@ -205,128 +120,6 @@ START_TEST(quantities_of_a_slab) {
 }
 END_TEST
 
-/* The verdict on a printed formula. The caller frees what the result holds. */
-static tp_claim_result decide(bench *b, const char *quantity, const char *text) {
-  tp_formula formulas[2];
-  tp_claim_result result = {.is_formula = true};
-  reads(formulas, b, quantity);
-  reads(formulas + 1, b, text);
-  b->subject.domain = tp_domain_new(&b->subject, &b->sample);
-  ck_assert_ptr_nonnull(b->subject.domain);
-  const tp_question question = {.subject = &b->subject,
-                                .quantity = formulas,
-                                .printed = formulas + 1,
-                                .number = text,
-                                .sample = &b->sample,
-                                .message = &b->message};
-  ck_assert_msg(tp_decide_formula(&result, &question) == TP_OK, "%s", b->message.text);
-  tp_domain_free(b->subject.domain);
-  b->subject.domain = NULL;
-  tp_subject_forget(&b->subject);
-  tp_formula_clear(formulas);
-  tp_formula_clear(formulas + 1);
-  return result;
-}
-
-static void drop(tp_claim_result *result) {
-  free(result->derived);
-  free(result->difference);
-  free(result->mend);
-  free(result->change);
-  free(result->condition);
-  free(result->values);
-}
-
-/* Right: proven, and nothing to add. Angles are compared by their tangents. */
-START_TEST(a_right_formula_is_proven) {
-  static const char *const cases[][2] = {{"area", "wh"},
-                                         {"fos", "(w/h) cot α"},
-                                         {"fos", "w/(h tan α)"},
-                                         {"critical_angle", "tan^-1(w/h)"},
-                                         {"x_arm^2 + y_arm^2", "(w^2 + h^2)/4"},
-                                         {"block_width", "sqrt(w^2)"},
-                                         {"sin^2 psi + cos^2 psi", "m/5*5/m"}};
-  bench b;
-  bench_init(&b);
-  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-    tp_claim_result result = decide(&b, cases[k][0], cases[k][1]);
-    ck_assert_msg(result.verdict == TP_VERDICT_PROVEN, "%s: %s", cases[k][1],
-                  tp_verdict_name(result.verdict));
-    ck_assert_ptr_nonnull(result.derived);
-    ck_assert_ptr_null(result.mend);
-    ck_assert_ptr_null(result.difference);
-    ck_assert_ptr_null(result.condition);
-    drop(&result);
-  }
-  bench_clear(&b);
-}
-END_TEST
-
-/* Wrong by a factor, a sign, an exponent or a name: refuted, with values at which both sides
- * differ, and the mend is proven when it is asked about. */
-START_TEST(a_wrong_formula_is_mended) {
-  static const char *const cases[][2] = {{"area", "2wh"},
-                                         {"area", "wh/3"},
-                                         {"x_arm", "w/3"},
-                                         {"x_arm^2 + y_arm^2", "(w^2 - h^2)/4"},
-                                         {"area*h", "w h^3"},
-                                         {"fos", "w/(w tan α)"},
-                                         {"critical_angle", "atan(w/(2h))"},
-                                         {"sin(psi)^3", "sin^2 psi"}};
-  bench b;
-  bench_init(&b);
-  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-    tp_claim_result result = decide(&b, cases[k][0], cases[k][1]);
-    ck_assert_msg(result.verdict == TP_VERDICT_REFUTED, "%s: %s", cases[k][1],
-                  tp_verdict_name(result.verdict));
-    ck_assert_ptr_nonnull(result.difference);
-    ck_assert_msg(result.mend != NULL && result.change != NULL, "%s", cases[k][1]);
-    ck_assert(result.has_values);
-    ck_assert_double_gt(fabs(result.printed_value.value - result.computed.value),
-                        result.printed_value.error + result.computed.error);
-    tp_claim_result again = decide(&b, cases[k][0], result.mend);
-    ck_assert_msg(again.verdict == TP_VERDICT_PROVEN, "%s", result.mend);
-    drop(&again);
-    drop(&result);
-  }
-  bench_clear(&b);
-}
-END_TEST
-
-/* w + 4 is the area where w = 2 and h = 3: it takes other values to tell them apart. */
-START_TEST(right_at_a_point_is_refuted) {
-  bench b;
-  bench_init(&b);
-  ck_assert_double_eq(value_of(&b, "area - (w + 4)"), 0);
-  tp_claim_result result = decide(&b, "area", "w + 4");
-  ck_assert_int_eq(result.verdict, TP_VERDICT_REFUTED);
-  ck_assert(result.has_values);
-  ck_assert_double_gt(fabs(result.printed_value.value - result.computed.value), 0);
-  ck_assert_ptr_null(strstr(result.values, "w = 2, h = 3"));
-  drop(&result);
-  bench_clear(&b);
-}
-END_TEST
-
-/* What is no rational function agrees at points, which is no proof, or is refuted by one. */
-START_TEST(points_are_no_proof) {
-  bench b;
-  bench_init(&b);
-  tp_claim_result result = decide(&b, "log10(area)", "log10 w + log10 h");
-  ck_assert_int_eq(result.verdict, TP_VERDICT_AGREES);
-  ck_assert_int_ge(result.points, 20);
-  ck_assert_int_ge(result.digits, 60);
-  drop(&result);
-  result = decide(&b, "90 - critical_angle", "90 - atan(w/h)"); /* angles in a sum */
-  ck_assert_int_eq(result.verdict, TP_VERDICT_AGREES);
-  drop(&result);
-  result = decide(&b, "log10(area)", "log10(w + 4)"); /* right at the claim's own values */
-  ck_assert_int_eq(result.verdict, TP_VERDICT_REFUTED);
-  drop(&result);
-  bench_clear(&b);
-}
-END_TEST
-
 int main(void) {
   Suite *suite = suite_create("verify");
   TCase *claims = tcase_create("verify");
@@ -335,10 +128,6 @@ int main(void) {
   tcase_add_test(claims, definitions_last_for_a_claim);
   tcase_add_test(claims, names_are_told_apart);
   tcase_add_test(claims, quantities_of_a_slab);
-  tcase_add_test(claims, a_right_formula_is_proven);
-  tcase_add_test(claims, a_wrong_formula_is_mended);
-  tcase_add_test(claims, right_at_a_point_is_refuted);
-  tcase_add_test(claims, points_are_no_proof);
   suite_add_tcase(suite, claims);
   return run_suite(suite);
 }

@@ -39,24 +39,24 @@ static tp_pivot_kind kind_alone(const tp_lattice *l, long point, long outline_co
                       has_after ? compare_heights(l, after, point) : 0, has_before, has_after);
 }
 
-tp_outline_point tp_contact_place(const tp_contact_point *point) {
+tp_outline_point tp_contact_on_outline(const tp_contact_point *point) {
   return (tp_outline_point){point->point, point->cut, point->after};
 }
 
-tp_outline_point tp_contact_end_place(const tp_contact_point *point, bool left) {
+tp_outline_point tp_contact_end_on_outline(const tp_contact_point *point, bool left) {
   const bool other = point->also.cut != NULL && point->also.after == left;
-  return other ? point->also : tp_contact_place(point);
+  return other ? point->also : tp_contact_on_outline(point);
 }
 
 tp_outline_point tp_contact_extreme(const tp_contact *contact, bool left) {
-  return tp_contact_end_place(contact->points + (left ? 0 : contact->point_count - 1), left);
+  return tp_contact_end_on_outline(contact->points + (left ? 0 : contact->point_count - 1), left);
 }
 
 static tp_contact_point *add_point(tp_contact *contact, const tp_lattice *l, tp_outline_point at,
                                    long left, long right) {
   for (long k = contact->point_count - 1; k >= 0 && k >= contact->point_count - 2; k--) {
     tp_contact_point *known = contact->points + k;
-    if (!tp_outline_point_is_same(l, tp_contact_place(known), at)) continue;
+    if (!tp_outline_point_is_same(l, tp_contact_on_outline(known), at)) continue;
     if (left >= 0) known->left = left;
     if (right >= 0) known->right = right;
     return known;

@@ -44,11 +44,11 @@ TP_MUST_USE tp_status tp_contact_init(tp_contact *contact, const tp_section *sec
 void tp_contact_clear(tp_contact *contact);
 
 /* Where on the outline it lies. */
-tp_outline_point tp_contact_place(const tp_contact_point *point);
+tp_outline_point tp_contact_on_outline(const tp_contact_point *point);
 
 /* The same as the left end of a contact, or the right one: where two roundings meet, the tangent
  * point of the corner on that side, and the end that the contact has without them. */
-tp_outline_point tp_contact_end_place(const tp_contact_point *point, bool left);
+tp_outline_point tp_contact_end_on_outline(const tp_contact_point *point, bool left);
 
 /* Where the contact ends on one side. */
 tp_outline_point tp_contact_extreme(const tp_contact *contact, bool left);

@@ -18,11 +18,11 @@ void tp_admissible_find(bool *admissible, const tp_contact *contact, const tp_la
     const tp_contact_point *p = contact->points + k;
     admissible[k] = false;
     if ((left ? p->left : p->right) >= 0) continue; /* presses its own facet down */
-    const tp_outline_point place = tp_contact_place(p);
-    bool clear = opens(lattice, contact->facets + obstacle, place, direction);
+    const tp_outline_point at = tp_contact_on_outline(p);
+    bool clear = opens(lattice, contact->facets + obstacle, at, direction);
     for (long step = 0; step < count && clear; step++) {
       const long f = left ? step : count - 1 - step;
-      clear = opens(lattice, contact->facets + f, place, direction);
+      clear = opens(lattice, contact->facets + f, at, direction);
       if (!clear) obstacle = f;
     }
     admissible[k] = clear;

@@ -70,7 +70,7 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
       wetted.out ? "not cautious" : "cautious");
 }
 
-static bool is_one_place(const tp_contact *contact, const tp_lattice *l) {
+static bool is_one_point(const tp_contact *contact, const tp_lattice *l) {
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *f = contact->facets + k;
     if (!tp_lattice_same_point(l, f->q0, f->q1) ||
@@ -84,7 +84,7 @@ static bool is_one_place(const tp_contact *contact, const tp_lattice *l) {
 tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   tp_status status = TP_OK;
-  if (is_one_place(&problem->contact, &problem->lattice)) {
+  if (is_one_point(&problem->contact, &problem->lattice)) {
     const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
     status = tp_notes_add(notes, message, TP_CAUTION, place,
                           "the block touches its base in one place alone: it can balance there at "

@@ -30,17 +30,18 @@ static void length_double(arb_t length, const tp_evaluation *e) {
   const tp_lattice *l = &e->problem->lattice;
   const long count = e->problem->contact.facet_count;
   double total = 0;
-  for (long from = 0; from < count; from += 1024) {
+  enum { PART = 1024, OF_LENGTH = 6 }; /* facets summed at once; 3.1 roundings, with room */
+  for (long from = 0; from < count; from += PART) {
     double part = 0;
-    for (long k = from; k < count && k < from + 1024; k++) {
+    for (long k = from; k < count && k < from + PART; k++) {
       const tp_facet *f = e->problem->contact.facets + k;
       const double dx = l->u[f->q1] - l->u[f->q0], dy = l->v[f->q1] - l->v[f->q0];
       part += sqrt(dx * dx + dy * dy);
     }
     total += part;
   }
-  const long parts = count / 1024;
-  const double roundings = 1030 + (double)parts;
+  const long parts = count / PART;
+  const double roundings = PART + OF_LENGTH + (double)parts;
   tp_ball_set_bounded(length, total, 1.01 * roundings * DBL_EPSILON / 2 * total);
 }
 

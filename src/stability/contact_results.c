@@ -42,8 +42,9 @@ static void contact_ends(const tp_evaluation *e, tp_contact_result *result,
   const tp_contact_point *last = first + contact->point_count - 1;
   result->left_end = problem->base.left;
   result->right_end = problem->base.right;
-  tp_result_point(&result->left_x_m, &result->left_y_m, e, tp_contact_place(first), certainty);
-  tp_result_point(&result->right_x_m, &result->right_y_m, e, tp_contact_place(last), certainty);
+  tp_result_point(&result->left_x_m, &result->left_y_m, e, tp_contact_on_outline(first), certainty);
+  tp_result_point(&result->right_x_m, &result->right_y_m, e, tp_contact_on_outline(last),
+                  certainty);
   result->steep = contact->steep;
   if (contact->steepest >= 0) {
     const tp_facet *f = contact->facets + contact->steepest;

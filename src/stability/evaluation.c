@@ -67,7 +67,7 @@ void tp_evaluation_point(arb_t x, arb_t y, const tp_evaluation *e, tp_outline_po
 }
 
 void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *e, long k) {
-  tp_evaluation_point(x, y, e, tp_contact_place(e->problem->contact.points + k));
+  tp_evaluation_point(x, y, e, tp_contact_on_outline(e->problem->contact.points + k));
 }
 
 void tp_evaluation_facet(arb_t dx, arb_t dy, const tp_evaluation *e, const tp_facet *facet) {

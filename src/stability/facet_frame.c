@@ -3,6 +3,7 @@
 
 #include "stability/facet_frame.h"
 
+#include "load/setting.h"
 #include "stability/contact_length.h"
 #include "stability/friction.h"
 
@@ -16,7 +17,7 @@ static void set_cohesion(arb_t force, const tp_evaluation *e) {
   tp_problem_thickness(factor, problem);
   fmpq_mul(factor, factor, problem->lattice.step_m);
   fmpq_mul(factor, factor, problem->scene->loads.cohesion_kpa.value);
-  fmpq_mul_ui(factor, factor, 1000);
+  fmpq_mul_ui(factor, factor, TP_KILO);
   arb_mul_fmpz(force, force, fmpq_numref(factor), bits);
   arb_div_fmpz(force, force, fmpq_denref(factor), bits);
   fmpq_clear(factor);

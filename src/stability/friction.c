@@ -3,6 +3,7 @@
 
 #include "stability/friction.h"
 
+#include "load/setting.h"
 #include "number/ball.h"
 #include "stability/contact_length.h"
 
@@ -27,7 +28,7 @@ static void log_strength(arb_t value, const arb_t sigma, const tp_evaluation *e)
   arb_t ten;
   arb_init(ten);
   arb_set_fmpq(value, e->problem->scene->friction.jcs_mpa.value, bits);
-  arb_mul_ui(value, value, 1000000, bits);
+  arb_mul_ui(value, value, TP_KILO * TP_KILO, bits);
   arb_div(value, value, sigma, bits);
   arb_log(value, value, bits);
   arb_const_log10(ten, bits);
@@ -57,7 +58,7 @@ static void set_jrc(arb_t jrc, const tp_evaluation *e) {
     arb_set_fmpq(jrc, angle, bits);
     fmpq_clear(angle);
     arb_set_fmpq(sigma, f->test_stress_kpa.value, bits);
-    arb_mul_ui(sigma, sigma, 1000, bits);
+    arb_mul_ui(sigma, sigma, TP_KILO, bits);
   }
   log_strength(divisor, sigma, e);
   arb_div(jrc, jrc, divisor, bits);

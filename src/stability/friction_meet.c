@@ -193,9 +193,9 @@ bool tp_friction_meet(arb_t degrees, const tp_evaluation *e, tp_friction_limit l
   arf_set_d(estimate, start);
   if (many) refine(estimate, &m, digits + 3 * SPARE);
   tp_answer found = TP_NO;
-  for (slong places = narrowest; places >= widest && found == TP_NO; places -= 3) {
+  for (slong exponent = narrowest; exponent >= widest && found == TP_NO; exponent -= 3) {
     arb_set_arf(interval, estimate);
-    mag_set_ui_2exp_si(arb_radref(interval), 1, -places);
+    mag_set_ui_2exp_si(arb_radref(interval), 1, -exponent);
     found = lies_within(degrees, &m, interval);
   }
   arf_clear(estimate);

@@ -25,7 +25,7 @@ static void leave_open(tp_limit *result, const tp_limit_asking *a) {
   if (!result->too_dear) tp_certainty_leave_open(a->certainty, a->e);
 }
 
-/* Under loads that do not turn with the weight a contact in one place holds at single tilts at
+/* Under loads that do not turn with the weight a contact at one point holds at single tilts at
  * most, where all moments about it cancel: their sum is a combination of independent functions of
  * the tilt, and not all of them vanish. No strength changes that. */
 static bool holds_at_single_tilts(const tp_limit_asking *a) {

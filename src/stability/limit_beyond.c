@@ -127,8 +127,8 @@ static bool is_below(const walk *w, long at, bool inside) {
   const long other = end_of_underside(l, !left);
   const long first = left ? w->last : other, last = left ? other : w->last;
   const long span = (last - first + w->count) % w->count;
-  const long place = (at - first + w->count) % w->count;
-  return inside ? place < span : place <= span;
+  const long offset = (at - first + w->count) % w->count;
+  return inside ? offset < span : offset <= span;
 }
 
 /* Past the end of the sole: the next flank of a toothed base, level ground otherwise; it presses

@@ -3,6 +3,7 @@
 
 #include "stability/limit_cones.h"
 
+#include "load/setting.h"
 #include "stability/limit_lines.h"
 #include "stability/loaded.h"
 
@@ -21,12 +22,12 @@ static long past_straight(const tp_problem *problem, long corner, long step) {
  * that goes on straight below the block does not, nor does an edge of the block itself. */
 static bool lies_beyond(const tp_problem *problem, const tp_facet *f, tp_direction towards) {
   const tp_lattice *l = &problem->lattice;
-  const tp_outline_point place = tp_contact_place(tp_limit_toe(problem, towards));
-  if (f->q0 != f->q1 || !tp_outline_point_is_same(l, tp_facet_begin(f), place)) return false;
+  const tp_outline_point toe = tp_contact_on_outline(tp_limit_toe(problem, towards));
+  if (f->q0 != f->q1 || !tp_outline_point_is_same(l, tp_facet_begin(f), toe)) return false;
   if (f->t0 < l->start[problem->section.ring_count]) return false;
   return towards == TP_TOWARDS_LEFT
-             ? fmpz_cmp(l->x + past_straight(problem, f->t1, 1), l->x + place.point) <= 0
-             : fmpz_cmp(l->x + past_straight(problem, f->t0, -1), l->x + place.point) >= 0;
+             ? fmpz_cmp(l->x + past_straight(problem, f->t1, 1), l->x + toe.point) <= 0
+             : fmpz_cmp(l->x + past_straight(problem, f->t0, -1), l->x + toe.point) >= 0;
 }
 
 static bool restrains(const tp_facet *f) {
@@ -64,7 +65,7 @@ static long contact_point_of(filling *f, tp_outline_point at) {
   const tp_lattice *l = &f->e->problem->lattice;
   long k = f->cursor > 2 ? f->cursor - 2 : 0;
   while (k < contact->point_count - 1 &&
-         !tp_outline_point_is_same(l, tp_contact_place(contact->points + k), at)) {
+         !tp_outline_point_is_same(l, tp_contact_on_outline(contact->points + k), at)) {
     k++;
   }
   f->cursor = k;
@@ -100,7 +101,8 @@ static long site_beyond(filling *f, tp_outline_point at, const tp_limit_beyond *
   const tp_problem *problem = f->e->problem;
   const tp_contact_point *toe = tp_limit_toe(problem, f->towards);
   const tp_lattice *l = &problem->lattice;
-  if (tp_outline_point_is_same(l, at, tp_contact_place(toe))) return toe - problem->contact.points;
+  if (tp_outline_point_is_same(l, at, tp_contact_on_outline(toe)))
+    return toe - problem->contact.points;
   for (long k = 0; k < ends; k++) {
     const tp_facet *facet = beyond->sole.items + k / 2;
     const tp_outline_point other = k % 2 == 0 ? tp_facet_begin(facet) : tp_facet_end(facet);
@@ -156,7 +158,7 @@ static void set_strength(arb_t bound, const arb_t length, const tp_quantity *kpa
   arb_init(y);
   tp_problem_thickness(factor, e->problem);
   fmpq_mul(factor, factor, kpa->value);
-  fmpq_mul_ui(factor, factor, 1000);
+  fmpq_mul_ui(factor, factor, TP_KILO);
   arb_mul_fmpz(bound, length, fmpq_numref(factor), bits);
   arb_div_fmpz(bound, bound, fmpq_denref(factor), bits);
   arb_set_fmpz(x, cones->tx + point);

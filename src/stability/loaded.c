@@ -174,7 +174,7 @@ void tp_loaded_bond(arb_t moment, long k, bool back, const tp_loaded *loaded,
   fmpq_init(factor);
   tp_problem_thickness(factor, problem);
   fmpq_mul(factor, factor, problem->scene->loads.bond_kpa.value);
-  fmpq_mul_ui(factor, factor, 1000);
+  fmpq_mul_ui(factor, factor, TP_KILO);
   fmpq_mul(factor, factor, problem->lattice.step_m);
   fmpq_mul(factor, factor, problem->lattice.step_m);
   mul_fmpq(moment, factor, e->rung.bits);

@@ -131,7 +131,7 @@ tp_bond *tp_bond_new(const tp_evaluation *e) {
     free(bond);
     return NULL;
   }
-  const tp_outline_point first = tp_contact_place(contact->points);
+  const tp_outline_point first = tp_contact_on_outline(contact->points);
   for (int axis = 0; axis < 2; axis++) arb_init(bond->origin + axis);
   tp_evaluation_point(bond->origin, bond->origin + 1, e, first);
   for (int axis = 0; axis < 2; axis++) arb_get_mid_arb(bond->origin + axis, bond->origin + axis);
@@ -266,7 +266,7 @@ void tp_bond_moment(arb_t moment, const tp_bond *bond, const tp_evaluation *e, l
                     bool to_the_right) {
   query w = {.bond = bond,
              .e = e,
-             .pivot = tp_contact_place(e->problem->contact.points + k),
+             .pivot = tp_contact_on_outline(e->problem->contact.points + k),
              .to_the_right = to_the_right,
              .sum = moment};
   arb_zero(moment);

@@ -52,7 +52,7 @@ static const tp_direction_ball *first_by_formula(const tp_evaluation *e, tp_case
   return NULL;
 }
 
-/* Contact forces let a bond pull in one place and press in another, which counts as friction of
+/* Contact forces let a bond pull at one point and press at another, which counts as friction of
  * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
  * is more than the scene gives it: then it slides where the forces along the facet say so. */
 static bool slides_sooner(const tp_evaluation *e, const tp_case *result, tp_certainty *certainty) {

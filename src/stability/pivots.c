@@ -188,7 +188,7 @@ static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivo
   tp_direction_ball_init(&angle);
   pivot->rounded = point->cut != NULL;
   if (pivot->rounded) {
-    tp_result_point(&pivot->x_m, &pivot->y_m, e, tp_contact_place(point), certainty);
+    tp_result_point(&pivot->x_m, &pivot->y_m, e, tp_contact_on_outline(point), certainty);
   }
   if (e->loaded != NULL) {
     tp_roots roots;

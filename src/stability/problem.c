@@ -287,5 +287,5 @@ void tp_problem_weight_factor(fmpq_t newton, const tp_problem *problem) {
   fmpq_mul(newton, newton, problem->section.weight_unit);
   fmpq_mul(newton, newton, problem->lattice.step_m);
   fmpq_mul(newton, newton, problem->lattice.step_m);
-  fmpq_mul_ui(newton, newton, 500); /* kN to N, and half of twice the area */
+  fmpq_mul_ui(newton, newton, TP_KILO / 2); /* half of twice the area */
 }

@@ -37,7 +37,7 @@ typedef struct rolling {
  * point may be a vertex of the outline or of the profile. */
 static const tp_corner *corner_at(const tp_problem *problem, const tp_contact_point *toe,
                                   bool left) {
-  const tp_outline_point end = tp_contact_end_place(toe, left);
+  const tp_outline_point end = tp_contact_end_on_outline(toe, left);
   if (end.cut != NULL) return end.after == left ? end.cut : NULL;
   const long count = problem->lattice.start[1], facet = left ? toe->right : toe->left;
   long vertex = -1;
@@ -241,7 +241,7 @@ void tp_evaluate_rolling(const tp_evaluation *e, tp_case *result, const tp_direc
   const bool left = result->towards == TP_TOWARDS_LEFT;
   const tp_contact_point *toe = problem->contact.points + result->governing;
   rolling on = {.corner = corner_at(problem, toe, left), .left = left};
-  on.toe = tp_contact_place(toe);
+  on.toe = tp_contact_on_outline(toe);
   if (on.corner == NULL || !find_plane(&on, problem)) return;
   arb_t angle;
   arb_init(angle);
