@@ -201,8 +201,8 @@ typedef struct tp_solution {
   int digits;       /* asked of every number */
   bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
                        rule */
-  long zero_bits;   /* 0: every decision is proven; else some rest on quantities that so many bits do
-                       not tell from zero, besides the ties that say so themselves */
+  long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do
+                     not tell from zero, besides the ties that say so themselves */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
 

@@ -91,7 +91,8 @@ const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
   return NULL;
 }
 
-/* The tree under construction: the collections that it is within, and a key that waits for its value. */
+/* The tree under construction: the collections that it is within, and a key that waits for its
+ * value. */
 typedef struct builder {
   const char *path;
   tp_message *message;

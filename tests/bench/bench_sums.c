@@ -5,15 +5,14 @@
  *
  *     bench_sums [MOST_VERTICES]
  *
- * Measured, on the rough outline of accuracy/: a sum over both arrays, which reads every byte of them
- * and does next to nothing else; a plain loop for area and centroid, without any bound; area and
- * centroid (3 sums) and all six with their bounds in double, in pairs, exactly and in balls of 128
- * bits. Medians of 9 samples, the methods in turn, each sample repeated to last 5 ms.
- * To be read: nanoseconds per vertex. The first table, by the best instruction set and one thread,
- * tells by `/read` what area and centroid cost beyond fetching their input: large where the
- * coordinates lie in cache, falling as memory becomes the limit. The second table is every
- * instruction set of this machine, the third are threads. Exact and ball are left out beyond 10^5
- * vertices. */
+ * Measured, on the rough outline of accuracy/: a sum over both arrays, which reads every byte of
+ * them and does next to nothing else; a plain loop for area and centroid, without any bound; area
+ * and centroid (3 sums) and all six with their bounds in double, in pairs, exactly and in balls of
+ * 128 bits. Medians of 9 samples, the methods in turn, each sample repeated to last 5 ms. To be
+ * read: nanoseconds per vertex. The first table, by the best instruction set and one thread, tells
+ * by `/read` what area and centroid cost beyond fetching their input: large where the coordinates
+ * lie in cache, falling as memory becomes the limit. The second table is every instruction set of
+ * this machine, the third are threads. Exact and ball are left out beyond 10^5 vertices. */
 
 #include "bench.h"
 
