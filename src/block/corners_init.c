@@ -93,38 +93,23 @@ static tp_status check_fit(const tp_corners *corners, const tp_corner *corner,
   return TP_OK;
 }
 
-/* Twice the area of the triangle p, q and a lattice point. */
-static void set_cross(arb_t cross, const tp_ball_point *p, const tp_ball_point *q,
-                      const tp_lattice *l, long point, long bits) {
-  arb_t ux, uy, vx, vy;
-  arb_init(ux);
-  arb_init(uy);
-  arb_init(vx);
-  arb_init(vy);
-  arb_sub(ux, q->x, p->x, bits);
-  arb_sub(uy, q->y, p->y, bits);
-  arb_sub_fmpz(vx, p->x, l->x + point, bits);
-  arb_sub_fmpz(vy, p->y, l->y + point, bits);
-  arb_mul(cross, uy, vx, bits);
-  arb_submul(cross, ux, vy, bits);
-  arb_clear(ux);
-  arb_clear(uy);
-  arb_clear(vx);
-  arb_clear(vy);
-}
-
 /* Does a point that lies between the two edges of a corner lie in its tip: beyond the chord, and
  * not within a radius of the centre? */
 static bool in_tip(const tp_corner_ball *c, const tp_lattice *l, long point, long bits) {
+  tp_ball_point own;
   arb_t side, x, y;
+  tp_ball_point_init(&own);
   arb_init(side);
   arb_init(x);
   arb_init(y);
-  set_cross(side, &c->before, &c->after, l, point, bits);
-  arb_sub_fmpz(x, c->centre.x, l->x + point, bits);
-  arb_sub_fmpz(y, c->centre.y, l->y + point, bits);
+  arb_set_fmpz(own.x, l->x + point);
+  arb_set_fmpz(own.y, l->y + point);
+  tp_ball_point_cross(side, &c->before, &c->after, &own, bits);
+  arb_sub(x, c->centre.x, own.x, bits);
+  arb_sub(y, c->centre.y, own.y, bits);
   arb_hypot(x, x, y, bits);
   const bool inside = arb_is_negative(side) && !arb_lt(x, c->radius);
+  tp_ball_point_clear(&own);
   arb_clear(side);
   arb_clear(x);
   arb_clear(y);

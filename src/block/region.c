@@ -52,11 +52,9 @@ static void add_first(arb_t sum, const arb_t area, const arb_srcptr p[3], long b
   arb_clear(s);
 }
 
-void tp_region_add_triangle(tp_region *region, const tp_ball_point *p, const tp_ball_point *q,
-                            const tp_ball_point *r, long bits) {
-  const arb_srcptr x[3] = {p->x, q->x, r->x}, y[3] = {p->y, q->y, r->y};
-  arb_t area, ux, uy, vx, vy;
-  arb_init(area);
+void tp_ball_point_cross(arb_t cross, const tp_ball_point *p, const tp_ball_point *q,
+                         const tp_ball_point *r, long bits) {
+  arb_t ux, uy, vx, vy;
   arb_init(ux);
   arb_init(uy);
   arb_init(vx);
@@ -65,8 +63,20 @@ void tp_region_add_triangle(tp_region *region, const tp_ball_point *p, const tp_
   arb_sub(uy, q->y, p->y, bits);
   arb_sub(vx, r->x, p->x, bits);
   arb_sub(vy, r->y, p->y, bits);
-  arb_mul(area, ux, vy, bits);
-  arb_submul(area, uy, vx, bits);
+  arb_mul(cross, ux, vy, bits);
+  arb_submul(cross, uy, vx, bits);
+  arb_clear(ux);
+  arb_clear(uy);
+  arb_clear(vx);
+  arb_clear(vy);
+}
+
+void tp_region_add_triangle(tp_region *region, const tp_ball_point *p, const tp_ball_point *q,
+                            const tp_ball_point *r, long bits) {
+  const arb_srcptr x[3] = {p->x, q->x, r->x}, y[3] = {p->y, q->y, r->y};
+  arb_t area;
+  arb_init(area);
+  tp_ball_point_cross(area, p, q, r, bits);
   arb_mul_2exp_si(area, area, -1);
   arb_add(region->of + A, region->of + A, area, bits);
   add_first(region->of + X, area, x, bits);
@@ -75,10 +85,6 @@ void tp_region_add_triangle(tp_region *region, const tp_ball_point *p, const tp_
   add_second(region->of + YY, area, y, y, bits);
   add_second(region->of + XY, area, x, y, bits);
   arb_clear(area);
-  arb_clear(ux);
-  arb_clear(uy);
-  arb_clear(vx);
-  arb_clear(vy);
 }
 
 /* Area, first and second moments of a sector about its centre, in its own frame. */

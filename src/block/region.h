@@ -25,6 +25,10 @@ typedef struct tp_ball_point {
 void tp_ball_point_init(tp_ball_point *point);
 void tp_ball_point_clear(tp_ball_point *point);
 
+/* (q - p) x (r - p): twice the area of the triangle, above zero where it is counter-clockwise. */
+void tp_ball_point_cross(arb_t cross, const tp_ball_point *p, const tp_ball_point *q,
+                         const tp_ball_point *r, long bits);
+
 /* Add the triangle p, q, r: positive counter-clockwise. */
 void tp_region_add_triangle(tp_region *region, const tp_ball_point *p, const tp_ball_point *q,
                             const tp_ball_point *r, long bits);
