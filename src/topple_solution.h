@@ -28,6 +28,7 @@ typedef struct tp_pivot {
   tp_pivot_kind kind;
   bool rounded;    /* the corner is: (x, y) is where the axis then lies */
   bool admissible; /* to first order: turning about it opens every contact facet */
+  bool told;       /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
   bool never;      /* loads keep it from toppling about this pivot at any tilt, ... */
   bool always;     /* ... or from standing on it at any: there is no critical angle */
   tp_bounded x_m, y_m;

@@ -24,6 +24,17 @@ void tp_scene_free(tp_scene *scene);
 
 enum { TP_DIGITS_MAX = 1000 };
 
+/* Which pivots get their numbers, and are listed: all; those that can govern or hold the block
+ * alone, by which are meant the admissible ones, those at rounded corners, those that bear the
+ * limit's reactions and the TP_PIVOTS_NEAR_TOE nearest to the toe; or all up to TP_PIVOTS_MANY,
+ * beyond that those. */
+typedef enum tp_pivots_listed {
+  TP_PIVOTS_BY_COUNT,
+  TP_PIVOTS_ALL,
+  TP_PIVOTS_GOVERNING
+} tp_pivots_listed;
+enum { TP_PIVOTS_NEAR_TOE = 16, TP_PIVOTS_MANY = 300 };
+
 typedef struct tp_solve_options {
   bool elements;           /* draw up the account of moments by elements */
   bool limit;              /* find the static limit, where the scene gives a friction angle */
@@ -31,6 +42,7 @@ typedef struct tp_solve_options {
   bool motion_ranges;      /* find which motions can begin at every tilt (tp_onset.ranges) */
   int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
   tp_level level; /* the dearest arithmetic allowed; TP_UNDECIDED where it is not enough */
+  tp_pivots_listed pivots; /* a number for each of a million pivots takes a fifth of the time */
 } tp_solve_options;
 
 tp_solve_options tp_solve_options_default(void);
@@ -61,12 +73,8 @@ TP_MUST_USE tp_status tp_report_notes(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution);
 
 /* JSON with all pivots, or with those that can govern or hold the block alone: they bear their
- * index. tp_report_json lists them all up to 300. */
-typedef enum tp_pivots_listed {
-  TP_PIVOTS_BY_COUNT,
-  TP_PIVOTS_ALL,
-  TP_PIVOTS_GOVERNING
-} tp_pivots_listed;
+ * index. tp_report_json lists them by count. Pivots that the solve left without numbers are not
+ * listed. */
 TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
                                             tp_pivots_listed listed);
 /* A table, a row for each direction of each solution: tilt, verdict, governing factor, and the

@@ -125,6 +125,7 @@ static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const cha
   solve.elements = a->elements;
   solve.digits = a->digits;
   solve.level = a->level;
+  solve.pivots = a->figure != NULL ? TP_PIVOTS_ALL : a->pivots;
   const tp_status status = tp_scene_read(scene, path, message);
   return status == TP_OK ? tp_solve(solution, *scene, &solve, message) : status;
 }

@@ -10,8 +10,6 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { ROWS_SHOWN = 16 };
-
 static bool governs(const tp_case *c, size_t k) {
   return c->has_governing && k == c->governing;
 }
@@ -49,7 +47,7 @@ void tp_page_add_pivots(tp_page *p, const tp_case *c) {
   size_t left_out = 0;
   for (size_t k = 0; k < c->pivot_count; k++) {
     const size_t from_toe = c->towards == TP_TOWARDS_LEFT ? k : c->pivot_count - 1 - k;
-    if (c->pivots[k].admissible || from_toe < ROWS_SHOWN) {
+    if (c->pivots[k].admissible || from_toe < TP_PIVOTS_NEAR_TOE) {
       add_row(p, c, k);
     } else {
       left_out++;
@@ -107,7 +105,15 @@ static bool matters(const tp_case *c, size_t k) {
   return p->admissible || governs(c, k) || holds;
 }
 
+static bool are_all_told(const tp_case *c) {
+  for (size_t k = 0; k < c->pivot_count; k++) {
+    if (!c->pivots[k].told) return false;
+  }
+  return true;
+}
+
 void tp_json_pivots(tp_json *j, const tp_solution *s, const tp_case *c, bool all) {
+  all = all && are_all_told(c);
   tp_json_count(j, "pivot_count", c->pivot_count);
   tp_json_beside(j);
   tp_json_string(j, "pivots_listed", all ? "all" : "governing");

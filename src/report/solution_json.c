@@ -178,9 +178,8 @@ static void add_effects(tp_json *j, const tp_solution *s) {
 }
 
 static void add_case(tp_json *j, const tp_solution *s, const tp_case *c, tp_pivots_listed shown) {
-  enum { MOST_PIVOTS = 300 };
   if (shown == TP_PIVOTS_BY_COUNT) {
-    shown = c->pivot_count > MOST_PIVOTS ? TP_PIVOTS_GOVERNING : TP_PIVOTS_ALL;
+    shown = c->pivot_count > TP_PIVOTS_MANY ? TP_PIVOTS_GOVERNING : TP_PIVOTS_ALL;
   }
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "towards", tp_text_direction(c->towards));

@@ -95,6 +95,9 @@ static bool evaluate_direction(const tp_evaluation *e, tp_case *own, climb *c,
   evaluate_formulas(e, own, &toppling, &sliding, c, certainty);
   const bool statics = c->problem->scene->friction_angle_deg.given && c->options->limit;
   const bool done = !statics || evaluate_statics(e, own, c, certainty);
+  if (statics) {
+    tp_evaluate_bearing_pivots(e, own, c->settled[own->towards].pivots, certainty);
+  }
   tell_mechanism(e, own, &toppling, &sliding, c->settled + own->towards, certainty);
   if (c->options->elements) tp_evaluate_account(e, own, &toppling, certainty);
   tp_direction_ball_clear(&toppling);

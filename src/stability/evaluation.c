@@ -12,7 +12,8 @@ void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung run
                        .rung = rung,
                        .digits = options->digits,
                        .reduces_strength = options->strength_reduction,
-                       .tells_ranges = options->motion_ranges};
+                       .tells_ranges = options->motion_ranges,
+                       .pivots = options->pivots};
   arb_init(e->weight_per_area_pa);
   tp_moments_init(&e->moments);
   tp_evaluate_moments(&e->moments, problem, rung);

@@ -18,6 +18,7 @@ typedef struct tp_evaluation {
   int digits;
   bool reduces_strength; /* for the factor of safety of the limit */
   bool tells_ranges;     /* which motions can begin at every tilt */
+  tp_pivots_listed pivots;
   tp_moments moments;
   arb_t weight_per_area_pa;       /* on the mean plane, level; where friction depends on the load */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */

@@ -10,6 +10,8 @@
 
 #include "number/ball.h"
 
+#include <math.h>
+
 /* The critical angle under loads, with its direction for what compares angles by it. */
 static void loaded_angle(const tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots,
                          tp_certainty *certainty) {
@@ -205,27 +207,73 @@ static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivo
   tp_direction_ball_clear(&angle);
 }
 
+static void tilt_init(tilt *t, const tp_evaluation *e) {
+  const tp_quantity *angle = &e->problem->scene->tilt_angle_deg;
+  t->given = angle->given;
+  arb_init(t->sine);
+  arb_init(t->cosine);
+  if (t->given) tp_ball_sin_cos_degrees(t->sine, t->cosine, angle->value, e->rung.bits);
+}
+
+static void tilt_clear(tilt *t) {
+  arb_clear(t->sine);
+  arb_clear(t->cosine);
+}
+
+/* Its numbers, unless they are settled. */
+static void tell_pivot(const tp_evaluation *e, tp_case *result, size_t k, bool *settled,
+                       const tilt *t, tp_certainty *certainty) {
+  if (settled[k]) return;
+  tp_certainty own = {0};
+  result->pivots[k].told = true;
+  evaluate_pivot(e, result->towards, result->pivots + k, (long)k, t, &own);
+  settled[k] = !own.open;
+  tp_certainty_add(certainty, &own);
+}
+
+static bool tells_all(const tp_evaluation *e, const tp_case *result) {
+  return e->pivots == TP_PIVOTS_ALL ||
+         (e->pivots == TP_PIVOTS_BY_COUNT && result->pivot_count <= TP_PIVOTS_MANY);
+}
+
 void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
                         tp_direction_ball *toppling, tp_certainty *certainty) {
-  const tp_quantity *angle = &e->problem->scene->tilt_angle_deg;
-  tilt t = {.given = angle->given};
-  arb_init(t.sine);
-  arb_init(t.cosine);
-  if (t.given) tp_ball_sin_cos_degrees(t.sine, t.cosine, angle->value, e->rung.bits);
+  const bool all = tells_all(e, result), left = result->towards == TP_TOWARDS_LEFT;
+  tilt t;
+  tilt_init(&t, e);
   for (size_t k = 0; k < result->pivot_count; k++) {
-    result->pivots[k].admissible = e->problem->admissible[result->towards][k];
-    if (settled[k]) continue;
-    tp_certainty own = {0};
-    evaluate_pivot(e, result->towards, result->pivots + k, (long)k, &t, &own);
-    settled[k] = !own.open;
-    tp_certainty_add(certainty, &own);
+    tp_pivot *pivot = result->pivots + k;
+    const size_t from_toe = left ? k : result->pivot_count - 1 - k;
+    pivot->admissible = e->problem->admissible[result->towards][k];
+    const bool is_rounded = e->problem->contact.points[k].cut != NULL; /* it lies elsewhere */
+    if (all || pivot->admissible || is_rounded || from_toe < TP_PIVOTS_NEAR_TOE) {
+      tell_pivot(e, result, k, settled, &t, certainty);
+    }
   }
+  tilt_clear(&t);
   const tp_governing_pivot governing =
       tp_evaluate_toppling(e, result->towards, toppling, certainty);
   result->has_governing = governing.found;
   result->governing = governing.index;
   result->governing_tie = governing.tie;
   result->governing_tie_bits = governing.tie_bits;
-  arb_clear(t.sine);
-  arb_clear(t.cosine);
+}
+
+static bool bears(const tp_pivot *pivot, const tp_reaction *force) {
+  return fabs(force->x_m.value - pivot->x_m.value) <= force->x_m.error + pivot->x_m.error &&
+         fabs(force->y_m.value - pivot->y_m.value) <= force->y_m.error + pivot->y_m.error;
+}
+
+void tp_evaluate_bearing_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
+                                tp_certainty *certainty) {
+  if (tells_all(e, result)) return;
+  tilt t;
+  tilt_init(&t, e);
+  for (size_t r = 0; r < result->limit.reaction_count; r++) {
+    for (size_t k = 0; k < result->pivot_count; k++) {
+      if (!bears(result->pivots + k, result->limit.reactions + r)) continue;
+      tell_pivot(e, result, k, settled, &t, certainty);
+    }
+  }
+  tilt_clear(&t);
 }

@@ -15,7 +15,7 @@
 
 tp_solve_options tp_solve_options_default(void) {
   return (tp_solve_options){
-      .limit = true, .strength_reduction = true, .digits = 9, .level = TP_LEVEL_EXACT};
+      .limit = true, .strength_reduction = true, .digits = 9, .level = TP_LEVEL_EXACT, .pivots = TP_PIVOTS_ALL};
 }
 
 tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
@@ -51,6 +51,9 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   }
   if ((int)options->level < 0 || (int)options->level >= TP_LEVELS) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such level of arithmetic");
+  }
+  if ((int)options->pivots < 0 || options->pivots > TP_PIVOTS_GOVERNING) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such list of pivots");
   }
   tp_solution *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the solution");

@@ -38,10 +38,15 @@ typedef struct tp_governing_pivot {
 tp_governing_pivot tp_evaluate_toppling(const tp_evaluation *evaluation, tp_direction towards,
                                         tp_direction_ball *toppling, tp_certainty *certainty);
 
-/* All pivots of a direction but those that are settled: a lower rung made all their numbers
- * certain. The critical angle of the governing one is left in `toppling`, where there is one. */
+/* The pivots of a direction that are asked for, but those that are settled: a lower rung made all
+ * their numbers certain. The critical angle of the governing one is left in `toppling`, where there
+ * is one. */
 void tp_evaluate_pivots(const tp_evaluation *evaluation, tp_case *result, bool *settled,
                         tp_direction_ball *toppling, tp_certainty *certainty);
+
+/* Likewise those that bear the limit's reactions, once that is found. */
+void tp_evaluate_bearing_pivots(const tp_evaluation *evaluation, tp_case *result, bool *settled,
+                                tp_certainty *certainty);
 
 /* Whether a rounded toe rolls back from its critical angle, or goes over. */
 void tp_evaluate_rolling(const tp_evaluation *evaluation, tp_case *result,

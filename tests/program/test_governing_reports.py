@@ -5,6 +5,8 @@
 import csv
 import io
 import json
+import random
+from fractions import Fraction
 
 from governing_case import APEXES, GoverningCase, slab
 from harness import ROOT, main, run
@@ -86,6 +88,38 @@ class GoverningReports(GoverningCase):
             self.assertTrue({k for k, p in enumerate(case["pivots"]) if p["admissible"]} <= set(indices))
         self.assertEqual(run("solve", "--pivots=some", "--json", self.scene(scene(3)))[0], 2)
         self.assertEqual(run("solve", "--pivots=all", self.scene(scene(3)))[0], 2)
+
+    def test_pivots_that_are_not_asked_for(self):
+        """Random rough undersides, half of them under an earthquake: the pivots that can govern or hold the block are
+        the same whether the others get numbers or not, and those that bear the limit's reactions are among them."""
+        draw = random.Random(14)
+        bearing = 0
+        for round_number in range(40):
+            count = draw.randint(20, 60)
+            under = [(k, Fraction(draw.randint(0, 6), 12)) for k in range(count)]
+            outline = ", ".join(f"[{x}, {y}]" for x, y in under + [(count - 1, 30), (0, 30)])
+            text = (f"topple: 1\nlength_unit: m\nblock: {{outline: [{outline}], unit_weight_kn_m3: 26}}\n"
+                    "base: {mated: true, beyond: {left: 1, right: 1}}\n"
+                    f"friction_angle_deg: {draw.randint(15, 45)}\ntilt: {{towards: both, angle_deg: {draw.randint(0, 40)}}}\n")
+            if round_number % 2:
+                text += "loads: {seismic: {horizontal: 0.1}}\n"
+            few, every = self.solve(text, "--pivots=governing"), self.solve(text, "--pivots=all")
+            for some, whole in zip(few, every):
+                self.assertEqual(some["mechanism"], whole["mechanism"], text)
+                listed = {p["index"]: p for p in some["pivots"]}
+                self.assertLessEqual({k for k, p in enumerate(whole["pivots"]) if p["admissible"]}, set(listed), text)
+                for k, pivot in listed.items():
+                    for key in ("critical_angle_deg", "fos"):
+                        a, b = pivot[key], whole["pivots"][k][key]
+                        self.assertEqual(a is None, b is None, text)
+                        if a is not None:
+                            self.assertLessEqual(abs(a["value"] - b["value"]), a["error"] + b["error"], text)
+                for force in some["limit"].get("reactions", []):
+                    at = [k for k, p in enumerate(whole["pivots"])
+                          if all(abs(p[c]["value"] - force[c]["value"]) <= 1e-9 for c in ("x_m", "y_m"))]
+                    bearing += len(at) and not whole["pivots"][at[0]]["admissible"]
+                    self.assertLessEqual(set(at), set(listed), text)
+        self.assertGreater(bearing, 10)
 
     def test_no_negative_factor_on_a_blocked_pivot(self):
         for path in sorted((ROOT / "examples").glob("*.yaml")):
