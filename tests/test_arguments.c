@@ -59,6 +59,11 @@ START_TEST(solutions) {
     REFUSED(tp_solve(&solution, scene, &options, &message), "level");
     ck_assert_str_eq(tp_level_name((tp_level)k), "unknown");
   }
+  options = tp_solve_options_default();
+  for (int k = -1; k <= TP_PIVOTS_GOVERNING + 1; k += TP_PIVOTS_GOVERNING + 2) {
+    options.pivots = (tp_pivots_listed)k;
+    REFUSED(tp_solve(&solution, scene, &options, &message), "pivots");
+  }
   ck_assert_ptr_eq(solution, UNTOUCHED(tp_solution));
   ck_assert(tp_solution_is_undecided(NULL));
   tp_level level = TP_LEVEL_BALL;
