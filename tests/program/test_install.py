@@ -65,6 +65,24 @@ class Installed(unittest.TestCase):
         for order in (headers, headers[::-1]):
             self.compile("".join(f"#include <{h}>\n" for h in order) + USE)
 
+    def test_symbols(self):
+        """The shared libraries together show each function that the headers declare, once, and nothing else: not what
+        they call within, nor what they hold of CGAL, GSL and the C++ library."""
+        libraries = [*self.folder.rglob("libtopple.so"), self.library]
+        if len(libraries) == 1:
+            self.skipTest("only a static library was built (-Ddefault_library=static)")
+        shown = []
+        for library in libraries:
+            lines = subprocess.run(["nm", "-D", "--defined-only", library], check=True, capture_output=True,
+                                   encoding="utf-8").stdout.splitlines()
+            symbols = [line.split()[1:] for line in lines]
+            shown += [name.split("@")[0] for kind, name in symbols if kind != "A"]  # A: the versions themselves
+        read = subprocess.run(["cc", "-E", "-P", self.include / "topple.h"], check=True, capture_output=True,
+                              encoding="utf-8").stdout
+        declared = sorted(set(re.findall(r"\b(tp_\w+)\s*\(", read)))
+        self.assertGreater(len(declared), 60)
+        self.assertEqual(sorted(shown), declared)
+
     def draw(self, program=None, folder="/"):
         """The figure of an install that does not lie where it was meant to."""
         figure = self.folder / "figure.svg"
