@@ -45,7 +45,7 @@ class Installed(unittest.TestCase):
         subprocess.run(["meson", "install", "-C", BUILD, "--no-rebuild", "--destdir", cls.folder],
                        check=True, capture_output=True)
         (cls.program,) = cls.folder.rglob("bin/topple")
-        (library,) = cls.folder.rglob("libtopple-figure.so")
+        (library,) = cls.folder.rglob("libtopple-figure.so.0")
         cls.library = library
         cls.include = next(cls.folder.rglob("include/topple.h")).parent
 
@@ -59,6 +59,9 @@ class Installed(unittest.TestCase):
         """Each alone, each before and after the one for all, in C and in C++."""
         headers = sorted(p.name for p in self.include.glob("*.h"))
         self.assertEqual(headers, sorted(p.name for p in (ROOT / "src").glob("topple*.h")))
+        read = subprocess.run(["cc", "-MM", self.include / "topple.h"], check=True, capture_output=True,
+                              encoding="utf-8").stdout
+        self.assertEqual(headers, sorted(set(re.findall(r"topple\w*\.h\b", read))), "what topple.h includes")
         for header in headers:
             self.compile(f"#include <{header}>\n")
             self.compile(f"#include <{header}>\n#include <topple.h>\n{USE}")
@@ -108,7 +111,7 @@ class Installed(unittest.TestCase):
         self.assertTrue(figure.exists())
 
     def make_decoy(self, folder):
-        decoy = folder / "libtopple-figure.so"
+        decoy = folder / self.library.name
         subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", decoy], input=DECOY, check=True,
                        encoding="utf-8")
         return decoy
