@@ -21,8 +21,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define LIBRARY "libtopple-figure.so"
-
 typedef tp_status (*draw_function)(const char *path, const tp_scene *scene,
                                    const tp_solution *solution, tp_figure_consent consent,
                                    tp_message *message);
@@ -40,7 +38,8 @@ static bool is_trusted(const char *path, const struct stat *program) {
  * wherever to; else where it was meant to be installed. It stays loaded: Fontconfig keeps what it
  * knows until the process ends. */
 static void *load_library(void) {
-  static const char *const relative[] = {LIBRARY, TP_LIBRARY_FROM_PROGRAM "/" LIBRARY};
+  static const char *const relative[] = {TP_FIGURE_LIBRARY,
+                                         TP_LIBRARY_FROM_PROGRAM "/" TP_FIGURE_LIBRARY};
   char folder[PATH_MAX], path[2 * PATH_MAX];
   struct stat program;
   const ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
@@ -56,7 +55,7 @@ static void *load_library(void) {
       if (is_trusted(path, &program)) return dlopen(path, RTLD_NOW);
     }
   }
-  return dlopen(TP_LIBRARY_FOLDER "/" LIBRARY, RTLD_NOW);
+  return dlopen(TP_LIBRARY_FOLDER "/" TP_FIGURE_LIBRARY, RTLD_NOW);
 }
 
 /* What the process that draws has to tell: that all is ready, and it waits for a byte as consent;
@@ -75,7 +74,8 @@ static tp_status draw_here(const char *path, const tp_scene *scene, const tp_sol
   if (draw != NULL) return draw(path, scene, solution, consent, message);
   const char *why = dlerror();
   snprintf(message->text, sizeof message->text,
-           "figures are drawn by " LIBRARY ", which does not load (%s); install it beside Topple's "
+           "figures are drawn by " TP_FIGURE_LIBRARY
+           ", which does not load (%s); install it beside Topple's "
            "other files",
            why != NULL ? why : "no reason is given");
   return TP_DEPENDENCY_FAILED;

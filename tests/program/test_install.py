@@ -45,7 +45,7 @@ class Installed(unittest.TestCase):
         subprocess.run(["meson", "install", "-C", BUILD, "--no-rebuild", "--destdir", cls.folder],
                        check=True, capture_output=True)
         (cls.program,) = cls.folder.rglob("bin/topple")
-        (library,) = cls.folder.rglob("libtopple-figure.so")
+        (library,) = cls.folder.rglob("libtopple-figure.so.0")
         cls.library = library
         cls.include = next(cls.folder.rglob("include/topple.h")).parent
 
@@ -59,11 +59,32 @@ class Installed(unittest.TestCase):
         """Each alone, each before and after the one for all, in C and in C++."""
         headers = sorted(p.name for p in self.include.glob("*.h"))
         self.assertEqual(headers, sorted(p.name for p in (ROOT / "src").glob("topple*.h")))
+        read = subprocess.run(["cc", "-MM", self.include / "topple.h"], check=True, capture_output=True,
+                              encoding="utf-8").stdout
+        self.assertEqual(headers, sorted(set(re.findall(r"topple\w*\.h\b", read))), "what topple.h includes")
         for header in headers:
             self.compile(f"#include <{header}>\n")
             self.compile(f"#include <{header}>\n#include <topple.h>\n{USE}")
         for order in (headers, headers[::-1]):
             self.compile("".join(f"#include <{h}>\n" for h in order) + USE)
+
+    def test_symbols(self):
+        """The shared libraries together show each function that the headers declare, once, and nothing else: not what
+        they call within, nor what they hold of CGAL, GSL and the C++ library."""
+        libraries = [*self.folder.rglob("libtopple.so"), self.library]
+        if len(libraries) == 1:
+            self.skipTest("only a static library was built (-Ddefault_library=static)")
+        shown = []
+        for library in libraries:
+            lines = subprocess.run(["nm", "-D", "--defined-only", library], check=True, capture_output=True,
+                                   encoding="utf-8").stdout.splitlines()
+            symbols = [line.split()[1:] for line in lines]
+            shown += [name.split("@")[0] for kind, name in symbols if kind != "A"]  # A: the versions themselves
+        read = subprocess.run(["cc", "-E", "-P", self.include / "topple.h"], check=True, capture_output=True,
+                              encoding="utf-8").stdout
+        declared = sorted(set(re.findall(r"\b(tp_\w+)\s*\(", read)))
+        self.assertGreater(len(declared), 60)
+        self.assertEqual(sorted(shown), declared)
 
     def draw(self, program=None, folder="/"):
         """The figure of an install that does not lie where it was meant to."""
@@ -90,7 +111,7 @@ class Installed(unittest.TestCase):
         self.assertTrue(figure.exists())
 
     def make_decoy(self, folder):
-        decoy = folder / "libtopple-figure.so"
+        decoy = folder / self.library.name
         subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", decoy], input=DECOY, check=True,
                        encoding="utf-8")
         return decoy
