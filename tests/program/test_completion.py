@@ -12,7 +12,7 @@ import unittest
 
 from harness import PROGRAM, ROOT, main, run
 
-FOLDER = ROOT / "install" / "completion"
+FOLDER = ROOT / "docs" / "packaging" / "completion"
 COMMANDS = ("solve", "derive", "verify", "accuracy", "chart")
 # The function that `complete -F` names, called as bash calls it.
 ASK = r"""
