@@ -8,15 +8,10 @@
 
 tp_status tp_build_begin(tp_build *build, tp_scene *scene, const char *call, tp_message *message) {
   *build = (tp_build){.scene = scene, .place = {call, 0, 0}, .message = message};
-  if (scene == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, build->place, "'scene' must not be NULL");
-  }
-  if (scene->source != NULL) {
-    return tp_fail(message, TP_BAD_INPUT, build->place,
-                   "this scene was read from a file; change what it says there, or build one by "
-                   "tp_scene_new");
-  }
-  return TP_OK;
+  if (scene->source == NULL) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, build->place,
+                 "this scene was read from a file; change what it says there, or build one by "
+                 "tp_scene_new");
 }
 
 tp_status tp_build_read(tp_build *build, const tp_given *given, long count) {

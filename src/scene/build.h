@@ -32,7 +32,7 @@ typedef struct tp_build {
   fmpq values[TP_BUILD_MOST];
 } tp_build;
 
-/* Can the scene be changed by `call`? It is not NULL, and was not read from a file. */
+/* Can the scene be changed by `call`: was it not read from a file? */
 TP_MUST_USE tp_status tp_build_begin(tp_build *build, tp_scene *scene, const char *call,
                                      tp_message *message);
 

@@ -21,6 +21,8 @@ static void drop(tp_base_description *base) {
 }
 
 tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
@@ -33,6 +35,7 @@ tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_message *messa
 
 tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   tp_polyline line = {0};
   tp_status status = tp_build_begin(&build, scene, __func__, message);
@@ -56,6 +59,7 @@ static void note_base(tp_build *build) {
 tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,
                                    tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"left", left, TP_RULE_BEYOND}, {"right", right, TP_RULE_BEYOND}};
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, __func__, message);
@@ -81,6 +85,7 @@ static tp_status begin_between(tp_build *build, tp_scene *scene, const char *cal
 tp_status tp_scene_set_base_between(tp_scene *scene, tp_coordinates two_vertices,
                                     tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   tp_polyline line = {0};
   tp_status status = begin_between(&build, scene, __func__, message);
@@ -103,6 +108,7 @@ tp_status tp_scene_set_base_between(tp_scene *scene, tp_coordinates two_vertices
 tp_status tp_scene_set_base_bound(tp_scene *scene, tp_base_bound bound, tp_exact value,
                                   tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given = {"value", value, TP_RULE_ANY};
   tp_build build;
   tp_status status = begin_between(&build, scene, __func__, message);

@@ -16,6 +16,7 @@ static void set_form(tp_build *build, tp_outline_form form) {
 
 tp_status tp_scene_set_outline(tp_scene *scene, tp_coordinates outline, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   tp_polyline line = {0};
   tp_status status = tp_build_begin(&build, scene, __func__, message);
@@ -39,6 +40,7 @@ static void put_teeth(tp_build *build, long count, bool left_end_valley) {
 
 tp_status tp_scene_set_slab(tp_scene *scene, tp_exact width, tp_exact height, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"width", width, TP_RULE_ABOVE_ZERO},
                             {"height", height, TP_RULE_ABOVE_ZERO},
                             {"depth", {0, NULL}, TP_RULE_ANY}};
@@ -70,6 +72,7 @@ static tp_status check_teeth(tp_build *build, long count, tp_left_end left_end) 
 tp_status tp_scene_set_teeth(tp_scene *scene, long count, tp_exact width, tp_exact height,
                              tp_exact depth, tp_left_end left_end, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"width", width, TP_RULE_ABOVE_ZERO},
                             {"height", height, TP_RULE_ABOVE_ZERO},
                             {"depth", depth, TP_RULE_NOT_NEGATIVE}};
@@ -90,6 +93,7 @@ tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_exact block_wi
                                   tp_exact mean_height, tp_exact amplitude, tp_left_end left_end,
                                   tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"block_width", block_width, TP_RULE_ABOVE_ZERO},
                             {"mean_height", mean_height, TP_RULE_ABOVE_ZERO},
                             {"amplitude", amplitude, TP_RULE_NOT_NEGATIVE}};
@@ -118,6 +122,7 @@ tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_exact block_wi
 tp_status tp_scene_set_ellipse(tp_scene *scene, tp_exact width, tp_exact height, tp_exact flat,
                                tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"width", width, TP_RULE_ABOVE_ZERO},
                             {"height", height, TP_RULE_ABOVE_ZERO},
                             {"flat", flat, TP_RULE_ABOVE_ZERO}};
@@ -140,6 +145,7 @@ tp_status tp_scene_set_ellipse(tp_scene *scene, tp_exact width, tp_exact height,
 
 tp_status tp_scene_add_hole(tp_scene *scene, tp_coordinates outline, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
@@ -158,6 +164,7 @@ tp_status tp_scene_add_hole(tp_scene *scene, tp_coordinates outline, tp_message 
 tp_status tp_scene_add_part(tp_scene *scene, tp_coordinates outline, tp_exact unit_weight_kn_m3,
                             tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given = {"unit_weight_kn_m3", unit_weight_kn_m3, TP_RULE_UNIT_WEIGHT};
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, __func__, message);
@@ -183,6 +190,7 @@ tp_status tp_scene_add_part(tp_scene *scene, tp_coordinates outline, tp_exact un
 
 tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return tp_build_set(scene, __func__, (tp_given){"thickness", thickness, TP_RULE_ABOVE_ZERO},
                       offsetof(tp_scene, block.thickness), message);
 }
@@ -190,12 +198,15 @@ tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness, tp_message
 tp_status tp_scene_set_unit_weight_kn_m3(tp_scene *scene, tp_exact unit_weight_kn_m3,
                                          tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return tp_build_set(scene, __func__,
                       (tp_given){"unit_weight_kn_m3", unit_weight_kn_m3, TP_RULE_UNIT_WEIGHT},
                       offsetof(tp_scene, block.unit_weight_kn_m3), message);
 }
 
 tp_status tp_scene_set_repair(tp_scene *scene, bool repair, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;

@@ -28,6 +28,7 @@ static tp_status begin_arc(tp_build *build, tp_scene *scene, const char *call,
 tp_status tp_scene_add_arc_through(tp_scene *scene, tp_exact from_x, tp_exact from_y,
                                    tp_exact through_x, tp_exact through_y, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"from_x", from_x, TP_RULE_ANY},
                             {"from_y", from_y, TP_RULE_ANY},
                             {"through_x", through_x, TP_RULE_ANY},
@@ -46,6 +47,7 @@ tp_status tp_scene_add_arc_through(tp_scene *scene, tp_exact from_x, tp_exact fr
 tp_status tp_scene_add_arc_bulge(tp_scene *scene, tp_exact from_x, tp_exact from_y, tp_exact bulge,
                                  tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"from_x", from_x, TP_RULE_ANY},
                             {"from_y", from_y, TP_RULE_ANY},
                             {"bulge", bulge, TP_RULE_BULGE}};
@@ -77,6 +79,7 @@ static tp_status add_corner(tp_build *build, tp_corner_description **corner) {
 tp_status tp_scene_add_rounded_end(tp_scene *scene, tp_underside_end at, tp_exact radius,
                                    tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given = {"radius", radius, TP_RULE_NOT_NEGATIVE};
   tp_build build;
   tp_corner_description *corner = NULL;
@@ -97,6 +100,7 @@ tp_status tp_scene_add_rounded_end(tp_scene *scene, tp_underside_end at, tp_exac
 tp_status tp_scene_add_rounded_vertex(tp_scene *scene, tp_exact x, tp_exact y, tp_exact radius,
                                       tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {
       {"radius", radius, TP_RULE_NOT_NEGATIVE}, {"x", x, TP_RULE_ANY}, {"y", y, TP_RULE_ANY}};
   tp_build build;
@@ -114,6 +118,8 @@ tp_status tp_scene_add_rounded_vertex(tp_scene *scene, tp_exact x, tp_exact y, t
 }
 
 tp_status tp_scene_set_rounding_keeps_mass(tp_scene *scene, bool keeps_mass, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;

@@ -25,6 +25,7 @@ static tp_status begin(tp_build *build, tp_scene *scene, const char *call, const
 tp_status tp_scene_set_friction_angle_deg(tp_scene *scene, tp_exact angle_deg,
                                           tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given = {"angle_deg", angle_deg, TP_RULE_ANGLE_BELOW_90};
   tp_build build;
   const tp_status status = begin(&build, scene, __func__, &given, 1, message);
@@ -36,6 +37,7 @@ tp_status tp_scene_set_friction_angle_deg(tp_scene *scene, tp_exact angle_deg,
 tp_status tp_scene_set_friction_patton(tp_scene *scene, tp_exact basic_angle_deg,
                                        tp_exact roughness_angle_deg, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"basic_angle_deg", basic_angle_deg, TP_RULE_ANGLE_BELOW_90},
                             {"roughness_angle_deg", roughness_angle_deg, TP_RULE_ANGLE_BELOW_90}};
   tp_build build;
@@ -60,6 +62,7 @@ static tp_friction_description *put_barton(tp_build *build) {
 tp_status tp_scene_set_friction_barton(tp_scene *scene, tp_exact residual_angle_deg, tp_exact jrc,
                                        tp_exact jcs_mpa, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"residual_angle_deg", residual_angle_deg, TP_RULE_ANGLE_BELOW_90},
                             {"jcs_mpa", jcs_mpa, TP_RULE_ABOVE_ZERO},
                             {"jrc", jrc, TP_RULE_JRC}};
@@ -75,6 +78,7 @@ tp_status tp_scene_set_friction_barton_test(tp_scene *scene, tp_exact residual_a
                                             tp_exact test_normal_stress_kpa, tp_exact jcs_mpa,
                                             tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"residual_angle_deg", residual_angle_deg, TP_RULE_ANGLE_BELOW_90},
                             {"jcs_mpa", jcs_mpa, TP_RULE_ABOVE_ZERO},
                             {"test_angle_deg", test_angle_deg, TP_RULE_ANGLE_BELOW_90},
@@ -98,6 +102,7 @@ tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene, tp_exact resid
                                                  tp_exact roughness_angle_deg, tp_exact jcs_mpa,
                                                  tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"residual_angle_deg", residual_angle_deg, TP_RULE_ANGLE_BELOW_90},
                             {"jcs_mpa", jcs_mpa, TP_RULE_ABOVE_ZERO},
                             {"roughness_angle_deg", roughness_angle_deg, TP_RULE_ANGLE_BELOW_90}};

@@ -27,18 +27,21 @@ static tp_status set_seismic(tp_scene *scene, const char *call, tp_exact coeffic
 tp_status tp_scene_set_seismic_horizontal(tp_scene *scene, tp_exact coefficient,
                                           tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return set_seismic(scene, __func__, coefficient, offsetof(tp_scene, loads.horizontal), message);
 }
 
 tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact coefficient,
                                         tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return set_seismic(scene, __func__, coefficient, offsetof(tp_scene, loads.vertical), message);
 }
 
 tp_status tp_scene_set_water(tp_scene *scene, tp_exact height, tp_exact unit_weight_kn_m3,
                              bool stays_level, bool uplift, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"height", height, TP_RULE_NOT_NEGATIVE},
                             {"unit_weight_kn_m3", unit_weight_kn_m3, TP_RULE_NOT_NEGATIVE}};
   tp_build build;
@@ -83,13 +86,13 @@ static tp_status add_line(tp_scene *scene, const char *call, const tp_given *giv
 tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1, tp_exact y1,
                                 tp_exact first_kpa, tp_exact last_kpa, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"x0", x0, TP_RULE_ANY},
                             {"y0", y0, TP_RULE_ANY},
                             {"x1", x1, TP_RULE_ANY},
                             {"y1", y1, TP_RULE_ANY},
                             {"first_kpa", first_kpa, TP_RULE_NOT_NEGATIVE},
                             {"last_kpa", last_kpa, TP_RULE_NOT_NEGATIVE}};
-  TP_REFUSE_NULL(message, scene);
   return add_line(scene, __func__, given, &scene->loads.pressures, &scene->loads.pressure_count,
                   message);
 }
@@ -97,13 +100,13 @@ tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_ex
 tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                  tp_exact y1, tp_exact kpa, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"x0", x0, TP_RULE_ANY},
                             {"y0", y0, TP_RULE_ANY},
                             {"x1", x1, TP_RULE_ANY},
                             {"y1", y1, TP_RULE_ANY},
                             {"kpa", kpa, TP_RULE_NOT_NEGATIVE},
                             {"kpa", kpa, TP_RULE_NOT_NEGATIVE}};
-  TP_REFUSE_NULL(message, scene);
   return add_line(scene, __func__, given, &scene->loads.surcharges, &scene->loads.surcharge_count,
                   message);
 }
@@ -111,6 +114,7 @@ tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_e
 tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact direction_deg,
                               tp_exact force_kn, bool passive, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"x", x, TP_RULE_ANY},
                             {"y", y, TP_RULE_ANY},
                             {"direction_deg", direction_deg, TP_RULE_ANY},
@@ -141,12 +145,14 @@ tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact 
 
 tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return set_load(scene, __func__, (tp_given){"bond_kpa", bond_kpa, TP_RULE_NOT_NEGATIVE},
                   offsetof(tp_scene, loads.bond_kpa), message);
 }
 
 tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return set_load(scene, __func__, (tp_given){"cohesion_kpa", cohesion_kpa, TP_RULE_NOT_NEGATIVE},
                   offsetof(tp_scene, loads.cohesion_kpa), message);
 }

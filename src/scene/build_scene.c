@@ -27,12 +27,11 @@ tp_status tp_scene_new(tp_scene **scene, const char *length_unit, tp_message *me
 
 tp_status tp_scene_set_title(tp_scene *scene, const char *title, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, title);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
-  if (title == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, build.place, "'title' must not be NULL");
-  }
   char *own = strdup(title);
   if (own == NULL) return tp_fail_memory(message, "the scene");
   free(scene->title);
@@ -42,6 +41,7 @@ tp_status tp_scene_set_title(tp_scene *scene, const char *title, tp_message *mes
 
 tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
@@ -57,6 +57,7 @@ tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right, tp_m
 
 tp_status tp_scene_set_tilt_angle_deg(tp_scene *scene, tp_exact angle_deg, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   return tp_build_set(scene, __func__, (tp_given){"angle_deg", angle_deg, TP_RULE_ANGLE_TO_90},
                       offsetof(tp_scene, tilt_angle_deg), message);
 }
@@ -69,6 +70,8 @@ static void set_frame(tp_build *build, tp_frame frame, tp_polyline plane) {
 }
 
 tp_status tp_scene_set_frame_base(tp_scene *scene, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK) set_frame(&build, TP_FRAME_BASE, (tp_polyline){0});
@@ -76,6 +79,8 @@ tp_status tp_scene_set_frame_base(tp_scene *scene, tp_message *message) {
 }
 
 tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK) set_frame(&build, TP_FRAME_WORLD, (tp_polyline){0});
@@ -84,6 +89,7 @@ tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *message) {
 
 tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points, tp_message *message) {
   TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
   tp_build build;
   tp_polyline plane = {0};
   tp_status status = tp_build_begin(&build, scene, __func__, message);
