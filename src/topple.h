@@ -3,7 +3,8 @@
 
 /* Topple: does a rock block stand, slide or topple on its base, and at which tilt?
  *
- * The whole public library. A scene is read from a file, solved, and reported:
+ * The whole public library. A scene is read from a file, or built in memory (topple_scene.h),
+ * solved, and reported:
  *
  *     tp_scene *scene = NULL;
  *     tp_solution *solution = NULL;
@@ -42,6 +43,7 @@
 #include "topple_derive.h"
 #include "topple_figure.h"
 #include "topple_find.h"
+#include "topple_scene.h"
 #include "topple_solve.h"
 #include "topple_verify.h"
 

@@ -1,26 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene read, solved and reported. */
+/* A scene solved and reported. */
 
 #ifndef TOPPLE_SOLVE_H
 #define TOPPLE_SOLVE_H
 
+#include "topple_scene.h"
 #include "topple_solution.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef struct tp_scene tp_scene;
-
-/* Read the scene in `path`. Files that the scene names are looked for beside it. */
-TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
-/* The same from text in memory; `name` is what messages call it, and files that the scene names are
- * looked for beside a file of that name. */
-TP_MUST_USE tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
-                                         tp_message *message);
-void tp_scene_free(tp_scene *scene);
 
 enum { TP_DIGITS_MAX = 1000 };
 

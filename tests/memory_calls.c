@@ -219,7 +219,59 @@ static void verify(void) {
   tp_verification_free(verification);
 }
 
-const memory_call memory_calls[] = {{"solve teeth", solve_teeth, 200},
+/* Everything that a scene built in memory asks memory for. */
+static tp_status build(tp_scene *scene, tp_message *message) {
+  static const double outline[] = {0, 0, 4, 0, 4, 6, 0, 6}, hole[] = {1, 1, 2, 1, 2, 2, 1, 2};
+  static const char *const part[] = {"2.5", "0.5", "7/2", "0.5", "7/2", "5"};
+  const tp_exact one = tp_exact_of(1), four = tp_exact_of(4), five = tp_exact_of(5);
+  tp_status status = tp_scene_set_title(scene, "Built", message);
+  if (status == TP_OK) {
+    status = tp_scene_set_outline(scene, tp_coordinates_of(outline, 4), message);
+  }
+  if (status == TP_OK) status = tp_scene_add_hole(scene, tp_coordinates_of(hole, 4), message);
+  if (status == TP_OK) {
+    status = tp_scene_add_part(scene, tp_coordinates_text(part, 3), tp_exact_text("20.5"), message);
+  }
+  if (status == TP_OK) status = tp_scene_set_unit_weight_kn_m3(scene, tp_exact_of(25), message);
+  for (int k = 0; k < 3 && status == TP_OK; k++) {
+    status =
+        tp_scene_add_anchor(scene, tp_exact_of(0), five, tp_exact_of(-30), one, false, message);
+  }
+  if (status == TP_OK)
+    status = tp_scene_add_pressure(scene, four, one, four, five, one, one, message);
+  return status;
+}
+
+static tp_status build_curves(tp_scene *scene, tp_message *message) {
+  const tp_exact zero = tp_exact_of(0), one = tp_exact_of(1), six = tp_exact_of(6);
+  tp_status status = tp_scene_add_arc_bulge(scene, zero, six, tp_exact_text("1/3"), message);
+  if (status == TP_OK) status = tp_scene_add_arc_through(scene, zero, zero, one, one, message);
+  if (status == TP_OK) {
+    status = tp_scene_add_rounded_end(scene, TP_UNDERSIDE_LEFT_END, one, message);
+  }
+  if (status == TP_OK) status = tp_scene_add_rounded_vertex(scene, six, six, one, message);
+  return status;
+}
+
+static void build_scene(void) {
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  const tp_solve_options options = tp_solve_options_default();
+  if (DONE(tp_scene_new(&scene, "m", &message), scene)) {
+    tp_status status = build(scene, &message);
+    if (status == TP_OK && DONE(tp_solve(&solution, scene, &options, &message), solution)) {
+      status = build_curves(scene, &message);
+    }
+    EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status,
+           message.text);
+  }
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+}
+
+const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
+                                    {"solve teeth", solve_teeth, 200},
                                     {"solve a hole", solve_hole, 200},
                                     {"solve parts", solve_parts, 100},
                                     {"solve an outline of a file", solve_outline_of_file, 100},

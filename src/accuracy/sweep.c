@@ -9,7 +9,6 @@
 #include "host.h"
 #include "message.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 /* Beyond these a way by triangles or by the limit takes minutes, and is left out. */
@@ -98,34 +97,43 @@ static tp_status add_sums(tp_accuracy *accuracy, size_t count) {
   return status;
 }
 
+static tp_status fill_scene(tp_scene *scene, const double *xy, size_t count, tp_message *message) {
+  tp_status status = tp_scene_set_outline(scene, tp_coordinates_of(xy, count), message);
+  if (status == TP_OK) status = tp_scene_set_base_mated(scene, false, message);
+  if (status == TP_OK) status = tp_scene_set_friction_angle_deg(scene, tp_exact_of(30), message);
+  if (status == TP_OK) status = tp_scene_set_tilt_towards(scene, true, false, message);
+  return status;
+}
+
 /* The same block as a scene on a mated base, for the limit. */
-static char *scene_text(size_t count) {
-  enum { HEAD = 256, POINT = 40 };
+static tp_status new_scene(tp_scene **scene, size_t count, tp_message *message) {
   double *x = calloc(count, sizeof *x), *y = calloc(count, sizeof *y);
-  char *text = malloc(HEAD + POINT * count);
-  if (x != NULL && y != NULL && text != NULL) {
+  double *xy = calloc(count, 2 * sizeof *xy);
+  tp_scene *own = NULL;
+  tp_status status = TP_OUT_OF_MEMORY;
+  if (x != NULL && y != NULL && xy != NULL) {
     tp_rough_outline(x, y, (long)count);
-    size_t at = (size_t)sprintf(text, "topple: 1\nlength_unit: mm\nbase: {mated: true}\n"
-                                      "friction_angle_deg: 30\ntilt: {towards: left}\n"
-                                      "block:\n  outline:\n");
     for (size_t k = 0; k < count; k++) {
-      at += (size_t)sprintf(text + at, "  - [%.0f, %.0f]\n", x[k], y[k]);
+      xy[2 * k] = x[k];
+      xy[2 * k + 1] = y[k];
     }
-  } else {
-    free(text);
-    text = NULL;
+    status = tp_scene_new(&own, "mm", message);
+    if (status == TP_OK) status = fill_scene(own, xy, count, message);
   }
   free(x);
   free(y);
-  return text;
+  free(xy);
+  if (status == TP_OK) {
+    *scene = own;
+  } else {
+    tp_scene_free(own);
+  }
+  return status;
 }
 
 static tp_status add_limit(tp_accuracy *accuracy, size_t count, tp_message *message) {
-  char *text = scene_text(count);
-  if (text == NULL) return TP_OUT_OF_MEMORY;
   tp_scene *scene = NULL;
-  tp_status status = tp_scene_read_text(&scene, text, "a rough block", message);
-  free(text);
+  tp_status status = new_scene(&scene, count, message);
   if (status == TP_OK) {
     status = tp_accuracy_add_scene(
         accuracy, scene, 1U << TP_ACCURACY_LIMIT | 1U << TP_ACCURACY_ONSET, true, message);

@@ -16,6 +16,7 @@
 #include "derive/field_work.h"
 
 #include "derive/c_names.h"
+#include "derive/model.h"
 #include "derive/notation.h"
 #include "host.h"
 
@@ -273,7 +274,8 @@ tp_status tp_derive_family(tp_family **family, const tp_scene *scene, tp_notatio
   if ((int)notation < TP_NOTATION_TEXT || (int)notation > TP_NOTATION_C) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such notation");
   }
-  const tp_status suits = tp_family_check(scene, message);
+  tp_status suits = tp_model_check_named(scene, message);
+  if (suits == TP_OK) suits = tp_family_check(scene, message);
   if (suits != TP_OK) return suits;
   tp_family *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the family of formulas");

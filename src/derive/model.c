@@ -33,9 +33,18 @@ static tp_status solve(tp_model *model, const tp_scene *scene, tp_message *messa
                  "more than %d vertices; formulas are derived for fewer", MOST_VERTICES);
 }
 
+tp_status tp_model_check_named(const tp_scene *scene, tp_message *message) {
+  if (scene->source != NULL) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
+                 "formulas are derived in the names of a scene file's parameters, which a scene "
+                 "built in memory has not; read one by tp_scene_read_text");
+}
+
 tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                         const tp_symbol_names *more, tp_message *message) {
   memset(model, 0, sizeof *model);
+  const tp_status named = tp_model_check_named(scene, message);
+  if (named != TP_OK) return named;
   if (scene->block.rounded.count > 0) {
     return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
                    "formulas are derived for the sharp block; leave out 'rounded' and derive with "
@@ -62,7 +71,7 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
   if (model->solution == NULL) return tp_fail_memory(message, "the derivation");
   tp_solve_options options = tp_solve_options_default();
   options.elements = elements;
-  tp_status status = tp_notes_append(&model->solution->notes, &scene->notes, message);
+  tp_status status = tp_scene_notes(&model->solution->notes, scene, message);
   if (status == TP_OK) {
     status = tp_problem_init(&model->problem, scene, &options, model->solution, message);
   }

@@ -16,6 +16,9 @@ typedef struct tp_model {
   tp_formulas formulas; /* the boundary sums */
 } tp_model;
 
+/* Was the scene read, with names for its numbers? */
+TP_MUST_USE tp_status tp_model_check_named(const tp_scene *scene, tp_message *message);
+
 /* `elements`: prepare the elements too. `more` as for tp_field_init. On failure `model` is cleared.
  */
 TP_MUST_USE tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,

@@ -2,58 +2,45 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "paper/teeth.h"
-#include "message.h"
-#include "scene/scene.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 
 const char *const tp_toe_names[3] = {"planar", "peak", "valley"};
 
-static void write_scene(char *text, size_t size, const tp_toothed_question *q) {
+/* Of mean height 1 m, towards the left. */
+static tp_status fill_scene(tp_scene *scene, const tp_toothed_question *q, tp_message *message) {
   const tp_toothed *b = &q->block;
-  size_t length = 0;
+  const tp_exact width = tp_exact_of(b->inverse_slenderness), one = tp_exact_of(1);
+  tp_status status = TP_OK;
   if (q->toe == TP_TOE_PLANAR || b->amplitude == 0) {
-    length = (size_t)snprintf(text, size,
-                              "topple: 1\nlength_unit: m\n"
-                              "block: {slab: {width: %.17g, height: 1}}\n",
-                              b->inverse_slenderness);
+    status = tp_scene_set_slab(scene, width, one, message);
   } else {
-    length =
-        (size_t)snprintf(text, size,
-                         "topple: 1\nlength_unit: m\nparameters: {dx: %.17g}\n"
-                         "block: {teeth: {block_width: dx, mean_height: 1, amplitude: %.17g, "
-                         "wavelength: 2*dx/%zu, left_end: %s}}\n",
-                         b->inverse_slenderness, b->amplitude, b->sub_blocks, tp_toe_names[q->toe]);
+    status = tp_scene_set_teeth_over(
+        scene, (long)b->sub_blocks, width, one, tp_exact_of(b->amplitude),
+        q->toe == TP_TOE_VALLEY ? TP_LEFT_END_VALLEY : TP_LEFT_END_PEAK, message);
   }
-  if (q->friction_deg > 0) {
-    length += (size_t)snprintf(text + length, size - length, "friction_angle_deg: %.17g\n",
-                               q->friction_deg);
+  if (status == TP_OK && q->friction_deg > 0) {
+    status = tp_scene_set_friction_angle_deg(scene, tp_exact_of(q->friction_deg), message);
   }
-  if (q->tilt_deg > 0) {
-    snprintf(text + length, size - length, "tilt: {towards: left, angle_deg: %.17g}\n",
-             q->tilt_deg);
-  } else {
-    snprintf(text + length, size - length, "tilt: {towards: left}\n");
+  if (status == TP_OK && q->tilt_deg > 0) {
+    status = tp_scene_set_tilt_angle_deg(scene, tp_exact_of(q->tilt_deg), message);
   }
+  if (status == TP_OK) status = tp_scene_set_tilt_towards(scene, true, false, message);
+  return status;
 }
 
 tp_status tp_toothed_solve(tp_solution **solution, const tp_toothed_question *q,
                            tp_message *message) {
-  char text[480];
-  tp_node *root = NULL;
   tp_scene *scene = NULL;
   tp_solve_options options = tp_solve_options_default();
   options.digits = 15;
   options.strength_reduction = false;
   options.motion_ranges = q->tilt_deg == 0;
-  write_scene(text, sizeof text, q);
-  tp_status status = tp_node_read_text(&root, text, "toothed block", message);
-  if (status == TP_OK) status = tp_scene_from_nodes(&scene, "toothed block", root, message);
+  tp_status status = tp_scene_new(&scene, "m", message);
+  if (status == TP_OK) status = fill_scene(scene, q, message);
   if (status == TP_OK) status = tp_solve(solution, scene, &options, message);
   tp_scene_free(scene);
-  tp_node_free(root);
   return status;
 }
 

@@ -6,6 +6,7 @@
 #ifndef TP_READ_H
 #define TP_READ_H
 
+#include "scene/check.h"
 #include "scene/node.h"
 #include "scene/scene.h"
 
@@ -18,13 +19,13 @@ typedef struct tp_reader {
 TP_MUST_USE tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
                                      const char *name);
 
-/* A number that must be above zero. */
-TP_MUST_USE tp_status tp_read_positive(const tp_reader *reader, fmpq_t value, const tp_node *node,
-                                       const char *name);
+/* The same by a rule. */
+TP_MUST_USE tp_status tp_read_by_rule(const tp_reader *reader, fmpq_t value, const tp_node *node,
+                                      const char *name, tp_rule rule);
 
 /* A quantity that may be missing (`node` NULL: not given). */
 TP_MUST_USE tp_status tp_read_quantity(const tp_reader *reader, tp_quantity *quantity,
-                                       const tp_node *node, const char *name);
+                                       const tp_node *node, const char *name, tp_rule rule);
 TP_MUST_USE tp_status tp_read_bool(const tp_reader *reader, bool *value, const tp_node *node,
                                    const char *name);
 
@@ -43,24 +44,15 @@ TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **
 
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
-void tp_arcs_clear(tp_block_description *block);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node);
-void tp_loads_description_init(tp_loads_description *loads);
-void tp_loads_description_clear(tp_loads_description *loads);
-/* An angle in degrees within [0, 90], 90 itself excluded or not; `node` NULL: not given. */
-TP_MUST_USE tp_status tp_read_angle(const tp_reader *reader, tp_quantity *angle,
-                                    const tp_node *node, const char *name, bool excluded);
-
 /* The keys friction_angle_deg and friction of the scene. */
 TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
-void tp_friction_description_init(tp_friction_description *friction);
-void tp_friction_description_clear(tp_friction_description *friction);
 TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
-/* Notes on numbers of the scene that look as if they stood in another unit. */
-TP_MUST_USE tp_status tp_read_cautions(const tp_reader *reader);
+/* Where a node stands. */
+tp_place tp_read_place(const tp_reader *reader, const tp_node *node);
 
 /* Fail at a node. */
 tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char *format, ...)

@@ -23,11 +23,8 @@ static tp_status read_arc(const tp_reader *reader, tp_arc_description *arc, cons
   if (status == TP_OK && through != NULL) {
     status = tp_read_point(reader, &arc->through_x, &arc->through_y, through, "through");
   }
-  if (status == TP_OK) status = tp_read_quantity(reader, &arc->bulge, bulge, "bulge");
-  if (status == TP_OK && bulge != NULL && fmpq_is_zero(arc->bulge.value)) {
-    status = tp_read_fail(reader, bulge, "a bulge of 0 is a straight edge; leave the arc out");
-  }
-  return status;
+  if (status != TP_OK) return status;
+  return tp_read_quantity(reader, &arc->bulge, bulge, "bulge", TP_RULE_BULGE);
 }
 
 tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node) {
@@ -36,31 +33,15 @@ tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node) {
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, node, "arcs are a list of {from: [x, y], through: [x, y]}");
   }
-  if (block->form != TP_OUTLINE_VERTICES) {
-    return tp_read_fail(reader, node, "arcs belong to an 'outline' of vertices");
-  }
+  tp_status status =
+      tp_check_arcs_on_outline(reader->scene, tp_read_place(reader, node), reader->message);
+  if (status != TP_OK) return status;
   block->arcs = calloc((size_t)node->count + 1, sizeof *block->arcs);
   if (block->arcs == NULL) return tp_fail_memory(reader->message, "the arcs");
-  tp_status status = TP_OK;
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
     tp_arc_description *arc = block->arcs + block->arc_count++;
-    fmpq_init(arc->x.value);
-    fmpq_init(arc->y.value);
-    fmpq_init(arc->through_x.value);
-    fmpq_init(arc->through_y.value);
-    fmpq_init(arc->bulge.value);
+    tp_arc_init(arc);
     status = read_arc(reader, arc, n);
   }
   return status;
-}
-
-void tp_arcs_clear(tp_block_description *block) {
-  for (long k = 0; k < block->arc_count; k++) {
-    fmpq_clear(block->arcs[k].x.value);
-    fmpq_clear(block->arcs[k].y.value);
-    fmpq_clear(block->arcs[k].through_x.value);
-    fmpq_clear(block->arcs[k].through_y.value);
-    fmpq_clear(block->arcs[k].bulge.value);
-  }
-  free(block->arcs);
 }

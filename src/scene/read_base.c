@@ -17,11 +17,8 @@ static tp_status read_beyond(const tp_reader *reader, const tp_node *node) {
     const tp_node *value = NULL;
     tp_quantity *quantity = side == 0 ? &base->beyond_left : &base->beyond_right;
     status = tp_read_required(reader, &value, node, keys[side], "beyond: {left: 0, right: 0}");
-    if (status == TP_OK) status = tp_read_quantity(reader, quantity, value, keys[side]);
-    if (status == TP_OK && fmpq_sgn(quantity->value) < 0) {
-      status = tp_read_fail(reader, value,
-                            "the base cannot end inside the block here; to let only a part of the "
-                            "underside rest on it, say 'between' or give a 'profile'");
+    if (status == TP_OK) {
+      status = tp_read_quantity(reader, quantity, value, keys[side], TP_RULE_BEYOND);
     }
   }
   return status;
@@ -47,7 +44,7 @@ static tp_status read_between(const tp_reader *reader, const tp_node *node) {
       tp_node_expect_keys(node, keys, "between", reader->scene->path, reader->message);
   tp_quantity *const bounds[] = {&base->below, &base->left_of, &base->right_of};
   for (int k = 0; keys[k] != NULL && status == TP_OK; k++) {
-    status = tp_read_quantity(reader, bounds[k], tp_node_get(node, keys[k]), keys[k]);
+    status = tp_read_quantity(reader, bounds[k], tp_node_get(node, keys[k]), keys[k], TP_RULE_ANY);
   }
   return status;
 }
@@ -73,7 +70,6 @@ static tp_status read_mated(const tp_reader *reader, const tp_node *node) {
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"mated", "beyond", "between", "profile", NULL};
   tp_base_description *base = &reader->scene->base;
-  base->mated = true;
   if (node == NULL) return TP_OK;
   base->place = tp_node_place(node, reader->scene->path);
   tp_status status =
@@ -83,10 +79,11 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   base->mated = profile == NULL;
   status = read_mated(reader, mated);
   if (status != TP_OK) return status;
-  if (base->whole && tp_node_get(node, "between") != NULL) {
-    return tp_read_fail(reader, tp_node_get(node, "between"),
-                        "'mated: whole' takes in all of the underside, and 'between' a part of it; "
-                        "drop one of them");
+  const tp_node *between = tp_node_get(node, "between");
+  if (between != NULL) {
+    status =
+        tp_check_base_not_whole(reader->scene, tp_read_place(reader, between), reader->message);
+    if (status != TP_OK) return status;
   }
   if (base->mated && profile != NULL) {
     return tp_read_fail(reader, profile,
@@ -98,15 +95,14 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   }
   if (profile != NULL) {
     const tp_node *odd = tp_node_get(node, "beyond");
-    if (odd == NULL) odd = tp_node_get(node, "between");
+    if (odd == NULL) odd = between;
     if (odd != NULL) {
-      return tp_read_fail(reader, odd,
-                          "'%s' belongs to a mated base; a profile says itself where the base ends",
-                          odd->key);
+      return tp_check_base_is_mated(reader->scene, odd->key, tp_read_place(reader, odd),
+                                    reader->message);
     }
     return tp_read_points(reader, &base->profile, profile, false, "the profile");
   }
-  status = read_between(reader, tp_node_get(node, "between"));
+  status = read_between(reader, between);
   if (status == TP_OK) status = read_beyond(reader, tp_node_get(node, "beyond"));
   return status;
 }

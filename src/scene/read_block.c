@@ -5,8 +5,6 @@
 
 #include "scene/read.h"
 
-#include "number/ratio.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,31 +22,6 @@ static tp_status read_left_end(const tp_reader *reader, tp_teeth *teeth, const t
   return TP_OK;
 }
 
-/* Two vertices each: 800 MB of exact points of short numbers. */
-enum { MOST_TEETH = 10000000 };
-
-static tp_status set_count(const tp_reader *reader, tp_teeth *teeth, const fmpq_t count,
-                           const tp_node *node, const char *what) {
-  char text[80];
-  tp_ratio_text(text, sizeof text, count);
-  if (!fmpz_is_one(fmpq_denref(count)) || fmpq_sgn(count) <= 0) {
-    return tp_read_fail(reader, node, "%s must be a whole number of teeth, at least 1; it is %s",
-                        what, text);
-  }
-  if (fmpz_cmp_si(fmpq_numref(count), MOST_TEETH) > 0) {
-    return tp_read_fail(reader, node, "%s is %s; at most 10 million teeth are taken", what, text);
-  }
-  teeth->count = fmpz_get_si(fmpq_numref(count));
-  return TP_OK;
-}
-
-static tp_status read_depth(const tp_reader *reader, fmpq_t depth, const tp_node *node,
-                            const char *name) {
-  const tp_status status = tp_read_number(reader, depth, node, name);
-  if (status != TP_OK || fmpq_sgn(depth) >= 0) return status;
-  return tp_read_fail(reader, node, "%s must not be negative", name);
-}
-
 /* (N, a, b, c) as the paper prepares its blocks (Fig. 5). */
 static tp_status read_counted_teeth(const tp_reader *reader, tp_teeth *teeth, const tp_node *node) {
   static const char *const keys[] = {"count", "width", "height", "depth", "left_end", NULL};
@@ -61,10 +34,15 @@ static tp_status read_counted_teeth(const tp_reader *reader, tp_teeth *teeth, co
   if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 120");
   if (status == TP_OK) status = tp_read_required(reader, &depth, node, "depth", "depth: 5");
   if (status == TP_OK) status = tp_read_number(reader, n, count, "count");
-  if (status == TP_OK) status = set_count(reader, teeth, n, count, "count");
-  if (status == TP_OK) status = tp_read_positive(reader, teeth->width, width, "width");
-  if (status == TP_OK) status = tp_read_positive(reader, teeth->height, height, "height");
-  if (status == TP_OK) status = read_depth(reader, teeth->depth, depth, "depth");
+  if (status == TP_OK)
+    status = tp_check_tooth_count(&teeth->count, n, "count", tp_read_place(reader, count),
+                                  reader->message);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, teeth->width, width, "width", TP_RULE_ABOVE_ZERO);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, teeth->height, height, "height", TP_RULE_ABOVE_ZERO);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, teeth->depth, depth, "depth", TP_RULE_NOT_NEGATIVE);
   fmpq_clear(n);
   return status;
 }
@@ -86,19 +64,24 @@ static tp_status read_general_teeth(const tp_reader *reader, tp_teeth *teeth, co
     status = tp_read_required(reader, &amplitude, node, "amplitude", "amplitude: 5");
   if (status == TP_OK)
     status = tp_read_required(reader, &wavelength, node, "wavelength", "wavelength: 60");
-  if (status == TP_OK) status = tp_read_positive(reader, n, width, "block_width");
-  if (status == TP_OK) status = tp_read_positive(reader, teeth->height, height, "mean_height");
-  if (status == TP_OK) status = read_depth(reader, teeth->depth, amplitude, "amplitude");
-  if (status == TP_OK) status = tp_read_positive(reader, teeth->width, wavelength, "wavelength");
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, n, width, "block_width", TP_RULE_ABOVE_ZERO);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, teeth->height, height, "mean_height", TP_RULE_ABOVE_ZERO);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, teeth->depth, amplitude, "amplitude", TP_RULE_NOT_NEGATIVE);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, teeth->width, wavelength, "wavelength", TP_RULE_ABOVE_ZERO);
   if (status == TP_OK) {
     fmpq_div_2exp(teeth->width, teeth->width, 1);
     fmpq_div(n, n, teeth->width);
     fmpq_div_2exp(half, teeth->depth, 1);
     fmpq_sub(teeth->height, teeth->height, half);
-    status = set_count(reader, teeth, n, wavelength, "2 block_width / wavelength");
+    status = tp_check_tooth_count(&teeth->count, n, "2 block_width / wavelength",
+                                  tp_read_place(reader, wavelength), reader->message);
   }
-  if (status == TP_OK && fmpq_sgn(teeth->height) <= 0) {
-    status = tp_read_fail(reader, amplitude, "the amplitude must be less than twice mean_height");
+  if (status == TP_OK) {
+    status = tp_check_amplitude(teeth->height, tp_read_place(reader, amplitude), reader->message);
   }
   fmpq_clear(n);
   fmpq_clear(half);
@@ -130,20 +113,18 @@ static tp_status read_slab(const tp_reader *reader, const tp_node *node) {
   tp_status status = tp_node_expect_keys(node, keys, "slab", reader->scene->path, reader->message);
   if (status == TP_OK) status = tp_read_required(reader, &width, node, "width", "width: 50");
   if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 100");
-  if (status == TP_OK) status = tp_read_positive(reader, block->teeth.width, width, "width");
-  if (status == TP_OK) status = tp_read_positive(reader, block->teeth.height, height, "height");
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, block->teeth.width, width, "width", TP_RULE_ABOVE_ZERO);
+  if (status == TP_OK)
+    status = tp_read_by_rule(reader, block->teeth.height, height, "height", TP_RULE_ABOVE_ZERO);
   return status;
 }
 
 static tp_status read_length(const tp_reader *reader, tp_quantity *length, const tp_node *map,
                              const char *key, const char *example) {
   const tp_node *node = NULL;
-  tp_status status = tp_read_required(reader, &node, map, key, example);
-  if (status == TP_OK) status = tp_read_quantity(reader, length, node, key);
-  if (status == TP_OK && fmpq_sgn(length->value) <= 0) {
-    status = tp_read_fail(reader, node, "%s must be above zero", key);
-  }
-  return status;
+  const tp_status status = tp_read_required(reader, &node, map, key, example);
+  return status == TP_OK ? tp_read_quantity(reader, length, node, key, TP_RULE_ABOVE_ZERO) : status;
 }
 
 static tp_status read_ellipse(const tp_reader *reader, const tp_node *block, const tp_node *node) {
@@ -155,17 +136,14 @@ static tp_status read_ellipse(const tp_reader *reader, const tp_node *block, con
   if (status == TP_OK) status = read_length(reader, &e->width, node, "width", "width: 8");
   if (status == TP_OK) status = read_length(reader, &e->height, node, "height", "height: 3");
   if (status == TP_OK) status = read_length(reader, &e->flat, node, "flat", "flat: 0.6");
-  if (status == TP_OK && fmpq_cmp(e->flat.value, e->width.value) >= 0) {
-    status = tp_read_fail(reader, tp_node_get(node, "flat"),
-                          "the flat must be narrower than the ellipse");
+  if (status == TP_OK) {
+    status = tp_check_flat(e->flat.value, e->width.value,
+                           tp_read_place(reader, tp_node_get(node, "flat")), reader->message);
   }
-  if (status == TP_OK &&
-      (tp_node_get(block, "holes") != NULL || tp_node_get(block, "parts") != NULL ||
-       tp_node_get(block, "arcs") != NULL || tp_node_get(block, "rounded") != NULL)) {
-    status =
-        tp_read_fail(reader, node, "an ellipse takes no holes, parts, arcs or rounded corners");
-  }
-  return status;
+  if (status != TP_OK) return status;
+  const bool plain = tp_node_get(block, "holes") == NULL && tp_node_get(block, "parts") == NULL &&
+                     tp_node_get(block, "arcs") == NULL && tp_node_get(block, "rounded") == NULL;
+  return tp_check_ellipse_plain(plain, tp_read_place(reader, node), reader->message);
 }
 
 static tp_status read_form(const tp_reader *reader, const tp_node *node) {
@@ -201,9 +179,7 @@ static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_unit_weight(const tp_reader *reader, tp_quantity *quantity,
                                   const tp_node *node) {
-  const tp_status status = tp_read_quantity(reader, quantity, node, "unit_weight_kn_m3");
-  if (status != TP_OK || !quantity->given || fmpq_sgn(quantity->value) > 0) return status;
-  return tp_read_fail(reader, node, "unit_weight_kn_m3 must be above zero; a void is a hole");
+  return tp_read_quantity(reader, quantity, node, "unit_weight_kn_m3", TP_RULE_UNIT_WEIGHT);
 }
 
 static tp_status read_part(const tp_reader *reader, tp_part *part, const tp_node *node) {
@@ -227,13 +203,11 @@ static tp_status read_parts(const tp_reader *reader, const tp_node *node) {
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, node, "parts must be a list of {outline, unit_weight_kn_m3}");
   }
-  if (!block->unit_weight_kn_m3.given) {
-    return tp_read_fail(reader, node,
-                        "parts of another density need the block's own 'unit_weight_kn_m3' too");
-  }
+  tp_status status =
+      tp_check_parts_weighed(reader->scene, tp_read_place(reader, node), reader->message);
+  if (status != TP_OK) return status;
   block->parts = calloc((size_t)node->count + 1, sizeof *block->parts);
   if (block->parts == NULL) return tp_fail_memory(reader->message, "the parts");
-  tp_status status = TP_OK;
   for (const tp_node *part = node->first; part != NULL && status == TP_OK; part = part->next) {
     tp_part *own = block->parts + block->part_count++;
     fmpq_init(own->unit_weight_kn_m3.value);
@@ -246,10 +220,9 @@ static tp_status read_repair(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
   if (node == NULL) return TP_OK;
   const tp_status status = tp_read_bool(reader, &block->repair, node, "repair");
-  block->repair_place = tp_node_place(node, reader->scene->path);
-  if (status != TP_OK || !block->repair || block->arc_count == 0) return status;
-  return tp_read_fail(reader, node,
-                      "an outline with arcs cannot be repaired; leave out 'repair' or the arcs");
+  block->repair_place = tp_read_place(reader, node);
+  return status == TP_OK ? tp_check_repair(reader->scene, block->repair_place, reader->message)
+                         : status;
 }
 
 tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
@@ -262,11 +235,8 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
       tp_node_expect_keys(node, keys, "the block", reader->scene->path, reader->message);
   if (status == TP_OK) status = read_form(reader, node);
   if (status == TP_OK)
-    status =
-        tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"), "thickness");
-  if (status == TP_OK && block->thickness.given && fmpq_sgn(block->thickness.value) <= 0) {
-    status = tp_read_fail(reader, tp_node_get(node, "thickness"), "thickness must be above zero");
-  }
+    status = tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"),
+                              "thickness", TP_RULE_ABOVE_ZERO);
   if (status == TP_OK)
     status =
         read_unit_weight(reader, &block->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"));

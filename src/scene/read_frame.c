@@ -15,12 +15,8 @@ static tp_status read_mean_plane(const tp_reader *reader, const tp_node *node) {
                         "'mean_plane: [[x, y], [x, y]]'");
   }
   const tp_status status = tp_read_points(reader, plane, node, false, "the mean plane");
-  if (status == TP_OK && fmpq_cmp(plane->x, plane->x + 1) >= 0) {
-    return tp_read_fail(reader, node,
-                        "the mean plane runs from left to right: its second point must lie right "
-                        "of the first");
-  }
-  return status;
+  return status == TP_OK ? tp_check_mean_plane(plane, tp_read_place(reader, node), reader->message)
+                         : status;
 }
 
 tp_status tp_read_frame(const tp_reader *reader, const tp_node *node) {

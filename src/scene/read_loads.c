@@ -8,14 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A quantity that must not be negative. */
-static tp_status read_size(const tp_reader *reader, tp_quantity *quantity, const tp_node *node,
-                           const char *name) {
-  const tp_status status = tp_read_quantity(reader, quantity, node, name);
-  if (status != TP_OK || !quantity->given || fmpq_sgn(quantity->value) >= 0) return status;
-  return tp_read_fail(reader, node, "%s must not be negative", name);
-}
-
 static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"horizontal", "vertical", NULL};
   tp_loads_description *loads = &reader->scene->loads;
@@ -24,11 +16,12 @@ static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
   tp_status status =
       tp_node_expect_keys(node, keys, "seismic", reader->scene->path, reader->message);
   if (status == TP_OK) {
-    status =
-        tp_read_quantity(reader, &loads->horizontal, tp_node_get(node, "horizontal"), "horizontal");
+    status = tp_read_quantity(reader, &loads->horizontal, tp_node_get(node, "horizontal"),
+                              "horizontal", TP_RULE_ANY);
   }
   if (status == TP_OK) {
-    status = tp_read_quantity(reader, &loads->vertical, tp_node_get(node, "vertical"), "vertical");
+    status = tp_read_quantity(reader, &loads->vertical, tp_node_get(node, "vertical"), "vertical",
+                              TP_RULE_ANY);
   }
   if (status == TP_OK && !loads->horizontal.given && !loads->vertical.given) {
     status = tp_read_fail(reader, node, "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)");
@@ -51,10 +44,13 @@ static tp_status read_water(const tp_reader *reader, const tp_node *node) {
   fmpq_set_si(water->unit_weight_kn_m3.value, 981, 100);
   tp_status status = tp_node_expect_keys(node, keys, "water", reader->scene->path, reader->message);
   if (status == TP_OK) status = tp_read_required(reader, &height, node, "height", "height: 50");
-  if (status == TP_OK) status = read_size(reader, &water->height, height, "the height of water");
+  if (status == TP_OK)
+    status = tp_read_quantity(reader, &water->height, height, "the height of water",
+                              TP_RULE_NOT_NEGATIVE);
   if (status == TP_OK) {
-    status = read_size(reader, &water->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"),
-                       "the unit weight of water");
+    status =
+        tp_read_quantity(reader, &water->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"),
+                         "the unit weight of water", TP_RULE_NOT_NEGATIVE);
   }
   if (status == TP_OK) {
     status =
@@ -80,20 +76,17 @@ static tp_status read_kpa(const tp_reader *reader, tp_line_load *load, const tp_
   const tp_status status = tp_read_required(reader, &node, parent, "kpa", "kpa: 10");
   if (status != TP_OK) return status;
   if (node->kind == TP_NODE_SEQUENCE && node->count == 2 && two) {
-    const tp_status first = read_size(reader, &load->first_kpa, node->first, "a pressure");
-    return first == TP_OK ? read_size(reader, &load->last_kpa, node->last, "a pressure") : first;
+    const tp_status first =
+        tp_read_quantity(reader, &load->first_kpa, node->first, "a pressure", TP_RULE_NOT_NEGATIVE);
+    return first == TP_OK ? tp_read_quantity(reader, &load->last_kpa, node->last, "a pressure",
+                                             TP_RULE_NOT_NEGATIVE)
+                          : first;
   }
-  const tp_status first = read_size(reader, &load->first_kpa, node, "a pressure");
-  return first == TP_OK ? read_size(reader, &load->last_kpa, node, "a pressure") : first;
-}
-
-static void init_line(tp_line_load *load) {
-  fmpq_init(load->x0.value);
-  fmpq_init(load->y0.value);
-  fmpq_init(load->x1.value);
-  fmpq_init(load->y1.value);
-  fmpq_init(load->first_kpa.value);
-  fmpq_init(load->last_kpa.value);
+  const tp_status first =
+      tp_read_quantity(reader, &load->first_kpa, node, "a pressure", TP_RULE_NOT_NEGATIVE);
+  return first == TP_OK
+             ? tp_read_quantity(reader, &load->last_kpa, node, "a pressure", TP_RULE_NOT_NEGATIVE)
+             : first;
 }
 
 static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long *count,
@@ -108,7 +101,7 @@ static tp_status read_lines(const tp_reader *reader, tp_line_load **loads, long 
   tp_status status = TP_OK;
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
     tp_line_load *load = *loads + (*count)++;
-    init_line(load);
+    tp_line_load_init(load);
     load->place = tp_node_place(n, reader->scene->path);
     status = tp_node_expect_keys(n, keys, what, reader->scene->path, reader->message);
     if (status == TP_OK) status = read_required_point(reader, &load->x0, &load->y0, n, "from");
@@ -130,11 +123,13 @@ static tp_status read_anchor(const tp_reader *reader, tp_anchor_description *anc
     status = tp_read_required(reader, &direction, node, "direction_deg", "direction_deg: -30");
   }
   if (status == TP_OK) {
-    status = tp_read_quantity(reader, &anchor->direction_deg, direction, "direction_deg");
+    status =
+        tp_read_quantity(reader, &anchor->direction_deg, direction, "direction_deg", TP_RULE_ANY);
   }
   if (status == TP_OK) status = tp_read_required(reader, &force, node, "force_kn", "force_kn: 50");
   if (status == TP_OK)
-    status = read_size(reader, &anchor->force_kn, force, "the force of an anchor");
+    status = tp_read_quantity(reader, &anchor->force_kn, force, "the force of an anchor",
+                              TP_RULE_NOT_NEGATIVE);
   if (status == TP_OK) {
     status = read_truth(reader, &anchor->passive, tp_node_get(node, "passive"), "passive");
   }
@@ -153,10 +148,7 @@ static tp_status read_anchors(const tp_reader *reader, const tp_node *node) {
   tp_status status = TP_OK;
   for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
     tp_anchor_description *anchor = loads->anchors + loads->anchor_count++;
-    fmpq_init(anchor->x.value);
-    fmpq_init(anchor->y.value);
-    fmpq_init(anchor->direction_deg.value);
-    fmpq_init(anchor->force_kn.value);
+    tp_anchor_init(anchor);
     status = read_anchor(reader, anchor, n);
   }
   return status;
@@ -170,10 +162,7 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
   if (node == NULL) return TP_OK;
   loads->place = tp_node_place(node, scene->path);
   tp_status status = tp_node_expect_keys(node, keys, "loads", scene->path, reader->message);
-  if (status == TP_OK && !scene->block.unit_weight_kn_m3.given) {
-    status = tp_read_fail(reader, node,
-                          "loads are weighed against the block: give its 'unit_weight_kn_m3'");
-  }
+  if (status == TP_OK) status = tp_check_loads_weighed(scene, loads->place, reader->message);
   if (status == TP_OK) status = read_seismic(reader, tp_node_get(node, "seismic"));
   if (status == TP_OK) status = read_water(reader, tp_node_get(node, "water"));
   if (status == TP_OK) {
@@ -186,50 +175,12 @@ tp_status tp_read_loads(const tp_reader *reader, const tp_node *node) {
   }
   if (status == TP_OK) status = read_anchors(reader, tp_node_get(node, "anchors"));
   if (status == TP_OK) {
-    status = read_size(reader, &loads->bond_kpa, tp_node_get(node, "bond_kpa"), "bond_kpa");
+    status = tp_read_quantity(reader, &loads->bond_kpa, tp_node_get(node, "bond_kpa"), "bond_kpa",
+                              TP_RULE_NOT_NEGATIVE);
   }
   if (status == TP_OK) {
-    status =
-        read_size(reader, &loads->cohesion_kpa, tp_node_get(node, "cohesion_kpa"), "cohesion_kpa");
+    status = tp_read_quantity(reader, &loads->cohesion_kpa, tp_node_get(node, "cohesion_kpa"),
+                              "cohesion_kpa", TP_RULE_NOT_NEGATIVE);
   }
   return status;
-}
-
-static void clear_lines(tp_line_load *loads, long count) {
-  for (long k = 0; k < count; k++) {
-    fmpq_clear(loads[k].x0.value);
-    fmpq_clear(loads[k].y0.value);
-    fmpq_clear(loads[k].x1.value);
-    fmpq_clear(loads[k].y1.value);
-    fmpq_clear(loads[k].first_kpa.value);
-    fmpq_clear(loads[k].last_kpa.value);
-  }
-  free(loads);
-}
-
-void tp_loads_description_init(tp_loads_description *loads) {
-  fmpq_init(loads->horizontal.value);
-  fmpq_init(loads->vertical.value);
-  fmpq_init(loads->water.height.value);
-  fmpq_init(loads->water.unit_weight_kn_m3.value);
-  fmpq_init(loads->bond_kpa.value);
-  fmpq_init(loads->cohesion_kpa.value);
-}
-
-void tp_loads_description_clear(tp_loads_description *loads) {
-  clear_lines(loads->pressures, loads->pressure_count);
-  clear_lines(loads->surcharges, loads->surcharge_count);
-  for (long k = 0; k < loads->anchor_count; k++) {
-    fmpq_clear(loads->anchors[k].x.value);
-    fmpq_clear(loads->anchors[k].y.value);
-    fmpq_clear(loads->anchors[k].direction_deg.value);
-    fmpq_clear(loads->anchors[k].force_kn.value);
-  }
-  free(loads->anchors);
-  fmpq_clear(loads->horizontal.value);
-  fmpq_clear(loads->vertical.value);
-  fmpq_clear(loads->water.height.value);
-  fmpq_clear(loads->water.unit_weight_kn_m3.value);
-  fmpq_clear(loads->bond_kpa.value);
-  fmpq_clear(loads->cohesion_kpa.value);
 }

@@ -36,11 +36,9 @@ static tp_status read_corner(const tp_reader *reader, tp_corner_description *cor
   if (status == TP_OK) status = tp_read_required(reader, &at, node, "at", "at: left_end");
   if (status == TP_OK) status = tp_read_required(reader, &radius, node, "radius", "radius: 3");
   if (status == TP_OK) status = read_at(reader, corner, at);
-  if (status == TP_OK) status = tp_read_quantity(reader, &corner->radius, radius, "radius");
-  if (status == TP_OK && fmpq_sgn(corner->radius.value) < 0) {
-    status = tp_read_fail(reader, radius, "the radius of a corner must not be negative");
-  }
-  return status;
+  if (status != TP_OK) return status;
+  return tp_read_quantity(reader, &corner->radius, radius, "the radius of a corner",
+                          TP_RULE_NOT_NEGATIVE);
 }
 
 tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node) {
@@ -68,9 +66,7 @@ tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node) {
   tp_status read = TP_OK;
   for (const tp_node *c = corners->first; c != NULL && read == TP_OK; c = c->next) {
     tp_corner_description *corner = rounded->corners + rounded->count++;
-    fmpq_init(corner->x.value);
-    fmpq_init(corner->y.value);
-    fmpq_init(corner->radius.value);
+    tp_corner_init(corner);
     read = read_corner(reader, corner, c);
   }
   return read;

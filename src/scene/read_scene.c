@@ -12,12 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct {
-  const char *name;
-  long numerator, denominator; /* metres per unit */
-} units[] = {{"mm", 1, 1000}, {"cm", 1, 100},    {"m", 1, 1},
-             {"km", 1000, 1}, {"in", 127, 5000}, {"ft", 381, 1250}};
-
 static tp_status read_length_unit(const tp_reader *reader, const tp_node *root) {
   const tp_node *node = tp_node_get(root, "length_unit");
   if (node == NULL) {
@@ -25,14 +19,8 @@ static tp_status read_length_unit(const tp_reader *reader, const tp_node *root) 
                         "'length_unit' is missing; say one of mm, cm, m, km, in, ft, for example "
                         "'length_unit: mm'");
   }
-  for (size_t k = 0; node->kind == TP_NODE_SCALAR && k < sizeof units / sizeof units[0]; k++) {
-    if (strcmp(node->text, units[k].name) != 0) continue;
-    reader->scene->length_unit = units[k].name;
-    fmpq_set_si(reader->scene->metres_per_unit, units[k].numerator,
-                (unsigned long)units[k].denominator);
-    return TP_OK;
-  }
-  return tp_read_fail(reader, node, "length_unit must be one of mm, cm, m, km, in, ft");
+  return tp_scene_use_unit(reader->scene, node->kind == TP_NODE_SCALAR ? node->text : "",
+                           tp_read_place(reader, node), reader->message);
 }
 
 static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
@@ -70,7 +58,6 @@ static tp_status read_parameters(const tp_reader *reader, const tp_node *node) {
 static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"towards", "angle_deg", NULL};
   tp_scene *scene = reader->scene;
-  scene->towards_left = scene->towards_right = true;
   if (node == NULL) return TP_OK;
   scene->tilt_place = tp_node_place(node, scene->path);
   const tp_status status = tp_node_expect_keys(node, keys, "tilt", scene->path, reader->message);
@@ -84,8 +71,8 @@ static tp_status read_tilt(const tp_reader *reader, const tp_node *node) {
       return tp_read_fail(reader, towards, "towards must be left, right or both");
     }
   }
-  return tp_read_angle(reader, &scene->tilt_angle_deg, tp_node_get(node, "angle_deg"), "angle_deg",
-                       false);
+  return tp_read_quantity(reader, &scene->tilt_angle_deg, tp_node_get(node, "angle_deg"),
+                          "angle_deg", TP_RULE_ANGLE_TO_90);
 }
 
 static tp_status read_version(const tp_reader *reader, const tp_node *root) {
@@ -130,99 +117,12 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
-  return status == TP_OK ? tp_read_cautions(reader) : status;
-}
-
-static tp_scene *new_scene(const char *path) {
-  tp_scene *scene = calloc(1, sizeof *scene);
-  if (scene == NULL) return NULL;
-  scene->path = strdup(path);
-  if (scene->path == NULL) {
-    free(scene);
-    return NULL;
-  }
-  fmpq_init(scene->metres_per_unit);
-  tp_block_description *block = &scene->block;
-  fmpq_init(block->teeth.width);
-  fmpq_init(block->teeth.height);
-  fmpq_init(block->teeth.depth);
-  fmpq_init(block->ellipse.width.value);
-  fmpq_init(block->ellipse.height.value);
-  fmpq_init(block->ellipse.flat.value);
-  fmpq_init(block->thickness.value);
-  fmpq_init(block->unit_weight_kn_m3.value);
-  fmpq_init(scene->base.beyond_left.value);
-  fmpq_init(scene->base.beyond_right.value);
-  fmpq_init(scene->base.below.value);
-  fmpq_init(scene->base.left_of.value);
-  fmpq_init(scene->base.right_of.value);
-  tp_loads_description_init(&scene->loads);
-  fmpq_init(scene->friction_angle_deg.value);
-  tp_friction_description_init(&scene->friction);
-  fmpq_init(scene->tilt_angle_deg.value);
-  return scene;
-}
-
-static void clear_block(tp_block_description *block) {
-  tp_polyline_clear(&block->outline);
-  fmpq_clear(block->teeth.width);
-  fmpq_clear(block->teeth.height);
-  fmpq_clear(block->teeth.depth);
-  fmpq_clear(block->ellipse.width.value);
-  fmpq_clear(block->ellipse.height.value);
-  fmpq_clear(block->ellipse.flat.value);
-  fmpq_clear(block->thickness.value);
-  fmpq_clear(block->unit_weight_kn_m3.value);
-  for (long k = 0; k < block->hole_count; k++) tp_polyline_clear(block->holes + k);
-  for (long k = 0; k < block->part_count; k++) {
-    tp_polyline_clear(&block->parts[k].outline);
-    fmpq_clear(block->parts[k].unit_weight_kn_m3.value);
-  }
-  for (long k = 0; k < block->rounded.count; k++) {
-    fmpq_clear(block->rounded.corners[k].x.value);
-    fmpq_clear(block->rounded.corners[k].y.value);
-    fmpq_clear(block->rounded.corners[k].radius.value);
-  }
-  free(block->rounded.corners);
-  tp_arcs_clear(block);
-  free(block->holes);
-  free(block->parts);
-}
-
-void tp_scene_free(tp_scene *scene) {
-  if (scene == NULL) return;
-  clear_block(&scene->block);
-  tp_loads_description_clear(&scene->loads);
-  tp_polyline_clear(&scene->base.between);
-  tp_polyline_clear(&scene->base.profile);
-  tp_polyline_clear(&scene->mean_plane);
-  fmpq_clear(scene->base.beyond_left.value);
-  fmpq_clear(scene->base.beyond_right.value);
-  fmpq_clear(scene->base.below.value);
-  fmpq_clear(scene->base.left_of.value);
-  fmpq_clear(scene->base.right_of.value);
-  fmpq_clear(scene->metres_per_unit);
-  fmpq_clear(scene->friction_angle_deg.value);
-  tp_friction_description_clear(&scene->friction);
-  fmpq_clear(scene->tilt_angle_deg.value);
-  for (long k = 0; k < scene->parameters.count; k++) {
-    free(scene->parameters.names[k]);
-    fmpq_clear(scene->parameters.values + k);
-  }
-  free(scene->parameters.names);
-  free(scene->parameters.values);
-  for (long k = 0; k < scene->file_count; k++) free(scene->files[k]);
-  free(scene->files);
-  tp_notes_clear(&scene->notes);
-  if (!scene->borrows_source) tp_node_free(scene->source);
-  free(scene->title);
-  free(scene->path);
-  free(scene);
+  return status == TP_OK ? tp_scene_cautions(&scene->notes, scene, reader->message) : status;
 }
 
 tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
                               tp_message *message) {
-  tp_scene *read = new_scene(path);
+  tp_scene *read = tp_scene_make(path);
   if (read == NULL) return tp_fail_memory(message, "the scene");
   const tp_reader reader = {read, message};
   read->source = root;

@@ -5,7 +5,6 @@
 
 #include "scene/read.h"
 
-#include "number/ratio.h"
 #include "outside.h"
 #include "scene/csv.h"
 
@@ -24,10 +23,8 @@ tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char 
                  text);
 }
 
-static bool within_range(const fmpq_t value) {
-  const double size = fmpq_get_d(value);
-  return fmpq_is_zero(value) ||
-         (size <= 1e308 && size >= -1e308 && (size >= 1e-308 || size <= -1e-308));
+tp_place tp_read_place(const tp_reader *reader, const tp_node *node) {
+  return tp_node_place(node, reader->scene->path);
 }
 
 tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
@@ -40,29 +37,24 @@ tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *n
   place.column += node->text_offset;
   const tp_status status =
       tp_expression_evaluate(value, node->text, place, &reader->scene->parameters, reader->message);
-  if (status == TP_OK && !within_range(value)) {
-    return tp_read_fail(reader, node, "%s is outside the range of 1e-308 to 1e308",
-                        tp_quote_all(name).text);
-  }
-  return status;
+  if (status != TP_OK) return status;
+  return tp_check_range(value, name, tp_read_place(reader, node), reader->message);
 }
 
-tp_status tp_read_positive(const tp_reader *reader, fmpq_t value, const tp_node *node,
-                           const char *name) {
+tp_status tp_read_by_rule(const tp_reader *reader, fmpq_t value, const tp_node *node,
+                          const char *name, tp_rule rule) {
   const tp_status status = tp_read_number(reader, value, node, name);
-  if (status != TP_OK || fmpq_sgn(value) > 0) return status;
-  char text[80];
-  tp_ratio_text(text, sizeof text, value);
-  return tp_read_fail(reader, node, "%s must be above zero, not %s", name, text);
+  if (status != TP_OK) return status;
+  return tp_check_rule(rule, value, name, tp_read_place(reader, node), reader->message);
 }
 
 tp_status tp_read_quantity(const tp_reader *reader, tp_quantity *quantity, const tp_node *node,
-                           const char *name) {
+                           const char *name, tp_rule rule) {
   if (node == NULL) return TP_OK;
-  const tp_status status = tp_read_number(reader, quantity->value, node, name);
+  const tp_status status = tp_read_by_rule(reader, quantity->value, node, name, rule);
   if (status == TP_OK) {
     quantity->given = true;
-    quantity->place = tp_node_place(node, reader->scene->path);
+    quantity->place = tp_read_place(reader, node);
   }
   return status;
 }
@@ -106,8 +98,8 @@ tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
     return tp_read_fail(reader, node, "'%s' is a point, written [x, y]", name);
   }
-  const tp_status status = tp_read_quantity(reader, x, node->first, "x");
-  return status == TP_OK ? tp_read_quantity(reader, y, node->last, "y") : status;
+  const tp_status status = tp_read_quantity(reader, x, node->first, "x", TP_RULE_ANY);
+  return status == TP_OK ? tp_read_quantity(reader, y, node->last, "y", TP_RULE_ANY) : status;
 }
 
 static tp_status read_vertex(const tp_reader *reader, tp_polyline *line, const tp_node *node,

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What a scene file describes: exact numbers in scene lengths and degrees, each group with the
- * place in the file that called for it. Only what can be said without geometry is checked here. */
+/* What a scene describes: exact numbers in scene lengths and degrees, each group with the place in
+ * the file, or the call, that called for it. Only what can be said without geometry is checked
+ * here. */
 
 #ifndef TP_SCENE_H
 #define TP_SCENE_H
@@ -167,12 +168,30 @@ struct tp_scene {
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
-  tp_node *source;            /* the file as read, for what is derived with symbols */
+  tp_node *source; /* the file as read, for what is derived with symbols; NULL: built in memory */
   bool borrows_source;
   tp_notes notes;  /* on what was read */
   long file_count; /* names of files that places refer to */
   char **files;
 };
+
+/* A scene with nothing given; NULL when memory is exhausted. `path` is what places refer to. */
+tp_scene *tp_scene_make(const char *path);
+TP_MUST_USE tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,
+                                        tp_message *message);
+
+/* The numbers of what a scene holds several of; the rest is zero already. */
+void tp_line_load_init(tp_line_load *load);
+void tp_anchor_init(tp_anchor_description *anchor);
+void tp_arc_init(tp_arc_description *arc);
+void tp_corner_init(tp_corner_description *corner);
+
+/* Notes on numbers of the scene that look as if they stood in another unit. */
+TP_MUST_USE tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene,
+                                        tp_message *message);
+
+/* What the scene is told with: its notes, which a scene built in memory gathers now. */
+TP_MUST_USE tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_message *message);
 
 /* A scene from nodes that were read already, and that must outlive it; `path` is what places refer
  * to. */

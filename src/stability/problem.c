@@ -7,6 +7,7 @@
 #include "block/check.h"
 #include "load/check.h"
 #include "load/loads.h"
+#include "scene/check.h"
 #include "stability/admissible.h"
 #include "stability/effects.h"
 
@@ -261,7 +262,10 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   memset(problem, 0, sizeof *problem);
   problem->scene = scene;
   tp_status status = TP_OK;
-  if (scene->frame == TP_FRAME_WORLD) status = turn(problem, options, solution, message);
+  if (scene->source == NULL) status = tp_check_built(scene, message);
+  if (status == TP_OK && scene->frame == TP_FRAME_WORLD) {
+    status = turn(problem, options, solution, message);
+  }
   if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
   /* Euler: any triangulation of n vertices and h holes has n + 2 h - 2 triangles. */
   problem->triangle_count = triangulation.count;

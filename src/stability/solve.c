@@ -30,7 +30,7 @@ tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
 static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
                       tp_message *message) {
   tp_problem problem;
-  tp_status status = tp_notes_append(&solution->notes, &scene->notes, message);
+  tp_status status = tp_scene_notes(&solution->notes, scene, message);
   if (status == TP_OK) status = tp_problem_init(&problem, scene, options, solution, message);
   if (status != TP_OK) return status;
   status = tp_problem_cautions(&solution->notes, &problem, message);

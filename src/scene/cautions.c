@@ -7,7 +7,7 @@
  * its density in kg/m3 or t/m3, or its weight in N/m3 or MN/m3. A block is between 1 cm, smaller
  * than any on a tilting table, and 300 m; beyond that its lengths are often off by a thousand. */
 
-#include "scene/read.h"
+#include "scene/scene.h"
 
 static const long lightest = 5, heaviest = 80; /* kN/m3 */
 static const double likely[2] = {10, 60};      /* what a number in another unit is guessed for */
@@ -28,7 +28,8 @@ static bool likely_meaning(double *kn_m3, const char **unit, double given) {
   return false;
 }
 
-static tp_status check_unit_weight(const tp_reader *reader, const tp_quantity *quantity) {
+static tp_status check_unit_weight(tp_notes *notes, const tp_quantity *quantity,
+                                   tp_message *message) {
   if (!quantity->given || (fmpq_cmp_si(quantity->value, lightest) >= 0 &&
                            fmpq_cmp_si(quantity->value, heaviest) <= 0)) {
     return TP_OK;
@@ -37,11 +38,11 @@ static tp_status check_unit_weight(const tp_reader *reader, const tp_quantity *q
   double meant = 0;
   const char *unit = NULL;
   if (!likely_meaning(&meant, &unit, given)) {
-    return tp_notes_add(&reader->scene->notes, reader->message, TP_CAUTION, quantity->place,
+    return tp_notes_add(notes, message, TP_CAUTION, quantity->place,
                         "%.6g kN/m³ is far from any rock, which weighs %ld to %ld", given, lightest,
                         heaviest);
   }
-  return tp_notes_add(&reader->scene->notes, reader->message, TP_CAUTION, quantity->place,
+  return tp_notes_add(notes, message, TP_CAUTION, quantity->place,
                       "%.6g kN/m³ is far from any rock, which weighs %ld to %ld; if it is in %s, "
                       "write %.3g",
                       given, lightest, heaviest, unit, meant);
@@ -70,12 +71,12 @@ static void block_extent(fmpq_t extent, const tp_block_description *block) {
 }
 
 /* `length` is in scene lengths; it is all of the length, or as much of it as is known here. */
-static tp_status check_length(const tp_reader *reader, const fmpq_t length, bool whole,
-                              const char *what, tp_place place) {
+static tp_status check_length(tp_notes *notes, const tp_scene *scene, const fmpq_t length,
+                              bool whole, const char *what, tp_place place, tp_message *message) {
   fmpq_t metres, least;
   fmpq_init(metres);
   fmpq_init(least);
-  fmpq_mul(metres, length, reader->scene->metres_per_unit);
+  fmpq_mul(metres, length, scene->metres_per_unit);
   fmpq_set_si(least, least_cm, 100);
   const bool large = fmpq_cmp_si(metres, most_m) > 0, small = fmpq_cmp(metres, least) < 0;
   const double size = fmpq_get_d(metres);
@@ -83,29 +84,34 @@ static tp_status check_length(const tp_reader *reader, const fmpq_t length, bool
   fmpq_clear(least);
   if (!large && !(small && whole)) return TP_OK;
   const char *unit = small ? "mm" : size < 1000 ? "m" : "km";
-  return tp_notes_add(&reader->scene->notes, reader->message, TP_CAUTION, place,
+  return tp_notes_add(notes, message, TP_CAUTION, place,
                       "%s %.4g %s, which is hardly meant; is 'length_unit: %s' right?", what,
                       small         ? 1000 * size
                       : size < 1000 ? size
                                     : size / 1000,
-                      unit, reader->scene->length_unit);
+                      unit, scene->length_unit);
 }
 
-tp_status tp_read_cautions(const tp_reader *reader) {
-  const tp_block_description *block = &reader->scene->block;
+tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  const tp_block_description *block = &scene->block;
   fmpq_t extent;
   fmpq_init(extent);
   block_extent(extent, block);
-  tp_status status =
-      check_length(reader, extent, block->arc_count == 0, "the block measures", block->place);
+  tp_status status = check_length(notes, scene, extent, block->arc_count == 0, "the block measures",
+                                  block->place, message);
   fmpq_clear(extent);
   if (status == TP_OK && block->thickness.given) {
-    status = check_length(reader, block->thickness.value, true, "the block's thickness is",
-                          block->thickness.place);
+    status = check_length(notes, scene, block->thickness.value, true, "the block's thickness is",
+                          block->thickness.place, message);
   }
-  if (status == TP_OK) status = check_unit_weight(reader, &block->unit_weight_kn_m3);
+  if (status == TP_OK) status = check_unit_weight(notes, &block->unit_weight_kn_m3, message);
   for (long k = 0; k < block->part_count && status == TP_OK; k++) {
-    status = check_unit_weight(reader, &block->parts[k].unit_weight_kn_m3);
+    status = check_unit_weight(notes, &block->parts[k].unit_weight_kn_m3, message);
   }
   return status;
+}
+
+tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  if (scene->source == NULL) return tp_scene_cautions(notes, scene, message);
+  return tp_notes_append(notes, &scene->notes, message);
 }

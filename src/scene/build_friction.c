@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene in memory: friction of its contact, one angle or a law. */
+
+#include "host.h"
+#include "scene/build.h"
+
+/* The angle is the first number of the call; a law that was set before is dropped. */
+static tp_friction_description *put_angle(tp_build *build) {
+  tp_friction_description *law = &build->scene->friction;
+  law->load_dependent = false;
+  law->jrc.given = law->jcs_mpa.given = law->roughness_angle_deg.given = false;
+  law->test_angle_deg.given = law->test_stress_kpa.given = false;
+  tp_build_put(build, &build->scene->friction_angle_deg, 0);
+  return law;
+}
+
+static tp_status begin(tp_build *build, tp_scene *scene, const char *call, const tp_given *given,
+                       long count, tp_message *message) {
+  const tp_status status = tp_build_begin(build, scene, call, message);
+  return status == TP_OK ? tp_build_read(build, given, count) : status;
+}
+
+tp_status tp_scene_set_friction_angle_deg(tp_scene *scene, tp_exact angle_deg,
+                                          tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given = {"angle_deg", angle_deg, TP_RULE_ANGLE_BELOW_90};
+  tp_build build;
+  const tp_status status = begin(&build, scene, __func__, &given, 1, message);
+  if (status == TP_OK) (void)put_angle(&build);
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_set_friction_patton(tp_scene *scene, tp_exact basic_angle_deg,
+                                       tp_exact roughness_angle_deg, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"basic_angle_deg", basic_angle_deg, TP_RULE_ANGLE_BELOW_90},
+                            {"roughness_angle_deg", roughness_angle_deg, TP_RULE_ANGLE_BELOW_90}};
+  tp_build build;
+  tp_status status = begin(&build, scene, __func__, given, 2, message);
+  if (status == TP_OK) {
+    fmpq_add(build.values, build.values, build.values + 1);
+    status = tp_check_patton(build.values, build.place, message);
+  }
+  if (status == TP_OK) tp_build_put(&build, &put_angle(&build)->roughness_angle_deg, 1);
+  tp_build_end(&build);
+  return status;
+}
+
+/* JCS is the second number of the call. */
+static tp_friction_description *put_barton(tp_build *build) {
+  tp_friction_description *law = put_angle(build);
+  law->load_dependent = true;
+  tp_build_put(build, &law->jcs_mpa, 1);
+  return law;
+}
+
+tp_status tp_scene_set_friction_barton(tp_scene *scene, tp_exact residual_angle_deg, tp_exact jrc,
+                                       tp_exact jcs_mpa, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"residual_angle_deg", residual_angle_deg, TP_RULE_ANGLE_BELOW_90},
+                            {"jcs_mpa", jcs_mpa, TP_RULE_ABOVE_ZERO},
+                            {"jrc", jrc, TP_RULE_JRC}};
+  tp_build build;
+  const tp_status status = begin(&build, scene, __func__, given, 3, message);
+  if (status == TP_OK) tp_build_put(&build, &put_barton(&build)->jrc, 2);
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_set_friction_barton_test(tp_scene *scene, tp_exact residual_angle_deg,
+                                            tp_exact test_angle_deg,
+                                            tp_exact test_normal_stress_kpa, tp_exact jcs_mpa,
+                                            tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"residual_angle_deg", residual_angle_deg, TP_RULE_ANGLE_BELOW_90},
+                            {"jcs_mpa", jcs_mpa, TP_RULE_ABOVE_ZERO},
+                            {"test_angle_deg", test_angle_deg, TP_RULE_ANGLE_BELOW_90},
+                            {"test_normal_stress_kpa", test_normal_stress_kpa, TP_RULE_ABOVE_ZERO}};
+  tp_build build;
+  tp_status status = begin(&build, scene, __func__, given, 4, message);
+  if (status == TP_OK) {
+    status = tp_check_tilt_test(build.values + 2, build.values + 3, build.values, build.values + 1,
+                                build.place, message);
+  }
+  if (status == TP_OK) {
+    tp_friction_description *law = put_barton(&build);
+    tp_build_put(&build, &law->test_angle_deg, 2);
+    tp_build_put(&build, &law->test_stress_kpa, 3);
+  }
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene, tp_exact residual_angle_deg,
+                                                 tp_exact roughness_angle_deg, tp_exact jcs_mpa,
+                                                 tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"residual_angle_deg", residual_angle_deg, TP_RULE_ANGLE_BELOW_90},
+                            {"jcs_mpa", jcs_mpa, TP_RULE_ABOVE_ZERO},
+                            {"roughness_angle_deg", roughness_angle_deg, TP_RULE_ANGLE_BELOW_90}};
+  tp_build build;
+  const tp_status status = begin(&build, scene, __func__, given, 3, message);
+  if (status == TP_OK) tp_build_put(&build, &put_barton(&build)->roughness_angle_deg, 2);
+  tp_build_end(&build);
+  return status;
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a scene may hold, so far as it can be said without geometry: one place for the reader of
+ * files and for the calls that build a scene in memory. Every check says where and what to do. */
+
+#ifndef TP_CHECK_SCENE_H
+#define TP_CHECK_SCENE_H
+
+#include "scene/scene.h"
+
+typedef enum tp_rule {
+  TP_RULE_ANY,
+  TP_RULE_ABOVE_ZERO,
+  TP_RULE_NOT_NEGATIVE,
+  TP_RULE_ANGLE_BELOW_90, /* [0, 90), of friction */
+  TP_RULE_ANGLE_TO_90,    /* [0, 90], of tilt */
+  TP_RULE_JRC,
+  TP_RULE_UNIT_WEIGHT, /* of rock */
+  TP_RULE_BEYOND,      /* of a base past its block */
+  TP_RULE_BULGE        /* of an arc */
+} tp_rule;
+
+/* Zero, or of a size that a double can tell. */
+TP_MUST_USE tp_status tp_check_range(const fmpq_t value, const char *name, tp_place place,
+                                     tp_message *message);
+TP_MUST_USE tp_status tp_check_rule(tp_rule rule, const fmpq_t value, const char *name,
+                                    tp_place place, tp_message *message);
+
+/* A whole number of teeth, as it goes into `count`. */
+TP_MUST_USE tp_status tp_check_tooth_count(long *count, const fmpq_t value, const char *what,
+                                           tp_place place, tp_message *message);
+/* By the lesser height of the teeth, mean_height less half the amplitude. */
+TP_MUST_USE tp_status tp_check_amplitude(const fmpq_t height, tp_place place, tp_message *message);
+TP_MUST_USE tp_status tp_check_flat(const fmpq_t flat, const fmpq_t width, tp_place place,
+                                    tp_message *message);
+/* Two points, from left to right. */
+TP_MUST_USE tp_status tp_check_mean_plane(const tp_polyline *plane, tp_place place,
+                                          tp_message *message);
+/* phi_b + i, Eq. (6). */
+TP_MUST_USE tp_status tp_check_patton(const fmpq_t sum, tp_place place, tp_message *message);
+/* Eq. (9): the angle is at least the residual one, and the stress below JCS. */
+TP_MUST_USE tp_status tp_check_tilt_test(const fmpq_t angle_deg, const fmpq_t stress_kpa,
+                                         const fmpq_t residual_deg, const fmpq_t jcs_mpa,
+                                         tp_place place, tp_message *message);
+
+/* What one thing of a scene needs of another, or cannot stand beside; `place` is of the first. */
+TP_MUST_USE tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place place,
+                                             tp_message *message);
+TP_MUST_USE tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place place,
+                                             tp_message *message);
+TP_MUST_USE tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place,
+                                           tp_message *message);
+TP_MUST_USE tp_status tp_check_arcs_on_outline(const tp_scene *scene, tp_place place,
+                                               tp_message *message);
+TP_MUST_USE tp_status tp_check_repair(const tp_scene *scene, tp_place place, tp_message *message);
+/* `plain`: the ellipse has nothing of what it cannot have. */
+TP_MUST_USE tp_status tp_check_ellipse_plain(bool plain, tp_place place, tp_message *message);
+
+/* `key` narrows or widens a mated base. */
+TP_MUST_USE tp_status tp_check_base_is_mated(const tp_scene *scene, const char *key, tp_place place,
+                                             tp_message *message);
+TP_MUST_USE tp_status tp_check_base_not_whole(const tp_scene *scene, tp_place place,
+                                              tp_message *message);
+
+/* All of these of a scene that was built, and is used now. */
+TP_MUST_USE tp_status tp_check_built(const tp_scene *scene, tp_message *message);
+
+#endif
