@@ -6,9 +6,11 @@
  *     const double outline[] = {0, 0, 50, 0, 50, 100, 0, 100};
  *     tp_scene *scene = NULL;
  *     tp_status status = tp_scene_new(&scene, "mm", &message);
- *     if (status == TP_OK) status = tp_scene_set_outline(scene, tp_coordinates_of(outline, 4),
- * &message); if (status == TP_OK) { status = tp_scene_set_friction_angle_deg(scene,
- * tp_exact_of(30), &message);
+ *     if (status == TP_OK) {
+ *       status = tp_scene_set_outline(scene, tp_coordinates_of(outline, 4), &message);
+ *     }
+ *     if (status == TP_OK) {
+ *       status = tp_scene_set_friction_angle_deg(scene, tp_exact_of(30), &message);
  *     }
  *
  * What a call gives means what the key of its name means in a scene file (docs/scene.md), and is

@@ -14,8 +14,11 @@
 #include <stdlib.h>
 
 tp_solve_options tp_solve_options_default(void) {
-  return (tp_solve_options){
-      .limit = true, .strength_reduction = true, .digits = 9, .level = TP_LEVEL_EXACT, .pivots = TP_PIVOTS_ALL};
+  return (tp_solve_options){.limit = true,
+                            .strength_reduction = true,
+                            .digits = 9,
+                            .level = TP_LEVEL_EXACT,
+                            .pivots = TP_PIVOTS_ALL};
 }
 
 tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
