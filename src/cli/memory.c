@@ -60,7 +60,8 @@ static void give_back(void *memory, size_t size) {
   free(memory);
 }
 
-_Noreturn static void give_up(void) {
+/* The attribute is part of the type that FLINT takes; for clang _Noreturn is none. */
+__attribute__((noreturn)) static void give_up(void) {
   end("topple: FLINT, a library that Topple builds on, gave up; please report the scene\n");
 }
 
