@@ -38,7 +38,8 @@ END_TEST
 /* A factor below zero is the governing pivot's alone. */
 START_TEST(json_of_pivots) {
   tp_solution s = filled();
-  tp_pivot own[2] = {{.kind = TP_PIVOT_PEAK, .never = true}, {.kind = TP_PIVOT_VALLEY}};
+  tp_pivot own[2] = {{.kind = TP_PIVOT_PEAK, .told = true, .never = true},
+                     {.kind = TP_PIVOT_VALLEY, .told = true}};
   for (int k = 0; k < 2; k++) {
     own[k].fos_resultant = (tp_fos){.state = TP_FOS_NUMBER, .value = {.value = -2}};
     own[k].fos_elements = (tp_fos){.state = TP_FOS_UNDEFINED};
