@@ -94,6 +94,7 @@ static bool grouping_init(grouping *g, const tp_normals_order *order) {
  * in order, so that little is left to be sorted. `starts` has room for an index of each family. */
 static void place_entries(tp_normal_entry *sorted, const tp_normals_order *order, grouping *g,
                           long *starts) {
+  if (g->count == 0) return; /* nothing touches the block, and there is no list */
   qsort(g->families, (size_t)g->count, sizeof *g->families, compare_families);
   long next = 0;
   for (long f = 0; f < g->count; f++) {
