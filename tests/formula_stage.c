@@ -8,8 +8,6 @@
 #include <stdint.h>
 #include <string.h>
 
-static const char *const names[NAMES] = {"a", "b", "ab", "alpha", "sigma_n", "dx", "sine"};
-
 const tp_dialect printed = {
     .letters = true,
     .products = true,
@@ -32,21 +30,6 @@ const tp_dialect plain = {
     .quoted = SIZE_MAX,
 };
 
-static long find(const void *context, const char *name, size_t length) {
-  (void)context;
-  for (long k = 0; k < NAMES; k++) {
-    if (strlen(names[k]) == length && memcmp(names[k], name, length) == 0) return k;
-  }
-  return -1;
-}
-
-static bool is_angle(const void *context, long name) {
-  (void)context;
-  return strcmp(names[name], "alpha") == 0;
-}
-
-const tp_vocabulary vocabulary = {find, is_angle, NULL};
-
 static void append(char *out, const char *text) {
   ck_assert_uint_lt(strlen(out) + strlen(text), 900);
   strcat(out, text);
@@ -65,7 +48,7 @@ void write_out(char *out, const tp_formula *f, long index) {
     flint_free(number);
     break;
   case TP_FORMULA_NAME:
-    append(out, names[n->name]);
+    append(out, formula_names[n->name]);
     break;
   case TP_FORMULA_CALL:
     append(out, functions[n->function]);

@@ -1,18 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A language to test the reader of formulas in: two dialects, names, trees written out. */
+/* A language to test the reader of formulas in: two dialects, trees written out. */
 
 #ifndef TP_TEST_FORMULA_STAGE_H
 #define TP_TEST_FORMULA_STAGE_H
 
-#include "formula/read.h"
+#include "formula_names.h"
 
 /* All that a dialect may allow, and as little as possible. */
 extern const tp_dialect printed, plain;
-
-enum { NAMES = 7 };
-extern const tp_vocabulary vocabulary;
 
 /* A node with brackets round every operation; "." is a product that is not written. */
 void write_out(char *out, const tp_formula *f, long index);

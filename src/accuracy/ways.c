@@ -30,6 +30,13 @@ static tp_status way_load(way *w, const tp_accuracy_subject *s) {
   return TP_OK;
 }
 
+/* With the moments that a solve takes at the rung, and the loads. */
+static tp_status way_init_whole(way *w, const tp_accuracy_subject *s, tp_rung rung) {
+  way_init(w, s, rung);
+  tp_evaluate_moments(&w->e.moments, &s->problem, rung);
+  return way_load(w, s);
+}
+
 static void way_clear(way *w) {
   if (w->e.loaded != NULL) tp_loaded_clear(&w->loaded);
   tp_moments_clear(&w->e.moments);
@@ -98,9 +105,7 @@ tp_status tp_accuracy_by_limit(arb_t degrees, bool *found, const void *subject, 
                                : rung.level == TP_LEVEL_EXACT ? TP_LIMIT_EXACTLY
                                                               : TP_LIMIT_CERTIFIED;
   way w;
-  way_init(&w, s, rung);
-  tp_evaluate_moments(&w.e.moments, &s->problem, rung);
-  tp_status status = way_load(&w, s);
+  tp_status status = way_init_whole(&w, s, rung);
   if (status == TP_OK) {
     status = tp_evaluate_limit_at_price(degrees, found, &w.e, s->towards, price);
   }
@@ -111,9 +116,7 @@ tp_status tp_accuracy_by_limit(arb_t degrees, bool *found, const void *subject, 
 tp_status tp_accuracy_by_onset(arb_t degrees, bool *found, const void *subject, tp_rung rung) {
   const tp_accuracy_subject *s = subject;
   way w;
-  way_init(&w, s, rung);
-  tp_evaluate_moments(&w.e.moments, &s->problem, rung);
-  tp_status status = way_load(&w, s);
+  tp_status status = way_init_whole(&w, s, rung);
   if (status == TP_OK) status = tp_evaluate_onset_at_price(degrees, found, &w.e, s->towards);
   way_clear(&w);
   return status;

@@ -17,22 +17,23 @@
 /* More than Brent's method needs, which is 8 doubles in GSL 2.7. */
 enum { STATE_DOUBLES = 32 };
 
-typedef struct looks {
+typedef struct samples {
   const tp_root_search *search;
-  tp_root_end low, high, last; /* the ends of the range, and where it was looked last */
+  tp_root_end low, high, last; /* the ends of the range, and where it was sampled last */
   int count;
   bool failed;
-} looks;
+} samples;
 
-static double look(double x, void *context) {
-  looks *l = context;
-  if (x == l->low.x) return l->low.value;
-  if (x == l->high.x) return l->high.value;
-  l->count++;
-  l->last = (tp_root_end){x, NAN};
-  l->failed = !(x > l->low.x && x < l->high.x) ||
-              !l->search->value(&l->last.value, l->search->context, x) || !isfinite(l->last.value);
-  return l->failed ? 0 : l->last.value;
+static double sample(double x, void *context) {
+  samples *taken = context;
+  if (x == taken->low.x) return taken->low.value;
+  if (x == taken->high.x) return taken->high.value;
+  taken->count++;
+  taken->last = (tp_root_end){x, NAN};
+  taken->failed = !(x > taken->low.x && x < taken->high.x) ||
+                  !taken->search->value(&taken->last.value, taken->search->context, x) ||
+                  !isfinite(taken->last.value);
+  return taken->failed ? 0 : taken->last.value;
 }
 
 static bool is_flat(const tp_root_search *s, double value) {
@@ -45,27 +46,27 @@ static bool is_narrow(const tp_root *root, double width) {
 }
 
 /* Where the method says that two doubles are next to each other though one may lie between. */
-static void halve(tp_root *root, looks *l) {
+static void halve(tp_root *root, samples *taken) {
   const double middle = root->low + (root->high - root->low) / 2;
-  const double value = look(middle, l);
-  *((value < 0) == (l->low.value < 0) ? &root->low : &root->high) = middle;
+  const double value = sample(middle, taken);
+  *((value < 0) == (taken->low.value < 0) ? &root->low : &root->high) = middle;
 }
 
-static bool narrow(tp_root *root, gsl_root_fsolver *solver, looks *l) {
-  const tp_root_search *s = l->search;
+static bool narrow(tp_root *root, gsl_root_fsolver *solver, samples *taken) {
+  const tp_root_search *s = taken->search;
   while (!is_narrow(root, s->width)) {
-    const int before = l->count;
+    const int before = taken->count;
     if (before >= s->most) return false;
     (void)gsl_root_fsolver_iterate(solver);
-    if (l->count > before) {
+    if (taken->count > before) {
       root->low = solver->x_lower;
       root->high = solver->x_upper;
     } else {
-      halve(root, l);
+      halve(root, taken);
     }
-    if (l->failed) return false;
-    if (is_flat(s, l->last.value)) {
-      *root = (tp_root){l->last.x, l->last.x, true};
+    if (taken->failed) return false;
+    if (is_flat(s, taken->last.value)) {
+      *root = (tp_root){taken->last.x, taken->last.x, true};
       return true;
     }
   }
@@ -84,12 +85,12 @@ bool tp_root_find(tp_root *root, const tp_root_search *search, tp_root_end low, 
   if ((low.value < 0) == (high.value < 0) || gsl_root_fsolver_brent->size > sizeof state) {
     return false;
   }
-  looks l = {.search = search, .low = low, .high = high};
-  gsl_function function = {look, &l};
+  samples taken = {.search = search, .low = low, .high = high};
+  gsl_function function = {sample, &taken};
   gsl_root_fsolver solver = {.type = gsl_root_fsolver_brent, .state = state};
   if (gsl_root_fsolver_set(&solver, &function, low.x, high.x) != 0) return false;
   tp_root own = {low.x, high.x, false};
-  if (!narrow(&own, &solver, &l)) return false;
+  if (!narrow(&own, &solver, &taken)) return false;
   *root = own;
   return true;
 }

@@ -19,10 +19,10 @@ typedef struct tp_root_search {
   void *context;
   double flat;  /* a value no larger than this will do for zero */
   double width; /* a bracket no wider than this will do; 0: one between whose ends lies no double */
-  int most;     /* values to look at, at most */
+  int most;     /* samples, at most */
 } tp_root_search;
 
-/* An end of the range, and the value there, which is not looked at again. */
+/* An end of the range, and the value there, which is not sampled again. */
 typedef struct tp_root_end {
   double x, value;
 } tp_root_end;

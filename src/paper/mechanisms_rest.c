@@ -64,8 +64,8 @@ static tp_toothed_question slab(const tp_mechanisms_rest *r, double width) {
       .block = {width, 0, 2}, .toe = TP_TOE_PLANAR, .friction_deg = r->options->friction_deg};
 }
 
-static tp_status look(first_motion *first, const tp_mechanisms_rest *r, double width,
-                      tp_message *message) {
+static tp_status sample(first_motion *first, const tp_mechanisms_rest *r, double width,
+                        tp_message *message) {
   const tp_toothed_question question = slab(r, width);
   tp_solution *solution = NULL;
   const tp_status status = tp_toothed_solve(&solution, &question, message);
@@ -88,7 +88,7 @@ static tp_status part(first_motion *low, first_motion *high, const tp_mechanisms
     const double middle = low->width + (high->width - low->width) / 2;
     if (!(middle > low->width && middle < high->width)) return TP_OK;
     first_motion found = {0};
-    const tp_status status = look(&found, r, middle, message);
+    const tp_status status = sample(&found, r, middle, message);
     if (status != TP_OK) return status;
     *(found.begins == low->begins ? low : high) = found;
   }
@@ -112,8 +112,8 @@ static tp_status add_curve(const tp_mechanisms_rest *r, double to, tp_message *m
 
 tp_status tp_mechanisms_rest_planar(const tp_mechanisms_rest *r, tp_message *message) {
   first_motion low = {0}, high = {0};
-  tp_status status = look(&low, r, slenderest(r), message);
-  if (status == TP_OK) status = look(&high, r, r->x_most, message);
+  tp_status status = sample(&low, r, slenderest(r), message);
+  if (status == TP_OK) status = sample(&high, r, r->x_most, message);
   if (status != TP_OK || low.begins == high.begins) return status;
   status = part(&low, &high, r, message);
   if (status == TP_OK) status = add_curve(r, low.width, message);

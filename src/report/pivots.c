@@ -6,8 +6,8 @@
 #include "report/loads.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "stability/bearing.h"
 
-#include <math.h>
 #include <stdio.h>
 
 static bool governs(const tp_case *c, size_t k) {
@@ -90,19 +90,10 @@ static void add_pivot(tp_json *j, const tp_pivot *p, size_t k, bool loaded) {
   tp_json_close(j);
 }
 
-static bool is_at(tp_bounded a, tp_bounded b) {
-  return fabs(a.value - b.value) <= a.error + b.error;
-}
-
 /* One of those that can govern, or hold the block at its limit. */
 static bool matters(const tp_case *c, size_t k) {
   const tp_pivot *p = c->pivots + k;
-  bool holds = false;
-  for (size_t r = 0; r < c->limit.reaction_count; r++) {
-    const tp_reaction *force = c->limit.reactions + r;
-    holds = holds || (is_at(force->x_m, p->x_m) && is_at(force->y_m, p->y_m));
-  }
-  return p->admissible || governs(c, k) || holds;
+  return p->admissible || governs(c, k) || tp_pivot_bears(p, &c->limit);
 }
 
 static bool are_all_told(const tp_case *c) {

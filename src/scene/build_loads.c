@@ -61,9 +61,16 @@ tp_status tp_scene_set_water(tp_scene *scene, tp_exact height, tp_exact unit_wei
   return status;
 }
 
-/* A load along a line; the numbers of the call are its ends and what it has there. */
-static tp_status add_line(tp_scene *scene, const char *call, const tp_given *given,
-                          tp_line_load **loads, long *count, tp_message *message) {
+/* A load along a line: its ends, and what it has there, each by the name of its argument. */
+static tp_status add_line(tp_scene *scene, const char *call, const tp_exact ends[4],
+                          const tp_given kpa[2], tp_line_load **loads, long *count,
+                          tp_message *message) {
+  const tp_given given[] = {{"x0", ends[0], TP_RULE_ANY},
+                            {"y0", ends[1], TP_RULE_ANY},
+                            {"x1", ends[2], TP_RULE_ANY},
+                            {"y1", ends[3], TP_RULE_ANY},
+                            kpa[0],
+                            kpa[1]};
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, call, message);
   if (status == TP_OK) status = tp_build_read(&build, given, 6);
@@ -87,28 +94,20 @@ tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_ex
                                 tp_exact first_kpa, tp_exact last_kpa, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_given given[] = {{"x0", x0, TP_RULE_ANY},
-                            {"y0", y0, TP_RULE_ANY},
-                            {"x1", x1, TP_RULE_ANY},
-                            {"y1", y1, TP_RULE_ANY},
-                            {"first_kpa", first_kpa, TP_RULE_NOT_NEGATIVE},
-                            {"last_kpa", last_kpa, TP_RULE_NOT_NEGATIVE}};
-  return add_line(scene, __func__, given, &scene->loads.pressures, &scene->loads.pressure_count,
-                  message);
+  return add_line(scene, __func__, (tp_exact[]){x0, y0, x1, y1},
+                  (tp_given[]){{"first_kpa", first_kpa, TP_RULE_NOT_NEGATIVE},
+                               {"last_kpa", last_kpa, TP_RULE_NOT_NEGATIVE}},
+                  &scene->loads.pressures, &scene->loads.pressure_count, message);
 }
 
 tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                  tp_exact y1, tp_exact kpa, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  const tp_given given[] = {{"x0", x0, TP_RULE_ANY},
-                            {"y0", y0, TP_RULE_ANY},
-                            {"x1", x1, TP_RULE_ANY},
-                            {"y1", y1, TP_RULE_ANY},
-                            {"kpa", kpa, TP_RULE_NOT_NEGATIVE},
-                            {"kpa", kpa, TP_RULE_NOT_NEGATIVE}};
-  return add_line(scene, __func__, given, &scene->loads.surcharges, &scene->loads.surcharge_count,
-                  message);
+  const tp_given everywhere = {"kpa", kpa, TP_RULE_NOT_NEGATIVE};
+  return add_line(scene, __func__, (tp_exact[]){x0, y0, x1, y1},
+                  (tp_given[]){everywhere, everywhere}, &scene->loads.surcharges,
+                  &scene->loads.surcharge_count, message);
 }
 
 tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y, tp_exact direction_deg,

@@ -26,7 +26,6 @@ typedef struct climb {
   const tp_solve_options *options;
   settled settled[2]; /* by direction */
   tp_work work;
-  long zero_bits; /* of what any rung settled (tp_certainty) */
   tp_message *message;
 } climb;
 
@@ -162,8 +161,8 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_evaluation_clear(&e);
   *certain = !certainty.open;
   c->solution->open_number = certainty.undecided_number;
-  tp_certainty_add(&certainty, &(tp_certainty){.zero_bits = c->zero_bits});
-  c->solution->zero_bits = c->zero_bits = certainty.zero_bits;
+  tp_certainty_add(&certainty, &(tp_certainty){.zero_bits = c->solution->zero_bits}); /* settled */
+  c->solution->zero_bits = certainty.zero_bits;
   done = done && (c->solution->decimals == NULL || !tp_decimals_failed(c->solution->decimals));
   return done ? TP_OK : tp_fail_memory(c->message, "the loads, the limit or the digits");
 }

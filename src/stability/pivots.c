@@ -5,12 +5,11 @@
  * (A1.7)).
  */
 
+#include "stability/bearing.h"
 #include "stability/loaded.h"
 #include "stability/stages.h"
 
 #include "number/ball.h"
-
-#include <math.h>
 
 /* The critical angle under loads, with its direction for what compares angles by it. */
 static void loaded_angle(const tp_evaluation *e, long k, tp_direction_ball *angle, tp_roots *roots,
@@ -259,21 +258,14 @@ void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
   result->governing_tie_bits = governing.tie_bits;
 }
 
-static bool bears(const tp_pivot *pivot, const tp_reaction *force) {
-  return fabs(force->x_m.value - pivot->x_m.value) <= force->x_m.error + pivot->x_m.error &&
-         fabs(force->y_m.value - pivot->y_m.value) <= force->y_m.error + pivot->y_m.error;
-}
-
 void tp_evaluate_bearing_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
                                 tp_certainty *certainty) {
   if (tells_all(e, result)) return;
   tilt t;
   tilt_init(&t, e);
-  for (size_t r = 0; r < result->limit.reaction_count; r++) {
-    for (size_t k = 0; k < result->pivot_count; k++) {
-      if (!bears(result->pivots + k, result->limit.reactions + r)) continue;
-      tell_pivot(e, result, k, settled, &t, certainty);
-    }
+  for (size_t k = 0; k < result->pivot_count; k++) {
+    if (!tp_pivot_bears(result->pivots + k, &result->limit)) continue;
+    tell_pivot(e, result, k, settled, &t, certainty);
   }
   tilt_clear(&t);
 }

@@ -44,7 +44,7 @@ tp_governing_pivot tp_evaluate_toppling(const tp_evaluation *evaluation, tp_dire
 void tp_evaluate_pivots(const tp_evaluation *evaluation, tp_case *result, bool *settled,
                         tp_direction_ball *toppling, tp_certainty *certainty);
 
-/* Likewise those that bear the limit's reactions, once that is found. */
+/* Likewise the pivots that bear the limit, once that is found. */
 void tp_evaluate_bearing_pivots(const tp_evaluation *evaluation, tp_case *result, bool *settled,
                                 tp_certainty *certainty);
 

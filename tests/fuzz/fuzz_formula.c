@@ -3,27 +3,11 @@
 
 /* Formulas as papers print them: a tree whose parts lie within the text. */
 
-#include "formula/read.h"
+#include "formula_names.h"
 #include "fuzz.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static const char *const names[] = {"alpha", "a", "b", "sigma_n", "dx"};
-enum { NAMES = sizeof names / sizeof names[0] };
-
-static long find(const void *context, const char *name, size_t length) {
-  (void)context;
-  for (long k = 0; k < NAMES; k++) {
-    if (strlen(names[k]) == length && memcmp(names[k], name, length) == 0) return k;
-  }
-  return -1;
-}
-
-static bool is_angle(const void *context, long name) {
-  (void)context;
-  return name == 0;
-}
 
 /* All that a dialect may allow. */
 static const tp_dialect dialect = {
@@ -53,7 +37,6 @@ static void check_tree(const tp_formula *formula, size_t size) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  const tp_vocabulary vocabulary = {find, is_angle, NULL};
   char *text = fuzz_text(data, size);
   tp_formula formula;
   tp_message message = {""};
