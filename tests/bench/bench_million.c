@@ -101,11 +101,21 @@ static tp_status read_scene(work *w) {
   return tp_scene_read(&w->made.scene, w->yaml, &w->message);
 }
 
-static tp_status read_and_solve(work *w) {
-  const tp_solve_options options = tp_solve_options_default();
+static tp_status solve_with(work *w, tp_pivots_listed pivots) {
+  tp_solve_options options = tp_solve_options_default();
+  options.pivots = pivots;
   const tp_status status = read_scene(w);
   if (status != TP_OK) return status;
   return tp_solve(&w->made.solution, w->made.scene, &options, &w->message);
+}
+
+/* As the program does it, and with the numbers of a million pivots. */
+static tp_status read_and_solve(work *w) {
+  return solve_with(w, TP_PIVOTS_BY_COUNT);
+}
+
+static tp_status read_and_solve_all_pivots(work *w) {
+  return solve_with(w, TP_PIVOTS_ALL);
 }
 
 typedef struct part {
@@ -124,6 +134,7 @@ static const part parts[] = {
     {"triangulate", triangulate},
     {"tp_scene_read", read_scene},
     {"read and solve", read_and_solve},
+    {"... all pivots", read_and_solve_all_pivots},
 };
 enum { PARTS = sizeof parts / sizeof parts[0] };
 
