@@ -195,10 +195,9 @@ static long vertex_of(const block *b, const tp_symbolic_point *pivot, const fmpq
   long found = -1;
   for (long k = 0; k < STAR; k++) {
     value_of(value, &b->vertices[0][k].x, own);
-    bool same = fmpq_equal(value, x);
+    const bool same = fmpq_equal(value, x);
     value_of(value, &b->vertices[0][k].y, own);
-    same = same && fmpq_equal(value, y);
-    if (same) found = k;
+    if (same && fmpq_equal(value, y)) found = k;
   }
   fmpq_clear(x);
   fmpq_clear(y);
@@ -244,8 +243,8 @@ static void check_pivot(const tp_model *model, const block *b, size_t k, const f
 /* The scene's parameters first, then others. */
 static void set_parameters(fmpq *symbols, const block *b, int place) {
   for (int k = 0; k < PARAMETERS; k++) {
-    if (place == 0) fmpq_set_si(symbols + k, k + 1, (ulong)b->denominator);
-    if (place > 0) fmpq_set_si(symbols + k, draw_below(&state, 99) - 49, 7);
+    const long top = place == 0 ? k + 1 : draw_below(&state, 99) - 49;
+    fmpq_set_si(symbols + k, top, place == 0 ? (ulong)b->denominator : 7);
   }
 }
 
