@@ -11,12 +11,14 @@ import sys
 
 
 def declared(text):
-    """The functions of a header: names before parentheses, outside of comments, directives and braces."""
+    """The functions of a header: names before parentheses, outside of comments, directives and braces; not those that are
+    compiled into the caller."""
     text = re.sub(r"/\*.*?\*/|//[^\n]*", " ", text, flags=re.DOTALL)
     text = re.sub(r'^[ \t]*#(?:.*\\\n)*.*$|^extern "C" \{$', "", text, flags=re.MULTILINE)
     inner = 1
     while inner:
         text, inner = re.subn(r"\{[^{}]*\}", " ", text)
+    text = re.sub(r"\bstatic inline\b[^()]*\([^()]*\)", " ", text)
     return set(re.findall(r"\b(tp_\w+)\s*\(", text))
 
 

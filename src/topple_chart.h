@@ -28,25 +28,37 @@ typedef struct tp_chart_range {
  * (16), with the A^2 / (12 y^2) that is right, and (17); or, for each number of sub-blocks, of the
  * exact block. A panel for each relative amplitude and number of sub-blocks. */
 typedef struct tp_chart_fos_options {
+  size_t size;                       /* of this struct, as `…_default()` has it */
   tp_chart_list inverse_slenderness; /* dx / y, 0 to 10 */
   tp_chart_list amplitude;           /* A / y, 0 to 0.5 */
   tp_chart_list sub_blocks;          /* none: by the equations; else whole, 2 to 1000 */
   tp_chart_range tilt_deg;           /* within 0 to 90 */
 } tp_chart_fos_options;
 
-tp_chart_fos_options tp_chart_fos_options_default(void);
+void tp_chart_fos_options_init(tp_chart_fos_options *options, size_t size);
+static inline tp_chart_fos_options tp_chart_fos_options_default(void) {
+  tp_chart_fos_options options;
+  tp_chart_fos_options_init(&options, sizeof options);
+  return options;
+}
 TP_MUST_USE tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options,
                                    tp_message *message);
 
 /* Mechanism maps for a planar and for a rough base (Fig. 18), with the blocks of Table 7, and with
  * the borders between the motions that begin from rest, of slabs and of sawtooth blocks. */
 typedef struct tp_chart_mechanisms_options {
+  size_t size;                /* of this struct, as `…_default()` has it */
   double friction_deg;        /* above 0 */
   double roughness_angle_deg; /* i; friction + i at most 80. Below 2 no blocks are placed */
   double amplitude;           /* A / y, 0 to 0.5 */
 } tp_chart_mechanisms_options;
 
-tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void);
+void tp_chart_mechanisms_options_init(tp_chart_mechanisms_options *options, size_t size);
+static inline tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void) {
+  tp_chart_mechanisms_options options;
+  tp_chart_mechanisms_options_init(&options, sizeof options);
+  return options;
+}
 TP_MUST_USE tp_status tp_chart_mechanisms(tp_chart **chart,
                                           const tp_chart_mechanisms_options *options,
                                           tp_message *message);
@@ -67,9 +79,18 @@ typedef struct tp_chart_axis {
  * at, 241 along a scalar or a grid of 49 by 49, may be missed. Along one scalar it has the borders
  * between motions from rest as well (tp_onset.ranges). */
 typedef struct tp_chart_map_options {
+  size_t size;       /* of this struct, as `…_default()` has it */
   const char *scene; /* a path */
   tp_chart_axis x, y;
 } tp_chart_map_options;
+
+/* The tilt from 0 to 90 degrees upwards; the scene and x are to be given. */
+void tp_chart_map_options_init(tp_chart_map_options *options, size_t size);
+static inline tp_chart_map_options tp_chart_map_options_default(void) {
+  tp_chart_map_options options;
+  tp_chart_map_options_init(&options, sizeof options);
+  return options;
+}
 
 TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options,
                                    tp_message *message);

@@ -160,6 +160,7 @@ typedef struct tp_derivation {
 } tp_derivation;
 
 typedef struct tp_derive_options {
+  size_t size; /* of this struct, as `…_default()` has it */
   tp_notation notation;
   bool elements; /* derive the elements form and list its elements */
   bool rounded;  /* round the corners at the governing pivots */
@@ -167,7 +168,12 @@ typedef struct tp_derive_options {
   bool checked;  /* look at their conditions from both sides in numbers */
 } tp_derive_options;
 
-tp_derive_options tp_derive_options_default(void);
+void tp_derive_options_init(tp_derive_options *options, size_t size);
+static inline tp_derive_options tp_derive_options_default(void) {
+  tp_derive_options options;
+  tp_derive_options_init(&options, sizeof options);
+  return options;
+}
 
 /* The closed formulas of a scene in its parameters, in scene lengths. */
 TP_MUST_USE tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,

@@ -26,12 +26,21 @@ typedef enum tp_find_target {
 /* `key` is the way to a number in the scene, as in block.rounded.corners.1.radius (entries of lists
  * count from 1), or the name of a parameter. */
 typedef struct tp_find_options {
+  size_t size; /* of this struct, as `…_default()` has it */
   const char *key;
   tp_find_target target;
   double value;
   bool has_low, has_high; /* where one is not given: 0, or ten times the scene's own value */
   double low, high;
 } tp_find_options;
+
+/* The critical angle; key and value are to be given. */
+void tp_find_options_init(tp_find_options *options, size_t size);
+static inline tp_find_options tp_find_options_default(void) {
+  tp_find_options options;
+  tp_find_options_init(&options, sizeof options);
+  return options;
+}
 
 /* A stretch of solutions: the target has the same value, to 30 digits, at 9 numbers spread over it
  * and at its ends, and its bound holds the wanted one. Each end is bisected between a number where

@@ -27,6 +27,7 @@ typedef enum tp_pivots_listed {
 enum { TP_PIVOTS_NEAR_TOE = 16, TP_PIVOTS_MANY = 300 };
 
 typedef struct tp_solve_options {
+  size_t size;             /* of this struct, as `…_default()` has it */
   bool elements;           /* draw up the account of moments by elements */
   bool limit;              /* find the static limit, where the scene gives a friction angle */
   bool strength_reduction; /* and its factor of safety, where the scene gives a tilt angle */
@@ -36,7 +37,12 @@ typedef struct tp_solve_options {
   tp_pivots_listed pivots; /* a number for each of a million pivots takes a fifth of the time */
 } tp_solve_options;
 
-tp_solve_options tp_solve_options_default(void);
+void tp_solve_options_init(tp_solve_options *options, size_t size);
+static inline tp_solve_options tp_solve_options_default(void) {
+  tp_solve_options options;
+  tp_solve_options_init(&options, sizeof options);
+  return options;
+}
 
 /* Stability of the scene's block in each direction of tilt that the scene asks for. */
 TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,

@@ -143,8 +143,10 @@ static void solve_arcs(void) {
 static void find(void) {
   tp_found *found = NULL;
   tp_message message = {""};
-  const tp_find_options options = {
-      .key = "block.rounded.corners.1.radius", .target = TP_FIND_CRITICAL_ANGLE, .value = 23.5};
+  const tp_find_options options = {.size = sizeof options,
+                                   .key = "block.rounded.corners.1.radius",
+                                   .target = TP_FIND_CRITICAL_ANGLE,
+                                   .value = 23.5};
   if (DONE(tp_find(&found, EXAMPLE("block_a_worn.yaml"), &options, &message), found)) {
     EXPECT(found->count == 1, "%zu solutions",
            found->count); /* a scene that failed is no end of the range */
@@ -172,13 +174,13 @@ static void derive_scene(const char *path, const tp_derive_options *options) {
 }
 
 static void derive(void) {
-  const tp_derive_options options = {TP_NOTATION_TEXT, true, true, true, false};
+  const tp_derive_options options = {sizeof options, TP_NOTATION_TEXT, true, true, true, false};
   derive_scene(EXAMPLE("block_e_valley.yaml"), &options);
 }
 
 /* Conditions that are looked at from both sides. */
 static void derive_checked(void) {
-  const tp_derive_options options = {TP_NOTATION_TEXT, false, false, true, true};
+  const tp_derive_options options = {sizeof options, TP_NOTATION_TEXT, false, false, true, true};
   derive_scene(EXAMPLE("block_a_peak.yaml"), &options);
 }
 

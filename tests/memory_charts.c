@@ -44,7 +44,8 @@ void chart_ranges(void) {
 void chart_map(void) {
   tp_chart *chart = NULL;
   tp_message message = {""};
-  const tp_chart_map_options options = {.scene = EXAMPLE("slab_left.yaml"),
+  const tp_chart_map_options options = {.size = sizeof options,
+                                        .scene = EXAMPLE("slab_left.yaml"),
                                         .x = {"block.slab.width", {10, 150}},
                                         .y = {"tilt", {0, 90}}};
   const tp_status status = tp_chart_map(&chart, &options, &message);

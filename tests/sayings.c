@@ -179,10 +179,12 @@ static void say_charts(sayings *s) {
   tp_chart *chart[5] = {NULL};
   const tp_chart_fos_options fos = tp_chart_fos_options_default();
   const tp_chart_mechanisms_options mechanisms = tp_chart_mechanisms_options_default();
-  const tp_chart_map_options line = {.scene = EXAMPLE("slab_left.yaml"),
+  const tp_chart_map_options line = {.size = sizeof line,
+                                     .scene = EXAMPLE("slab_left.yaml"),
                                      .x = {"block.slab.width", {20.5, 149.25}},
                                      .y = {"tilt", {0, 90}}},
-                             plane = {.scene = EXAMPLE("slab_left.yaml"),
+                             plane = {.size = sizeof plane,
+                                      .scene = EXAMPLE("slab_left.yaml"),
                                       .x = {"block.slab.width", {60.5, 70.25}},
                                       .y = {"block.slab.height", {50, 60}}};
   say_chart(s, tp_chart_fos(chart, &fos, &message), chart, &message, true);
@@ -220,15 +222,18 @@ void say_everything(sayings *s) {
   say_large(s);
   for (int k = TP_NOTATION_TEXT; k <= TP_NOTATION_C; k++) say_derivation(s, (tp_notation)k);
   say_verdicts(s);
-  const tp_find_options find[2] = {
-      {.key = "block.slab.width", .target = TP_FIND_CRITICAL_ANGLE, .value = 20.25},
-      {.key = "block.slab.width",
-       .target = TP_FIND_LIMIT_ANGLE,
-       .value = 30.5,
-       .has_low = true,
-       .has_high = true,
-       .low = 10.5,
-       .high = 100.25}};
+  const tp_find_options find[2] = {{.size = sizeof *find,
+                                    .key = "block.slab.width",
+                                    .target = TP_FIND_CRITICAL_ANGLE,
+                                    .value = 20.25},
+                                   {.size = sizeof *find,
+                                    .key = "block.slab.width",
+                                    .target = TP_FIND_LIMIT_ANGLE,
+                                    .value = 30.5,
+                                    .has_low = true,
+                                    .has_high = true,
+                                    .low = 10.5,
+                                    .high = 100.25}};
   for (int k = 0; k < 2; k++) say_found(s, EXAMPLE("slab_left.yaml"), find + k);
   say_charts(s);
   say_accuracy(s);

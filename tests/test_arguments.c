@@ -7,6 +7,7 @@
  * NULL ended the program of whoever passed it. Every call says what is wrong, names the argument,
  * and leaves its outputs alone. */
 
+#include "options.h"
 #include "refused.h"
 
 #include <math.h>
@@ -105,9 +106,87 @@ START_TEST(solutions) {
 }
 END_TEST
 
+/* Options of a program compiled with an older library end sooner: what lies beyond is not read, and
+ * is at its default. */
+START_TEST(older_options) {
+  tp_scene *scene = read_scene();
+  tp_solution *solution = NULL, *refused = UNTOUCHED(tp_solution);
+  tp_solve_options options = tp_solve_options_default();
+  options.size = offsetof(tp_solve_options, level);
+  options.limit = false;
+  options.level = (tp_level)-1;
+  options.pivots = (tp_pivots_listed)-1;
+  ck_assert_int_eq(tp_solve(&solution, scene, &options, &message), TP_OK);
+  ck_assert_int_eq(solution->cases[0].limit.kind, TP_LIMIT_NOT_ASKED);
+  ck_assert(solution->cases[0].pivots[0].told);
+  const size_t sizes[] = {0, 1, sizeof options - 1, sizeof options + 8, SIZE_MAX};
+  for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
+    options = tp_solve_options_default();
+    options.size = sizes[k];
+    REFUSED(tp_solve(&refused, scene, &options, &message), "tp_solve: the size of 'options'");
+  }
+  ck_assert_ptr_eq(refused, UNTOUCHED(tp_solution));
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+}
+END_TEST
+
+/* Defaults are written as far as the caller's struct goes; of a larger one than the library knows
+ * the rest is zero, and its size refused. */
+START_TEST(defaults) {
+  tp_solve_options two[2], untold;
+  const size_t short_of = offsetof(tp_solve_options, level);
+  memset(&untold, 0x5a, sizeof untold);
+  memset(two, 0x5a, sizeof two);
+  tp_solve_options_init(two, short_of);
+  ck_assert_uint_eq(two->size, short_of);
+  ck_assert(two->limit && two->digits == 9);
+  ck_assert_mem_eq(&two->level, &untold.level, sizeof *two - short_of);
+  tp_solve_options_init(two, sizeof two);
+  ck_assert_uint_eq(two->size, sizeof two);
+  ck_assert_uint_eq(two[1].size, 0);
+  tp_options_fill(NULL, sizeof two, &untold);
+  untold.size = sizeof untold;
+  tp_solve_options_init(&untold, 4); /* no room for a size */
+  ck_assert_uint_eq(untold.size, sizeof untold);
+}
+END_TEST
+
+/* Every other call that takes options. */
+START_TEST(sizes_of_options) {
+  tp_scene *scene = read_scene();
+  char *text = &untouched;
+  const tp_found nothing = {0};
+  for (size_t k = 0; k < 2; k++) {
+    const size_t size = k == 0 ? 0 : 4096;
+    const tp_find_options find = {.size = size, .key = "block.slab.width"};
+    const tp_derive_options derive = {.size = size};
+    const tp_chart_fos_options fos = {.size = size};
+    const tp_chart_mechanisms_options mechanisms = {.size = size};
+    const tp_chart_map_options map = {.size = size};
+    tp_found *found = UNTOUCHED(tp_found);
+    tp_derivation *derivation = UNTOUCHED(tp_derivation);
+    tp_chart *chart = UNTOUCHED(tp_chart);
+    REFUSED(tp_find(&found, EXAMPLE("slab_left.yaml"), &find, &message), "tp_find: the size");
+    UNWRITTEN(tp_report_found(&text, &nothing, &find));
+    REFUSED(tp_derive(&derivation, scene, &derive, &message), "tp_derive: the size");
+    REFUSED(tp_chart_fos(&chart, &fos, &message), "tp_chart_fos: the size");
+    REFUSED(tp_chart_mechanisms(&chart, &mechanisms, &message), "tp_chart_mechanisms: the size");
+    REFUSED(tp_chart_map(&chart, &map, &message), "tp_chart_map: the size");
+    ck_assert_ptr_eq(found, UNTOUCHED(tp_found));
+    ck_assert_ptr_eq(derivation, UNTOUCHED(tp_derivation));
+    ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  }
+  ck_assert_ptr_eq(text, &untouched);
+  tp_scene_free(scene);
+}
+END_TEST
+
 START_TEST(back_analysis) {
-  const tp_find_options good = {
-      .key = "block.slab.width", .target = TP_FIND_CRITICAL_ANGLE, .value = 20};
+  const tp_find_options good = {.size = sizeof good,
+                                .key = "block.slab.width",
+                                .target = TP_FIND_CRITICAL_ANGLE,
+                                .value = 20};
   const char *path = EXAMPLE("slab_left.yaml");
   tp_find_options bad = good;
   tp_found *found = UNTOUCHED(tp_found), *own = NULL;
@@ -128,7 +207,8 @@ START_TEST(back_analysis) {
     bad = good;
     bad.value = no_numbers[k];
     REFUSED(tp_find(&found, path, &bad, &message), "finite");
-    bad = (tp_find_options){.key = good.key, .value = 20, .has_high = true, .high = no_numbers[k]};
+    bad = (tp_find_options){
+        .size = sizeof bad, .key = good.key, .value = 20, .has_high = true, .high = no_numbers[k]};
     REFUSED(tp_find(&found, path, &bad, &message), "finite");
     bad.low = no_numbers[k];
     bad.has_low = true;
@@ -263,6 +343,9 @@ int main(void) {
   tcase_set_timeout(tests, 600);
   tcase_add_test(tests, scenes);
   tcase_add_test(tests, solutions);
+  tcase_add_test(tests, older_options);
+  tcase_add_test(tests, defaults);
+  tcase_add_test(tests, sizes_of_options);
   tcase_add_test(tests, back_analysis);
   tcase_add_test(tests, formulas);
   tcase_add_test(tests, verdicts);

@@ -77,7 +77,8 @@ START_TEST(lists_of_a_chart) {
 END_TEST
 
 START_TEST(maps) {
-  const tp_chart_map_options good = {.scene = EXAMPLE("slab_left.yaml"),
+  const tp_chart_map_options good = {.size = sizeof good,
+                                     .scene = EXAMPLE("slab_left.yaml"),
                                      .x = {"block.slab.width", {20, 150}},
                                      .y = {"tilt", {0, 90}}};
   tp_chart_map_options bad = good;

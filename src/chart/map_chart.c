@@ -8,6 +8,7 @@
 #include "chart/map.h"
 #include "chart/mechanism_style.h"
 #include "host.h"
+#include "options.h"
 #include "outside.h"
 #include "scene/key.h"
 
@@ -161,10 +162,19 @@ static void draw(tp_map *map) {
   }
 }
 
+TP_OPTIONS_END(tp_chart_map_options, y);
+
+void tp_chart_map_options_init(tp_chart_map_options *options, size_t size) {
+  const tp_chart_map_options defaults = {.size = sizeof defaults, .y = {"tilt", {0, 90}}};
+  tp_options_fill(options, size, &defaults);
+}
+
 tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, chart);
   TP_REFUSE_NULL(message, options);
+  tp_chart_map_options taken = tp_chart_map_options_default();
+  TP_TAKE_OPTIONS(message, taken, options);
   TP_REFUSE_NULL(message, options->scene);
   TP_REFUSE_NULL(message, options->x.key);
   TP_REFUSE_NULL(message, options->y.key);

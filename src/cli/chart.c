@@ -43,6 +43,6 @@ static tp_status compute_and_tell(const void *words, int *ended, tp_message *mes
 int tp_cli_chart(int argc, char **argv) {
   tp_chart_arguments a = {.fos = tp_chart_fos_options_default(),
                           .mechanisms = tp_chart_mechanisms_options_default(),
-                          .map = {.y = {"tilt", {0, 90}}}};
+                          .map = tp_chart_map_options_default()};
   return tp_cli_run(&tp_chart_parser, &a, compute_and_tell, argc, argv);
 }

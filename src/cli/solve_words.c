@@ -221,5 +221,6 @@ const struct argp tp_solve_parser = {
 
 tp_solve_words tp_solve_words_default(void) {
   const tp_solve_options solve = tp_solve_options_default();
-  return (tp_solve_words){.digits = solve.digits, .level = solve.level};
+  return (tp_solve_words){
+      .digits = solve.digits, .level = solve.level, .find = tp_find_options_default()};
 }

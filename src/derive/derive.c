@@ -12,12 +12,17 @@
 #include "host.h"
 #include "notes.h"
 #include "number/ball.h"
+#include "options.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-tp_derive_options tp_derive_options_default(void) {
-  return (tp_derive_options){.notation = TP_NOTATION_TEXT, .elements = false, .checked = true};
+TP_OPTIONS_END(tp_derive_options, checked);
+
+void tp_derive_options_init(tp_derive_options *options, size_t size) {
+  const tp_derive_options defaults = {
+      .size = sizeof defaults, .notation = TP_NOTATION_TEXT, .checked = true};
+  tp_options_fill(options, size, &defaults);
 }
 
 /* Symbols besides the scene's: those of rounded corners first, then that of the limit. */
@@ -240,6 +245,8 @@ tp_status tp_derive(tp_derivation **derivation, const tp_scene *scene,
   TP_REFUSE_NULL(message, derivation);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, options);
+  tp_derive_options own = tp_derive_options_default();
+  TP_TAKE_OPTIONS(message, own, options);
   if ((int)options->notation < TP_NOTATION_TEXT || (int)options->notation > TP_NOTATION_C) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such notation");
   }

@@ -9,6 +9,7 @@
 #include "chart/chart.h"
 #include "host.h"
 #include "message.h"
+#include "options.h"
 #include "paper/table_6.h"
 #include "paper/teeth.h"
 
@@ -24,9 +25,14 @@ static const tp_chart_dash dashes[3] = {TP_DASH_SOLID, TP_DASH_DASHED, TP_DASH_D
 static const char *const toe_legend[3] = {"planar base", "peak axis", "valley axis"};
 static const double fos_most = 3;
 
-tp_chart_fos_options tp_chart_fos_options_default(void) {
-  return (tp_chart_fos_options){
-      .inverse_slenderness = {3, {0.5, 0.75, 1}}, .amplitude = {1, {0.1}}, .tilt_deg = {5, 60}};
+TP_OPTIONS_END(tp_chart_fos_options, tilt_deg);
+
+void tp_chart_fos_options_init(tp_chart_fos_options *options, size_t size) {
+  const tp_chart_fos_options defaults = {.size = sizeof defaults,
+                                         .inverse_slenderness = {3, {0.5, 0.75, 1}},
+                                         .amplitude = {1, {0.1}},
+                                         .tilt_deg = {5, 60}};
+  tp_options_fill(options, size, &defaults);
 }
 
 typedef struct drawing {
@@ -207,6 +213,8 @@ tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options, tp
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, chart);
   TP_REFUSE_NULL(message, options);
+  tp_chart_fos_options own = tp_chart_fos_options_default();
+  TP_TAKE_OPTIONS(message, own, options);
   tp_status status = check(options, message);
   if (status != TP_OK) return status;
   const size_t rows = options->sub_blocks.count > 0 ? options->sub_blocks.count : 1;

@@ -8,6 +8,7 @@
 #include "chart/mechanism_style.h"
 #include "host.h"
 #include "message.h"
+#include "options.h"
 #include "paper/mechanisms_rest.h"
 #include "paper/table_7.h"
 #include "paper/teeth.h"
@@ -17,9 +18,12 @@
 
 enum { POINTS = 121 };
 
-tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void) {
-  return (tp_chart_mechanisms_options){
-      .friction_deg = 30, .roughness_angle_deg = 10, .amplitude = 0.01};
+TP_OPTIONS_END(tp_chart_mechanisms_options, amplitude);
+
+void tp_chart_mechanisms_options_init(tp_chart_mechanisms_options *options, size_t size) {
+  const tp_chart_mechanisms_options defaults = {
+      .size = sizeof defaults, .friction_deg = 30, .roughness_angle_deg = 10, .amplitude = 0.01};
+  tp_options_fill(options, size, &defaults);
 }
 
 typedef struct drawing {
@@ -224,6 +228,8 @@ tp_status tp_chart_mechanisms(tp_chart **chart, const tp_chart_mechanisms_option
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, chart);
   TP_REFUSE_NULL(message, options);
+  tp_chart_mechanisms_options own = tp_chart_mechanisms_options_default();
+  TP_TAKE_OPTIONS(message, own, options);
   tp_status status = check(options, message);
   if (status != TP_OK) return status;
   const double most = options->friction_deg + options->roughness_angle_deg;

@@ -4,6 +4,7 @@
 /* What back-analysis found. */
 
 #include "host.h"
+#include "options.h"
 #include "output/encode.h"
 #include "report/solution_json.h"
 
@@ -27,6 +28,8 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, f);
   TP_REFUSE_NULL(NULL, options);
+  tp_find_options own = tp_find_options_default();
+  TP_TAKE_OPTIONS(NULL, own, options);
   tp_text t = {0};
   char number[TP_NUMBER_SIZE];
   tp_encode_plain(&t, f->key);

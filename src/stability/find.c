@@ -14,6 +14,7 @@
  * Where the result stays at the value, the ends of that stretch are bisected (find_level.c). */
 
 #include "host.h"
+#include "options.h"
 #include "outside.h"
 #include "scene/key.h"
 #include "stability/find_search.h"
@@ -21,6 +22,13 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+TP_OPTIONS_END(tp_find_options, high);
+
+void tp_find_options_init(tp_find_options *options, size_t size) {
+  const tp_find_options defaults = {.size = sizeof defaults, .target = TP_FIND_CRITICAL_ANGLE};
+  tp_options_fill(options, size, &defaults);
+}
 
 void tp_found_free(tp_found *found) {
   if (found == NULL) return;
@@ -117,6 +125,8 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
   TP_REFUSE_NULL(message, found);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, options);
+  tp_find_options taken = tp_find_options_default();
+  TP_TAKE_OPTIONS(message, taken, options);
   TP_REFUSE_NULL(message, options->key);
   if ((int)options->target < 0 || options->target > TP_FIND_ONSET_ANGLE) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");

@@ -6,6 +6,7 @@
 #include "stability/solve.h"
 #include "host.h"
 #include "notes.h"
+#include "options.h"
 #include "stability/cautions.h"
 #include "stability/climb.h"
 #include "stability/governing.h"
@@ -13,12 +14,16 @@
 
 #include <stdlib.h>
 
-tp_solve_options tp_solve_options_default(void) {
-  return (tp_solve_options){.limit = true,
-                            .strength_reduction = true,
-                            .digits = 9,
-                            .level = TP_LEVEL_EXACT,
-                            .pivots = TP_PIVOTS_ALL};
+TP_OPTIONS_END(tp_solve_options, pivots);
+
+void tp_solve_options_init(tp_solve_options *options, size_t size) {
+  const tp_solve_options defaults = {.size = sizeof defaults,
+                                     .limit = true,
+                                     .strength_reduction = true,
+                                     .digits = 9,
+                                     .level = TP_LEVEL_EXACT,
+                                     .pivots = TP_PIVOTS_ALL};
+  tp_options_fill(options, size, &defaults);
 }
 
 tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
@@ -48,6 +53,8 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   TP_REFUSE_NULL(message, solution);
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, options);
+  tp_solve_options own = tp_solve_options_default();
+  TP_TAKE_OPTIONS(message, own, options);
   if (options->digits < 1 || options->digits > TP_DIGITS_MAX) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and %d",
                    TP_DIGITS_MAX);

@@ -28,7 +28,8 @@ static void derive(const tp_scene *scene, fuzz_bytes *b) {
   tp_derivation *derivation = NULL;
   tp_message message = {""};
   const unsigned asked = fuzz_pick(b, 8);
-  const tp_derive_options options = {.notation = (tp_notation)fuzz_pick(b, 3),
+  const tp_derive_options options = {.size = sizeof options,
+                                     .notation = (tp_notation)fuzz_pick(b, 3),
                                      .elements = (asked & 1) != 0,
                                      .rounded = (asked & 2) != 0,
                                      .limit = (asked & 4) != 0};

@@ -10,7 +10,8 @@
 static void derive(const tp_scene *scene, unsigned asked) {
   tp_derivation *derivation = NULL;
   tp_message message = {""};
-  const tp_derive_options options = {.notation = (tp_notation)(asked % 3),
+  const tp_derive_options options = {.size = sizeof options,
+                                     .notation = (tp_notation)(asked % 3),
                                      .elements = asked / 3 % 2 != 0,
                                      .rounded = asked / 6 % 2 != 0,
                                      .limit = asked / 12 % 2 != 0};

@@ -56,7 +56,8 @@ static void find(const char *scene, fuzz_bytes *b) {
   tp_found *found = NULL;
   char *text = NULL;
   tp_message message = {""};
-  tp_find_options options = {.key = draw_key(b),
+  tp_find_options options = {.size = sizeof options,
+                             .key = draw_key(b),
                              .target = (tp_find_target)fuzz_pick(b, TP_FIND_ONSET_ANGLE + 1),
                              .value = draw_number(b)};
   const unsigned ends = fuzz_pick(b, 4); /* none, both, the upper one, the lower one */
@@ -89,7 +90,8 @@ static tp_status chart_fos(tp_chart **chart, fuzz_bytes *b, tp_message *message)
 }
 
 static tp_status chart_mechanisms(tp_chart **chart, fuzz_bytes *b, tp_message *message) {
-  const tp_chart_mechanisms_options options = {.friction_deg = draw_number(b),
+  const tp_chart_mechanisms_options options = {.size = sizeof options,
+                                               .friction_deg = draw_number(b),
                                                .roughness_angle_deg = draw_number(b),
                                                .amplitude = draw_number(b) / 100};
   return tp_chart_mechanisms(chart, &options, message);
@@ -98,7 +100,7 @@ static tp_status chart_mechanisms(tp_chart **chart, fuzz_bytes *b, tp_message *m
 /* Along one scalar against the tilt: a grid of two other numbers takes seconds. */
 static tp_status chart_map(tp_chart **chart, const char *scene, fuzz_bytes *b,
                            tp_message *message) {
-  tp_chart_map_options options = {.scene = scene};
+  tp_chart_map_options options = {.size = sizeof options, .scene = scene};
   options.x = (tp_chart_axis){draw_key(b), {draw_number(b), draw_number(b)}};
   options.y = (tp_chart_axis){"tilt", {draw_number(b), draw_number(b)}};
   return tp_chart_map(chart, &options, message);

@@ -82,6 +82,7 @@ class Installed(unittest.TestCase):
             shown += [name.split("@")[0] for kind, name in symbols if kind != "A"]  # A: the versions themselves
         read = subprocess.run(["cc", "-E", "-P", self.include / "topple.h"], check=True, capture_output=True,
                               encoding="utf-8").stdout
+        read = re.sub(r"^static inline [^{]*", "", read, flags=re.M)  # compiled into the caller
         declared = sorted(set(re.findall(r"\b(tp_\w+)\s*\(", read)))
         self.assertGreater(len(declared), 60)
         self.assertEqual(sorted(shown), declared)
