@@ -110,6 +110,9 @@ typedef enum tp_mechanism {
   TP_MECHANISM_UNDECIDED
 } tp_mechanism;
 
+/* stands, slides, topples, slides and topples, interlocked, may move, leaves its base, undecided */
+const char *tp_mechanism_name(tp_mechanism mechanism);
+
 /* Why a factor of safety is a number, or is none. */
 typedef enum tp_fos_state {
   TP_FOS_NUMBER,

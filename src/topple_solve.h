@@ -47,6 +47,16 @@ static inline tp_solve_options tp_solve_options_default(void) {
 /* Stability of the scene's block in each direction of tilt that the scene asks for. */
 TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
                                const tp_solve_options *options, tp_message *message);
+
+/* The block of one outline, x0, y0, x1, y1, ... of `vertices` points, on its mated base at a tilt:
+ * what tp_solve says, with the default options, of a scene of tp_scene_set_outline,
+ * tp_scene_set_friction_angle_deg and tp_scene_set_tilt_angle_deg, whose names its messages bear.
+ * The block tilts both ways: cases[0] of the solution is towards the left, cases[1] towards the
+ * right. */
+TP_MUST_USE tp_status tp_solve_outline(tp_solution **solution, const char *length_unit,
+                                       const double *outline, size_t vertices,
+                                       double friction_angle_deg, double tilt_angle_deg,
+                                       tp_message *message);
 void tp_solution_free(tp_solution *solution);
 
 /* Did the precision allowed leave a mechanism open, or a number less certain than was asked? Every

@@ -272,7 +272,16 @@ static void build_scene(void) {
   tp_scene_free(scene);
 }
 
+static void solve_outline(void) {
+  static const double outline[] = {0, 0, 30, 5, 60, 0, 90, 5, 90, 125, 0, 120};
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  DONE(tp_solve_outline(&solution, "mm", outline, 6, 30, 20, &message), solution);
+  tp_solution_free(solution);
+}
+
 const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
+                                    {"solve an outline", solve_outline, 200},
                                     {"solve teeth", solve_teeth, 200},
                                     {"solve a hole", solve_hole, 200},
                                     {"solve parts", solve_parts, 100},

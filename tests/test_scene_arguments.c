@@ -7,6 +7,7 @@
 #include "refused.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #define E(number) tp_exact_of(number)
@@ -228,6 +229,28 @@ START_TEST(bases_and_loads) {
 }
 END_TEST
 
+/* One call for an outline: its own pointers, then what the calls that it stands for refuse. */
+START_TEST(outlines_at_once) {
+  tp_solution *solution = UNTOUCHED(tp_solution);
+#define AT_ONCE(xy, count, friction, tilt)                                                         \
+  tp_solve_outline(&solution, "m", xy, count, friction, tilt, &message)
+  REFUSED(tp_solve_outline(NULL, "m", square, 4, 30, 20, &message),
+          "tp_solve_outline: 'solution' must not be NULL");
+  REFUSED(tp_solve_outline(&solution, NULL, square, 4, 30, 20, &message), "'length_unit'");
+  REFUSED(AT_ONCE(NULL, 4, 30, 20), "tp_solve_outline: 'outline' must not be NULL");
+  REFUSED(tp_solve_outline(&solution, "yd", square, 4, 30, 20, &message), "one of mm, cm, m");
+  REFUSED(AT_ONCE(square, 0, 30, 20), "tp_scene_set_outline");
+  REFUSED(AT_ONCE(square, 2, 30, 20), "tp_scene_set_outline");
+  REFUSED(AT_ONCE(square, SIZE_MAX / 2 + 2, 30, 20), "at most 100 million");
+  REFUSED(AT_ONCE(square, 4, 90, 20), "tp_scene_set_friction_angle_deg: angle_deg must lie");
+  REFUSED(AT_ONCE(square, 4, NAN, 20), "tp_scene_set_friction_angle_deg: angle_deg must be");
+  REFUSED(AT_ONCE(square, 4, 30, -1), "tp_scene_set_tilt_angle_deg: angle_deg must lie");
+  REFUSED(AT_ONCE(square, 4, 30, INFINITY), "tp_scene_set_tilt_angle_deg: angle_deg must be");
+  ck_assert_int_eq(tp_solve_outline(&solution, "m", square, 4, 90, 20, NULL), TP_BAD_INPUT);
+  ck_assert_ptr_eq(solution, UNTOUCHED(tp_solution));
+}
+END_TEST
+
 /* What needs several calls is told where the scene is used, by the name of the call. */
 START_TEST(whole_scenes) {
   tp_solution *solution = UNTOUCHED(tp_solution);
@@ -287,6 +310,7 @@ int main(void) {
   tcase_add_test(tests, numbers);
   tcase_add_test(tests, outlines);
   tcase_add_test(tests, bases_and_loads);
+  tcase_add_test(tests, outlines_at_once);
   tcase_add_test(tests, whole_scenes);
   suite_add_tcase(suite, tests);
   return run_suite(suite);

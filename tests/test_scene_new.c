@@ -40,6 +40,32 @@ START_TEST(outlines) {
 }
 END_TEST
 
+/* One call for the outline in an array: what the calls that build its scene lead to. */
+START_TEST(outline_at_once) {
+  tp_solution *solution = NULL;
+  char *text = NULL;
+  DO(tp_solve_outline(&solution, "cm", feet, 6, 31.5, 12.25, &message));
+  ck_assert_int_eq(solution->case_count, 2);
+  ck_assert_str_eq(tp_mechanism_name(solution->cases[0].mechanism), "stands");
+  ck_assert_int_eq(tp_report_csv(&text, (const tp_solution *const *)&solution, 1), TP_OK);
+  tp_scene *scene = new_scene("cm");
+  DO(tp_scene_set_outline(scene, tp_coordinates_of(feet, 6), &message));
+  DO(tp_scene_set_friction_angle_deg(scene, E(31.5), &message));
+  DO(tp_scene_set_tilt_angle_deg(scene, E(12.25), &message));
+  const tp_solve_options options = tp_solve_options_default();
+  tp_solution *built = NULL;
+  char *other = NULL;
+  DO(tp_solve(&built, scene, &options, &message));
+  ck_assert_int_eq(tp_report_csv(&other, (const tp_solution *const *)&built, 1), TP_OK);
+  ck_assert_int_eq(strcmp(text, other), 0);
+  tp_solution_free(solution);
+  tp_solution_free(built);
+  tp_scene_free(scene);
+  free(text);
+  free(other);
+}
+END_TEST
+
 /* Decimals, fractions, doubles that are no decimal of a few digits; a ring that is closed. */
 START_TEST(exact_numbers) {
   static const char *const texts[] = {"0",      "0",   "1/3",     "-0.1", "0.7",  "0",
@@ -198,6 +224,7 @@ int main(void) {
   TCase *tests = tcase_create("scenes");
   tcase_set_timeout(tests, 0);
   tcase_add_test(tests, outlines);
+  tcase_add_test(tests, outline_at_once);
   tcase_add_test(tests, exact_numbers);
   tcase_add_test(tests, forms);
   tcase_add_test(tests, holes_and_parts);

@@ -23,14 +23,14 @@ static void add_limit(tp_text *t, const tp_figure *figure, const tp_state *state
   char n[TP_NUMBER_SIZE];
   switch (limit->kind) {
   case TP_LIMIT_AT_ANGLE:
-    tp_text_add(t, "%s", tp_text_mechanism(limit->mechanism));
+    tp_text_add(t, "%s", tp_mechanism_name(limit->mechanism));
     if (limit->mechanism == TP_TOPPLES && limit->has_centre) {
       const tp_spot at = tp_shape_of_metres(&figure->shape, limit->centre_x_m, limit->centre_y_m);
       const size_t pivot = tp_state_pivot_at(figure, state, at);
       if (pivot > 0) tp_text_add(t, " about pivot %zu", pivot);
     }
     if (limit->turns_up_dip) tp_text_add(t, ", turning up-dip,");
-    if (limit->tie) tp_text_add(t, ", or %s (a tie),", tp_text_mechanism(limit->tied_with));
+    if (limit->tie) tp_text_add(t, ", or %s (a tie),", tp_mechanism_name(limit->tied_with));
     tp_text_add(t, " at %s°", degrees(n, limit->critical_angle_deg));
     return;
   case TP_LIMIT_INTERLOCKED:
@@ -128,7 +128,7 @@ static void add_scene_tilt(tp_text *t, const tp_figure *figure, const tp_state *
               tp_page_degrees(n[0], solution->tilt_angle_deg),
               own->mechanism == TP_INTERLOCKED          ? "stands"
               : moves && tp_onset_is_known(&own->onset) ? "does not stand"
-                                                        : tp_text_mechanism(own->mechanism));
+                                                        : tp_mechanism_name(own->mechanism));
   const bool passed = own->mechanism == TP_STANDS && own->margin_deg.value < 0; /* a window */
   if (own->has_margin && own->mechanism != TP_MAY_MOVE && !passed) {
     tp_text_add(t, ", a margin of %s°", degrees(n[1], own->margin_deg));

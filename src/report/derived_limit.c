@@ -11,7 +11,7 @@
 static void add_description(tp_text *t, const tp_derived_limit *l, tp_direction towards) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "%s, towards the %s, on a base that %s,\n%s degrees at the scene's values",
-              tp_text_mechanism(l->mechanism), tp_text_direction(towards),
+              tp_mechanism_name(l->mechanism), tp_text_direction(towards),
               l->base_beyond_toe ? "goes on past the toe" : "ends at the toe",
               tp_text_fixed(n, l->critical_angle_deg, 3));
 }
@@ -57,7 +57,7 @@ void tp_latex_derived_limit(tp_text *t, const tp_derivation *d) {
     const tp_derived_limit *l = d->limit + k;
     if (!l->known) continue;
     tp_text_add(t, "%% limit: %s, towards the %s, on a base that %s\n",
-                tp_text_mechanism(l->mechanism), tp_text_direction((tp_direction)k),
+                tp_mechanism_name(l->mechanism), tp_text_direction((tp_direction)k),
                 l->base_beyond_toe ? "goes on past the toe" : "ends at the toe");
     tp_text_add(t, "\\[ \\tan\\alpha_{\\mathrm{crit}} = %s \\]\n", l->tangent.formula);
     const tp_condition_list conditions = conditions_of(l);
@@ -111,7 +111,7 @@ static void json_formulas(tp_json *j, const tp_derived_limit *l) {
 static void add_json(tp_json *j, const tp_derived_limit *l, tp_direction towards) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
   tp_json_string(j, "towards", tp_text_direction(towards));
-  tp_json_string(j, "mechanism", tp_text_mechanism(l->mechanism));
+  tp_json_string(j, "mechanism", tp_mechanism_name(l->mechanism));
   tp_json_truth(j, "base_beyond_toe", l->base_beyond_toe);
   if (l->known) {
     json_formulas(j, l);

@@ -11,7 +11,7 @@
 static void add_description(tp_text *t, const tp_derived_onset *o, tp_direction towards) {
   char n[TP_NUMBER_SIZE];
   tp_text_add(t, "%s, towards the %s, %s degrees at the scene's values%s",
-              tp_text_mechanism(o->mechanism), tp_text_direction(towards),
+              tp_mechanism_name(o->mechanism), tp_text_direction(towards),
               tp_text_fixed(n, o->critical_angle_deg, 3),
               o->below_limit ? ", below the limit" : "");
 }
@@ -130,7 +130,7 @@ static void json_formulas(tp_json *j, const tp_derived_onset *o) {
 static void add_json(tp_json *j, const tp_derived_onset *o, tp_direction towards) {
   tp_json_object(j, NULL, TP_JSON_ALIGNED);
   tp_json_string(j, "towards", tp_text_direction(towards));
-  tp_json_string(j, "mechanism", tp_text_mechanism(o->mechanism));
+  tp_json_string(j, "mechanism", tp_mechanism_name(o->mechanism));
   tp_json_truth(j, "below_limit", o->below_limit);
   if (o->known) {
     json_formulas(j, o);

@@ -3,10 +3,8 @@
 
 #include "report/first.h"
 
-#include "report/words.h"
-
 void tp_page_add_limit_motion(tp_page *p, const tp_case *c, const tp_limit *l) {
-  tp_text_add(&p->text, "%s", tp_text_mechanism(l->mechanism));
+  tp_text_add(&p->text, "%s", tp_mechanism_name(l->mechanism));
   if (!l->has_centre) return;
   if (l->turns_up_dip) tp_text_add(&p->text, " turning up-dip");
   tp_page_add_centre(p, c, l->centre_x_m, l->centre_y_m);
@@ -17,7 +15,7 @@ void tp_page_add_first(tp_page *p, const tp_case *c) {
     tp_page_add_limit_motion(p, c, &c->limit);
     return;
   }
-  tp_text_add(&p->text, "%s", tp_text_mechanism(c->first));
+  tp_text_add(&p->text, "%s", tp_mechanism_name(c->first));
   if (c->first != TP_TOPPLES || !c->has_governing) return;
   const tp_pivot *pivot = c->pivots + c->governing;
   tp_page_add_centre(p, c, pivot->x_m, pivot->y_m);

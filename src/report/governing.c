@@ -4,7 +4,6 @@
 #include "report/governing.h"
 
 #include "report/parts_json.h"
-#include "report/words.h"
 
 #include <stdio.h>
 
@@ -132,7 +131,7 @@ void tp_page_add_governing(tp_page *p, const tp_case *c) {
 }
 
 static void add_words(tp_json *j, const tp_factor *factor) {
-  tp_json_string(j, "mechanism", tp_text_mechanism(factor->mechanism));
+  tp_json_string(j, "mechanism", tp_mechanism_name(factor->mechanism));
   tp_json_string(j, "definition", tp_fos_definition_name(factor->definition));
   if (factor->definition == TP_FOS_BY_MOMENTS) tp_json_count(j, "pivot", factor->pivot);
 }

@@ -5,7 +5,6 @@
 
 #include "report/first.h"
 #include "report/onset.h"
-#include "report/words.h"
 
 static const char *base_text(const tp_limit *l) {
   return l->base_beyond_toe ? "goes on past the toe" : "ends at the toe";
@@ -133,7 +132,7 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
   }
   if (l->tie) {
     tp_text_add(&p->text, "  Tie: it %s and it %s at the same limit",
-                tp_text_mechanism(l->mechanism), tp_text_mechanism(l->tied_with));
+                tp_mechanism_name(l->mechanism), tp_mechanism_name(l->tied_with));
     tp_page_add_tie(p, l->tie_bits);
   }
   add_otherwise(p, c);

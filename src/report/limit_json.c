@@ -6,14 +6,13 @@
 #include "report/limit.h"
 
 #include "report/parts_json.h"
-#include "report/words.h"
 
 /* Where the limit lies, what moves there and what is as near. */
 static void add_answer(tp_json *j, const tp_limit *l) {
   const bool nowhere = l->kind == TP_LIMIT_NOWHERE;
   tp_json_known(j, "critical_angle_deg", l->kind == TP_LIMIT_AT_ANGLE, l->critical_angle_deg);
-  tp_json_string(j, "mechanism", nowhere ? "holds nowhere" : tp_text_mechanism(l->mechanism));
-  tp_json_string(j, "tied_with", l->tie ? tp_text_mechanism(l->tied_with) : NULL);
+  tp_json_string(j, "mechanism", nowhere ? "holds nowhere" : tp_mechanism_name(l->mechanism));
+  tp_json_string(j, "tied_with", l->tie ? tp_mechanism_name(l->tied_with) : NULL);
   tp_json_tie(j, l->tie, l->tie_bits);
   tp_json_break(j);
   tp_json_known(j, "centre_x_m", l->has_centre, l->centre_x_m);

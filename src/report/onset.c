@@ -215,7 +215,7 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
               tp_page_degrees(n[0], p->solution->tilt_angle_deg));
   for (size_t k = 0; k < o->motion_count; k++) {
     const tp_motion *m = o->motions + k;
-    tp_text_add(&p->text, "    %s", tp_text_mechanism(m->mechanism));
+    tp_text_add(&p->text, "    %s", tp_mechanism_name(m->mechanism));
     if (m->has_centre) {
       tp_text_add(&p->text, " about (%s, %s)", tp_page_coordinate(p, n[0], m->centre_x_m),
                   tp_page_coordinate(p, n[1], m->centre_y_m));
@@ -234,7 +234,7 @@ void tp_page_add_motions(tp_page *p, const tp_case *c) {
 
 void tp_text_beginnings(tp_text *t, const tp_onset *o) {
   for (size_t k = 0; k < o->beginning_count; k++) {
-    tp_text_add(t, "%s%s", k > 0 ? " or " : "", tp_text_mechanism(o->beginnings[k]));
+    tp_text_add(t, "%s%s", k > 0 ? " or " : "", tp_mechanism_name(o->beginnings[k]));
   }
 }
 
@@ -247,6 +247,6 @@ void tp_text_verdict(tp_text *t, const tp_case *c) {
   if ((moves || m == TP_MAY_MOVE) && o->beginning_count > 0) {
     tp_text_beginnings(t, o);
   } else {
-    tp_text_add(t, "%s", tp_text_mechanism(m));
+    tp_text_add(t, "%s", tp_mechanism_name(m));
   }
 }

@@ -31,7 +31,7 @@ static void add_windows(tp_json *j, const tp_onset *o) {
     tp_json_object(j, NULL, TP_JSON_LINE);
     tp_json_known(j, "from_deg", !w->from_below, w->from_deg);
     tp_json_known(j, "to_deg", !w->to_above, w->to_deg);
-    tp_json_string(j, "begins", tp_text_mechanism(w->begins));
+    tp_json_string(j, "begins", tp_mechanism_name(w->begins));
     tp_json_close(j);
   }
   tp_json_close(j);
@@ -73,7 +73,7 @@ static void add_resistance(tp_json *j, const char *key, const tp_motion_resistan
 
 static void add_motion(tp_json *j, const tp_motion *m) {
   tp_json_object(j, NULL, TP_JSON_LINE);
-  tp_json_string(j, "mechanism", tp_text_mechanism(m->mechanism));
+  tp_json_string(j, "mechanism", tp_mechanism_name(m->mechanism));
   tp_json_bounded(j, "acceleration_x_g", m->acceleration_x_g);
   tp_json_bounded(j, "acceleration_y_g", m->acceleration_y_g);
   tp_json_bounded(j, "angular_g_per_m", m->angular_g_per_m);
@@ -107,8 +107,8 @@ void tp_json_onset(tp_json *j, const tp_case *c) {
   tp_json_string(j, "kind", kind_of(o->kind));
   tp_json_bounded(j, "friction_angle_deg", o->friction_angle_deg);
   tp_json_known(j, "critical_angle_deg", o->kind == TP_ONSET_AT_ANGLE, o->critical_angle_deg);
-  tp_json_string(j, "mechanism", tp_text_mechanism(o->mechanism));
-  if (o->tie) tp_json_string(j, "tied_with", tp_text_mechanism(o->tied_with));
+  tp_json_string(j, "mechanism", tp_mechanism_name(o->mechanism));
+  if (o->tie) tp_json_string(j, "tied_with", tp_mechanism_name(o->tied_with));
   tp_json_tie(j, o->tie, o->tie_bits);
   if (o->kind == TP_ONSET_UNDECIDED) tp_json_truth(j, "too_dear", o->too_dear);
   if (o->has_centre) {
@@ -130,7 +130,7 @@ void tp_json_beginnings(tp_json *j, const tp_case *c) {
   }
   tp_json_array(j, "can_begin", TP_JSON_LINE);
   for (size_t k = 0; k < o->beginning_count; k++) {
-    tp_json_string(j, NULL, tp_text_mechanism(o->beginnings[k]));
+    tp_json_string(j, NULL, tp_mechanism_name(o->beginnings[k]));
   }
   tp_json_close(j);
 }

@@ -152,10 +152,10 @@ static void add_account(tp_json *j, const tp_account *a, bool has_weight) {
 }
 
 static void add_mechanism(tp_json *j, const tp_case *c) {
-  tp_json_string(j, "mechanism", tp_text_mechanism(c->mechanism));
+  tp_json_string(j, "mechanism", tp_mechanism_name(c->mechanism));
   tp_json_beginnings(j, c);
   tp_json_object(j, "first", TP_JSON_LINE);
-  tp_json_string(j, "mechanism", tp_text_mechanism(c->first));
+  tp_json_string(j, "mechanism", tp_mechanism_name(c->first));
   tp_json_known(j, "critical_angle_deg", c->has_first_angle, c->first_angle_deg);
   tp_json_known(j, "margin_deg", c->has_margin, c->margin_deg);
   tp_json_known(j, "margin_to_first_deg", c->has_margin_to_first, c->margin_to_first_deg);

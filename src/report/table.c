@@ -16,8 +16,8 @@ static void add_angle(tp_text *t, bool known, tp_bounded angle) {
 static void add_limit(tp_text *t, const tp_limit *l) {
   add_angle(t, l->kind == TP_LIMIT_AT_ANGLE, l->critical_angle_deg);
   const bool nowhere = l->kind == TP_LIMIT_NOWHERE || l->kind == TP_LIMIT_NOT_ASKED;
-  tp_text_add(t, " | %s", nowhere ? "-" : tp_text_mechanism(l->mechanism));
-  if (l->tie) tp_text_add(t, ", %s", tp_text_mechanism(l->tied_with));
+  tp_text_add(t, " | %s", nowhere ? "-" : tp_mechanism_name(l->mechanism));
+  if (l->tie) tp_text_add(t, ", %s", tp_mechanism_name(l->tied_with));
 }
 
 /* The governing factor and what it is against. */
@@ -37,7 +37,7 @@ static void add_fos(tp_text *t, const tp_case *c) {
   }
   const tp_mechanism mechanism = g->factors[g->factor].mechanism;
   tp_text_add(t, "%s",
-              mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_text_mechanism(mechanism));
+              mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(mechanism));
   tp_text_add(t, " (%s)", tp_fos_definition_name(g->factors[g->factor].definition));
 }
 
@@ -147,10 +147,10 @@ static void add_fields(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_encode_csv(t, s->title != NULL ? s->title : "");
   tp_text_add(t, ",%s,", tp_text_direction(c->towards));
   add_field(t, s->has_tilt_angle, s->tilt_angle_deg);
-  tp_text_add(t, "%s,", s->has_tilt_angle ? tp_text_mechanism(c->mechanism) : "");
+  tp_text_add(t, "%s,", s->has_tilt_angle ? tp_mechanism_name(c->mechanism) : "");
   add_field(t, counts, g->fos.value);
   const tp_factor *factor = g->has_factor ? g->factors + g->factor : NULL;
-  tp_text_add(t, "%s,%s,", factor != NULL ? tp_text_mechanism(factor->mechanism) : "",
+  tp_text_add(t, "%s,%s,", factor != NULL ? tp_mechanism_name(factor->mechanism) : "",
               factor != NULL ? tp_fos_definition_name(factor->definition) : "");
   add_field(t, c->onset.kind == TP_ONSET_AT_ANGLE, c->onset.critical_angle_deg);
   add_field(t, pivot != NULL && !pivot->never && !pivot->always,
@@ -161,7 +161,7 @@ static void add_fields(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_text_add(t, "%s,",
               c->limit.kind == TP_LIMIT_NOT_ASKED ? ""
               : c->limit.kind == TP_LIMIT_NOWHERE ? "holds nowhere"
-                                                  : tp_text_mechanism(c->limit.mechanism));
+                                                  : tp_mechanism_name(c->limit.mechanism));
   tp_text_beginnings(t, &c->onset);
   tp_text_add(t, "\n");
 }

@@ -25,7 +25,7 @@ static bool add_up_dip(tp_page *p, const tp_case *c, const char *where) {
   if (c->limit_back.kind == TP_LIMIT_AT_ANGLE) {
     const tp_bounded from = tp_text_less((tp_bounded){0}, c->limit_back.critical_angle_deg);
     tp_text_add(&p->text, "  Lets go up-dip already %s: below %s° it %s.\n", where,
-                tp_text_fixed(n, from, 3), tp_text_mechanism(c->limit_back.mechanism));
+                tp_text_fixed(n, from, 3), tp_mechanism_name(c->limit_back.mechanism));
     return true;
   }
   tp_text_add(&p->text,
@@ -42,7 +42,7 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
     const bool open = c->mechanism == TP_MECHANISM_UNDECIDED;
     tp_text_add(&p->text,
                 "  Does not stand: no forces of the base hold it at any tilt, and %s\n  %s%s.\n",
-                open ? "how it moves is" : "it", tp_text_mechanism(c->mechanism),
+                open ? "how it moves is" : "it", tp_mechanism_name(c->mechanism),
                 p->solution->contact.corner_points > 0
                     ? "; its contacts of a corner on a corner count as no support"
                     : "");
@@ -109,7 +109,7 @@ static void add_begun(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "%s%s", k > 0 ? ", or to " : "can begin to ",
                 tp_text_to_move(o->beginnings[k]));
   }
-  if (o->beginning_count == 0) tp_text_add(&p->text, "%s", tp_text_mechanism(c->mechanism));
+  if (o->beginning_count == 0) tp_text_add(&p->text, "%s", tp_mechanism_name(c->mechanism));
 }
 
 /* What holds at the scene's tilt, in the light of the onset. */

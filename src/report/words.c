@@ -34,7 +34,7 @@ const char *tp_text_pivot_kind(tp_pivot_kind kind) {
   return "unknown";
 }
 
-const char *tp_text_mechanism(tp_mechanism mechanism) {
+const char *tp_mechanism_name(tp_mechanism mechanism) {
   switch (mechanism) {
   case TP_STANDS:
     return "stands";

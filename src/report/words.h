@@ -14,7 +14,6 @@
 const char *tp_text_fos(tp_fos fos);
 
 const char *tp_text_pivot_kind(tp_pivot_kind kind);
-const char *tp_text_mechanism(tp_mechanism mechanism);
 const char *tp_text_contact_state(tp_contact_state state);
 const char *tp_text_to_move(tp_mechanism mechanism); /* "slide and topple" */
 const char *tp_text_direction(tp_direction direction);
