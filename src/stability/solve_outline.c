@@ -4,7 +4,7 @@
 /* The block of one outline in an array: a scene made of it, solved and given back. */
 
 #include "host.h"
-#include "topple.h"
+#include "topple_solve.h"
 
 static tp_status describe(tp_scene *scene, tp_coordinates outline, double friction_angle_deg,
                           double tilt_angle_deg, tp_message *message) {
