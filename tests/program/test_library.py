@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Programs of others in C and C++, compiled and run against what is installed and nothing else of the project: found by
-pkg-config and by CMake, linked to the shared and to the static library. The programs are those of docs/library.md."""
+pkg-config and by CMake, linked to the shared and to the static library. The programs are those of docs/library.md and
+docs/scene_in_memory.md, as they stand on the page, and those of examples/c."""
 
 import os
 import pathlib
@@ -14,7 +15,7 @@ import unittest
 from harness import ROOT, main
 
 BUILD = os.environ.get("TOPPLE_BUILD", str(ROOT / "build"))
-PAGE = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
+EXAMPLES = sorted((ROOT / "examples" / "c").glob("*.c"))
 COMPILERS = (("cc", "-x", "c", "-std=c11"), ("c++", "-x", "c++", "-std=c++11"))
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
 DRAW = """#include <topple.h>
@@ -39,10 +40,16 @@ endif()
 """
 
 
-def block_of(language):
-    """The block of the page in this language."""
-    (text,) = re.findall(rf"^```{language}\n(.*?)^```$", PAGE, re.M | re.S)
-    return text
+def blocks_of(language, page="library.md"):
+    """The blocks of a page in this language."""
+    text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.M | re.S)
+
+
+ARRAY, SOLVE = blocks_of("c")
+ARRAY_PRINTS, SOLVE_PRINTS = blocks_of("text")
+(MEMORY,) = blocks_of("c", "scene_in_memory.md")
+(CMAKE,) = blocks_of("cmake")
 
 
 class Library(unittest.TestCase):
@@ -56,8 +63,8 @@ class Library(unittest.TestCase):
         cls.libraries = next(cls.root.rglob("pkgconfig/topple.pc")).parent.parent
         cls.folder = pathlib.Path(folder.name) / "use"
         cls.folder.mkdir()
-        (cls.folder / "solve.c").write_text(block_of("c"), encoding="utf-8")
-        (cls.folder / "draw.c").write_text(DRAW, encoding="utf-8")
+        for name, text in (("array.c", ARRAY), ("solve.c", SOLVE), ("memory.c", MEMORY), ("draw.c", DRAW)):
+            (cls.folder / name).write_text(text, encoding="utf-8")
         shutil.copy(ROOT / "examples" / "block_e_valley.yaml", cls.folder / "scene.yaml")
 
     def run_in(self, *command, **environment):
@@ -86,7 +93,7 @@ class Library(unittest.TestCase):
         return re.findall(r"NEEDED.*\[(libtopple.*)\]", self.run_in("readelf", "-d", program))
 
     def check_answer(self, program, **environment):
-        self.assertEqual(self.run_in(program, "scene.yaml", **environment), block_of("text"))
+        self.assertEqual(self.run_in(program, "scene.yaml", **environment), SOLVE_PRINTS)
 
     def is_shared(self):
         return (self.libraries / "libtopple.so").exists()
@@ -104,6 +111,41 @@ class Library(unittest.TestCase):
             program = self.compile(compiler, "solve.c", self.flags("topple"))
             self.assertEqual(self.needed(program), ["libtopple.so.0"] if self.is_shared() else [])
             self.check_answer(program, LD_LIBRARY_PATH=str(self.libraries))
+
+    def test_block_in_an_array(self):
+        """The ten lines that the page begins with: a block in an array, and nothing of the project beside it."""
+        self.assertEqual(len(ARRAY.splitlines()), 10)
+        self.assertLessEqual(max(map(len, ARRAY.splitlines())), 100)
+        self.assertLess((ROOT / "docs" / "library.md").read_text(encoding="utf-8").find(ARRAY), 600)
+        for compiler in COMPILERS:
+            program = self.compile(compiler, "array.c", self.flags("topple"))
+            self.assertEqual(self.run_in(program, LD_LIBRARY_PATH=str(self.libraries)), ARRAY_PRINTS)
+
+    def test_block_in_an_array_refused(self):
+        """An outline that crosses itself is no block: the ten lines say so and end with status 1."""
+        crossed = ARRAY.replace("60, 0, 90, 5,", "90, 5, 60, 0,")
+        (self.folder / "crossed.c").write_text(crossed, encoding="utf-8")
+        program = self.compile(COMPILERS[0], "crossed.c", self.flags("topple"))
+        done = subprocess.run([program], cwd=self.folder, check=False, capture_output=True, encoding="utf-8",
+                              env={"LD_LIBRARY_PATH": str(self.libraries)})
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertRegex(done.stdout, r"^tp_scene_set_outline:\d: .*\n$")
+
+    def test_scene_in_memory(self):
+        for compiler in COMPILERS:
+            program = self.compile(compiler, "memory.c", self.flags("topple"))
+            out = self.run_in(program, LD_LIBRARY_PATH=str(self.libraries))
+            self.assertRegex(out, r"^\d+\.\d+ degrees\n$")
+
+    def test_examples(self):
+        """Each compares what it prints with closed forms of its own, and would end with another status."""
+        self.assertGreaterEqual(len(EXAMPLES), 4)
+        for example in EXAMPLES:
+            with self.subTest(example=example.name):
+                shutil.copy(example, self.folder)
+                program = self.compile(COMPILERS[0], example.name, [*self.flags("topple"), "-lm"])
+                out = self.run_in(program, LD_LIBRARY_PATH=str(self.libraries))
+                self.assertGreater(out.count("\n"), 3)
 
     def test_drawing(self):
         figure = self.folder / "block.svg"
@@ -128,7 +170,7 @@ class Library(unittest.TestCase):
         shutil.copy(self.folder / "solve.c", self.folder / "solve_too.cpp")
         more = "add_executable(solve_too solve_too.cpp)\ntarget_link_libraries(solve_too topple::topple)\n" \
                "add_executable(draw draw.c)\ntarget_link_libraries(draw topple::figure)\n"
-        (self.folder / "CMakeLists.txt").write_text(block_of("cmake") + more + BUILD_STATIC, encoding="utf-8")
+        (self.folder / "CMakeLists.txt").write_text(CMAKE + more + BUILD_STATIC, encoding="utf-8")
         self.run_in("cmake", "-S", ".", "-B", "made", f"-Dtopple_DIR={self.libraries / 'cmake' / 'topple'}",
                     "-DCMAKE_C_FLAGS=-Wall -Werror", "-Wno-dev")
         self.run_in("cmake", "--build", "made")
