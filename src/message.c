@@ -7,6 +7,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A path that is too long loses its beginning, so that the place in it stays. */
@@ -28,6 +29,14 @@ void tp_place_text(char *text, size_t size, tp_place place) {
            tp_tail_of(place.file, fits ? room : room - strlen(ellipsis)), numbers);
 }
 
+char *tp_place_new(tp_place place) {
+  enum { NUMBERS = 64 };
+  const size_t size = NUMBERS + (place.file != NULL ? strlen(place.file) : 0);
+  char *text = malloc(size);
+  if (text != NULL) tp_place_text(text, size, place);
+  return text;
+}
+
 /* The whole message is made plain, so that nothing of what it quotes acts on a terminal. */
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...) {
   if (message == NULL) return status;
@@ -37,8 +46,11 @@ tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const c
   if (head > 0) head += (size_t)snprintf(text + head, sizeof text - head, ": ");
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(text + head, sizeof text - head, format, arguments);
+  const int length = vsnprintf(text + head, sizeof text - head, format, arguments);
   va_end(arguments);
+  if (length >= 0 && head + (size_t)length >= sizeof text) { /* plain, the rest might fit */
+    strcpy(text + tp_whole_characters(text, sizeof text - sizeof "…"), "…");
+  }
   tp_plain_text(message->text, sizeof message->text, text);
   return status;
 }

@@ -16,7 +16,7 @@ typedef struct tp_place {
 
 /* Write "file:line:column: text" into the message and return `status`, so that a caller can
  * `return tp_fail(…)`. `message` may be NULL. The whole is made plain (outside.h), whatever the
- * arguments hold; what is quoted is bounded by tp_quote_of. */
+ * arguments hold; what is quoted is bounded by tp_quote_of, and what does not fit ends in …. */
 tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
@@ -26,5 +26,8 @@ tp_status tp_fail_memory(tp_message *message, const char *what);
 /* "file:line:column" into `text` of at least 64 bytes, shorter where parts are not known. Of a long
  * path the end is kept, and the position always. */
 void tp_place_text(char *text, size_t size, tp_place place);
+
+/* The same whole, to be freed; empty where there is no place, NULL when memory is exhausted. */
+char *tp_place_new(tp_place place);
 
 #endif

@@ -4,6 +4,7 @@
 #include "outside.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char ellipsis[] = "…";
@@ -85,6 +86,14 @@ void tp_plain_text(char *plain, size_t size, const char *text) {
     if (length + strlen(ellipsis) < size) fits = length;
   }
   plain[length] = '\0';
+}
+
+char *tp_plain_new(const char *text) {
+  enum { MOST_OF_A_BYTE = 4 }; /* \xFF; what takes more is of characters of more bytes */
+  const size_t size = MOST_OF_A_BYTE * (strlen(text) + 1);
+  char *plain = malloc(size);
+  if (plain != NULL) tp_plain_text(plain, size, text);
+  return plain;
 }
 
 size_t tp_whole_characters(const char *text, size_t most) {

@@ -24,6 +24,9 @@
 /* The character at `text`, which is not empty, and how many bytes it takes, 1 where it is none. */
 size_t tp_character_read(uint32_t *character, const char *text);
 
+/* The whole of tp_plain_text, to be freed; NULL when memory is exhausted. */
+char *tp_plain_new(const char *text);
+
 enum { TP_PLAIN_SIZE = 12 };
 
 /* The character at `*text` as plain text, and step past it. */

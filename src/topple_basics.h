@@ -44,7 +44,8 @@ int tp_status_exit(tp_status status);
 /* A chart: curves and borders (topple_chart.h). */
 typedef struct tp_chart tp_chart;
 
-/* What went wrong, where (file:line:column) and what to do; always terminated. */
+/* What went wrong, where (file:line:column) and what to do; always terminated. The caller's, and as
+ * long: what does not fit ends in …. */
 typedef struct tp_message {
   char text[1024];
 } tp_message;
@@ -73,13 +74,13 @@ typedef enum tp_note_kind { TP_NOTE, TP_CAUTION } tp_note_kind;
 
 typedef struct tp_note {
   tp_note_kind kind;
-  TP_OUTSIDE char place[256]; /* file:line:column; empty where it is of no one place */
-  char text[512];             /* what, and what to do if it was not meant; plain */
+  TP_OUTSIDE char *place; /* file:line:column; empty where it is of no one place */
+  char *text;             /* what, and what to do if it was not meant; plain */
 } tp_note;
 
 typedef struct tp_notes {
   size_t count;
-  tp_note *items; /* owned by what holds the list */
+  tp_note *items; /* owned by what holds the list, as their texts are */
 } tp_notes;
 
 /* note or caution */

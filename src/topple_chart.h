@@ -13,11 +13,13 @@
 extern "C" {
 #endif
 
+/* Numbers of the caller, TP_CHART_LIST_MAX at most: a chart has as many colours that the
+ * colour-blind tell apart. More are bad input. */
 enum { TP_CHART_LIST_MAX = 6 };
 
 typedef struct tp_chart_list {
   size_t count;
-  double values[TP_CHART_LIST_MAX];
+  const double *values;
 } tp_chart_list;
 
 typedef struct tp_chart_range {

@@ -95,8 +95,8 @@ typedef struct tp_toe {
 typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING } tp_load_side;
 
 typedef struct tp_load_result {
-  const char *name;
-  TP_OUTSIDE char called_for_by[256];
+  const char *name;               /* a static string */
+  TP_OUTSIDE char *called_for_by; /* file:line:column; empty where it is of no one place */
   tp_bounded moment_nm;
   tp_load_side side;
 } tp_load_result;
@@ -169,13 +169,11 @@ typedef struct tp_teeth_result {
 
 /* What ran, and what in the scene called for it. */
 typedef struct tp_effect {
-  const char *name;
-  TP_OUTSIDE char called_for_by[256]; /* file:line:column, or an option */
+  const char *name;               /* a static string */
+  TP_OUTSIDE char *called_for_by; /* file:line:column, or an option */
   double seconds;
   tp_level level;
 } tp_effect;
-
-enum { TP_EFFECTS_MAX = 24 };
 
 typedef struct tp_solution {
   TP_OUTSIDE char *title;
@@ -196,7 +194,7 @@ typedef struct tp_solution {
   tp_case cases[2];
   tp_notes notes; /* of the scene's reading and of its solution */
   size_t effect_count;
-  tp_effect effects[TP_EFFECTS_MAX];
+  tp_effect *effects;
   tp_level level;   /* the arithmetic that certified the numbers */
   long bits;        /* working precision of the last evaluation */
   int digits;       /* asked of every number */

@@ -7,6 +7,8 @@
  * NULL ended the program of whoever passed it. Every call says what is wrong, names the argument,
  * and leaves its outputs alone. */
 
+#include "message.h"
+#include "notes.h"
 #include "options.h"
 #include "refused.h"
 
@@ -337,6 +339,25 @@ START_TEST(long_paths) {
 }
 END_TEST
 
+/* A note keeps all of its text. A message is as long as the caller's array, and says where it is
+ * cut off, also of white space that takes less room once it is plain. */
+START_TEST(long_texts) {
+  enum { WIDE = 3, COUNT = 1000 };
+  char wide[WIDE * COUNT + 1];
+  for (size_t k = 0; k < COUNT; k++) memcpy(wide + WIDE * k, "\u2028", WIDE + 1);
+  ck_assert_int_eq(tp_fail(&message, TP_BAD_INPUT, (tp_place){0}, "(%s)", wide), TP_BAD_INPUT);
+  ck_assert_msg(strstr(message.text, " …") != NULL, "'%s'", message.text);
+  tp_notes notes = {0}, more = {0};
+  ck_assert_int_eq(
+      tp_notes_add(&notes, &message, TP_NOTE, (tp_place){wide, 1, 2}, "(%s\x01)", wide), TP_OK);
+  ck_assert_int_eq(tp_notes_append(&more, &notes, &message), TP_OK);
+  tp_notes_clear(&notes);
+  ck_assert_uint_eq(strlen(more.items[0].text), COUNT + strlen("(\\x01)"));
+  ck_assert_uint_eq(strlen(more.items[0].place), WIDE * COUNT + strlen(":1:2"));
+  tp_notes_clear(&more);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("arguments");
   TCase *tests = tcase_create("arguments");
@@ -351,6 +372,7 @@ int main(void) {
   tcase_add_test(tests, verdicts);
   tcase_add_test(tests, accuracy);
   tcase_add_test(tests, long_paths);
+  tcase_add_test(tests, long_texts);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

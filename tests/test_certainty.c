@@ -15,7 +15,7 @@ static const char *const ellipse =
 
 typedef struct stage {
   tp_scene *scene;
-  tp_solution solution;
+  tp_solution *noted; /* what the preparation notes */
   tp_problem problem;
   tp_solve_options options;
   tp_evaluation e;
@@ -23,10 +23,9 @@ typedef struct stage {
 
 static void stage_init(stage *s, const char *text, tp_rung rung) {
   tp_message message = {""};
-  *s = (stage){.options = tp_solve_options_default()};
+  *s = (stage){.options = tp_solve_options_default(), .noted = calloc(1, sizeof *s->noted)};
   ck_assert_msg(tp_scene_read_text(&s->scene, text, "s", &message) == TP_OK, "%s", message.text);
-  ck_assert_msg(tp_problem_init(&s->problem, s->scene, &s->options, &s->solution, &message) ==
-                    TP_OK,
+  ck_assert_msg(tp_problem_init(&s->problem, s->scene, &s->options, s->noted, &message) == TP_OK,
                 "%s", message.text);
   tp_evaluation_init(&s->e, &s->problem, rung, &s->options);
 }
@@ -34,6 +33,7 @@ static void stage_init(stage *s, const char *text, tp_rung rung) {
 static void stage_clear(stage *s) {
   tp_evaluation_clear(&s->e);
   tp_problem_clear(&s->problem);
+  tp_solution_free(s->noted);
   tp_scene_free(s->scene);
 }
 

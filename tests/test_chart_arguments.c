@@ -47,9 +47,12 @@ START_TEST(lists_of_a_chart) {
       tp_chart_list *own = list == 0   ? &options.inverse_slenderness
                            : list == 1 ? &options.amplitude
                                        : &options.sub_blocks;
-      for (size_t v = 0; v < TP_CHART_LIST_MAX; v++) own->values[v] = list < 2 ? 0.25 : 2;
-      own->count = counts[k];
+      double values[TP_CHART_LIST_MAX];
+      for (size_t v = 0; v < TP_CHART_LIST_MAX; v++) values[v] = list < 2 ? 0.25 : 2;
+      *own = (tp_chart_list){counts[k], values};
       REFUSED(tp_chart_fos(&chart, &options, &message), "at most 6");
+      *own = (tp_chart_list){1, NULL};
+      REFUSED(tp_chart_fos(&chart, &options, &message), "NULL");
     }
   }
   for (int list = 0; list < 2; list++) {
@@ -60,7 +63,7 @@ START_TEST(lists_of_a_chart) {
   static const double no_numbers[] = {NAN, INFINITY, -INFINITY, -1};
   for (size_t k = 0; k < sizeof no_numbers / sizeof no_numbers[0]; k++) {
     tp_chart_fos_options options = tp_chart_fos_options_default();
-    options.amplitude.values[0] = no_numbers[k];
+    options.amplitude.values = no_numbers + k;
     REFUSED(tp_chart_fos(&chart, &options, &message), "amplitude");
     options = tp_chart_fos_options_default();
     options.tilt_deg.from = no_numbers[k];

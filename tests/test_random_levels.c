@@ -23,10 +23,9 @@ static void claim(bool condition, const char *what, const char *why) {
 }
 
 static tp_solution *solve_prepared(tp_status *status, const tp_problem *problem,
-                                   const tp_solution *prepared, tp_solve_options options) {
+                                   tp_solve_options options) {
   tp_message message;
   tp_solution *solution = calloc(1, sizeof *solution);
-  *solution = *prepared;
   *status = tp_solve_problem(solution, problem, &options, &message);
   claim(*status == TP_OK || *status == TP_UNDECIDED, "no failure but undecided", message.text);
   return solution;
@@ -46,8 +45,8 @@ typedef struct counts {
   long certain[TP_LEVELS], open[TP_LEVELS], refused, ties;
 } counts;
 
-static void claim_levels(counts *seen, const tp_problem *problem, const tp_solution *prepared,
-                         const tp_solution *exact, int digits) {
+static void claim_levels(counts *seen, const tp_problem *problem, const tp_solution *exact,
+                         int digits) {
   relation same;
   char why[256];
   relation_init(&same);
@@ -56,7 +55,7 @@ static void claim_levels(counts *seen, const tp_problem *problem, const tp_solut
     options.level = (tp_level)level;
     options.digits = digits;
     tp_status status = TP_OK;
-    tp_solution *solution = solve_prepared(&status, problem, prepared, options);
+    tp_solution *solution = solve_prepared(&status, problem, options);
     same.uncertain = status == TP_UNDECIDED;
     claim((int)solution->level <= level, "no dearer level than allowed",
           tp_level_name(solution->level));
@@ -69,24 +68,26 @@ static void claim_levels(counts *seen, const tp_problem *problem, const tp_solut
 
 static void claim_scene(counts *seen, const tp_scene *scene, random_numbers *state) {
   static const int digits[] = {3, 9, 13, 15, 25, 50};
-  tp_solution prepared = {0};
+  tp_solution *prepared = calloc(1, sizeof *prepared); /* what the preparation notes */
   tp_problem problem;
   tp_message message;
   tp_solve_options options = tp_solve_options_default();
-  if (tp_problem_init(&problem, scene, &options, &prepared, &message) != TP_OK) {
+  if (tp_problem_init(&problem, scene, &options, prepared, &message) != TP_OK) {
+    tp_solution_free(prepared);
     seen->refused++;
     return;
   }
   tp_status status = TP_OK;
-  tp_solution *exact = solve_prepared(&status, &problem, &prepared, options);
+  tp_solution *exact = solve_prepared(&status, &problem, options);
   claim(status == TP_OK, "exact arithmetic decides", "status");
-  tp_solution *again = solve_prepared(&status, &problem, &prepared, options);
+  tp_solution *again = solve_prepared(&status, &problem, options);
   char *first = report(exact), *second = report(again);
   claim(strcmp(first, second) == 0, "the same bytes", second);
-  claim_levels(seen, &problem, &prepared, exact, digits[draw_below(state, 6)]);
+  claim_levels(seen, &problem, exact, digits[draw_below(state, 6)]);
   for (size_t k = 0; k < exact->case_count; k++) seen->ties += exact->cases[k].governing_tie;
   free(first);
   free(second);
+  tp_solution_free(prepared);
   tp_solution_free(exact);
   tp_solution_free(again);
   tp_problem_clear(&problem);

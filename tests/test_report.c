@@ -133,8 +133,9 @@ END_TEST
 /* Notes break at words, below each other. */
 START_TEST(notes) {
   tp_solution s = filled();
-  tp_note own = {.kind = TP_CAUTION, .place = "a scene.yaml:4:3"};
-  for (int k = 0; k < 40; k++) strcat(own.text, k % 3 == 0 ? "Böschung " : "in words ");
+  char place[] = "a scene.yaml:4:3", text[512] = "";
+  tp_note own = {TP_CAUTION, place, text};
+  for (int k = 0; k < 40; k++) strcat(text, k % 3 == 0 ? "Böschung " : "in words ");
   s.notes = (tp_notes){.count = 1, .items = &own};
   says(&s, "\nCaution  Böschung in words in words", NULL);
   says(&s, "\n         ", NULL);

@@ -53,10 +53,12 @@ static double read_whole(const char *text, struct argp_state *state) {
   return value;
 }
 
-static void read_list(tp_chart_list *list, const char *text, struct argp_state *state) {
+static void read_list(tp_chart_list *list, double values[TP_CHART_LIST_MAX], const char *text,
+                      struct argp_state *state) {
   const char *at = text;
+  list->values = values;
   for (list->count = 0; list->count < TP_CHART_LIST_MAX; at++) {
-    list->values[list->count++] = read_number(&at, state);
+    values[list->count++] = read_number(&at, state);
     if (*at == '\0') return;
     if (*at != ',') break;
   }
@@ -154,15 +156,15 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_SLENDERNESS:
     a->given |= fos;
-    read_list(&a->fos.inverse_slenderness, argument, state);
+    read_list(&a->fos.inverse_slenderness, a->lists[0], argument, state);
     return 0;
   case KEY_AMPLITUDE:
-    read_list(&a->fos.amplitude, argument, state);
+    read_list(&a->fos.amplitude, a->lists[1], argument, state);
     a->has_amplitude = true;
     return 0;
   case KEY_COUNTS:
     a->given |= fos;
-    read_list(&a->fos.sub_blocks, argument, state);
+    read_list(&a->fos.sub_blocks, a->lists[2], argument, state);
     return 0;
   case KEY_TILT:
     a->given |= fos;

@@ -31,6 +31,7 @@ typedef struct tp_chart_arguments {
   bool has_amplitude;
   unsigned given; /* kinds that the options so far go with, a bit each */
   tp_chart_fos_options fos;
+  double lists[3][TP_CHART_LIST_MAX]; /* that it points to */
   tp_chart_mechanisms_options mechanisms;
   tp_chart_map_options map;
   char keys[2][TP_CHART_KEY_SIZE]; /* of the map's axes */

@@ -52,6 +52,6 @@ tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_
     status = draw_problem(path, &problem, solution, consent, message);
     tp_problem_clear(&problem);
   }
-  free(notes);
+  tp_solution_free(notes);
   return status;
 }

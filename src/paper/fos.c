@@ -27,10 +27,12 @@ static const double fos_most = 3;
 
 TP_OPTIONS_END(tp_chart_fos_options, tilt_deg);
 
+static const double slendernesses[] = {0.5, 0.75, 1}, amplitudes[] = {0.1};
+
 void tp_chart_fos_options_init(tp_chart_fos_options *options, size_t size) {
   const tp_chart_fos_options defaults = {.size = sizeof defaults,
-                                         .inverse_slenderness = {3, {0.5, 0.75, 1}},
-                                         .amplitude = {1, {0.1}},
+                                         .inverse_slenderness = {3, slendernesses},
+                                         .amplitude = {1, amplitudes},
                                          .tilt_deg = {5, 60}};
   tp_options_fill(options, size, &defaults);
 }
@@ -47,6 +49,9 @@ static tp_status check_list(const tp_chart_list *list, const char *name, double 
   if (list->count > TP_CHART_LIST_MAX) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: %zu of them; a list holds at most %d",
                    name, list->count, (int)TP_CHART_LIST_MAX);
+  }
+  if (list->count > 0 && list->values == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "%s: the list is NULL", name);
   }
   for (size_t k = 0; k < list->count; k++) {
     if (list->values[k] >= least && list->values[k] <= most) continue;

@@ -42,10 +42,13 @@ void tp_text_notes(tp_text *t, const tp_notes *notes) {
     tp_text_add(t, "%-*s", INDENT, note->kind == TP_CAUTION ? "Caution" : "Note");
     add_words(t, note->text, &column);
     if (note->place[0] != '\0') {
-      char place[2 * sizeof note->place + 3] = "(", plain[2 * sizeof note->place];
-      tp_plain_text(plain, sizeof plain, note->place);
-      strcat(strcat(place, plain), ")");
-      add_words(t, place, &column);
+      tp_text place = {0};
+      tp_text_add(&place, "(");
+      tp_encode_plain(&place, note->place);
+      tp_text_add(&place, ")");
+      if (!place.failed) add_words(t, place.data, &column);
+      t->failed = t->failed || place.failed;
+      tp_text_drop(&place);
     }
     tp_text_add(t, "\n");
   }

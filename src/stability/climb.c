@@ -39,12 +39,12 @@ static bool evaluate_statics(const tp_evaluation *e, tp_case *own, climb *c,
   if (!kept->limit) {
     const tp_effect_begin began = tp_effects_begin(c->solution);
     done = tp_evaluate_limit(e, own, &kept->limit_angle, &kept->back_angle, &limit);
-    tp_effects_note(c->solution, "limit", place, "", began);
+    done = tp_effects_note(c->solution, "limit", place, "", began) && done;
   }
   if (done && !kept->onset) {
     const tp_effect_begin began = tp_effects_begin(c->solution);
     done = tp_evaluate_onset(e, own, &kept->onset_found, &onset);
-    tp_effects_note(c->solution, "onset", place, "", began);
+    done = tp_effects_note(c->solution, "onset", place, "", began) && done;
   }
   if (done && !limit.open && !onset.open) {
     tp_onset_meet_limit(own, e, &kept->onset_found, &kept->limit_angle, &onset);
@@ -56,20 +56,20 @@ static bool evaluate_statics(const tp_evaluation *e, tp_case *own, climb *c,
   return done;
 }
 
-/* By the formulas of moments and of sliding. */
-static void evaluate_formulas(const tp_evaluation *e, tp_case *own, tp_direction_ball *toppling,
+/* By the formulas of moments and of sliding. False when memory is exhausted. */
+static bool evaluate_formulas(const tp_evaluation *e, tp_case *own, tp_direction_ball *toppling,
                               tp_direction_ball *sliding, climb *c, tp_certainty *certainty) {
   const tp_scene *scene = c->problem->scene;
   tp_effect_begin began = tp_effects_begin(c->solution);
   tp_evaluate_pivots(e, own, c->settled[own->towards].pivots, toppling, certainty);
   if (c->problem->corners.count > 0) tp_evaluate_rolling(e, own, toppling, certainty);
-  tp_effects_note(c->solution, "toppling", scene->tilt_place, "both directions, as none is given",
-                  began);
-  if (!scene->friction_angle_deg.given) return;
+  const bool done = tp_effects_note(c->solution, "toppling", scene->tilt_place,
+                                    "both directions, as none is given", began);
+  if (!scene->friction_angle_deg.given || !done) return done;
   began = tp_effects_begin(c->solution);
   tp_evaluate_sliding(e, own, sliding, certainty);
   tp_evaluate_toe(e, own, toppling, certainty);
-  tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
+  return tp_effects_note(c->solution, "sliding", scene->friction_angle_deg.place, "", began);
 }
 
 /* What the mechanism leaves open the limit and the onset have to tell on a higher rung. */
@@ -91,9 +91,9 @@ static bool evaluate_direction(const tp_evaluation *e, tp_case *own, climb *c,
   tp_direction_ball toppling, sliding;
   tp_direction_ball_init(&toppling);
   tp_direction_ball_init(&sliding);
-  evaluate_formulas(e, own, &toppling, &sliding, c, certainty);
   const bool statics = c->problem->scene->friction_angle_deg.given && c->options->limit;
-  const bool done = !statics || evaluate_statics(e, own, c, certainty);
+  const bool done = evaluate_formulas(e, own, &toppling, &sliding, c, certainty) &&
+                    (!statics || evaluate_statics(e, own, c, certainty));
   if (statics) {
     tp_evaluate_bearing_pivots(e, own, c->settled[own->towards].pivots, certainty);
   }
@@ -104,22 +104,27 @@ static bool evaluate_direction(const tp_evaluation *e, tp_case *own, climb *c,
   return done;
 }
 
-/* Each load's own time; what they share goes to the first of them. */
-static void note_loads(tp_solution *solution, const tp_loaded *loaded,
+/* Each load's own time; what they share goes to the first of them. False when memory is
+ * exhausted. */
+static bool note_loads(tp_solution *solution, const tp_loaded *loaded,
                        const tp_loads_description *d, tp_effect_begin began) {
-  for (long k = 1; k < loaded->count; k++) { /* without the weight */
+  bool done = true;
+  for (long k = 1; k < loaded->count && done; k++) { /* without the weight */
     const tp_load *own = loaded->items + k;
     const double ended = k + 1 < loaded->count ? own[1].began : loaded->evaluated;
-    tp_effects_add(solution, tp_load_name(own->kind), own->place, "", ended - own->began);
+    done = tp_effects_add(solution, tp_load_name(own->kind), own->place, "", ended - own->began);
   }
-  if (loaded->count > 1) {
+  if (done && loaded->count > 1) {
     const tp_load *first = loaded->items + 1;
-    tp_effects_note(solution, tp_load_name(first->kind), first->place, "", began);
+    done = tp_effects_note(solution, tp_load_name(first->kind), first->place, "", began);
   }
-  if (d->bond_kpa.given) tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
-  if (d->cohesion_kpa.given) {
-    tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
+  if (done && d->bond_kpa.given) {
+    done = tp_effects_note(solution, "bond", d->bond_kpa.place, "", began);
   }
+  if (done && d->cohesion_kpa.given) {
+    done = tp_effects_note(solution, "cohesion", d->cohesion_kpa.place, "", began);
+  }
+  return done;
 }
 
 /* Under its loads, where the scene calls for some. */
@@ -129,11 +134,11 @@ static bool evaluate_case(const tp_evaluation *unloaded, tp_case *own, climb *c,
   const tp_effect_begin began = tp_effects_begin(c->solution);
   tp_loaded loaded;
   if (!tp_loaded_init(&loaded, unloaded, own->towards)) return false;
-  note_loads(c->solution, &loaded, &c->problem->scene->loads, began);
   tp_evaluation under_loads = *unloaded;
   under_loads.loaded = &loaded;
-  const bool done = evaluate_direction(&under_loads, own, c, certainty);
-  tp_loaded_account(own, &loaded, &under_loads, certainty);
+  const bool done = note_loads(c->solution, &loaded, &c->problem->scene->loads, began) &&
+                    evaluate_direction(&under_loads, own, c, certainty) &&
+                    tp_loaded_account(own, &loaded, &under_loads, certainty);
   tp_loaded_overtops(own, &under_loads, certainty);
   tp_loaded_clear(&loaded);
   return done;
@@ -153,8 +158,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_friction_stress_when_level(e.weight_per_area_pa, &e);
   tp_evaluate_block(&e, &c->solution->block, &certainty);
   tp_evaluate_contact(&e, &c->solution->contact, &certainty);
-  tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
-  bool done = true;
+  bool done = tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
   for (size_t k = 0; k < c->solution->case_count && done; k++) {
     done = evaluate_case(&e, c->solution->cases + k, c, &certainty);
   }

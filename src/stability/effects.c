@@ -4,7 +4,7 @@
 #include "stability/effects.h"
 #include "clock.h"
 
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static double noted(const tp_solution *solution) {
@@ -17,28 +17,40 @@ tp_effect_begin tp_effects_begin(const tp_solution *solution) {
   return (tp_effect_begin){tp_clock_now(), noted(solution)};
 }
 
-void tp_effects_note(tp_solution *solution, const char *name, tp_place place, const char *instead,
+bool tp_effects_note(tp_solution *solution, const char *name, tp_place place, const char *instead,
                      tp_effect_begin since) {
   const double all = tp_clock_now() - since.now, others = noted(solution) - since.noted;
   /* the sums are rounded */
-  tp_effects_add(solution, name, place, instead, all > others ? all - others : 0);
+  return tp_effects_add(solution, name, place, instead, all > others ? all - others : 0);
 }
 
-void tp_effects_add(tp_solution *solution, const char *name, tp_place place, const char *instead,
+/* For one more: a scene has some ten of them. */
+static bool make_room(tp_solution *solution) {
+  enum { STEP = 12 };
+  if (solution->effect_count % STEP != 0) return true;
+  tp_effect *more =
+      realloc(solution->effects, (solution->effect_count + STEP) * sizeof *solution->effects);
+  if (more == NULL) return false;
+  solution->effects = more;
+  return true;
+}
+
+bool tp_effects_add(tp_solution *solution, const char *name, tp_place place, const char *instead,
                     double seconds) {
   for (size_t k = 0; k < solution->effect_count; k++) {
     if (strcmp(solution->effects[k].name, name) != 0) continue;
     solution->effects[k].seconds += seconds;
-    return;
+    return true;
   }
-  if (solution->effect_count == TP_EFFECTS_MAX) return;
-  tp_effect *effect = solution->effects + solution->effect_count++;
-  effect->name = name;
-  effect->seconds = seconds;
-  effect->level = TP_LEVEL_EXACT;
-  if (place.file != NULL) {
-    tp_place_text(effect->called_for_by, sizeof effect->called_for_by, place);
-  } else {
-    snprintf(effect->called_for_by, sizeof effect->called_for_by, "%s", instead);
-  }
+  if (!make_room(solution)) return false;
+  char *by = place.file != NULL ? tp_place_new(place) : strdup(instead);
+  if (by == NULL) return false;
+  solution->effects[solution->effect_count++] =
+      (tp_effect){.name = name, .called_for_by = by, .seconds = seconds, .level = TP_LEVEL_EXACT};
+  return true;
+}
+
+void tp_effects_clear(tp_solution *solution) {
+  for (size_t k = 0; k < solution->effect_count; k++) free(solution->effects[k].called_for_by);
+  free(solution->effects);
 }

@@ -17,12 +17,14 @@ tp_effect_begin tp_effects_begin(const tp_solution *solution);
 
 /* Note an effect; called for by a place in the scene, or where that has no file, by `instead`. Its
  * seconds are those since it began, without what other effects took that were noted since: no time
- * counts twice. A name noted before adds its seconds up. */
-void tp_effects_note(tp_solution *solution, const char *name, tp_place place, const char *instead,
-                     tp_effect_begin since);
+ * counts twice. A name noted before adds its seconds up. False when memory is exhausted. */
+TP_MUST_USE bool tp_effects_note(tp_solution *solution, const char *name, tp_place place,
+                                 const char *instead, tp_effect_begin since);
 
 /* The same of an effect that took so many seconds. */
-void tp_effects_add(tp_solution *solution, const char *name, tp_place place, const char *instead,
-                    double seconds);
+TP_MUST_USE bool tp_effects_add(tp_solution *solution, const char *name, tp_place place,
+                                const char *instead, double seconds);
+
+void tp_effects_clear(tp_solution *solution);
 
 #endif

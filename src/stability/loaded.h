@@ -66,10 +66,12 @@ void tp_loaded_pivot(tp_pivot *pivot, const tp_loaded *loaded, const tp_evaluati
 /* The tilt beyond which water that stays level would stand above the top of its face. */
 void tp_loaded_overtops(tp_case *result, const tp_evaluation *evaluation, tp_certainty *certainty);
 
-/* The account of loads about the governing pivot; room for tp_loaded_account_count. */
+/* The account of loads about the governing pivot; room for tp_loaded_account_count. False when
+ * memory is exhausted. */
 long tp_loaded_account_count(const tp_scene *scene);
-void tp_loaded_account(tp_case *result, const tp_loaded *loaded, const tp_evaluation *evaluation,
-                       tp_certainty *certainty);
+TP_MUST_USE bool tp_loaded_account(tp_case *result, const tp_loaded *loaded,
+                                   const tp_evaluation *evaluation, tp_certainty *certainty);
+void tp_loaded_account_clear(tp_case *result);
 
 /* Does it turn up-dip at the scene's tilt? `*open` where that is not known. */
 bool tp_loaded_falls_backwards(bool *open, const tp_loaded *loaded, const tp_evaluation *evaluation,

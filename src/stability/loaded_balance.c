@@ -8,6 +8,7 @@
 #include "number/ball.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* Sums of what stabilises and what overturns, both positive. */
 typedef struct balance {
@@ -15,6 +16,7 @@ typedef struct balance {
   const tp_evaluation *evaluation;
   tp_certainty *certainty;
   tp_case *account; /* NULL: none is drawn up */
+  bool failed;      /* memory was exhausted */
 } balance;
 
 /* A moment whose sign is not known may be on either side: both sums are widened by its size, so
@@ -42,7 +44,8 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   tp_load_result *own = b->account->loads + b->account->load_count++;
   *own = (tp_load_result){.name = name, .side = side};
   own->moment_nm = tp_result_of(b->evaluation, moment);
-  tp_place_text(own->called_for_by, sizeof own->called_for_by, place);
+  own->called_for_by = tp_place_new(place);
+  if (own->called_for_by == NULL) b->failed = true;
 }
 
 /* By the sign of the moment about the pivot; but what an active load holds back is taken from what
@@ -159,13 +162,19 @@ long tp_loaded_account_count(const tp_scene *scene) {
   return tp_loads_count(&scene->loads) + 2; /* the weight twice, and the bond */
 }
 
-void tp_loaded_account(tp_case *result, const tp_loaded *loaded, const tp_evaluation *e,
-                       tp_certainty *certainty) {
+void tp_loaded_account_clear(tp_case *result) {
+  for (size_t k = 0; k < result->load_count; k++) free(result->loads[k].called_for_by);
   result->load_count = 0;
-  if (!result->has_governing || !e->problem->scene->tilt_angle_deg.given) return;
+}
+
+bool tp_loaded_account(tp_case *result, const tp_loaded *loaded, const tp_evaluation *e,
+                       tp_certainty *certainty) {
+  tp_loaded_account_clear(result);
+  if (!result->has_governing || !e->problem->scene->tilt_angle_deg.given) return true;
   balance b = {.account = result};
   balance_at(&b, loaded, e, (long)result->governing, certainty);
   balance_clear(&b);
+  return !b.failed;
 }
 
 /* The moment about a contact point at a tilt, the bond holding back against turning up-dip. */

@@ -75,6 +75,11 @@ static bool wants_elements(const tp_problem *problem, const tp_solve_options *op
          tp_lattice_work(&problem->lattice) <= most_work_unasked;
 }
 
+/* Of a step that was entered into the account of effects, or could not be. */
+static tp_status noted(tp_status status, tp_message *message, bool entered) {
+  return status == TP_OK && !entered ? tp_fail_memory(message, "the effects") : status;
+}
+
 static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *triangulation,
                                const tp_solve_options *options, tp_solution *solution,
                                tp_message *message) {
@@ -96,10 +101,11 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
                               section->ring_count + 1, triangulation, message);
   }
   problem->has_elements = status == TP_OK;
-  tp_effects_note(solution, "elements",
-                  options->elements ? (tp_place){0} : problem->scene->tilt_angle_deg.place,
-                  "--elements", began);
-  return status;
+  return noted(
+      status, message,
+      tp_effects_note(solution, "elements",
+                      options->elements ? (tp_place){0} : problem->scene->tilt_angle_deg.place,
+                      "--elements", began));
 }
 
 static tp_status round_corners(tp_problem *problem, const tp_solve_options *options,
@@ -109,10 +115,11 @@ static tp_status round_corners(tp_problem *problem, const tp_solve_options *opti
   const tp_base *base = &problem->base;
   const long ends[2] = {base->outline_first, (base->outline_first + base->mated_count) %
                                                  problem->section.rings[0].count};
-  const tp_status status =
+  tp_status status =
       tp_corners_init(&problem->corners, &scene->block, scene->base.mated ? ends : NULL,
                       &problem->section, &problem->lattice, scene->metres_per_unit, message);
-  tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began);
+  status = noted(status, message,
+                 tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began));
   if (status == TP_OK && problem->corners.count > 0 && options->elements) {
     return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
                    "the account by elements is for sharp corners; leave out --elements or the "
@@ -210,18 +217,19 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
     status = tp_underside_fail(problem->base.none, scene, message);
   }
   if (status != TP_OK) return status;
-  tp_effects_note(solution, "outline", scene->block.place, "", began);
-  if (scene->block.arc_count > 0) {
+  status =
+      noted(status, message, tp_effects_note(solution, "outline", scene->block.place, "", began));
+  if (status == TP_OK && scene->block.arc_count > 0) {
     began = tp_effects_begin(solution);
     status = tp_arcs_check(&problem->section, &problem->lattice, &scene->block,
                            scene->metres_per_unit, message);
-    tp_effects_note(solution, "arcs", scene->block.arcs[0].place, "", began);
-    if (status != TP_OK) return status;
+    status = noted(status, message,
+                   tp_effects_note(solution, "arcs", scene->block.arcs[0].place, "", began));
   }
-  if (scene->block.rounded.count > 0) {
+  if (status == TP_OK && scene->block.rounded.count > 0) {
     status = round_corners(problem, options, solution, message);
-    if (status != TP_OK) return status;
   }
+  if (status != TP_OK) return status;
 
   began = tp_effects_begin(solution);
   status = tp_contact_init(&problem->contact, &problem->section, &problem->corners, &problem->base,
@@ -231,7 +239,9 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK && tp_loads_are_called_for(&scene->loads)) {
     status = check_loads(problem, options, message);
   }
-  tp_effects_note(solution, "contact", scene->base.place, "a mated base, as none is given", began);
+  status = noted(status, message,
+                 tp_effects_note(solution, "contact", scene->base.place,
+                                 "a mated base, as none is given", began));
   if (status == TP_OK && wants_elements(problem, options)) {
     status = find_elements(problem, triangulation, options, solution, message);
   }
@@ -251,8 +261,7 @@ static tp_status turn(tp_problem *problem, const tp_solve_options *options, tp_s
   const tp_status status = tp_world_init(&problem->world, scene, message);
   if (status != TP_OK) return status;
   problem->scene = &problem->world->scene;
-  tp_effects_note(solution, "frame", scene->frame_place, "", began);
-  return TP_OK;
+  return noted(status, message, tp_effects_note(solution, "frame", scene->frame_place, "", began));
 }
 
 tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,

@@ -4,6 +4,7 @@
 #include "stability/solution.h"
 
 #include "notes.h"
+#include "stability/effects.h"
 #include "stability/loaded.h"
 #include "stability/onset.h"
 #include "stability/stages.h"
@@ -16,12 +17,14 @@ void tp_solution_free(tp_solution *solution) {
   for (size_t k = 0; k < solution->case_count; k++) {
     free(solution->cases[k].pivots);
     free(solution->cases[k].account.elements);
+    tp_loaded_account_clear(solution->cases + k);
     free(solution->cases[k].loads);
     free(solution->cases[k].limits);
     tp_onset_clear(&solution->cases[k].onset);
   }
   tp_decimals_free(solution->decimals);
   tp_notes_clear(&solution->notes);
+  tp_effects_clear(solution);
   free(solution->title);
   free(solution);
 }

@@ -37,7 +37,7 @@ static void fail(const char *what) {
 typedef struct work {
   tp_scene *scene;
   tp_problem problem;
-  tp_solution noted; /* what the preparation notes */
+  tp_solution *noted; /* what the preparation notes */
   tp_evaluation evaluation;
   tp_cones cones;
   tp_wrench load;
@@ -149,8 +149,10 @@ static void work_init(work *w, const char *path) {
   const tp_solve_options options = tp_solve_options_default();
   tp_message message = {""};
   memset(w, 0, sizeof *w);
+  w->noted = calloc(1, sizeof *w->noted);
+  if (w->noted == NULL) fail("out of memory");
   if (tp_scene_read(&w->scene, path, &message) != TP_OK) fail(message.text);
-  if (tp_problem_init(&w->problem, w->scene, &options, &w->noted, &message) != TP_OK) {
+  if (tp_problem_init(&w->problem, w->scene, &options, w->noted, &message) != TP_OK) {
     fail(message.text);
   }
   w->evaluation = (tp_evaluation){.problem = &w->problem, .rung = {TP_LEVEL_DOUBLE, BITS}};
@@ -182,6 +184,7 @@ static void work_clear(work *w) {
   tp_cones_clear(&w->cones);
   tp_moments_clear(&w->evaluation.moments);
   tp_problem_clear(&w->problem);
+  tp_solution_free(w->noted);
   tp_scene_free(w->scene);
 }
 

@@ -75,16 +75,17 @@ static void find(const char *scene, fuzz_bytes *b) {
   tp_found_free(found);
 }
 
-static void draw_list(tp_chart_list *list, fuzz_bytes *b) {
-  list->count = fuzz_pick(b, TP_CHART_LIST_MAX + 1);
-  for (size_t k = 0; k < list->count; k++) list->values[k] = draw_number(b);
+static void draw_list(tp_chart_list *list, double values[TP_CHART_LIST_MAX], fuzz_bytes *b) {
+  *list = (tp_chart_list){fuzz_pick(b, TP_CHART_LIST_MAX + 1), values};
+  for (size_t k = 0; k < list->count; k++) values[k] = draw_number(b);
 }
 
 static tp_status chart_fos(tp_chart **chart, fuzz_bytes *b, tp_message *message) {
   tp_chart_fos_options options = tp_chart_fos_options_default();
-  if (fuzz_pick(b, 2) != 0) draw_list(&options.inverse_slenderness, b);
-  if (fuzz_pick(b, 2) != 0) draw_list(&options.amplitude, b);
-  if (fuzz_pick(b, 2) != 0) draw_list(&options.sub_blocks, b);
+  double values[3][TP_CHART_LIST_MAX];
+  if (fuzz_pick(b, 2) != 0) draw_list(&options.inverse_slenderness, values[0], b);
+  if (fuzz_pick(b, 2) != 0) draw_list(&options.amplitude, values[1], b);
+  if (fuzz_pick(b, 2) != 0) draw_list(&options.sub_blocks, values[2], b);
   if (fuzz_pick(b, 2) != 0) options.tilt_deg = (tp_chart_range){draw_number(b), draw_number(b)};
   return tp_chart_fos(chart, &options, message);
 }

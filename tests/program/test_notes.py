@@ -53,6 +53,33 @@ class Notes(unittest.TestCase):
         for given in ("5", "25.8", "80"):
             self.assertEqual(self.slab(more=f", unit_weight_kn_m3: {given}"), [])
 
+    def test_places_in_a_deep_folder(self):
+        """Places of more than 255 bytes had lost the beginning of their path: that of a note, of what called for an
+        effect, and of a load."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name, *("a folder of a long name, numbered " + str(k) for k in range(10)))
+            folder.mkdir(parents=True)
+            path = folder / "scene.yaml"
+            self.assertGreater(len(str(path)), 340)
+            path.write_text(SLAB.format(width=1, height=2, unit="m", more=", unit_weight_kn_m3: 2600")
+                            + "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 20}\n"
+                            "loads: {seismic: {horizontal: 0.1}}\n")
+            out = json.loads(run("solve", "--json", path)[1])
+            page = run("solve", path)[1]
+            table = run("solve", "--table", path)[1]
+            effects = run("solve", "--verbose", path)[1]
+        places = [note["place"] for note in out["notes"]]
+        places += [effect["called_for_by"] for effect in out["cases"][0]["effects"]]
+        places += [load["called_for_by"] for load in out["cases"][0]["loads"]]
+        self.assertGreater(len(places), 9)
+        for place in places:
+            self.assertTrue(place.startswith(f"{path}:"), place)
+            self.assertRegex(place[len(str(path)):], r"^:\d+:\d+$")
+        self.assertIn(f"({path}:3:57)", re.sub(r"\n +", " ", page))
+        self.assertIn(f"for {path}:3:", effects)
+        self.assertIn("scene.yaml:3:57", table)
+        self.assertNotIn("…", page + effects + table)
+
     def test_unit_weights_of_parts(self):
         text = ("topple: 1\nlength_unit: m\nblock:\n  outline: [[0, 0], [2, 0], [2, 3], [0, 3]]\n  unit_weight_kn_m3: 26\n"
                 "  parts: [{outline: [[0, 0], [1, 0], [1, 1]], unit_weight_kn_m3: 2700}]\nbase: {mated: true}\n")
