@@ -73,6 +73,8 @@ const char *tp_plain_next(char plain[TP_PLAIN_SIZE], const char **text) {
 void tp_plain_text(char *plain, size_t size, const char *text) {
   char next[TP_PLAIN_SIZE];
   size_t length = 0, fits = 0; /* and `fits` leaves room for the ellipsis */
+  if (plain == NULL || size == 0) return;
+  if (text == NULL || size <= strlen(ellipsis)) text = "";
   while (*text != '\0') {
     const size_t added = strlen(tp_plain_next(next, &text));
     if (length + added >= size) {

@@ -4,89 +4,34 @@
 #define _GNU_SOURCE
 #include "sayings.h"
 
-#include "topple.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define EXAMPLE(name) TP_EXAMPLES "/" name
 
-static char **next(sayings *s) {
-  return s->texts + s->count++;
-}
-
-static char *note(sayings *s, tp_status status, const tp_message *message) {
-  char **text = next(s);
-  if (asprintf(text, "status %d: %s", (int)status, status == TP_OK ? "" : message->text) < 0) {
-    *text = NULL;
-  }
-  return *text;
-}
-
-/* Times differ from run to run, and must be printed alike. */
-static void fix_times(tp_solution *solution) {
-  for (size_t k = 0; k < solution->effect_count; k++) solution->effects[k].seconds = 0.00123456789;
-}
-
-static void read_whole(sayings *s, const char *path) {
-  FILE *file = fopen(path, "rb");
-  char *text = calloc(1, 1 << 20);
-  if (file != NULL) fread(text, 1, (1 << 20) - 1, file);
-  if (file != NULL) fclose(file);
-  /* Cairo counts the surfaces of a process */
-  for (char *at = text; at != NULL && (at = strstr(at, "surface")) != NULL;) {
-    at += strlen("surface");
-    memmove(at, at + strspn(at, "0123456789"), strlen(at + strspn(at, "0123456789")) + 1);
-  }
-  *next(s) = text;
-}
-
-static void say_solution(sayings *s, const tp_scene *scene, bool elements, int digits,
-                         bool figure) {
-  tp_message message = {""};
-  tp_solution *solution = NULL;
-  tp_solve_options options = tp_solve_options_default();
-  options.elements = elements;
-  options.digits = digits;
-  tp_status status = tp_solve(&solution, scene, &options, &message);
-  note(s, status, &message);
-  if (status != TP_OK) return;
-  fix_times(solution);
-  if (tp_report_text(next(s), solution) != TP_OK) s->count--;
-  if (tp_report_json(next(s), solution) != TP_OK) s->count--;
-  if (tp_report_elements(next(s), solution) != TP_OK) s->count--;
-  const tp_solution *const both[2] = {solution, solution};
-  if (tp_report_table(next(s), both, 2) != TP_OK) s->count--;
-  if (figure) {
-    char path[100];
-    snprintf(path, sizeof path, "%s/figure.svg", s->folder);
-    note(s, tp_report_figure(path, scene, solution, &message), &message);
-    read_whole(s, path);
-  }
-  tp_solution_free(solution);
-}
-
 static void say_example(sayings *s, const char *path, bool elements, int digits, bool figure) {
   tp_message message = {""};
   tp_scene *scene = NULL;
-  note(s, tp_scene_read(&scene, path, &message), &message);
-  if (scene != NULL) say_solution(s, scene, elements, digits, figure);
+  note_status(s, tp_scene_read(&scene, path, &message), &message);
+  if (scene != NULL) say_solved(s, scene, elements, digits, figure);
   tp_scene_free(scene);
 }
 
 /* An outline whose sums are taken in doubles at once. */
 static void say_large(sayings *s) {
-  static char text[4 << 20];
+  char *text = malloc(4 << 20);
   tp_message message = {""};
   tp_scene *scene = NULL;
+  if (text == NULL) return;
   char *at =
       stpcpy(text, "topple: 1\nlength_unit: mm\ntilt: {towards: left}\nblock:\n  outline:\n");
   for (int k = 0; k <= 40000; k++) at += sprintf(at, "  - [%d, %d]\n", 7 * k, k * k % 11);
   strcpy(at, "  - [280000, 90000]\n  - [0, 90000]\n");
-  note(s, tp_scene_read_text(&scene, text, "large", &message), &message);
-  if (scene != NULL) say_solution(s, scene, false, 9, false);
+  note_status(s, tp_scene_read_text(&scene, text, "large", &message), &message);
+  if (scene != NULL) say_solved(s, scene, false, 9, false);
   tp_scene_free(scene);
+  free(text);
 }
 
 static void say_derivation(sayings *s, tp_notation notation) {
@@ -97,14 +42,15 @@ static void say_derivation(sayings *s, tp_notation notation) {
   tp_derive_options options = tp_derive_options_default();
   options.notation = notation;
   options.elements = options.rounded = options.limit = true;
-  note(s, tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), &message);
+  note_status(s, tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), &message);
   if (scene == NULL) return;
-  note(s, tp_derive(&derivation, scene, &options, &message), &message);
-  if (derivation != NULL && tp_report_derivation(next(s), derivation) != TP_OK) s->count--;
-  if (derivation != NULL && tp_report_derivation_json(next(s), derivation) != TP_OK) s->count--;
-  note(s, tp_derive_family(&family, scene, notation, &message), &message);
-  if (family != NULL && tp_report_family(next(s), family) != TP_OK) s->count--;
-  if (family != NULL && tp_report_family_json(next(s), family) != TP_OK) s->count--;
+  note_status(s, tp_derive(&derivation, scene, &options, &message), &message);
+  if (derivation != NULL && tp_report_derivation(next_saying(s), derivation) != TP_OK) s->count--;
+  if (derivation != NULL && tp_report_derivation_json(next_saying(s), derivation) != TP_OK)
+    s->count--;
+  note_status(s, tp_derive_family(&family, scene, notation, &message), &message);
+  if (family != NULL && tp_report_family(next_saying(s), family) != TP_OK) s->count--;
+  if (family != NULL && tp_report_family_json(next_saying(s), family) != TP_OK) s->count--;
   tp_family_free(family);
   tp_derivation_free(derivation);
   tp_scene_free(scene);
@@ -123,14 +69,15 @@ static const char claims[] =
 static void say_verdicts(sayings *s) {
   tp_message message = {""};
   tp_verification *own = NULL, *paper = NULL;
-  note(s, tp_verify_text(&own, claims, "claims", &message), &message);
-  note(s, tp_verify(&paper, EXAMPLE("paper/claims.yaml"), &message), &message);
+  note_status(s, tp_verify_text(&own, claims, "claims", &message), &message);
+  note_status(s, tp_verify(&paper, EXAMPLE("paper/claims.yaml"), &message), &message);
   const tp_verification *const both[2] = {own, paper};
   for (int k = 0; k < 2; k++) {
     if (both[k] == NULL) continue;
-    if (tp_report_verification(next(s), both[k]) != TP_OK) s->count--;
-    if (tp_report_verification_json(next(s), both[k]) != TP_OK) s->count--;
-    if (tp_report_verification_markdown(next(s), both[k]) != TP_OK) s->count--;
+    if (tp_report_verification(next_saying(s), both[k]) != TP_OK) s->count--;
+    if (tp_report_verification_json(next_saying(s), both[k]) != TP_OK) s->count--;
+    if (tp_report_verification_markdown(next_saying(s), both[k]) != TP_OK) s->count--;
+    note_number(s, tp_verification_objects(both[k]));
   }
   tp_verification_free(own);
   tp_verification_free(paper);
@@ -142,13 +89,13 @@ static void say_found(sayings *s, const char *path, const tp_find_options *optio
   tp_solution *solution = NULL;
   tp_found *found = NULL;
   const tp_solve_options solve = tp_solve_options_default();
-  note(s, tp_find(&found, path, options, &message), &message);
-  note(s, tp_scene_read(&scene, path, &message), &message);
-  if (scene != NULL) note(s, tp_solve(&solution, scene, &solve, &message), &message);
-  if (solution != NULL) fix_times(solution);
-  if (found != NULL && tp_report_found(next(s), found, options) != TP_OK) s->count--;
+  note_status(s, tp_find(&found, path, options, &message), &message);
+  note_status(s, tp_scene_read(&scene, path, &message), &message);
+  if (scene != NULL) note_status(s, tp_solve(&solution, scene, &solve, &message), &message);
+  if (solution != NULL) same_times(solution);
+  if (found != NULL && tp_report_found(next_saying(s), found, options) != TP_OK) s->count--;
   if (found != NULL && solution != NULL &&
-      tp_report_found_json(next(s), found, solution) != TP_OK) {
+      tp_report_found_json(next_saying(s), found, solution) != TP_OK) {
     s->count--;
   }
   tp_found_free(found);
@@ -160,16 +107,16 @@ static void say_found(sayings *s, const char *path, const tp_find_options *optio
 static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
                       const tp_message *message, bool draw) {
   tp_chart *chart = *made;
-  note(s, status, message);
+  note_status(s, status, message);
   if (chart == NULL) return;
-  if (tp_report_chart_csv(next(s), chart) != TP_OK) s->count--;
-  if (tp_report_chart_json(next(s), chart) != TP_OK) s->count--;
+  if (tp_report_chart_csv(next_saying(s), chart) != TP_OK) s->count--;
+  if (tp_report_chart_json(next_saying(s), chart) != TP_OK) s->count--;
   if (draw) {
     tp_message why = {""};
     char path[100];
     snprintf(path, sizeof path, "%s/chart.svg", s->folder);
-    note(s, tp_report_chart_file(chart, path, TP_CHART_SVG, &why), &why);
-    read_whole(s, path);
+    note_status(s, tp_report_chart_file(chart, path, TP_CHART_SVG, &why), &why);
+    say_file(s, path);
   }
   tp_chart_free(chart);
 }
@@ -199,51 +146,87 @@ static void say_accuracy(sayings *s) {
   tp_scene *scene = NULL;
   tp_accuracy *of[2] = {NULL, NULL};
   tp_chart *chart[2] = {NULL, NULL};
-  note(s, tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), &message);
-  if (scene != NULL) note(s, tp_accuracy_of_scene(of, scene, &message), &message);
-  note(s, tp_accuracy_sweep(of + 1, 10, 10, &message), &message);
+  note_status(s, tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), &message);
+  if (scene != NULL) note_status(s, tp_accuracy_of_scene(of, scene, &message), &message);
+  note_status(s, tp_accuracy_sweep(of + 1, 10, 10, &message), &message);
   for (int k = 0; k < 2; k++) {
     if (of[k] == NULL) continue;
     for (size_t r = 0; r < of[k]->run_count; r++) of[k]->runs[r].seconds = 0.00123456789;
-    if (tp_report_accuracy(next(s), of[k]) != TP_OK) s->count--;
-    if (tp_report_accuracy_json(next(s), of[k]) != TP_OK) s->count--;
+    if (tp_report_accuracy(next_saying(s), of[k]) != TP_OK) s->count--;
+    if (tp_report_accuracy_json(next_saying(s), of[k]) != TP_OK) s->count--;
     say_chart(s, tp_chart_accuracy(chart + k, of[k], &message), chart + k, &message, false);
     tp_accuracy_free(of[k]);
   }
   tp_scene_free(scene);
 }
 
-void say_everything(sayings *s) {
+static void say_block_e(sayings *s) {
   say_example(s, EXAMPLE("block_e_valley.yaml"), true, 9, true);
+}
+
+static void say_rounded(sayings *s) {
   say_example(s, EXAMPLE("block_a_worn.yaml"), false, 40, true);
+}
+
+static void say_water(sayings *s) {
   say_example(s, EXAMPLE("block_under_water.yaml"), false, 9, false);
+}
+
+static void say_outline_of_file(sayings *s) {
   say_example(s, EXAMPLE("boulder.yaml"), false, 9, false);
+}
+
+static void say_missing(sayings *s) {
   say_example(s, EXAMPLE("no such scene.yaml"), false, 9, false);
-  say_large(s);
+}
+
+static void say_derivations(sayings *s) {
   for (int k = TP_NOTATION_TEXT; k <= TP_NOTATION_C; k++) say_derivation(s, (tp_notation)k);
-  say_verdicts(s);
-  const tp_find_options find[2] = {{.size = sizeof *find,
-                                    .key = "block.slab.width",
-                                    .target = TP_FIND_CRITICAL_ANGLE,
-                                    .value = 20.25},
-                                   {.size = sizeof *find,
-                                    .key = "block.slab.width",
-                                    .target = TP_FIND_LIMIT_ANGLE,
-                                    .value = 30.5,
-                                    .has_low = true,
-                                    .has_high = true,
-                                    .low = 10.5,
-                                    .high = 100.25}};
-  for (int k = 0; k < 2; k++) say_found(s, EXAMPLE("slab_left.yaml"), find + k);
-  say_charts(s);
-  say_accuracy(s);
+}
+
+static void say_critical_angle_found(sayings *s) {
+  const tp_find_options options = {.size = sizeof options,
+                                   .key = "block.slab.width",
+                                   .target = TP_FIND_CRITICAL_ANGLE,
+                                   .value = 20.25};
+  say_found(s, EXAMPLE("slab_left.yaml"), &options);
+}
+
+static void say_limit_found(sayings *s) {
+  const tp_find_options options = {.size = sizeof options,
+                                   .key = "block.slab.width",
+                                   .target = TP_FIND_LIMIT_ANGLE,
+                                   .value = 30.5,
+                                   .has_low = true,
+                                   .has_high = true,
+                                   .low = 10.5,
+                                   .high = 100.25};
+  say_found(s, EXAMPLE("slab_left.yaml"), &options);
+}
+
+const saying all_sayings[] = {{"block E", say_block_e},
+                              {"rounded corners", say_rounded},
+                              {"water", say_water},
+                              {"an outline of a file", say_outline_of_file},
+                              {"no such scene", say_missing},
+                              {"a large outline", say_large},
+                              {"derivations", say_derivations},
+                              {"verdicts", say_verdicts},
+                              {"find a critical angle", say_critical_angle_found},
+                              {"find a limit", say_limit_found},
+                              {"charts", say_charts},
+                              {"accuracy", say_accuracy},
+                              {"built", say_built},
+                              {"built shapes", say_built_shapes},
+                              {"built loads", say_built_loads},
+                              {"built wrongly", say_built_refused},
+                              {"names", say_names}};
+const size_t all_sayings_count = sizeof all_sayings / sizeof all_sayings[0];
+
+void say_everything(sayings *s) {
+  for (size_t k = 0; k < all_sayings_count; k++) all_sayings[k].say(s);
 }
 
 void say_scene(sayings *s, const char *path, int digits) {
   say_example(s, path, true, digits, false);
-}
-
-void sayings_forget(sayings *s) {
-  for (size_t k = 0; k < s->count; k++) free(s->texts[k]);
-  s->count = 0;
 }

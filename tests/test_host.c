@@ -43,7 +43,7 @@ static void make_locale(void) {
 START_TEST(same_bytes_in_every_setting) {
   sayings first = {.folder = folder};
   say_everything(&first);
-  ck_assert_uint_gt(first.count, 80);
+  ck_assert_uint_gt(first.count, 200);
   ck_assert_uint_lt(first.count, MOST_SAYINGS);
   for (size_t k = 0; k < first.count; k++) ck_assert_ptr_nonnull(first.texts[k]);
   for (int k = 0; k < SETTINGS; k++) {

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Names of enumerations, one past the last among them, and calls on texts, which a locale must not
+ * sort into letters and others. */
+
+#define _GNU_SOURCE
+#include "sayings.h"
+
+#include <string.h>
+
+static void note_text(sayings *s, const char *text) {
+  *next_saying(s) = strdup(text);
+}
+
+static void say_enumerations(sayings *s) {
+  for (int k = 0; k <= TP_DEPENDENCY_FAILED + 1; k++) {
+    note_text(s, tp_status_meaning((tp_status)k));
+    note_number(s, tp_status_exit((tp_status)k));
+  }
+  for (int k = 0; k <= TP_LEVELS; k++) note_text(s, tp_level_name((tp_level)k));
+  for (int k = 0; k <= TP_CAUTION + 1; k++) note_text(s, tp_note_kind_name((tp_note_kind)k));
+  for (int k = 0; k <= TP_VERDICTS; k++) note_text(s, tp_verdict_name((tp_verdict)k));
+  for (int k = 0; k <= TP_FOS_BY_REDUCTION + 1; k++) {
+    note_text(s, tp_fos_definition_name((tp_fos_definition)k));
+  }
+  for (int k = 0; k <= TP_MECHANISM_UNDECIDED + 1; k++) {
+    note_text(s, tp_mechanism_name((tp_mechanism)k));
+  }
+  for (int k = 0; k <= TP_ACCURACY_METHODS; k++) {
+    note_text(s, tp_accuracy_method_name((tp_accuracy_method)k));
+  }
+  for (int k = 0; k <= TP_FIND_ONSET_ANGLE + 1; k++) {
+    note_text(s, tp_find_target_name((tp_find_target)k));
+  }
+}
+
+static void say_defaults(sayings *s) {
+  const tp_find_options find = tp_find_options_default();
+  const tp_chart_map_options map = tp_chart_map_options_default();
+  note_number(s, (long)find.target);
+  note_text(s, map.y.key);
+  note_number(s, map.y.range.to == 90);
+}
+
+void say_names(sayings *s) {
+  static const char *const words[] = {"ball",      "EXACT", "limit_fos", "Limit_Fos",
+                                      "chart.SVG", "x.pdf", "a.b/c",     ""};
+  char plain[40];
+  say_enumerations(s);
+  say_defaults(s);
+  for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
+    tp_level level = TP_LEVEL_DOUBLE;
+    tp_find_target target = TP_FIND_FOS;
+    tp_chart_format format = TP_CHART_CSV;
+    note_number(s, tp_level_read(&level, words[k]));
+    note_number(s, (long)level);
+    note_number(s, tp_find_target_read(&target, words[k]));
+    note_number(s, (long)target);
+    note_number(s, tp_chart_format_read(&format, words[k]));
+    note_number(s, (long)format);
+    note_number(s, tp_figure_is_file_name(words[k]));
+  }
+  tp_plain_text(plain, sizeof plain,
+                "Stra\xc3\x9f"
+                "e \xe4\t\x1b[1m\xe2\x80\xae 1,5 and much more");
+  note_text(s, plain);
+}
