@@ -34,7 +34,7 @@ END_TEST
 
 /* No options, and no room for their size. */
 START_TEST(no_options) {
-  char room[8] = "untold";
+  _Alignas(size_t) char room[8] = "untold";
   for (size_t size = 0; size < sizeof(size_t); size++) {
     tp_solve_options_init((tp_solve_options *)(void *)room, size);
     tp_derive_options_init((tp_derive_options *)(void *)room, size);
