@@ -52,6 +52,18 @@ typedef struct tp_contact_result {
   tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
 } tp_contact_result;
 
+/* A block that was set down on its profile ('place: rest'), and where it came to rest: it fell
+ * upright, then turned about points of its contact. All of a solution is of that pose. */
+typedef struct tp_rest_result {
+  bool known;                               /* the scene asks for it */
+  size_t turns;                             /* each about another point, or the other way round */
+  size_t touches;                           /* points of contact at rest */
+  tp_bounded turned_deg;                    /* in all, -180 to 180, counter-clockwise above 0 */
+  tp_bounded moved_x_m, moved_y_m;          /* its centroid */
+  tp_bounded margin_left_m, margin_right_m; /* along x from the outermost contacts to the weight's
+                        line, which passes between them; one below 0: it is wedged in */
+} tp_rest_result;
+
 #ifdef __cplusplus
 }
 #endif

@@ -126,6 +126,9 @@ TP_MUST_USE tp_status tp_scene_set_unit_weight_kn_m3(tp_scene *scene, tp_exact u
 TP_MUST_USE tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile,
                                                 tp_message *message);
+/* Set the block down on the profile that was set, where its coordinates put it, until it rests
+ * (docs/rest.md); else it lies as they say. */
+TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);
 /* By how much a mated base goes on past the block. */
 TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,
                                                tp_message *message);

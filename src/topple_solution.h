@@ -187,6 +187,7 @@ typedef struct tp_solution {
   bool friction_is_patton;   /* Patton's law: phi_b + i of the scene */
   tp_block_result block;
   tp_teeth_result teeth;
+  tp_rest_result rest;
   tp_frame_result frame;
   tp_contact_result contact;
   bool loaded; /* the scene calls for loads besides the weight */

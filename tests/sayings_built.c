@@ -100,6 +100,8 @@ static void say_bases(sayings *s, tp_scene *scene) {
   SAY(tp_scene_set_outline(scene, tp_coordinates_of(square, 4), &message));
   SAY(tp_scene_set_base_profile(scene, tp_coordinates_of(profile, 4), &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_base_rest(scene, true, &message));
+  say_scene_built(s, scene);
 }
 
 static void say_outline_solved(sayings *s) {

@@ -62,6 +62,11 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
     return tp_fail(message, TP_BAD_INPUT, scene->loads.place,
                    "formulas are derived for the weight alone; leave out 'loads'");
   }
+  if (scene->base.rests) {
+    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
+                   "where a block comes to rest is no formula in its parameters; derive it where "
+                   "it rests, 'place: as_given'");
+  }
   if (scene->frame == TP_FRAME_WORLD) {
     return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
                    "formulas are derived along the mean plane of the base; give coordinates along "

@@ -112,10 +112,39 @@ static void add_frame(tp_page *p) {
   }
 }
 
+/* Where a block that was set down on its profile came to rest. */
+static void add_rest(tp_page *p) {
+  const tp_rest_result *r = &p->solution->rest;
+  const char *unit = p->solution->length_unit;
+  char n[3][TP_NUMBER_SIZE];
+  if (!r->known) return;
+  tp_text_add(&p->text, "Rest     set down on its profile, it ");
+  if (r->turns == 0) {
+    tp_text_add(&p->text, "rests without turning;");
+  } else {
+    tp_text_add(&p->text, "turned by %s° in %zu turn%s;", tp_text_fixed(n[0], r->turned_deg, 3),
+                r->turns, r->turns == 1 ? "" : "s");
+  }
+  tp_text_add(&p->text,
+              "\n         its centroid moved by (%s, %s) %s. Its weight passes\n         %s %s "
+              "right of the "
+              "first",
+              tp_page_length(p, n[0], r->moved_x_m, 5), tp_page_length(p, n[1], r->moved_y_m, 5),
+              unit, tp_page_length(p, n[2], r->margin_left_m, 5), unit);
+  tp_text_add(&p->text, " and %s %s left of the last\n         of %zu points of contact\n",
+              tp_page_length(p, n[0], r->margin_right_m, 5), unit, r->touches);
+  if (r->margin_left_m.value < 0 || r->margin_right_m.value < 0) {
+    tp_text_add(&p->text,
+                "         Caution: the weight passes beside the contacts; the block is wedged "
+                "between them\n");
+  }
+}
+
 void tp_page_add_contact(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
   char n[2][TP_NUMBER_SIZE];
+  add_rest(p);
   add_frame(p);
   tp_text_add(&p->text, "Base     ");
   if (c->mated) {
@@ -159,6 +188,19 @@ static void json_end(tp_json *j, const char *key, tp_contact_end end, tp_bounded
   tp_json_string(j, "is", words[end]);
   tp_json_bounded(j, "x_m", x_m);
   tp_json_bounded(j, "y_m", y_m);
+  tp_json_close(j);
+}
+
+void tp_json_rest(tp_json *j, const tp_rest_result *r) {
+  if (!r->known) return;
+  tp_json_object(j, "rest", TP_JSON_LINE);
+  tp_json_count(j, "turns", r->turns);
+  tp_json_count(j, "contacts", r->touches);
+  tp_json_bounded(j, "turned_deg", r->turned_deg);
+  tp_json_bounded(j, "moved_x_m", r->moved_x_m);
+  tp_json_bounded(j, "moved_y_m", r->moved_y_m);
+  tp_json_bounded(j, "margin_left_m", r->margin_left_m);
+  tp_json_bounded(j, "margin_right_m", r->margin_right_m);
   tp_json_close(j);
 }
 

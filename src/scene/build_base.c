@@ -14,6 +14,7 @@ static void drop_between(tp_base_description *base) {
 
 static void drop(tp_base_description *base) {
   drop_between(base);
+  base->rests = false;
   tp_polyline_clear(&base->profile);
   base->beyond_left.given = base->beyond_right.given = false;
   fmpq_zero(base->beyond_left.value);
@@ -47,6 +48,17 @@ tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile, tp_
   scene->base.mated = scene->base.whole = false;
   scene->base.profile = line;
   scene->base.place = build.place;
+  return TP_OK;
+}
+
+tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  tp_build build;
+  const tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status != TP_OK) return status;
+  scene->base.rests = rests;
+  scene->base.rests_place = build.place;
   return TP_OK;
 }
 

@@ -67,8 +67,21 @@ static tp_status read_mated(const tp_reader *reader, const tp_node *node) {
   return tp_read_bool(reader, &base->mated, node, "mated");
 }
 
+/* as_given, or rest. */
+static tp_status read_placing(const tp_reader *reader, const tp_node *node) {
+  tp_base_description *base = &reader->scene->base;
+  if (node == NULL) return TP_OK;
+  const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
+  base->rests = strcmp(text, "rest") == 0;
+  base->rests_place = tp_read_place(reader, node);
+  if (base->rests || strcmp(text, "as_given") == 0) return TP_OK;
+  return tp_read_fail(reader, node,
+                      "place must be 'rest', to set the block down on the profile until it rests, "
+                      "or 'as_given'");
+}
+
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"mated", "beyond", "between", "profile", NULL};
+  static const char *const keys[] = {"mated", "beyond", "between", "profile", "place", NULL};
   tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
   base->place = tp_node_place(node, reader->scene->path);
@@ -93,6 +106,8 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
     return tp_read_fail(reader, node,
                         "a base that is not mated needs a profile: 'profile: [[x, y], …]'");
   }
+  status = read_placing(reader, tp_node_get(node, "place"));
+  if (status != TP_OK) return status;
   if (profile != NULL) {
     const tp_node *odd = tp_node_get(node, "beyond");
     if (odd == NULL) odd = between;

@@ -100,6 +100,8 @@ typedef struct tp_base_description {
   tp_quantity below, left_of, right_of; /* or where its vertices lie */
   tp_quantity beyond_left, beyond_right;
   tp_polyline profile;
+  bool rests; /* the block is set down on its profile and comes to rest; else it is as given */
+  tp_place rests_place; /* that says so */
 } tp_base_description;
 
 /* A pressure or a surcharge along a line of the outline, in kPa at its two ends; or an anchor at

@@ -180,5 +180,8 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
     frame->about_x_m = metres(problem, world->turn.x);
     frame->about_y_m = metres(problem, world->turn.y);
   }
-  if (!frame->stated && scene->block.form == TP_OUTLINE_VERTICES) find_inclination(frame, problem);
+  /* A block that was set down along y has said what is level. */
+  if (!frame->stated && problem->rested == NULL && scene->block.form == TP_OUTLINE_VERTICES) {
+    find_inclination(frame, problem);
+  }
 }

@@ -25,6 +25,7 @@ void tp_problem_clear(tp_problem *problem) {
   free(problem->admissible[0]);
   free(problem->admissible[1]);
   tp_world_free(problem->world);
+  tp_rested_free(problem->rested);
   memset(problem, 0, sizeof *problem);
 }
 
@@ -264,6 +265,23 @@ static tp_status turn(tp_problem *problem, const tp_solve_options *options, tp_s
   return noted(status, message, tp_effects_note(solution, "frame", scene->frame_place, "", began));
 }
 
+static tp_status set_down(tp_problem *problem, const tp_solve_options *options,
+                          tp_solution *solution, tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  const tp_effect_begin began = tp_effects_begin(solution);
+  if (options->digits > TP_RESTED_DIGITS) {
+    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
+                   "of a block that comes to rest numbers are certain to %d digits at most; give "
+                   "it where it rests, 'place: as_given', for more",
+                   TP_RESTED_DIGITS);
+  }
+  const tp_status status = tp_rested_init(&problem->rested, scene, message);
+  if (status != TP_OK) return status;
+  problem->scene = &problem->rested->scene;
+  return noted(status, message,
+               tp_effects_note(solution, "rest", scene->base.rests_place, "", began));
+}
+
 tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
                           const tp_solve_options *options, tp_solution *solution,
                           tp_message *message) {
@@ -272,6 +290,9 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   problem->scene = scene;
   tp_status status = TP_OK;
   if (scene->source == NULL) status = tp_check_built(scene, message);
+  if (status == TP_OK && scene->base.rests) {
+    status = set_down(problem, options, solution, message);
+  }
   if (status == TP_OK && scene->frame == TP_FRAME_WORLD) {
     status = turn(problem, options, solution, message);
   }

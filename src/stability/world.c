@@ -5,7 +5,7 @@
 
 #include "base/mean_plane.h"
 #include "base/underside.h"
-#include "block/check.h"
+#include "stability/as_given.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -73,27 +73,6 @@ static tp_status settle(found *f, tp_underside *u, const tp_scene *scene, const 
                  "'frame: {mean_plane: [[x, y], [x, y]]}'");
 }
 
-/* Is it a block, and which lattice do it and its base lie on? As its author gave it, so that
- * messages speak of those coordinates. */
-static tp_status check_as_given(tp_lattice *lattice, const tp_scene *scene,
-                                const tp_section *section, const tp_polyline *base,
-                                tp_message *message) {
-  const long rings = section->ring_count;
-  tp_geom_triangulation triangulation = {0};
-  const tp_polyline **chains = calloc((size_t)rings + 1, sizeof *chains);
-  if (chains == NULL) return tp_fail_memory(message, "the mean plane");
-  for (long r = 0; r < rings; r++) chains[r] = section->rings + r;
-  chains[rings] = base;
-  tp_status status = tp_lattice_init(lattice, chains, base == NULL ? rings : rings + 1,
-                                     scene->metres_per_unit, message);
-  free(chains);
-  if (status != TP_OK) return status;
-  status = tp_check_section(&triangulation, section, lattice, message);
-  tp_geom_triangulation_clear(&triangulation);
-  if (status != TP_OK) tp_lattice_clear(lattice);
-  return status;
-}
-
 /* By the contact with a profile as the coordinates lie. */
 static tp_status find_contact(found *f, const tp_scene *scene, const tp_section *section,
                               const tp_base *base, const tp_lattice *lattice, tp_message *message) {
@@ -118,7 +97,7 @@ static tp_status find_on_profile(found *f, const tp_scene *scene, const tp_secti
   tp_lattice lattice = {0};
   tp_status status = tp_base_init(&base, scene, section, message);
   if (status != TP_OK) return status;
-  status = check_as_given(&lattice, scene, section, &base.ring, message);
+  status = tp_as_given_check(&lattice, scene, section, &base.ring, message);
   if (status == TP_OK) {
     status = find_contact(f, scene, section, &base, &lattice, message);
     tp_lattice_clear(&lattice);
@@ -136,7 +115,7 @@ static tp_status find_mated(found *f, const tp_scene *scene, const tp_section *s
   const bool stated =
       base->between.count == 2 || base->below.given || base->left_of.given || base->right_of.given;
   const bool given = scene->mean_plane.count == 2;
-  tp_status status = check_as_given(&lattice, scene, section, NULL, message);
+  tp_status status = tp_as_given_check(&lattice, scene, section, NULL, message);
   if (status != TP_OK) return status;
   tp_lattice_clear(&lattice);
   if (given && !stated) return TP_OK;
@@ -201,7 +180,7 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
 
 void tp_world_free(tp_world *w) {
   if (w == NULL) return;
-  tp_turned_clear(&w->scene);
+  tp_moved_clear(&w->scene);
   fmpq_clear(w->scene.tilt_angle_deg.value);
   tp_turn_clear(&w->turn);
   free(w);
@@ -212,8 +191,7 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
   tp_world *w = calloc(1, sizeof *w);
   if (w == NULL) return tp_fail_memory(message, "the mean plane");
   tp_turn_init(&w->turn);
-  w->scene = *scene;
-  tp_turned_reset(&w->scene);
+  tp_moved_begin(&w->scene, scene);
   fmpq_init(w->scene.tilt_angle_deg.value);
   w->fitted = scene->mean_plane.count == 0;
   fmpq_set(w->turn.x, f->x);

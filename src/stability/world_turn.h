@@ -6,7 +6,7 @@
 #ifndef TP_WORLD_TURN_H
 #define TP_WORLD_TURN_H
 
-#include "scene/scene.h"
+#include "scene/moved.h"
 
 typedef struct tp_turn {
   int rises;      /* 1: the mean plane rises to the right, so that it dips to the left; -1; 0 */
@@ -21,14 +21,9 @@ void tp_turn_clear(tp_turn *turn);
 /* Cosine, sine, dip and which way it rises, for a plane with the direction (u, v), u > 0. */
 void tp_turn_set(tp_turn *turn, const fmpq_t u, const fmpq_t v);
 
-/* Put what turning will own out of a copy of a scene, which the scene itself owns. */
-void tp_turned_reset(tp_scene *copy);
-
-/* Fill a copy of the scene, reset before, with its turned points, the ends of its contact named by
- * vertices of its outline where they are kept. False when memory is exhausted; what there is by
- * then is tp_turned_clear's too. */
+/* Fill a copy of the scene (scene/moved.h) with its turned points, the ends of its contact named by
+ * vertices of its outline where they are kept. False when memory is exhausted. */
 TP_MUST_USE bool tp_turn_scene(tp_scene *turned, const tp_turn *turn, const tp_scene *scene,
                                bool keeps_ends, long first, long last);
-void tp_turned_clear(tp_scene *turned);
 
 #endif

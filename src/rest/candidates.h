@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Vertices of one body and edges of the other that may be the next to touch: all of which doubles,
+ * with their bounds, do not show that another pair touches sooner. The exact stage looks at these
+ * alone, so that its cost does not grow with the bodies. */
+
+#ifndef TP_CANDIDATES_H
+#define TP_CANDIDATES_H
+
+#include "rest/bodies.h"
+
+typedef struct tp_candidate {
+  bool of_base; /* a vertex of the base and an edge of the block; else the other way round */
+  long vertex, edge;
+  double low; /* it does not touch before this: a height to fall, or a tangent of half an angle */
+} tp_candidate;
+
+typedef struct tp_candidates {
+  long count, capacity;
+  tp_candidate *items;
+  double best; /* some pair touches by then for certain */
+} tp_candidates;
+
+void tp_candidates_clear(tp_candidates *candidates);
+
+/* Note a pair that touches between `low` and `high`, if it does: `certain` says so. */
+TP_MUST_USE bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate, double high,
+                                    bool certain);
+
+/* Drop those that touch later than the best for certain. */
+void tp_candidates_settle(tp_candidates *candidates);
+
+/* Bound of the errors of differences of coordinates in doubles. */
+double tp_candidates_error(const tp_bodies *bodies);
+
+/* Vertices of the base from which edges begin that come within [low, high] of u, and the one after
+ * the last: those of the profile by their order, the far corners always. */
+void tp_candidates_reach(long *first, long *last, const tp_bodies *bodies, double low, double high);
+
+#endif

@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The pose after a turn. Where t is rational it is exact. Where the line passes through P the block
+ * takes the line's direction, exactly, and its lengths those of a root that is cut off. Else t is
+ * rounded, and one factor k near 1 on the block's lengths, measured from P, brings the pair
+ * together: k (V - P) x e = (E - P) x e, or of a vertex of the base (V - P) x e = k (E - P) x e. P
+ * stays in its place in each. */
+
+#include "rest/turning.h"
+
+#include <arb.h>
+
+/* t to so many bits: TP_POSE_BITS of them stay after the pose is shortened. */
+enum { ROOT_BITS = TP_POSE_BITS + 128 };
+
+static bool rational_root(fmpq_t t, const tp_turning *turning) {
+  const fmpz *top = fmpq_numref(turning->radicand), *bottom = fmpq_denref(turning->radicand);
+  if (!fmpz_is_square(top) || !fmpz_is_square(bottom)) return false;
+  fmpz_t p, q;
+  fmpz_init(p);
+  fmpz_init(q);
+  fmpz_sqrt(p, top);
+  fmpz_sqrt(q, bottom);
+  fmpq_set_fmpz_frac(t, p, q);
+  fmpq_add(t, t, turning->top);
+  fmpq_div(t, t, turning->bottom);
+  if (turning->turn < 0) fmpq_neg(t, t);
+  fmpz_clear(p);
+  fmpz_clear(q);
+  return true;
+}
+
+static void rounded_root(fmpq_t t, const tp_turning *turning) {
+  arb_t root, part;
+  arb_init(root);
+  arb_init(part);
+  arb_set_fmpq(root, turning->radicand, 2 * ROOT_BITS);
+  arb_sqrt(root, root, 2 * ROOT_BITS);
+  arb_set_fmpq(part, turning->top, 2 * ROOT_BITS);
+  arb_add(root, root, part, 2 * ROOT_BITS);
+  arb_set_fmpq(part, turning->bottom, 2 * ROOT_BITS);
+  arb_div(root, root, part, ROOT_BITS);
+  arf_get_fmpq(t, arb_midref(root));
+  if (turning->turn < 0) fmpq_neg(t, t);
+  arb_clear(root);
+  arb_clear(part);
+}
+
+/* The vertex of a pair, from its place, and the direction of its edge and where that begins, all
+ * from P. */
+typedef struct pair_from_pivot {
+  tp_exact_point vertex, edge, along;
+} pair_from_pivot;
+
+static void init_pair(pair_from_pivot *p, const tp_bodies *b, const tp_exact_point *pivot,
+                      const tp_candidate *pair) {
+  const tp_body *one = pair->of_base ? &b->base : &b->block;
+  const tp_body *other = pair->of_base ? &b->block : &b->base;
+  const long next = tp_body_next(other, pair->edge);
+  tp_exact_point_init(&p->vertex);
+  tp_exact_point_init(&p->edge);
+  tp_exact_point_init(&p->along);
+  fmpq_sub(&p->vertex.x, one->x + pair->vertex, &pivot->x);
+  fmpq_sub(&p->vertex.y, one->y + pair->vertex, &pivot->y);
+  fmpq_sub(&p->edge.x, other->x + pair->edge, &pivot->x);
+  fmpq_sub(&p->edge.y, other->y + pair->edge, &pivot->y);
+  fmpq_sub(&p->along.x, other->x + next, other->x + pair->edge);
+  fmpq_sub(&p->along.y, other->y + next, other->y + pair->edge);
+}
+
+static void clear_pair(pair_from_pivot *p) {
+  tp_exact_point_clear(&p->vertex);
+  tp_exact_point_clear(&p->edge);
+  tp_exact_point_clear(&p->along);
+}
+
+static void cross(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
+  fmpq_mul(product, &p->x, &q->y);
+  fmpq_submul(product, &p->y, &q->x);
+}
+
+static void dot(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
+  fmpq_mul(product, &p->x, &q->x);
+  fmpq_addmul(product, &p->y, &q->y);
+}
+
+/* Does the vertex lie behind the edge (-1), on it (0), or beside or before it? */
+static int side_of(const pair_from_pivot *p) {
+  fmpq_t height, base, place;
+  fmpq_init(height);
+  fmpq_init(base);
+  fmpq_init(place);
+  cross(height, &p->vertex, &p->along);
+  cross(base, &p->edge, &p->along);
+  const int side = fmpq_cmp(height, base);
+  dot(place, &p->vertex, &p->along);
+  dot(base, &p->edge, &p->along);
+  fmpq_sub(place, place, base);
+  dot(base, &p->along, &p->along);
+  const bool beside = fmpq_sgn(place) < 0 || fmpq_cmp(place, base) > 0;
+  fmpq_clear(height);
+  fmpq_clear(base);
+  fmpq_clear(place);
+  return beside || side > 0 ? 1 : side < 0 ? -1 : 0;
+}
+
+/* Turn the block into the direction of a line through P: from r to e, or of a vertex of the base
+ * from e to r, by e . r + i (r x e) or its conjugate; away from e where e . R r is below zero at
+ * the root. */
+static void turn_along(tp_bodies *b, const tp_candidate *pair, const tp_turning_numbers *n,
+                       const fmpq_t near) {
+  fmpq_t u, v, side;
+  fmpq_init(u);
+  fmpq_init(v);
+  fmpq_init(side);
+  fmpq_mul(u, near, near);
+  fmpq_sub_si(u, u, 1);
+  fmpq_mul(side, u, n->c);
+  fmpq_abs(v, near);
+  fmpq_mul_si(v, v, 2);
+  fmpq_mul(v, v, n->s);
+  fmpq_sub(side, v, side);
+  fmpq_set(u, n->c);
+  fmpq_set(v, n->a);
+  if (pair->of_base) fmpq_neg(v, v);
+  if (fmpq_sgn(side) < 0) {
+    fmpq_neg(u, u);
+    fmpq_neg(v, v);
+  }
+  tp_pose_turn_along(&b->pose, u, v);
+  fmpq_clear(u);
+  fmpq_clear(v);
+  fmpq_clear(side);
+}
+
+/* Bring the pair together by the block's lengths. */
+static void stretch(tp_bodies *b, const tp_exact_point *pivot, const tp_candidate *pair) {
+  pair_from_pivot p;
+  fmpq_t vertex, edge;
+  fmpq_init(vertex);
+  fmpq_init(edge);
+  init_pair(&p, b, pivot, pair);
+  cross(vertex, &p.vertex, &p.along);
+  cross(edge, &p.edge, &p.along);
+  if (pair->of_base) fmpq_swap(vertex, edge);
+  fmpq_div(edge, edge, vertex);
+  tp_pose_scale(&b->pose, edge);
+  clear_pair(&p);
+  fmpq_clear(vertex);
+  fmpq_clear(edge);
+}
+
+/* Turn by the root, so that this pair touches exactly. */
+static void turn_exactly(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
+  tp_turning_numbers n;
+  tp_exact_point own;
+  fmpq_t t;
+  tp_turning_numbers_init(&n);
+  tp_exact_point_init(&own);
+  fmpq_init(t);
+  const tp_exact_point *pivot = &turning->pivot;
+  tp_pose_undo(&own.x, &own.y, &b->pose, &pivot->x, &pivot->y);
+  tp_turning_numbers_of(&n, b, pivot, turning->turn, pair);
+  const bool exact = rational_root(t, turning);
+  if (exact) {
+    tp_pose_turn_half(&b->pose, t);
+  } else {
+    rounded_root(t, turning);
+    if (fmpq_is_zero(n.d)) {
+      turn_along(b, pair, &n, t);
+    } else {
+      tp_pose_turn_half(&b->pose, t);
+      tp_pose_shorten(&b->pose);
+      tp_pose_pin(&b->pose, &own.x, &own.y, &pivot->x, &pivot->y);
+      tp_bodies_place(b);
+      stretch(b, pivot, pair);
+    }
+  }
+  tp_pose_pin(&b->pose, &own.x, &own.y, &pivot->x, &pivot->y);
+  tp_bodies_place(b);
+  tp_turning_numbers_clear(&n);
+  tp_exact_point_clear(&own);
+  fmpq_clear(t);
+}
+
+static int side_of_pair(const tp_bodies *b, const tp_turning *turning, long k) {
+  pair_from_pivot p;
+  init_pair(&p, b, &turning->pivot, turning->pairs.items + k);
+  const int side = side_of(&p);
+  clear_pair(&p);
+  return side;
+}
+
+static bool is_free(const tp_bodies *b, const tp_turning *turning) {
+  bool free = true;
+  for (long k = 0; k < turning->pairs.count && free; k++) {
+    free = side_of_pair(b, turning, k) >= 0;
+  }
+  return free;
+}
+
+tp_status tp_turning_touches(tp_touches *touches, const tp_turning *turning,
+                             const tp_bodies *bodies, tp_message *message) {
+  long kept = 0;
+  for (long k = 0; k < touches->count; k++) {
+    const tp_touch touch = touches->items[k];
+    if (fmpq_equal(tp_touch_x(bodies, &touch), &turning->pivot.x) &&
+        fmpq_equal(tp_touch_y(bodies, &touch), &turning->pivot.y)) {
+      touches->items[kept++] = touch;
+    }
+  }
+  touches->count = kept;
+  tp_status status = TP_OK;
+  for (long k = 0; k < turning->pairs.count && status == TP_OK; k++) {
+    const tp_candidate *pair = turning->pairs.items + k;
+    if (side_of_pair(bodies, turning, k) != 0) continue;
+    status = tp_touches_add(touches, bodies, pair->of_base, pair->vertex, pair->edge, message);
+  }
+  return status;
+}
+
+bool tp_turning_do(const tp_turning *turning, tp_bodies *bodies) {
+  tp_pose before;
+  tp_pose_init(&before);
+  tp_pose_set(&before, &bodies->pose);
+  bool done = false;
+  for (long k = 0; k < turning->pairs.count && !done; k++) {
+    tp_pose_set(&bodies->pose, &before);
+    tp_bodies_place(bodies);
+    turn_exactly(bodies, turning, turning->pairs.items + k);
+    done = is_free(bodies, turning);
+  }
+  tp_pose_clear(&before);
+  return done;
+}

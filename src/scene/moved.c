@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "scene/moved.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool move_line(tp_polyline *moved, const tp_polyline *line, const tp_point_map *map) {
+  if (!tp_polyline_copy(moved, line)) return false;
+  for (long k = 0; k < moved->count && map->move != NULL; k++) {
+    map->move(moved->x + k, moved->y + k, map->context);
+  }
+  return true;
+}
+
+/* Quantities of a copy: their values become its own. */
+static void move_quantities(tp_quantity *x, tp_quantity *y, const tp_point_map *map) {
+  const fmpq held_x = *x->value, held_y = *y->value; /* the scene's */
+  fmpq_init(x->value);
+  fmpq_init(y->value);
+  fmpq_set(x->value, &held_x);
+  fmpq_set(y->value, &held_y);
+  if (x->given) map->move(x->value, y->value, map->context);
+}
+
+static void clear_quantities(tp_quantity *x, tp_quantity *y) {
+  fmpq_clear(x->value);
+  fmpq_clear(y->value);
+}
+
+/* A copy of an array; NULL where memory is exhausted. */
+static void *copied(const void *items, long count, size_t size) {
+  void *copy = malloc((size_t)count * size + 1);
+  if (copy != NULL && count > 0) memcpy(copy, items, (size_t)count * size);
+  return copy;
+}
+
+void tp_moved_begin(tp_scene *copy, const tp_scene *scene) {
+  *copy = *scene;
+  tp_block_description *block = &copy->block;
+  block->outline = copy->base.between = copy->base.profile = (tp_polyline){0};
+  block->holes = NULL;
+  block->parts = NULL;
+  block->arcs = NULL;
+  block->rounded.corners = NULL;
+  copy->loads.pressures = copy->loads.surcharges = NULL;
+  copy->loads.anchors = NULL;
+  copy->base.below.given = copy->base.left_of.given = copy->base.right_of.given = false;
+}
+
+bool tp_moved_rings(tp_scene *copy, const tp_scene *scene, const tp_polyline *outline,
+                    const tp_polyline *holes, const tp_point_map *map) {
+  tp_block_description *block = &copy->block;
+  const tp_block_description *own = &scene->block;
+  bool done = move_line(&block->outline, outline, map);
+  block->holes = calloc((size_t)own->hole_count + 1, sizeof *block->holes);
+  block->parts = copied(own->parts, own->part_count, sizeof *block->parts);
+  for (long k = 0; k < own->part_count && block->parts != NULL; k++) {
+    block->parts[k].outline = (tp_polyline){0};
+  }
+  if (block->holes == NULL || block->parts == NULL) return false;
+  for (long k = 0; k < own->hole_count && done; k++)
+    done = move_line(block->holes + k, holes + k, map);
+  for (long k = 0; k < own->part_count && done; k++) {
+    done = move_line(&block->parts[k].outline, &own->parts[k].outline, map);
+  }
+  return done;
+}
+
+static bool move_curves(tp_scene *copy, const tp_block_description *own, const tp_point_map *map) {
+  tp_block_description *block = &copy->block;
+  block->arcs = copied(own->arcs, own->arc_count, sizeof *block->arcs);
+  if (block->arcs == NULL) return false;
+  for (long k = 0; k < own->arc_count; k++) {
+    move_quantities(&block->arcs[k].x, &block->arcs[k].y, map);
+    move_quantities(&block->arcs[k].through_x, &block->arcs[k].through_y, map);
+  }
+  block->rounded.corners =
+      copied(own->rounded.corners, own->rounded.count, sizeof *block->rounded.corners);
+  if (block->rounded.corners == NULL) return false;
+  for (long k = 0; k < own->rounded.count; k++) {
+    move_quantities(&block->rounded.corners[k].x, &block->rounded.corners[k].y, map);
+  }
+  return true;
+}
+
+static tp_line_load *move_lines(const tp_line_load *own, long count, const tp_point_map *map) {
+  tp_line_load *loads = copied(own, count, sizeof *loads);
+  for (long k = 0; k < count && loads != NULL; k++) {
+    move_quantities(&loads[k].x0, &loads[k].y0, map);
+    move_quantities(&loads[k].x1, &loads[k].y1, map);
+  }
+  return loads;
+}
+
+static bool move_loads(tp_scene *copy, const tp_loads_description *own, const fmpq_t turn_deg,
+                       const tp_point_map *map) {
+  tp_loads_description *loads = &copy->loads;
+  loads->pressures = move_lines(own->pressures, own->pressure_count, map);
+  loads->surcharges = move_lines(own->surcharges, own->surcharge_count, map);
+  loads->anchors = copied(own->anchors, own->anchor_count, sizeof *loads->anchors);
+  if (loads->pressures == NULL || loads->surcharges == NULL || loads->anchors == NULL) return false;
+  for (long k = 0; k < own->anchor_count; k++) {
+    tp_anchor_description *a = loads->anchors + k;
+    move_quantities(&a->x, &a->y, map);
+    fmpq_init(a->direction_deg.value);
+    fmpq_add(a->direction_deg.value, own->anchors[k].direction_deg.value, turn_deg);
+  }
+  return true;
+}
+
+bool tp_moved_block(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg,
+                    const tp_point_map *map) {
+  return move_curves(copy, &scene->block, map) && move_loads(copy, &scene->loads, turn_deg, map);
+}
+
+bool tp_moved_profile(tp_scene *copy, const tp_scene *scene, const tp_point_map *map) {
+  return move_line(&copy->base.profile, &scene->base.profile, map);
+}
+
+static void clear_lines(tp_line_load *loads, long count) {
+  for (long k = 0; k < count && loads != NULL; k++) {
+    clear_quantities(&loads[k].x0, &loads[k].y0);
+    clear_quantities(&loads[k].x1, &loads[k].y1);
+  }
+  free(loads);
+}
+
+void tp_moved_clear(tp_scene *copy) {
+  tp_block_description *block = &copy->block;
+  tp_loads_description *loads = &copy->loads;
+  tp_polyline_clear(&block->outline);
+  tp_polyline_clear(&copy->base.between);
+  tp_polyline_clear(&copy->base.profile);
+  for (long k = 0; k < block->hole_count && block->holes != NULL; k++) {
+    tp_polyline_clear(block->holes + k);
+  }
+  for (long k = 0; k < block->part_count && block->parts != NULL; k++) {
+    tp_polyline_clear(&block->parts[k].outline);
+  }
+  for (long k = 0; k < block->arc_count && block->arcs != NULL; k++) {
+    clear_quantities(&block->arcs[k].x, &block->arcs[k].y);
+    clear_quantities(&block->arcs[k].through_x, &block->arcs[k].through_y);
+  }
+  for (long k = 0; k < block->rounded.count && block->rounded.corners != NULL; k++) {
+    clear_quantities(&block->rounded.corners[k].x, &block->rounded.corners[k].y);
+  }
+  clear_lines(loads->pressures, loads->pressure_count);
+  clear_lines(loads->surcharges, loads->surcharge_count);
+  for (long k = 0; k < loads->anchor_count && loads->anchors != NULL; k++) {
+    clear_quantities(&loads->anchors[k].x, &loads->anchors[k].y);
+    fmpq_clear(loads->anchors[k].direction_deg.value);
+  }
+  free(block->holes);
+  free(block->parts);
+  free(block->arcs);
+  free(block->rounded.corners);
+  free(loads->anchors);
+}
