@@ -99,7 +99,7 @@ class Reference(unittest.TestCase):
     def test_what_is_not_documented_is_found(self):
         """The check itself: a call without a word, and one with."""
         for comment, fails in (("", True), ("/* Words. */\n", False)):
-            with tempfile.TemporaryDirectory() as name:
+            with tempfile.TemporaryDirectory(prefix="with blanks ") as name:
                 source, output = pathlib.Path(name, "tree"), pathlib.Path(name, "output")
                 for folder in (output, source / "src", source / "docs/reference"):
                     folder.mkdir(parents=True)
