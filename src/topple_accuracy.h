@@ -21,44 +21,48 @@ typedef enum tp_accuracy_method {
   TP_ACCURACY_LIMIT,         /* static limit: in doubles, certified in balls, or exactly */
   TP_ACCURACY_ONSET          /* onset of motion: sums as of the boundary, then balls */
 } tp_accuracy_method;
+
+/* How many there are. */
 enum { TP_ACCURACY_METHODS = TP_ACCURACY_ONSET + 1 };
 
+/* Its name in reports. */
 const char *tp_accuracy_method_name(tp_accuracy_method method);
 
 /* One way at one price. Angles are in degrees; logarithms serve where doubles underflow, and are
  * -INFINITY for 0. */
 typedef struct tp_accuracy_run {
-  tp_accuracy_method method;
-  tp_level level; /* of the sums; of a limit: double unproven, ball certified, exact program */
-  long bits;      /* working precision of what follows the sums */
-  size_t vertices;
-  double seconds;                      /* of one evaluation: median of several */
-  bool has_bound;                      /* a limit in doubles alone has none */
+  tp_accuracy_method method; /* the way */
+  tp_level level;  /* of the sums; of a limit: double unproven, ball certified, exact program */
+  long bits;       /* working precision of what follows the sums */
+  size_t vertices; /* of the block */
+  double seconds;  /* of one evaluation: median of several */
+  bool has_bound;  /* a limit in doubles alone has none */
   double bound, log10_bound;           /* proven, rounded up */
   double true_error, log10_true_error; /* against the exact value */
 } tp_accuracy_run;
 
 /* What the ways of one method come to, at every price within its bound. */
 typedef struct tp_accuracy_value {
-  tp_accuracy_method method;
-  size_t vertices;
-  tp_bounded angle_deg;
+  tp_accuracy_method method; /* the way */
+  size_t vertices;           /* of the block */
+  tp_bounded angle_deg;      /* the exact value */
 } tp_accuracy_value;
 
+/* What was measured; owns what it points to. */
 typedef struct tp_accuracy {
-  TP_OUTSIDE char *title; /* of the scene, or NULL */
-  bool sweep;             /* over sizes, not of one scene */
-  tp_direction towards;
-  size_t run_count, value_count;
-  tp_accuracy_run *runs;
-  tp_accuracy_value *values;
-  size_t source_count;
-  char **sources; /* files that the scene was read from */
+  TP_OUTSIDE char *title;        /* of the scene, or NULL */
+  bool sweep;                    /* over sizes, not of one scene */
+  tp_direction towards;          /* of the tilt */
+  size_t run_count, value_count; /* of both: */
+  tp_accuracy_run *runs;         /* by method, size and price */
+  tp_accuracy_value *values;     /* by method and size */
+  size_t source_count;           /* of the sources */
+  char **sources;                /* files that the scene was read from */
 } tp_accuracy;
 
 /* Measure every method that the scene calls for, in the first direction in which it tilts. The
  * exact value is one at 6144 bits. TP_NO_ANSWER where the scene has neither a critical angle, nor a
- * limit, nor an onset of motion. */
+ * limit, nor an onset of motion; TP_UNDECIDED; TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene,
                                            tp_message *message);
 
@@ -67,12 +71,15 @@ TP_MUST_USE tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scen
  * the onset beyond 10^5. */
 TP_MUST_USE tp_status tp_accuracy_sweep(tp_accuracy **accuracy, size_t least, size_t most,
                                         tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
 void tp_accuracy_free(tp_accuracy *accuracy);
 
+/* As a table, and as JSON. `*text` is allocated with malloc and is the caller's to free. */
 TP_MUST_USE tp_status tp_report_accuracy(char **text, const tp_accuracy *accuracy);
 TP_MUST_USE tp_status tp_report_accuracy_json(char **text, const tp_accuracy *accuracy);
 
-/* Time against digits; or of a sweep, time and bound against size. */
+/* Time against digits; or of a sweep, time and bound against size. To be freed by tp_chart_free. */
 TP_MUST_USE tp_status tp_chart_accuracy(tp_chart **chart, const tp_accuracy *accuracy,
                                         tp_message *message);
 

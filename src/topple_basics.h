@@ -13,16 +13,17 @@
 extern "C" {
 #endif
 
+/* The version of the library, as its package has it. */
 #define TP_VERSION "0.1.0"
 
+/* Of a call whose status must be looked at. */
 #if defined(__GNUC__)
 #define TP_MUST_USE __attribute__((warn_unused_result))
 #else
 #define TP_MUST_USE
 #endif
 
-/* Status of a call: name, exit status of the program, meaning. Outputs stay untouched unless
- * the status is TP_OK. */
+/* The statuses: name, exit status of the program, meaning. */
 #define TP_STATUS_LIST(X)                                                                          \
   X(TP_OK, 0, "done")                                                                              \
   X(TP_BAD_INPUT, 3, "the input is wrong")                                                         \
@@ -32,12 +33,20 @@ extern "C" {
   X(TP_SYSTEM_FAILED, 5, "the system failed")                                                      \
   X(TP_DEPENDENCY_FAILED, 5, "a library that Topple builds on failed")
 
+/* Status of a call. Outputs stay untouched unless it is TP_OK. Every call that returns one can
+ * return TP_BAD_INPUT: the input is wrong, an argument out of its range, a pointer NULL; and
+ * TP_OUT_OF_MEMORY. What else it can return is said with the call: TP_NO_ANSWER, none exists;
+ * TP_UNDECIDED at the precision allowed; TP_SYSTEM_FAILED, a file or another program did;
+ * TP_DEPENDENCY_FAILED, a library that Topple builds on did. */
 typedef enum tp_status {
+/* An item of the list. */
 #define TP_STATUS_ENUM(name, exit_status, meaning) name,
   TP_STATUS_LIST(TP_STATUS_ENUM)
 #undef TP_STATUS_ENUM
 } tp_status;
 
+/* In words, as in the list; and the exit status of the program topple. Of a number that is none of
+ * the list: "unknown status", and 5. */
 const char *tp_status_meaning(tp_status status);
 int tp_status_exit(tp_status status);
 
@@ -47,18 +56,19 @@ typedef struct tp_chart tp_chart;
 /* What went wrong, where (file:line:column) and what to do; always terminated. The caller's, and as
  * long: what does not fit ends in …. */
 typedef struct tp_message {
-  char text[1024];
+  char text[1024]; /* plain, of one line, without a line end */
 } tp_message;
 
 /* A number with a proven bound: |truth - value| <= error. An error of infinity says that the
  * truth is outside the range of a double. `digits`, where more digits were asked for than a double
  * holds, is the truth in decimals, all of them certain, and belongs to what holds the number. */
 typedef struct tp_bounded {
-  double value;
-  double error;
-  const char *digits;
+  double value;       /* the number */
+  double error;       /* not below 0 */
+  const char *digits; /* or NULL */
 } tp_bounded;
 
+/* To which side the table is tilted: which side of the block, as the scene has it, goes down. */
 typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
 
 /* A text from outside (a title, a name of a file) as a terminal shows it on one line: white space
@@ -66,24 +76,28 @@ typedef enum tp_direction { TP_TOWARDS_LEFT, TP_TOWARDS_RIGHT } tp_direction;
  * UTF-8. Cut before the character that no longer fits, with … for what is cut off; `size` is 4 at
  * least. Messages are plain; fields marked TP_OUTSIDE are as they came. */
 void tp_plain_text(char *plain, size_t size, const char *text);
+
+/* Of a text from outside, as it came. */
 #define TP_OUTSIDE
 
 /* What stands beside an answer. A note says what the program made of its input; a caution names
  * what may be wrong with the input, or what the answer does not cover. */
 typedef enum tp_note_kind { TP_NOTE, TP_CAUTION } tp_note_kind;
 
+/* One of them. */
 typedef struct tp_note {
-  tp_note_kind kind;
+  tp_note_kind kind;      /* which of the two */
   TP_OUTSIDE char *place; /* file:line:column; empty where it is of no one place */
   char *text;             /* what, and what to do if it was not meant; plain */
 } tp_note;
 
+/* A list of them. */
 typedef struct tp_notes {
-  size_t count;
+  size_t count;   /* of the items */
   tp_note *items; /* owned by what holds the list, as their texts are */
 } tp_notes;
 
-/* note or caution */
+/* "note" or "caution". */
 const char *tp_note_kind_name(tp_note_kind kind);
 
 /* The arithmetic of the moment sums, by rising price: double with a proven bound, compensated
@@ -94,16 +108,19 @@ typedef enum tp_level {
   TP_LEVEL_BALL,
   TP_LEVEL_EXACT
 } tp_level;
+
+/* How many there are. */
 enum { TP_LEVELS = TP_LEVEL_EXACT + 1 };
 
-/* double, compensated, ball or exact; false for another name. */
+/* By its name: double, compensated, ball or exact; false for another one. And the name. */
 bool tp_level_read(tp_level *level, const char *name);
 const char *tp_level_name(tp_level level);
 
+/* What the block does. */
 typedef enum tp_mechanism {
   TP_STANDS,
   TP_SLIDES,
-  TP_TOPPLES,
+  TP_TOPPLES, /* turns about a point of its contact */
   TP_SLIDES_AND_TOPPLES,
   TP_INTERLOCKED, /* neither slides nor topples at any tilt below 90 degrees */
   TP_MAY_MOVE,    /* some forces would hold it, but a motion can begin: history decides */
@@ -124,9 +141,10 @@ typedef enum tp_fos_state {
   TP_FOS_NOT_ASKED       /* elements form of a large block without the elements option */
 } tp_fos_state;
 
+/* A factor of safety: what it is, or why it is none. */
 typedef struct tp_fos {
-  tp_fos_state state;
-  tp_bounded value; /* only when state is TP_FOS_NUMBER */
+  tp_fos_state state; /* is it a number? */
+  tp_bounded value;   /* only when state is TP_FOS_NUMBER */
 } tp_fos;
 
 #ifdef __cplusplus

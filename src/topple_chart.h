@@ -17,13 +17,15 @@ extern "C" {
  * colour-blind tell apart. More are bad input. */
 enum { TP_CHART_LIST_MAX = 6 };
 
+/* A list of them. */
 typedef struct tp_chart_list {
-  size_t count;
-  const double *values;
+  size_t count;         /* of the values */
+  const double *values; /* which stay the caller's */
 } tp_chart_list;
 
+/* From one number to another. */
 typedef struct tp_chart_range {
-  double from, to;
+  double from, to; /* from < to */
 } tp_chart_range;
 
 /* FoS against tilt about planar, peak and valley axes (Fig. 16 of Alejano et al.): by Eqs. (15),
@@ -37,12 +39,16 @@ typedef struct tp_chart_fos_options {
   tp_chart_range tilt_deg;           /* within 0 to 90 */
 } tp_chart_fos_options;
 
+/* The defaults: dx / y of 0.5, 0.75 and 1, A / y of 0.1, by the equations, from 5 to 60 degrees.
+ * `size` is that of the struct as the caller knows it. */
 void tp_chart_fos_options_init(tp_chart_fos_options *options, size_t size);
 static inline tp_chart_fos_options tp_chart_fos_options_default(void) {
   tp_chart_fos_options options;
   tp_chart_fos_options_init(&options, sizeof options);
   return options;
 }
+
+/* The chart, to be freed by tp_chart_free. TP_UNDECIDED, TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_chart_fos(tp_chart **chart, const tp_chart_fos_options *options,
                                    tp_message *message);
 
@@ -55,24 +61,29 @@ typedef struct tp_chart_mechanisms_options {
   double amplitude;           /* A / y, 0 to 0.5 */
 } tp_chart_mechanisms_options;
 
+/* The defaults: 30 degrees, i of 10 degrees, A / y of 0.01. `size` is that of the struct as the
+ * caller knows it. */
 void tp_chart_mechanisms_options_init(tp_chart_mechanisms_options *options, size_t size);
 static inline tp_chart_mechanisms_options tp_chart_mechanisms_options_default(void) {
   tp_chart_mechanisms_options options;
   tp_chart_mechanisms_options_init(&options, sizeof options);
   return options;
 }
+
+/* The chart, to be freed by tp_chart_free. TP_UNDECIDED, TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_chart_mechanisms(tp_chart **chart,
                                           const tp_chart_mechanisms_options *options,
                                           tp_message *message);
 
-/* Critical angles about peak and valley against A / y, for the ranges of Fig. 14. */
+/* Critical angles about peak and valley against A / y, for the ranges of Fig. 14. To be freed by
+ * tp_chart_free. TP_UNDECIDED, TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_chart_ranges(tp_chart **chart, tp_message *message);
 
 /* A number of a scene and the range that it is taken through; `key` as in tp_find_options, or
  * `tilt`, the tilt angle in degrees. */
 typedef struct tp_chart_axis {
-  const char *key;
-  tp_chart_range range;
+  const char *key;      /* which number */
+  tp_chart_range range; /* in the units of the scene, or degrees */
 } tp_chart_axis;
 
 /* The mechanism map of a scene that tilts in one direction and has a friction angle. At most one
@@ -81,12 +92,13 @@ typedef struct tp_chart_axis {
  * at, 241 along a scalar or a grid of 49 by 49, may be missed. Along one scalar it has the borders
  * between motions from rest as well (tp_onset.ranges). */
 typedef struct tp_chart_map_options {
-  size_t size;       /* of this struct, as `…_default()` has it */
-  const char *scene; /* a path */
-  tp_chart_axis x, y;
+  size_t size;        /* of this struct, as `…_default()` has it */
+  const char *scene;  /* a path */
+  tp_chart_axis x, y; /* to the right, and upwards */
 } tp_chart_map_options;
 
-/* The tilt from 0 to 90 degrees upwards; the scene and x are to be given. */
+/* The defaults: the tilt from 0 to 90 degrees upwards; the scene and x are to be given. `size` is
+ * that of the struct as the caller knows it. */
 void tp_chart_map_options_init(tp_chart_map_options *options, size_t size);
 static inline tp_chart_map_options tp_chart_map_options_default(void) {
   tp_chart_map_options options;
@@ -94,15 +106,20 @@ static inline tp_chart_map_options tp_chart_map_options_default(void) {
   return options;
 }
 
+/* The map, to be freed by tp_chart_free. TP_NO_ANSWER where the scene has none in the whole range;
+ * TP_UNDECIDED, TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options,
                                    tp_message *message);
 
+/* NULL is allowed. */
 void tp_chart_free(tp_chart *chart);
 
-/* The chart's numbers: a row for every point, with its error. */
+/* The chart's numbers: a row for every point, with its error. `*text` is allocated with malloc and
+ * is the caller's to free. */
 TP_MUST_USE tp_status tp_report_chart_csv(char **text, const tp_chart *chart);
 TP_MUST_USE tp_status tp_report_chart_json(char **text, const tp_chart *chart);
 
+/* What a chart can be written as. */
 typedef enum tp_chart_format {
   TP_CHART_SVG,
   TP_CHART_PDF,
@@ -115,7 +132,7 @@ bool tp_chart_format_read(tp_chart_format *format, const char *path);
 
 /* Write the file, whole or not at all; one that is there keeps its owner and mode, and one that the
  * chart was computed from is bad input. All but CSV are drawn by gnuplot, which must be installed.
- */
+ * TP_SYSTEM_FAILED where it is not, or the file cannot be written. */
 TP_MUST_USE tp_status tp_report_chart_file(const tp_chart *chart, const char *path,
                                            tp_chart_format format, tp_message *message);
 

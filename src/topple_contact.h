@@ -24,7 +24,7 @@ typedef enum tp_contact_end {
 /* What the coordinates of the scene lie along. In the world's frame all results are along the mean
  * plane and normal to it: turned about one point, which keeps its coordinates. */
 typedef struct tp_frame_result {
-  bool stated;
+  bool stated;                     /* the scene says what they lie along */
   bool world;                      /* y runs up: the block lies as it lies */
   bool fitted;                     /* the mean plane, to the contact; else given */
   bool dips;                       /* the mean plane is not level, ... */
@@ -35,12 +35,13 @@ typedef struct tp_frame_result {
   tp_bounded inclination_deg; /* to x, at this, positive where it rises to the right */
 } tp_frame_result;
 
+/* The contact as a whole. */
 typedef struct tp_contact_result {
-  bool mated;
+  bool mated;         /* the base is the counterpart of the underside; else a profile of its own */
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
-  tp_bounded beyond_left_m, beyond_right_m; /* how far the base goes on past the block */
-  tp_contact_end left_end, right_end;
-  tp_bounded left_x_m, left_y_m, right_x_m, right_y_m; /* where it begins and ends */
+  tp_bounded beyond_left_m, beyond_right_m;            /* how far the base goes on past the block */
+  tp_contact_end left_end, right_end;                  /* why it begins, and ends, */
+  tp_bounded left_x_m, left_y_m, right_x_m, right_y_m; /* and where */
   bool steep;              /* some facet lies at more than 45 degrees from the mean plane, ... */
   tp_bounded steepest_deg; /* ... the steepest of all at this, 0 to 180: beyond 90 it overhangs */
   tp_bounded reach;        /* the highest contact over the lowest, a share of the block's height */

@@ -21,17 +21,20 @@ bool tp_figure_is_file_name(const char *path);
  * file that the scene was read from is bad input. The triangles of the account
  * by elements are drawn where the solution has one. The colours are legible to the colour-blind.
  * The same program draws the same bytes each time it is run. Fontconfig, which finds the letters,
- * crashes where memory is exhausted: a program that must not is to draw in a process of its own. */
+ * crashes where memory is exhausted: a program that must not is to draw in a process of its own.
+ * TP_SYSTEM_FAILED where the file cannot be written, TP_DEPENDENCY_FAILED where Cairo fails. */
 TP_MUST_USE tp_status tp_report_figure(const char *path, const tp_scene *scene,
                                        const tp_solution *solution, tp_message *message);
+
+/* What is asked before a file is written. */
+typedef struct tp_figure_consent {
+  bool (*give)(void *context); /* true: the file may be written; NULL: it need not be asked */
+  void *context;               /* what it is called with */
+} tp_figure_consent;
 
 /* The same, but asked for consent once the figure is drawn and the file can take it; where that is
  * refused (false), no file is made or changed, and the status is TP_SYSTEM_FAILED. Of what is no
  * regular file, or is the standard output, nothing could be taken back: it is not asked for. */
-typedef struct tp_figure_consent {
-  bool (*give)(void *context);
-  void *context;
-} tp_figure_consent;
 TP_MUST_USE tp_status tp_report_figure_if(const char *path, const tp_scene *scene,
                                           const tp_solution *solution, tp_figure_consent consent,
                                           tp_message *message);

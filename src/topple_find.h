@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The public library's back-analysis. Included by topple.h. */
+/* The public library's back-analysis: for which number of a scene does a result have a wanted
+ * value? Included by topple.h. */
 
 #ifndef TOPPLE_FIND_H
 #define TOPPLE_FIND_H
@@ -26,15 +27,16 @@ typedef enum tp_find_target {
 /* `key` is the way to a number in the scene, as in block.rounded.corners.1.radius (entries of lists
  * count from 1), or the name of a parameter. */
 typedef struct tp_find_options {
-  size_t size; /* of this struct, as `…_default()` has it */
-  const char *key;
-  tp_find_target target;
-  double value;
+  size_t size;            /* of this struct, as `…_default()` has it */
+  const char *key;        /* what is varied */
+  tp_find_target target;  /* of which result, */
+  double value;           /* and what it is to be */
   bool has_low, has_high; /* where one is not given: 0, or ten times the scene's own value */
-  double low, high;
+  double low, high;       /* the range, in the units of the scene */
 } tp_find_options;
 
-/* The critical angle; key and value are to be given. */
+/* The defaults: the critical angle, over the whole range; key and value are to be given. `size` is
+ * that of the struct as the caller knows it. */
 void tp_find_options_init(tp_find_options *options, size_t size);
 static inline tp_find_options tp_find_options_default(void) {
   tp_find_options options;
@@ -47,7 +49,7 @@ static inline tp_find_options tp_find_options_default(void) {
  * that is so and one where it is not, or is an end of the range. What lies between the numbers that
  * were looked at is not proven. */
 typedef struct tp_found_interval {
-  tp_bounded low, high;
+  tp_bounded low, high; /* its ends */
 } tp_found_interval;
 
 /* The numbers, in scene units, for which the target has the value: at the ends of value +- error of
@@ -57,31 +59,35 @@ typedef struct tp_found_interval {
  * end of the range, the scene has no answer. Of a target that turns more than once between two of
  * the 512 points of the range that were looked at, solutions may be missed. */
 typedef struct tp_found {
-  TP_OUTSIDE char *key;
-  double low, high;           /* the range, cut to where the scene has an answer */
-  tp_bounded least, greatest; /* of the results at the numbers that were looked at */
-  size_t count;               /* 0: none in the range */
-  tp_bounded *solutions;
-  size_t touching_count;
-  tp_bounded *touching;
-  size_t interval_count;
-  tp_found_interval *intervals;
+  TP_OUTSIDE char *key;         /* as it was asked for */
+  double low, high;             /* the range, cut to where the scene has an answer */
+  tp_bounded least, greatest;   /* of the results at the numbers that were looked at */
+  size_t count;                 /* 0: none in the range */
+  tp_bounded *solutions;        /* in rising order */
+  size_t touching_count;        /* of those */
+  tp_bounded *touching;         /* in rising order */
+  size_t interval_count;        /* of the intervals */
+  tp_found_interval *intervals; /* in rising order */
 } tp_found;
 
 /* `scene` is the path of a scene that tilts in one direction. */
 TP_MUST_USE tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
                               tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
 void tp_found_free(tp_found *found);
 
-/* critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or onset_angle; false for
- * another name.
- */
+/* By its name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or
+ * onset_angle; false for another one. And the name. */
 bool tp_find_target_read(tp_find_target *target, const char *name);
 const char *tp_find_target_name(tp_find_target target);
 
+/* What was found, as `topple solve --find` prints it. `*text` is allocated with malloc and is the
+ * caller's to free. */
 TP_MUST_USE tp_status tp_report_found(char **text, const tp_found *found,
                                       const tp_find_options *options);
-/* With a solution of the scene as it is, as `topple solve --json` prints it. */
+
+/* JSON of it, with a solution of the scene as it is, as `topple solve --json` prints it. */
 TP_MUST_USE tp_status tp_report_found_json(char **text, const tp_found *found,
                                            const tp_solution *solution);
 

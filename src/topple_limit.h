@@ -25,30 +25,31 @@ typedef enum tp_limit_kind {
 /* A force of the base on the block at the limit, as a share of the block's weight: along an edge of
  * the friction cone at an end of a facet. */
 typedef struct tp_reaction {
-  tp_bounded x_m, y_m;
-  tp_bounded share_x, share_y;
-  bool of_facet;     /* false: of the base that goes on, where the scene's ends */
-  size_t facet;      /* from left to right along the contact, those in a point included */
-  bool at_right_end; /* of the facet */
-  bool against_slip; /* friction acts up-dip; else down-dip */
+  tp_bounded x_m, y_m;         /* where it acts */
+  tp_bounded share_x, share_y; /* of the weight, along x and y of the scene */
+  bool of_facet;               /* false: of the base that goes on, where the scene's ends */
+  size_t facet;                /* from left to right along the contact, those in a point included */
+  bool at_right_end;           /* of the facet */
+  bool against_slip;           /* friction acts up-dip; else down-dip */
 } tp_reaction;
 
+/* The limit of a case on one base (mechanics.md, section 6). */
 typedef struct tp_limit {
-  tp_limit_kind kind;
+  tp_limit_kind kind; /* is it at an angle? */
   bool too_dear; /* undecided, it or its factor, since the proof takes more work than is allowed */
   tp_bounded friction_angle_deg; /* at the normal stress of the limit */
   tp_bounded critical_angle_deg; /* below 0: it does not even hold on level ground */
   tp_mechanism mechanism;        /* TP_SLIDES, TP_TOPPLES, TP_SLIDES_AND_TOPPLES, TP_INTERLOCKED */
   bool tie;                      /* another mechanism has the same limit: */
-  tp_mechanism tied_with;
+  tp_mechanism tied_with;        /* that one */
   long tie_bits;     /* 0: exactly; else half of so many bits do not tell the two apart */
   bool turns_up_dip; /* against the sense of toppling */
   bool has_centre;   /* of rotation */
-  tp_bounded centre_x_m, centre_y_m; /* a contact point where it topples */
+  tp_bounded centre_x_m, centre_y_m; /* where it is: a contact point where it topples */
   bool has_facet;                    /* along which it slides */
-  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
-  size_t reaction_count;
-  tp_reaction reactions[2];
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* its two ends */
+  size_t reaction_count;                                     /* 1 or 2; 0 where there is no angle */
+  tp_reaction reactions[2]; /* of the base, which hold the block at the limit, on the verge */
   tp_fos fos; /* by strength reduction: the divisor of tan(phi), cohesion and bond with which forces
                  just hold it at the scene's tilt */
   tp_mechanism fos_mechanism; /* what happens there; TP_MECHANISM_UNDECIDED where there is no fos */

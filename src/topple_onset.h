@@ -23,6 +23,7 @@
 extern "C" {
 #endif
 
+/* Where the onset is. */
 typedef enum tp_onset_kind {
   TP_ONSET_NOT_ASKED, /* the scene gives no friction angle, or the limit was not asked for */
   TP_ONSET_AT_ANGLE,
@@ -34,19 +35,20 @@ typedef enum tp_onset_kind {
 /* Tilts between -90 and 90 degrees at which a motion can begin, both ends included. Between two
  * windows none can: there it is certain to stand again. */
 typedef struct tp_window {
-  bool from_below, to_above; /* it has no lower end, no upper end, within that range */
-  tp_bounded from_deg, to_deg;
+  bool from_below, to_above;   /* it has no lower end, no upper end, within that range */
+  tp_bounded from_deg, to_deg; /* its ends, where it has them */
   tp_mechanism begins; /* what can begin at its lower end, or, without one, at its upper end */
 } tp_window;
 
 /* Tilts from one to another throughout which the same motions can begin. */
 typedef struct tp_motion_range {
-  bool from_below, to_above; /* as of a window */
-  tp_bounded from_deg, to_deg;
+  bool from_below, to_above;   /* as of a window */
+  tp_bounded from_deg, to_deg; /* its ends */
   unsigned motions; /* the bit 1u << mechanism for each of slides, topples, slides and topples,
                        leaves its base; never 0 */
 } tp_motion_range;
 
+/* What a contact does in a motion. */
 typedef enum tp_contact_state {
   TP_CONTACT_OPENS,
   TP_CONTACT_STICKS,
@@ -56,18 +58,19 @@ typedef enum tp_contact_state {
 
 /* An end of a facet in a motion, and the force on the block there as a share of its weight. */
 typedef struct tp_motion_contact {
-  size_t facet;  /* from left to right along the contact, those in a point included */
-  bool of_facet; /* false: of the base that goes on, where the scene's ends */
-  bool at_right_end;
-  tp_contact_state state;
-  bool has_force; /* false: nothing fixes how the contacts that stay share the load */
-  tp_bounded share_x, share_y;
+  size_t facet;                /* from left to right along the contact, those in a point included */
+  bool of_facet;               /* false: of the base that goes on, where the scene's ends */
+  bool at_right_end;           /* of that facet */
+  tp_contact_state state;      /* sticks, or slips */
+  bool has_force;              /* false: nothing fixes how the contacts that stay share the load */
+  tp_bounded share_x, share_y; /* along x and y of the scene */
 } tp_motion_contact;
 
 /* What a motion has to overcome, as a force on the block over its weight, and its moment about the
  * centroid over the weight, metres, counter-clockwise positive. */
 typedef struct tp_motion_resistance {
-  tp_bounded share_x, share_y, moment_m;
+  tp_bounded share_x, share_y; /* along x and y of the scene */
+  tp_bounded moment_m;         /* about the centroid */
 } tp_motion_resistance;
 
 /* A way in which the block can begin to move at the scene's tilt. */
@@ -83,15 +86,17 @@ typedef struct tp_motion {
   tp_motion_resistance cohesion, bond; /* of lines that slip, of facets that open; the cohesion of
                                           a line that sticks is part of its contact's force */
   bool has_centre;                     /* of rotation */
-  tp_bounded centre_x_m, centre_y_m;
-  size_t contact_count;
-  tp_motion_contact *contacts; /* those that do not open */
+  tp_bounded centre_x_m, centre_y_m;   /* where it is */
+  size_t contact_count;                /* of the contacts */
+  tp_motion_contact *contacts;         /* those that do not open */
 } tp_motion;
 
+/* As many mechanisms begin a motion: slides, topples, slides and topples, leaves its base. */
 enum { TP_BEGINNINGS_MAX = 4 };
 
+/* The onset of a case, and how the block moves at the scene's tilt. */
 typedef struct tp_onset {
-  tp_onset_kind kind;
+  tp_onset_kind kind;            /* is it at an angle? */
   bool too_dear;                 /* undecided, since the proof takes more work than is allowed */
   tp_bounded friction_angle_deg; /* at the normal stress of the onset */
   tp_bounded critical_angle_deg; /* alpha_s, the lower end of the window that holds level ground, or
@@ -99,14 +104,14 @@ typedef struct tp_onset {
                                     tilted back */
   tp_mechanism mechanism;        /* what can begin there */
   bool tie;                      /* another mechanism can begin at the same tilt: */
-  tp_mechanism tied_with;
-  long tie_bits;   /* 0: exactly; else so many bits do not tell the two apart */
-  bool has_centre; /* of rotation of what can begin there */
-  tp_bounded centre_x_m, centre_y_m;
+  tp_mechanism tied_with;        /* that one */
+  long tie_bits;                 /* 0: exactly; else so many bits do not tell the two apart */
+  bool has_centre;               /* of rotation of what can begin there */
+  tp_bounded centre_x_m, centre_y_m; /* where it is */
   bool below_limit;    /* alpha_s is more than 1e-6 degrees below the limit: between them history
                           decides */
   size_t window_count; /* all of them, from below; owned by the case */
-  tp_window *windows;
+  tp_window *windows;  /* in which a motion can begin */
   bool has_ranges; /* where the options ask for them; not under cohesion or bonds, not with friction
                       that depends on the stress, and not where they stay open */
   size_t range_count;      /* from below; where two meet, one motion takes over from another */
@@ -114,7 +119,7 @@ typedef struct tp_onset {
   bool paradox; /* in some mode at the scene's tilt the slipping contact would press itself harder
                    (Painleve): rigid bodies with Coulomb friction have no unique answer there */
   bool has_motions; /* at the scene's tilt, where there is one, and where they do not stay open */
-  size_t motion_count;
+  size_t motion_count;    /* 0: none can begin */
   tp_motion *motions;     /* owned by the case */
   size_t beginning_count; /* of their mechanisms, each once: what can begin at the scene's tilt, */
   tp_mechanism beginnings[TP_BEGINNINGS_MAX]; /* in the order of tp_mechanism */

@@ -21,7 +21,10 @@
  * place in its messages and reports is the name of a call, with the number of the point, or of what
  * was added, from 1 on. A scene read from a file is not changed by these calls.
  *
- * Lengths are in the scene's length unit. */
+ * Lengths are in the scene's length unit, angles in degrees, stresses in kPa or MPa, as names say.
+ * Widths, heights, thicknesses and unit weights are above 0; depths, radii, stresses and forces not
+ * below; angles of friction at least 0 and below 90. What is said of one call of a group, which no
+ * empty line parts, is said of all. */
 
 #ifndef TOPPLE_SCENE_H
 #define TOPPLE_SCENE_H
@@ -32,50 +35,60 @@
 extern "C" {
 #endif
 
+/* A scene. Opaque: it is made and changed by calls alone. */
 typedef struct tp_scene tp_scene;
 
-/* Read the scene in `path`. Files that the scene names are looked for beside it. */
+/* Read the scene in `path` (docs/scene.md), to be freed by tp_scene_free. Files that the scene
+ * names are looked for beside it. */
 TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
+
 /* The same from text in memory; `name` is what messages call it, and files that the scene names are
  * looked for beside a file of that name. */
 TP_MUST_USE tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
                                          tp_message *message);
 
-/* A scene without a block, on a mated base, that tilts both ways. `length_unit` is mm, cm, m, km,
- * in or ft. */
+/* A scene without a block, on a mated base, that tilts both ways, to be freed by tp_scene_free.
+ * `length_unit` is mm, cm, m, km, in or ft. */
 TP_MUST_USE tp_status tp_scene_new(tp_scene **scene, const char *length_unit, tp_message *message);
+
+/* NULL is allowed. */
 void tp_scene_free(tp_scene *scene);
 
 /* An exact number: the text where there is one, a decimal or a fraction of decimals ("0.1", "1/3",
  * "-2.5e3"); else the double, taken as the binary number that it is, so that 0.1 is
  * 3602879701896397 / 2^55. Zero, or between 1e-308 and 1e308 in size. */
 typedef struct tp_exact {
-  double value;
-  const char *text;
+  double value;     /* finite */
+  const char *text; /* or NULL; stays the caller's */
 } tp_exact;
 
+/* Of a double, and of a text. */
 tp_exact tp_exact_of(double value);
 tp_exact tp_exact_text(const char *text);
 
 /* `count` points x0, y0, x1, y1, ...: the texts where there are any, else the doubles. */
 typedef struct tp_coordinates {
-  size_t count;
-  const double *xy;         /* 2 count of them */
-  const char *const *texts; /* likewise */
+  size_t count;             /* of the points */
+  const double *xy;         /* 2 count of them, an array of shape (count, 2) */
+  const char *const *texts; /* likewise, each as in tp_exact; or NULL */
 } tp_coordinates;
 
+/* Of doubles, and of texts: an array of shape (count, 2), which stays the caller's. */
 tp_coordinates tp_coordinates_of(const double *xy, size_t count);
 tp_coordinates tp_coordinates_text(const char *const *xy, size_t count);
 
+/* What reports and figures are headed by: any UTF-8. */
 TP_MUST_USE tp_status tp_scene_set_title(tp_scene *scene, const char *title, tp_message *message);
 
 /* The block: exactly one of outline, slab, teeth and ellipse; the last one set is taken. An
- * outline or a hole may run either way round, and may repeat its first point at the end. */
+ * outline or a hole may run either way round, and may repeat its first point at the end. It has 3
+ * points at least, and does not meet itself. A slab is a rectangle that stands on the base. */
 TP_MUST_USE tp_status tp_scene_set_outline(tp_scene *scene, tp_coordinates outline,
                                            tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_slab(tp_scene *scene, tp_exact width, tp_exact height,
                                         tp_message *message);
 
+/* With what the underside of a toothed block begins at its left. */
 typedef enum tp_left_end { TP_LEFT_END_VALLEY, TP_LEFT_END_PEAK } tp_left_end;
 
 /* `count` teeth of a width, `height` the smaller of their heights and `height` + `depth` the
@@ -83,26 +96,33 @@ typedef enum tp_left_end { TP_LEFT_END_VALLEY, TP_LEFT_END_PEAK } tp_left_end;
 TP_MUST_USE tp_status tp_scene_set_teeth(tp_scene *scene, long count, tp_exact width,
                                          tp_exact height, tp_exact depth, tp_left_end left_end,
                                          tp_message *message);
+
 /* The same by the block as a whole, section 5.1: `count` teeth over `block_width`, the wavelength
- * 2 block_width / count. */
+ * 2 block_width / count; the amplitude is less than twice the mean height. */
 TP_MUST_USE tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_exact block_width,
                                               tp_exact mean_height, tp_exact amplitude,
                                               tp_left_end left_end, tp_message *message);
+
+/* An ellipse with level axes, cut off below by a level flat of a length below `width`, on which it
+ * stands. */
 TP_MUST_USE tp_status tp_scene_set_ellipse(tp_scene *scene, tp_exact width, tp_exact height,
                                            tp_exact flat, tp_message *message);
+
+/* A hole in the block, and a part of another density: rings as the outline is, inside of it. */
 TP_MUST_USE tp_status tp_scene_add_hole(tp_scene *scene, tp_coordinates outline,
                                         tp_message *message);
-/* A part of another density. */
 TP_MUST_USE tp_status tp_scene_add_part(tp_scene *scene, tp_coordinates outline,
                                         tp_exact unit_weight_kn_m3, tp_message *message);
+
 /* The edge of the outline that begins in a vertex is an arc: through a point, or by the tangent of
- * a quarter of its angle, negative inwards. */
+ * a quarter of its angle, not 0 and negative inwards. */
 TP_MUST_USE tp_status tp_scene_add_arc_through(tp_scene *scene, tp_exact from_x, tp_exact from_y,
                                                tp_exact through_x, tp_exact through_y,
                                                tp_message *message);
 TP_MUST_USE tp_status tp_scene_add_arc_bulge(tp_scene *scene, tp_exact from_x, tp_exact from_y,
                                              tp_exact bulge, tp_message *message);
 
+/* An end of the underside. */
 typedef enum tp_underside_end { TP_UNDERSIDE_LEFT_END, TP_UNDERSIDE_RIGHT_END } tp_underside_end;
 
 /* A rounded corner: at an end of the underside, or at a vertex. */
@@ -110,13 +130,19 @@ TP_MUST_USE tp_status tp_scene_add_rounded_end(tp_scene *scene, tp_underside_end
                                                tp_exact radius, tp_message *message);
 TP_MUST_USE tp_status tp_scene_add_rounded_vertex(tp_scene *scene, tp_exact x, tp_exact y,
                                                   tp_exact radius, tp_message *message);
+
 /* The model `paper` (the axis moves, the mass is kept) or `exact`, which is taken unless set. */
 TP_MUST_USE tp_status tp_scene_set_rounding_keeps_mass(tp_scene *scene, bool keeps_mass,
                                                        tp_message *message);
+
 /* Move vertices where rings meet themselves by less than a last digit. */
 TP_MUST_USE tp_status tp_scene_set_repair(tp_scene *scene, bool repair, tp_message *message);
+
+/* Normal to the section; 1 m unless set. */
 TP_MUST_USE tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness,
                                              tp_message *message);
+
+/* Of the block; without it weights are shares, and no load but its weight can act on it. */
 TP_MUST_USE tp_status tp_scene_set_unit_weight_kn_m3(tp_scene *scene, tp_exact unit_weight_kn_m3,
                                                      tp_message *message);
 
@@ -126,23 +152,29 @@ TP_MUST_USE tp_status tp_scene_set_unit_weight_kn_m3(tp_scene *scene, tp_exact u
 TP_MUST_USE tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile,
                                                 tp_message *message);
+
 /* Set the block down on the profile that was set, where its coordinates put it, until it rests
  * (docs/rest.md); else it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);
-/* By how much a mated base goes on past the block. */
+
+/* By how much a mated base goes on past the block, not below 0. */
 TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,
                                                tp_message *message);
+
 /* A mated base whose contact ends in two vertices, the left one first. */
 TP_MUST_USE tp_status tp_scene_set_base_between(tp_scene *scene, tp_coordinates two_vertices,
                                                 tp_message *message);
 
-/* A mated base whose vertices lie all on one side of a coordinate. */
+/* A mated base whose vertices lie all on one side of a coordinate: below a y, left or right of an
+ * x. */
 typedef enum tp_base_bound { TP_BASE_BELOW, TP_BASE_LEFT_OF, TP_BASE_RIGHT_OF } tp_base_bound;
 TP_MUST_USE tp_status tp_scene_set_base_bound(tp_scene *scene, tp_base_bound bound, tp_exact value,
                                               tp_message *message);
 
 /* Friction of the contact: one angle, Patton's phi_b + i (Eq. 6), or Barton's law (Eq. 8) by JRC,
- * by a tilt test (Eq. 9) or by the roughness angle (Eq. 10). The last one set is taken. */
+ * by a tilt test (Eq. 9) or by the roughness angle (Eq. 10). The last one set is taken. Angles lie
+ * in [0, 90), and so does Patton's sum; JRC in [0, 100]; JCS and the stress of the test are above
+ * 0. */
 TP_MUST_USE tp_status tp_scene_set_friction_angle_deg(tp_scene *scene, tp_exact angle_deg,
                                                       tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_friction_patton(tp_scene *scene, tp_exact basic_angle_deg,
@@ -161,7 +193,8 @@ TP_MUST_USE tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene,
                                                              tp_exact roughness_angle_deg,
                                                              tp_exact jcs_mpa, tp_message *message);
 
-/* The directions of tilt that are looked at, one at least, and the tilt that the block lies at. */
+/* The directions of tilt that are looked at, one at least, and the tilt that the block lies at, in
+ * [0, 90]. */
 TP_MUST_USE tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right,
                                                 tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_tilt_angle_deg(tp_scene *scene, tp_exact angle_deg,
@@ -187,17 +220,23 @@ TP_MUST_USE tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact co
 TP_MUST_USE tp_status tp_scene_set_water(tp_scene *scene, tp_exact height,
                                          tp_exact unit_weight_kn_m3, bool stays_level, bool uplift,
                                          tp_message *message);
-/* A pressure along a line of the outline, from (x0, y0) to (x1, y1), at its two ends. */
+
+/* A pressure along a line on one edge of the outline, which runs counter-clockwise from (x0, y0) to
+ * (x1, y1): at its two ends, not below 0 and linear between them; or a surcharge, a stress that
+ * presses straight down. */
 TP_MUST_USE tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                             tp_exact y1, tp_exact first_kpa, tp_exact last_kpa,
                                             tp_message *message);
 TP_MUST_USE tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                              tp_exact y1, tp_exact kpa, tp_message *message);
-/* The direction is that of its pull on the block, from x towards y. A passive anchor counts as
- * resistance, another takes from what overturns. */
+
+/* An anchor at a point of the outline. The direction is that of its pull on the block, from x
+ * towards y. A passive anchor counts as resistance, another takes from what overturns. */
 TP_MUST_USE tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y,
                                           tp_exact direction_deg, tp_exact force_kn, bool passive,
                                           tp_message *message);
+
+/* Tensile strength of the contact, normal to it; and its cohesion, along it. */
 TP_MUST_USE tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa,
                                             tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa,

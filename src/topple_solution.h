@@ -2,7 +2,10 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* What a solved scene says: block, contact, and for each direction of tilt pivots, sliding, both
- * limits, the mechanism and its margin. Plain structs, made by tp_solve (topple_solve.h). */
+ * limits, the mechanism and its margin. Plain structs, made by tp_solve (topple_solve.h), that own
+ * what they point to: tp_solution_free frees it all. A field is to be read where the one beside it,
+ * or its kind or state, says so; else it is 0. Lengths are in metres along the axes of the frame
+ * that topple.h tells of, angles in degrees. */
 
 #ifndef TOPPLE_SOLUTION_H
 #define TOPPLE_SOLUTION_H
@@ -24,14 +27,15 @@ typedef enum tp_pivot_kind {
   TP_PIVOT_FLANK     /* between a low and a high end */
 } tp_pivot_kind;
 
+/* A point of the contact about which the block might turn. */
 typedef struct tp_pivot {
-  tp_pivot_kind kind;
-  bool rounded;    /* the corner is: (x, y) is where the axis then lies */
-  bool admissible; /* to first order: turning about it opens every contact facet */
-  bool told;       /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
-  bool never;      /* loads keep it from toppling about this pivot at any tilt, ... */
-  bool always;     /* ... or from standing on it at any: there is no critical angle */
-  tp_bounded x_m, y_m;
+  tp_pivot_kind kind;  /* where it lies */
+  bool rounded;        /* the corner is: (x, y) is where the axis then lies */
+  bool admissible;     /* to first order: turning about it opens every contact facet */
+  bool told;           /* its numbers were asked for (tp_solve_options.pivots); else they are 0 */
+  bool never;          /* loads keep it from toppling about this pivot at any tilt, ... */
+  bool always;         /* ... or from standing on it at any: there is no critical angle */
+  tp_bounded x_m, y_m; /* the point, or the axis */
   tp_bounded
       critical_angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
   size_t limit_count; /* with loads: every tilt in (0, 90) at which it lets go, or holds again */
@@ -41,25 +45,27 @@ typedef struct tp_pivot {
   tp_fos fos_elements;  /* (A1.3): each element's components by their own sign */
 } tp_pivot;
 
+/* What a section is cut into (section 5.1 of the paper): triangles, of a toothed block slabs too.
+ */
 typedef enum tp_element_kind { TP_ELEMENT_TRIANGLE, TP_ELEMENT_SLAB } tp_element_kind;
 
 /* One element of the account of moments about the governing pivot. */
 typedef struct tp_element {
-  tp_element_kind kind;
+  tp_element_kind kind;    /* triangle or slab */
   size_t part;             /* 0: the block; k: its k-th part */
   tp_bounded weight;       /* N, or a fraction of the block's when the scene gives no unit weight */
   tp_bounded normal_arm_m; /* x arm of the component W cos(alpha); > 0 stabilises */
-  tp_bounded parallel_arm_m; /* y arm of the component W sin(alpha); > 0 overturns */
-  tp_bounded stabilising;    /* weight times metre */
-  tp_bounded overturning;
+  tp_bounded parallel_arm_m;           /* y arm of the component W sin(alpha); > 0 overturns */
+  tp_bounded stabilising, overturning; /* weight times metre, not below 0 */
 } tp_element;
 
+/* The account of moments by elements about the governing pivot (Appendix A1 of the paper). */
 typedef struct tp_account {
-  size_t count; /* 0 when the account was not asked for */
-  tp_element *elements;
+  size_t count;           /* 0 when the account was not asked for */
+  tp_element *elements;   /* `count` of them */
   bool at_critical_angle; /* the scene gives no tilt angle: the account is drawn up at the limit */
-  tp_bounded angle_deg;
-  tp_bounded stabilising, overturning; /* sums */
+  tp_bounded angle_deg;   /* the tilt that it is for */
+  tp_bounded stabilising, overturning; /* the sums */
 } tp_account;
 
 /* Patton's sliding angle phi_b + i (Eq. 6) on the facet that governs. No statics of contact forces
@@ -73,9 +79,9 @@ typedef struct tp_sliding {
   bool opens;  /* no other facet stands in the way of sliding along this one */
   tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
-  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m;
+  tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* its ends, left and right */
   tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
-  tp_fos fos;
+  tp_fos fos;                    /* tan(phi_b + i) / tan(tilt) (Eq. 6); with loads by the forces */
   tp_fos fos_strength; /* by reducing tan(phi_b): tan(phi_b) / tan(tilt - i); without loads */
 } tp_sliding;
 
@@ -84,40 +90,41 @@ typedef struct tp_sliding {
  * to phi_b + i of the steepest of them. If not, the block may let go before its critical angle:
  * contact forces decide, which moments do not see. */
 typedef struct tp_toe {
-  bool known; /* the scene gives a friction angle, and a pivot governs */
-  bool holds;
+  bool known;   /* the scene gives a friction angle, and a pivot governs */
+  bool holds;   /* it can */
   bool upright; /* a facet at the toe stands upright in the way: it holds at any angle */
   tp_bounded limit_angle_deg; /* phi_b + i; unless upright */
 } tp_toe;
 
-/* A load's moment about the governing pivot at the scene's tilt, N m, overturning positive, and
- * where it counts. */
+/* Where a load counts in the factor of safety: what stabilises over what overturns. */
 typedef enum tp_load_side { TP_STABILISES, TP_OVERTURNS, TP_LESSENS_OVERTURNING } tp_load_side;
 
+/* One load of that account. */
 typedef struct tp_load_result {
   const char *name;               /* a static string */
   TP_OUTSIDE char *called_for_by; /* file:line:column; empty where it is of no one place */
-  tp_bounded moment_nm;
-  tp_load_side side;
+  tp_bounded moment_nm; /* about the governing pivot at the scene's tilt, overturning positive */
+  tp_load_side side;    /* where it counts */
 } tp_load_result;
 
 /* What a rounded toe does beyond its critical angle: roll to a new rest, or over. */
 typedef enum tp_rolls { TP_ROLLS_NOT, TP_ROLLS_BACK, TP_ROLLS_OVER } tp_rolls;
 
+/* One direction of tilt. */
 typedef struct tp_case {
-  tp_direction towards;
-  size_t pivot_count;
-  tp_pivot *pivots; /* from left to right along the contact */
-  bool has_governing;
+  tp_direction towards;    /* which */
+  size_t pivot_count;      /* of the pivots */
+  tp_pivot *pivots;        /* from left to right along the contact */
+  bool has_governing;      /* some pivot is admissible: */
   size_t governing;        /* index of the admissible pivot with the least critical angle */
   bool governing_tie;      /* another admissible pivot has the same critical angle: */
   long governing_tie_bits; /* 0: exactly; else so many bits do not tell the two apart */
   tp_rolls rolls; /* the corner at the governing pivot; TP_ROLLS_NOT: sharp, or under loads */
   bool rests;     /* at the scene's tilt, beyond the critical angle, it rolls to a new rest ... */
   tp_bounded rest_turn_deg; /* ... turned by this on its base */
-  tp_sliding sliding;
-  tp_toe toe;
-  tp_limit limit; /* with the base of the scene */
+  tp_sliding sliding;       /* by angles, without statics */
+  tp_toe toe;               /* can it bear what moments put on it? */
+  tp_limit limit;           /* with the base of the scene */
   tp_limit
       limit_otherwise; /* with a base that ends at the toe, or goes on, if the scene's does not */
   bool base_matters;   /* the two differ in kind, in mechanism, or by more than 1e-6 degrees */
@@ -133,72 +140,75 @@ typedef struct tp_case {
   tp_bounded first_angle_deg; /* where `first` happens */
   bool has_margin;            /* false, too, where the onset is at no angle or undecided */
   tp_bounded margin_deg; /* the lower of the onset and `first_angle_deg` minus the scene's tilt */
-  bool has_margin_to_first;
+  bool has_margin_to_first;       /* there are both: */
   tp_bounded margin_to_first_deg; /* first_angle_deg minus the scene's tilt */
   bool slides_sooner;   /* the friction that a bond adds apart, it slides before `limit` */
   bool falls_backwards; /* at this tilt it topples or slides the other way, up-dip */
   tp_governing_fos governing_fos; /* at the scene's tilt */
-  tp_account account;
-  tp_bounded *limits; /* of all pivots, with loads */
-  size_t load_count;  /* with loads and a tilt: the weight's two components, then each load */
-  tp_load_result *loads;
+  tp_account account;             /* by elements, where asked for */
+  tp_bounded *limits;             /* of all pivots, with loads */
+  size_t load_count;     /* with loads and a tilt: the weight's two components, then each load */
+  tp_load_result *loads; /* about the governing pivot */
   bool
       water_overtops; /* water that stays level: beyond this tilt it would stand above the top of */
   tp_bounded water_overtops_deg; /* its face, whose pressure is reckoned as if the face went on */
 } tp_case;
 
+/* The block as a body. */
 typedef struct tp_block_result {
-  tp_bounded area_m2;
+  tp_bounded area_m2;                    /* of the section, without holes */
   tp_bounded centroid_x_m, centroid_y_m; /* of the weight */
-  /* About the centroid, weighted by unit weight over mean unit weight. */
-  tp_bounded second_moment_xx_m4, second_moment_yy_m4, second_moment_xy_m4;
-  tp_bounded thickness_m;
-  bool has_weight;
-  tp_bounded weight_n;
+  tp_bounded second_moment_xx_m4, second_moment_yy_m4,
+      second_moment_xy_m4; /* int x^2, y^2, x y dA about the centroid, weighted by unit weight over
+                              mean unit weight */
+  tp_bounded thickness_m;  /* normal to the section; 1 where the scene gives none */
+  bool has_weight;         /* the scene gives a unit weight: */
+  tp_bounded weight_n;     /* of the whole block */
   size_t vertices, holes, parts, triangles; /* no vertices: an ellipse */
 } tp_block_result;
 
 /* A toothed block in both of the paper's descriptions (its section 5.1). */
 typedef struct tp_teeth_result {
-  bool known;
+  bool known;                                                         /* the block is one */
   size_t count;                                                       /* N */
   tp_bounded width_m, height_m, depth_m;                              /* a, b, c */
   tp_bounded block_width_m, mean_height_m, amplitude_m, wavelength_m; /* dx, y, A, lambda */
-  tp_pivot_kind left_end, right_end;
+  tp_pivot_kind left_end, right_end;                                  /* valley or peak */
 } tp_teeth_result;
 
 /* What ran, and what in the scene called for it. */
 typedef struct tp_effect {
   const char *name;               /* a static string */
   TP_OUTSIDE char *called_for_by; /* file:line:column, or an option */
-  double seconds;
-  tp_level level;
+  double seconds;                 /* without what other effects took meanwhile */
+  tp_level level;                 /* the arithmetic that it ended with */
 } tp_effect;
 
+/* A scene solved. */
 typedef struct tp_solution {
-  TP_OUTSIDE char *title;
-  const char *length_unit; /* of the scene; a static string */
-  double metres_per_unit;
-  bool has_tilt_angle;
-  tp_bounded tilt_angle_deg;
-  bool has_friction;
-  tp_bounded friction_angle_deg;
-  bool friction_is_residual; /* Barton's law: the angle at a stress is above it */
-  bool friction_is_patton;   /* Patton's law: phi_b + i of the scene */
-  tp_block_result block;
-  tp_teeth_result teeth;
-  tp_rest_result rest;
-  tp_frame_result frame;
-  tp_contact_result contact;
-  bool loaded; /* the scene calls for loads besides the weight */
-  size_t case_count;
-  tp_case cases[2];
-  tp_notes notes; /* of the scene's reading and of its solution */
-  size_t effect_count;
-  tp_effect *effects;
-  tp_level level;   /* the arithmetic that certified the numbers */
-  long bits;        /* working precision of the last evaluation */
-  int digits;       /* asked of every number */
+  TP_OUTSIDE char *title;        /* of the scene, or NULL */
+  const char *length_unit;       /* of the scene; a static string */
+  double metres_per_unit;        /* as a double */
+  bool has_tilt_angle;           /* the scene gives one: */
+  tp_bounded tilt_angle_deg;     /* that the block lies at, along its mean plane */
+  bool has_friction;             /* the scene gives one: */
+  tp_bounded friction_angle_deg; /* of the contact */
+  bool friction_is_residual;     /* Barton's law: the angle at a stress is above it */
+  bool friction_is_patton;       /* Patton's law: phi_b + i of the scene */
+  tp_block_result block;         /* area, centroid, weight */
+  tp_teeth_result teeth;         /* of a toothed block */
+  tp_rest_result rest;           /* of a block that was set down on its profile */
+  tp_frame_result frame;         /* what the coordinates lie along */
+  tp_contact_result contact;     /* where the block touches its base */
+  bool loaded;                   /* the scene calls for loads besides the weight */
+  size_t case_count;             /* directions that the scene tilts in, */
+  tp_case cases[2];              /* left before right */
+  tp_notes notes;                /* of the scene's reading and of its solution */
+  size_t effect_count;           /* what ran: */
+  tp_effect *effects;            /* in the order in which it first did */
+  tp_level level;                /* the arithmetic that certified the numbers */
+  long bits;                     /* working precision of the last evaluation */
+  int digits;                    /* asked of every number */
   bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
                        rule */
   long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene solved and reported. */
+/* A scene solved and reported. Included by topple.h. */
 
 #ifndef TOPPLE_SOLVE_H
 #define TOPPLE_SOLVE_H
@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* The most digits that can be asked for. */
 enum { TP_DIGITS_MAX = 1000 };
 
 /* Which pivots get their numbers, and are listed: all; those that can govern or hold the block
@@ -24,8 +25,11 @@ typedef enum tp_pivots_listed {
   TP_PIVOTS_ALL,
   TP_PIVOTS_GOVERNING
 } tp_pivots_listed;
+
+/* So many are nearest to the toe, and so many are many. */
 enum { TP_PIVOTS_NEAR_TOE = 16, TP_PIVOTS_MANY = 300 };
 
+/* What is asked of a solve. */
 typedef struct tp_solve_options {
   size_t size;             /* of this struct, as `…_default()` has it */
   bool elements;           /* draw up the account of moments by elements */
@@ -37,6 +41,8 @@ typedef struct tp_solve_options {
   tp_pivots_listed pivots; /* a number for each of a million pivots takes a fifth of the time */
 } tp_solve_options;
 
+/* The defaults: the limit with strength reduction, 9 digits, every level, all pivots. `size` is
+ * that of the struct as the caller knows it. */
 void tp_solve_options_init(tp_solve_options *options, size_t size);
 static inline tp_solve_options tp_solve_options_default(void) {
   tp_solve_options options;
@@ -44,7 +50,12 @@ static inline tp_solve_options tp_solve_options_default(void) {
   return options;
 }
 
-/* Stability of the scene's block in each direction of tilt that the scene asks for. */
+/* Stability of the scene's block in each direction of tilt that the scene asks for: moments about
+ * every pivot (Eq. 2), sliding (Eq. 6), the static limit and the onset of motion, and which of them
+ * comes first (mechanics.md). `*solution` is the caller's, to be freed by tp_solution_free; it does
+ * not need the scene any more. The same scene gives the same numbers each time. TP_UNDECIDED where
+ * options->level is below exact and does not do; TP_DEPENDENCY_FAILED. What stays undecided on the
+ * last rung is so in the solution (tp_solution_is_undecided), with TP_OK. */
 TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
                                const tp_solve_options *options, tp_message *message);
 
@@ -52,11 +63,14 @@ TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
  * what tp_solve says, with the default options, of a scene of tp_scene_set_outline,
  * tp_scene_set_friction_angle_deg and tp_scene_set_tilt_angle_deg, whose names its messages bear.
  * The block tilts both ways: cases[0] of the solution is towards the left, cases[1] towards the
- * right. */
+ * right. `length_unit` is mm, cm, m, km, in or ft; the angles are in degrees. Statuses as of
+ * tp_solve. */
 TP_MUST_USE tp_status tp_solve_outline(tp_solution **solution, const char *length_unit,
                                        const double *outline, size_t vertices,
                                        double friction_angle_deg, double tilt_angle_deg,
                                        tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
 void tp_solution_free(tp_solution *solution);
 
 /* Did the precision allowed leave a mechanism open, or a number less certain than was asked? Every
@@ -68,14 +82,20 @@ bool tp_solution_is_undecided(const tp_solution *solution);
  * begin, it is not met; what is not decided, or as near to the factor as its bound, is open. */
 typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
 tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
-tp_design tp_case_meets(const tp_case *own, double design_fos); /* one of them */
 
-/* Reports: `*text` is allocated with malloc and is the caller's to free. */
+/* The same of one case. */
+tp_design tp_case_meets(const tp_case *own, double design_fos);
+
+/* Reports, as `topple solve` prints them: the page, the account of moments by elements, JSON
+ * (docs/schema). Of every report `*text` is allocated with malloc and is the caller's to free; it
+ * is UTF-8, and ends with a line end. */
 TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
+
 /* Notes and cautions of a solution, as on its page; an empty text where there are none. */
 TP_MUST_USE tp_status tp_report_notes(char **text, const tp_solution *solution);
+
 /* What ran: effects, what called for each, and what each cost. */
 TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution);
 
@@ -84,6 +104,7 @@ TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution
  * listed. */
 TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
                                             tp_pivots_listed listed);
+
 /* A table, a row for each direction of each solution: tilt, verdict, governing factor, and the
  * angles by every way. In Markdown, with the limit on a base that ends at the toe and on one that
  * goes on; in CSV, each number followed by its bound, with the limit on the scene's base. A factor

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* What is said of a claim. */
 typedef enum tp_verdict {
   TP_VERDICT_PROVEN,    /* an exact identity */
   TP_VERDICT_AGREES,    /* the printed digits are the rounding of the computed value; of a formula
@@ -23,48 +24,63 @@ typedef enum tp_verdict {
   TP_VERDICT_UNDECIDED
 } tp_verdict;
 
+/* How many there are. */
 enum { TP_VERDICTS = TP_VERDICT_UNDECIDED + 1 };
 
+/* proven, agrees, truncated, refuted, disagrees or undecided. */
 const char *tp_verdict_name(tp_verdict verdict);
 
+/* A claim, its texts as its file has them, and the verdict on it. */
 typedef struct tp_claim_result {
-  TP_OUTSIDE char *id, *where, *geometry;            /* geometry NULL: none */
-  TP_OUTSIDE char *quantity, *printed, *unit, *note; /* unit and note NULL: none */
-  tp_verdict verdict;
-  bool is_formula;
-  /* The quantity in closed form, of its tangent if it is an angle, and, of a refuted formula,
-   * printed minus derived, likewise; NULL: none. */
-  TP_OUTSIDE char *derived, *difference;
-  bool is_tangent;         /* derived and difference are of tangents of angles */
-  TP_OUTSIDE char *mend;   /* the printed formula, mended by one change; NULL: none found */
-  TP_OUTSIDE char *change; /* what the change is */
-  /* What keeps the verdict from being more, or where a formula holds; NULL: none. */
-  TP_OUTSIDE char *condition;
-  bool has_values; /* numbers at `values`: what is printed, and what is derived */
-  TP_OUTSIDE char *values;
-  tp_bounded printed_value, computed;
-  int digits, points; /* of a formula that agrees in numbers */
+  TP_OUTSIDE char *id;         /* a name of its own */
+  TP_OUTSIDE char *where;      /* where it is printed */
+  TP_OUTSIDE char *geometry;   /* of which scene it is; NULL: none */
+  TP_OUTSIDE char *quantity;   /* what it is of */
+  TP_OUTSIDE char *printed;    /* what is printed */
+  TP_OUTSIDE char *unit;       /* of a number; NULL: none */
+  TP_OUTSIDE char *note;       /* on the claim; NULL: none */
+  tp_verdict verdict;          /* on what is printed */
+  bool is_formula;             /* else a number */
+  TP_OUTSIDE char *derived;    /* the quantity in closed form; NULL: none */
+  TP_OUTSIDE char *difference; /* of a refuted formula, printed minus derived; NULL: none */
+  bool is_tangent;             /* derived and difference are of tangents of angles */
+  TP_OUTSIDE char *mend;       /* the printed formula, mended by one change; NULL: none found */
+  TP_OUTSIDE char *change;     /* what the change is */
+  TP_OUTSIDE char *condition;  /* what keeps the verdict from being more, or where a formula holds;
+                                  NULL: none */
+  bool has_values;             /* there are numbers at */
+  TP_OUTSIDE char *values;     /* these values of the symbols: */
+  tp_bounded printed_value, computed; /* of what is printed, and of what is derived */
+  int digits, points;                 /* of a formula that agrees in numbers */
 } tp_claim_result;
 
+/* The verdicts on a file of claims. */
 typedef struct tp_verification {
-  TP_OUTSIDE char *title, *source; /* NULL: none */
-  size_t count;
-  tp_claim_result *claims;
-  size_t tally[TP_VERDICTS];
+  TP_OUTSIDE char *title, *source; /* of the file; NULL: none */
+  size_t count;                    /* of the claims */
+  tp_claim_result *claims;         /* in the order of the file */
+  size_t tally[TP_VERDICTS];       /* how many have each verdict */
 } tp_verification;
 
-/* Verdicts on the claims of a file. */
+/* Verdicts on the claims of a file (docs/verify.md). A claim that is refuted, or not decided, is a
+ * verdict, and the status TP_OK. TP_NO_ANSWER where a scene has no such formula;
+ * TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_verify(tp_verification **verification, const char *path,
                                 tp_message *message);
+
 /* The same from text in memory; `name` is what messages call it, and the scenes that the claims
  * name are looked for beside a file of that name. */
 TP_MUST_USE tp_status tp_verify_text(tp_verification **verification, const char *text,
                                      const char *name, tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
 void tp_verification_free(tp_verification *verification);
 
 /* Is anything refuted, or does it disagree? */
 bool tp_verification_objects(const tp_verification *verification);
 
+/* The verdicts as a page, as JSON and as a table in Markdown. `*text` is allocated with malloc and
+ * is the caller's to free. */
 TP_MUST_USE tp_status tp_report_verification(char **text, const tp_verification *verification);
 TP_MUST_USE tp_status tp_report_verification_json(char **text, const tp_verification *verification);
 TP_MUST_USE tp_status tp_report_verification_markdown(char **text,

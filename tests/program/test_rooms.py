@@ -182,7 +182,7 @@ class Includes(unittest.TestCase):
                 self.assertTrue(own or PUBLIC.fullmatch(name), f"{path} includes {name}")
 
     def test_public_headers_stand_alone(self):
-        """They include each other and the standard library, nothing else, and all of them are installed."""
+        """They include each other in no circle and the standard library, nothing else, and all of them are installed."""
         build = (ROOT / "meson.build").read_text(encoding="utf-8")
         headers = [(path, text) for path, text in sources() if PUBLIC.fullmatch(path.name)]
         self.assertGreater(len(headers), 5)
@@ -190,6 +190,11 @@ class Includes(unittest.TestCase):
             self.assertIn(f"'{path}'", build)
             for name in re.findall(r'#include ["<]([^">]+)[">]', text):
                 self.assertTrue(PUBLIC.fullmatch(name) or name in ("stdbool.h", "stddef.h"), f"{path}: {name}")
+        wants = {path.name: {name for name in INCLUDE.findall(text) if PUBLIC.fullmatch(name)} for path, text in headers}
+        while wants:
+            free = {header for header, names in wants.items() if not names & wants.keys()}
+            self.assertTrue(free, f"a circle among {sorted(wants)}")
+            wants = {header: names for header, names in wants.items() if header not in free}
 
     def test_files_that_comments_name_are_there(self):
         """A comment sends the reader to a file by its path from src/, or by its name where that says which."""
