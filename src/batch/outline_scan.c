@@ -19,6 +19,7 @@
 #include "number/binary.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #ifdef __x86_64__

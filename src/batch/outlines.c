@@ -3,6 +3,8 @@
 
 #include "batch/outlines.h"
 
+#include <stdint.h>
+
 tp_outlines tp_outlines_of(const double *xy, size_t count, size_t vertices) {
   return (tp_outlines){.count = count, .xy = xy, .vertices = vertices};
 }
@@ -30,6 +32,11 @@ tp_status tp_outlines_check(const tp_outlines *outlines, const char *call, tp_me
   if (outlines->xy == NULL) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
                    "%s: the coordinates of 'outlines' must not be NULL", call);
+  }
+  if (outlines->first == NULL && outlines->vertices > SIZE_MAX / 16 / outlines->count) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "%s: %zu outlines of %zu vertices are too many for any memory", call,
+                   outlines->count, outlines->vertices);
   }
   for (size_t k = 0; outlines->first != NULL && k < outlines->count; k++) {
     if (outlines->first[k] <= outlines->first[k + 1]) continue;

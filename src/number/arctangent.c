@@ -13,8 +13,8 @@
  * 5.4 |r| + atan(a / b)). For c = 0 that is 6.4 w atan(a / b); else atan(a / b) >= atan(c - 1/32),
  * and it is at most 11 w atan(a / b), the most where c = 1/16. Degrees take a product and the
  * rounding of 180 / pi, 2.1 w; the quadrant two subtractions, from 90 and from 180, each of which
- * leaves no less than it takes off: w each. All together 16 w = 2^-49. Underflow: between 2^-900
- * and 2^900 none but of what is lost beside far larger terms. */
+ * leaves no less than it takes off: w each. All together 16 w = 2^-49. Underflow: between 2^-450
+ * and 2^450 none but of what is lost beside far larger terms. */
 
 #include "number/arctangent.h"
 

@@ -10,7 +10,7 @@
 /* The bound, as a share of the angle: 2^-49. */
 #define TP_ARCTANGENT_ERROR 0x1p-49
 
-/* atan2(y, x) in degrees, -180 to 180, for y and x that are 0 or between 2^-900 and 2^900 in size,
+/* atan2(y, x) in degrees, -180 to 180, for y and x that are 0 or between 2^-450 and 2^450 in size,
  * not both 0. The errors of y and x are the caller's to add. */
 double tp_arctangent_degrees(double y, double x);
 
