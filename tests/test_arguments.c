@@ -350,6 +350,7 @@ START_TEST(blocks) {
   REFUSED(tp_blocks_solve(&fos, told, NULL, none, none, &good, &message), "'outlines'");
   REFUSED(tp_blocks_solve(&fos, told, &one, none, none, NULL, &message), "'options'");
   tp_blocks_options bad = good;
+  tp_blocks_options_init(NULL, sizeof bad);
   bad.size = 0;
   REFUSED(tp_blocks_critical_angles(&angle, told, &one, &bad, &message), "size of 'options'");
   bad = good;
@@ -358,7 +359,8 @@ START_TEST(blocks) {
   const tp_outlines nowhere = tp_outlines_of(NULL, 1, 4), back = tp_outlines_ragged(xy, 2, falls);
   const tp_outlines vast = tp_outlines_of(xy, 1, SIZE_MAX / 2);
   REFUSED(tp_outlines_moments(&area, told, &nowhere, &good, &message), "must not be NULL");
-  REFUSED(tp_blocks_solve(&fos, told, &back, none, none, &good, &message), "must not fall");
+  REFUSED(tp_blocks_solve(&fos, told, &back, none, tp_numbers_each(NULL), &good, &message),
+          "must not fall");
   REFUSED(tp_outlines_moments(&area, told, &vast, &good, &message), "too many");
   ck_assert_int_eq(tp_outlines_moments(&area, told, &nowhere, &good, NULL), TP_BAD_INPUT);
   ck_assert_double_eq(number, 7);

@@ -291,7 +291,7 @@ static void claim_alike(const tp_turning *own, tp_status status, const random_bl
 
 START_TEST(critical_angles_of_random_blocks) {
   const long blocks = 4 * random_scenes_or(500);
-  long decided = 0, plain = 0, without = 0;
+  long climbed = 0, plain = 0, without = 0; /* climbed though plain */
   tp_workspace workspace = {0};
   for (long k = 0; k < blocks; k++) {
     seed = random_seed() + (uint64_t)k;
@@ -312,12 +312,12 @@ START_TEST(critical_angles_of_random_blocks) {
     const truth t = try_all(&block, towards == TP_TOWARDS_LEFT);
     if (t.known) claim_truth(&own, status, &t);
     plain += t.known;
-    decided += summary.climbed == 0;
+    climbed += t.known && summary.climbed > 0;
     without += summary.without;
   }
   tp_workspace_clear(&workspace);
   ck_assert_int_lt(plain, blocks);
-  ck_assert_int_ge(decided, plain * 95 / 100);
+  ck_assert_int_le(climbed, plain / 1000);
   ck_assert_int_gt(without, 0);
 }
 END_TEST
