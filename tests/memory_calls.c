@@ -280,6 +280,31 @@ static void solve_outline(void) {
   tp_solution_free(solution);
 }
 
+/* A slab that doubles decide, one with an overhang, which climbs, and one that is none. In the
+ * thread that calls: the count of requests is of one. */
+static void solve_blocks(void) {
+  static const double xy[] = {0, 0,  1, 0, 1, 2, 0, 2, 0, 0, 5, 0,
+                              4, -1, 9, 9, 0, 0, 1, 1, 2, 2, 3, 3};
+  const tp_outlines outlines = tp_outlines_of(xy, 3, 4);
+  tp_blocks_options options = tp_blocks_options_default();
+  options.threads = 1;
+  double number[3];
+  const tp_moment_columns area = {.area = number};
+  const tp_critical_columns angle = {.angle_deg = number};
+  const tp_verdict_columns limit = {.limit_angle_deg = number};
+  tp_blocks_summary summary;
+  tp_message message = {""};
+  tp_status status = tp_outlines_moments(&area, &summary, &outlines, &options, &message);
+  if (status == TP_OK) {
+    status = tp_blocks_critical_angles(&angle, &summary, &outlines, &options, &message);
+  }
+  if (status == TP_OK) {
+    status = tp_blocks_solve(&limit, &summary, &outlines, tp_numbers_of(30), tp_numbers_of(20),
+                             &options, &message);
+  }
+  EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status, message.text);
+}
+
 const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve an outline", solve_outline, 200},
                                     {"solve teeth", solve_teeth, 200},
@@ -287,6 +312,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve parts", solve_parts, 100},
                                     {"solve an outline of a file", solve_outline_of_file, 100},
                                     {"solve water", solve_water, 100},
+                                    {"solve blocks", solve_blocks, 200},
                                     {"solve repaired", solve_repaired, 100},
                                     {"solve bond", solve_bond, 100},
                                     {"solve a limit precisely", solve_limit_precisely, 2000},

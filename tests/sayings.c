@@ -220,6 +220,7 @@ const saying all_sayings[] = {{"block E", say_block_e},
                               {"built shapes", say_built_shapes},
                               {"built loads", say_built_loads},
                               {"built wrongly", say_built_refused},
+                              {"blocks", say_blocks},
                               {"names", say_names}};
 const size_t all_sayings_count = sizeof all_sayings / sizeof all_sayings[0];
 

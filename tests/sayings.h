@@ -51,6 +51,8 @@ void say_built(sayings *s);
 void say_built_shapes(sayings *s);
 void say_built_loads(sayings *s);
 void say_built_refused(sayings *s);
+/* Many blocks in arrays. */
+void say_blocks(sayings *s);
 /* Names of enumerations, and calls on texts. */
 void say_names(sayings *s);
 

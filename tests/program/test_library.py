@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Programs of others in C and C++, compiled and run against what is installed and nothing else of the project: found by
-pkg-config and by CMake, linked to the shared and to the static library. The programs are those of docs/library.md and
-docs/scene_in_memory.md, as they stand on the page, and those of examples/c."""
+pkg-config and by CMake, linked to the shared and to the static library. The programs are those of docs/library.md,
+docs/scene_in_memory.md and docs/blocks.md, as they stand on the page, and those of examples/c."""
 
 import os
 import pathlib
@@ -49,6 +49,8 @@ def blocks_of(language, page="library.md"):
 ARRAY, SOLVE = blocks_of("c")
 ARRAY_PRINTS, SOLVE_PRINTS = blocks_of("text")
 (MEMORY,) = blocks_of("c", "scene_in_memory.md")
+(BLOCKS,) = blocks_of("c", "blocks.md")
+(BLOCKS_PRINT,) = blocks_of("text", "blocks.md")
 (CMAKE,) = blocks_of("cmake")
 
 
@@ -63,7 +65,8 @@ class Library(unittest.TestCase):
         cls.libraries = next(cls.root.rglob("pkgconfig/topple.pc")).parent.parent
         cls.folder = pathlib.Path(folder.name) / "use"
         cls.folder.mkdir()
-        for name, text in (("array.c", ARRAY), ("solve.c", SOLVE), ("memory.c", MEMORY), ("draw.c", DRAW)):
+        for name, text in (("array.c", ARRAY), ("solve.c", SOLVE), ("memory.c", MEMORY), ("blocks.c", BLOCKS),
+                           ("draw.c", DRAW)):
             (cls.folder / name).write_text(text, encoding="utf-8")
         shutil.copy(ROOT / "examples" / "block_e_valley.yaml", cls.folder / "scene.yaml")
 
@@ -136,6 +139,10 @@ class Library(unittest.TestCase):
             program = self.compile(compiler, "memory.c", self.flags("topple"))
             out = self.run_in(program, LD_LIBRARY_PATH=str(self.libraries))
             self.assertRegex(out, r"^\d+\.\d+ degrees\n$")
+
+    def test_many_blocks(self):
+        program = self.compile(COMPILERS[0], "blocks.c", self.flags("topple"))
+        self.assertEqual(self.run_in(program, LD_LIBRARY_PATH=str(self.libraries)), BLOCKS_PRINT)
 
     def test_examples(self):
         """Each compares what it prints with closed forms of its own, and would end with another status."""

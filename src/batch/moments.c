@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The calls for moments of one outline and of many. */
+
+#include "batch/area.h"
+#include "batch/blocks.h"
+#include "batch/share.h"
+#include "host.h"
+
+#include <math.h>
+
+/* Outlines handed out at once: some tens of microseconds of work. */
+enum { CHUNK = 512 };
+
+tp_status tp_outline_moments(tp_area_moments *moments, const double *xy, size_t count,
+                             tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, moments);
+  TP_REFUSE_NULL(message, xy);
+  enum { SMALL = 512 };
+  double room[SMALL];
+  tp_workspace workspace = {.room = room, .capacity = SMALL, .borrowed = true};
+  const tp_vertices vertices = tp_vertices_open(xy, count);
+  tp_area_moments own;
+  tp_status status = tp_area_filter(&own, &workspace, vertices,
+                                    tp_scan_kernel_choose(TP_INSTRUCTIONS_BEST), message);
+  tp_workspace_clear(&workspace);
+  if (status == TP_UNDECIDED) status = tp_area_exact(&own, vertices, message);
+  if (status == TP_OK) *moments = own;
+  return status;
+}
+
+typedef struct moments_task {
+  const tp_moment_columns *columns;
+  const tp_outlines *outlines;
+  const tp_scan_kernel *kernel;
+} moments_task;
+
+static void put(double *values, double *errors, size_t block, tp_bounded number) {
+  if (values != NULL) values[block] = number.value;
+  if (errors != NULL) errors[block] = number.error;
+}
+
+static void put_all(const tp_moment_columns *c, size_t block, const tp_area_moments *m) {
+  put(c->area, c->area_error, block, m->area);
+  put(c->centroid_x, c->centroid_x_error, block, m->centroid_x);
+  put(c->centroid_y, c->centroid_y_error, block, m->centroid_y);
+  put(c->second_moment_xx, c->second_moment_xx_error, block, m->second_moment_xx);
+  put(c->second_moment_yy, c->second_moment_yy_error, block, m->second_moment_yy);
+  put(c->second_moment_xy, c->second_moment_xy_error, block, m->second_moment_xy);
+}
+
+static tp_status find(tp_workspace *workspace, const void *task, size_t block,
+                      tp_message *message) {
+  const moments_task *t = task;
+  const tp_bounded none = {.value = NAN, .error = NAN};
+  const tp_vertices vertices = tp_outlines_at(t->outlines, block);
+  tp_area_moments moments;
+  tp_status status = tp_area_filter(&moments, workspace, vertices, t->kernel, message);
+  if (status == TP_UNDECIDED) {
+    workspace->summary.climbed++;
+    status = tp_area_exact(&moments, vertices, message);
+  }
+  if (status != TP_OK) moments = (tp_area_moments){none, none, none, none, none, none};
+  put_all(t->columns, block, &moments);
+  if (t->columns->status != NULL) t->columns->status[block] = status;
+  return status;
+}
+
+tp_status tp_outlines_moments(const tp_moment_columns *columns, tp_blocks_summary *summary,
+                              const tp_outlines *outlines, const tp_blocks_options *options,
+                              tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, columns);
+  TP_REFUSE_NULL(message, summary);
+  TP_REFUSE_NULL(message, outlines);
+  TP_REFUSE_NULL(message, options);
+  tp_blocks_options own = tp_blocks_options_default();
+  TP_TAKE_OPTIONS(message, own, options);
+  const tp_status status = tp_blocks_check(outlines, options, __func__, message);
+  if (status != TP_OK) return status;
+  const moments_task task = {columns, outlines, tp_scan_kernel_choose(TP_INSTRUCTIONS_BEST)};
+  return tp_share_out(summary, find, &task, outlines->count, CHUNK, options->threads, message);
+}

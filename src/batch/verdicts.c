@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The full verdicts of many blocks: a scene of each, solved as any other, what was asked read off
+ * and all of it freed, so that memory does not grow with their number. */
+
+#include "batch/block_scene.h"
+#include "batch/blocks.h"
+#include "batch/share.h"
+#include "host.h"
+
+#include <math.h>
+
+/* Blocks handed out at once: each is some hundred microseconds of work. */
+enum { CHUNK = 8 };
+
+typedef struct verdict_task {
+  const tp_verdict_columns *columns;
+  const tp_outlines *outlines;
+  tp_numbers friction_angle_deg, tilt_angle_deg;
+  tp_direction towards;
+  tp_solve_options options;
+} verdict_task;
+
+static const tp_bounded none = {.value = NAN, .error = NAN};
+
+static void put(double *values, double *errors, size_t block, tp_bounded number) {
+  if (values != NULL) values[block] = number.value;
+  if (errors != NULL) errors[block] = number.error;
+}
+
+/* Of a block that has no solution. */
+static void put_nothing(const tp_verdict_columns *c, size_t block) {
+  if (c->mechanism != NULL) c->mechanism[block] = TP_MECHANISM_UNDECIDED;
+  if (c->first != NULL) c->first[block] = TP_MECHANISM_UNDECIDED;
+  if (c->limit_kind != NULL) c->limit_kind[block] = TP_LIMIT_UNDECIDED;
+  if (c->onset_kind != NULL) c->onset_kind[block] = TP_ONSET_UNDECIDED;
+  put(c->first_angle_deg, c->first_error_deg, block, none);
+  put(c->critical_angle_deg, c->critical_error_deg, block, none);
+  put(c->limit_angle_deg, c->limit_error_deg, block, none);
+  put(c->onset_angle_deg, c->onset_error_deg, block, none);
+  put(c->fos, c->fos_error, block, none);
+}
+
+static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *own) {
+  const tp_pivot *pivot = own->has_governing ? own->pivots + own->governing : NULL;
+  const bool limit = own->limit.kind == TP_LIMIT_AT_ANGLE;
+  const bool onset = own->onset.kind == TP_ONSET_AT_ANGLE;
+  const tp_fos *fos = &own->governing_fos.fos;
+  if (c->mechanism != NULL) c->mechanism[block] = own->mechanism;
+  if (c->first != NULL) c->first[block] = own->first;
+  if (c->limit_kind != NULL) c->limit_kind[block] = own->limit.kind;
+  if (c->onset_kind != NULL) c->onset_kind[block] = own->onset.kind;
+  put(c->first_angle_deg, c->first_error_deg, block,
+      own->has_first_angle ? own->first_angle_deg : none);
+  put(c->critical_angle_deg, c->critical_error_deg, block,
+      pivot != NULL ? pivot->critical_angle_deg : none);
+  put(c->limit_angle_deg, c->limit_error_deg, block, limit ? own->limit.critical_angle_deg : none);
+  put(c->onset_angle_deg, c->onset_error_deg, block, onset ? own->onset.critical_angle_deg : none);
+  put(c->fos, c->fos_error, block, fos->state == TP_FOS_NUMBER ? fos->value : none);
+}
+
+static tp_status set_angle(tp_scene *scene, tp_numbers numbers, size_t block,
+                           tp_status (*set)(tp_scene *, tp_exact, tp_message *),
+                           tp_message *message) {
+  const double angle = numbers.each != NULL ? numbers.each[block] : numbers.all;
+  return isnan(angle) ? TP_OK : set(scene, tp_exact_of(angle), message);
+}
+
+static tp_status solve(const verdict_task *t, size_t block, tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_status status =
+      tp_block_scene_new(&scene, tp_outlines_at(t->outlines, block), t->towards, message);
+  if (status != TP_OK) return status;
+  status = set_angle(scene, t->friction_angle_deg, block, tp_scene_set_friction_angle_deg, message);
+  if (status == TP_OK) {
+    status = set_angle(scene, t->tilt_angle_deg, block, tp_scene_set_tilt_angle_deg, message);
+  }
+  if (status == TP_OK) status = tp_solve(&solution, scene, &t->options, message);
+  tp_scene_free(scene);
+  if (status != TP_OK) return status;
+  put_case(t->columns, block, solution->cases);
+  if (tp_solution_is_undecided(solution)) status = TP_UNDECIDED;
+  tp_solution_free(solution);
+  return status;
+}
+
+static tp_status find(tp_workspace *workspace, const void *task, size_t block,
+                      tp_message *message) {
+  (void)workspace;
+  const verdict_task *t = task;
+  put_nothing(t->columns, block);
+  const tp_status status = solve(t, block, message);
+  if (t->columns->status != NULL) t->columns->status[block] = status;
+  return status;
+}
+
+tp_status tp_blocks_solve(const tp_verdict_columns *columns, tp_blocks_summary *summary,
+                          const tp_outlines *outlines, tp_numbers friction_angle_deg,
+                          tp_numbers tilt_angle_deg, const tp_blocks_options *options,
+                          tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, columns);
+  TP_REFUSE_NULL(message, summary);
+  TP_REFUSE_NULL(message, outlines);
+  TP_REFUSE_NULL(message, options);
+  tp_blocks_options own = tp_blocks_options_default();
+  TP_TAKE_OPTIONS(message, own, options);
+  const tp_status status = tp_blocks_check(outlines, options, __func__, message);
+  if (status != TP_OK) return status;
+  verdict_task task = {columns,        outlines,         friction_angle_deg,
+                       tilt_angle_deg, options->towards, tp_solve_options_default()};
+  task.options.limit = options->limit;
+  task.options.strength_reduction = options->strength_reduction;
+  task.options.pivots = TP_PIVOTS_GOVERNING;
+  return tp_share_out(summary, find, &task, outlines->count, CHUNK, options->threads, message);
+}
