@@ -36,8 +36,8 @@ extern "C" {
 
 /* `count` outlines, one after another, in one array x0, y0, x1, y1, ... that stays the caller's. */
 typedef struct tp_outlines {
-  size_t count;
-  const double *xy;
+  size_t count;        /* of outlines */
+  const double *xy;    /* their points */
   size_t vertices;     /* of every outline; where they differ: */
   const size_t *first; /* vertex first[k] to first[k + 1] - 1 are outline k's: count + 1 of them */
 } tp_outlines;
@@ -47,6 +47,7 @@ tp_outlines tp_outlines_of(const double *xy, size_t count, size_t vertices);
 /* Each of its own number, as an array of shape (first[count], 2). */
 tp_outlines tp_outlines_ragged(const double *xy, size_t count, const size_t *first);
 
+/* How many blocks are computed. */
 typedef struct tp_blocks_options {
   size_t size;    /* of this struct, as `…_default()` has it */
   size_t threads; /* that compute; 0: as many as the process may run on; 1: none is started */
@@ -79,8 +80,8 @@ typedef struct tp_blocks_summary {
 /* Area, centroid and second moments of area about the centroid: powers 1 to 4 of the unit that the
  * coordinates are in. */
 typedef struct tp_area_moments {
-  tp_bounded area;
-  tp_bounded centroid_x, centroid_y;
+  tp_bounded area;                   /* int dA */
+  tp_bounded centroid_x, centroid_y; /* where the outline's own coordinates lie */
   tp_bounded second_moment_xx, second_moment_yy, second_moment_xy; /* int x^2, y^2, x y dA */
 } tp_area_moments;
 
@@ -90,16 +91,18 @@ typedef struct tp_area_moments {
 TP_MUST_USE tp_status tp_outline_moments(tp_area_moments *moments, const double *xy, size_t count,
                                          tp_message *message);
 
+/* Columns for the same of many. */
 typedef struct tp_moment_columns {
-  double *area, *area_error;
-  double *centroid_x, *centroid_x_error, *centroid_y, *centroid_y_error;
-  double *second_moment_xx, *second_moment_xx_error;
-  double *second_moment_yy, *second_moment_yy_error;
-  double *second_moment_xy, *second_moment_xy_error;
-  tp_status *status;
+  double *area, *area_error;                         /* as in tp_area_moments */
+  double *centroid_x, *centroid_x_error;             /* x of the centroid */
+  double *centroid_y, *centroid_y_error;             /* and y */
+  double *second_moment_xx, *second_moment_xx_error; /* int x^2 dA */
+  double *second_moment_yy, *second_moment_yy_error; /* int y^2 dA */
+  double *second_moment_xy, *second_moment_xy_error; /* int x y dA */
+  tp_status *status;                                 /* TP_OK, or TP_BAD_INPUT */
 } tp_moment_columns;
 
-/* The same of many. Of the options, `threads` counts. */
+/* tp_outline_moments of many. Of the options, `threads` counts. */
 TP_MUST_USE tp_status tp_outlines_moments(const tp_moment_columns *columns,
                                           tp_blocks_summary *summary, const tp_outlines *outlines,
                                           const tp_blocks_options *options, tp_message *message);
@@ -122,22 +125,26 @@ TP_MUST_USE tp_status tp_blocks_critical_angles(const tp_critical_columns *colum
 
 /* A number for each block, or one for all: NaN, where the block has none. */
 typedef struct tp_numbers {
-  const double *each; /* NULL: */
-  double all;
+  const double *each; /* a number for each; NULL: */
+  double all;         /* one for all */
 } tp_numbers;
 
+/* One number for all blocks. */
 tp_numbers tp_numbers_of(double all);
+
+/* An array with a number for each, which stays the caller's. */
 tp_numbers tp_numbers_each(const double *each);
 
+/* Columns for the verdicts of many. */
 typedef struct tp_verdict_columns {
   tp_mechanism *mechanism; /* at the tilt; without one, the first as the table is tilted */
   tp_mechanism *first;     /* what happens first as the table is tilted from level, and where */
-  double *first_angle_deg, *first_error_deg;
+  double *first_angle_deg, *first_error_deg;       /* the tilt at which that happens */
   double *critical_angle_deg, *critical_error_deg; /* by moments, as above */
   tp_limit_kind *limit_kind;                       /* the static limit (topple_limit.h) */
-  double *limit_angle_deg, *limit_error_deg;
-  tp_onset_kind *onset_kind; /* the onset of motion (topple_onset.h) */
-  double *onset_angle_deg, *onset_error_deg;
+  double *limit_angle_deg, *limit_error_deg;       /* its tilt, where it is at one */
+  tp_onset_kind *onset_kind;                       /* the onset of motion (topple_onset.h) */
+  double *onset_angle_deg, *onset_error_deg;       /* its tilt, likewise */
   double *fos, *fos_error; /* the governing factor of safety, where there is a tilt and a number */
   tp_status *status;       /* TP_UNDECIDED: of it some is, and the rest holds */
 } tp_verdict_columns;
