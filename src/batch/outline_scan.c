@@ -29,7 +29,7 @@
 /* Vertices that follow the last one, for vectors to read on. */
 enum { BEYOND = 16 };
 
-static const double TURN_ERROR = 0x1.4p-51, TURN_LEAST = 1e-280;
+static const double turn_error = 0x1.4p-51, turn_least = 1e-280;
 
 /* The error of the sum a + b in doubles. */
 static double lost(double a, double b) {
@@ -207,8 +207,8 @@ static tp_scan_answer turn_facet(const facets *f, long k) {
   const double size = fabs(level) + fabs(upright);
   if (f->outwards * run < 0) return TP_SCAN_OPEN;
   if ((arm_x == 0 || run == 0) && (arm_y == 0 || rise == 0)) return TP_SCAN_CLEAR;
-  if (!(size >= TURN_LEAST)) return TP_SCAN_OPEN;
-  if (fabs(product) < TURN_ERROR * size) {
+  if (!(size >= turn_least)) return TP_SCAN_OPEN;
+  if (fabs(product) < turn_error * size) {
     return is_upright(f, k, level, upright) ? TP_SCAN_CLEAR : TP_SCAN_OPEN;
   }
   return product < 0 ? TP_SCAN_BLOCKED : TP_SCAN_CLEAR;
@@ -236,7 +236,7 @@ tp_scan_answer tp_scan_turn(const tp_scan *scan, tp_scan_chain chain,
   if (f.count < WIDEST) return turn_each(&f);
   const turning all = kernel->turn(&f);
   if (all.ahead < 0) return TP_SCAN_OPEN;
-  if (!(all.certain >= TURN_LEAST)) return turn_each(&f);
+  if (!(all.certain >= turn_least)) return turn_each(&f);
   return all.product < 0 ? TP_SCAN_BLOCKED : TP_SCAN_CLEAR;
 }
 

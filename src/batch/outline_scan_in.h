@@ -111,7 +111,7 @@ static TARGET turning KERNEL(turn)(const facets *f) {
     const VECTOR run = KERNEL(load)(f->far_x + at) - nx, rise = KERNEL(load)(f->far_y + at) - ny;
     const VECTOR level = (nx - f->pivot_x) * run, upright = (ny - f->pivot_y) * rise;
     const VECTOR own = level + upright;
-    const VECTOR error = TURN_ERROR * (KERNEL(absolute)(level) + KERNEL(absolute)(upright));
+    const VECTOR error = turn_error * (KERNEL(absolute)(level) + KERNEL(absolute)(upright));
     ahead = LESSER(ahead, f->outwards * run);
     product = LESSER(product, own);
     certain = LESSER(certain, KERNEL(absolute)(own) - error);
