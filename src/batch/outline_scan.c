@@ -96,7 +96,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define FIRSTS 0, 2, 4, 6, 8, 10, 12, 14
 #define SECONDS 1, 3, 5, 7, 9, 11, 13, 15
 #define LESSER(a, b) ((VECTOR)_mm512_min_pd(a, b))
-#define LARGER(a, b) ((VECTOR)_mm512_max_pd(a, b))
 #define EQUAL(a, b) ((unsigned)_mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ))
 #include "batch/outline_scan_in.h"
 #undef KERNEL
@@ -105,7 +104,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #undef FIRSTS
 #undef SECONDS
 #undef LESSER
-#undef LARGER
 #undef EQUAL
 
 #define KERNEL(name) avx2_##name
@@ -114,7 +112,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define FIRSTS 0, 2, 4, 6
 #define SECONDS 1, 3, 5, 7
 #define LESSER(a, b) ((VECTOR)_mm256_min_pd(a, b))
-#define LARGER(a, b) ((VECTOR)_mm256_max_pd(a, b))
 #define EQUAL(a, b) ((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)))
 #include "batch/outline_scan_in.h"
 #undef KERNEL
@@ -123,7 +120,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #undef FIRSTS
 #undef SECONDS
 #undef LESSER
-#undef LARGER
 #undef EQUAL
 #endif
 
@@ -134,7 +130,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define SECONDS 1, 3
 #define SELECT(first, a, b) ((VECTOR)(((BITS)(a) & (first)) | ((BITS)(b) & ~(first))))
 #define LESSER(a, b) SELECT((a) < (b), a, b)
-#define LARGER(a, b) SELECT((a) > (b), a, b)
 #define EQUAL(a, b) (((a)[0] == (b)[0] ? 1U : 0U) | ((a)[1] == (b)[1] ? 2U : 0U))
 #include "batch/outline_scan_in.h"
 
