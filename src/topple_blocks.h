@@ -34,20 +34,22 @@
 extern "C" {
 #endif
 
-/* `count` outlines, one after another, in one array x0, y0, x1, y1, ... that stays the caller's. */
+/* Outlines, one after another in one array, which stays the caller's. */
 typedef struct tp_outlines {
-  size_t count;        /* of outlines */
-  const double *xy;    /* their points */
-  size_t vertices;     /* of every outline; where they differ: */
-  const size_t *first; /* vertex first[k] to first[k + 1] - 1 are outline k's: count + 1 of them */
+  size_t count;     /* of outlines */
+  const double *xy; /* x0, y0, x1, y1, ... */
+  size_t vertices;  /* of every outline; where they differ: */
+  const size_t
+      *first; /* outline k has the vertices first[k] to first[k + 1] - 1: count + 1 of them */
 } tp_outlines;
 
-/* All of `vertices` vertices, as an array of shape (count, vertices, 2). */
+/* Outlines of `vertices` vertices each: an array of shape (count, vertices, 2). */
 tp_outlines tp_outlines_of(const double *xy, size_t count, size_t vertices);
-/* Each of its own number, as an array of shape (first[count], 2). */
+/* Outlines of any number of vertices each: an array of shape (first[count], 2), and where in it
+ * each one begins. */
 tp_outlines tp_outlines_ragged(const double *xy, size_t count, const size_t *first);
 
-/* How many blocks are computed. */
+/* How many blocks are gone through. */
 typedef struct tp_blocks_options {
   size_t size;    /* of this struct, as `…_default()` has it */
   size_t threads; /* that compute; 0: as many as the process may run on; 1: none is started */
@@ -58,7 +60,7 @@ typedef struct tp_blocks_options {
   tp_direction towards;    /* which way the table is tilted */
 } tp_blocks_options;
 
-/* All threads, checked, with limit and strength reduction, towards the left. */
+/* The defaults: all threads, checked, with limit and strength reduction, towards the left. */
 void tp_blocks_options_init(tp_blocks_options *options, size_t size);
 static inline tp_blocks_options tp_blocks_options_default(void) {
   tp_blocks_options options;
@@ -66,90 +68,94 @@ static inline tp_blocks_options tp_blocks_options_default(void) {
   return options;
 }
 
-/* What became of the blocks: counts that add up to all of them. */
+/* What became of the blocks: the first four counts add up to all of them. */
 typedef struct tp_blocks_summary {
   size_t done;          /* TP_OK */
   size_t without;       /* TP_NO_ANSWER: no pivot is admissible */
   size_t undecided;     /* TP_UNDECIDED, at the precision allowed */
   size_t bad;           /* TP_BAD_INPUT */
   size_t climbed;       /* of them all, those that doubles did not decide */
-  size_t first_bad;     /* the first block that is bad input, where there is one, */
+  size_t first_bad;     /* the first block that is bad input, from 0, where there is one, */
   tp_message complaint; /* and what is wrong with it; else empty */
 } tp_blocks_summary;
 
-/* Area, centroid and second moments of area about the centroid: powers 1 to 4 of the unit that the
- * coordinates are in. */
+/* Moments of area of an outline, in powers of the unit that its coordinates are in. */
 typedef struct tp_area_moments {
-  tp_bounded area;                   /* int dA */
-  tp_bounded centroid_x, centroid_y; /* where the outline's own coordinates lie */
-  tp_bounded second_moment_xx, second_moment_yy, second_moment_xy; /* int x^2, y^2, x y dA */
+  tp_bounded area;                   /* above 0 */
+  tp_bounded centroid_x, centroid_y; /* where it lies */
+  tp_bounded second_moment_xx, second_moment_yy,
+      second_moment_xy; /* about the centroid: int x^2 dA, int y^2 dA, int x y dA */
 } tp_area_moments;
 
-/* Of one outline of `count` vertices x0, y0, x1, y1, ... That it does not meet itself is not
- * checked: the sums of Green's theorem are taken over it as it is. TP_BAD_INPUT for fewer than
- * three vertices, coordinates that are no finite numbers, and an area of exactly 0. */
+/* Of one outline of `count` vertices x0, y0, x1, y1, ... by Green's theorem (mechanics.md, section
+ * 2). That it does not meet itself is not checked: the sums are taken over it as it is.
+ * TP_BAD_INPUT for fewer than three vertices, coordinates that are no finite numbers, and an area
+ * of exactly 0. Of 6 vertices it takes less than a microsecond. */
 TP_MUST_USE tp_status tp_outline_moments(tp_area_moments *moments, const double *xy, size_t count,
                                          tp_message *message);
 
-/* Columns for the same of many. */
+/* Columns for the moments of many outlines: each of `count` places, or NULL. */
 typedef struct tp_moment_columns {
-  double *area, *area_error;                         /* as in tp_area_moments */
-  double *centroid_x, *centroid_x_error;             /* x of the centroid */
-  double *centroid_y, *centroid_y_error;             /* and y */
-  double *second_moment_xx, *second_moment_xx_error; /* int x^2 dA */
+  double *area, *area_error;                         /* the area, and its error */
+  double *centroid_x, *centroid_x_error;             /* the centroid along x */
+  double *centroid_y, *centroid_y_error;             /* and along y */
+  double *second_moment_xx, *second_moment_xx_error; /* int x^2 dA about it */
   double *second_moment_yy, *second_moment_yy_error; /* int y^2 dA */
   double *second_moment_xy, *second_moment_xy_error; /* int x y dA */
-  tp_status *status;                                 /* TP_OK, or TP_BAD_INPUT */
+  tp_status *status;                                 /* TP_OK or TP_BAD_INPUT */
 } tp_moment_columns;
 
-/* tp_outline_moments of many. Of the options, `threads` counts. */
+/* The same of many outlines. Of the options, `threads` counts. */
 TP_MUST_USE tp_status tp_outlines_moments(const tp_moment_columns *columns,
                                           tp_blocks_summary *summary, const tp_outlines *outlines,
                                           const tp_blocks_options *options, tp_message *message);
 
-/* The tilt at which moments of the weight let a block turn about the admissible pivot that lets go
- * first (Eq. 2): atan2(x arm, y arm) of the centroid about it, -180 to 180 degrees. */
+/* Columns for critical angles: each of `count` places, or NULL. */
 typedef struct tp_critical_columns {
-  double *angle_deg, *error_deg; /* the error at most 1e-9 of the angle */
-  long *pivot;                   /* the vertex of the outline, from 0, that it turns about, or -1 */
-  tp_status *status;             /* TP_NO_ANSWER where no pivot is admissible */
+  double *angle_deg; /* -180 to 180; above 90 it never topples, below 0 not even level */
+  double *error_deg; /* at most 1e-9 of the angle */
+  long *pivot;       /* the vertex of the outline as given, from 0, that it turns about, or -1 */
+  tp_status *status; /* TP_NO_ANSWER where no pivot is admissible */
 } tp_critical_columns;
 
-/* What tp_solve tells of each as critical angle of its governing pivot. A filter in doubles with a
- * proven bound decides nearly all; the others climb by exact arithmetic, and are counted. */
+/* The tilt at which moments of the weight let each block turn about the admissible pivot that lets
+ * go first (Eq. 2 of Alejano et al.): atan2(x arm, y arm) of the centroid about it, as tp_solve has
+ * it. A filter in doubles with a proven bound decides nearly all; the others climb by exact
+ * arithmetic, and are counted. */
 TP_MUST_USE tp_status tp_blocks_critical_angles(const tp_critical_columns *columns,
                                                 tp_blocks_summary *summary,
                                                 const tp_outlines *outlines,
                                                 const tp_blocks_options *options,
                                                 tp_message *message);
 
-/* A number for each block, or one for all: NaN, where the block has none. */
+/* A number for each block, or one for all; NaN, where a block has none. */
 typedef struct tp_numbers {
-  const double *each; /* a number for each; NULL: */
-  double all;         /* one for all */
+  const double *each; /* of `count` places; NULL: */
+  double all;         /* the one for all */
 } tp_numbers;
 
-/* One number for all blocks. */
+/* One for all. */
 tp_numbers tp_numbers_of(double all);
-
-/* An array with a number for each, which stays the caller's. */
+/* One for each. */
 tp_numbers tp_numbers_each(const double *each);
 
-/* Columns for the verdicts of many. */
+/* Columns for verdicts: each of `count` places, or NULL. Of a block that is bad input every
+ * mechanism and kind is undecided. */
 typedef struct tp_verdict_columns {
   tp_mechanism *mechanism; /* at the tilt; without one, the first as the table is tilted */
-  tp_mechanism *first;     /* what happens first as the table is tilted from level, and where */
-  double *first_angle_deg, *first_error_deg;       /* the tilt at which that happens */
-  double *critical_angle_deg, *critical_error_deg; /* by moments, as above */
-  tp_limit_kind *limit_kind;                       /* the static limit (topple_limit.h) */
-  double *limit_angle_deg, *limit_error_deg;       /* its tilt, where it is at one */
-  tp_onset_kind *onset_kind;                       /* the onset of motion (topple_onset.h) */
-  double *onset_angle_deg, *onset_error_deg;       /* its tilt, likewise */
+  tp_mechanism *first;     /* what happens first as the table is tilted from level, */
+  double *first_angle_deg, *first_error_deg;       /* and where */
+  double *critical_angle_deg, *critical_error_deg; /* by moments, of the governing pivot */
+  tp_limit_kind *limit_kind;                       /* of the static limit (topple_limit.h) */
+  double *limit_angle_deg, *limit_error_deg;       /* where it is at an angle */
+  tp_onset_kind *onset_kind;                       /* of the onset of motion (topple_onset.h) */
+  double *onset_angle_deg, *onset_error_deg;       /* where it is at an angle */
   double *fos, *fos_error; /* the governing factor of safety, where there is a tilt and a number */
   tp_status *status;       /* TP_UNDECIDED: of it some is, and the rest holds */
 } tp_verdict_columns;
 
-/* The full verdict of each block by tp_solve, with its friction angle and its tilt in degrees. */
+/* The full verdict of each block by tp_solve, with its friction angle, 0 to below 90 degrees, and
+ * its tilt, 0 to 90 degrees. */
 TP_MUST_USE tp_status tp_blocks_solve(const tp_verdict_columns *columns, tp_blocks_summary *summary,
                                       const tp_outlines *outlines, tp_numbers friction_angle_deg,
                                       tp_numbers tilt_angle_deg, const tp_blocks_options *options,

@@ -4,6 +4,11 @@
 #include "random_blocks.h"
 
 #include <math.h>
+#include <string.h>
+
+bool same_bytes(const void *one, const void *other, size_t size) {
+  return memcmp(one, other, size) == 0;
+}
 
 /* Teeth with upright walls below a level top, the walls of the second kind leaning back. */
 static void draw_steps(polygon *p, random_numbers *state) {

@@ -21,6 +21,9 @@ typedef struct random_block {
   double xy[2 * BLOCK_MOST];
 } random_block;
 
+/* Are the results of two runs the same, byte by byte? */
+bool same_bytes(const void *one, const void *other, size_t size);
+
 /* A star, a rough underside, one at 45 degrees in places, teeth with upright walls, one that leans
  * over its base; at home, far off, tiny or huge; either way round, begun anywhere, mirrored. */
 void draw_block(random_block *block, random_numbers *state);

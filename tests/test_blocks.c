@@ -187,7 +187,7 @@ START_TEST(any_number_of_threads) {
   find(&first, &outlines, 1);
   for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
     find(&other, &outlines, threads[k]);
-    ck_assert_int_eq(memcmp(&first, &other, sizeof first), 0);
+    ck_assert(same_bytes(&first, &other, sizeof first));
   }
 }
 END_TEST
@@ -329,7 +329,7 @@ START_TEST(verdicts_of_many) {
   ck_assert_int_eq(first.status[10], TP_BAD_INPUT);
   for (size_t k = 0; k < SOLVED; k++) claim_verdict(&first, k);
   solve(&other, &outlines, 7);
-  ck_assert_int_eq(memcmp(&first, &other, sizeof first), 0);
+  ck_assert(same_bytes(&first, &other, sizeof first));
   const size_t all = first.summary.done + first.summary.bad + first.summary.undecided;
   ck_assert_uint_eq(all, SOLVED);
 }

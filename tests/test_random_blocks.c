@@ -313,7 +313,7 @@ START_TEST(critical_angles_of_random_blocks) {
     if (t.known) claim_truth(&own, status, &t);
     plain += t.known;
     climbed += t.known && summary.climbed > 0;
-    without += summary.without;
+    without += (long)summary.without;
   }
   tp_workspace_clear(&workspace);
   ck_assert_int_lt(plain, blocks);
@@ -342,7 +342,7 @@ START_TEST(instruction_sets) {
         first = own;
         first_status = status;
       }
-      claim(status == first_status && memcmp(&own, &first, sizeof own) == 0, "instructions");
+      claim(status == first_status && same_bytes(&own, &first, sizeof own), "instructions");
     }
   }
   tp_workspace_clear(&workspace);

@@ -29,7 +29,7 @@
 /* Vertices that follow the last one, for vectors to read on. */
 enum { BEYOND = 16 };
 
-static const double TURN_ERROR = 0x1.4p-51, TURN_LEAST = 1e-280;
+static const double turn_error = 0x1.4p-51, turn_least = 1e-280;
 
 /* The error of the sum a + b in doubles. */
 static double lost(double a, double b) {
@@ -96,7 +96,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define FIRSTS 0, 2, 4, 6, 8, 10, 12, 14
 #define SECONDS 1, 3, 5, 7, 9, 11, 13, 15
 #define LESSER(a, b) ((VECTOR)_mm512_min_pd(a, b))
-#define LARGER(a, b) ((VECTOR)_mm512_max_pd(a, b))
 #define EQUAL(a, b) ((unsigned)_mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ))
 #include "batch/outline_scan_in.h"
 #undef KERNEL
@@ -105,7 +104,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #undef FIRSTS
 #undef SECONDS
 #undef LESSER
-#undef LARGER
 #undef EQUAL
 
 #define KERNEL(name) avx2_##name
@@ -114,7 +112,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define FIRSTS 0, 2, 4, 6
 #define SECONDS 1, 3, 5, 7
 #define LESSER(a, b) ((VECTOR)_mm256_min_pd(a, b))
-#define LARGER(a, b) ((VECTOR)_mm256_max_pd(a, b))
 #define EQUAL(a, b) ((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)))
 #include "batch/outline_scan_in.h"
 #undef KERNEL
@@ -123,7 +120,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #undef FIRSTS
 #undef SECONDS
 #undef LESSER
-#undef LARGER
 #undef EQUAL
 #endif
 
@@ -134,7 +130,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define SECONDS 1, 3
 #define SELECT(first, a, b) ((VECTOR)(((BITS)(a) & (first)) | ((BITS)(b) & ~(first))))
 #define LESSER(a, b) SELECT((a) < (b), a, b)
-#define LARGER(a, b) SELECT((a) > (b), a, b)
 #define EQUAL(a, b) (((a)[0] == (b)[0] ? 1U : 0U) | ((a)[1] == (b)[1] ? 2U : 0U))
 #include "batch/outline_scan_in.h"
 
@@ -207,8 +202,8 @@ static tp_scan_answer turn_facet(const facets *f, long k) {
   const double size = fabs(level) + fabs(upright);
   if (f->outwards * run < 0) return TP_SCAN_OPEN;
   if ((arm_x == 0 || run == 0) && (arm_y == 0 || rise == 0)) return TP_SCAN_CLEAR;
-  if (!(size >= TURN_LEAST)) return TP_SCAN_OPEN;
-  if (fabs(product) < TURN_ERROR * size) {
+  if (!(size >= turn_least)) return TP_SCAN_OPEN;
+  if (fabs(product) < turn_error * size) {
     return is_upright(f, k, level, upright) ? TP_SCAN_CLEAR : TP_SCAN_OPEN;
   }
   return product < 0 ? TP_SCAN_BLOCKED : TP_SCAN_CLEAR;
@@ -236,7 +231,7 @@ tp_scan_answer tp_scan_turn(const tp_scan *scan, tp_scan_chain chain,
   if (f.count < WIDEST) return turn_each(&f);
   const turning all = kernel->turn(&f);
   if (all.ahead < 0) return TP_SCAN_OPEN;
-  if (!(all.certain >= TURN_LEAST)) return turn_each(&f);
+  if (!(all.certain >= turn_least)) return turn_each(&f);
   return all.product < 0 ? TP_SCAN_BLOCKED : TP_SCAN_CLEAR;
 }
 

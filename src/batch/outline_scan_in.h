@@ -3,8 +3,8 @@
 
 /* The kernels of outline_scan.h for one instruction set; included once for each. The includer
  * defines TARGET (the attribute that allows the instructions), KERNEL(name), WIDTH, FIRSTS and
- * SECONDS (the places of x and of y among 2 WIDTH numbers), LESSER(a, b), LARGER(a, b) and
- * EQUAL(a, b), a bit for every lane. No include guard: that is meant. */
+ * SECONDS (the places of x and of y among 2 WIDTH numbers), LESSER(a, b) and EQUAL(a, b), a bit for
+ * every lane. No include guard: that is meant. */
 
 #define INLINE static inline __attribute__((always_inline)) TARGET
 #define VECTOR KERNEL(vector)
@@ -33,24 +33,56 @@ INLINE double KERNEL(least)(VECTOR v) {
   return least_of(lanes, WIDTH);
 }
 
-/* Apart into x and y, and the first vertex once more, so often that vectors may read on. */
-INLINE void KERNEL(part)(const tp_scan *scan, const double *xy) {
-  double *const x = scan->x, *const y = scan->y;
-  long k = 0;
-  for (; k + WIDTH <= scan->count; k += WIDTH) {
-    const VECTOR a = KERNEL(load)(xy + 2 * k), b = KERNEL(load)(xy + 2 * k + WIDTH);
-    KERNEL(store)(x + k, __builtin_shufflevector(a, b, FIRSTS));
-    KERNEL(store)(y + k, __builtin_shufflevector(a, b, SECONDS));
-  }
-  for (; k < scan->count; k++) {
-    x[k] = xy[2 * k];
-    y[k] = xy[2 * k + 1];
-  }
-  const VECTOR x0 = xy[0] + (VECTOR){0}, y0 = xy[1] + (VECTOR){0};
+/* What is gathered over the vertices, lane by lane; of the largest its negative. */
+typedef struct KERNEL(extremes) {
+  VECTOR left, right, low, high, first, last;
+} KERNEL(extremes);
+
+INLINE void KERNEL(gather)(KERNEL(extremes) * all, VECTOR x, VECTOR y) {
+  all->left = LESSER(all->left, x);
+  all->right = LESSER(all->right, -x);
+  all->low = LESSER(all->low, y);
+  all->high = LESSER(all->high, -y);
+  all->first = LESSER(all->first, x + y);
+  all->last = LESSER(all->last, y - x);
+}
+
+/* WIDTH vertices from the k-th on apart, and gathered. */
+INLINE void KERNEL(part)(KERNEL(extremes) * all, const tp_scan *scan, const double *xy, long k) {
+  const VECTOR a = KERNEL(load)(xy + 2 * k), b = KERNEL(load)(xy + 2 * k + WIDTH);
+  const VECTOR x = __builtin_shufflevector(a, b, FIRSTS);
+  const VECTOR y = __builtin_shufflevector(a, b, SECONDS);
+  KERNEL(store)(scan->x + k, x);
+  KERNEL(store)(scan->y + k, y);
+  KERNEL(gather)(all, x, y);
+}
+
+/* The first vertex follows the last one, so often that vectors may read on. */
+INLINE void KERNEL(close)(const tp_scan *scan, const double *xy) {
+  const VECTOR x = xy[0] + (VECTOR){0}, y = xy[1] + (VECTOR){0};
   for (long step = 0; step < BEYOND; step += WIDTH) {
-    KERNEL(store)(x + scan->count + step, x0);
-    KERNEL(store)(y + scan->count + step, y0);
+    KERNEL(store)(scan->x + scan->count + step, x);
+    KERNEL(store)(scan->y + scan->count + step, y);
   }
+}
+
+/* All vertices; the last ones are taken twice where they fill no vector. */
+INLINE KERNEL(extremes) KERNEL(part_all)(const tp_scan *scan, const double *xy) {
+  const VECTOR none = INFINITY + (VECTOR){0};
+  KERNEL(extremes) all = {none, none, none, none, none, none};
+  const long count = scan->count;
+  KERNEL(close)(scan, xy);
+  if (count < WIDTH) {
+    for (long k = 0; k < count; k++) {
+      scan->x[k] = xy[2 * k];
+      scan->y[k] = xy[2 * k + 1];
+    }
+    KERNEL(gather)(&all, KERNEL(load)(scan->x), KERNEL(load)(scan->y));
+    return all;
+  }
+  for (long k = 0; k + WIDTH <= count; k += WIDTH) KERNEL(part)(&all, scan, xy, k);
+  if (count % WIDTH != 0) KERNEL(part)(&all, scan, xy, count - WIDTH);
+  return all;
 }
 
 /* Those among the next WIDTH vertices that are as far out as `extreme`: the best of them and of
@@ -66,30 +98,17 @@ INLINE long KERNEL(find)(const tp_scan *scan, long found, long k, VECTOR own, do
 }
 
 static TARGET void KERNEL(read)(tp_scan *scan, const double *xy) {
-  KERNEL(part)(scan, xy);
-  VECTOR least_x = KERNEL(load)(scan->x), most_x = least_x;
-  VECTOR least_y = KERNEL(load)(scan->y), most_y = least_y;
-  VECTOR least_sum = least_x + least_y, most_difference = least_x - least_y;
-  for (long k = WIDTH; k < scan->count; k += WIDTH) {
-    const VECTOR x = KERNEL(load)(scan->x + k), y = KERNEL(load)(scan->y + k);
-    const VECTOR sum = x + y, difference = x - y;
-    least_x = LESSER(least_x, x);
-    most_x = LARGER(most_x, x);
-    least_y = LESSER(least_y, y);
-    most_y = LARGER(most_y, y);
-    least_sum = LESSER(least_sum, sum);
-    most_difference = LARGER(most_difference, difference);
-  }
-  scan->least_x = KERNEL(least)(least_x);
-  scan->most_x = -KERNEL(least)(-most_x);
-  scan->least_y = KERNEL(least)(least_y);
-  scan->most_y = -KERNEL(least)(-most_y);
-  const double sum = KERNEL(least)(least_sum), difference = -KERNEL(least)(-most_difference);
+  const KERNEL(extremes) all = KERNEL(part_all)(scan, xy);
+  scan->least_x = KERNEL(least)(all.left);
+  scan->most_x = -KERNEL(least)(all.right);
+  scan->least_y = KERNEL(least)(all.low);
+  scan->most_y = -KERNEL(least)(all.high);
+  const double first = KERNEL(least)(all.first), last = KERNEL(least)(all.last);
   scan->first = scan->last = -1;
   for (long k = 0; k < scan->count; k += WIDTH) {
     const VECTOR x = KERNEL(load)(scan->x + k), y = KERNEL(load)(scan->y + k);
-    scan->first = KERNEL(find)(scan, scan->first, k, x + y, sum, 1);
-    scan->last = KERNEL(find)(scan, scan->last, k, x - y, difference, -1);
+    scan->first = KERNEL(find)(scan, scan->first, k, y + x, first, 1);
+    scan->last = KERNEL(find)(scan, scan->last, k, y - x, last, -1);
   }
 }
 
@@ -111,7 +130,7 @@ static TARGET turning KERNEL(turn)(const facets *f) {
     const VECTOR run = KERNEL(load)(f->far_x + at) - nx, rise = KERNEL(load)(f->far_y + at) - ny;
     const VECTOR level = (nx - f->pivot_x) * run, upright = (ny - f->pivot_y) * rise;
     const VECTOR own = level + upright;
-    const VECTOR error = TURN_ERROR * (KERNEL(absolute)(level) + KERNEL(absolute)(upright));
+    const VECTOR error = turn_error * (KERNEL(absolute)(level) + KERNEL(absolute)(upright));
     ahead = LESSER(ahead, f->outwards * run);
     product = LESSER(product, own);
     certain = LESSER(certain, KERNEL(absolute)(own) - error);

@@ -102,11 +102,12 @@ static size_t threads_present(void) {
   cpu_set_t set;
   if (sched_getaffinity(0, sizeof set, &set) == 0) return (size_t)CPU_COUNT(&set);
   const long present = sysconf(_SC_NPROCESSORS_ONLN);
-  return present < 1 ? 1 : (size_t)present;
+  return present > 0 ? (size_t)present : 0;
 }
 
 static size_t threads_of(size_t asked, size_t chunks) {
   size_t threads = asked != 0 ? asked : threads_present();
+  if (threads < 1) threads = 1;
   if (threads > MOST_THREADS) threads = MOST_THREADS;
   return threads > chunks ? chunks : threads;
 }

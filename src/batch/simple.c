@@ -100,15 +100,21 @@ static group group_of(const outline *o, long first) {
   return (group){first, end, runs, all};
 }
 
-/* Edges of two groups, or of one and the same. */
+/* Edges of two groups, or of one and the same: of each those that reach into the other's box. */
 static bool edges_keep_apart(const outline *o, const group *one, const group *other) {
   box boxes[GROUP];
-  for (long b = other->first; b < other->end; b++) boxes[b - other->first] = box_of(o, b);
-  for (long a = one->first; a < one->end; a++) {
+  long edges[GROUP];
+  int count = 0;
+  for (long b = other->first; b < other->end; b++) {
+    boxes[count] = box_of(o, b);
+    edges[count] = b;
+    if (!apart(boxes + count, &one->all)) count++;
+  }
+  for (long a = one->first; a < one->end && count > 0; a++) {
     const box own = box_of(o, a);
     if (apart(&own, &other->all)) continue;
-    for (long b = one == other ? a + 1 : other->first; b < other->end; b++) {
-      if (!apart(&own, boxes + (b - other->first)) && !keep_apart(o, a, b)) return false;
+    for (int k = 0; k < count; k++) {
+      if (edges[k] > a && !apart(&own, boxes + k) && !keep_apart(o, a, edges[k])) return false;
     }
   }
   return true;
