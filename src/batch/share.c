@@ -100,16 +100,16 @@ static void *run(void *argument) {
 
 static size_t threads_present(void) {
   cpu_set_t set;
-  if (sched_getaffinity(0, sizeof set, &set) == 0) return (size_t)CPU_COUNT(&set);
-  const long present = sysconf(_SC_NPROCESSORS_ONLN);
-  return present > 0 ? (size_t)present : 0;
+  const bool told = sched_getaffinity(0, sizeof set, &set) == 0;
+  const long present = told ? CPU_COUNT(&set) : sysconf(_SC_NPROCESSORS_ONLN);
+  return present > 1 ? (size_t)present : 1;
 }
 
-static size_t threads_of(size_t asked, size_t chunks) {
-  size_t threads = asked != 0 ? asked : threads_present();
-  if (threads < 1) threads = 1;
-  if (threads > MOST_THREADS) threads = MOST_THREADS;
-  return threads > chunks ? chunks : threads;
+/* One, and others for no more than the chunks after the first. */
+static size_t threads_of(size_t asked, size_t more_chunks) {
+  size_t more = (asked != 0 ? asked : threads_present()) - 1;
+  if (more > MOST_THREADS - 1) more = MOST_THREADS - 1;
+  return 1 + (more > more_chunks ? more_chunks : more);
 }
 
 /* Of one thread into that of all. */
@@ -141,7 +141,7 @@ tp_status tp_share_out(tp_blocks_summary *summary, tp_block_work *work, const vo
   shared all = {.work = work, .task = task, .count = count, .chunk = chunk};
   tp_status status = TP_OK;
   if (count > 0) {
-    threads = threads_of(threads, (count - 1) / chunk + 1);
+    threads = threads_of(threads, (count - 1) / chunk);
     worker *workers = calloc(threads, sizeof *workers);
     if (workers == NULL) return tp_fail_memory(message, "the threads");
     for (size_t k = 0; k < threads; k++) workers[k].all = &all;
