@@ -112,8 +112,10 @@ typedef enum tp_level {
 /* How many there are. */
 enum { TP_LEVELS = TP_LEVEL_EXACT + 1 };
 
-/* By its name: double, compensated, ball or exact; false for another one. And the name. */
+/* The level of that name: double, compensated, ball or exact; false for another one. */
 bool tp_level_read(tp_level *level, const char *name);
+
+/* And its name. */
 const char *tp_level_name(tp_level level);
 
 /* What the block does. */

@@ -111,7 +111,7 @@ static inline tp_chart_map_options tp_chart_map_options_default(void) {
 TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options,
                                    tp_message *message);
 
-/* NULL is allowed. */
+/* Free it with all that it holds; NULL is allowed. */
 void tp_chart_free(tp_chart *chart);
 
 /* The chart's numbers: a row for every point, with its error. `*text` is allocated with malloc and
@@ -127,12 +127,12 @@ typedef enum tp_chart_format {
   TP_CHART_CSV
 } tp_chart_format;
 
-/* The format that a file's name ends in; false for another ending. */
+/* The format that the name `path` ends in; false for another ending. */
 bool tp_chart_format_read(tp_chart_format *format, const char *path);
 
-/* Write the file, whole or not at all; one that is there keeps its owner and mode, and one that the
- * chart was computed from is bad input. All but CSV are drawn by gnuplot, which must be installed.
- * TP_SYSTEM_FAILED where it is not, or the file cannot be written. */
+/* Write the chart into the file `path`, whole or not at all; one that is there keeps its owner and
+ * mode, and one that the chart was computed from is bad input. All but CSV are drawn by gnuplot,
+ * which must be installed. TP_SYSTEM_FAILED where it is not, or the file cannot be written. */
 TP_MUST_USE tp_status tp_report_chart_file(const tp_chart *chart, const char *path,
                                            tp_chart_format format, tp_message *message);
 

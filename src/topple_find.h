@@ -77,8 +77,8 @@ TP_MUST_USE tp_status tp_find(tp_found **found, const char *scene, const tp_find
 /* Free it with all that it points to; NULL is allowed. */
 void tp_found_free(tp_found *found);
 
-/* By its name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or
- * onset_angle; false for another one. And the name. */
+/* The target of that name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos
+ * or onset_angle; false for another one. */
 bool tp_find_target_read(tp_find_target *target, const char *name);
 const char *tp_find_target_name(tp_find_target target);
 

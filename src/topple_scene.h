@@ -51,7 +51,7 @@ TP_MUST_USE tp_status tp_scene_read_text(tp_scene **scene, const char *text, con
  * `length_unit` is mm, cm, m, km, in or ft. */
 TP_MUST_USE tp_status tp_scene_new(tp_scene **scene, const char *length_unit, tp_message *message);
 
-/* NULL is allowed. */
+/* Free it with all that it holds; NULL is allowed. */
 void tp_scene_free(tp_scene *scene);
 
 /* An exact number: the text where there is one, a decimal or a fraction of decimals ("0.1", "1/3",
@@ -62,7 +62,7 @@ typedef struct tp_exact {
   const char *text; /* or NULL; stays the caller's */
 } tp_exact;
 
-/* Of a double, and of a text. */
+/* Of the double `value`, and of a `text`. */
 tp_exact tp_exact_of(double value);
 tp_exact tp_exact_text(const char *text);
 
@@ -73,16 +73,18 @@ typedef struct tp_coordinates {
   const char *const *texts; /* likewise, each as in tp_exact; or NULL */
 } tp_coordinates;
 
-/* Of doubles, and of texts: an array of shape (count, 2), which stays the caller's. */
+/* `count` points of `xy`, an array of shape (count, 2) that stays the caller's: of doubles, and of
+ * texts. */
 tp_coordinates tp_coordinates_of(const double *xy, size_t count);
 tp_coordinates tp_coordinates_text(const char *const *xy, size_t count);
 
-/* What reports and figures are headed by: any UTF-8. */
+/* The title by which reports and figures are headed: any UTF-8. */
 TP_MUST_USE tp_status tp_scene_set_title(tp_scene *scene, const char *title, tp_message *message);
 
 /* The block: exactly one of outline, slab, teeth and ellipse; the last one set is taken. An
  * outline or a hole may run either way round, and may repeat its first point at the end. It has 3
- * points at least, and does not meet itself. A slab is a rectangle that stands on the base. */
+ * points at least, and does not meet itself. A slab is a rectangle of `width` along the base and
+ * `height` normal to it. */
 TP_MUST_USE tp_status tp_scene_set_outline(tp_scene *scene, tp_coordinates outline,
                                            tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_slab(tp_scene *scene, tp_exact width, tp_exact height,
@@ -91,31 +93,34 @@ TP_MUST_USE tp_status tp_scene_set_slab(tp_scene *scene, tp_exact width, tp_exac
 /* With what the underside of a toothed block begins at its left. */
 typedef enum tp_left_end { TP_LEFT_END_VALLEY, TP_LEFT_END_PEAK } tp_left_end;
 
-/* `count` teeth of a width, `height` the smaller of their heights and `height` + `depth` the
- * larger: N, a, b, c of Fig. 5. */
+/* `count` teeth of `width` each, `height` the smaller of their heights and `height` + `depth` the
+ * larger: N, a, b, c of Fig. 5. At most 10 million. `left_end` is what the underside begins with.
+ */
 TP_MUST_USE tp_status tp_scene_set_teeth(tp_scene *scene, long count, tp_exact width,
                                          tp_exact height, tp_exact depth, tp_left_end left_end,
                                          tp_message *message);
 
-/* The same by the block as a whole, section 5.1: `count` teeth over `block_width`, the wavelength
- * 2 block_width / count; the amplitude is less than twice the mean height. */
+/* The same by the block as a whole, dx, y, A of section 5.1: `count` teeth over `block_width`, the
+ * wavelength 2 block_width / count; `amplitude` is below twice `mean_height`. */
 TP_MUST_USE tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_exact block_width,
                                               tp_exact mean_height, tp_exact amplitude,
                                               tp_left_end left_end, tp_message *message);
 
-/* An ellipse with level axes, cut off below by a level flat of a length below `width`, on which it
- * stands. */
+/* A boulder: an ellipse of `width` along the base and `height` in full, cut off below where it is
+ * `flat` wide, which is above 0 and below `width`; it rests on that. */
 TP_MUST_USE tp_status tp_scene_set_ellipse(tp_scene *scene, tp_exact width, tp_exact height,
                                            tp_exact flat, tp_message *message);
 
-/* A hole in the block, and a part of another density: rings as the outline is, inside of it. */
+/* A hole in the block, or a part of it with a unit weight of its own: rings as the outline is,
+ * inside of it. */
 TP_MUST_USE tp_status tp_scene_add_hole(tp_scene *scene, tp_coordinates outline,
                                         tp_message *message);
 TP_MUST_USE tp_status tp_scene_add_part(tp_scene *scene, tp_coordinates outline,
                                         tp_exact unit_weight_kn_m3, tp_message *message);
 
-/* The edge of the outline that begins in a vertex is an arc: through a point, or by the tangent of
- * a quarter of its angle, not 0 and negative inwards. */
+/* The edge of the outline that begins in the vertex (from_x, from_y) is an arc: through the point
+ * (through_x, through_y), or by its `bulge`, the tangent of a quarter of its angle, not 0 and
+ * negative inwards. */
 TP_MUST_USE tp_status tp_scene_add_arc_through(tp_scene *scene, tp_exact from_x, tp_exact from_y,
                                                tp_exact through_x, tp_exact through_y,
                                                tp_message *message);
@@ -125,39 +130,44 @@ TP_MUST_USE tp_status tp_scene_add_arc_bulge(tp_scene *scene, tp_exact from_x, t
 /* An end of the underside. */
 typedef enum tp_underside_end { TP_UNDERSIDE_LEFT_END, TP_UNDERSIDE_RIGHT_END } tp_underside_end;
 
-/* A rounded corner: at an end of the underside, or at a vertex. */
+/* A corner of the outline, rounded by a circle of `radius`: at an end of the underside, or at the
+ * convex vertex (x, y). */
 TP_MUST_USE tp_status tp_scene_add_rounded_end(tp_scene *scene, tp_underside_end at,
                                                tp_exact radius, tp_message *message);
 TP_MUST_USE tp_status tp_scene_add_rounded_vertex(tp_scene *scene, tp_exact x, tp_exact y,
                                                   tp_exact radius, tp_message *message);
 
-/* The model `paper` (the axis moves, the mass is kept) or `exact`, which is taken unless set. */
+/* How corners are rounded: where `keeps_mass`, by the model of Appendix B, in which the axis moves
+ * and the mass is kept; else, and unless set, their tips are taken off. */
 TP_MUST_USE tp_status tp_scene_set_rounding_keeps_mass(tp_scene *scene, bool keeps_mass,
                                                        tp_message *message);
 
-/* Move vertices where rings meet themselves by less than a last digit. */
+/* Where `repair`, vertices are moved where rings meet themselves by less than a last digit, and a
+ * note says so; unless set such rings are refused. */
 TP_MUST_USE tp_status tp_scene_set_repair(tp_scene *scene, bool repair, tp_message *message);
 
-/* Normal to the section; 1 m unless set. */
+/* The thickness of the block, normal to the section; 1 m unless set. */
 TP_MUST_USE tp_status tp_scene_set_thickness(tp_scene *scene, tp_exact thickness,
                                              tp_message *message);
 
-/* Of the block; without it weights are shares, and no load but its weight can act on it. */
+/* The unit weight of the block; without it weights are shares, and loads besides it are bad input.
+ */
 TP_MUST_USE tp_status tp_scene_set_unit_weight_kn_m3(tp_scene *scene, tp_exact unit_weight_kn_m3,
                                                      tp_message *message);
 
-/* The base: mated with the underside, from its leftmost to its rightmost vertex where `whole`; or a
- * profile from left to right. The last one set is taken, and drops what narrowed or widened the one
- * before it. */
+/* The base: mated with the underside, of which the contact is all, from its leftmost to its
+ * rightmost vertex, where `whole`; or a profile, points from left to right. The last one set is
+ * taken, and drops what narrowed or widened the one before it. */
 TP_MUST_USE tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile,
                                                 tp_message *message);
 
-/* Set the block down on the profile that was set, where its coordinates put it, until it rests
- * (docs/rest.md); else it lies as they say. */
+/* Where `rests`, set the block down on the profile that was set, where its coordinates put it,
+ * until it rests (docs/rest.md); else, and unless set, it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);
 
-/* By how much a mated base goes on past the block, not below 0. */
+/* By how much a mated base goes on past the contact, to the `left` and to the `right`: not below 0,
+ * and 0 unless set. */
 TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,
                                                tp_message *message);
 
@@ -165,80 +175,96 @@ TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, t
 TP_MUST_USE tp_status tp_scene_set_base_between(tp_scene *scene, tp_coordinates two_vertices,
                                                 tp_message *message);
 
-/* A mated base whose vertices lie all on one side of a coordinate: below a y, left or right of an
- * x. */
+/* On which side of a coordinate: below a y, left or right of an x. */
 typedef enum tp_base_bound { TP_BASE_BELOW, TP_BASE_LEFT_OF, TP_BASE_RIGHT_OF } tp_base_bound;
+
+/* A mated base whose vertices all lie on that side of `value`. */
 TP_MUST_USE tp_status tp_scene_set_base_bound(tp_scene *scene, tp_base_bound bound, tp_exact value,
                                               tp_message *message);
 
-/* Friction of the contact: one angle, Patton's phi_b + i (Eq. 6), or Barton's law (Eq. 8) by JRC,
- * by a tilt test (Eq. 9) or by the roughness angle (Eq. 10). The last one set is taken. Angles lie
- * in [0, 90), and so does Patton's sum; JRC in [0, 100]; JCS and the stress of the test are above
- * 0. */
+/* Friction of the contact, of which the last one set is taken: by one angle, `angle_deg` in [0,
+ * 90). */
 TP_MUST_USE tp_status tp_scene_set_friction_angle_deg(tp_scene *scene, tp_exact angle_deg,
                                                       tp_message *message);
+
+/* By Patton's law, phi_b + i (Eq. 6): both not below 0, their sum below 90. */
 TP_MUST_USE tp_status tp_scene_set_friction_patton(tp_scene *scene, tp_exact basic_angle_deg,
                                                    tp_exact roughness_angle_deg,
                                                    tp_message *message);
+
+/* By Barton's law, phi_r + JRC log10(JCS / stress) (Eq. 8): `residual_angle_deg` in [0, 90), `jrc`
+ * in [0, 100], `jcs_mpa` above 0. */
 TP_MUST_USE tp_status tp_scene_set_friction_barton(tp_scene *scene, tp_exact residual_angle_deg,
                                                    tp_exact jrc, tp_exact jcs_mpa,
                                                    tp_message *message);
+
+/* The same with the JRC of a tilt test (Eq. 9): the angle at which it slid, in [0, 90), and the
+ * normal stress on level ground, above 0. */
 TP_MUST_USE tp_status tp_scene_set_friction_barton_test(tp_scene *scene,
                                                         tp_exact residual_angle_deg,
                                                         tp_exact test_angle_deg,
                                                         tp_exact test_normal_stress_kpa,
                                                         tp_exact jcs_mpa, tp_message *message);
+
+/* The same with the JRC of a roughness angle i in [0, 90) (Eq. 10). */
 TP_MUST_USE tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene,
                                                              tp_exact residual_angle_deg,
                                                              tp_exact roughness_angle_deg,
                                                              tp_exact jcs_mpa, tp_message *message);
 
-/* The directions of tilt that are looked at, one at least, and the tilt that the block lies at, in
- * [0, 90]. */
+/* The directions of tilt that are looked at: `left`, `right`, or both, as it is unless set. */
 TP_MUST_USE tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right,
                                                 tp_message *message);
+
+/* The tilt that the block lies at, in [0, 90]; unless set there is none, and no factor of safety.
+ */
 TP_MUST_USE tp_status tp_scene_set_tilt_angle_deg(tp_scene *scene, tp_exact angle_deg,
                                                   tp_message *message);
 
 /* What x and y lie along: the mean plane of the base and its normal; or the horizontal and the
- * vertical, with the mean plane fitted to the contact, or through two points, the left one first.
+ * vertical, with the mean plane fitted to the contact, or through `two_points`, the left one first.
  */
 TP_MUST_USE tp_status tp_scene_set_frame_base(tp_scene *scene, tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points,
                                               tp_message *message);
 
-/* Loads, which a block with a unit weight can bear. Seismic coefficients are shares of the weight:
- * k_h towards down-dip, k_v up. */
+/* Loads, which a block with a unit weight can bear (docs/loads.md). A seismic `coefficient` is a
+ * share of the weight at the centroid: k_h towards down-dip, k_v up. */
 TP_MUST_USE tp_status tp_scene_set_seismic_horizontal(tp_scene *scene, tp_exact coefficient,
                                                       tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact coefficient,
                                                     tp_message *message);
-/* Water behind the block, of 9.81 kN/m3 in most scenes, to a height over the up-dip end of the
- * contact: along the face, or vertical whatever the tilt where it stays level; with uplift along
- * the base, falling to nothing at the toe. */
+
+/* Water behind the block, of `unit_weight_kn_m3` (9.81 in most scenes), to `height` over the up-dip
+ * end of the contact: along the face, or vertical whatever the tilt where `stays_level`; where
+ * `uplift` below the block too, falling to nothing at the toe. Neither number is below 0. */
 TP_MUST_USE tp_status tp_scene_set_water(tp_scene *scene, tp_exact height,
                                          tp_exact unit_weight_kn_m3, bool stays_level, bool uplift,
                                          tp_message *message);
 
-/* A pressure along a line on one edge of the outline, which runs counter-clockwise from (x0, y0) to
- * (x1, y1): at its two ends, not below 0 and linear between them; or a surcharge, a stress that
- * presses straight down. */
+/* A pressure normal to a line on one edge of the outline, which runs counter-clockwise from (x0,
+ * y0) to (x1, y1): `first_kpa` and `last_kpa` at its ends, not below 0, linear between them. */
 TP_MUST_USE tp_status tp_scene_add_pressure(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                             tp_exact y1, tp_exact first_kpa, tp_exact last_kpa,
                                             tp_message *message);
+
+/* A surcharge on such a line: `kpa` of its length, straight down whatever the tilt. */
 TP_MUST_USE tp_status tp_scene_add_surcharge(tp_scene *scene, tp_exact x0, tp_exact y0, tp_exact x1,
                                              tp_exact y1, tp_exact kpa, tp_message *message);
 
-/* An anchor at a point of the outline. The direction is that of its pull on the block, from x
- * towards y. A passive anchor counts as resistance, another takes from what overturns. */
+/* An anchor at the point (x, y) of the block, of `force_kn` not below 0 on its whole thickness.
+ * `direction_deg` is that of its pull on the block, from x towards y. Where `passive` it counts as
+ * resistance; else it is taken from what overturns. */
 TP_MUST_USE tp_status tp_scene_add_anchor(tp_scene *scene, tp_exact x, tp_exact y,
                                           tp_exact direction_deg, tp_exact force_kn, bool passive,
                                           tp_message *message);
 
-/* Tensile strength of the contact, normal to it; and its cohesion, along it. */
+/* Tensile strength of the contact, normal to its facets, not below 0. */
 TP_MUST_USE tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa,
                                             tp_message *message);
+
+/* Cohesion of the contact, along its facets, not below 0. */
 TP_MUST_USE tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa,
                                                 tp_message *message);
 

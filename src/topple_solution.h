@@ -132,7 +132,7 @@ typedef struct tp_case {
   tp_limit limit_back; /* by contact forces, as the table is tilted the other way under the same
                           loads: at tilts below minus its angle the block lets go up-dip */
   tp_mechanism mechanism;     /* at the scene's tilt; without one, the first as the table is tilted.
-                                 Where it moves, what can begin there: where several motions can, that
+                                 Where it moves, what can begin there: of several motions that
                                  of the limit if it is among them, else the first of the onset's
                                  `beginnings`, which name them all */
   tp_mechanism first;         /* what happens first as the table is tilted from level */

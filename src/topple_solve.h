@@ -54,8 +54,8 @@ static inline tp_solve_options tp_solve_options_default(void) {
  * every pivot (Eq. 2), sliding (Eq. 6), the static limit and the onset of motion, and which of them
  * comes first (mechanics.md). `*solution` is the caller's, to be freed by tp_solution_free; it does
  * not need the scene any more. The same scene gives the same numbers each time. TP_UNDECIDED where
- * options->level is below exact and does not do; TP_DEPENDENCY_FAILED. What stays undecided on the
- * last rung is so in the solution (tp_solution_is_undecided), with TP_OK. */
+ * the dearest arithmetic that is allowed leaves a number open; TP_DEPENDENCY_FAILED. What no
+ * arithmetic decides is undecided in the solution (tp_solution_is_undecided), with TP_OK. */
 TP_MUST_USE tp_status tp_solve(tp_solution **solution, const tp_scene *scene,
                                const tp_solve_options *options, tp_message *message);
 
@@ -77,9 +77,10 @@ void tp_solution_free(tp_solution *solution);
  * other number is certain all the same, and each has its proven bound. */
 bool tp_solution_is_undecided(const tp_solution *solution);
 
-/* Does every case meet a design factor of safety: is its governing one certainly as much, at a tilt
- * at which the block stands? Cautious: without a tilt or a friction angle, and where a motion can
- * begin, it is not met; what is not decided, or as near to the factor as its bound, is open. */
+/* Does every case meet the factor of safety `design_fos`: is its governing one certainly as much,
+ * at a tilt at which the block stands? Cautious: without a tilt or a friction angle, and where a
+ * motion can begin, it is not met; what is not decided, or as near to the factor as its bound, is
+ * open. */
 typedef enum tp_design { TP_DESIGN_MET, TP_DESIGN_NOT_MET, TP_DESIGN_OPEN } tp_design;
 tp_design tp_solution_meets(const tp_solution *solution, double design_fos);
 
@@ -105,10 +106,10 @@ TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution
 TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
                                             tp_pivots_listed listed);
 
-/* A table, a row for each direction of each solution: tilt, verdict, governing factor, and the
- * angles by every way. In Markdown, with the limit on a base that ends at the toe and on one that
- * goes on; in CSV, each number followed by its bound, with the limit on the scene's base. A factor
- * that is but an upper bound, since another is undecided, is left out of CSV. */
+/* A table of `count` solutions, a row for each direction of each: tilt, verdict, governing factor,
+ * and the angles by every way. In Markdown, with the limit on a base that ends at the toe and on
+ * one that goes on; in CSV, each number followed by its bound, with the limit on the scene's base.
+ * A factor that is but an upper bound, since another is undecided, is left out of CSV. */
 TP_MUST_USE tp_status tp_report_table(char **text, const tp_solution *const *solutions,
                                       size_t count);
 TP_MUST_USE tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count);

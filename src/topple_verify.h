@@ -62,8 +62,8 @@ typedef struct tp_verification {
   size_t tally[TP_VERDICTS];       /* how many have each verdict */
 } tp_verification;
 
-/* Verdicts on the claims of a file (docs/verify.md). A claim that is refuted, or not decided, is a
- * verdict, and the status TP_OK. TP_NO_ANSWER where a scene has no such formula;
+/* Verdicts on the claims of the file `path` (docs/verify.md). A claim that is refuted, or not
+ * decided, is a verdict, and the status TP_OK. TP_NO_ANSWER where a scene has no such formula;
  * TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_verify(tp_verification **verification, const char *path,
                                 tp_message *message);

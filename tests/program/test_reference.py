@@ -126,8 +126,8 @@ class Comments(unittest.TestCase):
         return out.split("/** @file\n * The file. */\n\n", 1)[1]
 
     def test_groups_end_at_an_empty_line(self):
-        self.assertEqual(self.converted("/* Both. */\nint a(int b);\nint c(void);\n\nint d(void);\n"),
-                         "/** Both. */\nint a(int b);\n/** Both. */ int c(void);\n\nint d(void);\n")
+        self.assertEqual(self.converted("/* Both. */\nint a(int b);\nint c(void);\n\nint d(b);\n"),
+                         "/** Both. */\nint a(int b);\n/** Both. */ int c(void);\n\nint d(b);\n")
         self.assertEqual(self.converted("/* One. */\nint a(void);\n/* Two. */\nint b(void);\n"),
                          "/** One. */\nint a(void);\n/** Two. */\nint b(void);\n")
 
@@ -140,8 +140,9 @@ class Comments(unittest.TestCase):
         self.assertEqual(
             self.converted("/* Of it. */\nstruct s {\n  char *a, *b[2]; /* two\n        lines */\n"
                            "  int c; /* c */\n};\n"),
-            "/** Of it. */\nstruct s {\n  char *a; /**< two lines */ char *b[2]; /**< two lines */\n\n"
-            "  int c; /**< c */\n};\n")
+            "/** Of it. */\nstruct s {\n"
+            "  char *a; /**< two lines */ char *b[2]; /**< two lines */\n"
+            "\n  int c; /**< c */\n};\n")
 
     def test_what_doxygen_would_read(self):
         self.assertEqual(self.converted("/* A \\x1B, |a| < b, `x < y`. */\nint a(void);\n"),
