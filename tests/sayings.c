@@ -125,7 +125,7 @@ static void say_charts(sayings *s) {
   tp_message message = {""};
   tp_chart *chart[5] = {NULL};
   tp_scene *scene = NULL;
-  note(s, tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), &message);
+  note_status(s, tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), &message);
   const tp_chart_fos_options fos = tp_chart_fos_options_default();
   const tp_chart_mechanisms_options mechanisms = tp_chart_mechanisms_options_default();
   const tp_chart_map_options line = {.size = sizeof line,
@@ -224,6 +224,7 @@ const saying all_sayings[] = {{"block E", say_block_e},
                               {"built loads", say_built_loads},
                               {"built wrongly", say_built_refused},
                               {"blocks", say_blocks},
+                              {"varied", say_varied},
                               {"names", say_names}};
 const size_t all_sayings_count = sizeof all_sayings / sizeof all_sayings[0];
 

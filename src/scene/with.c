@@ -93,6 +93,11 @@ static tp_status read_all(tp_scene_key *found, fmpq *numbers, const tp_scene *sc
 
 static tp_status vary(tp_scene **varied, const tp_scene *scene, const char *const *keys,
                       const tp_exact *values, size_t count, const char *call, tp_message *message) {
+  enum { MOST = 10000 }; /* of which each is compared with all others */
+  if (count > MOST) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){call, 0, 0},
+                   "at most %d numbers are varied at once", MOST);
+  }
   tp_scene_key *found = calloc(count + 1, sizeof *found);
   fmpq *numbers = calloc(count + 1, sizeof *numbers);
   if (found == NULL || numbers == NULL) {
