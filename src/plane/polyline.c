@@ -101,12 +101,22 @@ tp_polyline tp_polyline_share(const tp_polyline *line) {
   return *line;
 }
 
+/* As fmpq_cmp, by products of two words where all numbers are of one word. */
+static int compare(const fmpq *a, const fmpq *b) {
+  if (COEFF_IS_MPZ(a->num) || COEFF_IS_MPZ(a->den) || COEFF_IS_MPZ(b->num) ||
+      COEFF_IS_MPZ(b->den)) {
+    return fmpq_cmp(a, b);
+  }
+  const __int128 one = (__int128)a->num * b->den, other = (__int128)b->num * a->den;
+  return (one > other) - (one < other);
+}
+
 static void spread(fmpq_t size, const fmpq *values, long count) {
   long least = 0, most = 0;
   fmpq_zero(size);
   for (long k = 0; k < count; k++) {
-    if (fmpq_cmp(values + k, values + least) < 0) least = k;
-    if (fmpq_cmp(values + k, values + most) > 0) most = k;
+    if (compare(values + k, values + least) < 0) least = k;
+    if (compare(values + k, values + most) > 0) most = k;
   }
   if (count > 0) fmpq_sub(size, values + most, values + least);
 }
