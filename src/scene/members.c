@@ -6,7 +6,6 @@
 #include <string.h>
 
 #define IN_SCENE(member) offsetof(tp_scene, member)
-#define VALUE_IN(type, member) offsetof(type, member.value)
 #define OFFSETS(array)                                                                             \
   { array, sizeof(array) / sizeof(array)[0] }
 
@@ -14,52 +13,53 @@ static const size_t numbers[] = {IN_SCENE(metres_per_unit),
                                  IN_SCENE(block.teeth.width),
                                  IN_SCENE(block.teeth.height),
                                  IN_SCENE(block.teeth.depth),
-                                 VALUE_IN(tp_scene, block.teeth.block_width),
-                                 VALUE_IN(tp_scene, block.teeth.mean_height),
-                                 VALUE_IN(tp_scene, block.ellipse.width),
-                                 VALUE_IN(tp_scene, block.ellipse.height),
-                                 VALUE_IN(tp_scene, block.ellipse.flat),
-                                 VALUE_IN(tp_scene, block.thickness),
-                                 VALUE_IN(tp_scene, block.unit_weight_kn_m3),
-                                 VALUE_IN(tp_scene, base.beyond_left),
-                                 VALUE_IN(tp_scene, base.beyond_right),
-                                 VALUE_IN(tp_scene, base.below),
-                                 VALUE_IN(tp_scene, base.left_of),
-                                 VALUE_IN(tp_scene, base.right_of),
-                                 VALUE_IN(tp_scene, loads.horizontal),
-                                 VALUE_IN(tp_scene, loads.vertical),
-                                 VALUE_IN(tp_scene, loads.water.height),
-                                 VALUE_IN(tp_scene, loads.water.unit_weight_kn_m3),
-                                 VALUE_IN(tp_scene, loads.bond_kpa),
-                                 VALUE_IN(tp_scene, loads.cohesion_kpa),
-                                 VALUE_IN(tp_scene, friction_angle_deg),
-                                 VALUE_IN(tp_scene, friction.basic_angle_deg),
-                                 VALUE_IN(tp_scene, friction.jrc),
-                                 VALUE_IN(tp_scene, friction.jcs_mpa),
-                                 VALUE_IN(tp_scene, friction.roughness_angle_deg),
-                                 VALUE_IN(tp_scene, friction.test_angle_deg),
-                                 VALUE_IN(tp_scene, friction.test_stress_kpa),
-                                 VALUE_IN(tp_scene, tilt_angle_deg)};
+                                 IN_SCENE(block.teeth.block_width.value),
+                                 IN_SCENE(block.teeth.mean_height.value),
+                                 IN_SCENE(block.ellipse.width.value),
+                                 IN_SCENE(block.ellipse.height.value),
+                                 IN_SCENE(block.ellipse.flat.value),
+                                 IN_SCENE(block.thickness.value),
+                                 IN_SCENE(block.unit_weight_kn_m3.value),
+                                 IN_SCENE(base.beyond_left.value),
+                                 IN_SCENE(base.beyond_right.value),
+                                 IN_SCENE(base.below.value),
+                                 IN_SCENE(base.left_of.value),
+                                 IN_SCENE(base.right_of.value),
+                                 IN_SCENE(loads.horizontal.value),
+                                 IN_SCENE(loads.vertical.value),
+                                 IN_SCENE(loads.water.height.value),
+                                 IN_SCENE(loads.water.unit_weight_kn_m3.value),
+                                 IN_SCENE(loads.bond_kpa.value),
+                                 IN_SCENE(loads.cohesion_kpa.value),
+                                 IN_SCENE(friction_angle_deg.value),
+                                 IN_SCENE(friction.basic_angle_deg.value),
+                                 IN_SCENE(friction.jrc.value),
+                                 IN_SCENE(friction.jcs_mpa.value),
+                                 IN_SCENE(friction.roughness_angle_deg.value),
+                                 IN_SCENE(friction.test_angle_deg.value),
+                                 IN_SCENE(friction.test_stress_kpa.value),
+                                 IN_SCENE(tilt_angle_deg.value)};
 static const size_t lines[] = {IN_SCENE(block.outline), IN_SCENE(base.between),
                                IN_SCENE(base.profile), IN_SCENE(mean_plane)};
 
 const tp_offsets tp_scene_numbers = OFFSETS(numbers), tp_scene_lines = OFFSETS(lines);
 
-static const size_t of_part[] = {VALUE_IN(tp_part, unit_weight_kn_m3)};
-static const size_t of_arc[] = {VALUE_IN(tp_arc_description, x), VALUE_IN(tp_arc_description, y),
-                                VALUE_IN(tp_arc_description, through_x),
-                                VALUE_IN(tp_arc_description, through_y),
-                                VALUE_IN(tp_arc_description, bulge)};
-static const size_t of_corner[] = {VALUE_IN(tp_corner_description, x),
-                                   VALUE_IN(tp_corner_description, y),
-                                   VALUE_IN(tp_corner_description, radius)};
+static const size_t of_part[] = {offsetof(tp_part, unit_weight_kn_m3.value)};
+static const size_t of_arc[] = {
+    offsetof(tp_arc_description, x.value), offsetof(tp_arc_description, y.value),
+    offsetof(tp_arc_description, through_x.value), offsetof(tp_arc_description, through_y.value),
+    offsetof(tp_arc_description, bulge.value)};
+static const size_t of_corner[] = {offsetof(tp_corner_description, x.value),
+                                   offsetof(tp_corner_description, y.value),
+                                   offsetof(tp_corner_description, radius.value)};
 static const size_t of_line_load[] = {
-    VALUE_IN(tp_line_load, x0),        VALUE_IN(tp_line_load, y0),
-    VALUE_IN(tp_line_load, x1),        VALUE_IN(tp_line_load, y1),
-    VALUE_IN(tp_line_load, first_kpa), VALUE_IN(tp_line_load, last_kpa)};
-static const size_t of_anchor[] = {
-    VALUE_IN(tp_anchor_description, x), VALUE_IN(tp_anchor_description, y),
-    VALUE_IN(tp_anchor_description, direction_deg), VALUE_IN(tp_anchor_description, force_kn)};
+    offsetof(tp_line_load, x0.value),        offsetof(tp_line_load, y0.value),
+    offsetof(tp_line_load, x1.value),        offsetof(tp_line_load, y1.value),
+    offsetof(tp_line_load, first_kpa.value), offsetof(tp_line_load, last_kpa.value)};
+static const size_t of_anchor[] = {offsetof(tp_anchor_description, x.value),
+                                   offsetof(tp_anchor_description, y.value),
+                                   offsetof(tp_anchor_description, direction_deg.value),
+                                   offsetof(tp_anchor_description, force_kn.value)};
 
 const tp_list tp_scene_lists[TP_LISTS] = {
     [TP_LIST_HOLES] = {IN_SCENE(block.holes), IN_SCENE(block.hole_count), sizeof(tp_polyline),

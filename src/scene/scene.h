@@ -163,6 +163,8 @@ typedef struct tp_override {
   bool used; /* it was read as a number */
 } tp_override;
 
+/* Its numbers, chains and lists are listed once more in scene/members.c, and the keys of what a
+ * scene in memory can be given in scene/slot_table.c. */
 struct tp_scene {
   const char *path; /* of its file, or what it is called; outlives it */
   char *title;

@@ -93,10 +93,11 @@ static tp_status vary_file(tp_scene **varied, const tp_scene *scene, const tp_sc
 static tp_status vary_built(tp_scene **varied, const tp_scene *scene, const tp_scene_key *keys,
                             const fmpq *values, size_t count, tp_message *message) {
   tp_slot *slots = calloc(count + 1, sizeof *slots);
-  tp_scene *copy = slots != NULL ? tp_scene_copy(scene) : NULL;
-  tp_status status = copy != NULL ? TP_OK : tp_fail_memory(message, "the scene");
-  for (size_t k = 0; k < count && status == TP_OK; k++) slots[k] = keys[k].slot;
-  if (status == TP_OK) status = tp_slots_set(copy, slots, values, count, message);
+  if (slots == NULL) return tp_fail_memory(message, "the scene");
+  for (size_t k = 0; k < count; k++) slots[k] = keys[k].slot;
+  tp_scene *copy = tp_scene_copy(scene);
+  const tp_status status = copy != NULL ? tp_slots_set(copy, slots, values, count, message)
+                                        : tp_fail_memory(message, "the scene");
   free(slots);
   if (status == TP_OK) {
     *varied = copy;
