@@ -92,9 +92,9 @@ typedef struct tp_chart_axis {
  * at, 241 along a scalar or a grid of 49 by 49, may be missed. Along one scalar it has the borders
  * between motions from rest as well (tp_onset.ranges). */
 typedef struct tp_chart_map_options {
-  size_t size;        /* of this struct, as `…_default()` has it */
-  const char *scene;  /* a path */
-  tp_chart_axis x, y; /* to the right, and upwards */
+  size_t size;           /* of this struct, as `…_default()` has it */
+  const tp_scene *scene; /* not changed */
+  tp_chart_axis x, y;    /* to the right, and upwards */
 } tp_chart_map_options;
 
 /* The defaults: the tilt from 0 to 90 degrees upwards; the scene and x are to be given. `size` is

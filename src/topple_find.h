@@ -24,8 +24,7 @@ typedef enum tp_find_target {
   TP_FIND_ONSET_ANGLE  /* the onset of motion, degrees */
 } tp_find_target;
 
-/* `key` is the way to a number in the scene, as in block.rounded.corners.1.radius (entries of lists
- * count from 1), or the name of a parameter. */
+/* `key` is that of a number in the scene, as tp_scene_with takes it. */
 typedef struct tp_find_options {
   size_t size;            /* of this struct, as `…_default()` has it */
   const char *key;        /* what is varied */
@@ -70,9 +69,9 @@ typedef struct tp_found {
   tp_found_interval *intervals; /* in rising order */
 } tp_found;
 
-/* `scene` is the path of a scene that tilts in one direction. */
-TP_MUST_USE tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
-                              tp_message *message);
+/* `scene` tilts in one direction; it is not changed. */
+TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
+                              const tp_find_options *options, tp_message *message);
 
 /* Free it with all that it points to; NULL is allowed. */
 void tp_found_free(tp_found *found);

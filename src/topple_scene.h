@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene: read from a file, or built in memory. Included by topple.h.
+/* A scene: read from a file, or built in memory; and with other numbers. Included by topple.h.
  *
  *     const double outline[] = {0, 0, 50, 0, 50, 100, 0, 100};
  *     tp_scene *scene = NULL;
@@ -267,6 +267,30 @@ TP_MUST_USE tp_status tp_scene_set_bond_kpa(tp_scene *scene, tp_exact bond_kpa,
 /* Cohesion of the contact, along its facets, not below 0. */
 TP_MUST_USE tp_status tp_scene_set_cohesion_kpa(tp_scene *scene, tp_exact cohesion_kpa,
                                                 tp_message *message);
+
+/* The numbers of a scene have keys: the way to them in a scene file, as in friction_angle_deg,
+ * block.outline.3.1 (x of the third point) or block.rounded.corners.1.radius, with entries of lists
+ * counted from 1; or, of a file, the name of a parameter. A scene built in memory has the keys of
+ * what its calls were given (docs/scene_in_memory.md). Calls of this group only read `scene`:
+ * threads may make them with one scene at the same time.
+ *
+ * What a key holds; and all of its digits, as a decimal or a fraction that tp_exact_text takes:
+ * `*text` is allocated with malloc and is the caller's to free. */
+TP_MUST_USE tp_status tp_scene_number(tp_bounded *number, const tp_scene *scene, const char *key,
+                                      tp_message *message);
+TP_MUST_USE tp_status tp_scene_number_text(char **text, const tp_scene *scene, const char *key,
+                                           tp_message *message);
+
+/* Another scene, in which the number of a key is `value`, exactly, and all else is as in `scene`:
+ * what a file says by parameters follows them. The rules are those of the file, or of the call that
+ * the number was given by; long chains of points are shared, not copied. Neither scene needs the
+ * other: they are changed, and freed, each by itself. */
+TP_MUST_USE tp_status tp_scene_with(tp_scene **varied, const tp_scene *scene, const char *key,
+                                    tp_exact value, tp_message *message);
+/* The same with `count` numbers at once, each of its own key. */
+TP_MUST_USE tp_status tp_scene_with_numbers(tp_scene **varied, const tp_scene *scene,
+                                            const char *const *keys, const tp_exact *values,
+                                            size_t count, tp_message *message);
 
 #ifdef __cplusplus
 }

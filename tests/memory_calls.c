@@ -141,13 +141,15 @@ static void solve_arcs(void) {
 }
 
 static void find(void) {
+  tp_scene *scene = NULL;
   tp_found *found = NULL;
   tp_message message = {""};
   const tp_find_options options = {.size = sizeof options,
                                    .key = "block.rounded.corners.1.radius",
                                    .target = TP_FIND_CRITICAL_ANGLE,
                                    .value = 23.5};
-  if (DONE(tp_find(&found, EXAMPLE("block_a_worn.yaml"), &options, &message), found)) {
+  if (DONE(tp_scene_read(&scene, EXAMPLE("block_a_worn.yaml"), &message), scene) &&
+      DONE(tp_find(&found, scene, &options, &message), found)) {
     EXPECT(found->count == 1, "%zu solutions",
            found->count); /* a scene that failed is no end of the range */
     char *text = NULL;
@@ -155,6 +157,7 @@ static void find(void) {
     expect_report(status, text);
   }
   tp_found_free(found);
+  tp_scene_free(scene);
 }
 
 static void derive_scene(const char *path, const tp_derive_options *options) {
@@ -305,8 +308,44 @@ static void solve_blocks(void) {
   EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status, message.text);
 }
 
+/* One number of each: of a parameter and of a point, of an item and of a point. */
+static void vary_scene(tp_scene *scene, const char *const keys[2], double number) {
+  tp_scene *varied = NULL;
+  tp_solution *solution = NULL;
+  char *text = NULL;
+  tp_message message = {""};
+  const tp_exact values[2] = {tp_exact_of(number), tp_exact_text("5.1")};
+  const tp_solve_options options = tp_solve_options_default();
+  if (DONE(tp_scene_with_numbers(&varied, scene, keys, values, 2, &message), varied) &&
+      DONE(tp_scene_number_text(&text, varied, keys[1], &message), text)) {
+    (void)DONE(tp_solve(&solution, varied, &options, &message), solution);
+  }
+  free(text);
+  tp_solution_free(solution);
+  tp_scene_free(varied);
+}
+
+static void vary_scenes(void) {
+  static const char *const of_file[2] = {"a", "tilt.angle_deg"};
+  static const char *const built[2] = {"block.outline.3.2", "loads.anchors.3.force_kn"};
+  tp_scene *scene = NULL;
+  tp_message message = {""};
+  if (DONE(tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), scene)) {
+    vary_scene(scene, of_file, 31);
+  }
+  tp_scene_free(scene);
+  scene = NULL;
+  if (DONE(tp_scene_new(&scene, "m", &message), scene)) {
+    const tp_status status = build(scene, &message);
+    EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "%s", message.text);
+    if (status == TP_OK) vary_scene(scene, built, 6.5);
+  }
+  tp_scene_free(scene);
+}
+
 const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve an outline", solve_outline, 200},
+                                    {"vary scenes", vary_scenes, 200},
                                     {"solve teeth", solve_teeth, 200},
                                     {"solve a hole", solve_hole, 200},
                                     {"solve parts", solve_parts, 100},

@@ -42,12 +42,16 @@ void chart_ranges(void) {
 }
 
 void chart_map(void) {
+  tp_scene *scene = NULL;
   tp_chart *chart = NULL;
   tp_message message = {""};
+  tp_status status = tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message);
+  if (!done(status, scene, &message)) return;
   const tp_chart_map_options options = {.size = sizeof options,
-                                        .scene = EXAMPLE("slab_left.yaml"),
+                                        .scene = scene,
                                         .x = {"block.slab.width", {10, 150}},
                                         .y = {"tilt", {0, 90}}};
-  const tp_status status = tp_chart_map(&chart, &options, &message);
+  status = tp_chart_map(&chart, &options, &message);
   report_chart(status, chart, &message);
+  tp_scene_free(scene);
 }

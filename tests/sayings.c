@@ -89,8 +89,8 @@ static void say_found(sayings *s, const char *path, const tp_find_options *optio
   tp_solution *solution = NULL;
   tp_found *found = NULL;
   const tp_solve_options solve = tp_solve_options_default();
-  note_status(s, tp_find(&found, path, options, &message), &message);
   note_status(s, tp_scene_read(&scene, path, &message), &message);
+  if (scene != NULL) note_status(s, tp_find(&found, scene, options, &message), &message);
   if (scene != NULL) note_status(s, tp_solve(&solution, scene, &solve, &message), &message);
   if (solution != NULL) same_times(solution);
   if (found != NULL && tp_report_found(next_saying(s), found, options) != TP_OK) s->count--;
@@ -124,14 +124,16 @@ static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
 static void say_charts(sayings *s) {
   tp_message message = {""};
   tp_chart *chart[5] = {NULL};
+  tp_scene *scene = NULL;
+  note_status(s, tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), &message);
   const tp_chart_fos_options fos = tp_chart_fos_options_default();
   const tp_chart_mechanisms_options mechanisms = tp_chart_mechanisms_options_default();
   const tp_chart_map_options line = {.size = sizeof line,
-                                     .scene = EXAMPLE("slab_left.yaml"),
+                                     .scene = scene,
                                      .x = {"block.slab.width", {20.5, 149.25}},
                                      .y = {"tilt", {0, 90}}},
                              plane = {.size = sizeof plane,
-                                      .scene = EXAMPLE("slab_left.yaml"),
+                                      .scene = scene,
                                       .x = {"block.slab.width", {60.5, 70.25}},
                                       .y = {"block.slab.height", {50, 60}}};
   say_chart(s, tp_chart_fos(chart, &fos, &message), chart, &message, true);
@@ -139,6 +141,7 @@ static void say_charts(sayings *s) {
   say_chart(s, tp_chart_ranges(chart + 2, &message), chart + 2, &message, false);
   say_chart(s, tp_chart_map(chart + 3, &line, &message), chart + 3, &message, true);
   say_chart(s, tp_chart_map(chart + 4, &plane, &message), chart + 4, &message, false);
+  tp_scene_free(scene);
 }
 
 static void say_accuracy(sayings *s) {
@@ -221,6 +224,7 @@ const saying all_sayings[] = {{"block E", say_block_e},
                               {"built loads", say_built_loads},
                               {"built wrongly", say_built_refused},
                               {"blocks", say_blocks},
+                              {"varied", say_varied},
                               {"names", say_names}};
 const size_t all_sayings_count = sizeof all_sayings / sizeof all_sayings[0];
 

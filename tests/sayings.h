@@ -53,6 +53,8 @@ void say_built_loads(sayings *s);
 void say_built_refused(sayings *s);
 /* Many blocks in arrays. */
 void say_blocks(sayings *s);
+/* Scenes with other numbers. */
+void say_varied(sayings *s);
 /* Names of enumerations, and calls on texts. */
 void say_names(sayings *s);
 

@@ -169,7 +169,7 @@ START_TEST(sizes_of_options) {
     tp_found *found = UNTOUCHED(tp_found);
     tp_derivation *derivation = UNTOUCHED(tp_derivation);
     tp_chart *chart = UNTOUCHED(tp_chart);
-    REFUSED(tp_find(&found, EXAMPLE("slab_left.yaml"), &find, &message), "tp_find: the size");
+    REFUSED(tp_find(&found, scene, &find, &message), "tp_find: the size");
     UNWRITTEN(tp_report_found(&text, &nothing, &find));
     REFUSED(tp_derive(&derivation, scene, &derive, &message), "tp_derive: the size");
     REFUSED(tp_chart_fos(&chart, &fos, &message), "tp_chart_fos: the size");
@@ -189,39 +189,38 @@ START_TEST(back_analysis) {
                                 .key = "block.slab.width",
                                 .target = TP_FIND_CRITICAL_ANGLE,
                                 .value = 20};
-  const char *path = EXAMPLE("slab_left.yaml");
+  tp_scene *scene = read_scene();
   tp_find_options bad = good;
   tp_found *found = UNTOUCHED(tp_found), *own = NULL;
   char *text = &untouched;
-  REFUSED(tp_find(NULL, path, &good, &message), "'found'");
+  REFUSED(tp_find(NULL, scene, &good, &message), "'found'");
   REFUSED(tp_find(&found, NULL, &good, &message), "'scene'");
-  REFUSED(tp_find(&found, path, NULL, &message), "'options'");
+  REFUSED(tp_find(&found, scene, NULL, &message), "'options'");
   bad.key = NULL;
-  REFUSED(tp_find(&found, path, &bad, &message), "key");
+  REFUSED(tp_find(&found, scene, &bad, &message), "key");
   for (int k = -1; k <= TP_FIND_ONSET_ANGLE + 1; k += TP_FIND_ONSET_ANGLE + 2) {
     bad = good;
     bad.target = (tp_find_target)k;
-    REFUSED(tp_find(&found, path, &bad, &message), "result");
+    REFUSED(tp_find(&found, scene, &bad, &message), "result");
     ck_assert_str_eq(tp_find_target_name(bad.target), "unknown");
   }
   static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
   for (size_t k = 0; k < 3; k++) {
     bad = good;
     bad.value = no_numbers[k];
-    REFUSED(tp_find(&found, path, &bad, &message), "finite");
+    REFUSED(tp_find(&found, scene, &bad, &message), "finite");
     bad = (tp_find_options){
         .size = sizeof bad, .key = good.key, .value = 20, .has_high = true, .high = no_numbers[k]};
-    REFUSED(tp_find(&found, path, &bad, &message), "finite");
+    REFUSED(tp_find(&found, scene, &bad, &message), "finite");
     bad.low = no_numbers[k];
     bad.has_low = true;
-    REFUSED(tp_find(&found, path, &bad, &message), "finite");
+    REFUSED(tp_find(&found, scene, &bad, &message), "finite");
   }
   ck_assert_ptr_eq(found, UNTOUCHED(tp_found));
   tp_find_target target = TP_FIND_FOS;
   ck_assert(!tp_find_target_read(NULL, "fos") && !tp_find_target_read(&target, NULL));
-  tp_scene *scene = read_scene();
   tp_solution *solution = solve(scene);
-  ck_assert_int_eq(tp_find(&own, path, &good, &message), TP_OK);
+  ck_assert_int_eq(tp_find(&own, scene, &good, &message), TP_OK);
   UNWRITTEN(tp_report_found(NULL, own, &good));
   UNWRITTEN(tp_report_found(&text, NULL, &good));
   UNWRITTEN(tp_report_found(&text, own, NULL));

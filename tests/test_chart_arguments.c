@@ -80,8 +80,10 @@ START_TEST(lists_of_a_chart) {
 END_TEST
 
 START_TEST(maps) {
+  tp_scene *scene = NULL;
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), TP_OK);
   const tp_chart_map_options good = {.size = sizeof good,
-                                     .scene = EXAMPLE("slab_left.yaml"),
+                                     .scene = scene,
                                      .x = {"block.slab.width", {20, 150}},
                                      .y = {"tilt", {0, 90}}};
   tp_chart_map_options bad = good;
@@ -106,6 +108,7 @@ START_TEST(maps) {
     REFUSED(tp_chart_map(&chart, &bad, &message), "range");
   }
   ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  tp_scene_free(scene);
 }
 END_TEST
 

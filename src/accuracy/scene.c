@@ -119,12 +119,12 @@ tp_status tp_accuracy_add_scene(tp_accuracy *accuracy, const tp_scene *scene, un
 
 /* The files that the scene was read from. */
 static tp_status keep_sources(tp_accuracy *accuracy, const tp_scene *scene, tp_message *message) {
-  const size_t count = 1 + (size_t)scene->file_count;
+  const size_t count = tp_scene_source_count(scene);
   accuracy->sources = calloc(count, sizeof *accuracy->sources);
   if (accuracy->sources == NULL) return tp_fail_memory(message, "the names of files");
   for (; accuracy->source_count < count; accuracy->source_count++) {
     const size_t k = accuracy->source_count;
-    accuracy->sources[k] = strdup(k == 0 ? scene->path : scene->files[k - 1]);
+    accuracy->sources[k] = strdup(tp_scene_source(scene, k));
     if (accuracy->sources[k] == NULL) return tp_fail_memory(message, "the names of files");
   }
   return TP_OK;

@@ -154,25 +154,33 @@ static void find_use(use *u, const tp_node *node, const char *way) {
 /* "Depth of teeth c (mm)" where the parameter is that and nothing else; "Parameter c (mm)" where it
  * is lengths; else "Parameter c". */
 static void write_parameter(char *label, size_t size, const char *name, int shown,
-                            const tp_node *root, const char *length_unit) {
+                            const tp_scene *scene) {
   enum { MOST_OF_SYMBOL = 60 };
   use u = {.parameter = name};
   long number = 0;
-  find_use(&u, root, "");
+  find_use(&u, scene->source, "");
   if (u.key[0] != '\0' && !u.several && strlen(name) <= MOST_OF_SYMBOL) {
     const quantity *q = known(u.key, &number);
-    write_known(label, size, q, number, length_unit, name);
+    write_known(label, size, q, number, scene->length_unit, name);
   } else if (u.lengths && !u.others) {
-    snprintf(label, size, "Parameter %.*s (%.20s)", shown, name, length_unit);
+    snprintf(label, size, "Parameter %.*s (%.20s)", shown, name, scene->length_unit);
   } else {
     snprintf(label, size, "Parameter %.*s", shown, name);
   }
 }
 
-void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const tp_node *root) {
+static bool is_parameter(const tp_scene *scene, const char *name) {
+  bool is = false;
+  for (long k = 0; k < scene->parameters.count; k++) {
+    is = is || strcmp(scene->parameters.names[k], name) == 0;
+  }
+  return is;
+}
+
+void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const tp_scene *scene) {
   enum { MOST_SHOWN = 140 };
   static const char parameters[] = "parameters.";
-  const char *unit = tp_node_get(root, "length_unit")->text;
+  const char *unit = scene->length_unit;
   long number = 0;
   const quantity *q = known(key, &number);
   *plain = q == NULL;
@@ -183,9 +191,8 @@ void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const
   const size_t prefix = strlen(parameters);
   const char *name = strncmp(key, parameters, prefix) == 0 ? key + prefix : key;
   const int shown = (int)tp_whole_characters(name, MOST_SHOWN);
-  const tp_node *all = tp_node_get(root, "parameters");
-  if (all != NULL && tp_node_get(all, name) != NULL) {
-    write_parameter(label, size, name, shown, root, unit);
+  if (is_parameter(scene, name)) {
+    write_parameter(label, size, name, shown, scene);
   } else if (is_coordinate(key)) {
     snprintf(label, size, "%.*s (%.20s)", shown, name, unit);
   } else {

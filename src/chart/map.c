@@ -114,8 +114,8 @@ static void take(tp_map_sample *sample, const tp_solution *solution) {
 tp_map_sample tp_map_take_sample(tp_map *map, const double *values) {
   tp_map_sample sample = {.regime = TP_REGIME_NONE};
   tp_solution *solution = NULL;
-  for (size_t k = 0; k < map->scene.count; k++) sample.values[k] = values[k];
-  const tp_status status = tp_varied_solve(&solution, &map->scene, values, &map->why);
+  for (size_t k = 0; k < map->varied.count; k++) sample.values[k] = values[k];
+  const tp_status status = tp_varied_solve(&solution, &map->varied, values, &map->why);
   if (status == TP_OK) {
     take(&sample, solution);
     map->patton = solution->friction_is_patton;
@@ -144,7 +144,7 @@ void tp_map_border(tp_map *map, tp_map_sample *low, tp_map_sample *high) {
   for (int step = 0; step < STEPS && map->status == TP_OK; step++) {
     double middle[TP_VARIED_MAX];
     bool moved = false;
-    for (size_t k = 0; k < map->scene.count; k++) {
+    for (size_t k = 0; k < map->varied.count; k++) {
       const double a = low->values[k], b = high->values[k];
       middle[k] = a + (b - a) / 2;
       moved |= middle[k] != a && middle[k] != b;
@@ -169,6 +169,6 @@ void tp_map_begin(tp_map *map, tp_chart_style style, const char *series, const c
 }
 
 tp_status tp_map_no_answer(const tp_map *map) {
-  return tp_fail(map->message, TP_NO_ANSWER, (tp_place){map->scene.path, 0, 0},
+  return tp_fail(map->message, TP_NO_ANSWER, (tp_place){map->varied.scene->path, 0, 0},
                  "nowhere in the map the scene has an answer; %s", map->why.text);
 }

@@ -31,7 +31,7 @@ tp_chart_style tp_regime_region(tp_regime regime);
 typedef struct tp_map {
   tp_chart *chart;
   const tp_chart_map_options *options;
-  tp_varied scene;
+  tp_varied varied;
   tp_message *message; /* not NULL */
   tp_status status;    /* of the system: memory; that a scene has no answer is none */
   tp_message why;      /* why the last scene had no answer */

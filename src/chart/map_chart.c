@@ -10,7 +10,6 @@
 #include "host.h"
 #include "options.h"
 #include "outside.h"
-#include "scene/key.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -51,18 +50,19 @@ static tp_status check(const tp_chart_map_options *o, tp_message *message) {
 /* The scene's numbers on the axes, x first. */
 static tp_status find_numbers(tp_map *map) {
   const tp_chart_axis *axes[2] = {&map->options->x, &map->options->y};
-  tp_status status = tp_node_read(&map->scene.root, map->scene.path, map->message);
+  const tp_scene *scene = map->options->scene;
+  tp_status status = TP_OK;
   for (int k = 0; k < 2 && status == TP_OK; k++) {
     if (is_tilt(axes[k])) continue;
-    status = tp_key_find(map->scene.numbers + map->scene.count, map->scene.root, axes[k]->key,
-                         map->scene.path, map->message);
-    if (status == TP_OK) map->scene.count++;
+    status =
+        tp_scene_key_find(map->varied.keys + map->varied.count, scene, axes[k]->key, map->message);
+    if (status == TP_OK) map->varied.count++;
   }
   double own = 0;
-  if (status == TP_OK) status = tp_varied_check(&own, &map->scene, map->message);
-  if (status == TP_OK && !tp_varied_has_friction(&map->scene)) {
+  if (status == TP_OK) status = tp_varied_check(&own, &map->varied, map->message);
+  if (status == TP_OK && !scene->friction_angle_deg.given) {
     status =
-        tp_fail(map->message, TP_BAD_INPUT, (tp_place){map->scene.path, 0, 0},
+        tp_fail(map->message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
                 "a map of mechanisms takes friction; give the scene a 'friction_angle_deg: …'");
   }
   return status;
@@ -72,7 +72,7 @@ static tp_status find_numbers(tp_map *map) {
 static tp_panel_axis axis_of(char label[LABEL_SIZE], const tp_map *map, const tp_chart_axis *from) {
   tp_panel_axis axis = {.label = label, .range = from->range};
   tp_axis_label(label, LABEL_SIZE, &axis.plain, is_tilt(from) ? "tilt.angle_deg" : from->key,
-                map->scene.root);
+                map->options->scene);
   return axis;
 }
 
@@ -120,13 +120,12 @@ static void add_legend_of_plane(tp_chart *chart) {
 }
 
 /* The chart must not be written over what it is computed from. */
-static void add_sources(tp_map *map) {
-  tp_scene *read = NULL;
-  map->status = tp_scene_from_nodes(&read, map->scene.path, map->scene.root, map->message);
-  if (map->status != TP_OK) return;
-  tp_chart_add_source(map->chart, read->path);
-  for (long k = 0; k < read->file_count; k++) tp_chart_add_source(map->chart, read->files[k]);
-  tp_scene_free(read);
+static void add_sources(const tp_map *map) {
+  const tp_scene *scene = map->options->scene;
+  if (scene->file == NULL) return;
+  for (size_t k = 0; k < tp_scene_source_count(scene); k++) {
+    tp_chart_add_source(map->chart, tp_scene_source(scene, k));
+  }
 }
 
 static void draw(tp_map *map) {
@@ -139,16 +138,14 @@ static void draw(tp_map *map) {
     map->status = tp_fail_memory(map->message, "the chart");
     return;
   }
-  map->scene.options.motion_ranges = along_one;
+  map->varied.options.motion_ranges = along_one;
   add_sources(map);
-  if (map->status != TP_OK) return;
   map->chart->panel_width_mm = 72;
   map->chart->panel_height_mm = 62;
   char labels[2][LABEL_SIZE];
   const tp_panel_axis x = axis_of(labels[0], map, &o->x), y = axis_of(labels[1], map, &o->y);
   tp_chart_add_panel(map->chart, NULL, x, y);
-  const tp_node *title = tp_node_get(map->scene.root, "title");
-  if (title != NULL && title->kind == TP_NODE_SCALAR) tp_chart_set_title(map->chart, title->text);
+  if (o->scene->title != NULL) tp_chart_set_title(map->chart, o->scene->title);
   if (along_one) {
     tp_map_draw_line(map, is_tilt(&o->y));
   } else {
@@ -179,14 +176,13 @@ tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options, tp
   TP_REFUSE_NULL(message, options->x.key);
   TP_REFUSE_NULL(message, options->y.key);
   tp_message own = {""};
-  tp_map map = {.options = options, .scene = {.path = options->scene}, .message = &own};
-  map.scene.options = tp_solve_options_default();
-  map.scene.options.digits = 15;
-  map.scene.options.strength_reduction = false;
+  tp_map map = {.options = options, .varied = {.scene = options->scene}, .message = &own};
+  map.varied.options = tp_solve_options_default();
+  map.varied.options.digits = 15;
+  map.varied.options.strength_reduction = false;
   map.status = check(options, &own);
   if (map.status == TP_OK) map.status = find_numbers(&map);
   if (map.status == TP_OK) draw(&map);
-  tp_node_free(map.scene.root);
   if (map.status == TP_OK) return tp_chart_finish(map.chart, chart, message);
   tp_chart_free(map.chart);
   if (message != NULL) *message = own;

@@ -6,6 +6,16 @@
 #include "cli/chart_options.h"
 #include "cli/cli.h"
 
+static tp_status compute_map(tp_chart **chart, const tp_chart_arguments *a, tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_chart_map_options map = a->map;
+  tp_status status = tp_scene_read(&scene, a->scene, message);
+  map.scene = scene;
+  if (status == TP_OK) status = tp_chart_map(chart, &map, message);
+  tp_scene_free(scene);
+  return status;
+}
+
 static tp_status compute(tp_chart **chart, const tp_chart_arguments *a, tp_message *message) {
   switch (a->kind) {
   case TP_CHART_KIND_FOS:
@@ -18,7 +28,7 @@ static tp_status compute(tp_chart **chart, const tp_chart_arguments *a, tp_messa
   case TP_CHART_KINDS:
     break;
   }
-  return tp_chart_map(chart, &a->map, message);
+  return compute_map(chart, a, message);
 }
 
 static tp_status print(const tp_chart *chart, bool json, int *ended) {

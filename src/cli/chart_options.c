@@ -107,8 +107,8 @@ static void read_output(tp_chart_arguments *a, const char *path, struct argp_sta
 }
 
 static void read_argument(tp_chart_arguments *a, const char *text, struct argp_state *state) {
-  if (a->has_kind && a->kind == TP_CHART_KIND_MAP && a->map.scene == NULL) {
-    a->map.scene = text;
+  if (a->has_kind && a->kind == TP_CHART_KIND_MAP && a->scene == NULL) {
+    a->scene = text;
     return;
   }
   if (a->has_kind) tp_cli_refuse(state, "'%s' is one too many", text);
@@ -135,7 +135,7 @@ static void check(tp_chart_arguments *a, struct argp_state *state) {
   }
   if (a->json && a->output != NULL) tp_cli_refuse(state, "--json prints; drop --output");
   if (a->kind != TP_CHART_KIND_MAP) return;
-  if (a->map.scene == NULL) {
+  if (a->scene == NULL) {
     tp_cli_refuse(state, "a scene file is missing, for example examples/slab.yaml");
   }
   if (a->map.x.key == NULL) {

@@ -33,7 +33,8 @@ typedef struct tp_chart_arguments {
   tp_chart_fos_options fos;
   double lists[3][TP_CHART_LIST_MAX]; /* that it points to */
   tp_chart_mechanisms_options mechanisms;
-  tp_chart_map_options map;
+  const char *scene;               /* the path of the map's scene */
+  tp_chart_map_options map;        /* but for that */
   char keys[2][TP_CHART_KEY_SIZE]; /* of the map's axes */
 } tp_chart_arguments;
 

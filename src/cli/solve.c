@@ -103,11 +103,11 @@ static tp_status print_solution(const tp_solution *solution, const tp_solve_word
   return tp_cli_print_report(status, report, ended);
 }
 
-static tp_status print_found(const tp_solution *solution, const tp_solve_words *a, int *ended,
-                             tp_message *message) {
+static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
+                             const tp_solve_words *a, int *ended, tp_message *message) {
   tp_found *found = NULL;
   char *report = NULL, *notes = NULL;
-  tp_status status = tp_find(&found, a->scene, &a->find, message);
+  tp_status status = tp_find(&found, scene, &a->find, message);
   if (status == TP_OK) {
     status = a->json ? tp_report_found_json(&report, found, solution)
                      : tp_report_found(&report, found, &a->find);
@@ -223,7 +223,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   tp_solution *solution = NULL;
   tp_status status = solve_scene(&solution, &scene, a->scene, a, message);
   if (status == TP_OK) {
-    status = a->find.key != NULL ? print_found(solution, a, ended, message)
+    status = a->find.key != NULL ? print_found(scene, solution, a, ended, message)
              : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
                                  : print_solution(solution, a, ended);
   }

@@ -5,7 +5,7 @@
 
 #include "number/ball.h"
 #include "number/ladder.h"
-#include "scene/key.h"
+#include "scene/vary.h"
 #include "stability/friction.h"
 
 #include <math.h>
@@ -29,59 +29,52 @@ static bool occurs(const tp_checked_formula *f, long symbol) {
   return found;
 }
 
-static void add_number(tp_walk *w, const char *key, long symbol, const fmpq_t value) {
+static void add_number(tp_walk *w, const char *key, const tp_node *node, long symbol,
+                       const fmpq_t value) {
   if (w->count == TP_WALK_SYMBOLS) return;
-  w->numbers[w->count++] = (tp_walk_number){
-      .key = key, .symbol = symbol, .is_friction = key == friction_key, .own = fmpq_get_d(value)};
+  w->numbers[w->count++] = (tp_walk_number){.key = key,
+                                            .node = node,
+                                            .symbol = symbol,
+                                            .is_friction = key == friction_key,
+                                            .own = fmpq_get_d(value)};
 }
 
-/* The scalar of a number in the copy; NULL where the scene gives none of its own. */
-static tp_node *node_of(const tp_walk *w, const char *key) {
-  const tp_node *map = key == friction_key ? w->root : tp_node_get(w->root, "parameters");
+/* The scalar of a number; NULL where the scene gives none of its own. */
+static const tp_node *node_of(const tp_scene *scene, const char *key) {
+  const tp_node *map =
+      key == friction_key ? scene->source : tp_node_get(scene->source, "parameters");
   const tp_node *found = map != NULL ? tp_node_get(map, key) : NULL;
-  for (tp_node *child = map != NULL ? map->first : NULL; child != NULL; child = child->next) {
-    if (child == found && child->kind == TP_NODE_SCALAR) return child;
-  }
-  return NULL;
+  return found != NULL && found->kind == TP_NODE_SCALAR ? found : NULL;
 }
 
 /* Numbers that stand alone: a parameter that the friction angle names would change that, too. */
 static tp_status find_numbers(tp_walk *w, tp_message *message) {
   const tp_checked_formula *f = w->formula;
   const tp_scene *scene = f->model->problem.scene;
-  const tp_node *friction = node_of(w, friction_key);
+  const tp_node *friction = node_of(scene, friction_key);
   tp_status status = TP_OK;
   bool free_friction = friction != NULL;
   for (long k = 0; k < scene->parameters.count && status == TP_OK; k++) {
-    const tp_node *own = node_of(w, scene->parameters.names[k]);
+    const tp_node *own = node_of(scene, scene->parameters.names[k]);
     if (own == NULL) continue;
     tp_reach reach;
-    status = tp_key_reach(&reach, w->root, own, message);
+    status = tp_key_reach(&reach, scene->source, own, message);
     if (status != TP_OK) break;
     if (reach.friction) {
       free_friction = false;
     } else if (occurs(f, k)) {
-      add_number(w, scene->parameters.names[k], k, scene->parameters.values + k);
+      add_number(w, scene->parameters.names[k], own, k, scene->parameters.values + k);
     }
   }
   if (status == TP_OK && free_friction && occurs(f, f->friction)) {
-    add_number(w, friction_key, f->friction, scene->friction_angle_deg.value);
+    add_number(w, friction_key, friction, f->friction, scene->friction_angle_deg.value);
   }
   return status;
 }
 
 tp_status tp_walk_init(tp_walk *w, const tp_checked_formula *formula, tp_message *message) {
   *w = (tp_walk){.formula = formula};
-  w->root = tp_node_copy(formula->model->problem.scene->source);
-  if (w->root == NULL) return tp_fail_memory(message, "the checks");
-  const tp_status status = find_numbers(w, message);
-  if (status != TP_OK) tp_walk_clear(w);
-  return status;
-}
-
-void tp_walk_clear(tp_walk *w) {
-  tp_node_free(w->root);
-  w->root = NULL;
+  return find_numbers(w, message);
 }
 
 void tp_walk_point_init(tp_walk_point *p, const tp_walk *w) {
@@ -158,20 +151,30 @@ bool tp_walk_holds(const tp_walk *w, const tp_walk_point *p) {
   return holds;
 }
 
-/* The scene with the texts of the point for its numbers. */
+/* The scene with the values of the point for its numbers. */
+static tp_status scene_at(tp_scene **scene, const tp_walk *w, const tp_walk_point *p,
+                          tp_message *message) {
+  tp_scene_key keys[TP_WALK_SYMBOLS] = {{.node = NULL}};
+  fmpq values[TP_WALK_SYMBOLS] = {{0}};
+  tp_status status = TP_OK;
+  size_t count = 0;
+  for (size_t k = 0; k < w->count && status == TP_OK; k++) {
+    if (p->texts[k][0] == '\0') continue;
+    keys[count] = (tp_scene_key){.node = w->numbers[k].node};
+    fmpq_init(values + count);
+    status = tp_expression_evaluate(values + count++, p->texts[k], (tp_place){0}, NULL, message);
+  }
+  if (status == TP_OK) {
+    status = tp_scene_vary(scene, w->formula->model->problem.scene, keys, values, count, message);
+  }
+  for (size_t k = 0; k < count; k++) fmpq_clear(values + k);
+  return status;
+}
+
 static tp_status solve_at(tp_solution **solution, const tp_walk *w, const tp_walk_point *p,
                           tp_message *message) {
-  char *held[TP_WALK_SYMBOLS];
-  tp_node *nodes[TP_WALK_SYMBOLS];
-  for (size_t k = 0; k < w->count; k++) {
-    nodes[k] = p->texts[k][0] != '\0' ? node_of(w, w->numbers[k].key) : NULL;
-    if (nodes[k] == NULL) continue;
-    held[k] = nodes[k]->text;
-    nodes[k]->text = (char *)p->texts[k];
-  }
   tp_scene *scene = NULL;
-  const char *path = w->formula->model->problem.scene->path;
-  tp_status status = tp_scene_from_nodes(&scene, path, w->root, message);
+  tp_status status = scene_at(&scene, w, p, message);
   if (status == TP_OK) {
     tp_solve_options options = tp_solve_options_default();
     options.strength_reduction = false;
@@ -179,9 +182,6 @@ static tp_status solve_at(tp_solution **solution, const tp_walk *w, const tp_wal
     status = tp_solve(solution, scene, &options, message);
   }
   tp_scene_free(scene);
-  for (size_t k = 0; k < w->count; k++) {
-    if (nodes[k] != NULL) nodes[k]->text = held[k];
-  }
   return status;
 }
 

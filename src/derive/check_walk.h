@@ -25,7 +25,8 @@ enum { TP_WALK_SYMBOLS = 12, TP_WALK_TEXT = 32 };
 
 /* A number of the scene that is a symbol of the formula. */
 typedef struct tp_walk_number {
-  const char *key; /* as the scene calls it */
+  const char *key;     /* as the scene calls it */
+  const tp_node *node; /* where it stands there */
   long symbol;
   bool is_friction; /* in degrees; its symbol is tan(phi) */
   double own;       /* the scene's value */
@@ -33,7 +34,6 @@ typedef struct tp_walk_number {
 
 typedef struct tp_walk {
   const tp_checked_formula *formula;
-  tp_node *root; /* a copy of the scene as read */
   size_t count;
   tp_walk_number numbers[TP_WALK_SYMBOLS];
 } tp_walk;
@@ -45,13 +45,12 @@ typedef struct tp_walk_direction {
 
 /* Values of all numbers as the scene is given them, and of all symbols. */
 typedef struct tp_walk_point {
-  char texts[TP_WALK_SYMBOLS][TP_WALK_TEXT];
+  char texts[TP_WALK_SYMBOLS][TP_WALK_TEXT]; /* empty: as the scene has it */
   arb_ptr values;
 } tp_walk_point;
 
 TP_MUST_USE tp_status tp_walk_init(tp_walk *walk, const tp_checked_formula *formula,
                                    tp_message *message);
-void tp_walk_clear(tp_walk *walk);
 
 void tp_walk_point_init(tp_walk_point *point, const tp_walk *walk);
 void tp_walk_point_clear(tp_walk_point *point, const tp_walk *walk);

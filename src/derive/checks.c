@@ -176,6 +176,5 @@ tp_status tp_checks_run(tp_derived_checks *checks, const tp_checked_formula *for
   free(r.met);
   tp_walk_point_clear(&r.inside, &r.walk);
   tp_walk_point_clear(&r.outside, &r.walk);
-  tp_walk_clear(&r.walk);
   return status;
 }

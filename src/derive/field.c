@@ -122,6 +122,11 @@ static const tp_algebra field_algebra = {
 
 tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_node *node,
                         const tp_scene *scene, tp_message *message) {
+  const tp_override *own = tp_scene_override(scene, node);
+  if (own != NULL) {
+    fmpz_mpoly_q_set_fmpq(value, own->value, field->ring);
+    return TP_OK;
+  }
   tp_place place = tp_node_place(node, scene->path);
   place.column += node->text_offset;
   tp_parameters known = *field->parameters;

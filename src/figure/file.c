@@ -108,10 +108,10 @@ static cairo_status_t write_figure(tp_figure_kind kind, sink *s, const tp_figure
 /* Not over a file that the scene was read from. */
 static tp_status write_file(const char *path, const sink *s, const tp_scene *scene,
                             tp_figure_consent consent, tp_message *message) {
-  const size_t count = 1 + (size_t)scene->file_count;
+  const size_t count = tp_scene_source_count(scene);
   const char **read = calloc(count, sizeof *read);
   if (read == NULL) return tp_fail_memory(message, "the names of files");
-  for (size_t k = 0; k < count; k++) read[k] = k == 0 ? scene->path : scene->files[k - 1];
+  for (size_t k = 0; k < count; k++) read[k] = tp_scene_source(scene, k);
   const tp_status status =
       tp_file_write_if(path, s->bytes, s->length, (tp_file_sources){count, read}, consent, message);
   free(read);

@@ -4,6 +4,7 @@
 #include "number/ratio.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -201,4 +202,65 @@ void tp_ratio_text(char *text, size_t size, const fmpq_t value) {
     return;
   }
   snprintf(text, size, "%ld/%ld", fmpz_get_si(fmpq_numref(value)), fmpz_get_si(fmpq_denref(value)));
+}
+
+/* How many decimals the value has; -1: no end of them. */
+static long count_decimals(const fmpq_t value) {
+  fmpz_t rest, five;
+  fmpz_init_set(rest, fmpq_denref(value));
+  fmpz_init_set_ui(five, 5);
+  const long twos = (long)fmpz_val2(rest), fives = fmpz_remove(rest, rest, five);
+  fmpz_tdiv_q_2exp(rest, rest, (unsigned long)twos);
+  const bool ends = fmpz_is_one(rest);
+  fmpz_clear(rest);
+  fmpz_clear(five);
+  return !ends ? -1 : twos > fives ? twos : fives;
+}
+
+/* The digits of value * 10^decimals, allocated by malloc, with or without a sign. */
+static char *scaled_digits(const fmpq_t value, long decimals) {
+  fmpz_t scaled;
+  fmpz_init_set_ui(scaled, 10);
+  fmpz_pow_ui(scaled, scaled, (unsigned long)decimals);
+  fmpz_mul(scaled, scaled, fmpq_numref(value));
+  fmpz_divexact(scaled, scaled, fmpq_denref(value));
+  const size_t size = fmpz_sizeinbase(scaled, 10) + 2; /* a sign, and its end */
+  char *digits = size <= TP_RATIO_DIGITS + 2 ? malloc(size) : NULL;
+  if (digits != NULL) fmpz_get_str(digits, 10, scaled);
+  fmpz_clear(scaled);
+  return digits;
+}
+
+/* A point among the digits, or an exponent behind them where many zeros would stand before. */
+static char *place_point(const char *digits, long decimals) {
+  enum { MOST_ZEROS = 6 };
+  const char *sign = *digits == '-' ? "-" : "";
+  digits += *digits == '-' ? 1 : 0;
+  const long count = (long)strlen(digits), whole = count - decimals;
+  const size_t size = (size_t)count + MOST_ZEROS + 32;
+  char *text = malloc(size);
+  if (text == NULL) return NULL;
+  if (whole > 0) {
+    snprintf(text, size, "%s%.*s.%s", sign, (int)whole, digits, digits + whole);
+  } else if (-whole < MOST_ZEROS) {
+    snprintf(text, size, "%s0.%.*s%s", sign, (int)-whole, "000000", digits);
+  } else {
+    snprintf(text, size, "%s%se-%ld", sign, digits, decimals);
+  }
+  return text;
+}
+
+/* Decimals that have more digits than can be read are told as a fraction, too. */
+char *tp_ratio_exact_text(const fmpq_t value) {
+  const long decimals = count_decimals(value);
+  char *digits = decimals >= 0 ? scaled_digits(value, decimals) : NULL;
+  if (digits != NULL) {
+    char *text = decimals > 0 ? place_point(digits, decimals) : strdup(digits);
+    free(digits);
+    return text;
+  }
+  char *text =
+      malloc(fmpz_sizeinbase(fmpq_numref(value), 10) + fmpz_sizeinbase(fmpq_denref(value), 10) + 3);
+  if (text != NULL) fmpq_get_str(text, 10, value);
+  return text;
 }

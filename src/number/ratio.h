@@ -29,4 +29,8 @@ bool tp_ratio_is_not_finite(const char *text);
 /* Shortest readable text of a value for messages: an integer, a decimal that is exact, or p/q. */
 void tp_ratio_text(char *text, size_t size, const fmpq_t value);
 
+/* All of its digits, as tp_ratio_read_field takes them: a decimal, or p/q. Allocated with malloc;
+ * NULL when memory is exhausted. */
+char *tp_ratio_exact_text(const fmpq_t value);
+
 #endif

@@ -6,7 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Is it the last chain that has the points, or the only one? */
+static bool is_last(tp_polyline *line) {
+  return line->users == NULL || atomic_fetch_sub(line->users, 1) == 1;
+}
+
 void tp_polyline_clear(tp_polyline *line) {
+  if (!is_last(line)) {
+    memset(line, 0, sizeof *line);
+    return;
+  }
   for (long k = 0; k < line->count; k++) {
     fmpq_clear(line->x + k);
     fmpq_clear(line->y + k);
@@ -14,6 +23,7 @@ void tp_polyline_clear(tp_polyline *line) {
   free(line->x);
   free(line->y);
   free(line->marks);
+  free(line->users);
   memset(line, 0, sizeof *line);
 }
 
@@ -65,12 +75,48 @@ bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line) {
   return true;
 }
 
+bool tp_polyline_make_shared(tp_polyline *line) {
+  atomic_long *users = malloc(sizeof *users);
+  if (users == NULL) return false;
+  atomic_init(users, 1);
+  line->users = users;
+  return true;
+}
+
+bool tp_polyline_separate(tp_polyline *line) {
+  if (line->users == NULL || atomic_load(line->users) == 1) return true;
+  tp_polyline own;
+  if (!tp_polyline_copy(&own, line)) return false;
+  if (!tp_polyline_make_shared(&own)) {
+    tp_polyline_clear(&own);
+    return false;
+  }
+  tp_polyline_clear(line);
+  *line = own;
+  return true;
+}
+
+tp_polyline tp_polyline_share(const tp_polyline *line) {
+  if (line->users != NULL) atomic_fetch_add(line->users, 1);
+  return *line;
+}
+
+/* As fmpq_cmp, by products of two words where all numbers are of one word. */
+static int compare(const fmpq *a, const fmpq *b) {
+  if (COEFF_IS_MPZ(a->num) || COEFF_IS_MPZ(a->den) || COEFF_IS_MPZ(b->num) ||
+      COEFF_IS_MPZ(b->den)) {
+    return fmpq_cmp(a, b);
+  }
+  const __int128 one = (__int128)a->num * b->den, other = (__int128)b->num * a->den;
+  return (one > other) - (one < other);
+}
+
 static void spread(fmpq_t size, const fmpq *values, long count) {
   long least = 0, most = 0;
   fmpq_zero(size);
   for (long k = 0; k < count; k++) {
-    if (fmpq_cmp(values + k, values + least) < 0) least = k;
-    if (fmpq_cmp(values + k, values + most) > 0) most = k;
+    if (compare(values + k, values + least) < 0) least = k;
+    if (compare(values + k, values + most) > 0) most = k;
   }
   if (count > 0) fmpq_sub(size, values + most, values + least);
 }

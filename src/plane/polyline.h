@@ -9,6 +9,7 @@
 #include "message.h"
 
 #include <flint/fmpq.h>
+#include <stdatomic.h>
 
 typedef struct tp_mark {
   int line, column;
@@ -20,7 +21,8 @@ typedef struct tp_polyline {
   long count, capacity;
   fmpq *x, *y;
   tp_mark *marks;
-  bool reversed; /* stored against the order in which it was written */
+  bool reversed;      /* stored against the order in which it was written */
+  atomic_long *users; /* chains that share the points; NULL: they are of this one alone */
 } tp_polyline;
 
 void tp_polyline_clear(tp_polyline *line);
@@ -30,6 +32,15 @@ TP_MUST_USE bool tp_polyline_reserve(tp_polyline *line, long count);
 TP_MUST_USE bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y,
                                     tp_mark mark);
 TP_MUST_USE bool tp_polyline_copy(tp_polyline *copy, const tp_polyline *line);
+
+/* From now on the points stay as they are, and other chains may share them, in other threads too:
+ * the last to be cleared gives them back. False when memory is exhausted. */
+TP_MUST_USE bool tp_polyline_make_shared(tp_polyline *line);
+/* Give a chain that shares its points some of its own, which may be changed until they are shared.
+ */
+TP_MUST_USE bool tp_polyline_separate(tp_polyline *line);
+/* Another chain of the same points; `line` was made shared, or has none. */
+tp_polyline tp_polyline_share(const tp_polyline *line);
 
 /* Width and height of the box around the points, both at least zero. */
 void tp_polyline_size(fmpq_t width, fmpq_t height, const tp_polyline *line);

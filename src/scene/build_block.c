@@ -36,6 +36,7 @@ static void put_teeth(tp_build *build, long count, bool left_end_valley) {
   fmpq_swap(teeth->width, build->values);
   fmpq_swap(teeth->height, build->values + 1);
   fmpq_swap(teeth->depth, build->values + 2);
+  teeth->block_width.given = teeth->mean_height.given = false;
 }
 
 tp_status tp_scene_set_slab(tp_scene *scene, tp_exact width, tp_exact height, tp_message *message) {
@@ -88,7 +89,7 @@ tp_status tp_scene_set_teeth(tp_scene *scene, long count, tp_exact width, tp_exa
   return status;
 }
 
-/* a = dx / N, b = y - A / 2, c = A. */
+/* c = A; what was given is kept for those who ask for it, and vary it. */
 tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_exact block_width,
                                   tp_exact mean_height, tp_exact amplitude, tp_left_end left_end,
                                   tp_message *message) {
@@ -96,24 +97,22 @@ tp_status tp_scene_set_teeth_over(tp_scene *scene, long count, tp_exact block_wi
   TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"block_width", block_width, TP_RULE_ABOVE_ZERO},
                             {"mean_height", mean_height, TP_RULE_ABOVE_ZERO},
-                            {"amplitude", amplitude, TP_RULE_NOT_NEGATIVE}};
+                            {"amplitude", amplitude, TP_RULE_NOT_NEGATIVE},
+                            {"block_width", block_width, TP_RULE_ABOVE_ZERO},
+                            {"mean_height", mean_height, TP_RULE_ABOVE_ZERO}};
   tp_build build;
   tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status == TP_OK) status = check_teeth(&build, count, left_end);
-  if (status == TP_OK) status = tp_build_read(&build, given, 3);
+  if (status == TP_OK) status = tp_build_read(&build, given, 5);
   if (status == TP_OK) {
-    fmpq_t half;
-    fmpq_init(half);
-    fmpq_set_si(half, count, 1);
-    fmpq_div(build.values, build.values, half);
-    fmpq_div_2exp(half, build.values + 2, 1);
-    fmpq_sub(build.values + 1, build.values + 1, half);
-    fmpq_clear(half);
+    tp_teeth_over(build.values, build.values + 1, build.values + 2, count);
     status = tp_check_amplitude(build.values + 1, build.place, message);
   }
   if (status == TP_OK) {
     set_form(&build, TP_OUTLINE_TEETH);
     put_teeth(&build, count, left_end == TP_LEFT_END_VALLEY);
+    tp_build_put(&build, &scene->block.teeth.block_width, 3);
+    tp_build_put(&build, &scene->block.teeth.mean_height, 4);
   }
   tp_build_end(&build);
   return status;

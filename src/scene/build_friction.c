@@ -9,7 +9,7 @@
 /* The angle is the first number of the call; a law that was set before is dropped. */
 static tp_friction_description *put_angle(tp_build *build) {
   tp_friction_description *law = &build->scene->friction;
-  law->load_dependent = false;
+  law->load_dependent = law->basic_angle_deg.given = false;
   law->jrc.given = law->jcs_mpa.given = law->roughness_angle_deg.given = false;
   law->test_angle_deg.given = law->test_stress_kpa.given = false;
   tp_build_put(build, &build->scene->friction_angle_deg, 0);
@@ -39,14 +39,19 @@ tp_status tp_scene_set_friction_patton(tp_scene *scene, tp_exact basic_angle_deg
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   const tp_given given[] = {{"basic_angle_deg", basic_angle_deg, TP_RULE_ANGLE_BELOW_90},
-                            {"roughness_angle_deg", roughness_angle_deg, TP_RULE_ANGLE_BELOW_90}};
+                            {"roughness_angle_deg", roughness_angle_deg, TP_RULE_ANGLE_BELOW_90},
+                            {"basic_angle_deg", basic_angle_deg, TP_RULE_ANGLE_BELOW_90}};
   tp_build build;
-  tp_status status = begin(&build, scene, __func__, given, 2, message);
+  tp_status status = begin(&build, scene, __func__, given, 3, message);
   if (status == TP_OK) {
     fmpq_add(build.values, build.values, build.values + 1);
     status = tp_check_patton(build.values, build.place, message);
   }
-  if (status == TP_OK) tp_build_put(&build, &put_angle(&build)->roughness_angle_deg, 1);
+  if (status == TP_OK) {
+    tp_friction_description *law = put_angle(&build);
+    tp_build_put(&build, &law->roughness_angle_deg, 1);
+    tp_build_put(&build, &law->basic_angle_deg, 2);
+  }
   tp_build_end(&build);
   return status;
 }

@@ -136,6 +136,7 @@ tp_status tp_coordinates_read(tp_polyline *line, tp_coordinates given, bool clos
   }
   fmpq_clear(x);
   fmpq_clear(y);
+  if (status == TP_OK && !tp_polyline_make_shared(&points)) status = tp_fail_memory(message, name);
   if (status != TP_OK) {
     tp_polyline_clear(&points);
     return status;

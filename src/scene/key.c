@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* By the first `length` bytes of a way: a key of a map, or a number in a list, counted from 1. */
-static tp_node *child(const tp_node *node, const char *key, size_t length) {
-  tp_node *found = node->first;
+static const tp_node *child(const tp_node *node, const char *key, size_t length) {
+  const tp_node *found = node->first;
   if (node->kind == TP_NODE_SEQUENCE) {
     char *end = NULL;
     long index = strtol(key, &end, 10);
@@ -48,10 +48,10 @@ static tp_status fail(const tp_node *at, const char *way, size_t length, bool ne
                  nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
 }
 
-tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char *file,
+tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key, const char *file,
                       tp_message *message) {
   const tp_node *parameters = tp_node_get(root, "parameters");
-  tp_node *at = root;
+  const tp_node *at = root;
   if (strchr(key, '.') == NULL && parameters != NULL &&
       child(parameters, key, strlen(key)) != NULL) {
     at = child(parameters, key, strlen(key));
@@ -60,7 +60,7 @@ tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char
   while (key != NULL) {
     const size_t length = strcspn(key, ".");
     const bool is_last = key[length] == '\0';
-    tp_node *next = child(at, key, length);
+    const tp_node *next = child(at, key, length);
     if (next == NULL) {
       const bool parameter =
           at == root && is_last && parameters != NULL && parameters->kind == TP_NODE_MAPPING;

@@ -12,8 +12,8 @@
 /* The scalar at a way like block.rounded.corners.1.radius (entries of lists count from 1), or of a
  * parameter by its name alone. Bad input where there is none, with the nearest key that there is.
  */
-TP_MUST_USE tp_status tp_key_find(tp_node **node, tp_node *root, const char *key, const char *file,
-                                  tp_message *message);
+TP_MUST_USE tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key,
+                                  const char *file, tp_message *message);
 
 /* What a number bears upon: itself, and of a parameter every number that names it, by way of others
  * too. More at worst, never less. */

@@ -53,42 +53,17 @@ void tp_node_free(tp_node *root) {
   free(root);
 }
 
-/* A node without its children; NULL when memory is exhausted. */
-static tp_node *copy_alone(const tp_node *node) {
-  tp_node *own = calloc(1, sizeof *own);
-  if (own == NULL) return NULL;
-  *own = *node;
-  own->first = own->last = own->next = NULL;
-  own->text = node->text != NULL ? strdup(node->text) : NULL;
-  own->key = node->key != NULL ? strdup(node->key) : NULL;
-  if ((own->text == NULL) == (node->text == NULL) && (own->key == NULL) == (node->key == NULL)) {
-    return own;
-  }
-  tp_node_free(own);
-  return NULL;
-}
-
-tp_node *tp_node_copy(const tp_node *node) {
-  tp_node *own = copy_alone(node);
-  for (const tp_node *child = node->first; own != NULL && child != NULL; child = child->next) {
-    tp_node *copied = tp_node_copy(child);
-    if (copied == NULL) {
-      tp_node_free(own);
-      return NULL;
-    }
-    if (own->first == NULL) own->first = copied;
-    if (own->last != NULL) own->last->next = copied;
-    own->last = copied;
-  }
-  return own;
-}
-
 const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
   if (mapping->kind != TP_NODE_MAPPING) return NULL;
   for (const tp_node *child = mapping->first; child != NULL; child = child->next) {
     if (strcmp(child->key, key) == 0) return child;
   }
   return NULL;
+}
+
+bool tp_node_is_within(const tp_node *node, const tp_node *outer) {
+  while (node != NULL && node != outer) node = node->parent;
+  return node != NULL;
 }
 
 /* The tree under construction: the collections that it is within, and a key that waits for its
@@ -160,6 +135,7 @@ static tp_status attach(builder *b, tp_node_kind kind, tp_mark mark, tp_node **a
     }
     parent->last = node;
     parent->count++;
+    node->parent = parent;
   }
   *attached = node;
   return TP_OK;

@@ -24,14 +24,12 @@ struct tp_node {
   tp_mark key_mark;
   long count; /* children */
   tp_node *first, *last, *next;
+  const tp_node *parent; /* NULL: the root */
 };
 
 /* `*root` stays untouched on failure. */
 TP_MUST_USE tp_status tp_node_read(tp_node **root, const char *path, tp_message *message);
 void tp_node_free(tp_node *root);
-
-/* With all its children; NULL when memory is exhausted. */
-tp_node *tp_node_copy(const tp_node *node);
 
 /* The same from text that is not empty; `name` is what places refer to. */
 TP_MUST_USE tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,
@@ -47,6 +45,9 @@ TP_MUST_USE tp_status tp_node_expect_keys(const tp_node *node, const char *const
 
 /* Nearest of the candidates (NULL-terminated) to a misspelt word, or NULL. */
 const char *tp_nearest(const char *word, const char *const *candidates);
+
+/* Is it the one node, or within it? */
+bool tp_node_is_within(const tp_node *node, const tp_node *outer);
 
 tp_place tp_node_place(const tp_node *node, const char *file);
 

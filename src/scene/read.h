@@ -10,9 +10,17 @@
 #include "scene/node.h"
 #include "scene/scene.h"
 
+/* How far the reading of a file is. */
+typedef struct tp_reading {
+  bool again;  /* the file was read before: its chains are known */
+  bool varies; /* the last numbers depend on a parameter, or are not those of the file */
+  long next_chain;
+} tp_reading;
+
 typedef struct tp_reader {
   tp_scene *scene;
   tp_message *message;
+  tp_reading *reading;
 } tp_reader;
 
 /* An expression; `name` is the key or the role of the value in messages. */

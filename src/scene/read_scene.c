@@ -120,14 +120,33 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   return status == TP_OK ? tp_scene_cautions(&scene->notes, scene, reader->message) : status;
 }
 
-tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
-                              tp_message *message) {
-  tp_scene *read = tp_scene_make(path);
-  if (read == NULL) return tp_fail_memory(message, "the scene");
-  const tp_reader reader = {read, message};
-  read->source = root;
-  read->borrows_source = true;
-  const tp_status status = read_root(&reader, root);
+/* One number was given for a node that holds none. */
+static tp_status check_used(const tp_scene *scene, tp_message *message) {
+  for (long k = 0; k < scene->override_count; k++) {
+    if (scene->overrides[k].used) continue;
+    return tp_fail(message, TP_BAD_INPUT, tp_node_place(scene->overrides[k].node, scene->path),
+                   "this is no number of the scene");
+  }
+  return TP_OK;
+}
+
+/* The file and the overrides become the scene's, or are given back. */
+static tp_status read_file(tp_scene **scene, tp_scene_file *file, bool again,
+                           tp_override *overrides, long count, tp_message *message) {
+  tp_scene *read = tp_scene_make(file->path);
+  if (read == NULL) {
+    tp_overrides_free(overrides, count);
+    tp_scene_file_free(file);
+    return tp_fail_memory(message, "the scene");
+  }
+  read->file = file;
+  read->source = file->root;
+  read->overrides = overrides;
+  read->override_count = count;
+  tp_reading reading = {.again = again};
+  const tp_reader reader = {read, message, &reading};
+  tp_status status = read_root(&reader, file->root);
+  if (status == TP_OK) status = check_used(read, message);
   if (status == TP_OK) {
     *scene = read;
   } else {
@@ -136,18 +155,18 @@ tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
   return status;
 }
 
-/* The scene owns its nodes, or they go with it. */
-static tp_status keep_nodes(tp_scene **scene, const char *path, tp_node *root,
+tp_status tp_scene_read_again(tp_scene **scene, tp_scene_file *file, tp_override *overrides,
+                              long count, tp_message *message) {
+  return read_file(scene, tp_scene_file_share(file), true, overrides, count, message);
+}
+
+/* The nodes become the scene's, or are given back. */
+static tp_status read_nodes(tp_scene **scene, const char *path, tp_node *root,
                             tp_message *message) {
-  tp_scene *read = NULL;
-  const tp_status status = tp_scene_from_nodes(&read, path, root, message);
-  if (status == TP_OK && read != NULL) {
-    read->borrows_source = false;
-    *scene = read;
-  } else {
-    tp_node_free(root);
-  }
-  return status;
+  tp_scene_file *file = tp_scene_file_make(path, root);
+  if (file != NULL) return read_file(scene, file, false, NULL, 0, message);
+  tp_node_free(root);
+  return tp_fail_memory(message, "the scene");
 }
 
 tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
@@ -156,7 +175,7 @@ tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message)
   TP_REFUSE_NULL(message, path);
   tp_node *root = NULL;
   const tp_status status = tp_node_read(&root, path, message);
-  return status == TP_OK ? keep_nodes(scene, path, root, message) : status;
+  return status == TP_OK ? read_nodes(scene, path, root, message) : status;
 }
 
 tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
@@ -167,5 +186,5 @@ tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *nam
   TP_REFUSE_NULL(message, name);
   tp_node *root = NULL;
   const tp_status status = tp_node_read_text(&root, text, name, message);
-  return status == TP_OK ? keep_nodes(scene, name, root, message) : status;
+  return status == TP_OK ? read_nodes(scene, name, root, message) : status;
 }

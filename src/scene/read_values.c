@@ -27,16 +27,34 @@ tp_place tp_read_place(const tp_reader *reader, const tp_node *node) {
   return tp_node_place(node, reader->scene->path);
 }
 
+/* Without a letter no parameter stands in it; what has an exponent may be thought to name one. */
+static bool may_name(const char *text) {
+  return text[strspn(text, "0123456789.+-*/^() \t")] != '\0';
+}
+
+/* What the scene has instead of the text; else what it says. */
+static tp_status read_text(const tp_reader *reader, fmpq_t value, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  for (long k = 0; k < scene->override_count; k++) {
+    tp_override *own = scene->overrides + k;
+    if (own->node != node) continue;
+    own->used = reader->reading->varies = true;
+    fmpq_set(value, own->value);
+    return TP_OK;
+  }
+  tp_place place = tp_node_place(node, scene->path);
+  place.column += node->text_offset;
+  if (scene->parameters.count > 0 && may_name(node->text)) reader->reading->varies = true;
+  return tp_expression_evaluate(value, node->text, place, &scene->parameters, reader->message);
+}
+
 tp_status tp_read_number(const tp_reader *reader, fmpq_t value, const tp_node *node,
                          const char *name) {
   if (node->kind != TP_NODE_SCALAR) {
     return tp_read_fail(reader, node, "%s must be a number, not a list or a map",
                         tp_quote_all(name).text);
   }
-  tp_place place = tp_node_place(node, reader->scene->path);
-  place.column += node->text_offset;
-  const tp_status status =
-      tp_expression_evaluate(value, node->text, place, &reader->scene->parameters, reader->message);
+  const tp_status status = read_text(reader, value, node);
   if (status != TP_OK) return status;
   return tp_check_range(value, name, tp_read_place(reader, node), reader->message);
 }
@@ -78,21 +96,6 @@ tp_status tp_read_required(const tp_reader *reader, const tp_node **child, const
   return tp_read_fail(reader, mapping, "'%s' is missing here, for example '%s'", key, example);
 }
 
-/* A file name that a scene gives, relative to the scene's folder; kept by the scene. */
-static const char *keep_path(tp_scene *scene, const char *name) {
-  const char *slash = strrchr(scene->path, '/');
-  const size_t folder = name[0] == '/' || slash == NULL ? 0 : (size_t)(slash - scene->path) + 1;
-  char **files = realloc(scene->files, ((size_t)scene->file_count + 1) * sizeof *files);
-  if (files == NULL) return NULL;
-  scene->files = files;
-  char *path = malloc(folder + strlen(name) + 1);
-  if (path == NULL) return NULL;
-  memcpy(path, scene->path, folder);
-  strcpy(path + folder, name);
-  files[scene->file_count++] = path;
-  return path;
-}
-
 tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
                         const tp_node *node, const char *name) {
   if (node->kind != TP_NODE_SEQUENCE || node->count != 2) {
@@ -120,27 +123,83 @@ static tp_status read_vertex(const tp_reader *reader, tp_polyline *line, const t
   return status;
 }
 
-tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_node *node,
-                         bool closed, const char *name) {
-  tp_polyline points = {.file = reader->scene->path, .mark = node->mark};
+/* A list of [x, y], or a file: `chain` gets the points, and what is noted of them. */
+static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, bool closed,
+                            const char *name) {
+  const tp_node *node = chain->node;
+  tp_polyline *line = &chain->line;
   tp_status status = TP_OK;
+  *line = (tp_polyline){.file = reader->scene->path, .mark = node->mark};
+  reader->reading->varies = false;
   if (node->kind == TP_NODE_SCALAR) {
-    const char *path = keep_path(reader->scene, node->text);
+    const char *path = tp_scene_file_name(reader->scene->file, node->text);
     if (path == NULL) return tp_fail_memory(reader->message, name);
-    status = tp_csv_read(&points, path, closed, &reader->scene->notes, reader->message);
+    status = tp_csv_read(line, path, closed, &chain->notes, reader->message);
   } else if (node->kind == TP_NODE_SEQUENCE) {
     for (const tp_node *p = node->first; p != NULL && status == TP_OK; p = p->next) {
-      status = read_vertex(reader, &points, p, name);
+      status = read_vertex(reader, line, p, name);
     }
-    if (closed) tp_polyline_drop_closing_point(&points);
+    if (closed) tp_polyline_drop_closing_point(line);
   } else {
     status =
         tp_read_fail(reader, node, "%s must be a list of [x, y] or the name of a CSV file", name);
   }
+  if (status == TP_OK && !tp_polyline_make_shared(line)) {
+    status = tp_fail_memory(reader->message, name);
+  }
+  chain->fixed = !reader->reading->varies;
+  return status;
+}
+
+/* The points of a chain that is kept, and the notes on it. */
+static tp_status take_chain(const tp_reader *reader, tp_polyline *line,
+                            const tp_file_chain *chain) {
+  const tp_status status = tp_notes_append(&reader->scene->notes, &chain->notes, reader->message);
+  if (status == TP_OK) *line = tp_polyline_share(&chain->line);
+  return status;
+}
+
+/* The file was never read before: what does not depend on a number that varies is kept. */
+static tp_status read_first(const tp_reader *reader, tp_polyline *line, const tp_node *node,
+                            bool closed, const char *name) {
+  tp_file_chain *chain = tp_scene_file_add_chain(reader->scene->file, node);
+  if (chain == NULL) return tp_fail_memory(reader->message, name);
+  const tp_status status = read_chain(reader, chain, closed, name);
+  if (status != TP_OK || chain->fixed) {
+    return status == TP_OK ? take_chain(reader, line, chain) : status;
+  }
+  *line = chain->line;
+  chain->line = (tp_polyline){0};
+  return TP_OK;
+}
+
+static bool is_varied(const tp_scene *scene, const tp_node *node) {
+  for (long k = 0; k < scene->override_count; k++) {
+    if (tp_node_is_within(scene->overrides[k].node, node)) return true;
+  }
+  return false;
+}
+
+/* Chains come in the order in which they came before. What varies is a list: no number names a
+ * file, and a list has no notes. */
+static tp_status read_again(const tp_reader *reader, tp_polyline *line, const tp_node *node,
+                            bool closed, const char *name) {
+  const tp_file_chain *kept = reader->scene->file->chains + reader->reading->next_chain++;
+  if (node->kind == TP_NODE_SCALAR || (kept->fixed && !is_varied(reader->scene, node))) {
+    return take_chain(reader, line, kept);
+  }
+  tp_file_chain chain = {.node = node};
+  const tp_status status = read_chain(reader, &chain, closed, name);
   if (status == TP_OK) {
-    *line = points;
+    *line = chain.line;
   } else {
-    tp_polyline_clear(&points);
+    tp_polyline_clear(&chain.line);
   }
   return status;
+}
+
+tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_node *node,
+                         bool closed, const char *name) {
+  return reader->reading->again ? read_again(reader, line, node, closed, name)
+                                : read_first(reader, line, node, closed, name);
 }

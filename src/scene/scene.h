@@ -13,6 +13,7 @@
 #include "plane/polyline.h"
 #include "scene/expression.h"
 #include "scene/node.h"
+#include "scene/scene_file.h"
 
 #include <flint/fmpq.h>
 
@@ -41,6 +42,7 @@ typedef struct tp_teeth {
   long count;
   fmpq_t width, height, depth;
   bool left_end_valley;
+  tp_quantity block_width, mean_height; /* in memory, given over a width: dx and y (section 5.1) */
 } tp_teeth;
 
 typedef struct tp_part {
@@ -146,6 +148,7 @@ typedef struct tp_loads_description {
  * residual part. JRC is given, or follows from a tilt test (Eq. 9), or from i (Eq. 10). */
 typedef struct tp_friction_description {
   bool load_dependent;
+  tp_quantity basic_angle_deg; /* of Patton's law */
   tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
 } tp_friction_description;
 
@@ -153,8 +156,17 @@ typedef struct tp_friction_description {
  * or the horizontal and the vertical, with the block as it lies. */
 typedef enum tp_frame { TP_FRAME_UNSTATED, TP_FRAME_BASE, TP_FRAME_WORLD } tp_frame;
 
+/* A number that a scene has instead of the one that stands in its file. */
+typedef struct tp_override {
+  const tp_node *node;
+  fmpq_t value;
+  bool used; /* it was read as a number */
+} tp_override;
+
+/* Its numbers, chains and lists are listed once more in scene/members.c, and the keys of what a
+ * scene in memory can be given in scene/slot_table.c. */
 struct tp_scene {
-  char *path;
+  const char *path; /* of its file, or what it is called; outlives it */
   char *title;
   const char *length_unit;
   fmpq_t metres_per_unit;
@@ -170,17 +182,32 @@ struct tp_scene {
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
-  tp_node *source; /* the file as read, for what is derived with symbols; NULL: built in memory */
-  bool borrows_source;
-  tp_notes notes;  /* on what was read */
-  long file_count; /* names of files that places refer to */
-  char **files;
+  tp_scene_file *file;        /* NULL: built in memory */
+  const tp_node *source;      /* the nodes of the file, for what is derived with symbols */
+  long override_count;
+  tp_override *overrides;
+  tp_notes notes; /* on what was read */
 };
 
-/* A scene with nothing given; NULL when memory is exhausted. `path` is what places refer to. */
+/* A scene with nothing given; NULL when memory is exhausted. `path` is what places refer to, and
+ * outlives it. */
 tp_scene *tp_scene_make(const char *path);
+/* A copy of a scene that was built in memory, which shares its chains of points; NULL when memory
+ * is exhausted. */
+tp_scene *tp_scene_copy(const tp_scene *scene);
+/* What the scene has instead of the number at a node; NULL: nothing. */
+const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node);
+
+/* The files that it was read from: the scene's own, by what it is called, and those named in it. */
+size_t tp_scene_source_count(const tp_scene *scene);
+const char *tp_scene_source(const tp_scene *scene, size_t index);
+
 TP_MUST_USE tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,
                                         tp_message *message);
+
+/* A block of teeth over a width, of a mean height and an amplitude: `width` becomes that of a
+ * tooth, `height` the lesser one, a = dx / N and b = y - A / 2. */
+void tp_teeth_over(fmpq_t width, fmpq_t height, const fmpq_t amplitude, long count);
 
 /* The numbers of what a scene holds several of; the rest is zero already. */
 void tp_line_load_init(tp_line_load *load);
@@ -195,9 +222,11 @@ TP_MUST_USE tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene,
 /* What the scene is told with: its notes, which a scene built in memory gathers now. */
 TP_MUST_USE tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_message *message);
 
-/* A scene from nodes that were read already, and that must outlive it; `path` is what places refer
- * to. */
-TP_MUST_USE tp_status tp_scene_from_nodes(tp_scene **scene, const char *path, tp_node *root,
-                                          tp_message *message);
+/* The scene of a file that was read already, with other numbers than stand there: `overrides`, an
+ * array that becomes the scene's, whatever the outcome. */
+TP_MUST_USE tp_status tp_scene_read_again(tp_scene **scene, tp_scene_file *file,
+                                          tp_override *overrides, long count, tp_message *message);
+/* Give the overrides back. */
+void tp_overrides_free(tp_override *overrides, long count);
 
 #endif

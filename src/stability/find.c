@@ -16,7 +16,6 @@
 #include "host.h"
 #include "options.h"
 #include "outside.h"
-#include "scene/key.h"
 #include "stability/find_search.h"
 
 #include <math.h>
@@ -40,15 +39,13 @@ void tp_found_free(tp_found *found) {
 }
 
 static tp_place number_place(const tp_search *s) {
-  tp_place place = tp_node_place(s->scene.numbers[0], s->scene.path);
-  place.column += s->scene.numbers[0]->text_offset;
-  return place;
+  return tp_scene_key_place(s->varied.keys, s->varied.scene);
 }
 
 /* The range to look in: as asked, or about the scene's own number. */
 static tp_status set_range(tp_search *s, tp_found *found) {
   const tp_find_options *o = s->options;
-  const tp_status status = tp_varied_check(&s->own, &s->scene, s->message);
+  const tp_status status = tp_varied_check(&s->own, &s->varied, s->message);
   if (status != TP_OK) return status;
   found->low = o->has_low ? o->low : s->own < 0 ? 10 * s->own : 0;
   found->high = o->has_high ? o->high : s->own < 0 ? 0 : 10 * s->own;
@@ -72,7 +69,7 @@ static tp_status set_range(tp_search *s, tp_found *found) {
 static tp_status check_reach(const tp_search *s) {
   const tp_find_target target = s->options->target;
   tp_reach reach;
-  const tp_status status = tp_key_reach(&reach, s->scene.root, s->scene.numbers[0], s->message);
+  const tp_status status = tp_scene_key_reach(&reach, s->varied.keys, s->varied.scene, s->message);
   if (status != TP_OK || reach.other) return status;
   const tp_quote key = tp_quote_all(s->options->key);
   if (!reach.friction && !reach.tilt) {
@@ -94,32 +91,35 @@ static tp_status check_reach(const tp_search *s) {
                        "the scene gives; a factor of safety depends on that");
 }
 
-/* Does the scene lie at a tilt: one that it gives, or that of a slope? */
-static bool has_tilt(const tp_node *root) {
-  const tp_node *tilt = tp_node_get(root, "tilt"), *frame = tp_node_get(root, "frame");
-  const bool level =
-      frame == NULL || (frame->kind == TP_NODE_SCALAR && strcmp(frame->text, "base") == 0);
-  return !level || (tilt != NULL && tp_node_get(tilt, "angle_deg") != NULL);
-}
-
 /* What the target cannot be without. */
 static tp_status check_target(const tp_search *s) {
   const tp_find_target target = s->options->target;
-  const tp_place place = {s->scene.path, 0, 0};
-  if (target >= TP_FIND_SLIDING_ANGLE && !tp_varied_has_friction(&s->scene)) {
+  const tp_scene *scene = s->varied.scene;
+  const tp_place place = {scene->path, 0, 0};
+  if (target >= TP_FIND_SLIDING_ANGLE && !scene->friction_angle_deg.given) {
     return tp_fail(s->message, TP_BAD_INPUT, place,
                    "%s needs friction; give the scene its 'friction_angle_deg: …'",
                    tp_find_target_name(target));
   }
   const bool needs_tilt =
       target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS;
-  if (!needs_tilt || has_tilt(s->scene.root)) return TP_OK;
+  /* one that it gives, or that of a slope */
+  if (!needs_tilt || scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD) return TP_OK;
   return tp_fail(s->message, TP_BAD_INPUT, place,
                  "%s needs a tilt; give the scene its 'tilt: {towards: left, angle_deg: …}'",
                  tp_find_target_name(target));
 }
 
-tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *options,
+/* All that the target does not take is left out. */
+static void set_options(tp_solve_options *solve, tp_find_target target) {
+  *solve = tp_solve_options_default();
+  solve->digits = 15;
+  solve->strength_reduction = target == TP_FIND_LIMIT_FOS;
+  solve->limit =
+      target == TP_FIND_LIMIT_ANGLE || target == TP_FIND_ONSET_ANGLE || solve->strength_reduction;
+}
+
+tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options *options,
                   tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, found);
@@ -136,29 +136,20 @@ tp_status tp_find(tp_found **found, const char *scene, const tp_find_options *op
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
                    "the value to find for and the range to look in must be finite numbers");
   }
-  tp_search s = {.options = options, .scene = {.path = scene, .count = 1}, .message = message};
-  s.scene.options = tp_solve_options_default();
-  s.scene.options.digits = 15;
-  s.scene.options.strength_reduction = options->target == TP_FIND_LIMIT_FOS;
-  s.scene.options.limit = options->target == TP_FIND_LIMIT_ANGLE ||
-                          options->target == TP_FIND_ONSET_ANGLE ||
-                          s.scene.options.strength_reduction;
+  tp_search s = {.options = options, .varied = {.scene = scene, .count = 1}, .message = message};
+  set_options(&s.varied.options, options->target);
   tp_found *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the solutions");
   own->key = strdup(options->key);
   own->least.value = INFINITY; /* none yet */
   own->greatest.value = -INFINITY;
-  s.status = own->key != NULL ? tp_node_read(&s.scene.root, scene, message)
+  s.status = own->key != NULL ? tp_scene_key_find(s.varied.keys, scene, options->key, message)
                               : tp_fail_memory(message, "the solutions");
-  if (s.status == TP_OK) {
-    s.status = tp_key_find(s.scene.numbers, s.scene.root, options->key, scene, message);
-    if (s.status == TP_OK) s.status = check_target(&s);
-    if (s.status == TP_OK) s.status = check_reach(&s);
-    if (s.status == TP_OK) s.status = set_range(&s, own);
-    s.found = own;
-    if (s.status == TP_OK) tp_search_scan(&s);
-    tp_node_free(s.scene.root);
-  }
+  if (s.status == TP_OK) s.status = check_target(&s);
+  if (s.status == TP_OK) s.status = check_reach(&s);
+  if (s.status == TP_OK) s.status = set_range(&s, own);
+  s.found = own;
+  if (s.status == TP_OK) tp_search_scan(&s);
   if (s.status == TP_OK) {
     *found = own;
   } else {

@@ -81,10 +81,10 @@ static bool sample_beyond(tp_search *s, tp_sample *told, const tp_sample *end, i
 
 /* With more digits. */
 static tp_sample sample_closely(tp_search *s, double x) {
-  const int digits = s->scene.options.digits;
-  s->scene.options.digits = LEVEL_DIGITS;
+  const int digits = s->varied.options.digits;
+  s->varied.options.digits = LEVEL_DIGITS;
   const tp_sample at = tp_search_sample(s, x);
-  s->scene.options.digits = digits;
+  s->varied.options.digits = digits;
   return at;
 }
 

@@ -72,7 +72,7 @@ static void note_result(tp_found *found, tp_bounded value) {
 tp_sample tp_search_sample(tp_search *s, double x) {
   tp_sample at = {.x = x};
   tp_solution *solution = NULL;
-  const tp_status status = tp_varied_solve(&solution, &s->scene, &x, &s->why);
+  const tp_status status = tp_varied_solve(&solution, &s->varied, &x, &s->why);
   if (status == TP_OK && solution->case_count > 0) {
     at.known = target_value(&at.gap, solution->cases, s->options->target);
     take_digits(at.digits, at.gap);

@@ -10,7 +10,7 @@
 
 typedef struct tp_search {
   const tp_find_options *options;
-  tp_varied scene;
+  tp_varied varied;
   tp_found *found;
   double own;  /* the number that the scene has */
   double step; /* between the points of the range */

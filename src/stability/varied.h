@@ -1,31 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene with some of its numbers replaced. */
+/* A scene with some of its numbers replaced, solved. The scene itself stays as it is. */
 
 #ifndef TP_VARIED_H
 #define TP_VARIED_H
 
-#include "scene/scene.h"
+#include "scene/vary.h"
 
 enum { TP_VARIED_MAX = 2 };
 
 typedef struct tp_varied {
-  const char *path;
-  tp_node *root; /* borrowed, as are the numbers in it */
+  const tp_scene *scene;
   size_t count;
-  tp_node *numbers[TP_VARIED_MAX];
+  tp_scene_key keys[TP_VARIED_MAX]; /* of the numbers */
   tp_solve_options options;
 } tp_varied;
 
-/* Solve the scene with `values` for the numbers. The nodes are as before when it returns. */
-TP_MUST_USE tp_status tp_varied_solve(tp_solution **solution, const tp_varied *scene,
+/* Solve the scene with `values` for the numbers, each the decimal of 17 digits that names it. */
+TP_MUST_USE tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied,
                                       const double *values, tp_message *message);
 
 /* The scene as it is: does it tilt one way, and what is the first number's own value? */
-TP_MUST_USE tp_status tp_varied_check(double *own, const tp_varied *scene, tp_message *message);
-
-/* Does the scene give the friction of its contact? */
-bool tp_varied_has_friction(const tp_varied *scene);
+TP_MUST_USE tp_status tp_varied_check(double *own, const tp_varied *varied, tp_message *message);
 
 #endif

@@ -3,24 +3,11 @@
 
 /* Back-analysis and charts: drawn scenes, keys and numbers, wrong ones among them. */
 
-#define _GNU_SOURCE
 #include "fuzz.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
-/* These calls read a file: one in memory. */
-static int make_file(char path[64], const char *text) {
-  const int file = memfd_create("scene", 0);
-  const size_t length = strlen(text);
-  FUZZ_EXPECT(file >= 0 && write(file, text, length) == (ssize_t)length);
-  snprintf(path, 64, "/proc/self/fd/%d", file);
-  return file;
-}
 
 static double draw_number(fuzz_bytes *b) {
   static const double odd[] = {0, -1, 90, 1e300, -1e300, 1e-300, NAN, INFINITY};
@@ -52,7 +39,7 @@ static const char *draw_key(fuzz_bytes *b) {
   return keys[fuzz_pick(b, sizeof keys / sizeof keys[0])];
 }
 
-static void find(const char *scene, fuzz_bytes *b) {
+static void find(const tp_scene *scene, fuzz_bytes *b) {
   tp_found *found = NULL;
   char *text = NULL;
   tp_message message = {""};
@@ -99,7 +86,7 @@ static tp_status chart_mechanisms(tp_chart **chart, fuzz_bytes *b, tp_message *m
 }
 
 /* Along one scalar against the tilt: a grid of two other numbers takes seconds. */
-static tp_status chart_map(tp_chart **chart, const char *scene, fuzz_bytes *b,
+static tp_status chart_map(tp_chart **chart, const tp_scene *scene, fuzz_bytes *b,
                            tp_message *message) {
   tp_chart_map_options options = {.size = sizeof options, .scene = scene};
   options.x = (tp_chart_axis){draw_key(b), {draw_number(b), draw_number(b)}};
@@ -115,24 +102,54 @@ static void report(const tp_chart *chart) {
   free(text);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  fuzz_bytes bytes = {data, data + size};
-  const unsigned call = fuzz_pick(&bytes, 8);
+/* The scene with another number has that number, and may be varied, solved, and found in. */
+static void vary(const tp_scene *scene, fuzz_bytes *b) {
+  tp_scene *varied = NULL;
+  tp_message message = {""};
+  const char *const keys[2] = {draw_key(b), draw_key(b)};
+  const tp_exact values[2] = {tp_exact_of(draw_number(b)), tp_exact_of(draw_number(b))};
+  const size_t count = 1 + fuzz_pick(b, 2);
+  const tp_status status = tp_scene_with_numbers(&varied, scene, keys, values, count, &message);
+  fuzz_judge(status, varied, &message);
+  for (size_t k = 0; k < 2 && k < count && status == TP_OK; k++) {
+    tp_bounded number = {0};
+    char *text = NULL;
+    FUZZ_EXPECT(tp_scene_number(&number, varied, keys[k], &message) == TP_OK);
+    FUZZ_EXPECT(number.value == values[k].value && number.error == 0);
+    FUZZ_EXPECT(tp_scene_number_text(&text, varied, keys[k], &message) == TP_OK);
+    free(text);
+  }
+  if (status == TP_OK) find(varied, b);
+  tp_scene_free(varied);
+}
+
+static void call(unsigned which, const tp_scene *scene, fuzz_bytes *b) {
   tp_chart *chart = NULL;
   tp_message message = {""};
-  char path[64], *scene = fuzz_scene(&bytes);
-  const int file = make_file(path, scene);
-  if (call < 4) {
-    find(path, &bytes);
+  if (which < 3) {
+    find(scene, b);
+  } else if (which == 3) {
+    vary(scene, b);
   } else {
-    const tp_status status = call == 4   ? chart_fos(&chart, &bytes, &message)
-                             : call == 5 ? chart_mechanisms(&chart, &bytes, &message)
-                                         : chart_map(&chart, path, &bytes, &message);
+    const tp_status status = which == 4   ? chart_fos(&chart, b, &message)
+                             : which == 5 ? chart_mechanisms(&chart, b, &message)
+                                          : chart_map(&chart, scene, b, &message);
     fuzz_judge(status, chart, &message);
     if (status == TP_OK) report(chart);
   }
   tp_chart_free(chart);
-  close(file);
-  free(scene);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz_bytes bytes = {data, data + size};
+  const unsigned which = fuzz_pick(&bytes, 8);
+  tp_scene *scene = NULL;
+  tp_message message = {""};
+  char *text = fuzz_scene(&bytes);
+  const tp_status status = tp_scene_read_text(&scene, text, "scene", &message);
+  fuzz_judge(status, scene, &message);
+  if (status == TP_OK) call(which, scene, &bytes);
+  tp_scene_free(scene);
+  free(text);
   return 0;
 }

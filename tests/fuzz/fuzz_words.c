@@ -40,7 +40,8 @@ static void read_words(char *text) {
 }
 
 static void find_key(const char *key) {
-  tp_node *root = NULL, *node = NULL;
+  tp_node *root = NULL;
+  const tp_node *node = NULL;
   tp_message message = {""};
   FUZZ_EXPECT(tp_node_read_text(&root, scene, "scene", &message) == TP_OK);
   const tp_status status = tp_key_find(&node, root, key, "scene", &message);

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "scene/members.h"
+
+#include <string.h>
+
+#define IN_SCENE(member) offsetof(tp_scene, member)
+#define OFFSETS(array)                                                                             \
+  { array, sizeof(array) / sizeof(array)[0] }
+
+static const size_t numbers[] = {IN_SCENE(metres_per_unit),
+                                 IN_SCENE(block.teeth.width),
+                                 IN_SCENE(block.teeth.height),
+                                 IN_SCENE(block.teeth.depth),
+                                 IN_SCENE(block.teeth.block_width.value),
+                                 IN_SCENE(block.teeth.mean_height.value),
+                                 IN_SCENE(block.ellipse.width.value),
+                                 IN_SCENE(block.ellipse.height.value),
+                                 IN_SCENE(block.ellipse.flat.value),
+                                 IN_SCENE(block.thickness.value),
+                                 IN_SCENE(block.unit_weight_kn_m3.value),
+                                 IN_SCENE(base.beyond_left.value),
+                                 IN_SCENE(base.beyond_right.value),
+                                 IN_SCENE(base.below.value),
+                                 IN_SCENE(base.left_of.value),
+                                 IN_SCENE(base.right_of.value),
+                                 IN_SCENE(loads.horizontal.value),
+                                 IN_SCENE(loads.vertical.value),
+                                 IN_SCENE(loads.water.height.value),
+                                 IN_SCENE(loads.water.unit_weight_kn_m3.value),
+                                 IN_SCENE(loads.bond_kpa.value),
+                                 IN_SCENE(loads.cohesion_kpa.value),
+                                 IN_SCENE(friction_angle_deg.value),
+                                 IN_SCENE(friction.basic_angle_deg.value),
+                                 IN_SCENE(friction.jrc.value),
+                                 IN_SCENE(friction.jcs_mpa.value),
+                                 IN_SCENE(friction.roughness_angle_deg.value),
+                                 IN_SCENE(friction.test_angle_deg.value),
+                                 IN_SCENE(friction.test_stress_kpa.value),
+                                 IN_SCENE(tilt_angle_deg.value)};
+static const size_t lines[] = {IN_SCENE(block.outline), IN_SCENE(base.between),
+                               IN_SCENE(base.profile), IN_SCENE(mean_plane)};
+
+const tp_offsets tp_scene_numbers = OFFSETS(numbers), tp_scene_lines = OFFSETS(lines);
+
+static const size_t of_part[] = {offsetof(tp_part, unit_weight_kn_m3.value)};
+static const size_t of_arc[] = {
+    offsetof(tp_arc_description, x.value), offsetof(tp_arc_description, y.value),
+    offsetof(tp_arc_description, through_x.value), offsetof(tp_arc_description, through_y.value),
+    offsetof(tp_arc_description, bulge.value)};
+static const size_t of_corner[] = {offsetof(tp_corner_description, x.value),
+                                   offsetof(tp_corner_description, y.value),
+                                   offsetof(tp_corner_description, radius.value)};
+static const size_t of_line_load[] = {
+    offsetof(tp_line_load, x0.value),        offsetof(tp_line_load, y0.value),
+    offsetof(tp_line_load, x1.value),        offsetof(tp_line_load, y1.value),
+    offsetof(tp_line_load, first_kpa.value), offsetof(tp_line_load, last_kpa.value)};
+static const size_t of_anchor[] = {offsetof(tp_anchor_description, x.value),
+                                   offsetof(tp_anchor_description, y.value),
+                                   offsetof(tp_anchor_description, direction_deg.value),
+                                   offsetof(tp_anchor_description, force_kn.value)};
+
+const tp_list tp_scene_lists[TP_LISTS] = {
+    [TP_LIST_HOLES] = {IN_SCENE(block.holes), IN_SCENE(block.hole_count), sizeof(tp_polyline),
+                       .has_line = true},
+    [TP_LIST_PARTS] = {IN_SCENE(block.parts), IN_SCENE(block.part_count), sizeof(tp_part),
+                       OFFSETS(of_part), true, offsetof(tp_part, outline)},
+    [TP_LIST_ARCS] = {IN_SCENE(block.arcs), IN_SCENE(block.arc_count), sizeof(tp_arc_description),
+                      OFFSETS(of_arc)},
+    [TP_LIST_CORNERS] = {IN_SCENE(block.rounded.corners), IN_SCENE(block.rounded.count),
+                         sizeof(tp_corner_description), OFFSETS(of_corner)},
+    [TP_LIST_PRESSURES] = {IN_SCENE(loads.pressures), IN_SCENE(loads.pressure_count),
+                           sizeof(tp_line_load), OFFSETS(of_line_load)},
+    [TP_LIST_SURCHARGES] = {IN_SCENE(loads.surcharges), IN_SCENE(loads.surcharge_count),
+                            sizeof(tp_line_load), OFFSETS(of_line_load)},
+    [TP_LIST_ANCHORS] = {IN_SCENE(loads.anchors), IN_SCENE(loads.anchor_count),
+                         sizeof(tp_anchor_description), OFFSETS(of_anchor)}};
+
+fmpq *tp_member_number(void *of, size_t offset) {
+  return (fmpq *)(void *)((char *)of + offset);
+}
+
+tp_polyline *tp_member_line(void *of, size_t offset) {
+  return (tp_polyline *)(void *)((char *)of + offset);
+}
+
+/* The pointers are of as many types as there are lists: copied, not read through one of them. */
+char *tp_member_items(const tp_scene *scene, tp_list_kind list) {
+  char *items = NULL;
+  memcpy(&items, (const char *)scene + tp_scene_lists[list].items, sizeof items);
+  return items;
+}
+
+long tp_member_count(const tp_scene *scene, tp_list_kind list) {
+  long count = 0;
+  memcpy(&count, (const char *)scene + tp_scene_lists[list].count, sizeof count);
+  return count;
+}
+
+void tp_member_set_items(tp_scene *scene, tp_list_kind list, void *items) {
+  memcpy((char *)scene + tp_scene_lists[list].items, &items, sizeof items);
+}

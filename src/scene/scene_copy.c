@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene made, with what holds where nothing is given, copied, and given back. */
+
+#include "scene/members.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+tp_scene *tp_scene_make(const char *path) {
+  tp_scene *scene = calloc(1, sizeof *scene);
+  if (scene == NULL) return NULL;
+  scene->path = path;
+  for (size_t k = 0; k < tp_scene_numbers.count; k++) {
+    fmpq_init(tp_member_number(scene, tp_scene_numbers.items[k]));
+  }
+  scene->base.mated = true;
+  scene->towards_left = scene->towards_right = true;
+  return scene;
+}
+
+static void clear_numbers(void *of, const tp_offsets *numbers) {
+  for (size_t k = 0; k < numbers->count; k++) fmpq_clear(tp_member_number(of, numbers->items[k]));
+}
+
+static void clear_list(tp_scene *scene, tp_list_kind kind) {
+  const tp_list *list = tp_scene_lists + kind;
+  char *items = tp_member_items(scene, kind);
+  const long count = tp_member_count(scene, kind);
+  for (long k = 0; k < count && items != NULL; k++) {
+    char *item = items + (size_t)k * list->size;
+    clear_numbers(item, &list->numbers);
+    if (list->has_line) tp_polyline_clear(tp_member_line(item, list->line));
+  }
+  free(items);
+}
+
+void tp_overrides_free(tp_override *overrides, long count) {
+  for (long k = 0; k < count && overrides != NULL; k++) fmpq_clear(overrides[k].value);
+  free(overrides);
+}
+
+void tp_scene_free(tp_scene *scene) {
+  if (scene == NULL) return;
+  for (int k = 0; k < TP_LISTS; k++) clear_list(scene, (tp_list_kind)k);
+  for (size_t k = 0; k < tp_scene_lines.count; k++) {
+    tp_polyline_clear(tp_member_line(scene, tp_scene_lines.items[k]));
+  }
+  clear_numbers(scene, &tp_scene_numbers);
+  for (long k = 0; k < scene->parameters.count; k++) {
+    free(scene->parameters.names[k]);
+    fmpq_clear(scene->parameters.values + k);
+  }
+  free(scene->parameters.names);
+  free(scene->parameters.values);
+  tp_overrides_free(scene->overrides, scene->override_count);
+  tp_notes_clear(&scene->notes);
+  free(scene->title);
+  tp_scene_file_free(scene->file);
+  free(scene);
+}
+
+/* Numbers that were copied as they lie in memory become numbers of their own. */
+static void own_numbers(void *copy, const tp_offsets *numbers) {
+  for (size_t k = 0; k < numbers->count; k++) {
+    fmpq *number = tp_member_number(copy, numbers->items[k]);
+    const fmpq held = *number;
+    fmpq_init(number);
+    fmpq_set(number, &held);
+  }
+}
+
+static void own_line(void *copy, size_t offset) {
+  tp_polyline *line = tp_member_line(copy, offset);
+  *line = tp_polyline_share(line);
+}
+
+/* Room for a power of two, as the calls that add to a list keep it (scene/build.c). */
+static bool own_list(tp_scene *copy, tp_list_kind kind, const tp_scene *scene) {
+  const tp_list *list = tp_scene_lists + kind;
+  const long count = tp_member_count(scene, kind);
+  if (count == 0) return true;
+  long room = 1;
+  while (room < count) room *= 2;
+  char *items = malloc((size_t)room * list->size);
+  if (items == NULL) return false;
+  memcpy(items, tp_member_items(scene, kind), (size_t)count * list->size);
+  for (long k = 0; k < count; k++) {
+    char *item = items + (size_t)k * list->size;
+    own_numbers(item, &list->numbers);
+    if (list->has_line) own_line(item, list->line);
+  }
+  tp_member_set_items(copy, kind, items);
+  return true;
+}
+
+tp_scene *tp_scene_copy(const tp_scene *scene) {
+  tp_scene *copy = malloc(sizeof *copy);
+  if (copy == NULL) return NULL;
+  *copy = *scene;
+  for (int k = 0; k < TP_LISTS; k++) tp_member_set_items(copy, (tp_list_kind)k, NULL);
+  own_numbers(copy, &tp_scene_numbers);
+  for (size_t k = 0; k < tp_scene_lines.count; k++) own_line(copy, tp_scene_lines.items[k]);
+  copy->title = scene->title != NULL ? strdup(scene->title) : NULL;
+  bool done = (copy->title == NULL) == (scene->title == NULL);
+  for (int k = 0; k < TP_LISTS && done; k++) done = own_list(copy, (tp_list_kind)k, scene);
+  if (done) return copy;
+  tp_scene_free(copy);
+  return NULL;
+}

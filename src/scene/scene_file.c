@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "scene/scene_file.h"
+
+#include "grow.h"
+#include "notes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+tp_scene_file *tp_scene_file_make(const char *path, tp_node *root) {
+  tp_scene_file *file = calloc(1, sizeof *file);
+  if (file == NULL) return NULL;
+  file->path = strdup(path);
+  if (file->path == NULL) {
+    free(file);
+    return NULL;
+  }
+  atomic_init(&file->users, 1);
+  file->root = root;
+  return file;
+}
+
+tp_scene_file *tp_scene_file_share(tp_scene_file *file) {
+  atomic_fetch_add(&file->users, 1);
+  return file;
+}
+
+void tp_scene_file_free(tp_scene_file *file) {
+  if (file == NULL || atomic_fetch_sub(&file->users, 1) > 1) return;
+  for (long k = 0; k < file->chain_count; k++) {
+    tp_polyline_clear(&file->chains[k].line);
+    tp_notes_clear(&file->chains[k].notes);
+  }
+  free(file->chains);
+  for (long k = 0; k < file->name_count; k++) free(file->names[k]);
+  free(file->names);
+  tp_node_free(file->root);
+  free(file->path);
+  free(file);
+}
+
+const char *tp_scene_file_name(tp_scene_file *file, const char *name) {
+  const char *slash = strrchr(file->path, '/');
+  const size_t folder = name[0] == '/' || slash == NULL ? 0 : (size_t)(slash - file->path) + 1;
+  char **names = realloc(file->names, ((size_t)file->name_count + 1) * sizeof *names);
+  if (names == NULL) return NULL;
+  file->names = names;
+  char *path = malloc(folder + strlen(name) + 1);
+  if (path == NULL) return NULL;
+  memcpy(path, file->path, folder);
+  strcpy(path + folder, name);
+  names[file->name_count++] = path;
+  return path;
+}
+
+tp_file_chain *tp_scene_file_add_chain(tp_scene_file *file, const tp_node *node) {
+  tp_file_chain *chains =
+      tp_grow(file->chains, file->chain_count, &file->chain_room, sizeof *file->chains);
+  if (chains == NULL) return NULL;
+  file->chains = chains;
+  tp_file_chain *chain = chains + file->chain_count++;
+  *chain = (tp_file_chain){.node = node};
+  return chain;
+}

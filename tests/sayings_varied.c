@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Scenes with other numbers: of a file with parameters, and built in memory. What a key holds has
+ * decimals, which a program whose decimals have a comma reads with a point, too. */
+
+#include "sayings.h"
+
+#include <stdlib.h>
+
+#define SAY(call) note_status(s, call, &message)
+
+static const char text[] =
+    "topple: 1\nlength_unit: m\nparameters: {a: 3.1, b: 2*a, c: 1/3}\n"
+    "block: {outline: [[0, 0], [a, 0], [a, b], [c, b]], unit_weight_kn_m3: 25.5}\n"
+    "friction_angle_deg: 30.5\ntilt: {towards: left, angle_deg: 10.25}\n";
+
+static void say_number(sayings *s, const tp_scene *scene, const char *key) {
+  tp_message message = {""};
+  tp_bounded number = {0};
+  SAY(tp_scene_number(&number, scene, key, &message));
+  if (tp_scene_number_text(next_saying(s), scene, key, &message) != TP_OK) s->count--;
+}
+
+static void say_with(sayings *s, const tp_scene *scene, const char *const keys[2]) {
+  tp_message message = {""};
+  tp_scene *once = NULL, *twice = NULL;
+  const tp_exact values[2] = {tp_exact_text("4.7"), tp_exact_of(0.1)};
+  say_number(s, scene, keys[0]);
+  SAY(tp_scene_with(&once, scene, keys[0], tp_exact_of(3.7), &message));
+  SAY(tp_scene_with_numbers(&twice, scene, keys, values, 2, &message));
+  if (once != NULL) say_solved(s, once, false, 9, false);
+  if (twice != NULL) {
+    say_number(s, twice, keys[1]);
+    say_solved(s, twice, false, 30, false);
+  }
+  tp_scene_free(once);
+  tp_scene_free(twice);
+}
+
+void say_varied(sayings *s) {
+  static const double square[] = {0, 0, 4, 0, 4, 6, 0, 6};
+  static const char *const of_file[2] = {"a", "tilt.angle_deg"};
+  static const char *const built[2] = {"block.outline.3.1", "tilt.angle_deg"};
+  tp_message message = {""};
+  tp_scene *scene = NULL;
+  SAY(tp_scene_read_text(&scene, text, "varied", &message));
+  if (scene == NULL) return;
+  say_with(s, scene, of_file);
+  say_number(s, scene, "c");
+  say_number(s, scene, "none");
+  tp_scene_free(scene);
+  scene = NULL;
+  SAY(tp_scene_new(&scene, "m", &message));
+  if (scene == NULL) return;
+  SAY(tp_scene_set_outline(scene, tp_coordinates_of(square, 4), &message));
+  SAY(tp_scene_set_friction_angle_deg(scene, tp_exact_text("100/3"), &message));
+  SAY(tp_scene_set_tilt_angle_deg(scene, tp_exact_text("10.5"), &message));
+  say_with(s, scene, built);
+  say_number(s, scene, "none");
+  tp_scene_free(scene);
+}
