@@ -57,6 +57,8 @@ SAID = [
      f"block: {{outline: {[list(p) for p in BLOCK]}}}\nbase: {{mated: true, between: [[0, 0], [60, 0]]}}"),
     ({"outline": SQUARE, "base_bound": ("below", 1), "frame": "world"},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{mated: true, between: {{below: 1}}}}\nframe: world"),
+    ({"outline": SQUARE, "base_profile": [(-100, 10), (0, -5), (200, 0)], "base_rest": True},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: rest}}"),
     ({"outline": SQUARE, "base_profile": [(-100, 0), (200, 0)], "mean_plane": [(0, 0), (100, 5)]},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 0], [200, 0]]}}\n"
      "frame: {mean_plane: [[0, 0], [100, 5]]}"),
@@ -116,6 +118,7 @@ class Scenes(unittest.TestCase):
         text = "".join(path.read_text(encoding="utf-8") for path in SOURCES.glob("*.py"))
         needless = {
             "tp_exact_of", "tp_exact_text", "tp_coordinates_of", "tp_coordinates_text",  # structs made by cffi
+            "tp_numbers_of", "tp_numbers_each", "tp_outlines_of", "tp_outlines_ragged",  # likewise
             "tp_solve_outline", "tp_report_json",  # said by Scene.solve, tp_report_json_pivots
             "tp_find", "tp_found_free", "tp_report_found", "tp_report_found_json", "tp_chart_map",  # not yet here
             "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name",  # for programs and terminals

@@ -20,6 +20,7 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
 ELSEWHERE = {
     "Contact": {"left_end": lambda c: (c.left_end, c.left_x_m, c.left_y_m),
                 "right_end": lambda c: (c.right_end, c.right_x_m, c.right_y_m), "share_of_height": lambda c: c.reach},
+    "Rest": {"contacts": lambda r: r.touches},
     "Pivot": {"fos": lambda p: p.fos_resultant},
     "Sliding": {"facet": lambda s: ((s.facet_x0_m, s.facet_y0_m), (s.facet_x1_m, s.facet_y1_m))},
     "GoverningFos": {key: (lambda name: lambda g: getattr(g.factors[g.factor], name) if g.factor is not None else None)(key)
@@ -80,7 +81,7 @@ class Solutions(unittest.TestCase):
         same = Told(self)
         for key in ("towards", "mechanism", "falls_backwards"):
             same.same(told[key], getattr(case, key), f"{way}.{key}")
-        for key in ("tilt_angle_deg", "friction_angle_deg", "block", "frame", "contact", "teeth"):
+        for key in ("tilt_angle_deg", "friction_angle_deg", "block", "frame", "contact", "teeth", "rest"):
             if key in told:
                 same.same(told[key], getattr(solution, key), f"{way}.{key}")
         same.same([{**effect, "seconds": 0} for effect in told["effects"]],
@@ -179,7 +180,9 @@ MIRRORS = {
     "tp_derived_pivot": "DerivedPivot", "tp_derived_rounding": "DerivedRounding", "tp_derived_reaction": "DerivedReaction",
     "tp_derived_check": "DerivedCheck", "tp_derived_row": "DerivedRow", "tp_derived_limit": "DerivedLimit",
     "tp_derived_onset": "DerivedOnset", "tp_derivation": "Derivation", "tp_family_formula": "FamilyFormula",
-    "tp_family": "Family", "tp_bounded": "Bounded",
+    "tp_family": "Family", "tp_bounded": "Bounded", "tp_area_moments": "AreaMoments",
+    "tp_blocks_summary": "Summary", "tp_moment_columns": "Moments", "tp_critical_columns": "CriticalAngles",
+    "tp_verdict_columns": "Verdicts", "tp_rest_result": "Rest",
 }
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
 FLAGS = {"known", "rests", "water_overtops", "from_below", "to_above", "splits", "limits", "decimals"}
@@ -199,7 +202,7 @@ class Mirrors(unittest.TestCase):
         structs = {name for name in ffi.list_types()[0] if ffi.typeof(name).kind == "struct" and ffi.typeof(name).fields}
         given = {name for name in structs if name.endswith("_options")} | {
             "tp_message", "tp_notes", "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis",
-            "tp_derived_checks"}
+            "tp_derived_checks", "tp_numbers", "tp_outlines"}
         self.assertEqual(structs - given - {"tp_figure_consent", "tp_found", "tp_found_interval"} - set(MIRRORS), set())
 
     def test_words(self):
@@ -220,6 +223,8 @@ class Mirrors(unittest.TestCase):
                 self.assertTrue(elements[k].endswith(member.name), elements[k])
                 if kind.__name__ in names:
                     self.assertEqual(ffi.string(names[kind.__name__](k)).decode(), member.value)
+        for status in topple.Status:
+            self.assertEqual(ffi.typeof("tp_status").elements[status], f"TP_{status.name}")
         enums = {name for name in ffi.list_types()[0] if ffi.typeof(name).kind == "enum"}
         self.assertEqual(enums - found, {"tp_status", "tp_chart_format"})
 

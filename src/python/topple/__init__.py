@@ -12,10 +12,12 @@ fails raises a `ToppleError`. docs/python.md tells more."""
 
 from ._library import ffi as _ffi, lib as _lib
 from .accuracy import Accuracy, AccuracyRun, AccuracyValue, accuracy_of_scene, accuracy_sweep
+from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts, critical_angles, moments,
+                     outline_moments, verdicts)
 from .builder import Along, BaseBound, LeftEnd, Towards, UndersideEnd
 from .case import Case, Factor, GoverningFos, LoadResult, Pivot, Sliding, Toe
 from .chart import Chart, chart_fos, chart_mechanisms, chart_ranges
-from .contact import Account, Block, Contact, Effect, Element, Fos, Frame, Note, Teeth
+from .contact import Account, Block, Contact, Effect, Element, Fos, Frame, Note, Rest, Teeth
 from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot, DerivedReaction,
                          DerivedRounding, DerivedRow)
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family

@@ -159,6 +159,10 @@ class Builder:
         """A mated base whose vertices lie all 'below' a height, or 'left of' or 'right of' an abscissa."""
         self._change(lib.tp_scene_set_base_bound, number_of(BaseBound, bound), c_number(value))
 
+    def set_base_rest(self, rests: bool) -> None:
+        """Set the block down on the profile, where its coordinates put it, until it rests; else it lies as they say."""
+        self._change(lib.tp_scene_set_base_rest, rests)
+
     # Friction of the contact; the last one set is taken.
 
     def set_friction_angle_deg(self, angle_deg: Number) -> None:

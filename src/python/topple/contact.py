@@ -94,6 +94,19 @@ class Contact(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class Rest(Record):
+    """How a block that was set down on its base came to rest."""
+
+    turns: int  #: each about another point, or the other way round
+    touches: int  #: points of contact at rest
+    turned_deg: Bounded  #: in all, counter-clockwise above 0
+    moved_x_m: Bounded  #: its centroid
+    moved_y_m: Bounded
+    margin_left_m: Bounded  #: along x from the outermost contacts to the weight's line; below 0: wedged in
+    margin_right_m: Bounded
+
+
+@dataclasses.dataclass(frozen=True)
 class Block(Record):
     """The block: its area, the centroid of its weight, and its second moments about the centroid, weighted by unit weight
     over mean unit weight."""
