@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The C of a module by which Python calls the library (cffi, API mode), written from the public headers themselves: what
+they declare is what Python sees, and the C compiler, which reads them too, lays out the structs.
+
+    make_c.py OUTPUT MODULE HEADER COMPILER…
+
+MODULE is topple._library, all but the drawing of figures; or topple._figure, that alone, of a library of its own."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import cffi
+
+DRAWS = re.compile(r"^ *tp_status (tp_report_figure\w*)\([^;]*\);\n", re.MULTILINE)
+INLINE = re.compile(r"^ *static inline ([^{]*?) \{\n.*?^\}", re.MULTILINE | re.DOTALL)
+
+
+def declarations(header, compiler):
+    """What the header and those that it includes declare; of the standard headers that they name, nothing."""
+    with tempfile.TemporaryDirectory() as standard:
+        for name in ("stdbool.h", "stddef.h", "stdint.h"):
+            (pathlib.Path(standard) / name).touch()
+        command = [*compiler, "-E", "-P", "-nostdinc", "-U__GNUC__", f"-I{standard}", header]
+        text = subprocess.run(command, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+    return INLINE.sub(r"\1;", text)
+
+
+def main(output, module, header, *compiler):
+    text = declarations(header, compiler)
+    library = cffi.FFI()
+    library.cdef(DRAWS.sub("", text) + "void free(void *);\nstatic const char *const TP_VERSION;")
+    library.set_source("topple._library", "#include <stdlib.h>\n#include <topple.h>")
+    if module == "topple._library":
+        library.emit_c_code(output)
+        return
+    figure = cffi.FFI()
+    figure.include(library)
+    figure.cdef("".join(match.group() for match in DRAWS.finditer(text)))
+    figure.set_source(module, "#include <topple.h>")
+    figure.emit_c_code(output)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

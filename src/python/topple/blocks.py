@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Many blocks held in arrays: their moments, their critical angles, their verdicts. Python does nothing block by block.
+
+Outlines are an array of shape (k, n, 2), or of shape (n, 2) for one, or a sequence of arrays of shape (n_i, 2), of doubles or
+what doubles hold, of any layout; either way round, the first point repeated at the end or not. Results are arrays of shape
+(k,): every number beside its error, NaN where a block has none. A block that is bad input stops nothing: `status` says which,
+`summary` how many and why the first, and a `Caution` is issued."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import warnings
+from typing import TYPE_CHECKING, Any, Sequence, Union
+
+from ._library import ffi, lib
+from .errors import BadInput, Caution, checked
+from .given import NULL, Points, c_doubles
+from .options import options_of
+from .record import Bounded, Record, record
+from .words import Direction, LimitKind, Mechanism, OnsetKind, number_of
+
+if TYPE_CHECKING:
+    import numpy
+
+#: Outlines of many blocks.
+Outlines = Union["numpy.ndarray", Sequence["numpy.ndarray"]]
+
+
+class Status(enum.IntEnum):
+    """What became of a block."""
+
+    OK = 0
+    BAD_INPUT = 1
+    NO_ANSWER = 2
+    UNDECIDED = 3
+    OUT_OF_MEMORY = 4
+    SYSTEM_FAILED = 5
+    DEPENDENCY_FAILED = 6
+
+
+@dataclasses.dataclass(frozen=True)
+class Summary(Record):
+    """What became of the blocks: counts that add up to all of them, but for `climbed`."""
+
+    done: int
+    without: int  #: no pivot is admissible
+    undecided: int  #: at the precision allowed
+    bad: int  #: bad input
+    climbed: int  #: of them all, those that doubles did not decide
+    first_bad: int | None  #: the first block that is bad input,
+    complaint: str | None  #: and what is wrong with it
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Columns:
+    """Results of many blocks, an array for each quantity, shape (k,)."""
+
+    status: numpy.ndarray  #: of `Status`
+    summary: Summary
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Moments(Columns):
+    """Powers 1 to 4 of the unit that the coordinates are in; second moments of area about the centroid."""
+
+    area: numpy.ndarray
+    area_error: numpy.ndarray
+    centroid_x: numpy.ndarray
+    centroid_x_error: numpy.ndarray
+    centroid_y: numpy.ndarray
+    centroid_y_error: numpy.ndarray
+    second_moment_xx: numpy.ndarray
+    second_moment_xx_error: numpy.ndarray
+    second_moment_yy: numpy.ndarray
+    second_moment_yy_error: numpy.ndarray
+    second_moment_xy: numpy.ndarray
+    second_moment_xy_error: numpy.ndarray
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class CriticalAngles(Columns):
+    """The tilt at which moments of the weight let each block turn about the admissible pivot that lets go first."""
+
+    angle_deg: numpy.ndarray
+    error_deg: numpy.ndarray
+    pivot: numpy.ndarray  #: the vertex of the outline, from 0, that it turns about; -1: none
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Verdicts(Columns):
+    """What `Scene.solve` says of each block. Mechanisms and kinds are arrays of enumerations."""
+
+    mechanism: numpy.ndarray  #: at the tilt; without one, `first`
+    first: numpy.ndarray  #: what happens first as the table is tilted from level,
+    first_angle_deg: numpy.ndarray  #: and where
+    first_error_deg: numpy.ndarray
+    critical_angle_deg: numpy.ndarray  #: by moments
+    critical_error_deg: numpy.ndarray
+    limit_kind: numpy.ndarray
+    limit_angle_deg: numpy.ndarray
+    limit_error_deg: numpy.ndarray
+    onset_kind: numpy.ndarray
+    onset_angle_deg: numpy.ndarray
+    onset_error_deg: numpy.ndarray
+    fos: numpy.ndarray  #: the governing factor of safety, where there is a tilt and a number
+    fos_error: numpy.ndarray
+
+
+@dataclasses.dataclass(frozen=True)
+class AreaMoments(Record):
+    """The moments of one outline, each with its bound."""
+
+    area: Bounded
+    centroid_x: Bounded
+    centroid_y: Bounded
+    second_moment_xx: Bounded
+    second_moment_yy: Bounded
+    second_moment_xy: Bounded
+
+
+def outline_moments(outline: Points) -> AreaMoments:
+    """Area, centroid and second moments of one outline, shape (n, 2). That it does not meet itself is not checked."""
+    doubles = outline_of(outline)
+    moments = ffi.new("tp_area_moments *")
+    checked(lib.tp_outline_moments, moments, ffi.from_buffer("double[]", doubles), len(doubles))
+    return record(AreaMoments, moments[0], moments)
+
+
+def moments(outlines: Outlines, *, threads: int = 0) -> Moments:
+    """Area, centroid and second moments of each. `threads` compute; 0: as many as the process may run on."""
+    return filled(Moments, lib.tp_outlines_moments, outlines, (), threads=threads)
+
+
+def critical_angles(outlines: Outlines, towards: Direction | str = Direction.LEFT, *, simple: bool = False,
+                    threads: int = 0) -> CriticalAngles:
+    """The critical angle of each on a base mated with its underside. `simple`: the caller vouches that no outline meets
+    itself, which is then not checked."""
+    return filled(CriticalAngles, lib.tp_blocks_critical_angles, outlines, (), towards=number_of(Direction, towards),
+                  simple=simple, threads=threads)
+
+
+def verdicts(outlines: Outlines, friction_angle_deg: Any = None, tilt_angle_deg: Any = None,
+             towards: Direction | str = Direction.LEFT, *, limit: bool = True, strength_reduction: bool = True,
+             threads: int = 0) -> Verdicts:
+    """The full verdict of each. Friction angle and tilt are one number for all, an array of shape (k,), NaN where a block has
+    none, or None."""
+    return filled(Verdicts, lib.tp_blocks_solve, outlines, (friction_angle_deg, tilt_angle_deg),
+                  towards=number_of(Direction, towards), limit=limit, strength_reduction=strength_reduction,
+                  threads=threads)
+
+
+def outline_of(points: Points) -> numpy.ndarray:
+    """One outline as doubles one after another, shape (n, 2)."""
+    import numpy
+
+    doubles = c_doubles(numpy.asarray(points))
+    if doubles is None:
+        raise BadInput("outlines of many blocks must be numbers that doubles hold; a Scene takes all others")
+    return doubles
+
+
+def c_outlines(outlines: Outlines) -> tuple[tuple, int, Any]:
+    """A tp_outlines, the number of blocks, and what must live as long as it is used."""
+    import numpy
+
+    if not hasattr(outlines, "__array__"):
+        rows = [outline_of(outline) for outline in outlines]
+        first = numpy.zeros(len(rows) + 1, dtype=numpy.uintp)
+        numpy.cumsum([len(row) for row in rows], out=first[1:])
+        points = numpy.concatenate(rows) if rows else numpy.empty((0, 2))
+        pointers = ffi.from_buffer("double[]", points), ffi.from_buffer("size_t[]", first)
+        return (len(rows), pointers[0], 0, pointers[1]), len(rows), pointers
+    points = numpy.asarray(outlines)
+    count, vertices = points.shape[:-2] or (1,), points.shape[-2:-1]
+    if points.ndim not in (2, 3) or points.shape[-1] != 2:
+        raise BadInput(f"outlines must be an array of shape (k, n, 2) or (n, 2), not {points.shape}")
+    doubles = ffi.from_buffer("double[]", outline_of(points.reshape(-1, 2)))
+    return (count[0], doubles, vertices[0], NULL), count[0], doubles
+
+
+def c_numbers(given: Any, count: int) -> tuple[tuple, Any]:
+    """A tp_numbers, and what must live as long as it is used."""
+    import numpy
+
+    if given is None or numpy.ndim(given) == 0:
+        return (NULL, float("nan") if given is None else float(given)), None
+    each = numpy.ascontiguousarray(given, dtype=numpy.float64)
+    if each.shape != (count,):
+        raise BadInput(f"a number for each of {count} blocks must be an array of shape ({count},), not {each.shape}")
+    held = ffi.from_buffer("double[]", each)
+    return (held, 0.0), held
+
+
+#: Columns of whole numbers, by the enumeration that they are, or that they are none.
+WORDS = {"mechanism": Mechanism, "first": Mechanism, "limit_kind": LimitKind, "onset_kind": OnsetKind}
+
+
+def filled(kind, call, outlines: Outlines, given: tuple, **options: Any):
+    """The columns that a call fills in."""
+    import numpy
+
+    struct, count, held = c_outlines(outlines)
+    columns = ffi.new(ffi.getctype(ffi.typeof(call).args[0].item, "*"))
+    arrays = {}
+    for name, type_of in ffi.typeof(columns).item.fields:
+        item = type_of.type.item
+        own = arrays[name] = numpy.empty(count, dtype="f8" if item.cname == "double" else f"i{ffi.sizeof(item)}")
+        setattr(columns, name, ffi.cast(type_of.type, ffi.from_buffer(own, require_writable=True)))
+    numbers = [c_numbers(number, count) for number in given]
+    summary = ffi.new("tp_blocks_summary *")
+    checked(call, columns, summary, ffi.new("tp_outlines *", struct), *[number for number, _ in numbers],
+            options_of("blocks", **options))
+    del held
+    for name, words in WORDS.items():
+        if name in arrays:
+            arrays[name] = numpy.array(list(words), dtype=object)[arrays[name]]
+    return kind(summary=summarised(summary), **arrays)
+
+
+def summarised(c) -> Summary:
+    """The summary of a call; a warning where blocks are bad input."""
+    complaint = ffi.string(c.complaint.text).decode("utf-8", "replace") if c.bad else None
+    if c.bad:
+        warnings.warn(f"{c.bad} of the blocks bad input; {complaint}", Caution, stacklevel=4)
+    return Summary(c.done, c.without, c.undecided, c.bad, c.climbed, c.first_bad if c.bad else None, complaint)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Charts: curves and borders, as tables and as figures."""
+
+from __future__ import annotations
+
+import os
+from typing import Sequence
+
+from ._library import ffi, lib
+from .errors import BadInput, checked
+from .given import c_path
+from .options import options_of
+from .report import drawn, written
+
+
+class Chart:
+    """Curves and borders; every point of the table has its error. Figures are drawn by gnuplot."""
+
+    def __init__(self, receives) -> None:
+        self._c = ffi.gc(receives[0], lib.tp_chart_free)
+
+    def csv(self) -> str:
+        """A row for every point, with its error."""
+        return written(lib.tp_report_chart_csv, self._c)
+
+    def to_json(self) -> str:
+        """The same as JSON (docs/schema/chart.json)."""
+        return written(lib.tp_report_chart_json, self._c)
+
+    def write(self, path: str | os.PathLike) -> None:
+        """Write a file, whole or not at all: .svg, .pdf, .png or .csv."""
+        name, kind = c_path(path), ffi.new("tp_chart_format *")
+        if not lib.tp_chart_format_read(kind, name):
+            raise BadInput(f"{os.fspath(path)!r} must end in .svg, .pdf, .png or .csv")
+        checked(lib.tp_report_chart_file, self._c, name, kind[0])
+
+    def svg(self) -> str:
+        """The figure as SVG."""
+        return drawn(self.write)
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+
+def made(call, *arguments) -> Chart:
+    """The chart of a call."""
+    receives = ffi.new("tp_chart **")
+    checked(call, receives, *arguments)
+    return Chart(receives)
+
+
+def _list(target, numbers: Sequence[float] | None):
+    """Fill a list of numbers; what must live as long as it is used."""
+    if numbers is None:
+        return None
+    held = ffi.new("double[]", list(numbers))
+    target.count, target.values = len(held), held
+    return held
+
+
+def chart_fos(inverse_slenderness: Sequence[float] | None = None, amplitude: Sequence[float] | None = None,
+              sub_blocks: Sequence[int] | None = None, tilt_deg: tuple[float, float] | None = None) -> Chart:
+    """Factor of safety against tilt about planar, peak and valley axes (Fig. 16 of Alejano et al.).
+    `inverse_slenderness` dx / y, 0 to 10; `amplitude` A / y, 0 to 0.5; `sub_blocks` none: by the equations, else 2 to 1000
+    of the exact block; `tilt_deg` from and to, within 0 to 90."""
+    options = options_of("chart_fos", tilt_deg=tilt_deg)
+    held = [_list(options.inverse_slenderness, inverse_slenderness), _list(options.amplitude, amplitude),
+            _list(options.sub_blocks, sub_blocks)]
+    chart = made(lib.tp_chart_fos, options)
+    del held
+    return chart
+
+
+def chart_mechanisms(friction_deg: float | None = None, roughness_angle_deg: float | None = None,
+                     amplitude: float | None = None) -> Chart:
+    """Mechanism maps for a planar and for a rough base (Fig. 18), with the blocks of Table 7."""
+    return made(lib.tp_chart_mechanisms, options_of("chart_mechanisms", friction_deg=friction_deg,
+                                                    roughness_angle_deg=roughness_angle_deg, amplitude=amplitude))
+
+
+def chart_ranges() -> Chart:
+    """Critical angles about peak and valley against A / y, for the ranges of Fig. 14."""
+    return made(lib.tp_chart_ranges)

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Formulas of the library in Python: quotients of polynomials, as texts that can be evaluated.
+
+A polynomial in text is a sum of terms, each a product of a whole number and powers of symbols, as 3*a^2*tan(phi) - b. Its
+value is exact where the symbols' values are (int, Fraction), and a float where they are floats."""
+
+from __future__ import annotations
+
+import dataclasses
+import fractions
+import functools
+import re
+from typing import Any, Mapping
+
+from .record import Record
+
+TERM = re.compile(r"\s*([+-])?\s*([^\s+-]+)")
+FACTOR = re.compile(r"(\d+)|([^\W\d]\w*(?:\(\w+\))?)(?:\^(\d+))?")
+
+
+@functools.lru_cache(maxsize=256)
+def terms_of(polynomial: str) -> tuple[tuple[int, tuple[tuple[str, int], ...]], ...]:
+    """The terms of a polynomial in text: whole number, and symbols with their exponents."""
+    terms, place = [], 0
+    while place < len(polynomial):
+        term = TERM.match(polynomial, place)
+        number, powers = -1 if term and term[1] == "-" else 1, []
+        for factor in term[2].split("*") if term else [""]:
+            found = FACTOR.fullmatch(factor)
+            if found is None:
+                raise ValueError(f"only formulas in the notation 'text' can be evaluated, not {polynomial!r}")
+            if found[1]:
+                number *= int(found[1])
+            else:
+                powers.append((found[2], int(found[3] or 1)))
+        terms.append((number, tuple(powers)))
+        place = term.end()
+    return tuple(terms)
+
+
+def value_of(polynomial: str, values: Mapping[str, Any]) -> Any:
+    """The polynomial at the values of its symbols."""
+    total: Any = 0
+    for number, powers in terms_of(polynomial):
+        product: Any = number
+        for symbol, exponent in powers:
+            if symbol not in values:
+                raise KeyError(symbol)
+            product = product * values[symbol] ** exponent
+        total = total + product
+    return total
+
+
+@dataclasses.dataclass(frozen=True)
+class Fraction(Record):
+    """Numerator and denominator, coprime polynomials with whole coefficients, and both as one formula."""
+
+    numerator: str
+    denominator: str
+    formula: str
+
+    def __call__(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Any:
+        """Its value at those of its symbols, by name; those that are no names of Python, as tan(phi), in a mapping:
+        formula({"tan(phi)": 0.5}, a=30, b=120). Of whole numbers and Fractions it is exact."""
+        given = {**(values or {}), **more}
+        top, bottom = value_of(self.numerator, given), value_of(self.denominator, given)
+        exact = isinstance(top, int) and isinstance(bottom, int)
+        return fractions.Fraction(top, bottom) if exact else top / bottom
+
+    def __str__(self) -> str:
+        return self.formula

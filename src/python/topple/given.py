@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""What Python gives the library: exact numbers, points, texts and paths, as C takes them.
+
+A float is the double that it is, and so is a number of NumPy; an int, a Fraction and a Decimal are what they are; a text
+is a decimal ("0.1") or a fraction of decimals ("1/3"). Nothing is rounded on the way in."""
+
+from __future__ import annotations
+
+import fractions
+import math
+import numbers
+import os
+import sys
+from decimal import Decimal
+from typing import TYPE_CHECKING, Any, Sequence, Union
+
+from ._library import ffi
+from .errors import BadInput
+
+if TYPE_CHECKING:
+    import numpy
+
+#: A number taken exactly.
+Number = Union[float, int, str, fractions.Fraction, Decimal, numbers.Real]
+#: Points: an array of shape (n, 2), or n pairs of numbers.
+Points = Union["numpy.ndarray", Sequence[Sequence[Number]]]
+
+NULL = ffi.NULL
+WHOLE_IN_A_DOUBLE = 2**53
+
+
+def c_text(text: str):
+    """A text for C, which ends at its first NUL."""
+    if not isinstance(text, str):
+        raise TypeError(f"a text must be str, not {type(text).__name__}")
+    if "\0" in text:
+        raise BadInput("a text must not have a NUL in it")
+    return ffi.new("char[]", text.encode("utf-8", "surrogateescape"))
+
+
+def c_path(path: str | bytes | os.PathLike):
+    """The name of a file for C."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise BadInput("the name of a file must not have a NUL in it")
+    return ffi.new("char[]", name)
+
+
+def exact_text(number: Number) -> str | None:
+    """The text that is the number exactly; None for one that is a double."""
+    if isinstance(number, str):
+        return number
+    if isinstance(number, bool) or not isinstance(number, (numbers.Real, Decimal)):
+        raise TypeError(f"a number must be float, int, str, Fraction or Decimal, not {type(number).__name__}")
+    if isinstance(number, numbers.Integral):
+        whole = int(number)
+        return None if -WHOLE_IN_A_DOUBLE <= whole <= WHOLE_IN_A_DOUBLE else str(whole)
+    if isinstance(number, numbers.Rational):
+        return f"{number.numerator}/{number.denominator}"
+    if isinstance(number, Decimal):
+        return str(number) if number.is_finite() else None
+    if hasattr(number, "itemsize") and number.itemsize > 8:  # a long double of NumPy
+        return "/".join(map(str, number.as_integer_ratio())) if abs(number) <= sys.float_info.max else None
+    return None
+
+
+def c_number(number: Number) -> tuple:
+    """A tp_exact. It holds its text."""
+    if number.__class__ is float:
+        return number, NULL
+    text = exact_text(number)
+    return (float(number), NULL) if text is None else (0.0, c_text(text))
+
+
+def spelling(number: Number) -> str:
+    """A text that is the number exactly."""
+    text = exact_text(number)
+    if text is not None:
+        return text
+    value = float(number)
+    return "/".join(map(str, value.as_integer_ratio())) if math.isfinite(value) else str(value)
+
+
+def c_doubles(points: numpy.ndarray):
+    """An array of shape (n, 2) as doubles one after another; None for one whose numbers are no doubles."""
+    import numpy
+
+    points = numpy.asarray(points)
+    if points.ndim != 2 or points.shape[1] != 2:
+        raise BadInput(f"points must be an array of shape (n, 2), not {points.shape}")
+    fits = points.dtype.kind == "f" and points.dtype.itemsize <= 8
+    if points.dtype.kind in "iu":
+        fits = points.size == 0 or max(-int(points.min()), int(points.max())) <= WHOLE_IN_A_DOUBLE
+    return numpy.ascontiguousarray(points, dtype=numpy.float64) if fits else None
+
+
+def c_points(points: Points) -> tuple[tuple, Any]:
+    """A tp_coordinates, and what must live as long as it is used."""
+    if hasattr(points, "__array__"):
+        doubles = c_doubles(points)
+        if doubles is not None:
+            return (len(doubles), ffi.from_buffer("double[]", doubles), NULL), doubles
+        points = points.tolist()
+    pairs = [tuple(pair) for pair in points]
+    if any(len(pair) != 2 for pair in pairs):
+        raise BadInput("a point must have two coordinates, x and y")
+    flat = [number for pair in pairs for number in pair]
+    if all(number.__class__ is float or exact_text(number) is None for number in flat):
+        doubles = ffi.new("double[]", flat)
+        return (len(pairs), doubles, NULL), doubles
+    texts = [c_text(spelling(number)) for number in flat]
+    pointers = ffi.new("const char *[]", texts)
+    return (len(pairs), NULL, pointers), (pointers, texts)

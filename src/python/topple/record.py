@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Results as frozen dataclasses whose fields are read off the library's structs when first asked for.
+
+A result of C has hundreds of numbers, of which a program asks for a few: a record keeps its struct, and the owner of its
+memory, and turns a field into Python when it is first read. Field by field it is told by type hints and metadata:
+
+    Bounded, enumerations, records, str, bool, int, float   the field of that name
+    X | None          None where the field `when` is false, or the pointer is NULL
+    tuple[X, ...]     as many as the field `count` says, or as the array of C has"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+import typing
+from typing import Any, Callable
+
+from ._library import ffi
+from .words import Word
+
+
+@dataclasses.dataclass(frozen=True)
+class Bounded:
+    """A number with a proven bound: the truth lies within `error` of `value`. `digits` is the truth in decimals, all of
+    them certain, where more digits were asked for than a double holds."""
+
+    value: float
+    error: float
+    digits: str | None = None
+
+    def __float__(self) -> float:
+        return self.value
+
+    @property
+    def low(self) -> float:
+        """A double that is not above the truth."""
+        return math.nextafter(self.value - self.error, -math.inf)
+
+    @property
+    def high(self) -> float:
+        """A double that is not below the truth."""
+        return math.nextafter(self.value + self.error, math.inf)
+
+    def __str__(self) -> str:
+        return f"{self.digits or self.value!r} ± {self.error:.1g}"
+
+    def __format__(self, spec: str) -> str:
+        return format(self.value, spec) if spec else str(self)
+
+
+def bounded(c) -> Bounded:
+    """The tp_bounded as Python has it."""
+    number = object.__new__(Bounded)
+    number.__dict__.update(value=c.value, error=c.error, digits=text(c.digits))
+    return number
+
+
+def text(c) -> str | None:
+    """A text of C; None for NULL."""
+    return ffi.string(c).decode("utf-8", "replace") if c else None
+
+
+def field(when: str | Callable[[Any], bool] | None = None, count: str | None = None, name: str | None = None,
+          read: Callable[[Any, Any], Any] | None = None) -> Any:
+    """A field that is read only `when` a field of C is true, has `count` items, is called otherwise in C (`name`), or is
+    read by a function of its own, of struct and owner."""
+    return dataclasses.field(metadata={"when": when, "count": count, "name": name, "read": read})
+
+
+class Record:
+    """A frozen dataclass that may stand on a struct of C."""
+
+    def __getattr__(self, name: str) -> Any:
+        own = self.__dict__
+        readers = readers_of(type(self))
+        if "_c" not in own or name not in readers:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}", name=name, obj=self)
+        value = own[name] = readers[name](own["_c"], own["_owner"])
+        return value
+
+    def __reduce__(self):
+        return type(self), tuple(getattr(self, field.name) for field in dataclasses.fields(self))
+
+
+R = typing.TypeVar("R", bound=Record)
+
+
+def record(kind: type[R], c, owner) -> R:
+    """A record that stands on a struct, whose memory the owner keeps."""
+    made = object.__new__(kind)
+    made.__dict__.update(_c=c, _owner=owner)
+    return made
+
+
+def struct_of(own: Record):
+    """The struct that a record stands on."""
+    try:
+        return ffi.addressof(own.__dict__["_c"])
+    except KeyError:
+        raise ValueError("this is a copy without the library's own result: ask the one that it was made of") from None
+
+
+@functools.lru_cache(maxsize=None)
+def readers_of(kind: type) -> dict[str, Callable[[Any, Any], Any]]:
+    """For each field of a record, the function that reads it of a struct and its owner."""
+    hints = typing.get_type_hints(kind)
+    return {own.name: reader(own, hints[own.name]) for own in dataclasses.fields(kind)}
+
+
+def reader(own: dataclasses.Field, hint) -> Callable[[Any, Any], Any]:
+    """The function that reads one field."""
+    told = own.metadata
+    name = told.get("name") or own.name
+    if type(None) in typing.get_args(hint):
+        (hint,) = [part for part in typing.get_args(hint) if part is not type(None)]
+    read = told.get("read")
+    if read is None and typing.get_origin(hint) is tuple:
+        read = list_reader(name, told.get("count"), item_reader(typing.get_args(hint)[0]))
+    elif read is None:
+        convert = item_reader(hint)
+
+        def read(c, owner):
+            return convert(getattr(c, name), owner)
+
+    when = told.get("when")
+    if when is None:
+        return read
+    if isinstance(when, str):
+        flag = when
+        return lambda c, owner: read(c, owner) if getattr(c, flag) else None
+    return lambda c, owner: read(c, owner) if when(c) else None
+
+
+def list_reader(name: str, count: str | None, convert):
+    """Reads an array of so many items, or of a fixed number."""
+
+    def read(c, owner):
+        items = getattr(c, name)
+        return tuple([convert(items[k], owner) for k in range(getattr(c, count) if count else len(items))])
+
+    return read
+
+
+def item_reader(kind):
+    """Turns a value of C into one of Python."""
+    if kind is Bounded:
+        return lambda value, owner: bounded(value)
+    if kind is str:
+        return lambda value, owner: text(value)
+    if isinstance(kind, type) and issubclass(kind, Word):
+        words = tuple(kind)
+        return lambda value, owner: words[value]
+    if isinstance(kind, type) and issubclass(kind, Record):
+        return lambda value, owner: record(kind, value, owner) if value else None
+    return lambda value, owner: value

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Texts and files that the library writes."""
+
+from __future__ import annotations
+
+import pathlib
+import tempfile
+from typing import Callable
+
+from ._library import ffi, lib
+from .errors import failure
+
+
+def written(call, *arguments) -> str:
+    """The text of a report: a call whose first argument receives it."""
+    receives = ffi.new("char **")
+    status = call(receives, *arguments)
+    if status:
+        raise failure(status)
+    return taken(receives[0])
+
+
+def taken(text) -> str:
+    """A text that the library allocated for its caller, who gives it back here."""
+    try:
+        return ffi.string(text).decode("utf-8", "surrogateescape")
+    finally:
+        lib.free(text)
+
+
+def drawn(write: Callable[[pathlib.Path], None]) -> str:
+    """The SVG that a function writes into a file."""
+    with tempfile.TemporaryDirectory(prefix="topple_") as folder:
+        path = pathlib.Path(folder) / "figure.svg"
+        write(path)
+        return path.read_text(encoding="utf-8")

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""A scene: built in memory, or read from a file or a text."""
+
+from __future__ import annotations
+
+import os
+import threading
+import warnings
+from collections.abc import Mapping
+from typing import Any, Iterable, Sequence
+
+from ._library import ffi, lib
+from .builder import Along, Builder, Towards
+from .contact import Note
+from .errors import BadInput, Caution, checked
+from .given import Number, Points, c_path, c_text
+from .options import options_of
+from .record import record
+from .solution import Solution
+from .words import Level, NoteKind, PivotsListed, number_of
+
+RECEIVES_SCENE = ffi.typeof("tp_scene **")
+RECEIVES_SOLUTION = ffi.typeof("tp_solution **")
+DEFAULTS = options_of("solve")
+#: What a call of several arguments is given: by their order, or by their names.
+Given = Mapping[str, Any] | Sequence[Any]
+
+
+class Scene(Builder):
+    """A block on its base.
+
+        scene = topple.Scene("mm", outline=points, friction_angle_deg=30)
+
+    What is given by name means what the call `set_…` of that name means: `outline`, `friction_angle_deg`. A call of
+    several arguments takes a sequence or a mapping of them, slab=(50, 100), water={"height": 40, "uplift": True}; what is
+    added (`holes`, `anchors`), a list of such. What is not given is as in a scene file without the key: a mated base, tilt
+    both ways, no friction. `length_unit` is mm, cm, m, km, in or ft.
+
+    A scene may be solved by several threads at once; changed while another thread uses it, it raises RuntimeError."""
+
+    def __init__(self, length_unit: str, *, title: str | None = None, outline: Points | None = None,
+                 slab: Given | None = None, teeth: Given | None = None, teeth_over: Given | None = None,
+                 ellipse: Given | None = None, holes: Iterable[Points] = (), parts: Iterable[Given] = (),
+                 arcs_through: Iterable[Given] = (), arcs_bulge: Iterable[Given] = (),
+                 rounded_ends: Iterable[Given] = (), rounded_vertices: Iterable[Given] = (),
+                 rounding_keeps_mass: bool | None = None, repair: bool | None = None, thickness: Number | None = None,
+                 unit_weight_kn_m3: Number | None = None, base_mated: bool | None = None,
+                 base_profile: Points | None = None, base_beyond: Given | None = None,
+                 base_between: Points | None = None, base_bound: Given | None = None,
+                 base_rest: bool | None = None,
+                 friction_angle_deg: Number | None = None, friction_patton: Given | None = None,
+                 friction_barton: Given | None = None, friction_barton_test: Given | None = None,
+                 friction_barton_roughness: Given | None = None, tilt_towards: Towards | str | None = None,
+                 tilt_angle_deg: Number | None = None, frame: Along | str | None = None, mean_plane: Points | None = None,
+                 seismic_horizontal: Number | None = None, seismic_vertical: Number | None = None,
+                 water: Given | None = None, pressures: Iterable[Given] = (), surcharges: Iterable[Given] = (),
+                 anchors: Iterable[Given] = (), bond_kpa: Number | None = None,
+                 cohesion_kpa: Number | None = None) -> None:
+        given = locals()
+        receives = ffi.new(RECEIVES_SCENE)
+        checked(lib.tp_scene_new, receives, c_text(length_unit))
+        self._own(receives)
+        for name, call in SET.items():
+            value = given[name]
+            if value is not None:
+                call(self, value)
+        for name, call in ADD.items():
+            for value in given[name]:
+                call(self, value)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike) -> Scene:
+        """The scene in a file. Files that it names are looked for beside it."""
+        receives = ffi.new(RECEIVES_SCENE)
+        checked(lib.tp_scene_read, receives, c_path(path))
+        return cls._made(receives)
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "scene") -> Scene:
+        """The same from text; `name` is what messages call it, and files are looked for beside a file of that name."""
+        receives = ffi.new(RECEIVES_SCENE)
+        checked(lib.tp_scene_read_text, receives, c_text(text), c_path(name))
+        return cls._made(receives)
+
+    @classmethod
+    def _made(cls, receives) -> Scene:
+        scene = cls.__new__(cls)
+        scene._own(receives)
+        return scene
+
+    def _own(self, receives) -> None:
+        self._c = ffi.gc(receives[0], lib.tp_scene_free)
+        self._lock = threading.Lock()
+        self._users = 0
+        self._version = 0
+
+    def _change(self, call, *arguments: Any) -> None:
+        with self._lock:
+            if self._users:
+                raise RuntimeError("the scene is being used by another thread")
+            checked(call, self._c, *arguments)
+            self._version += 1
+
+    def _use(self, call, *arguments: Any, of: int | None = None) -> int:
+        """A call that reads the scene, during which no thread may change it; `of` the version of its numbers that is meant.
+        The version that was read."""
+        with self._lock:
+            if of not in (None, self._version):
+                raise BadInput("the scene was changed since it was solved: solve it again")
+            self._users += 1
+        try:
+            checked(call, *arguments)
+            return self._version
+        finally:
+            with self._lock:
+                self._users -= 1
+
+    def solve(self, *, digits: int | None = None, elements: bool | None = None, limit: bool | None = None,
+              strength_reduction: bool | None = None, motion_ranges: bool | None = None,
+              level: Level | str | None = None, pivots: PivotsListed | str | None = None) -> Solution:
+        """The stability of the block in each direction of tilt that the scene asks for.
+
+        `digits`: relative accuracy 10^-digits asked of every number, 1 to 1000. `elements`: the account of moments by
+        elements. `limit`: the static limit and the onset of motion, where the scene gives friction. `strength_reduction`:
+        its factor of safety. `motion_ranges`: which motions can begin at every tilt. `level`: the dearest arithmetic
+        allowed. `pivots`: which get their numbers. None: as `topple solve` does.
+
+        A caution is issued as a warning, `topple.Caution`; all notes are in `notes` of the solution."""
+        options = solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots)
+        receives = ffi.new(RECEIVES_SOLUTION)
+        version = self._use(lib.tp_solve, receives, self._c, options)
+        owner = ffi.gc(receives[0], lib.tp_solution_free)
+        solution = record(Solution, owner[0], owner)
+        solution.__dict__.update(_scene=self, _version=version)
+        if owner.notes.count:
+            warn(solution.notes, 3)
+        return solution
+
+
+def solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots):
+    """The defaults, but for what is not None."""
+    if (digits is None and elements is None and limit is None and strength_reduction is None and motion_ranges is None
+            and level is None and pivots is None):
+        return DEFAULTS
+    return options_of("solve", digits=digits, elements=elements, limit=limit, strength_reduction=strength_reduction,
+                      motion_ranges=motion_ranges, level=None if level is None else number_of(Level, level),
+                      pivots=None if pivots is None else number_of(PivotsListed, pivots))
+
+
+def warn(notes: Iterable[Note], depth: int) -> None:
+    """Issue the cautions as warnings, at the caller's caller and so on."""
+    for note in notes:
+        if note.kind is NoteKind.CAUTION:
+            warnings.warn(f"{note.place}: {note.text}" if note.place else note.text, Caution, stacklevel=depth)
+
+
+def _spread(call):
+    """A call of several arguments as one of a sequence or a mapping."""
+    return lambda scene, value: call(scene, **value) if isinstance(value, Mapping) else call(scene, *value)
+
+
+SET = {
+    "title": Scene.set_title,
+    "outline": Scene.set_outline,
+    "slab": _spread(Scene.set_slab),
+    "teeth": _spread(Scene.set_teeth),
+    "teeth_over": _spread(Scene.set_teeth_over),
+    "ellipse": _spread(Scene.set_ellipse),
+    "rounding_keeps_mass": Scene.set_rounding_keeps_mass,
+    "repair": Scene.set_repair,
+    "thickness": Scene.set_thickness,
+    "unit_weight_kn_m3": Scene.set_unit_weight_kn_m3,
+    "base_mated": Scene.set_base_mated,
+    "base_profile": Scene.set_base_profile,
+    "base_beyond": _spread(Scene.set_base_beyond),
+    "base_between": Scene.set_base_between,
+    "base_bound": _spread(Scene.set_base_bound),
+    "base_rest": Scene.set_base_rest,
+    "friction_angle_deg": Scene.set_friction_angle_deg,
+    "friction_patton": _spread(Scene.set_friction_patton),
+    "friction_barton": _spread(Scene.set_friction_barton),
+    "friction_barton_test": _spread(Scene.set_friction_barton_test),
+    "friction_barton_roughness": _spread(Scene.set_friction_barton_roughness),
+    "tilt_towards": Scene.set_tilt_towards,
+    "tilt_angle_deg": Scene.set_tilt_angle_deg,
+    "frame": Scene.set_frame,
+    "mean_plane": Scene.set_mean_plane,
+    "seismic_horizontal": Scene.set_seismic_horizontal,
+    "seismic_vertical": Scene.set_seismic_vertical,
+    "water": _spread(Scene.set_water),
+    "bond_kpa": Scene.set_bond_kpa,
+    "cohesion_kpa": Scene.set_cohesion_kpa,
+}
+ADD = {
+    "holes": Scene.add_hole,
+    "parts": _spread(Scene.add_part),
+    "arcs_through": _spread(Scene.add_arc_through),
+    "arcs_bulge": _spread(Scene.add_arc_bulge),
+    "rounded_ends": _spread(Scene.add_rounded_end),
+    "rounded_vertices": _spread(Scene.add_rounded_vertex),
+    "pressures": _spread(Scene.add_pressure),
+    "surcharges": _spread(Scene.add_surcharge),
+    "anchors": _spread(Scene.add_anchor),
+}

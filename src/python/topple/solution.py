@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""A solved scene."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import TYPE_CHECKING, Iterable
+
+from ._library import ffi, lib
+from .case import Case
+from .contact import Block, Contact, Effect, Frame, Note, Rest, Teeth, notes_of
+from .errors import DependencyFailed
+from .given import c_path
+from .record import Bounded, Record, field, record, struct_of
+from .report import drawn, written
+from .words import Design, Direction, Level, PivotsListed, number_of
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+
+def _cases(c, owner) -> tuple[Case, ...]:
+    return tuple([record(Case, c.cases[k], owner) for k in range(c.case_count)])
+
+
+@dataclasses.dataclass(frozen=True, repr=False)
+class Solution(Record):
+    """What a scene says, solved: the block, its contact, and a case for each direction of tilt.
+
+    Every computed number is a `Bounded`. What is not asked for or does not exist is None."""
+
+    title: str | None
+    length_unit: str
+    metres_per_unit: float
+    tilt_angle_deg: Bounded | None = field(when="has_tilt_angle")
+    friction_angle_deg: Bounded | None = field(when="has_friction")
+    friction_is_residual: bool  #: Barton's law: the angle at a stress is above it
+    friction_is_patton: bool  #: Patton's law: phi_b + i of the scene
+    block: Block
+    teeth: Teeth | None = field(when=lambda c: c.teeth.known)
+    frame: Frame
+    contact: Contact
+    rest: Rest | None = field(when=lambda c: c.rest.known)
+    loaded: bool  #: the scene calls for loads besides the weight
+    cases: tuple[Case, ...] = field(read=_cases)
+    notes: tuple[Note, ...] = field(read=notes_of)
+    effects: tuple[Effect, ...] = field(count="effect_count")
+    level: Level  #: the arithmetic that certified the numbers
+    bits: int
+    digits: int
+    open_number: bool  #: one is not certain to the digits asked, and given with the bound that it has
+    zero_bits: int  #: 0: every decision is proven; else some rest on what so many bits do not tell from zero
+
+    def __repr__(self) -> str:
+        return "<topple.Solution " + "; ".join(_told(self, case) for case in self.cases) + ">"
+
+    def case(self, towards: Direction | str) -> Case:
+        """The case of a direction of tilt, 'left' or 'right'; KeyError where the scene does not tilt there."""
+        for case in self.cases:
+            if case.towards is Direction(towards):
+                return case
+        raise KeyError(towards)
+
+    @property
+    def is_undecided(self) -> bool:
+        """Did the precision allowed leave a mechanism open, or a number less certain than was asked?"""
+        return lib.tp_solution_is_undecided(struct_of(self))
+
+    def meets(self, design_fos: float) -> Design:
+        """Does every case meet a design factor of safety?"""
+        return tuple(Design)[lib.tp_solution_meets(struct_of(self), design_fos)]
+
+    def report(self) -> str:
+        """The report, as `topple solve` prints it."""
+        return written(lib.tp_report_text, struct_of(self))
+
+    def report_elements(self) -> str:
+        """The account of moments by elements, where `solve(elements=True)` drew it up."""
+        return written(lib.tp_report_elements, struct_of(self))
+
+    def report_notes(self) -> str:
+        """Notes and cautions, as on the page of the report; empty where there are none."""
+        return written(lib.tp_report_notes, struct_of(self))
+
+    def report_effects(self) -> str:
+        """What ran, what called for each, and what each cost."""
+        return written(lib.tp_report_effects, struct_of(self))
+
+    def to_json(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
+        """JSON, as `topple solve --json` prints it (docs/schema/solve.json)."""
+        return written(lib.tp_report_json_pivots, struct_of(self), number_of(PivotsListed, pivots))
+
+    def csv(self) -> str:
+        """A table with a row for each case, each number followed by its bound."""
+        return csv([self])
+
+    def table(self) -> str:
+        """The same for readers, in Markdown."""
+        return table([self])
+
+    def write_figure(self, path: str | os.PathLike) -> None:
+        """Draw the block on its base into a file: .svg, .pdf or .png. It is drawn of the scene, which must be as it was when
+        it was solved."""
+        try:
+            from . import _figure
+        except ImportError as error:
+            raise DependencyFailed(f"figures need libtopple-figure, which cannot be loaded: {error}") from error
+        solution = struct_of(self)
+        scene: Scene = self.__dict__["_scene"]
+        scene._use(_figure.lib.tp_report_figure, c_path(path), scene._c, solution, of=self.__dict__["_version"])
+
+    def svg(self) -> str:
+        """The figure as SVG."""
+        return drawn(self.write_figure)
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+
+def _told(s: Solution, case: Case) -> str:
+    """The verdict of a case in some words."""
+    words = f"towards {case.towards}:"
+    if s.tilt_angle_deg is not None:
+        words += f" {case.mechanism} at {s.tilt_angle_deg.value:.6g}°,"
+    if case.first_angle_deg is not None:
+        return f"{words} {case.first} at {case.first_angle_deg.value:.6g}°"
+    return f"{words} {case.first} at any tilt"
+
+
+def _listed(solutions: Iterable[Solution]):
+    kept = list(solutions)
+    return ffi.new("tp_solution *[]", [struct_of(solution) for solution in kept]), len(kept)
+
+
+def csv(solutions: Iterable[Solution]) -> str:
+    """A table in CSV, a row for each case of each solution, each number followed by its bound."""
+    return written(lib.tp_report_csv, *_listed(solutions))
+
+
+def table(solutions: Iterable[Solution]) -> str:
+    """The same for readers, in Markdown."""
+    return written(lib.tp_report_table, *_listed(solutions))

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The library's enumerations. A member's value is its word, as JSON and scene files have it: Direction("left") is
+Direction.LEFT. Members stand in the order of C."""
+
+from __future__ import annotations
+
+import enum
+from typing import TypeVar, Union
+
+
+class Word(enum.Enum):
+    """An enumeration of C."""
+
+    def __str__(self) -> str:
+        return self.value
+
+    @classmethod
+    def _missing_(cls, value: object):
+        raise ValueError(f"{value!r} is none of " + ", ".join(repr(member.value) for member in cls))
+
+
+W = TypeVar("W", bound=Word)
+
+
+def number_of(kind: type[W], word: Union[W, str]) -> int:
+    """The C value of a member, or of the word that it stands for."""
+    return list(kind).index(kind(word))
+
+
+class Direction(Word):
+    """The side that a tilt lowers: left is that of small x."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+
+class NoteKind(Word):
+    """A note says what was made of the input; a caution, what may be wrong with it, or is not covered."""
+
+    NOTE = "note"
+    CAUTION = "caution"
+
+
+class Level(Word):
+    """The arithmetic of the moment sums, by rising price."""
+
+    DOUBLE = "double"
+    COMPENSATED = "compensated"
+    BALL = "ball"
+    EXACT = "exact"
+
+
+class Mechanism(Word):
+    """What a block does, or would do."""
+
+    STANDS = "stands"
+    SLIDES = "slides"
+    TOPPLES = "topples"
+    SLIDES_AND_TOPPLES = "slides and topples"
+    INTERLOCKED = "interlocked"  #: neither slides nor topples at any tilt below 90 degrees
+    MAY_MOVE = "may move"  #: some forces would hold it, but a motion can begin: history decides
+    LEAVES_BASE = "leaves its base"  #: every contact opens
+    UNDECIDED = "undecided"
+
+
+class FosState(Word):
+    """Why a factor of safety is a number, or is none."""
+
+    NUMBER = "number"
+    UNDEFINED = "undefined"  #: the weight lies past the pivot
+    NO_TILT = "no tilt"  #: the scene gives no tilt angle
+    NO_OVERTURNING = "no overturning"  #: nothing overturns or drives: the factor is unbounded
+    UNDECIDED = "undecided"  #: at the precision allowed
+    NOT_ASKED = "not asked"
+
+
+class FosDefinition(Word):
+    """By which definition a factor of safety is one."""
+
+    BY_MOMENTS = "moments"  #: what stabilises over what overturns, about a pivot
+    BY_SHEAR = "shear strength"  #: over shear force, along the facet that slides
+    BY_ROUGHNESS = "shear strength with roughness"  #: tan(phi + i) / tan(tilt) on the mean plane
+    BY_REDUCTION = "strength reduction"  #: the divisor of all shear strength with which forces just hold it
+
+
+class PivotKind(Word):
+    """Where a pivot lies on the underside of the block."""
+
+    VALLEY = "valley"  #: a low end: both neighbours on the underside are higher
+    PEAK = "peak"  #: a high end: both neighbours are lower
+    FLAT_END = "flat end"  #: the end of a facet that is parallel to the mean plane
+    FLANK = "flank"  #: between a low and a high end
+
+
+class ElementKind(Word):
+    """An element of the account of moments."""
+
+    TRIANGLE = "triangle"
+    SLAB = "slab"
+
+
+class LoadSide(Word):
+    """Where a load counts in a factor of safety."""
+
+    STABILISES = "stabilises"
+    OVERTURNS = "overturns"
+    LESSENS_OVERTURNING = "lessens what overturns"
+
+
+class Rolls(Word):
+    """What a rounded toe does beyond its critical angle."""
+
+    NOT = "not"
+    BACK = "back"  #: to a new rest
+    OVER = "over"
+
+
+class ContactEnd(Word):
+    """Why the contact of a base begins, or ends, where it does."""
+
+    WHOLE = "end of the underside"  #: all of a mated underside
+    STATED = "between"  #: the scene's 'between'
+    STEEP = "steeper than 45 degrees"  #: from there on it rises by more than it runs
+    OVERHANG = "overhang"  #: beyond it the underside turns back over its support
+    PROFILE = "profile"  #: where the block touches a profile of its own first, or last
+
+
+class LimitKind(Word):
+    """Whether the static limit is an angle."""
+
+    NOT_ASKED = "not asked"
+    AT_ANGLE = "angle"
+    INTERLOCKED = "every tilt"  #: forces hold it at every tilt up to 90 degrees
+    NOWHERE = "nowhere"  #: no forces hold it at any tilt, or at single ones alone
+    UNDECIDED = "undecided"
+
+
+class OnsetKind(Word):
+    """Whether the onset of motion is an angle."""
+
+    NOT_ASKED = "not asked"
+    AT_ANGLE = "angle"
+    NEVER = "never"  #: no motion can begin at any tilt up to 90 degrees
+    NOWHERE = "nowhere"  #: a motion can begin level, and at every tilt back from it
+    UNDECIDED = "undecided"
+
+
+class ContactState(Word):
+    """What a contact does in a motion."""
+
+    OPENS = "opens"
+    STICKS = "sticks"
+    SLIPS_DOWN_DIP = "slips down-dip"
+    SLIPS_UP_DIP = "slips up-dip"
+
+
+class PivotsListed(Word):
+    """Which pivots get their numbers, and are listed."""
+
+    BY_COUNT = "by count"
+    ALL = "all"
+    GOVERNING = "governing"
+
+
+class Design(Word):
+    """Whether a design factor of safety is met."""
+
+    MET = "met"
+    NOT_MET = "not met"
+    OPEN = "open"
+
+
+class FindTarget(Word):
+    """What a number of the scene is found for. Angles in degrees."""
+
+    CRITICAL_ANGLE = "critical_angle"  #: of toppling
+    FOS = "fos"  #: against toppling, at the scene's tilt
+    SLIDING_ANGLE = "sliding_angle"
+    SLIDING_FOS = "sliding_fos"
+    LIMIT_ANGLE = "limit_angle"  #: the static limit
+    LIMIT_FOS = "limit_fos"  #: by strength reduction
+    ONSET_ANGLE = "onset_angle"  #: the onset of motion
+
+
+class Notation(Word):
+    """How derived formulas are written."""
+
+    TEXT = "text"
+    LATEX = "latex"
+    C = "c"
+
+
+class CheckVerdict(Word):
+    """What the solver finds beside a formula."""
+
+    SAME = "same"
+    OTHER = "other"
+    NONE = "none"
+    CONTACT = "contact"
+    REFUSED = "refused"
+    UNDECIDED = "undecided"
+
+
+class Verdict(Word):
+    """The verdict on a claim."""
+
+    PROVEN = "proven"
+    AGREES = "agrees"
+    TRUNCATED = "truncated"
+    REFUTED = "refuted"
+    DISAGREES = "disagrees"
+    UNDECIDED = "undecided"
+
+
+class AccuracyMethod(Word):
+    """A way to a number."""
+
+    BOUNDARY = "boundary sums"
+    TRIANGLES = "triangles"
+    ROUNDED_PAPER = "rounding, paper's model"
+    ROUNDED_EXACT = "rounding, exact model"
+    LIMIT = "limit analysis"
+    ONSET = "onset of motion"

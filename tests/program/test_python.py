@@ -1,0 +1,310 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The library as Python has it: a scene built by every call is what the file that says the same is; numbers go in exactly,
+of every kind and every layout of array; what is wrong raises the exception of its status; threads, memory, figures."""
+
+import gc
+import inspect
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+import warnings
+import xml.dom.minidom
+from decimal import Decimal
+from fractions import Fraction
+
+from harness import ROOT, main, run
+from python_case import BUILD, SOURCES, lib, numpy, topple
+
+SQUARE = [(0, 0), (50, 0), (50, 100), (0, 100)]
+BLOCK = [(0, 0), (30, 5), (60, 0), (90, 5), (90, 125), (0, 120)]
+SQUARE_TEXT = "[[0, 0], [50, 0], [50, 100], [0, 100]]"
+HOLE, PART = [(20, 40), (30, 40), (30, 50), (20, 50)], [(0, 80), (50, 80), (50, 100), (0, 100)]
+WEIGHED = {"outline": SQUARE, "unit_weight_kn_m3": 26, "base_beyond": (10, 20), "tilt_angle_deg": 10,
+           "tilt_towards": "left", "friction_angle_deg": 30}
+WEIGHED_TEXT = f"""topple: 1
+length_unit: mm
+block: {{outline: {SQUARE_TEXT}, unit_weight_kn_m3: 26}}
+base: {{mated: true, beyond: {{left: 10, right: 20}}}}
+friction_angle_deg: 30
+tilt: {{towards: left, angle_deg: 10}}
+"""
+#: What a scene is given, and the lines of a file that say the same.
+SAID = [
+    ({"slab": (50, 100), "title": "A slab"}, "title: A slab\nblock: {slab: {width: 50, height: 100}}"),
+    ({"slab": {"width": "1/3", "height": Decimal("1.25")}}, "block: {slab: {width: 1/3, height: 1.25}}"),
+    ({"teeth": (3, 30, 120, 5, "valley")},
+     "block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: valley}}"),
+    ({"teeth_over": (4, 80, 100, 4, topple.LeftEnd.PEAK), "rounded_ends": [("left_end", "0.5")], "rounding_keeps_mass": True},
+     "block: {teeth: {block_width: 80, mean_height: 100, amplitude: 4, wavelength: 40, left_end: peak},"
+     " rounded: {model: paper, corners: [{at: left_end, radius: 0.5}]}}"),
+    ({"ellipse": (100, 60, 20)}, "block: {ellipse: {width: 100, height: 60, flat: 20}}"),
+    ({"outline": SQUARE, "holes": [HOLE], "parts": [(PART, 20)], "unit_weight_kn_m3": 26, "thickness": 20},
+     f"block: {{outline: {SQUARE_TEXT}, holes: [{[list(p) for p in HOLE]}],"
+     f" parts: [{{outline: {[list(p) for p in PART]}, unit_weight_kn_m3: 20}}], unit_weight_kn_m3: 26, thickness: 20}}"),
+    ({"outline": SQUARE, "arcs_through": [(50, 100, 25, 120)], "arcs_bulge": [(50, 0, Fraction(1, 8))],
+      "rounded_vertices": [(0, 0, 2)]},
+     f"block: {{outline: {SQUARE_TEXT}, arcs: [{{from: [50, 100], through: [25, 120]}}, {{from: [50, 0], bulge: 1/8}}],"
+     " rounded: {corners: [{at: [0, 0], radius: 2}]}}"),
+    ({"outline": BLOCK, "repair": True, "base_mated": True, "tilt_towards": "right"},
+     f"block: {{outline: {[list(p) for p in BLOCK]}, repair: true}}\nbase: {{mated: whole}}\ntilt: {{towards: right}}"),
+    ({"outline": BLOCK, "base_between": [(0, 0), (60, 0)]},
+     f"block: {{outline: {[list(p) for p in BLOCK]}}}\nbase: {{mated: true, between: [[0, 0], [60, 0]]}}"),
+    ({"outline": SQUARE, "base_bound": ("below", 1), "frame": "world"},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{mated: true, between: {{below: 1}}}}\nframe: world"),
+    ({"outline": SQUARE, "base_profile": [(-100, 10), (0, -5), (200, 0)], "base_rest": True},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: rest}}"),
+    ({"outline": SQUARE, "base_profile": [(-100, 0), (200, 0)], "mean_plane": [(0, 0), (100, 5)]},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 0], [200, 0]]}}\n"
+     "frame: {mean_plane: [[0, 0], [100, 5]]}"),
+    ({"outline": SQUARE, "frame": topple.Along.BASE, "friction_patton": (25, 5)},
+     f"block: {{outline: {SQUARE_TEXT}}}\nframe: base\n"
+     "friction: {law: patton, basic_angle_deg: 25, roughness_angle_deg: 5}"),
+]
+LAWS = [
+    ({"friction_barton": (28, 6, 80)}, "{law: barton, residual_angle_deg: 28, jrc: 6, jcs_mpa: 80}"),
+    ({"friction_barton_test": (28, 60, "0.5", 80)},
+     "{law: barton, residual_angle_deg: 28, tilt_test: {angle_deg: 60, normal_stress_kpa: 0.5}, jcs_mpa: 80}"),
+    ({"friction_barton_roughness": (28, 10, 80)},
+     "{law: barton, residual_angle_deg: 28, roughness_angle_deg: 10, jcs_mpa: 80}"),
+]
+LOADS = [
+    ({"seismic_horizontal": "0.1", "seismic_vertical": "0.05"}, "{seismic: {horizontal: 0.1, vertical: 0.05}}"),
+    ({"water": (40,)}, "{water: {height: 40}}"),
+    ({"water": {"height": 30, "unit_weight_kn_m3": 10, "stays_level": True, "uplift": True}},
+     "{water: {height: 30, unit_weight_kn_m3: 10, stays_level: true, uplift: true}}"),
+    ({"pressures": [(50, 20, 50, 40, 1, 2)]}, "{pressures: [{from: [50, 20], to: [50, 40], kpa: [1, 2]}]}"),
+    ({"surcharges": [(0, 100, 50, 100, 3)]}, "{surcharges: [{from: [0, 100], to: [50, 100], kpa: 3}]}"),
+    ({"anchors": [(50, 50, -10, "0.001"), {"x": 0, "y": 50, "direction_deg": 0, "force_kn": "0.002", "passive": True}]},
+     "{anchors: [{at: [50, 50], direction_deg: -10, force_kn: 0.001},"
+     " {at: [0, 50], direction_deg: 0, force_kn: 0.002, passive: true}]}"),
+    ({"bond_kpa": "0.1", "cohesion_kpa": "0.2"}, "{bond_kpa: 0.1, cohesion_kpa: 0.2}"),
+]
+
+
+def said(scene):
+    """What the solved scene says, but for places, times and notes."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", topple.Caution)
+        text = scene.solve().to_json()
+    text = re.sub(r'"notes": \[[^\]]*\]', "", text)
+    return re.sub(r'"called_for_by": "[^"]*"|"seconds": [^,}]*', "", text)
+
+
+class Scenes(unittest.TestCase):
+    def check(self, given, text):
+        with self.subTest(text):
+            self.assertEqual(said(topple.Scene("mm", **given)), said(topple.Scene.from_text(text)))
+
+    def test_every_call(self):
+        """By its name given to Scene, which calls the method of that name."""
+        for given, text in SAID:
+            self.check(given, f"topple: 1\nlength_unit: mm\n{text}\n")
+        for given, text in LAWS:
+            self.check({**{k: v for k, v in WEIGHED.items() if k != "friction_angle_deg"}, **given},
+                       WEIGHED_TEXT.replace("friction_angle_deg: 30", f"friction: {text}"))
+        for given, text in LOADS:
+            self.check({**WEIGHED, **given}, f"{WEIGHED_TEXT}loads: {text}\n")
+        tried = {name for given, _ in SAID + LAWS + LOADS for name in given} | set(WEIGHED) | {"length_unit"}
+        self.assertEqual(set(inspect.signature(topple.Scene).parameters) - tried, set())
+
+    def test_every_call_of_the_library(self):
+        """Each function of the headers is called somewhere in the package, or need not be."""
+        text = "".join(path.read_text(encoding="utf-8") for path in SOURCES.glob("*.py"))
+        needless = {
+            "tp_exact_of", "tp_exact_text", "tp_coordinates_of", "tp_coordinates_text",  # structs made by cffi
+            "tp_numbers_of", "tp_numbers_each", "tp_outlines_of", "tp_outlines_ragged",  # likewise
+            "tp_solve_outline", "tp_report_json",  # said by Scene.solve, tp_report_json_pivots
+            "tp_find", "tp_found_free", "tp_report_found", "tp_report_found_json", "tp_chart_map",  # not yet here
+            "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name",  # for programs and terminals
+            "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
+            "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",  # Word
+        }
+        for name in dir(lib):
+            if name.startswith("tp_") and not re.search(r"_options_(default|init)$", name) and name not in needless:
+                self.assertTrue(re.search(rf"lib\.{name}\b", text), name)
+
+    def test_a_set_call_replaces(self):
+        """A sweep sets one number again and again."""
+        scene = topple.Scene("mm", outline=SQUARE)
+        for angle in (20, "30", Fraction(81, 2)):
+            scene.set_friction_angle_deg(angle)
+            self.assertEqual(said(scene), said(topple.Scene("mm", outline=SQUARE, friction_angle_deg=angle)))
+
+
+class Numbers(unittest.TestCase):
+    def area(self, outline):
+        """Its area in units of the scene, as exactly as 60 digits tell."""
+        return Fraction(topple.Scene("m", outline=outline).solve(digits=60, limit=False).block.area_m2.digits)
+
+    def test_exactly(self):
+        """A rectangle of a width times 1: its area is the number that the width was taken for."""
+        for number, meant in ((0.1, Fraction(0.1)), ("0.1", Fraction(1, 10)), (Decimal("0.1"), Fraction(1, 10)),
+                              (Fraction(1, 3), Fraction(1, 3)), ("2.5/7", Fraction(5, 14)), (2**53 + 1, Fraction(2**53 + 1)),
+                              (numpy.float32(0.1), Fraction(float(numpy.float32(0.1)))), (numpy.int64(7), Fraction(7)),
+                              (numpy.longdouble(1) / 3, Fraction(*(numpy.longdouble(1) / 3).as_integer_ratio()))):
+            area = self.area([(0, 0), (number, 0), (number, 1.0), (0, Decimal(1))])
+            self.assertLess(abs(area - meant), abs(meant) * Fraction(1, 10**58), number)
+
+    def test_arrays(self):
+        """The same points however they lie in memory."""
+        points = numpy.array(BLOCK, dtype=float)
+        meant = said(topple.Scene("mm", outline=BLOCK, friction_angle_deg=30))
+        wide = numpy.zeros((6, 4))
+        wide[:, ::2] = points
+        for own in (points, points.astype(numpy.float32), points.astype(numpy.int16), points.astype(numpy.uint8),
+                    points.astype(numpy.longdouble), points.astype(object), points.astype(">f8"), wide[:, ::2],
+                    numpy.asfortranarray(points), points[::-1].copy()[::-1], points.tolist(), points.astype(str),
+                    numpy.vstack([points, points[:1]])):
+            self.assertEqual(said(topple.Scene("mm", outline=own, friction_angle_deg=30)), meant)
+        large = numpy.array([(0, 0), (2**60 + 1, 0), (2**60 + 1, 1), (0, 1)])
+        self.assertEqual(self.area(large), 2**60 + 1)
+
+    def test_is_copied(self):
+        points = numpy.array(SQUARE, dtype=float)
+        scene = topple.Scene("mm", outline=points)
+        meant = said(scene)
+        points[:] = 0
+        self.assertEqual(said(scene), meant)
+
+    def test_what_is_no_number(self):
+        for wrong in (None, True, 1j, b"1", [1], topple.Bounded(1.0, 0.1)):
+            self.assertRaises(TypeError, topple.Scene("mm").set_thickness, wrong)
+        for wrong in (math.nan, math.inf, "1/0", "one", "0x10", Decimal("nan"), 1e-320, "1e400", "1\0", ""):
+            self.assertRaises(topple.BadInput, topple.Scene("mm").set_thickness, wrong)
+        for wrong in ([(0, 0, 0)], numpy.zeros(4), numpy.zeros((2, 3)), [(0, "x")], [(math.nan, 0)] * 4):
+            self.assertRaises(topple.BadInput, topple.Scene("mm").set_outline, wrong)
+
+
+class Errors(unittest.TestCase):
+    def test_statuses(self):
+        """A class for each status that is no success, each of them a ToppleError and of its kind in Python."""
+        from topple.errors import ERRORS
+        self.assertEqual(sorted(ERRORS), list(range(1, len(ERRORS) + 1)))
+        self.assertEqual(sum(name.startswith("TP_") and name in dir(lib) for name in
+                             ("TP_BAD_INPUT", "TP_NO_ANSWER", "TP_UNDECIDED", "TP_OUT_OF_MEMORY", "TP_SYSTEM_FAILED",
+                              "TP_DEPENDENCY_FAILED")), len(ERRORS))
+        for kind in ERRORS.values():
+            self.assertTrue(issubclass(kind, topple.ToppleError))
+        self.assertTrue(issubclass(topple.BadInput, ValueError))
+        self.assertTrue(issubclass(topple.SystemFailed, OSError))
+
+    def test_messages(self):
+        """What, where and what to do; the scene stays as it was."""
+        scene = topple.Scene("mm", outline=SQUARE, friction_angle_deg=30)
+        meant = said(scene)
+        with self.assertRaisesRegex(topple.BadInput, r"^tp_scene_set_friction_angle_deg: angle_deg must lie in \[0°, 90°\)"):
+            scene.set_friction_angle_deg(90)
+        with self.assertRaisesRegex(topple.BadInput, "y of point 3 of outline must be a finite number"):
+            scene.set_outline([(0, 0), (1, 0), (1, math.nan)])
+        self.assertEqual(said(scene), meant)
+        with self.assertRaisesRegex(ValueError, "'left'.*'right'.*'both'"):
+            scene.set_tilt_towards("up")
+        with self.assertRaisesRegex(topple.BadInput, "^/nowhere.yaml: cannot be opened"):
+            topple.Scene.read("/nowhere.yaml")
+        with self.assertRaises(topple.SystemFailed):
+            scene.solve().write_figure("/nowhere/figure.svg")
+        with self.assertRaisesRegex(topple.BadInput, "^here:2"):
+            topple.Scene.from_text("topple: 1\nnonsense: 2\n", "here")
+        with self.assertRaisesRegex(topple.BadInput, "parameters"):
+            topple.derive(scene)
+        self.assertRaises(topple.BadInput, topple.Scene.read(ROOT / "examples" / "slab.yaml").set_title, "x")
+        self.assertRaises(topple.BadInput, scene.solve, digits=0)
+
+    def test_cautions(self):
+        """Issued as warnings, from the line that solves; notes are not."""
+        scene = topple.Scene("mm", slab=("1e12", 1))
+        with self.assertWarns(topple.Caution) as caught:
+            solution = scene.solve()
+        self.assertEqual(caught.filename, __file__)
+        self.assertIn(topple.NoteKind.CAUTION, {note.kind for note in solution.notes})
+        self.assertIn(solution.notes[0].text.splitlines()[0], str(caught.warning))
+
+
+class Threads(unittest.TestCase):
+    def test_one_scene_in_eight(self):
+        scene = topple.Scene("mm", outline=BLOCK, friction_angle_deg=30, tilt_angle_deg=10)
+        meant, found = said(scene), []
+        threads = [threading.Thread(target=lambda: found.extend(said(scene) for _ in range(20))) for _ in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, [meant] * 160)
+
+    def test_others_run_meanwhile(self):
+        """While a long solve runs, Python goes on, and the scene cannot be changed."""
+        x = numpy.arange(1500)
+        under = numpy.column_stack([x, 0.01 * (x * 7919 % 101)])
+        scene = topple.Scene("mm", outline=numpy.vstack([under, [(1499, 300), (0, 300)]]), friction_angle_deg=30)
+        thread = threading.Thread(target=scene.solve)
+        thread.start()
+        refused = 0
+        while thread.is_alive():
+            try:
+                scene.set_title("another")
+            except RuntimeError:
+                refused += 1
+        thread.join()
+        self.assertGreater(refused, 10)
+        scene.set_title("another")
+
+    @unittest.skipUnless(pathlib.Path("/proc/self/statm").exists(), "needs /proc")
+    def test_memory_is_flat(self):
+        """Scenes, solutions and failures are given back; the owner stays as long as a part of it is held."""
+        def work(times):
+            for _ in range(times):
+                scene = topple.Scene("mm", outline=BLOCK, friction_angle_deg="30", tilt_angle_deg=10)
+                held = scene.solve().cases[0].limit
+                with self.assertRaises(topple.BadInput):
+                    scene.set_thickness(-1)
+                del scene
+                self.assertAlmostEqual(held.critical_angle_deg.value, 28.734552805545956, delta=3)
+
+        def pages():
+            gc.collect()
+            return int(pathlib.Path("/proc/self/statm").read_text().split()[1])
+
+        work(300)
+        before = pages()
+        work(2000)
+        self.assertLess(pages() - before, 300)  # 1.2 MB; a solution alone has 20 kB
+
+
+class Figures(unittest.TestCase):
+    def test_svg(self):
+        """The drawing of the program; a scene that was changed is not drawn."""
+        path = ROOT / "examples" / "block_e_valley.yaml"
+        solution = topple.Scene.read(path).solve()
+        svg = solution._repr_svg_()
+        self.assertEqual(xml.dom.minidom.parseString(svg).documentElement.tagName, "svg")
+        with tempfile.TemporaryDirectory() as folder:
+            run("solve", "--figure", f"{folder}/own.svg", path)
+            drawn = pathlib.Path(folder, "own.svg").read_text(encoding="utf-8")
+            self.assertEqual(*[re.sub(r"surface\d+", "surface", text) for text in (svg, drawn)])  # Cairo counts them
+            solution.write_figure(pathlib.Path(folder, "own.png"))
+            self.assertEqual(pathlib.Path(folder, "own.png").read_bytes()[1:4], b"PNG")
+            self.assertRaises(topple.BadInput, solution.write_figure, pathlib.Path(folder, "own.txt"))
+        scene = topple.Scene("mm", outline=SQUARE, friction_angle_deg=30)
+        solved = scene.solve()
+        scene.set_friction_angle_deg(20)
+        with self.assertRaisesRegex(topple.BadInput, "solve it again"):
+            solved.svg()
+
+    def test_without_the_library(self):
+        """Without libtopple-figure all else works, and a figure says what is missing."""
+        program = "import sys, topple; sys.modules['topple._figure'] = None\n" \
+                  "s = topple.Scene('mm', slab=(5, 10)).solve()\n" \
+                  "try: s.svg()\nexcept topple.DependencyFailed as error: print(error)"
+        done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, encoding="utf-8",
+                              env={"PYTHONPATH": str(BUILD / "src" / "python")})
+        self.assertIn("libtopple-figure", done.stdout)
+
+
+if __name__ == "__main__":
+    main()

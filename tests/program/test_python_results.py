@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""What Python is told is what the program prints: each record beside the JSON of the program, key by key, over all examples
+and what they show; and nothing of the structs is forgotten: every field and every word of C has its place in Python."""
+
+import copy
+import dataclasses
+import json
+import pickle
+import re
+import unittest
+import warnings
+
+from harness import ROOT, main, run
+from python_case import ffi, lib, topple
+from topple.words import Word
+
+EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+#: Keys of JSON by the record that they stand in, and where Python has them.
+ELSEWHERE = {
+    "Contact": {"left_end": lambda c: (c.left_end, c.left_x_m, c.left_y_m),
+                "right_end": lambda c: (c.right_end, c.right_x_m, c.right_y_m), "share_of_height": lambda c: c.reach},
+    "Rest": {"contacts": lambda r: r.touches},
+    "Pivot": {"fos": lambda p: p.fos_resultant},
+    "Sliding": {"facet": lambda s: ((s.facet_x0_m, s.facet_y0_m), (s.facet_x1_m, s.facet_y1_m))},
+    "GoverningFos": {key: (lambda name: lambda g: getattr(g.factors[g.factor], name) if g.factor is not None else None)(key)
+                     for key in ("mechanism", "definition", "pivot")},
+    "Motion": {"centre_x_m": lambda m: m.centre_x_m},
+    "MotionContact": {"end": lambda c: "right" if c.at_right_end else "left"},
+}
+#: Keys that say in words what other keys, or None, say as well, or that are the program's.
+WORDS = {"index", "critical_angle_is", "method", "tie_is", "fos_is", "fos_elements_is", "fos_strength_is", "is",
+         "cut_by_default", "weight_unit", "limit_angle_is", "too_dear", "mean_plane"}
+CHECKED_APART = {"Limit": {"otherwise", "holds_from", "holds_from_deg", "holds_from_is", "base_matters", "slides_sooner",
+                           "facet", "fos_mechanism"},
+                 "Frame": {"about_x_m", "about_y_m", "dip_deg", "dips_towards", "stated"},
+                 "Onset": {"ranges"}, "MotionContact": {"facet"}, "Motion": {"strength"}}
+
+
+class Told:
+    """A value of JSON beside one of Python; counts what it compared."""
+
+    def __init__(self, test):
+        self.test, self.count = test, 0
+
+    def same(self, told, own, way):
+        if isinstance(own, topple.Fos):
+            own = own.value
+        self.count += 1
+        if isinstance(own, topple.Bounded):
+            self.test.assertEqual(told, {"value": own.value, "error": own.error}, way)
+        elif isinstance(told, dict) and isinstance(own, tuple):  # an end: why, x and y
+            for (key, value), mine in zip(told.items(), own):
+                self.same(value, mine, f"{way}.{key}")
+        elif isinstance(told, dict):
+            self.record(told, own, way)
+        elif isinstance(told, list):
+            self.test.assertEqual(len(told), len(own), way)
+            for k, (value, mine) in enumerate(zip(told, own)):
+                if isinstance(mine, tuple):  # a point
+                    value = list(value.values())
+                self.same(value, mine, f"{way}[{k}]")
+        else:
+            self.test.assertEqual(told, own.value if isinstance(own, Word) else own, way)
+
+    def record(self, told, own, way):
+        kind = type(own).__name__
+        for key, value in told.items():
+            if key in WORDS or key in CHECKED_APART.get(kind, ()):
+                continue
+            if kind == "Pivot" and key.startswith("fos") and not own.admissible:
+                continue  # the program has words for it
+            if key in ELSEWHERE.get(kind, {}):
+                self.same(value, ELSEWHERE[kind][key](own), f"{way}.{key}")
+            else:
+                self.same(value, getattr(own, key), f"{way}.{key}")
+
+
+class Solutions(unittest.TestCase):
+    def compare(self, told, solution, case, way):
+        same = Told(self)
+        for key in ("towards", "mechanism", "falls_backwards"):
+            same.same(told[key], getattr(case, key), f"{way}.{key}")
+        for key in ("tilt_angle_deg", "friction_angle_deg", "block", "frame", "contact", "teeth", "rest"):
+            if key in told:
+                same.same(told[key], getattr(solution, key), f"{way}.{key}")
+        same.same([{**effect, "seconds": 0} for effect in told["effects"]],
+                  [dataclasses.replace(effect, seconds=0) for effect in solution.effects], f"{way}.effects")
+        for pivot in told["pivots"]:
+            same.same(pivot, case.pivots[pivot["index"]], f"{way}.pivots")
+        if told["toppling"] is not None:
+            self.assertEqual(told["toppling"]["pivot"], case.governing, way)
+            same.same(told["toppling"]["critical_angle_deg"], case.governing_pivot.critical_angle_deg, way)
+        for key in ("sliding", "toe", "account"):
+            if told.get(key) is not None:
+                same.same(told[key], getattr(case, key), f"{way}.{key}")
+        if told.get("limit") is not None and told["limit"]["mechanism"] != "holds nowhere":
+            same.same(told["limit"], case.limit, f"{way}.limit")
+            same.same(told["limit"]["base_matters"], case.base_matters, f"{way}.base_matters")
+        if told.get("onset") is not None:
+            same.same(told["onset"], case.onset, f"{way}.onset")
+            same.same(told["can_begin"], case.onset.beginnings, f"{way}.can_begin")
+        if told.get("motions") is not None:
+            same.same(told["motions"], case.onset.motions, f"{way}.motions")
+        same.same(told["governing_fos"], case.governing_fos, f"{way}.governing_fos")
+        same.same(told["factors"], case.governing_fos.factors, f"{way}.factors")
+        same.same(told.get("loads", []), case.loads, f"{way}.loads")
+        first = told["first"]
+        same.same(list(first.values()), (case.first, case.first_angle_deg, case.margin_deg, case.margin_to_first_deg)
+                  [:len(first)], f"{way}.first")
+        return same.count
+
+    def test_examples(self):
+        """Every scene, with its account by elements where it has one."""
+        count = 0
+        for path in EXAMPLES:
+            with self.subTest(path.name), warnings.catch_warnings():
+                warnings.simplefilter("ignore", topple.Caution)
+                solution = topple.Scene.read(path).solve()
+                told = json.loads(run("solve", "--json", path)[1])
+                self.assertEqual(told.get("title"), solution.title)
+                self.assertEqual([n["text"] for n in told["notes"]], [n.text for n in solution.notes])
+                self.assertEqual(len(told["cases"]), len(solution.cases))
+                for one, case in zip(told["cases"], solution.cases):
+                    count += self.compare(one, solution, case, f"{path.name} {one['towards']}")
+                timeless = [re.sub(r'"seconds": [^,]*', "", text) for text in
+                            (solution.to_json(), run("solve", "--json", path)[1])]
+                self.assertEqual(*timeless)
+                self.assertEqual(*[re.sub(r"[\d.]+ m?s \(", "", text) for text in (solution.report(), run("solve", path)[1])])
+        self.assertGreater(count, 2000)
+
+    def test_copies(self):
+        """A solution is data: it can be pickled, copied, compared and made a dictionary; what needs the library's own result
+        says so."""
+        scene = topple.Scene.read(EXAMPLES[0])
+        solution = scene.solve(elements=True)
+        for own in (pickle.loads(pickle.dumps(solution)), copy.deepcopy(solution)):
+            self.assertEqual(own, solution)
+            self.assertEqual(hash(own.cases[0]), hash(solution.cases[0]))
+            with self.assertRaisesRegex(ValueError, "copy"):
+                own.report()
+        self.assertEqual(dataclasses.asdict(solution)["block"]["vertices"], solution.block.vertices)
+        with self.assertRaises(dataclasses.FrozenInstanceError):
+            solution.title = "another"
+        with self.assertRaises(AttributeError):
+            solution.nonsense  # noqa: B018
+
+    def test_digits(self):
+        """A hundred digits are told, all those of the program."""
+        path = ROOT / "examples" / "block_e_valley.yaml"
+        angle = topple.Scene.read(path).solve(digits=100).case("left").first_angle_deg
+        told = run("solve", "--json", "--digits", "100", path)[1]
+        self.assertGreater(len(angle.digits), 100)
+        self.assertIn(angle.digits, told)
+        self.assertTrue(angle.low < angle.value < angle.high)
+        self.assertEqual(float(angle), angle.value)
+
+    def test_words_about(self):
+        scene = topple.Scene.read(ROOT / "examples" / "block_e_valley.yaml")
+        solution = scene.solve()
+        self.assertEqual(repr(solution), "<topple.Solution towards left: stands at 20°, slides and topples at 28.7346°>")
+        self.assertEqual(solution.csv(), topple.csv([solution]))
+        self.assertEqual(len(topple.table([solution, solution]).splitlines()), 4)
+        self.assertIs(solution.meets(1.2), solution.cases[0].meets(1.2))
+        self.assertFalse(solution.is_undecided)
+        self.assertRaises(KeyError, solution.case, "right")
+
+
+#: Structs and the records that mirror them.
+MIRRORS = {
+    "tp_note": "Note", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_contact_result": "Contact",
+    "tp_block_result": "Block", "tp_teeth_result": "Teeth", "tp_element": "Element", "tp_account": "Account",
+    "tp_reaction": "Reaction", "tp_limit": "Limit", "tp_window": "Window", "tp_motion_range": "MotionRange",
+    "tp_motion_contact": "MotionContact", "tp_motion_resistance": "MotionResistance", "tp_motion": "Motion",
+    "tp_onset": "Onset", "tp_pivot": "Pivot", "tp_sliding": "Sliding", "tp_toe": "Toe", "tp_load_result": "LoadResult",
+    "tp_factor": "Factor", "tp_governing_fos": "GoverningFos", "tp_case": "Case", "tp_solution": "Solution",
+    "tp_accuracy_run": "AccuracyRun", "tp_accuracy_value": "AccuracyValue", "tp_accuracy": "Accuracy",
+    "tp_claim_result": "ClaimResult",
+    "tp_verification": "Verification", "tp_fraction": "Fraction", "tp_derived_element": "DerivedElement",
+    "tp_derived_pivot": "DerivedPivot", "tp_derived_rounding": "DerivedRounding", "tp_derived_reaction": "DerivedReaction",
+    "tp_derived_check": "DerivedCheck", "tp_derived_row": "DerivedRow", "tp_derived_limit": "DerivedLimit",
+    "tp_derived_onset": "DerivedOnset", "tp_derivation": "Derivation", "tp_family_formula": "FamilyFormula",
+    "tp_family": "Family", "tp_bounded": "Bounded", "tp_area_moments": "AreaMoments",
+    "tp_blocks_summary": "Summary", "tp_moment_columns": "Moments", "tp_critical_columns": "CriticalAngles",
+    "tp_verdict_columns": "Verdicts", "tp_rest_result": "Rest",
+}
+#: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
+FLAGS = {"known", "rests", "water_overtops", "from_below", "to_above", "splits", "limits", "decimals"}
+
+
+class Mirrors(unittest.TestCase):
+    def test_fields(self):
+        for struct, name in MIRRORS.items():
+            fields = {field.name for field in dataclasses.fields(getattr(topple, name))}
+            for own, kind in ffi.typeof(struct).fields:
+                flag = own in FLAGS or own.startswith("has_") or own == "count" or own.endswith("_count")
+                if own not in fields and not (flag and kind.type.cname in ("_Bool", "size_t") or own in FLAGS):
+                    self.fail(f"{name} has no {own} of {struct}")
+
+    def test_results_are_mirrored(self):
+        """Every struct that a result is made of is on the list; the others are what goes in, and messages."""
+        structs = {name for name in ffi.list_types()[0] if ffi.typeof(name).kind == "struct" and ffi.typeof(name).fields}
+        given = {name for name in structs if name.endswith("_options")} | {
+            "tp_message", "tp_notes", "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis",
+            "tp_derived_checks", "tp_numbers", "tp_outlines"}
+        self.assertEqual(structs - given - {"tp_figure_consent", "tp_found", "tp_found_interval"} - set(MIRRORS), set())
+
+    def test_words(self):
+        """Members stand in the order of C and are called as there, and their words are the library's."""
+        names = {"Mechanism": lib.tp_mechanism_name, "Level": lib.tp_level_name, "FindTarget": lib.tp_find_target_name,
+                 "AccuracyMethod": lib.tp_accuracy_method_name, "FosDefinition": lib.tp_fos_definition_name,
+                 "Verdict": lib.tp_verdict_name, "NoteKind": lib.tp_note_kind_name}
+        found = set()
+        for kind in Word.__subclasses__():
+            struct = "tp_" + re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()
+            if struct not in ffi.list_types()[0]:
+                self.assertIn(kind.__name__, ("Towards", "Along"))
+                continue
+            found.add(struct)
+            elements = ffi.typeof(struct).elements
+            self.assertEqual(sorted(elements), list(range(len(kind))), struct)
+            for k, member in enumerate(kind):
+                self.assertTrue(elements[k].endswith(member.name), elements[k])
+                if kind.__name__ in names:
+                    self.assertEqual(ffi.string(names[kind.__name__](k)).decode(), member.value)
+        for status in topple.Status:
+            self.assertEqual(ffi.typeof("tp_status").elements[status], f"TP_{status.name}")
+        enums = {name for name in ffi.list_types()[0] if ffi.typeof(name).kind == "enum"}
+        self.assertEqual(enums - found, {"tp_status", "tp_chart_format"})
+
+
+if __name__ == "__main__":
+    main()
