@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The C of a module by which Python calls the library (cffi, API mode), written from the public headers themselves: what
-they declare is what Python sees, and the C compiler, which reads them too, lays out the structs.
+"""The C of a module by which Python calls the library (cffi, API mode), written from the public
+headers themselves: what they declare is what Python sees, and the C compiler, which reads them too,
+lays out the structs.
 
     make_c.py OUTPUT MODULE HEADER COMPILER…
 
-MODULE is topple._library, all but the drawing of figures; or topple._figure, that alone, of a library of its own."""
+MODULE is topple._library, all but the drawing of figures; or topple._figure, that alone, of a
+library of its own."""
 
 import pathlib
 import re
@@ -20,7 +22,8 @@ INLINE = re.compile(r"^ *static inline ([^{]*?) \{\n.*?^\}", re.MULTILINE | re.D
 
 
 def declarations(header, compiler):
-    """What the header and those that it includes declare; of the standard headers that they name, nothing."""
+    """What the header and those that it includes declare; of the standard headers that they name,
+    nothing."""
     with tempfile.TemporaryDirectory() as standard:
         for name in ("stdbool.h", "stddef.h", "stdint.h"):
             (pathlib.Path(standard) / name).touch()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What Python adds to a call of the library: each call by the package beside the bare calls of C that it makes, both by the
-same binding, microseconds, least of several runs (docs/python.md)."""
+"""What Python adds to a call of the library: each call by the package beside the bare calls of C
+that it makes, both by the same binding, microseconds, least of several runs (docs/python.md)."""
 
 import timeit
 
@@ -17,7 +17,8 @@ def least(calls, runs=40):
     """Microseconds of each call, in turns, so that both have the machine's better moments."""
     timers = [timeit.Timer(call) for call in calls]
     number = max(1, int(0.01 / timers[0].timeit(1)))
-    return (min(times) / number * 1e6 for times in zip(*([t.timeit(number) for t in timers] for _ in range(runs))))
+    return (min(times) / number * 1e6 for times in zip(*([t.timeit(number) for t in timers]
+                                                         for _ in range(runs))))
 
 
 def bare_solve(scene, options):
@@ -53,10 +54,13 @@ def bare_moments(blocks):
     columns = ffi.new("tp_moment_columns *")
     held = []
     for name, kind in ffi.typeof("tp_moment_columns").fields:
-        held.append(numpy.zeros(len(blocks), dtype="f8" if kind.type.item.cname == "double" else "i4"))
+        is_number = kind.type.item.cname == "double"
+        held.append(numpy.zeros(len(blocks), dtype="f8" if is_number else "i4"))
         setattr(columns, name, ffi.cast(kind.type, ffi.from_buffer(held[-1])))
-    outlines = ffi.new("tp_outlines *", (len(blocks), ffi.from_buffer("double[]", blocks), blocks.shape[1], ffi.NULL))
-    summary, options, message = ffi.new("tp_blocks_summary *"), options_of("blocks"), ffi.new("tp_message *")
+    outlines = ffi.new("tp_outlines *", (len(blocks), ffi.from_buffer("double[]", blocks),
+                                         blocks.shape[1], ffi.NULL))
+    summary, message = ffi.new("tp_blocks_summary *"), ffi.new("tp_message *")
+    options = options_of("blocks")
 
     def call():
         lib.tp_outlines_moments(columns, summary, outlines, options, message)
@@ -67,12 +71,13 @@ def bare_moments(blocks):
 
 def main():
     blocks = numpy.repeat(OUTLINE[None], 100000, axis=0)
-    scene = topple.Scene("mm", outline=OUTLINE, friction_angle_deg=30.0, tilt_angle_deg=12.5)
-    doubles = ffi.from_buffer("double[]", OUTLINE)
+    numbers = {"friction_angle_deg": 30.0, "tilt_angle_deg": 12.5}
+    scene = topple.Scene("mm", outline=OUTLINE, **numbers)
     rows = [
-        ("a scene of 6 vertices", lambda: topple.Scene("mm", outline=OUTLINE, friction_angle_deg=30.0, tilt_angle_deg=12.5),
-         bare_scene(doubles)),
-        ("solved without the limit", lambda: scene.solve(limit=False), bare_solve(scene._c, options_of("solve", limit=False))),
+        ("a scene of 6 vertices", lambda: topple.Scene("mm", outline=OUTLINE, **numbers),
+         bare_scene(ffi.from_buffer("double[]", OUTLINE))),
+        ("solved without the limit", lambda: scene.solve(limit=False),
+         bare_solve(scene._c, options_of("solve", limit=False))),
         ("solved, and its angle", lambda: float(scene.solve().cases[0].first_angle_deg),
          bare_solve(scene._c, options_of("solve"))),
         ("moments of 100000 blocks", lambda: topple.moments(blocks), bare_moments(blocks)),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Formulas, claims, charts and accuracy in Python: what the program prints, and formulas that can be called,
+"""Formulas, claims, charts, accuracy and back-analysis in Python: what the program prints, and formulas that can be called,
 against fractions worked out here."""
 
 import json
@@ -129,6 +129,15 @@ class Charts(unittest.TestCase):
             self.skipTest(str(error))  # no gnuplot
         self.assertEqual(xml.dom.minidom.parseString(drawn).documentElement.tagName, "svg")
 
+    def test_map(self):
+        scene = topple.Scene.read(ROOT / "examples" / "slab_left.yaml")
+        own = topple.chart_map(scene, ("block.slab.width", 10, 150))
+        options = ("chart", "map", ROOT / "examples" / "slab_left.yaml", "--x", "block.slab.width=10:150")
+        self.assertEqual(json.loads(own.to_json()), json.loads(printed(*options, "--json")))
+        built = topple.Scene("mm", slab=(50, 100), friction_angle_deg=30, tilt_towards="left")
+        self.assertGreater(len(topple.chart_map(built, ("block.slab.width", 10, 150), ("tilt", 0, 60)).csv()), 1000)
+        self.assertRaises(topple.BadInput, topple.chart_map, scene, ("nonsense", 10, 150))
+
 
 class Accuracy(unittest.TestCase):
     def test_runs(self):
@@ -143,6 +152,45 @@ class Accuracy(unittest.TestCase):
         self.assertEqual(len(own.sources), 1)
         self.assertIn("method", own.chart().csv())
         self.assertEqual({run.vertices for run in topple.accuracy_sweep(10, 100).runs}, {10, 100})
+
+
+class Find(unittest.TestCase):
+    def test_radius(self):
+        """The radius of the worn corner, as the program finds it, and as a solve of the scene with it says."""
+        path = ROOT / "examples" / "block_a_worn.yaml"
+        scene, key = topple.Scene.read(path), "block.rounded.corners.1.radius"
+        found = topple.find(scene, key, "critical_angle", 23.5)
+        told = json.loads(printed("solve", "--json", "--find", key, "--for", "critical_angle=23.5", path))["find"]
+        self.assertEqual([s["value"] for s in told["solutions"]], [s.value for s in found.solutions])
+        self.assertEqual(json.loads(found.to_json(scene.solve()))["find"], told)
+        self.assertIn(key, found.report())
+        for radius in found.solutions:
+            varied = scene.varied({key: radius.value})
+            self.assertAlmostEqual(varied.solve(limit=False).cases[0].governing_pivot.critical_angle_deg.value, 23.5,
+                                   delta=1e-9)
+        self.assertEqual(topple.find(scene, key, topple.FindTarget.CRITICAL_ANGLE, 23.5, low=0, high=0.001).solutions, ())
+        self.assertRaises(topple.BadInput, topple.find, scene, "nonsense", "fos", 1)
+        self.assertRaises(ValueError, topple.find, scene, key, "nonsense", 1)
+
+    def test_of_a_built_scene(self):
+        """A slab topples at atan(width / height): the width for 20 degrees."""
+        scene = topple.Scene("mm", slab=(50, 100), tilt_towards="left")
+        (width,) = topple.find(scene, "block.slab.width", "critical_angle", 20, low=1, high=200).solutions
+        self.assertAlmostEqual(width.value, 100 * math.tan(math.radians(20)), delta=1e-9)
+        self.assertLessEqual(width.low, 100 * math.tan(math.radians(20)))
+
+    def test_varied(self):
+        """Other scenes with other numbers, exactly; the scene itself stays."""
+        scene = topple.Scene.read(BLOCK)
+        self.assertEqual(scene.number("friction_angle_deg"), 30)
+        other = scene.varied({"a": "100/3", "friction_angle_deg": Fraction(61, 2)})
+        self.assertEqual(other.number("a"), Fraction(100, 3))
+        self.assertEqual(other.number("friction_angle_deg"), Fraction(61, 2))
+        self.assertEqual(scene.number("a"), 30)
+        built = topple.Scene("mm", outline=[(0, 0), (50, 0), (50, 100), (0, 100)])
+        self.assertEqual(built.varied({"block.outline.3.1": 60}).number("block.outline.3.1"), 60)
+        self.assertRaises(topple.BadInput, scene.number, "nonsense")
+        self.assertRaises(topple.BadInput, scene.varied, {"nonsense": 1})
 
 
 if __name__ == "__main__":

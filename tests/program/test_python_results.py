@@ -175,7 +175,7 @@ MIRRORS = {
     "tp_onset": "Onset", "tp_pivot": "Pivot", "tp_sliding": "Sliding", "tp_toe": "Toe", "tp_load_result": "LoadResult",
     "tp_factor": "Factor", "tp_governing_fos": "GoverningFos", "tp_case": "Case", "tp_solution": "Solution",
     "tp_accuracy_run": "AccuracyRun", "tp_accuracy_value": "AccuracyValue", "tp_accuracy": "Accuracy",
-    "tp_claim_result": "ClaimResult",
+    "tp_found_interval": "FoundInterval", "tp_found": "Found", "tp_claim_result": "ClaimResult",
     "tp_verification": "Verification", "tp_fraction": "Fraction", "tp_derived_element": "DerivedElement",
     "tp_derived_pivot": "DerivedPivot", "tp_derived_rounding": "DerivedRounding", "tp_derived_reaction": "DerivedReaction",
     "tp_derived_check": "DerivedCheck", "tp_derived_row": "DerivedRow", "tp_derived_limit": "DerivedLimit",
@@ -203,7 +203,7 @@ class Mirrors(unittest.TestCase):
         given = {name for name in structs if name.endswith("_options")} | {
             "tp_message", "tp_notes", "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis",
             "tp_derived_checks", "tp_numbers", "tp_outlines"}
-        self.assertEqual(structs - given - {"tp_figure_consent", "tp_found", "tp_found_interval"} - set(MIRRORS), set())
+        self.assertEqual(structs - given - {"tp_figure_consent"} - set(MIRRORS), set())
 
     def test_words(self):
         """Members stand in the order of C and are called as there, and their words are the library's."""

@@ -4,33 +4,37 @@
 
     import topple
 
-    scene = topple.Scene("mm", outline=[(0, 0), (50, 0), (50, 100), (0, 100)], friction_angle_deg=30)
+    points = [(0, 0), (50, 0), (50, 100), (0, 100)]
+    scene = topple.Scene("mm", outline=points, friction_angle_deg=30)
     print(scene.solve().report())
 
-Every computed number is a `Bounded`, a value and a proven error. SI units and degrees, as the names of fields say. What
-fails raises a `ToppleError`. docs/python.md tells more."""
+Every computed number is a `Bounded`, a value and a proven error. SI units and degrees, as the names
+of fields say. What fails raises a `ToppleError`. docs/python.md tells more."""
 
 from ._library import ffi as _ffi, lib as _lib
 from .accuracy import Accuracy, AccuracyRun, AccuracyValue, accuracy_of_scene, accuracy_sweep
-from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts, critical_angles, moments,
-                     outline_moments, verdicts)
+from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts,
+                     critical_angles, moments, outline_moments, verdicts)
 from .builder import Along, BaseBound, LeftEnd, Towards, UndersideEnd
 from .case import Case, Factor, GoverningFos, LoadResult, Pivot, Sliding, Toe
-from .chart import Chart, chart_fos, chart_mechanisms, chart_ranges
+from .chart import Chart, chart_fos, chart_map, chart_mechanisms, chart_ranges
 from .contact import Account, Block, Contact, Effect, Element, Fos, Frame, Note, Rest, Teeth
-from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot, DerivedReaction,
-                         DerivedRounding, DerivedRow)
+from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot,
+                         DerivedReaction, DerivedRounding, DerivedRow)
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family
-from .errors import (BadInput, Caution, DependencyFailed, NoAnswer, OutOfMemory, SystemFailed, ToppleError,
-                     Undecided)
+from .errors import (BadInput, Caution, DependencyFailed, NoAnswer, OutOfMemory, SystemFailed,
+                     ToppleError, Undecided)
+from .find import Found, FoundInterval, find
 from .formula import Fraction
-from .limit import (Limit, Motion, MotionContact, MotionRange, MotionResistance, Onset, Reaction, Window)
+from .limit import (Limit, Motion, MotionContact, MotionRange, MotionResistance, Onset, Reaction,
+                    Window)
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
 from .verify import ClaimResult, Verification, verify, verify_text
-from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Design, Direction, ElementKind, FindTarget,
-                    FosDefinition, FosState, Level, LimitKind, LoadSide, Mechanism, Notation, NoteKind, OnsetKind,
-                    PivotKind, PivotsListed, Rolls, Verdict)
+from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Design, Direction,
+                    ElementKind, FindTarget, FosDefinition, FosState, Level, LimitKind, LoadSide,
+                    Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed, Rolls,
+                    Verdict)
 
 __version__ = _ffi.string(_lib.TP_VERSION).decode()

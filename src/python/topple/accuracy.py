@@ -79,7 +79,8 @@ def accuracy_of_scene(scene: Scene) -> Accuracy:
 
 
 def accuracy_sweep(least: int, most: int) -> Accuracy:
-    """The same for blocks on rough bases of `least` to `most` vertices (10 to 10^7), in steps of ten."""
+    """The same for blocks on rough bases of `least` to `most` vertices (10 to 10^7), in steps of
+    ten."""
     receives = ffi.new("tp_accuracy **")
     checked(lib.tp_accuracy_sweep, receives, least, most)
     owner = ffi.gc(receives[0], lib.tp_accuracy_free)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Many blocks held in arrays: their moments, their critical angles, their verdicts. Python does nothing block by block.
+"""Many blocks held in arrays: their moments, their critical angles, their verdicts. Python does
+nothing block by block.
 
-Outlines are an array of shape (k, n, 2), or of shape (n, 2) for one, or a sequence of arrays of shape (n_i, 2), of doubles or
-what doubles hold, of any layout; either way round, the first point repeated at the end or not. Results are arrays of shape
-(k,): every number beside its error, NaN where a block has none. A block that is bad input stops nothing: `status` says which,
-`summary` how many and why the first, and a `Caution` is issued."""
+Outlines are an array of shape (k, n, 2), or of shape (n, 2) for one, or a sequence of arrays of
+shape (n_i, 2), of doubles or what doubles hold, of any layout; either way round, the first point
+repeated at the end or not. Results are arrays of shape (k,): every number beside its error, NaN
+where a block has none. A block that is bad input stops nothing: `status` says which, `summary` how
+many and why the first, and a `Caution` is issued."""
 
 from __future__ import annotations
 
@@ -66,7 +68,8 @@ class Columns:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Moments(Columns):
-    """Powers 1 to 4 of the unit that the coordinates are in; second moments of area about the centroid."""
+    """Powers 1 to 4 of the unit that the coordinates are in; second moments of area about the
+    centroid."""
 
     area: numpy.ndarray
     area_error: numpy.ndarray
@@ -84,7 +87,8 @@ class Moments(Columns):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class CriticalAngles(Columns):
-    """The tilt at which moments of the weight let each block turn about the admissible pivot that lets go first."""
+    """The tilt at which moments of the weight let each block turn about the admissible pivot that
+    lets go first."""
 
     angle_deg: numpy.ndarray
     error_deg: numpy.ndarray
@@ -124,7 +128,8 @@ class AreaMoments(Record):
 
 
 def outline_moments(outline: Points) -> AreaMoments:
-    """Area, centroid and second moments of one outline, shape (n, 2). That it does not meet itself is not checked."""
+    """Area, centroid and second moments of one outline, shape (n, 2). That it does not meet itself
+    is not checked."""
     doubles = outline_of(outline)
     moments = ffi.new("tp_area_moments *")
     checked(lib.tp_outline_moments, moments, ffi.from_buffer("double[]", doubles), len(doubles))
@@ -132,26 +137,27 @@ def outline_moments(outline: Points) -> AreaMoments:
 
 
 def moments(outlines: Outlines, *, threads: int = 0) -> Moments:
-    """Area, centroid and second moments of each. `threads` compute; 0: as many as the process may run on."""
+    """Area, centroid and second moments of each. `threads` compute; 0: as many as the process may
+    run on."""
     return filled(Moments, lib.tp_outlines_moments, outlines, (), threads=threads)
 
 
-def critical_angles(outlines: Outlines, towards: Direction | str = Direction.LEFT, *, simple: bool = False,
-                    threads: int = 0) -> CriticalAngles:
-    """The critical angle of each on a base mated with its underside. `simple`: the caller vouches that no outline meets
-    itself, which is then not checked."""
-    return filled(CriticalAngles, lib.tp_blocks_critical_angles, outlines, (), towards=number_of(Direction, towards),
-                  simple=simple, threads=threads)
+def critical_angles(outlines: Outlines, towards: Direction | str = Direction.LEFT, *,
+                    simple: bool = False, threads: int = 0) -> CriticalAngles:
+    """The critical angle of each on a base mated with its underside. `simple`: the caller vouches
+    that no outline meets itself, which is then not checked."""
+    return filled(CriticalAngles, lib.tp_blocks_critical_angles, outlines, (),
+                  towards=number_of(Direction, towards), simple=simple, threads=threads)
 
 
 def verdicts(outlines: Outlines, friction_angle_deg: Any = None, tilt_angle_deg: Any = None,
-             towards: Direction | str = Direction.LEFT, *, limit: bool = True, strength_reduction: bool = True,
-             threads: int = 0) -> Verdicts:
-    """The full verdict of each. Friction angle and tilt are one number for all, an array of shape (k,), NaN where a block has
-    none, or None."""
+             towards: Direction | str = Direction.LEFT, *, limit: bool = True,
+             strength_reduction: bool = True, threads: int = 0) -> Verdicts:
+    """The full verdict of each. Friction angle and tilt are one number for all, an array of shape
+    (k,), NaN where a block has none, or None."""
     return filled(Verdicts, lib.tp_blocks_solve, outlines, (friction_angle_deg, tilt_angle_deg),
-                  towards=number_of(Direction, towards), limit=limit, strength_reduction=strength_reduction,
-                  threads=threads)
+                  towards=number_of(Direction, towards), limit=limit,
+                  strength_reduction=strength_reduction, threads=threads)
 
 
 def outline_of(points: Points) -> numpy.ndarray:
@@ -160,7 +166,8 @@ def outline_of(points: Points) -> numpy.ndarray:
 
     doubles = c_doubles(numpy.asarray(points))
     if doubles is None:
-        raise BadInput("outlines of many blocks must be numbers that doubles hold; a Scene takes all others")
+        raise BadInput("outlines of many blocks must be numbers that doubles hold; a Scene takes"
+                       " all others")
     return doubles
 
 
@@ -178,7 +185,8 @@ def c_outlines(outlines: Outlines) -> tuple[tuple, int, Any]:
     points = numpy.asarray(outlines)
     count, vertices = points.shape[:-2] or (1,), points.shape[-2:-1]
     if points.ndim not in (2, 3) or points.shape[-1] != 2:
-        raise BadInput(f"outlines must be an array of shape (k, n, 2) or (n, 2), not {points.shape}")
+        raise BadInput("outlines must be an array of shape (k, n, 2) or (n, 2), not"
+                       f" {points.shape}")
     doubles = ffi.from_buffer("double[]", outline_of(points.reshape(-1, 2)))
     return (count[0], doubles, vertices[0], NULL), count[0], doubles
 
@@ -191,13 +199,15 @@ def c_numbers(given: Any, count: int) -> tuple[tuple, Any]:
         return (NULL, float("nan") if given is None else float(given)), None
     each = numpy.ascontiguousarray(given, dtype=numpy.float64)
     if each.shape != (count,):
-        raise BadInput(f"a number for each of {count} blocks must be an array of shape ({count},), not {each.shape}")
+        raise BadInput(f"a number for each of {count} blocks must be an array of shape ({count},),"
+                       f" not {each.shape}")
     held = ffi.from_buffer("double[]", each)
     return (held, 0.0), held
 
 
 #: Columns of whole numbers, by the enumeration that they are, or that they are none.
-WORDS = {"mechanism": Mechanism, "first": Mechanism, "limit_kind": LimitKind, "onset_kind": OnsetKind}
+WORDS = {"mechanism": Mechanism, "first": Mechanism, "limit_kind": LimitKind,
+         "onset_kind": OnsetKind}
 
 
 def filled(kind, call, outlines: Outlines, given: tuple, **options: Any):
@@ -209,12 +219,13 @@ def filled(kind, call, outlines: Outlines, given: tuple, **options: Any):
     arrays = {}
     for name, type_of in ffi.typeof(columns).item.fields:
         item = type_of.type.item
-        own = arrays[name] = numpy.empty(count, dtype="f8" if item.cname == "double" else f"i{ffi.sizeof(item)}")
+        kind_of = "f8" if item.cname == "double" else f"i{ffi.sizeof(item)}"
+        own = arrays[name] = numpy.empty(count, dtype=kind_of)
         setattr(columns, name, ffi.cast(type_of.type, ffi.from_buffer(own, require_writable=True)))
     numbers = [c_numbers(number, count) for number in given]
     summary = ffi.new("tp_blocks_summary *")
-    checked(call, columns, summary, ffi.new("tp_outlines *", struct), *[number for number, _ in numbers],
-            options_of("blocks", **options))
+    checked(call, columns, summary, ffi.new("tp_outlines *", struct),
+            *[number for number, _ in numbers], options_of("blocks", **options))
     del held
     for name, words in WORDS.items():
         if name in arrays:
@@ -227,4 +238,5 @@ def summarised(c) -> Summary:
     complaint = ffi.string(c.complaint.text).decode("utf-8", "replace") if c.bad else None
     if c.bad:
         warnings.warn(f"{c.bad} of the blocks bad input; {complaint}", Caution, stacklevel=4)
-    return Summary(c.done, c.without, c.undecided, c.bad, c.climbed, c.first_bad if c.bad else None, complaint)
+    return Summary(c.done, c.without, c.undecided, c.bad, c.climbed, c.first_bad if c.bad else None,
+                   complaint)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The calls that build a scene in memory, with the names that they have in C (topple_scene.h, docs/scene_in_memory.md).
+"""The calls that build a scene in memory, with the names that they have in C (topple_scene.h,
+docs/scene_in_memory.md).
 
-Lengths are in the scene's length unit; other units stand in names. A number is a float, taken as the double that it is, an
-int, a Fraction, a Decimal, or a text ("0.1", "1/3"). Points are an array of shape (n, 2) or n pairs of numbers. What is
-given is copied. `set` replaces what was set before, `add` adds one more; a call that fails changes nothing and raises
-BadInput."""
+Lengths are in the scene's length unit; other units stand in names. A number is a float, taken as
+the double that it is, an int, a Fraction, a Decimal, or a text ("0.1", "1/3"). Points are an array
+of shape (n, 2) or n pairs of numbers. What is given is copied. `set` replaces what was set before,
+`add` adds one more; a call that fails changes nothing and raises BadInput."""
 
 from __future__ import annotations
 
@@ -74,24 +75,26 @@ class Builder:
     # The block: exactly one of outline, slab, teeth and ellipse; the last one set is taken.
 
     def set_outline(self, outline: Points) -> None:
-        """The cross-section, shape (n, 2), either way round; the first point may be repeated at the end."""
+        """The cross-section, shape (n, 2), either way round; the first point may be repeated at the
+        end."""
         self._change_points(lib.tp_scene_set_outline, outline)
 
     def set_slab(self, width: Number, height: Number) -> None:
         """A rectangle on the origin."""
         self._change_numbers(lib.tp_scene_set_slab, width, height)
 
-    def set_teeth(self, count: int, width: Number, height: Number, depth: Number, left_end: LeftEnd | str) -> None:
-        """`count` teeth of a width, `height` the smaller of their heights and `height` + `depth` the larger: N, a, b, c of
-        Fig. 5 of Alejano et al."""
-        self._change(lib.tp_scene_set_teeth, count, c_number(width), c_number(height), c_number(depth),
-                     number_of(LeftEnd, left_end))
+    def set_teeth(self, count: int, width: Number, height: Number, depth: Number,
+                  left_end: LeftEnd | str) -> None:
+        """`count` teeth of a width, `height` the smaller of their heights and `height` + `depth`
+        the larger: N, a, b, c of Fig. 5 of Alejano et al."""
+        self._change(lib.tp_scene_set_teeth, count, c_number(width), c_number(height),
+                     c_number(depth), number_of(LeftEnd, left_end))
 
-    def set_teeth_over(self, count: int, block_width: Number, mean_height: Number, amplitude: Number,
-                       left_end: LeftEnd | str) -> None:
+    def set_teeth_over(self, count: int, block_width: Number, mean_height: Number,
+                       amplitude: Number, left_end: LeftEnd | str) -> None:
         """The same by the block as a whole, with the wavelength 2 `block_width` / `count`."""
-        self._change(lib.tp_scene_set_teeth_over, count, c_number(block_width), c_number(mean_height),
-                     c_number(amplitude), number_of(LeftEnd, left_end))
+        self._change(lib.tp_scene_set_teeth_over, count, c_number(block_width),
+                     c_number(mean_height), c_number(amplitude), number_of(LeftEnd, left_end))
 
     def set_ellipse(self, width: Number, height: Number, flat: Number) -> None:
         """An ellipse with a flat of a width at its foot."""
@@ -105,7 +108,8 @@ class Builder:
         """A part of another unit weight, shape (n, 2)."""
         self._change_points(lib.tp_scene_add_part, outline, c_number(unit_weight_kn_m3))
 
-    def add_arc_through(self, from_x: Number, from_y: Number, through_x: Number, through_y: Number) -> None:
+    def add_arc_through(self, from_x: Number, from_y: Number, through_x: Number,
+                        through_y: Number) -> None:
         """The edge of the outline that begins in a vertex is an arc through a point."""
         self._change_numbers(lib.tp_scene_add_arc_through, from_x, from_y, through_x, through_y)
 
@@ -122,7 +126,8 @@ class Builder:
         self._change_numbers(lib.tp_scene_add_rounded_vertex, x, y, radius)
 
     def set_rounding_keeps_mass(self, keeps_mass: bool) -> None:
-        """The paper's model (the axis moves, the mass is kept), or the exact one, which is taken unless set."""
+        """The paper's model (the axis moves, the mass is kept), or the exact one, which is taken
+        unless set."""
         self._change(lib.tp_scene_set_rounding_keeps_mass, keeps_mass)
 
     def set_repair(self, repair: bool) -> None:
@@ -156,11 +161,13 @@ class Builder:
         self._change_points(lib.tp_scene_set_base_between, two_vertices)
 
     def set_base_bound(self, bound: BaseBound | str, value: Number) -> None:
-        """A mated base whose vertices lie all 'below' a height, or 'left of' or 'right of' an abscissa."""
+        """A mated base whose vertices lie all 'below' a height, or 'left of' or 'right of' an
+        abscissa."""
         self._change(lib.tp_scene_set_base_bound, number_of(BaseBound, bound), c_number(value))
 
     def set_base_rest(self, rests: bool) -> None:
-        """Set the block down on the profile, where its coordinates put it, until it rests; else it lies as they say."""
+        """Set the block down on the profile, where its coordinates put it, until it rests; else it
+        lies as they say."""
         self._change(lib.tp_scene_set_base_rest, rests)
 
     # Friction of the contact; the last one set is taken.
@@ -180,32 +187,34 @@ class Builder:
     def set_friction_barton_test(self, residual_angle_deg: Number, test_angle_deg: Number,
                                  test_normal_stress_kpa: Number, jcs_mpa: Number) -> None:
         """Barton's law by a tilt test."""
-        self._change_numbers(lib.tp_scene_set_friction_barton_test, residual_angle_deg, test_angle_deg,
-                             test_normal_stress_kpa, jcs_mpa)
+        self._change_numbers(lib.tp_scene_set_friction_barton_test, residual_angle_deg,
+                             test_angle_deg, test_normal_stress_kpa, jcs_mpa)
 
     def set_friction_barton_roughness(self, residual_angle_deg: Number, roughness_angle_deg: Number,
                                       jcs_mpa: Number) -> None:
         """Barton's law by the roughness angle."""
-        self._change_numbers(lib.tp_scene_set_friction_barton_roughness, residual_angle_deg, roughness_angle_deg,
-                             jcs_mpa)
+        self._change_numbers(lib.tp_scene_set_friction_barton_roughness, residual_angle_deg,
+                             roughness_angle_deg, jcs_mpa)
 
     def set_tilt_towards(self, towards: Towards | str) -> None:
         """The directions of tilt that are looked at: 'left', 'right' or 'both'."""
         towards = Towards(towards)
-        self._change(lib.tp_scene_set_tilt_towards, towards is not Towards.RIGHT, towards is not Towards.LEFT)
+        self._change(lib.tp_scene_set_tilt_towards, towards is not Towards.RIGHT,
+                     towards is not Towards.LEFT)
 
     def set_tilt_angle_deg(self, angle_deg: Number) -> None:
         """The tilt that the block lies at."""
         self._change_numbers(lib.tp_scene_set_tilt_angle_deg, angle_deg)
 
     def set_frame(self, along: Along | str) -> None:
-        """x and y lie along the mean plane of the 'base' and its normal; or are the horizontal and the vertical of the
-        'world', with the mean plane fitted to the contact."""
+        """x and y lie along the mean plane of the 'base' and its normal; or are the horizontal and
+        the vertical of the 'world', with the mean plane fitted to the contact."""
         own = Along(along) is Along.BASE
         self._change(lib.tp_scene_set_frame_base if own else lib.tp_scene_set_frame_world)
 
     def set_mean_plane(self, two_points: Points) -> None:
-        """The frame of the world, with the mean plane through two points, the left one first, shape (2, 2)."""
+        """The frame of the world, with the mean plane through two points, the left one first, shape
+        (2, 2)."""
         self._change_points(lib.tp_scene_set_mean_plane, two_points)
 
     # Loads, which a block with a unit weight can bear.
@@ -218,11 +227,12 @@ class Builder:
         """k_v, a share of the weight, up."""
         self._change_numbers(lib.tp_scene_set_seismic_vertical, coefficient)
 
-    def set_water(self, height: Number, unit_weight_kn_m3: Number = "9.81", stays_level: bool = False,
-                  uplift: bool = False) -> None:
-        """Water behind the block to a height over the up-dip end of the contact: along the face, or vertical where it
-        stays level; with uplift along the base, falling to nothing at the toe."""
-        self._change(lib.tp_scene_set_water, c_number(height), c_number(unit_weight_kn_m3), stays_level, uplift)
+    def set_water(self, height: Number, unit_weight_kn_m3: Number = "9.81",
+                  stays_level: bool = False, uplift: bool = False) -> None:
+        """Water behind the block to a height over the up-dip end of the contact: along the face, or
+        vertical where it stays level; with uplift along the base, falling to nothing at the toe."""
+        self._change(lib.tp_scene_set_water, c_number(height), c_number(unit_weight_kn_m3),
+                     stays_level, uplift)
 
     def add_pressure(self, x0: Number, y0: Number, x1: Number, y1: Number, first_kpa: Number,
                      last_kpa: Number) -> None:
@@ -233,11 +243,12 @@ class Builder:
         """A surcharge along a line of the outline."""
         self._change_numbers(lib.tp_scene_add_surcharge, x0, y0, x1, y1, kpa)
 
-    def add_anchor(self, x: Number, y: Number, direction_deg: Number, force_kn: Number, passive: bool = False) -> None:
-        """The direction is that of its pull on the block, from x towards y. A passive anchor counts as resistance,
-        another takes from what overturns."""
-        self._change(lib.tp_scene_add_anchor, c_number(x), c_number(y), c_number(direction_deg), c_number(force_kn),
-                     passive)
+    def add_anchor(self, x: Number, y: Number, direction_deg: Number, force_kn: Number,
+                   passive: bool = False) -> None:
+        """The direction is that of its pull on the block, from x towards y. A passive anchor counts
+        as resistance, another takes from what overturns."""
+        self._change(lib.tp_scene_add_anchor, c_number(x), c_number(y), c_number(direction_deg),
+                     c_number(force_kn), passive)
 
     def set_bond_kpa(self, bond_kpa: Number) -> None:
         """The tensile bond of the contact."""

@@ -30,7 +30,8 @@ class Pivot(Record):
     x_m: Bounded | None = field(when="told")
     y_m: Bounded | None = field(when="told")
     critical_angle_deg: Bounded | None = field(when=_turns)  #: above 90 it never topples
-    limits_deg: tuple[Bounded, ...] = field(count="limit_count")  #: with loads: lets go, or holds again
+    #: with loads: lets go, or holds again
+    limits_deg: tuple[Bounded, ...] = field(count="limit_count")
     fos_resultant: Fos | None = field(when="told")
     fos_elements: Fos | None = field(when="told")
 
@@ -82,7 +83,8 @@ class Factor(Record):
 
     definition: FosDefinition
     mechanism: Mechanism
-    pivot: int | None = field(when=lambda c: c.definition == lib.TP_FOS_BY_MOMENTS)  #: of the case's
+    #: of the case's
+    pivot: int | None = field(when=lambda c: c.definition == lib.TP_FOS_BY_MOMENTS)
     toe: bool  #: it is the end of the contact down-dip
     counts: bool  #: False: the contact stands in the way of this motion
     fos: Fos
@@ -112,7 +114,8 @@ class Case(Record):
 
     towards: Direction
     pivots: tuple[Pivot, ...] = field(count="pivot_count")  #: from left to right along the contact
-    governing: int | None = field(when="has_governing")  #: index of the pivot with the least critical angle
+    #: index of the pivot with the least critical angle
+    governing: int | None = field(when="has_governing")
     governing_tie: bool
     governing_tie_bits: int
     rolls: Rolls  #: the corner at the governing pivot
@@ -120,14 +123,16 @@ class Case(Record):
     sliding: Sliding | None = field(when=lambda c: c.sliding.known)
     toe: Toe | None = field(when=lambda c: c.toe.known)
     limit: Limit  #: with the base of the scene
-    limit_otherwise: Limit | None = field(when=_otherwise)  #: with a base that ends at the toe, or goes on
+    #: with a base that ends at the toe, or goes on
+    limit_otherwise: Limit | None = field(when=_otherwise)
     base_matters: bool
     onset: Onset
     limit_back: Limit | None = field(when=lambda c: c.limit_back.kind != lib.TP_LIMIT_NOT_ASKED)
     mechanism: Mechanism  #: at the scene's tilt; without one, `first`
     first: Mechanism  #: what happens first as the table is tilted from level
     first_angle_deg: Bounded | None = field(when="has_first_angle")  #: where `first` happens
-    margin_deg: Bounded | None = field(when="has_margin")  #: of the tilt to the lower of onset and `first`
+    #: of the tilt to the lower of onset and `first`
+    margin_deg: Bounded | None = field(when="has_margin")
     margin_to_first_deg: Bounded | None = field(when="has_margin_to_first")
     slides_sooner: bool
     falls_backwards: bool
@@ -142,5 +147,6 @@ class Case(Record):
         return None if self.governing is None else self.pivots[self.governing]
 
     def meets(self, design_fos: float) -> Design:
-        """Is the governing factor of safety certainly as much, at a tilt at which the block stands?"""
+        """Is the governing factor of safety certainly as much, at a tilt at which the block
+        stands?"""
         return tuple(Design)[lib.tp_case_meets(struct_of(self), design_fos)]

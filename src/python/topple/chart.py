@@ -9,9 +9,10 @@ from typing import Sequence
 
 from ._library import ffi, lib
 from .errors import BadInput, checked
-from .given import c_path
+from .given import c_path, c_text
 from .options import options_of
 from .report import drawn, written
+from .scene import Scene
 
 
 class Chart:
@@ -59,14 +60,15 @@ def _list(target, numbers: Sequence[float] | None):
     return held
 
 
-def chart_fos(inverse_slenderness: Sequence[float] | None = None, amplitude: Sequence[float] | None = None,
-              sub_blocks: Sequence[int] | None = None, tilt_deg: tuple[float, float] | None = None) -> Chart:
+def chart_fos(inverse_slenderness: Sequence[float] | None = None,
+              amplitude: Sequence[float] | None = None, sub_blocks: Sequence[int] | None = None,
+              tilt_deg: tuple[float, float] | None = None) -> Chart:
     """Factor of safety against tilt about planar, peak and valley axes (Fig. 16 of Alejano et al.).
-    `inverse_slenderness` dx / y, 0 to 10; `amplitude` A / y, 0 to 0.5; `sub_blocks` none: by the equations, else 2 to 1000
-    of the exact block; `tilt_deg` from and to, within 0 to 90."""
+    `inverse_slenderness` dx / y, 0 to 10; `amplitude` A / y, 0 to 0.5; `sub_blocks` none: by the
+    equations, else 2 to 1000 of the exact block; `tilt_deg` from and to, within 0 to 90."""
     options = options_of("chart_fos", tilt_deg=tilt_deg)
-    held = [_list(options.inverse_slenderness, inverse_slenderness), _list(options.amplitude, amplitude),
-            _list(options.sub_blocks, sub_blocks)]
+    held = [_list(options.inverse_slenderness, inverse_slenderness),
+            _list(options.amplitude, amplitude), _list(options.sub_blocks, sub_blocks)]
     chart = made(lib.tp_chart_fos, options)
     del held
     return chart
@@ -76,9 +78,26 @@ def chart_mechanisms(friction_deg: float | None = None, roughness_angle_deg: flo
                      amplitude: float | None = None) -> Chart:
     """Mechanism maps for a planar and for a rough base (Fig. 18), with the blocks of Table 7."""
     return made(lib.tp_chart_mechanisms, options_of("chart_mechanisms", friction_deg=friction_deg,
-                                                    roughness_angle_deg=roughness_angle_deg, amplitude=amplitude))
+                                                    roughness_angle_deg=roughness_angle_deg,
+                                                    amplitude=amplitude))
 
 
 def chart_ranges() -> Chart:
     """Critical angles about peak and valley against A / y, for the ranges of Fig. 14."""
     return made(lib.tp_chart_ranges)
+
+
+def chart_map(scene: Scene, x: tuple[str, float, float],
+              y: tuple[str, float, float] | None = None) -> Chart:
+    """The mechanism map of a scene that tilts in one direction and has a friction angle. An axis is
+    the key of a number, as in `find`, or `tilt`, with the range that it is taken through: ("tilt",
+    0, 60)."""
+    options, held = options_of("chart_map", scene=scene._c), []
+    for axis, given in ((options.x, x), (options.y, y)):
+        if given is not None:
+            held.append(c_text(given[0]))
+            axis.key = held[-1]
+            axis.range = given[1:]
+    receives = ffi.new("tp_chart **")
+    scene._use(lib.tp_chart_map, receives, options)
+    return Chart(receives)

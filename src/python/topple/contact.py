@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The block of a solution, its frame, and where it touches its base. Metres, newtons and degrees, as the names say."""
+"""The block of a solution, its frame, and where it touches its base. Metres, newtons and degrees,
+as the names say."""
 
 from __future__ import annotations
 
@@ -51,8 +52,8 @@ class Effect(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Frame(Record):
-    """What the coordinates of the scene lie along. In the world's frame results are along the mean plane, turned about
-    one point, which keeps its coordinates."""
+    """What the coordinates of the scene lie along. In the world's frame results are along the mean
+    plane, turned about one point, which keeps its coordinates."""
 
     stated: bool
     world: bool  #: y runs up: the block lies as it lies
@@ -64,6 +65,11 @@ class Frame(Record):
     about_y_m: Bounded | None = field(when="world")
     inclined: bool  #: not stated, and the contact's mean line lies at more than 1 in 10
     inclination_deg: Bounded  #: positive where it rises to the right
+
+
+def _presses(c) -> bool:
+    """The block has a weight, and a contact of some length."""
+    return c.weight_per_contact_area_pa.value != 0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,8 +95,8 @@ class Contact(Record):
     corner_points: int  #: of these: a corner on a corner
     length_m: Bounded  #: along the facets
     nominal_length_m: Bounded  #: projected on the mean plane
-    weight_per_contact_area_pa: Bounded | None = field(when=lambda c: c.weight_per_contact_area_pa.value != 0)
-    weight_per_nominal_area_pa: Bounded | None = field(when=lambda c: c.weight_per_nominal_area_pa.value != 0)
+    weight_per_contact_area_pa: Bounded | None = field(when=_presses)
+    weight_per_nominal_area_pa: Bounded | None = field(when=_presses)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,14 +108,15 @@ class Rest(Record):
     turned_deg: Bounded  #: in all, counter-clockwise above 0
     moved_x_m: Bounded  #: its centroid
     moved_y_m: Bounded
-    margin_left_m: Bounded  #: along x from the outermost contacts to the weight's line; below 0: wedged in
+    #: along x from the outermost contacts to the weight's line; below 0: wedged in
+    margin_left_m: Bounded
     margin_right_m: Bounded
 
 
 @dataclasses.dataclass(frozen=True)
 class Block(Record):
-    """The block: its area, the centroid of its weight, and its second moments about the centroid, weighted by unit weight
-    over mean unit weight."""
+    """The block: its area, the centroid of its weight, and its second moments about the centroid,
+    weighted by unit weight over mean unit weight."""
 
     area_m2: Bounded
     centroid_x_m: Bounded
@@ -143,8 +150,8 @@ class Teeth(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Element(Record):
-    """One element of the account of moments about the governing pivot. Weights are in newtons, or fractions of the block's
-    where the scene gives no unit weight."""
+    """One element of the account of moments about the governing pivot. Weights are in newtons, or
+    fractions of the block's where the scene gives no unit weight."""
 
     kind: ElementKind
     part: int  #: 0: the block; k: its k-th part

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What a derivation holds: pivots, rounding, the limit and the onset in symbols. Lengths are scene lengths."""
+"""What a derivation holds: pivots, rounding, the limit and the onset in symbols. Lengths are scene
+lengths."""
 
 from __future__ import annotations
 
@@ -13,7 +14,8 @@ from .words import CheckVerdict, Direction, ElementKind, Mechanism, OnsetKind, P
 
 @dataclasses.dataclass(frozen=True)
 class DerivedElement(Record):
-    """One element about the governing pivot: its area times relative density, and the arms of its weight."""
+    """One element about the governing pivot: its area times relative density, and the arms of its
+    weight."""
 
     kind: ElementKind
     part: int
@@ -30,8 +32,9 @@ def _split(c) -> bool:
 
 @dataclasses.dataclass(frozen=True)
 class DerivedPivot(Record):
-    """A pivot in symbols. The factor of safety in resultant form is tangent cot(alpha); in elements form, where asked for, it
-    is a quotient of sums, which where it splits is fos_cot cot(alpha) + fos_constant."""
+    """A pivot in symbols. The factor of safety in resultant form is tangent cot(alpha); in elements
+    form, where asked for, it is a quotient of sums, which where it splits is fos_cot cot(alpha) +
+    fos_constant."""
 
     towards: Direction
     kind: PivotKind
@@ -51,7 +54,8 @@ class DerivedPivot(Record):
 
 @dataclasses.dataclass(frozen=True)
 class DerivedRounding(Record):
-    """The corner at the governing pivot, rounded (Appendix B), in r, sin(i), cos(i) and tan(alpha)."""
+    """The corner at the governing pivot, rounded (Appendix B), in r, sin(i), cos(i) and
+    tan(alpha)."""
 
     kind: PivotKind
     tangent: Fraction
@@ -80,7 +84,8 @@ class DerivedCheck(Record):
 
 @dataclasses.dataclass(frozen=True)
 class DerivedRow(Record):
-    """What holds the weight in balance at the onset: a force at a contact point, or what accelerates the block."""
+    """What holds the weight in balance at the onset: a force at a contact point, or what
+    accelerates the block."""
 
     is_force: bool
     against_slip: bool  #: of a force
@@ -93,8 +98,8 @@ def _checks(c, owner) -> tuple[DerivedCheck, ...] | None:
     words = tuple(CheckVerdict)
     if not c.checks.run:
         return None
-    return tuple(DerivedCheck(check.number, text(check.inside), text(check.outside), words[check.beyond])
-                 for check in c.checks.items[0:c.checks.count])
+    return tuple(DerivedCheck(check.number, text(check.inside), text(check.outside),
+                              words[check.beyond]) for check in c.checks.items[0:c.checks.count])
 
 
 @dataclasses.dataclass(frozen=True)

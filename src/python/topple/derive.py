@@ -27,13 +27,15 @@ def _by_direction(name, kind, there):
 
     def read(c, owner):
         both = getattr(c, name)
-        return {towards: record(kind, both[k], owner) for k, towards in enumerate(Direction) if there(both[k])}
+        return {towards: record(kind, both[k], owner) for k, towards in enumerate(Direction)
+                if there(both[k])}
 
     return read
 
 
 def _elements(c, owner):
-    return {towards: tuple(record(DerivedElement, c.elements[k][i], owner) for i in range(c.element_count))
+    return {towards: tuple(record(DerivedElement, c.elements[k][i], owner)
+                           for i in range(c.element_count))
             for k, towards in enumerate(Direction) if c.elements[k]}
 
 
@@ -50,8 +52,10 @@ class Derivation(Record):
     parameters: tuple[str, ...] = field(read=_texts("parameters"))  #: as the scene calls them
     pivots: tuple[DerivedPivot, ...] = field(count="pivot_count")
     elements: dict[Direction, tuple[DerivedElement, ...]] = field(read=_elements)
-    rounded: dict[Direction, DerivedRounding] = field(read=_by_direction("rounded", DerivedRounding, lambda c: c.known))
-    limit: dict[Direction, DerivedLimit] = field(read=_by_direction("limit", DerivedLimit, lambda c: c.known))
+    rounded: dict[Direction, DerivedRounding] = field(read=_by_direction("rounded", DerivedRounding,
+                                                                         lambda c: c.known))
+    limit: dict[Direction, DerivedLimit] = field(read=_by_direction("limit", DerivedLimit,
+                                                                    lambda c: c.known))
     onset: dict[Direction, DerivedOnset] = field(
         read=_by_direction("onset", DerivedOnset, lambda c: c.kind != lib.TP_ONSET_NOT_ASKED))
     notes: tuple[Note, ...] = field(read=notes_of)
@@ -73,12 +77,14 @@ class Derivation(Record):
 
 
 def derive(scene: Scene, *, notation: Notation | str = Notation.TEXT, elements: bool | None = None,
-           rounded: bool | None = None, limit: bool | None = None, checked: bool | None = None) -> Derivation:
-    """The closed formulas of a scene in its parameters, in scene lengths; a scene from a file or a text, as one built in
-    memory has no parameters. `elements`: the elements form; `rounded`: the corners at the governing pivots; `limit`: the
-    static limit and the onset of motion; `checked`: their conditions looked at from both sides in numbers."""
-    options = options_of("derive", notation=number_of(Notation, notation), elements=elements, rounded=rounded, limit=limit,
-                         checked=checked)
+           rounded: bool | None = None, limit: bool | None = None,
+           checked: bool | None = None) -> Derivation:
+    """The closed formulas of a scene in its parameters, in scene lengths; a scene from a file or a
+    text, as one built in memory has no parameters. `elements`: the elements form; `rounded`: the
+    corners at the governing pivots; `limit`: the static limit and the onset of motion; `checked`:
+    their conditions looked at from both sides in numbers."""
+    options = options_of("derive", notation=number_of(Notation, notation), elements=elements,
+                         rounded=rounded, limit=limit, checked=checked)
     receives = ffi.new("tp_derivation **")
     scene._use(lib.tp_derive, receives, scene._c, options)
     owner = ffi.gc(receives[0], lib.tp_derivation_free)
@@ -112,8 +118,10 @@ class Family(Record):
     count_is_symbol: bool
     symbols: tuple[str, ...] = field(read=_texts("symbols"))
     parameters: tuple[str, ...] = field(read=_texts("parameters"))
-    fixed: dict[str, tuple[int, ...]] = field(read=_parities("fixed"))  #: the N that fix the formulas
-    checked: dict[str, tuple[int, ...]] = field(read=_parities("checked"))  #: the N that they were checked on
+    #: the N that fix the formulas
+    fixed: dict[str, tuple[int, ...]] = field(read=_parities("fixed"))
+    #: the N that they were checked on
+    checked: dict[str, tuple[int, ...]] = field(read=_parities("checked"))
     formulas: tuple[FamilyFormula, ...]
 
     def report(self) -> str:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What a call of the library says when it does not do what was asked: a class of exception for each status."""
+"""What a call of the library says when it does not do what was asked: a class of exception for each
+status."""
 
 from __future__ import annotations
 
@@ -51,7 +52,8 @@ MESSAGE = ffi.typeof("tp_message *")
 
 
 def failure(status: int, message=None) -> ToppleError:
-    """The exception that a status other than TP_OK is, with the message of the call or the meaning of the status."""
+    """The exception that a status other than TP_OK is, with the message of the call or the meaning
+    of the status."""
     text = ffi.string(message.text if message else lib.tp_status_meaning(status))
     return ERRORS[status](text.decode("utf-8", "replace"))
 

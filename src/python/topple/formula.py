@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """Formulas of the library in Python: quotients of polynomials, as texts that can be evaluated.
 
-A polynomial in text is a sum of terms, each a product of a whole number and powers of symbols, as 3*a^2*tan(phi) - b. Its
-value is exact where the symbols' values are (int, Fraction), and a float where they are floats."""
+A polynomial in text is a sum of terms, each a product of a whole number and powers of symbols, as
+3*a^2*tan(phi) - b. Its value is exact where the symbols' values are (int, Fraction), and a float
+where they are floats."""
 
 from __future__ import annotations
 
@@ -29,7 +30,8 @@ def terms_of(polynomial: str) -> tuple[tuple[int, tuple[tuple[str, int], ...]], 
         for factor in term[2].split("*") if term else [""]:
             found = FACTOR.fullmatch(factor)
             if found is None:
-                raise ValueError(f"only formulas in the notation 'text' can be evaluated, not {polynomial!r}")
+                raise ValueError("only formulas in the notation 'text' can be evaluated, not"
+                                 f" {polynomial!r}")
             if found[1]:
                 number *= int(found[1])
             else:
@@ -54,15 +56,17 @@ def value_of(polynomial: str, values: Mapping[str, Any]) -> Any:
 
 @dataclasses.dataclass(frozen=True)
 class Fraction(Record):
-    """Numerator and denominator, coprime polynomials with whole coefficients, and both as one formula."""
+    """Numerator and denominator, coprime polynomials with whole coefficients, and both as one
+    formula."""
 
     numerator: str
     denominator: str
     formula: str
 
     def __call__(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Any:
-        """Its value at those of its symbols, by name; those that are no names of Python, as tan(phi), in a mapping:
-        formula({"tan(phi)": 0.5}, a=30, b=120). Of whole numbers and Fractions it is exact."""
+        """Its value at those of its symbols, by name; those that are no names of Python, as
+        tan(phi), in a mapping: formula({"tan(phi)": 0.5}, a=30, b=120). Of whole numbers and
+        Fractions it is exact."""
         given = {**(values or {}), **more}
         top, bottom = value_of(self.numerator, given), value_of(self.denominator, given)
         exact = isinstance(top, int) and isinstance(bottom, int)

@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """What Python gives the library: exact numbers, points, texts and paths, as C takes them.
 
-A float is the double that it is, and so is a number of NumPy; an int, a Fraction and a Decimal are what they are; a text
-is a decimal ("0.1") or a fraction of decimals ("1/3"). Nothing is rounded on the way in."""
+A float is the double that it is, and so is a number of NumPy; an int, a Fraction and a Decimal are
+what they are; a text is a decimal ("0.1") or a fraction of decimals ("1/3"). Nothing is rounded on
+the way in."""
 
 from __future__ import annotations
 
@@ -52,7 +53,8 @@ def exact_text(number: Number) -> str | None:
     if isinstance(number, str):
         return number
     if isinstance(number, bool) or not isinstance(number, (numbers.Real, Decimal)):
-        raise TypeError(f"a number must be float, int, str, Fraction or Decimal, not {type(number).__name__}")
+        raise TypeError("a number must be float, int, str, Fraction or Decimal, not"
+                        f" {type(number).__name__}")
     if isinstance(number, numbers.Integral):
         whole = int(number)
         return None if -WHOLE_IN_A_DOUBLE <= whole <= WHOLE_IN_A_DOUBLE else str(whole)
@@ -60,8 +62,8 @@ def exact_text(number: Number) -> str | None:
         return f"{number.numerator}/{number.denominator}"
     if isinstance(number, Decimal):
         return str(number) if number.is_finite() else None
-    if hasattr(number, "itemsize") and number.itemsize > 8:  # a long double of NumPy
-        return "/".join(map(str, number.as_integer_ratio())) if abs(number) <= sys.float_info.max else None
+    if getattr(number, "itemsize", 0) > 8 and abs(number) <= sys.float_info.max:
+        return "/".join(map(str, number.as_integer_ratio()))  # a long double of NumPy
     return None
 
 
@@ -83,7 +85,8 @@ def spelling(number: Number) -> str:
 
 
 def c_doubles(points: numpy.ndarray):
-    """An array of shape (n, 2) as doubles one after another; None for one whose numbers are no doubles."""
+    """An array of shape (n, 2) as doubles one after another; None for one whose numbers are no
+    doubles."""
     import numpy
 
     points = numpy.asarray(points)

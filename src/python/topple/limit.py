@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The static limit and the onset of motion of a case. Degrees from level, metres, and forces as shares of the weight."""
+"""The static limit and the onset of motion of a case. Degrees from level, metres, and forces as
+shares of the weight."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ from .words import ContactState, LimitKind, Mechanism, OnsetKind
 
 @dataclasses.dataclass(frozen=True)
 class Reaction(Record):
-    """A force of the base on the block at the limit, along an edge of the friction cone at an end of a facet."""
+    """A force of the base on the block at the limit, along an edge of the friction cone at an end
+    of a facet."""
 
     x_m: Bounded
     y_m: Bounded
@@ -53,7 +55,8 @@ class Limit(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Window(Record):
-    """Tilts at which a motion can begin, both ends included. None: it has no end there within -90 to 90 degrees."""
+    """Tilts at which a motion can begin, both ends included. None: it has no end there within -90
+    to 90 degrees."""
 
     from_deg: Bounded | None = field(when=lambda c: not c.from_below)
     to_deg: Bounded | None = field(when=lambda c: not c.to_above)
@@ -87,7 +90,8 @@ class MotionContact(Record):
 
 @dataclasses.dataclass(frozen=True)
 class MotionResistance(Record):
-    """What a motion has to overcome: a force over the weight, and its moment about the centroid over the weight."""
+    """What a motion has to overcome: a force over the weight, and its moment about the centroid
+    over the weight."""
 
     share_x: Bounded
     share_y: Bounded
@@ -96,7 +100,8 @@ class MotionResistance(Record):
 
 @dataclasses.dataclass(frozen=True)
 class Motion(Record):
-    """A way in which the block can begin to move at the scene's tilt. Accelerations in units of gravity."""
+    """A way in which the block can begin to move at the scene's tilt. Accelerations in units of
+    gravity."""
 
     mechanism: Mechanism
     acceleration_x_g: Bounded
@@ -118,7 +123,8 @@ def _beginnings(c, owner) -> tuple[Mechanism, ...]:
 
 @dataclasses.dataclass(frozen=True)
 class Onset(Record):
-    """The onset of motion: up to its angle no motion can begin from rest, and the block is certain to stand."""
+    """The onset of motion: up to its angle no motion can begin from rest, and the block is certain
+    to stand."""
 
     kind: OnsetKind
     too_dear: bool

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""Results as frozen dataclasses whose fields are read off the library's structs when first asked for.
+"""Results as frozen dataclasses whose fields are read off the library's structs when first asked
+for.
 
-A result of C has hundreds of numbers, of which a program asks for a few: a record keeps its struct, and the owner of its
-memory, and turns a field into Python when it is first read. Field by field it is told by type hints and metadata:
+A result of C has hundreds of numbers, of which a program asks for a few: a record keeps its struct,
+and the owner of its memory, and turns a field into Python when it is first read. Field by field it
+is told by type hints and metadata:
 
     Bounded, enumerations, records, str, bool, int, float   the field of that name
     X | None          None where the field `when` is false, or the pointer is NULL
@@ -23,8 +25,8 @@ from .words import Word
 
 @dataclasses.dataclass(frozen=True)
 class Bounded:
-    """A number with a proven bound: the truth lies within `error` of `value`. `digits` is the truth in decimals, all of
-    them certain, where more digits were asked for than a double holds."""
+    """A number with a proven bound: the truth lies within `error` of `value`. `digits` is the truth
+    in decimals, all of them certain, where more digits were asked for than a double holds."""
 
     value: float
     error: float
@@ -62,10 +64,10 @@ def text(c) -> str | None:
     return ffi.string(c).decode("utf-8", "replace") if c else None
 
 
-def field(when: str | Callable[[Any], bool] | None = None, count: str | None = None, name: str | None = None,
-          read: Callable[[Any, Any], Any] | None = None) -> Any:
-    """A field that is read only `when` a field of C is true, has `count` items, is called otherwise in C (`name`), or is
-    read by a function of its own, of struct and owner."""
+def field(when: str | Callable[[Any], bool] | None = None, count: str | None = None,
+          name: str | None = None, read: Callable[[Any, Any], Any] | None = None) -> Any:
+    """A field that is read only `when` a field of C is true, has `count` items, is called otherwise
+    in C (`name`), or is read by a function of its own, of struct and owner."""
     return dataclasses.field(metadata={"when": when, "count": count, "name": name, "read": read})
 
 
@@ -76,7 +78,8 @@ class Record:
         own = self.__dict__
         readers = readers_of(type(self))
         if "_c" not in own or name not in readers:
-            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}", name=name, obj=self)
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}",
+                                 name=name, obj=self)
         value = own[name] = readers[name](own["_c"], own["_owner"])
         return value
 
@@ -99,7 +102,8 @@ def struct_of(own: Record):
     try:
         return ffi.addressof(own.__dict__["_c"])
     except KeyError:
-        raise ValueError("this is a copy without the library's own result: ask the one that it was made of") from None
+        raise ValueError("this is a copy without the library's own result: ask the one that it was"
+                         " made of") from None
 
 
 @functools.lru_cache(maxsize=None)
@@ -138,7 +142,8 @@ def list_reader(name: str, count: str | None, convert):
 
     def read(c, owner):
         items = getattr(c, name)
-        return tuple([convert(items[k], owner) for k in range(getattr(c, count) if count else len(items))])
+        number = getattr(c, count) if count else len(items)
+        return tuple([convert(items[k], owner) for k in range(number)])
 
     return read
 

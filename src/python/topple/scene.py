@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import fractions
 import os
 import threading
 import warnings
@@ -14,9 +15,10 @@ from ._library import ffi, lib
 from .builder import Along, Builder, Towards
 from .contact import Note
 from .errors import BadInput, Caution, checked
-from .given import Number, Points, c_path, c_text
+from .given import Number, Points, c_number, c_path, c_text
 from .options import options_of
 from .record import record
+from .report import taken
 from .solution import Solution
 from .words import Level, NoteKind, PivotsListed, number_of
 
@@ -32,31 +34,35 @@ class Scene(Builder):
 
         scene = topple.Scene("mm", outline=points, friction_angle_deg=30)
 
-    What is given by name means what the call `set_…` of that name means: `outline`, `friction_angle_deg`. A call of
-    several arguments takes a sequence or a mapping of them, slab=(50, 100), water={"height": 40, "uplift": True}; what is
-    added (`holes`, `anchors`), a list of such. What is not given is as in a scene file without the key: a mated base, tilt
-    both ways, no friction. `length_unit` is mm, cm, m, km, in or ft.
+    What is given by name means what the call `set_…` of that name means: `outline`,
+    `friction_angle_deg`. A call of several arguments takes a sequence or a mapping of them,
+    slab=(50, 100), water={"height": 40, "uplift": True}; what is added (`holes`, `anchors`), a list
+    of such. What is not given is as in a scene file without the key: a mated base, tilt both ways,
+    no friction. `length_unit` is mm, cm, m, km, in or ft.
 
-    A scene may be solved by several threads at once; changed while another thread uses it, it raises RuntimeError."""
+    A scene may be solved by several threads at once; changed while another thread uses it, it
+    raises RuntimeError."""
 
     def __init__(self, length_unit: str, *, title: str | None = None, outline: Points | None = None,
-                 slab: Given | None = None, teeth: Given | None = None, teeth_over: Given | None = None,
-                 ellipse: Given | None = None, holes: Iterable[Points] = (), parts: Iterable[Given] = (),
+                 slab: Given | None = None, teeth: Given | None = None,
+                 teeth_over: Given | None = None, ellipse: Given | None = None,
+                 holes: Iterable[Points] = (), parts: Iterable[Given] = (),
                  arcs_through: Iterable[Given] = (), arcs_bulge: Iterable[Given] = (),
                  rounded_ends: Iterable[Given] = (), rounded_vertices: Iterable[Given] = (),
-                 rounding_keeps_mass: bool | None = None, repair: bool | None = None, thickness: Number | None = None,
-                 unit_weight_kn_m3: Number | None = None, base_mated: bool | None = None,
-                 base_profile: Points | None = None, base_beyond: Given | None = None,
-                 base_between: Points | None = None, base_bound: Given | None = None,
-                 base_rest: bool | None = None,
+                 rounding_keeps_mass: bool | None = None, repair: bool | None = None,
+                 thickness: Number | None = None, unit_weight_kn_m3: Number | None = None,
+                 base_mated: bool | None = None, base_profile: Points | None = None,
+                 base_beyond: Given | None = None, base_between: Points | None = None,
+                 base_bound: Given | None = None, base_rest: bool | None = None,
                  friction_angle_deg: Number | None = None, friction_patton: Given | None = None,
                  friction_barton: Given | None = None, friction_barton_test: Given | None = None,
-                 friction_barton_roughness: Given | None = None, tilt_towards: Towards | str | None = None,
-                 tilt_angle_deg: Number | None = None, frame: Along | str | None = None, mean_plane: Points | None = None,
+                 friction_barton_roughness: Given | None = None,
+                 tilt_towards: Towards | str | None = None, tilt_angle_deg: Number | None = None,
+                 frame: Along | str | None = None, mean_plane: Points | None = None,
                  seismic_horizontal: Number | None = None, seismic_vertical: Number | None = None,
-                 water: Given | None = None, pressures: Iterable[Given] = (), surcharges: Iterable[Given] = (),
-                 anchors: Iterable[Given] = (), bond_kpa: Number | None = None,
-                 cohesion_kpa: Number | None = None) -> None:
+                 water: Given | None = None, pressures: Iterable[Given] = (),
+                 surcharges: Iterable[Given] = (), anchors: Iterable[Given] = (),
+                 bond_kpa: Number | None = None, cohesion_kpa: Number | None = None) -> None:
         given = locals()
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_new, receives, c_text(length_unit))
@@ -78,7 +84,8 @@ class Scene(Builder):
 
     @classmethod
     def from_text(cls, text: str, name: str = "scene") -> Scene:
-        """The same from text; `name` is what messages call it, and files are looked for beside a file of that name."""
+        """The same from text; `name` is what messages call it, and files are looked for beside a
+        file of that name."""
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_read_text, receives, c_text(text), c_path(name))
         return cls._made(receives)
@@ -103,8 +110,8 @@ class Scene(Builder):
             self._version += 1
 
     def _use(self, call, *arguments: Any, of: int | None = None) -> int:
-        """A call that reads the scene, during which no thread may change it; `of` the version of its numbers that is meant.
-        The version that was read."""
+        """A call that reads the scene, during which no thread may change it; `of` the version of
+        its numbers that is meant. The version that was read."""
         with self._lock:
             if of not in (None, self._version):
                 raise BadInput("the scene was changed since it was solved: solve it again")
@@ -116,18 +123,40 @@ class Scene(Builder):
             with self._lock:
                 self._users -= 1
 
-    def solve(self, *, digits: int | None = None, elements: bool | None = None, limit: bool | None = None,
-              strength_reduction: bool | None = None, motion_ranges: bool | None = None,
-              level: Level | str | None = None, pivots: PivotsListed | str | None = None) -> Solution:
+    def number(self, key: str) -> fractions.Fraction:
+        """The number at a key, exactly: the way to it in a scene file, as block.outline.3.1, or the
+        name of a parameter."""
+        receives = ffi.new("char **")
+        self._use(lib.tp_scene_number_text, receives, self._c, c_text(key))
+        top, _, bottom = taken(receives[0]).partition("/")
+        return fractions.Fraction(top) / fractions.Fraction(bottom or 1)
+
+    def varied(self, numbers: Mapping[str, Number]) -> Scene:
+        """Another scene, in which the numbers at some keys are others, exactly, and all else is as
+        in this one: scene.varied({"friction_angle_deg": 35, "block.outline.3.1": "60.5"})."""
+        keys = [c_text(key) for key in numbers]
+        values = [c_number(value) for value in numbers.values()]
+        receives = ffi.new(RECEIVES_SCENE)
+        self._use(lib.tp_scene_with_numbers, receives, self._c, ffi.new("const char *[]", keys),
+                  ffi.new("tp_exact[]", values), len(keys))
+        return self._made(receives)
+
+    def solve(self, *, digits: int | None = None, elements: bool | None = None,
+              limit: bool | None = None, strength_reduction: bool | None = None,
+              motion_ranges: bool | None = None, level: Level | str | None = None,
+              pivots: PivotsListed | str | None = None) -> Solution:
         """The stability of the block in each direction of tilt that the scene asks for.
 
-        `digits`: relative accuracy 10^-digits asked of every number, 1 to 1000. `elements`: the account of moments by
-        elements. `limit`: the static limit and the onset of motion, where the scene gives friction. `strength_reduction`:
-        its factor of safety. `motion_ranges`: which motions can begin at every tilt. `level`: the dearest arithmetic
-        allowed. `pivots`: which get their numbers. None: as `topple solve` does.
+        `digits`: relative accuracy 10^-digits asked of every number, 1 to 1000. `elements`: the
+        account of moments by elements. `limit`: the static limit and the onset of motion, where the
+        scene gives friction. `strength_reduction`: its factor of safety. `motion_ranges`: which
+        motions can begin at every tilt. `level`: the dearest arithmetic allowed. `pivots`: which
+        get their numbers. None: as `topple solve` does.
 
-        A caution is issued as a warning, `topple.Caution`; all notes are in `notes` of the solution."""
-        options = solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots)
+        A caution is issued as a warning, `topple.Caution`; all notes are in `notes` of the
+        solution."""
+        options = solve_options(digits, elements, limit, strength_reduction, motion_ranges, level,
+                                pivots)
         receives = ffi.new(RECEIVES_SOLUTION)
         version = self._use(lib.tp_solve, receives, self._c, options)
         owner = ffi.gc(receives[0], lib.tp_solution_free)
@@ -140,11 +169,12 @@ class Scene(Builder):
 
 def solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots):
     """The defaults, but for what is not None."""
-    if (digits is None and elements is None and limit is None and strength_reduction is None and motion_ranges is None
-            and level is None and pivots is None):
+    if (digits is None and elements is None and limit is None and strength_reduction is None
+            and motion_ranges is None and level is None and pivots is None):
         return DEFAULTS
-    return options_of("solve", digits=digits, elements=elements, limit=limit, strength_reduction=strength_reduction,
-                      motion_ranges=motion_ranges, level=None if level is None else number_of(Level, level),
+    return options_of("solve", digits=digits, elements=elements, limit=limit,
+                      strength_reduction=strength_reduction, motion_ranges=motion_ranges,
+                      level=None if level is None else number_of(Level, level),
                       pivots=None if pivots is None else number_of(PivotsListed, pivots))
 
 
@@ -152,12 +182,20 @@ def warn(notes: Iterable[Note], depth: int) -> None:
     """Issue the cautions as warnings, at the caller's caller and so on."""
     for note in notes:
         if note.kind is NoteKind.CAUTION:
-            warnings.warn(f"{note.place}: {note.text}" if note.place else note.text, Caution, stacklevel=depth)
+            warnings.warn(f"{note.place}: {note.text}" if note.place else note.text, Caution,
+                          stacklevel=depth)
 
 
 def _spread(call):
     """A call of several arguments as one of a sequence or a mapping."""
-    return lambda scene, value: call(scene, **value) if isinstance(value, Mapping) else call(scene, *value)
+
+    def spread(scene: Scene, value: Given) -> None:
+        if isinstance(value, Mapping):
+            call(scene, **value)
+        else:
+            call(scene, *value)
+
+    return spread
 
 
 SET = {

@@ -50,14 +50,17 @@ class Solution(Record):
     level: Level  #: the arithmetic that certified the numbers
     bits: int
     digits: int
-    open_number: bool  #: one is not certain to the digits asked, and given with the bound that it has
-    zero_bits: int  #: 0: every decision is proven; else some rest on what so many bits do not tell from zero
+    #: one is not certain to the digits asked, and given with the bound that it has
+    open_number: bool
+    #: 0: every decision is proven; else some rest on what so many bits do not tell from zero
+    zero_bits: int
 
     def __repr__(self) -> str:
         return "<topple.Solution " + "; ".join(_told(self, case) for case in self.cases) + ">"
 
     def case(self, towards: Direction | str) -> Case:
-        """The case of a direction of tilt, 'left' or 'right'; KeyError where the scene does not tilt there."""
+        """The case of a direction of tilt, 'left' or 'right'; KeyError where the scene does not
+        tilt there."""
         for case in self.cases:
             if case.towards is Direction(towards):
                 return case
@@ -65,7 +68,8 @@ class Solution(Record):
 
     @property
     def is_undecided(self) -> bool:
-        """Did the precision allowed leave a mechanism open, or a number less certain than was asked?"""
+        """Did the precision allowed leave a mechanism open, or a number less certain than was
+        asked?"""
         return lib.tp_solution_is_undecided(struct_of(self))
 
     def meets(self, design_fos: float) -> Design:
@@ -101,15 +105,17 @@ class Solution(Record):
         return table([self])
 
     def write_figure(self, path: str | os.PathLike) -> None:
-        """Draw the block on its base into a file: .svg, .pdf or .png. It is drawn of the scene, which must be as it was when
-        it was solved."""
+        """Draw the block on its base into a file: .svg, .pdf or .png. It is drawn of the scene,
+        which must be as it was when it was solved."""
         try:
             from . import _figure
         except ImportError as error:
-            raise DependencyFailed(f"figures need libtopple-figure, which cannot be loaded: {error}") from error
+            raise DependencyFailed("figures need libtopple-figure, which cannot be loaded:"
+                                   f" {error}") from error
         solution = struct_of(self)
         scene: Scene = self.__dict__["_scene"]
-        scene._use(_figure.lib.tp_report_figure, c_path(path), scene._c, solution, of=self.__dict__["_version"])
+        scene._use(_figure.lib.tp_report_figure, c_path(path), scene._c, solution,
+                   of=self.__dict__["_version"])
 
     def svg(self) -> str:
         """The figure as SVG."""

@@ -81,5 +81,6 @@ def verify(path: str | os.PathLike) -> Verification:
 
 
 def verify_text(text: str, name: str = "claims") -> Verification:
-    """The same from text; the scenes that the claims name are looked for beside a file called `name`."""
+    """The same from text; the scenes that the claims name are looked for beside a file called
+    `name`."""
     return _verified(lib.tp_verify_text, c_text(text), c_path(name))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The library's enumerations. A member's value is its word, as JSON and scene files have it: Direction("left") is
-Direction.LEFT. Members stand in the order of C."""
+"""The library's enumerations. A member's value is its word, as JSON and scene files have it:
+Direction("left") is Direction.LEFT. Members stand in the order of C."""
 
 from __future__ import annotations
 
@@ -36,7 +36,8 @@ class Direction(Word):
 
 
 class NoteKind(Word):
-    """A note says what was made of the input; a caution, what may be wrong with it, or is not covered."""
+    """A note says what was made of the input; a caution, what may be wrong with it, or is not
+    covered."""
 
     NOTE = "note"
     CAUTION = "caution"
@@ -81,7 +82,8 @@ class FosDefinition(Word):
     BY_MOMENTS = "moments"  #: what stabilises over what overturns, about a pivot
     BY_SHEAR = "shear strength"  #: over shear force, along the facet that slides
     BY_ROUGHNESS = "shear strength with roughness"  #: tan(phi + i) / tan(tilt) on the mean plane
-    BY_REDUCTION = "strength reduction"  #: the divisor of all shear strength with which forces just hold it
+    #: the divisor of all shear strength with which forces just hold it
+    BY_REDUCTION = "strength reduction"
 
 
 class PivotKind(Word):
