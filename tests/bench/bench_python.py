@@ -50,19 +50,19 @@ def bare_scene(doubles):
 
 
 def bare_moments(blocks):
-    """tp_outlines_moments into columns that are there already."""
-    columns = ffi.new("tp_moment_columns *")
-    held = []
-    for name, kind in ffi.typeof("tp_moment_columns").fields:
-        is_number = kind.type.item.cname == "double"
-        held.append(numpy.zeros(len(blocks), dtype="f8" if is_number else "i4"))
-        setattr(columns, name, ffi.cast(kind.type, ffi.from_buffer(held[-1])))
+    """tp_outlines_moments into new columns, as the package makes them."""
     outlines = ffi.new("tp_outlines *", (len(blocks), ffi.from_buffer("double[]", blocks),
                                          blocks.shape[1], ffi.NULL))
     summary, message = ffi.new("tp_blocks_summary *"), ffi.new("tp_message *")
     options = options_of("blocks")
+    fields = ffi.typeof("tp_moment_columns").fields
 
     def call():
+        columns, held = ffi.new("tp_moment_columns *"), []
+        for name, kind in fields:
+            is_number = kind.type.item.cname == "double"
+            held.append(numpy.empty(len(blocks), dtype="f8" if is_number else "i4"))
+            setattr(columns, name, ffi.cast(kind.type, ffi.from_buffer(held[-1])))
         lib.tp_outlines_moments(columns, summary, outlines, options, message)
         return held
 
