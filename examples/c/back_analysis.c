@@ -28,6 +28,14 @@ static double radius_of(double a, double b, double c, double angle_deg) {
   return r * tan(quarter + i / 2);
 }
 
+static bool agrees(const test *t, tp_bounded radius) {
+  const double formula = radius_of(t->a, t->b, t->c, t->angle_deg);
+  const double bound = radius.error + 1e-12; /* mm, and of doubles in the formula */
+  printf("%c      %4.1f deg    %.8f   %.8f   %.1e  %.2f\n", t->block, t->angle_deg, radius.value,
+         formula, bound, t->table_4);
+  return fabs(radius.value - formula) <= bound;
+}
+
 static tp_status make(tp_scene **scene, double a, double b, double c, tp_message *message) {
   tp_status status = tp_scene_new(scene, "mm", message);
   if (status == TP_OK) {
@@ -58,15 +66,7 @@ int main(void) {
     options.value = t->angle_deg;
     status = make(&scene, t->a, t->b, t->c, &message);
     if (status == TP_OK) status = tp_find(&found, scene, &options, &message);
-    for (size_t k = 0; status == TP_OK && k < found->count; k++) {
-      const double formula = radius_of(t->a, t->b, t->c, t->angle_deg);
-      const double radius = found->solutions[k].value;
-      const double bound = found->solutions[k].error + 1e-12; /* and of doubles in the formula */
-      printf("%c      %4.1f deg    %.8f   %.8f   %.1e  %.2f\n", t->block, t->angle_deg, radius,
-             formula, bound, t->table_4);
-      all = all && found->count == 1 && fabs(radius - formula) <= bound;
-    }
-    all = all && status == TP_OK && found->count > 0;
+    all = status == TP_OK && found->count == 1 && agrees(t, found->solutions[0]) && all;
     tp_found_free(found);
     tp_scene_free(scene);
   }
