@@ -62,14 +62,16 @@ typedef struct tp_found {
   double low, high;             /* the range, cut to where the scene has an answer */
   tp_bounded least, greatest;   /* of the results at the numbers that were looked at */
   size_t count;                 /* 0: none in the range */
-  tp_bounded *solutions;        /* in rising order */
-  size_t touching_count;        /* of those */
-  tp_bounded *touching;         /* in rising order */
+  tp_bounded *solutions;        /* `count` of them */
+  size_t touching_count;        /* of those that touch */
+  tp_bounded *touching;         /* as told above */
   size_t interval_count;        /* of the intervals */
-  tp_found_interval *intervals; /* in rising order */
+  tp_found_interval *intervals; /* throughout which it has the value */
 } tp_found;
 
-/* `scene` tilts in one direction; it is not changed. */
+/* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;
+ * it is not changed. TP_NO_ANSWER where the target cannot depend on the number, or the scene has it
+ * nowhere in the range; none in the range is an answer. TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
                               const tp_find_options *options, tp_message *message);
 
@@ -79,6 +81,8 @@ void tp_found_free(tp_found *found);
 /* The target of that name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos
  * or onset_angle; false for another one. */
 bool tp_find_target_read(tp_find_target *target, const char *name);
+
+/* And its name. */
 const char *tp_find_target_name(tp_find_target target);
 
 /* What was found, as `topple solve --find` prints it. `*text` is allocated with malloc and is the
