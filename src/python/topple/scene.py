@@ -96,6 +96,9 @@ class Scene(Builder):
         scene._own(receives)
         return scene
 
+    def __reduce__(self):
+        raise TypeError("a Scene is copied by scene.varied({}), and is not pickled")
+
     def _own(self, receives) -> None:
         self._c = ffi.gc(receives[0], lib.tp_scene_free)
         self._lock = threading.Lock()

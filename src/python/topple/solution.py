@@ -15,7 +15,7 @@ from .errors import DependencyFailed
 from .given import c_path
 from .record import Bounded, Record, field, record, struct_of
 from .report import drawn, written
-from .words import Design, Direction, Level, PivotsListed, number_of
+from .words import Design, Direction, Level, Mechanism, PivotsListed, number_of
 
 if TYPE_CHECKING:
     from .scene import Scene
@@ -132,7 +132,8 @@ def _told(s: Solution, case: Case) -> str:
         words += f" {case.mechanism} at {s.tilt_angle_deg.value:.6g}°,"
     if case.first_angle_deg is not None:
         return f"{words} {case.first} at {case.first_angle_deg.value:.6g}°"
-    return f"{words} {case.first} at any tilt"
+    decided = case.first is not Mechanism.UNDECIDED
+    return f"{words} {case.first}" + (" at any tilt" if decided else "")
 
 
 def _listed(solutions: Iterable[Solution]):
