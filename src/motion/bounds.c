@@ -15,7 +15,7 @@ enum { MOST_GENERATORS = 64 };
 /* One mode at work. */
 typedef struct spanning {
   tp_bounds *bounds;
-  tp_generators of;
+  tp_generators *of;
 } spanning;
 
 void tp_bounds_clear(tp_bounds *bounds) {
@@ -24,6 +24,7 @@ void tp_bounds_clear(tp_bounds *bounds) {
     arb_clear(bounds->items[k].held);
   }
   free(bounds->items);
+  tp_generators_clear(&bounds->generators);
   memset(bounds, 0, sizeof *bounds);
 }
 
@@ -61,8 +62,8 @@ static int sign_against(const spanning *s, const tp_vector *h, const tp_source *
   if (tp_generator_is_in_plane(other, plane)) return 0;
   arb_t dot;
   arb_init(dot);
-  tp_vector_dot(dot, h, &other->of, s->of.q->judge.precision);
-  const int sign = tp_judge_sign(&s->of.q->judge, dot, size + tp_vector_log2_size(&other->of));
+  tp_vector_dot(dot, h, &other->of, s->of->q->judge.precision);
+  const int sign = tp_judge_sign(&s->of->q->judge, dot, size + tp_vector_log2_size(&other->of));
   arb_clear(dot);
   return sign;
 }
@@ -71,7 +72,7 @@ static int sign_against(const spanning *s, const tp_vector *h, const tp_source *
 static int is_line(const spanning *s, const tp_vector *cross, double size) {
   int line = 1;
   for (int k = 0; k < 3; k++) {
-    const int sign = tp_judge_sign(&s->of.q->judge, cross->of + k, size);
+    const int sign = tp_judge_sign(&s->of->q->judge, cross->of + k, size);
     if (sign == 1 || sign == -1) return 0;
     if (sign == TP_OPEN_SIGN) line = TP_OPEN_SIGN;
   }
@@ -84,7 +85,7 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
 static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
                     const tp_generator *b) {
   if (a->is_ray && b->is_ray) {
-    tp_newton_normal(&bound->h, s->of.q, s->of.n, s->of.mode->normal);
+    tp_newton_normal(&bound->h, s->of->q, s->of->n, s->of->mode->normal);
     return true;
   }
   if (bound->source.kind == TP_FROM_PARALLEL) {
@@ -94,12 +95,12 @@ static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
     return true;
   }
   if (bound->source.kind != TP_FROM_SITE) return false;
-  const tp_cones *cones = s->of.q->cones;
-  const long bits = s->of.q->judge.precision;
-  arb_mul(bound->h.of, cones->y + a->point, s->of.q->scale, bits);
-  arb_sub(bound->h.of, bound->h.of, s->of.q->y, bits);
-  arb_mul(bound->h.of + 1, cones->x + a->point, s->of.q->scale, bits);
-  arb_sub(bound->h.of + 1, s->of.q->x, bound->h.of + 1, bits);
+  const tp_cones *cones = s->of->q->cones;
+  const long bits = s->of->q->judge.precision;
+  arb_mul(bound->h.of, cones->y + a->point, s->of->q->scale, bits);
+  arb_sub(bound->h.of, bound->h.of, s->of->q->y, bits);
+  arb_mul(bound->h.of + 1, cones->x + a->point, s->of->q->scale, bits);
+  arb_sub(bound->h.of + 1, s->of->q->x, bound->h.of + 1, bits);
   arb_one(bound->h.of + 2);
   return true;
 }
@@ -108,11 +109,11 @@ static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
  * whatever the force: M r x -e is its moment times (v_y, -v_x), beside a part that does no work. */
 static tp_motion_outcome sharpen_slide(tp_bound *bound, const spanning *s, const tp_generator *ray,
                                        const tp_generator *force, bool below) {
-  if (bound->source.kind != TP_FROM_AXIS || s->of.strength != NULL || force->is_ray) {
+  if (bound->source.kind != TP_FROM_AXIS || s->of->strength != NULL || force->is_ray) {
     return TP_MOTION_PROVEN;
   }
   const int side =
-      tp_judge_sign(&s->of.q->judge, force->of.of + 2, tp_vector_log2_size(&force->of));
+      tp_judge_sign(&s->of->q->judge, force->of.of + 2, tp_vector_log2_size(&force->of));
   if (side == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (side == 0) return TP_MOTION_PROVEN;
   const bool turned = arb_is_negative(force->of.of + 2) != 0;
@@ -124,88 +125,88 @@ static tp_motion_outcome sharpen_slide(tp_bound *bound, const spanning *s, const
 }
 
 static unsigned bit_of(long generator_index, const spanning *s) {
-  return s->of.items[generator_index].is_ray ? 1U << generator_index : 0;
+  return s->of->items[generator_index].is_ray ? 1U << generator_index : 0;
 }
 
 /* The plane of two generators: a bound where all others lie on one side. */
 static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, long i, long j) {
   tp_bound *own = add_bound(s->bounds);
   if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
-  const tp_generator *a = s->of.items + i, *b = s->of.items + j;
+  const tp_generator *a = s->of->items + i, *b = s->of->items + j;
   s->bounds->count--; /* until it is one */
   double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
-  tp_vector_cross(&own->h, &a->of, &b->of, s->of.q->judge.precision);
+  tp_vector_cross(&own->h, &a->of, &b->of, s->of->q->judge.precision);
   const int line = is_line(s, &own->h, size);
   if (line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (line == 1) return TP_MOTION_PROVEN;
-  own->source = tp_generators_source(&s->of, a, b);
+  own->source = tp_generators_source(s->of, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
   own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
   if (sharpen(own, s, a, b)) size = tp_vector_log2_size(&own->h);
   long above = 0, below = 0;
-  for (long k = 0; k < s->of.count; k++) {
+  for (long k = 0; k < s->of->count; k++) {
     if (k == i || k == j) continue;
-    const int sign = sign_against(s, &own->h, &own->source, size, s->of.items + k);
+    const int sign = sign_against(s, &own->h, &own->source, size, s->of->items + k);
     if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     above += sign > 0;
     below += sign < 0;
     if (sign == 0) own->rays |= bit_of(k, s);
   }
   *solid = *solid || above > 0 || below > 0;
-  if (above == 0 && below == 0 && j < s->of.count) {
+  if (above == 0 && below == 0 && j < s->of->count) {
     flat_pair[0] = i;
     flat_pair[1] = j;
   }
   if ((above > 0 && below > 0) || (above == 0 && below == 0)) return TP_MOTION_PROVEN;
   if (below > 0) tp_vector_neg(&own->h);
-  set_held(own, s->of.strength, &s->of.q->judge);
+  set_held(own, s->of->strength, &s->of->q->judge);
   s->bounds->count++;
   return sharpen_slide(own, s, a, b, below > 0);
 }
 
 /* All of C in the plane of two generators: that plane, from both sides. */
 static tp_motion_outcome bound_sides(spanning *s, const long pair[2]) {
-  const tp_generator *a = s->of.items + pair[0], *b = s->of.items + pair[1];
+  const tp_generator *a = s->of->items + pair[0], *b = s->of->items + pair[1];
   for (int side = 0; side < 2; side++) {
     tp_bound *own = add_bound(s->bounds);
     if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
-    tp_vector_cross(&own->h, &a->of, &b->of, s->of.q->judge.precision);
+    tp_vector_cross(&own->h, &a->of, &b->of, s->of->q->judge.precision);
     if (side == 1) tp_vector_neg(&own->h);
-    own->source = tp_generators_source(&s->of, a, b);
-    if (side == 1 && s->of.free_count > 0) { /* what is free keeps the two apart: another tilt */
+    own->source = tp_generators_source(s->of, a, b);
+    if (side == 1 && s->of->free_count > 0) { /* what is free keeps the two apart: another tilt */
       own->source = (tp_source){.kind = TP_FROM_PAIR,
                                 .a = a->id > b->id ? a->id : b->id,
                                 .b = a->id > b->id ? b->id : a->id};
     }
     own->rays = ~0U;
-    set_held(own, s->of.strength, &s->of.q->judge);
+    set_held(own, s->of->strength, &s->of->q->judge);
   }
   return TP_MOTION_PROVEN;
 }
 
 /* Within the plane with normal N the lines of generators with all others on one side, by N x g. */
 static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
-  const tp_generator *a = s->of.items + pair[0], *b = s->of.items + pair[1];
+  const tp_generator *a = s->of->items + pair[0], *b = s->of->items + pair[1];
   tp_vector normal;
   tp_vector_init(&normal);
-  tp_vector_cross(&normal, &a->of, &b->of, s->of.q->judge.precision);
+  tp_vector_cross(&normal, &a->of, &b->of, s->of->q->judge.precision);
   const double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
   tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (long g = 0; g < s->of.count && done == TP_MOTION_PROVEN; g++) {
+  for (long g = 0; g < s->of->count && done == TP_MOTION_PROVEN; g++) {
     tp_bound *own = add_bound(s->bounds);
     if (own == NULL) {
       done = TP_MOTION_OUT_OF_MEMORY;
       break;
     }
     s->bounds->count--;
-    const tp_source line = {.kind = TP_FROM_PAIR, .a = s->of.items[g].id, .b = s->of.items[g].id};
-    tp_vector_cross(&own->h, &normal, &s->of.items[g].of, s->of.q->judge.precision);
+    const tp_source line = {.kind = TP_FROM_PAIR, .a = s->of->items[g].id, .b = s->of->items[g].id};
+    tp_vector_cross(&own->h, &normal, &s->of->items[g].of, s->of->q->judge.precision);
     own->source = line;
     own->rays = bit_of(g, s);
-    const double log2_line = size + tp_vector_log2_size(&s->of.items[g].of);
+    const double log2_line = size + tp_vector_log2_size(&s->of->items[g].of);
     long above = 0, below = 0;
-    for (long k = 0; k < s->of.count && done == TP_MOTION_PROVEN; k++) {
-      const int sign = k == g ? 0 : sign_against(s, &own->h, &line, log2_line, s->of.items + k);
+    for (long k = 0; k < s->of->count && done == TP_MOTION_PROVEN; k++) {
+      const int sign = k == g ? 0 : sign_against(s, &own->h, &line, log2_line, s->of->items + k);
       if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
       above += sign > 0;
       below += sign < 0;
@@ -213,7 +214,7 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
     }
     if ((above > 0) == (below > 0)) continue;
     if (below > 0) tp_vector_neg(&own->h);
-    set_held(own, s->of.strength, &s->of.q->judge);
+    set_held(own, s->of->strength, &s->of->q->judge);
     s->bounds->count++;
   }
   tp_vector_clear(&normal);
@@ -223,9 +224,9 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
 static tp_motion_outcome bound_pairs(spanning *s) {
   bool solid = false;
   long flat_pair[2] = {-1, -1};
-  const long all = s->of.count + s->of.free_count;
+  const long all = s->of->count + s->of->free_count;
   if (all > MOST_GENERATORS ||
-      !tp_work_spend(s->of.q->work, (double)(all * all) / 8, all, s->of.q->judge.bits)) {
+      !tp_work_spend(s->of->q->work, (double)(all * all) / 8, all, s->of->q->judge.bits)) {
     return TP_MOTION_TOO_DEAR;
   }
   for (long i = 0; i < all; i++) {
@@ -240,34 +241,59 @@ static tp_motion_outcome bound_pairs(spanning *s) {
   return done == TP_MOTION_PROVEN && !solid ? bound_flat(s, flat_pair) : done;
 }
 
-/* The interior: h . a >= 0 on every face of K, for a = M^-1 w, times k^2. */
-static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_motion_question *q,
-                                        const tp_normals *n, const tp_twists *twists,
-                                        const tp_strength *strength) {
-  for (long k = 0; k < twists->face_count; k++) {
-    const long normal = twists->faces[k].normal;
-    if (k > 0 && normal == twists->faces[k - 1].normal) continue;
-    tp_bound *own = add_bound(bounds);
-    if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
-    tp_newton_normal(&own->h, q, n, normal);
-    own->source =
-        q->through_centroid && strength == NULL
-            ? (tp_source){.kind = TP_FROM_AXIS, .a = n->families[n->items[normal].family].axis}
-            : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};
-    own->rays = ~0U;
-    set_held(own, strength, &q->judge);
+/* Of the pairs that are chosen, each is a bound. */
+static tp_motion_outcome bound_chosen(spanning *s, const tp_chosen_planes *chosen) {
+  bool solid = false;
+  long flat_pair[2] = {-1, -1};
+  tp_motion_outcome done = TP_MOTION_PROVEN;
+  for (int k = 0; k < chosen->count && done == TP_MOTION_PROVEN; k++) {
+    done = try_pair(s, &solid, flat_pair, chosen->first[k], chosen->second[k]);
   }
-  return TP_MOTION_PROVEN;
+  return done;
 }
 
-tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_motion_question *q,
-                                 const tp_normals *n, const tp_twists *twists, const tp_mode *mode,
+/* The interior: h . a >= 0 on a face of K, for a = M^-1 w, times k^2. */
+static bool bound_face(tp_bounds *bounds, const tp_motion_question *q, const tp_normals *n,
+                       const tp_strength *strength, long normal) {
+  tp_bound *own = add_bound(bounds);
+  if (own == NULL) return false;
+  tp_newton_normal(&own->h, q, n, normal);
+  own->source = tp_generators_normal_source(q, n, strength, normal);
+  own->rays = ~0U;
+  set_held(own, strength, &q->judge);
+  return true;
+}
+
+static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_mode_filter *filter,
+                                        const tp_motion_question *q, const tp_normals *n,
+                                        const tp_twists *twists, const tp_strength *strength) {
+  tp_chosen_planes chosen;
+  bounds->tilts = tp_mode_filter_interior(&chosen, filter, q, n, twists);
+  const bool open = bounds->tilts == TP_TILTS_OPEN;
+  bool done = true;
+  for (int k = 0; k < chosen.count && !open && done; k++) {
+    done = bound_face(bounds, q, n, strength, twists->faces[chosen.first[k]].normal);
+  }
+  for (long k = 0; k < twists->face_count && open && done; k++) {
+    const long normal = twists->faces[k].normal;
+    if (k > 0 && normal == twists->faces[k - 1].normal) continue;
+    done = bound_face(bounds, q, n, strength, normal);
+  }
+  return done ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
+}
+
+tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_mode_filter *filter,
+                                 const tp_motion_question *q, const tp_normals *n,
+                                 const tp_twists *twists, const tp_mode *mode,
                                  const tp_strength *strength) {
   bounds->count = 0;
-  if (mode->ray_count == 0) return bound_interior(bounds, q, n, twists, strength);
-  spanning s = {.bounds = bounds};
-  if (!tp_generators_init(&s.of, q, n, twists, mode, strength)) return TP_MOTION_OUT_OF_MEMORY;
-  const tp_motion_outcome done = bound_pairs(&s);
-  tp_generators_clear(&s.of);
-  return done;
+  if (mode->ray_count == 0) return bound_interior(bounds, filter, q, n, twists, strength);
+  tp_generators *g = &bounds->generators;
+  if (!tp_generators_set(g, q, n, twists, mode, strength)) return TP_MOTION_OUT_OF_MEMORY;
+  spanning s = {.bounds = bounds, .of = g};
+  tp_chosen_planes chosen;
+  bounds->tilts = tp_mode_filter_pairs(&chosen, filter, g, twists);
+  if (bounds->tilts == TP_TILTS_NONE) return TP_MOTION_PROVEN;
+  tp_generators_evaluate(g, twists);
+  return bounds->tilts == TP_TILTS_OPEN ? bound_pairs(&s) : bound_chosen(&s, &chosen);
 }

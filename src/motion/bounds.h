@@ -14,6 +14,7 @@
 #define TP_BOUNDS_H
 
 #include "motion/generators.h"
+#include "motion/mode_filter.h"
 
 typedef struct tp_bound {
   tp_vector h;
@@ -26,10 +27,14 @@ typedef struct tp_bound {
 typedef struct tp_bounds {
   long count, room;
   tp_bound *items;
+  tp_mode_tilts tilts; /* as told in doubles: unless open, none but the planes that matter are here,
+                          each of which the loads leave */
+  tp_generators generators;
 } tp_bounds;
 
 /* Into `bounds`, which may hold those of another mode; `strength` is that of the mode, or NULL. */
-TP_MUST_USE tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_motion_question *question,
+TP_MUST_USE tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_mode_filter *filter,
+                                             const tp_motion_question *question,
                                              const tp_normals *normals, const tp_twists *twists,
                                              const tp_mode *mode, const tp_strength *strength);
 void tp_bounds_clear(tp_bounds *bounds);

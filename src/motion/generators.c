@@ -5,69 +5,122 @@
 
 #include "motion/newton.h"
 
-#include <stdlib.h>
+#include "grow.h"
 
-static void add_ray(tp_generators *g, const tp_twists *twists, long ray) {
-  tp_generator *own = g->items + g->count++;
-  const tp_ray *from = twists->rays + ray;
-  *own = (tp_generator){.is_ray = true, .id = 2 * g->n->cones->count + ray, .axis = from->axis};
-  tp_vector_init(&own->of);
-  tp_newton_inertia(&own->of, g->q, from);
+#include <stdlib.h>
+#include <string.h>
+
+/* The next one behind those there are; NULL when memory is exhausted. */
+static tp_generator *add(tp_generators *g) {
+  const long before = g->room, count = g->count + g->free_count;
+  tp_generator *more = tp_grow(g->items, count, &g->room, sizeof *more);
+  if (more == NULL) return NULL;
+  g->items = more;
+  for (long k = before; k < g->room; k++) tp_vector_init(&more[k].of);
+  return more + count;
+}
+
+/* All but the balls, whose room stays. */
+static void describe(tp_generator *own, const tp_generator *as) {
+  own->is_ray = as->is_ray;
+  own->id = as->id;
+  own->axis = as->axis;
+  own->site = as->site;
+  own->point = as->point;
+  own->against = as->against;
+}
+
+static bool add_ray(tp_generators *g, const tp_twists *twists, long ray) {
+  tp_generator *own = add(g);
+  if (own == NULL) return false;
+  describe(own, &(tp_generator){.is_ray = true,
+                                .id = 2 * g->n->cones->count + ray,
+                                .axis = twists->rays[ray].axis});
+  g->count++;
+  return true;
 }
 
 static long axis_of(const tp_normals *n, long point) {
   return n->families[n->family_of[point]].axis;
 }
 
-static void add_edge(tp_generators *g, const tp_mode_edge *edge) {
-  tp_generator *own = g->items + g->count++;
-  *own = (tp_generator){.id = 2 * g->n->same[edge->point] + edge->against,
-                        .axis = axis_of(g->n, edge->point),
-                        .site = g->n->cones->points[edge->point].site,
-                        .point = edge->point,
-                        .against = edge->against};
-  tp_vector_init(&own->of);
-  tp_newton_force(&own->of, g->q, g->n, edge);
-}
-
-/* What cohesion and bonds add: pulls beside the generators, free forces behind them. */
-static void add_strength(tp_generators *g) {
-  const tp_strength *strength = g->strength;
-  if (strength == NULL) return;
-  for (long k = 0; k < strength->pull_count + strength->free_count; k++) {
-    const bool pull = k < strength->pull_count;
-    const tp_vector *from = pull ? strength->pulls + k : strength->free + k - strength->pull_count;
-    const long point = pull ? strength->pulled[k] : strength->sticks[k - strength->pull_count];
-    tp_generator *own = g->items + g->count + g->free_count;
-    *own = (tp_generator){
-        .id = -2 - k, .axis = -1 - k, .site = g->n->cones->points[point].site, .point = point};
-    tp_vector_init(&own->of);
-    for (int e = 0; e < 3; e++) arb_set(own->of.of + e, from->of + e);
-    *(pull ? &g->count : &g->free_count) += 1;
-  }
-}
-
-bool tp_generators_init(tp_generators *g, const tp_motion_question *q, const tp_normals *n,
-                        const tp_twists *twists, const tp_mode *mode, const tp_strength *strength) {
-  *g = (tp_generators){.q = q, .n = n, .mode = mode, .strength = strength};
-  const long more = strength != NULL ? strength->pull_count + strength->free_count : 0;
-  g->items = calloc((size_t)(mode->ray_count + mode->edge_count + more), sizeof *g->items);
-  if (g->items == NULL) return false;
-  for (int k = 0; k < mode->ray_count; k++) add_ray(g, twists, mode->rays[k]);
-  for (long k = 0; k < mode->edge_count; k++) add_edge(g, mode->edges + k);
-  add_strength(g);
+static bool add_edge(tp_generators *g, const tp_mode_edge *edge) {
+  tp_generator *own = add(g);
+  if (own == NULL) return false;
+  describe(own, &(tp_generator){.id = 2 * g->n->same[edge->point] + edge->against,
+                                .axis = axis_of(g->n, edge->point),
+                                .site = g->n->cones->points[edge->point].site,
+                                .point = edge->point,
+                                .against = edge->against});
+  g->count++;
   return true;
 }
 
+/* What cohesion and bonds add: pulls beside the generators, free forces behind them. */
+static bool add_strength(tp_generators *g) {
+  const tp_strength *strength = g->strength;
+  const long all = strength == NULL ? 0 : strength->pull_count + strength->free_count;
+  for (long k = 0; k < all; k++) {
+    const bool pull = k < strength->pull_count;
+    const long point = pull ? strength->pulled[k] : strength->sticks[k - strength->pull_count];
+    tp_generator *own = add(g);
+    if (own == NULL) return false;
+    describe(own, &(tp_generator){.id = -2 - k,
+                                  .axis = -1 - k,
+                                  .site = g->n->cones->points[point].site,
+                                  .point = point});
+    *(pull ? &g->count : &g->free_count) += 1;
+  }
+  return true;
+}
+
+bool tp_generators_set(tp_generators *g, const tp_motion_question *q, const tp_normals *n,
+                       const tp_twists *twists, const tp_mode *mode, const tp_strength *strength) {
+  g->q = q;
+  g->n = n;
+  g->mode = mode;
+  g->strength = strength;
+  g->count = g->free_count = 0;
+  bool done = true;
+  for (int k = 0; k < mode->ray_count && done; k++) done = add_ray(g, twists, mode->rays[k]);
+  for (long k = 0; k < mode->edge_count && done; k++) done = add_edge(g, mode->edges + k);
+  return done && add_strength(g);
+}
+
 void tp_generators_clear(tp_generators *g) {
-  for (long k = 0; k < g->count + g->free_count; k++) tp_vector_clear(&g->items[k].of);
+  for (long k = 0; k < g->room; k++) tp_vector_clear(&g->items[k].of);
   free(g->items);
+  memset(g, 0, sizeof *g);
+}
+
+void tp_generators_evaluate(tp_generators *g, const tp_twists *twists) {
+  const tp_mode *mode = g->mode;
+  for (long k = 0; k < g->count + g->free_count; k++) {
+    tp_vector *own = &g->items[k].of;
+    const long edge = k - mode->ray_count, added = edge - mode->edge_count;
+    if (edge < 0) {
+      tp_newton_inertia(own, g->q, twists->rays + mode->rays[k]);
+    } else if (added < 0) {
+      tp_newton_force(own, g->q, g->n, mode->edges + edge);
+    } else {
+      const long pulls = g->strength->pull_count;
+      const tp_vector *from =
+          added < pulls ? g->strength->pulls + added : g->strength->free + added - pulls;
+      for (int e = 0; e < 3; e++) arb_set(own->of + e, from->of + e);
+    }
+  }
+}
+
+tp_source tp_generators_normal_source(const tp_motion_question *q, const tp_normals *n,
+                                      const tp_strength *strength, long normal) {
+  /* cohesion and bonds have a moment of their own */
+  return q->through_centroid && strength == NULL
+             ? (tp_source){.kind = TP_FROM_AXIS, .a = n->families[n->items[normal].family].axis}
+             : (tp_source){.kind = TP_FROM_NORMAL, .a = normal};
 }
 
 tp_source tp_generators_source(const tp_generators *g, const tp_generator *a,
                                const tp_generator *b) {
-  /* cohesion and bonds have a moment of their own */
-  const bool through_centroid = g->q->through_centroid && g->strength == NULL;
   if (!a->is_ray && !b->is_ray) {
     if (a->site == b->site) return (tp_source){.kind = TP_FROM_SITE, .a = a->site};
     if (a->axis == b->axis && a->against == b->against) {
@@ -75,12 +128,10 @@ tp_source tp_generators_source(const tp_generators *g, const tp_generator *a,
     }
   } else {
     const tp_generator *ray = a->is_ray ? a : b;
-    const long family = a->is_ray && b->is_ray ? g->n->items[g->mode->normal].family : 0;
     if (a->is_ray && b->is_ray) {
-      return through_centroid ? (tp_source){.kind = TP_FROM_AXIS, .a = g->n->families[family].axis}
-                              : (tp_source){.kind = TP_FROM_NORMAL, .a = g->mode->normal};
+      return tp_generators_normal_source(g->q, g->n, g->strength, g->mode->normal);
     }
-    if (through_centroid && ray->axis >= 0) {
+    if (g->q->through_centroid && g->strength == NULL && ray->axis >= 0) {
       return (tp_source){.kind = TP_FROM_AXIS, .a = ray->axis};
     }
   }

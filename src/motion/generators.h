@@ -23,7 +23,7 @@ typedef enum tp_source_kind {
 } tp_source_kind;
 
 typedef struct tp_generator {
-  tp_vector of;
+  tp_vector of; /* once it is evaluated */
   bool is_ray;
   long id;          /* no two have the same */
   long axis;        /* of a force; of a ray that does not turn; else -1 */
@@ -38,18 +38,27 @@ typedef struct tp_generators {
   const tp_strength *strength; /* or NULL */
   long count;                  /* rays come first */
   long free_count;             /* of those behind them that may be anything within bounds */
+  long room;
   tp_generator *items;
 } tp_generators;
 
-/* False when memory is exhausted; `strength` is that of the mode, or NULL. */
-TP_MUST_USE bool tp_generators_init(tp_generators *generators, const tp_motion_question *question,
-                                    const tp_normals *normals, const tp_twists *twists,
-                                    const tp_mode *mode, const tp_strength *strength);
+/* What they are, without their balls, in the place of what was there: zeros to begin with. False
+ * when memory is exhausted; `strength` is that of the mode, or NULL. */
+TP_MUST_USE bool tp_generators_set(tp_generators *generators, const tp_motion_question *question,
+                                   const tp_normals *normals, const tp_twists *twists,
+                                   const tp_mode *mode, const tp_strength *strength);
 void tp_generators_clear(tp_generators *generators);
+
+/* Their balls. */
+void tp_generators_evaluate(tp_generators *generators, const tp_twists *twists);
 
 /* Of the plane of two of them. */
 tp_source tp_generators_source(const tp_generators *generators, const tp_generator *a,
                                const tp_generator *b);
+
+/* Of the plane of M times all twists on a normal line. */
+tp_source tp_generators_normal_source(const tp_motion_question *question, const tp_normals *normals,
+                                      const tp_strength *strength, long normal);
 
 /* Does a force lie in the plane by where it comes from? */
 bool tp_generator_is_in_plane(const tp_generator *generator, const tp_source *plane);

@@ -24,6 +24,7 @@ void tp_motions_clear(tp_motions *m) {
 typedef struct collecting {
   tp_motions *m;
   const tp_motion_question *q;
+  tp_mode_filter filter;
   tp_bounds bounds;
   tp_strength strength;
   long mode;           /* from 1 on */
@@ -131,13 +132,15 @@ static tp_motion_outcome collect(void *context, const tp_mode *mode) {
     done = tp_strength_number(&c->number, c->q, &m->normals, &m->twists, mode);
   }
   if (done == TP_MOTION_PROVEN) {
-    done = tp_bounds_find(&c->bounds, c->q, &m->normals, &m->twists, mode,
+    done = tp_bounds_find(&c->bounds, &c->filter, c->q, &m->normals, &m->twists, mode,
                           strong ? &c->strength : NULL);
   }
+  const tp_mode_tilts told = c->bounds.tilts;
+  if (done != TP_MOTION_PROVEN || told == TP_TILTS_NONE) return done;
   tp_tilts_empty(&c->own);
-  if (done == TP_MOTION_PROVEN && tp_tilts_add(&c->own) == NULL) done = TP_MOTION_OUT_OF_MEMORY;
+  if (tp_tilts_add(&c->own) == NULL) return TP_MOTION_OUT_OF_MEMORY;
   unsigned rays = ~0U;
-  for (long k = 0; k < c->bounds.count && done == TP_MOTION_PROVEN; k++) {
+  for (long k = 0; k < c->bounds.count && done == TP_MOTION_PROVEN && told == TP_TILTS_OPEN; k++) {
     done = apply(c, c->bounds.items + k, &rays, true);
   }
   if (done != TP_MOTION_PROVEN || rays == 0) return done;
@@ -154,6 +157,7 @@ tp_motion_outcome tp_motions_init(tp_motions *m, const tp_motion_question *q) {
   done = tp_twists_init(&m->twists, &m->normals, q->work);
   if (done == TP_MOTION_PROVEN) {
     collecting c = {.m = m, .q = q};
+    tp_mode_filter_init(&c.filter, q);
     tp_strength_init(&c.strength);
     const bool grips = q->strong != NULL || !arb_is_zero(q->cones->friction);
     done = tp_strata_visit(&m->twists, &m->normals, grips, collect, &c);

@@ -64,6 +64,13 @@ tp_bounded tp_ball_bounded(const arb_t ball) {
   return result;
 }
 
+tp_near tp_ball_near(const arb_t ball) {
+  if (!arb_is_finite(ball)) return (tp_near){.error = INFINITY};
+  const double value = tp_ball_nearest(arb_midref(ball));
+  const double radius = mag_is_zero(arb_radref(ball)) ? 0 : above(arb_radref(ball));
+  return tp_near_of(value, radius + fabs(value) * DBL_EPSILON);
+}
+
 double tp_mag_log2(const mag_t size) {
   if (mag_is_zero(size)) return -INFINITY;
   return log2((double)MAG_MAN(size)) - MAG_BITS + fmpz_get_d(MAG_EXPREF(size));

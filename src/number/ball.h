@@ -11,6 +11,7 @@
 #ifndef TP_BALL_H
 #define TP_BALL_H
 
+#include "number/near.h"
 #include "topple.h"
 
 #include <arb.h>
@@ -38,6 +39,9 @@ double tp_ball_nearest(const arf_struct *number);
 
 /* Enclosure of the ball by a double and a double bound, both rounded the safe way. */
 tp_bounded tp_ball_bounded(const arb_t ball);
+
+/* The same, less closely and for much less. */
+tp_near tp_ball_near(const arb_t ball);
 
 /* log2 of a magnitude, to some 1e-8; -INFINITY of 0. */
 double tp_mag_log2(const mag_t size);

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "motion/mode_filter.h"
+
+#include "number/ball.h"
+
+enum { MOST_GENERATORS = 12, MOST_PLANES = MOST_GENERATORS * (MOST_GENERATORS - 1) / 2 };
+
+static bool is_zero(tp_near a) {
+  return a.value == 0 && a.error == 0;
+}
+
+/* Exact zeros, which most are, stay so. */
+static tp_near near_of(const arb_t ball) {
+  return arb_is_zero(ball) ? (tp_near){.error = 0} : tp_ball_near(ball);
+}
+
+static bool turns_with_tilt(const tp_trig *f) {
+  return arb_is_zero(f->of + TP_ONE) && arb_is_zero(f->of + TP_SEC) && arb_is_zero(f->of + TP_SEC2);
+}
+
+void tp_mode_filter_init(tp_mode_filter *f, const tp_motion_question *q) {
+  const tp_trig *loads[3] = {&q->load.x, &q->load.y, &q->load.moment};
+  *f = (tp_mode_filter){.applies = q->strong == NULL};
+  for (int row = 0; row < 3; row++) {
+    f->applies = f->applies && turns_with_tilt(loads[row]);
+    f->down[row] = near_of(loads[row]->of + TP_COS);
+    f->across[row] = near_of(loads[row]->of + TP_SIN);
+  }
+  f->scale = near_of(q->scale);
+  f->x = near_of(q->x);
+  f->y = near_of(q->y);
+  f->gyration = near_of(q->gyration);
+  f->friction = near_of(q->cones->friction);
+}
+
+/* What tp_normals_near gives, zeros where it does not tell; any positive factor of a vector will
+ * do. */
+static bool set_near(tp_near own[3], const double near[3]) {
+  static const double error = 0x1p-49;
+  for (int k = 0; k < 3; k++) own[k] = (tp_near){near[k], fabs(near[k]) * error};
+  return near[0] != 0 || near[1] != 0 || near[2] != 0;
+}
+
+static tp_near whole(const fmpz_t number) {
+  const double value = fmpz_get_d(number);
+  return (tp_near){value, fabs(value) < 1 / DBL_EPSILON ? 0 : fabs(value) * DBL_EPSILON};
+}
+
+/* M r, as in motion/newton.h. */
+static bool set_inertia(tp_near own[3], const tp_mode_filter *f, const tp_ray *ray) {
+  tp_near a[3];
+  if (!set_near(a, ray->near)) return false;
+  own[0] = tp_near_mul(a[0], f->scale);
+  own[1] = tp_near_mul(a[1], f->scale);
+  own[2] = (tp_near){.error = 0};
+  if (ray->axis >= 0) return true;
+  own[0] = tp_near_sub(own[0], tp_near_mul(a[2], f->y));
+  own[1] = tp_near_add(own[1], tp_near_mul(a[2], f->x));
+  own[2] = tp_near_mul(a[2], f->gyration);
+  return true;
+}
+
+/* -e: the force n +- t tan(phi) at its point, turned round. */
+static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals *n, long point,
+                      bool against) {
+  const tp_near tx = whole(n->tx + point), ty = whole(n->ty + point);
+  const tp_near friction = against ? tp_near_neg(f->friction) : f->friction;
+  const tp_near x = tp_near_mul(tp_ball_near(n->cones->x + point), f->scale);
+  const tp_near y = tp_near_mul(tp_ball_near(n->cones->y + point), f->scale);
+  own[0] = tp_near_sub(ty, tp_near_mul(friction, tx));
+  own[1] = tp_near_neg(tp_near_add(tx, tp_near_mul(friction, ty)));
+  own[2] = tp_near_sub(tp_near_mul(tp_near_sub(x, f->x), own[1]),
+                       tp_near_mul(tp_near_sub(y, f->y), own[0]));
+}
+
+/* k^2 M^-1 h of a normal line. */
+static bool set_normal(tp_near own[3], const tp_mode_filter *f, const tp_normal *normal) {
+  tp_near h[3];
+  if (!set_near(h, normal->near)) return false;
+  own[0] = tp_near_mul(h[0], f->gyration);
+  own[1] = tp_near_mul(h[1], f->gyration);
+  own[2] = tp_near_add(tp_near_sub(tp_near_mul(h[2], f->scale), tp_near_mul(h[1], f->x)),
+                       tp_near_mul(h[0], f->y));
+  return true;
+}
+
+static tp_near work_of(const tp_near h[3], const tp_near load[3]) {
+  tp_near sum = {.error = 0};
+  for (int row = 0; row < 3; row++) {
+    if (!is_zero(load[row])) sum = tp_near_add(sum, tp_near_mul(h[row], load[row]));
+  }
+  return sum;
+}
+
+/* A plane, and the tangent of the tilt from which, `lower`, or up to which it lets a mode begin. */
+typedef struct plane {
+  long first, second;
+  tp_source source;
+  bool lower;
+  tp_near tangent;
+} plane;
+
+/* From h with all of the cone on its side; `turned`: on the other. False where open. */
+static bool set_tangent(plane *p, const tp_mode_filter *f, const tp_near h[3], bool turned) {
+  const tp_near level = work_of(h, f->down), rise = work_of(h, f->across);
+  const int sign = tp_near_sign(rise);
+  if (sign == 0) return false;
+  p->lower = (sign > 0) != turned;
+  p->tangent = tp_near_neg(tp_near_div(level, rise));
+  return isfinite(p->tangent.error) != 0;
+}
+
+static bool share_source(const tp_source *a, const tp_source *b) {
+  return a->kind == b->kind && a->a == b->a && a->b == b->b;
+}
+
+/* The last of the lower ends, the first of the upper ones. */
+typedef struct ends {
+  bool has[2]; /* by `lower` */
+  plane of[2];
+} ends;
+
+/* False where their order is open. */
+static bool tighten(ends *e, const plane *p) {
+  plane *own = e->of + p->lower;
+  if (!e->has[p->lower]) {
+    e->has[p->lower] = true;
+    *own = *p;
+    return true;
+  }
+  if (share_source(&own->source, &p->source)) return true; /* one tilt */
+  const int order = tp_near_sign(tp_near_sub(p->tangent, own->tangent));
+  if (order != 0 && (order > 0) == p->lower) *own = *p;
+  return order != 0;
+}
+
+static tp_mode_tilts between(const ends *e) {
+  if (!e->has[0] || !e->has[1]) return TP_TILTS_BETWEEN;
+  if (share_source(&e->of[0].source, &e->of[1].source)) return TP_TILTS_OPEN;
+  const int order = tp_near_sign(tp_near_sub(e->of[0].tangent, e->of[1].tangent));
+  return order == 0 ? TP_TILTS_OPEN : order > 0 ? TP_TILTS_BETWEEN : TP_TILTS_NONE;
+}
+
+/* Is the plane at one of the ends? */
+static bool is_chosen(const ends *e, const tp_source *source) {
+  return (e->has[0] && share_source(&e->of[0].source, source)) ||
+         (e->has[1] && share_source(&e->of[1].source, source));
+}
+
+static bool choose(tp_chosen_planes *chosen, long first, long second) {
+  if (chosen->count == TP_MOST_CHOSEN) return false;
+  chosen->first[chosen->count] = first;
+  chosen->second[chosen->count++] = second;
+  return true;
+}
+
+/* What is known of a cone. */
+typedef struct cone {
+  const tp_mode_filter *filter;
+  const tp_generators *of;
+  tp_near near[MOST_GENERATORS][3];
+  long count;
+  plane planes[MOST_PLANES];
+} cone;
+
+/* Takes the plane of two generators if all others lie on one side of it; false where open. */
+static bool try_pair(cone *c, long i, long j) {
+  const tp_generators *g = c->of;
+  plane *own = c->planes + c->count;
+  *own = (plane){.first = i, .second = j};
+  own->source = tp_generators_source(g, g->items + i, g->items + j);
+  tp_near h[3];
+  tp_near_cross(h, c->near[i], c->near[j]);
+  bool above = false, below = false;
+  for (long k = 0; k < g->count; k++) {
+    if (k == i || k == j || tp_generator_is_in_plane(g->items + k, &own->source)) continue;
+    const int sign = tp_near_sign(tp_near_dot(h, c->near[k]));
+    if (sign == 0) return false;
+    above = above || sign > 0;
+    below = below || sign < 0;
+  }
+  if (above && below) return true;
+  c->count++;
+  return (above || below) && set_tangent(own, c->filter, h, below);
+}
+
+static bool set_cone(cone *c, const tp_twists *twists) {
+  const tp_generators *g = c->of;
+  const tp_mode *mode = g->mode;
+  if (!c->filter->applies || g->count > MOST_GENERATORS) return false;
+  for (long k = 0; k < g->count; k++) {
+    if (k >= mode->ray_count) {
+      const tp_mode_edge *edge = mode->edges + (k - mode->ray_count);
+      set_force(c->near[k], c->filter, g->n, edge->point, edge->against);
+    } else if (!set_inertia(c->near[k], c->filter, twists->rays + mode->rays[k])) {
+      return false;
+    }
+  }
+  for (long i = 0; i < g->count; i++) {
+    for (long j = i + 1; j < g->count; j++) {
+      if (!try_pair(c, i, j)) return false;
+    }
+  }
+  return c->count > 0;
+}
+
+tp_mode_tilts tp_mode_filter_pairs(tp_chosen_planes *chosen, const tp_mode_filter *f,
+                                   const tp_generators *g, const tp_twists *twists) {
+  cone c;
+  c.filter = f;
+  c.of = g;
+  c.count = 0;
+  ends e = {.has = {false, false}};
+  chosen->count = 0;
+  if (!set_cone(&c, twists)) return TP_TILTS_OPEN;
+  for (long k = 0; k < c.count; k++) {
+    if (!tighten(&e, c.planes + k)) return TP_TILTS_OPEN;
+  }
+  const tp_mode_tilts tilts = between(&e);
+  for (long k = 0; k < c.count && tilts == TP_TILTS_BETWEEN; k++) {
+    const plane *own = c.planes + k;
+    if (is_chosen(&e, &own->source) && !choose(chosen, own->first, own->second)) {
+      return TP_TILTS_OPEN;
+    }
+  }
+  return tilts;
+}
+
+tp_mode_tilts tp_mode_filter_interior(tp_chosen_planes *chosen, const tp_mode_filter *f,
+                                      const tp_motion_question *q, const tp_normals *n,
+                                      const tp_twists *twists) {
+  ends e = {.has = {false, false}};
+  chosen->count = 0;
+  if (!f->applies) return TP_TILTS_OPEN;
+  for (long k = 0; k < twists->face_count; k++) {
+    plane own = {.source = tp_generators_normal_source(q, n, NULL, twists->faces[k].normal)};
+    tp_near h[3];
+    if (!set_normal(h, f, n->items + twists->faces[k].normal) || !set_tangent(&own, f, h, false) ||
+        !tighten(&e, &own)) {
+      return TP_TILTS_OPEN;
+    }
+  }
+  const tp_mode_tilts tilts = between(&e);
+  for (long k = 0; k < twists->face_count && tilts == TP_TILTS_BETWEEN; k++) {
+    const tp_source own = tp_generators_normal_source(q, n, NULL, twists->faces[k].normal);
+    if (is_chosen(&e, &own) && !choose(chosen, k, k)) return TP_TILTS_OPEN;
+  }
+  return tilts;
+}
