@@ -65,7 +65,7 @@ static void add_full(triple *t, const tp_limit_question *q, const tp_scaled *sca
 static tp_answer judge_share(arb_t share, const triple *t, int k, const tp_vector *cross,
                              const arb_t volume, const tp_judge *judge) {
   const bool up = arb_is_positive(volume) != 0;
-  double size = t->log2_size + tp_vector_log2_size(cross);
+  double size = judge->settled ? t->log2_size + tp_vector_log2_size(cross) : 0; /* else unasked */
   int sign = tp_judge_sign(judge, share, size);
   if (sign > 1) return TP_OPEN;
   if (sign != 0 && (sign > 0) == up) return TP_NO;

@@ -16,24 +16,22 @@ bool tp_face_init(tp_face *face, const tp_cones *cones) {
     face->full = calloc((size_t)(TP_CAPACITY_COLUMNS * cones->capacity_count), sizeof(bool));
     if (face->full == NULL) return false;
   }
+  tp_vector_init(face->edges);
+  tp_vector_init(face->edges + 1);
+  tp_vector_init(&face->normal);
   tp_vector_init(&face->twist);
   arb_init(face->resistance);
   return true;
 }
 
 void tp_face_clear(tp_face *face) {
+  tp_vector_clear(face->edges);
+  tp_vector_clear(face->edges + 1);
+  tp_vector_clear(&face->normal);
   tp_vector_clear(&face->twist);
   arb_clear(face->resistance);
   free(face->full);
   memset(face, 0, sizeof *face);
-}
-
-static void both_columns(tp_vector columns[2], const tp_face *face, const tp_cones *cones,
-                         const tp_judge *judge) {
-  for (int k = 0; k < 2; k++) {
-    tp_vector_init(columns + k);
-    tp_cones_column(columns[k].of, cones, face->columns[k], judge->precision);
-  }
 }
 
 /* The same twist from the point alone, without the roundings of the friction: (y, -x, 1) omega. */
@@ -52,24 +50,22 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
                        const tp_vector *drive, const tp_judge *judge) {
   face->columns[0] = first;
   face->columns[1] = second;
-  tp_vector columns[2];
+  tp_vector *twist = &face->twist;
   arb_t power;
   arb_init(power);
-  both_columns(columns, face, cones, judge);
-  tp_vector *twist = &face->twist;
-  tp_vector_cross(twist, columns, columns + 1, judge->precision);
+  tp_cones_column(face->edges[0].of, cones, first, judge->precision);
+  tp_cones_column(face->edges[1].of, cones, second, judge->precision);
+  tp_vector_cross(&face->normal, face->edges, face->edges + 1, judge->precision);
+  for (int k = 0; k < 3; k++) arb_set(twist->of + k, face->normal.of + k);
   if (tp_cones_are_parallel(cones, first, second)) arb_zero(twist->of + 2);
   tp_vector_dot(power, twist, drive, judge->precision);
-  const int sign =
-      tp_judge_sign(judge, power, tp_vector_log2_size(twist) + tp_vector_log2_size(drive));
+  const int sign = tp_vector_judge(judge, power, twist, drive);
   if (sign < 0) tp_vector_neg(twist);
-  const double size = tp_vector_log2_size(columns) + tp_vector_log2_size(columns + 1);
-  const int turns = tp_judge_sign(judge, twist->of + 2, size);
+  const int turns = tp_vector_judge(judge, twist->of + 2, face->edges, face->edges + 1);
   if (turns == 0) arb_zero(twist->of + 2);
   face->motion = turns == 0 ? TP_MOTION_SLIDE : TP_MOTION_TURN;
   if (tp_cones_meet(&face->site, cones, first, second)) face->motion = TP_MOTION_TURN_AT_SITE;
   arb_clear(power);
-  for (int k = 0; k < 2; k++) tp_vector_clear(columns + k);
   return sign == 0 ? TP_NO : sign == TP_OPEN_SIGN || turns == TP_OPEN_SIGN ? TP_OPEN : TP_YES;
 }
 
@@ -264,30 +260,25 @@ static void add_full(tp_vector *wrench, const tp_face *face, const tp_cones *con
  */
 void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,
                     const tp_vector *wrench, const tp_judge *judge) {
-  tp_vector columns[2], rest, normal, cross;
+  tp_vector rest, cross;
   arb_t size;
   tp_vector_init(&rest);
-  tp_vector_init(&normal);
   tp_vector_init(&cross);
   arb_init(size);
-  both_columns(columns, face, cones, judge);
   for (int row = 0; row < 3; row++) arb_set(rest.of + row, wrench->of + row);
   if (cones->capacity_count > 0) add_full(&rest, face, cones, judge);
   tp_vector_neg(&rest);
-  tp_vector_cross(&normal, columns, columns + 1, judge->precision);
-  tp_vector_dot(size, &normal, &normal, judge->precision);
+  tp_vector_dot(size, &face->normal, &face->normal, judge->precision);
   for (int k = 0; k < 2; k++) {
     if (k == 0) {
-      tp_vector_cross(&cross, &rest, columns + 1, judge->precision);
+      tp_vector_cross(&cross, &rest, face->edges + 1, judge->precision);
     } else {
-      tp_vector_cross(&cross, columns, &rest, judge->precision);
+      tp_vector_cross(&cross, face->edges, &rest, judge->precision);
     }
-    tp_vector_dot(factors + k, &cross, &normal, judge->precision);
+    tp_vector_dot(factors + k, &cross, &face->normal, judge->precision);
     arb_div(factors + k, factors + k, size, judge->bits);
   }
-  for (int k = 0; k < 2; k++) tp_vector_clear(columns + k);
   tp_vector_clear(&rest);
-  tp_vector_clear(&normal);
   tp_vector_clear(&cross);
   arb_clear(size);
 }

@@ -24,7 +24,8 @@ typedef enum tp_face_motion {
 } tp_face_motion;
 
 typedef struct tp_face {
-  long columns[2]; /* -1: none, a twist inside the admissible ones */
+  long columns[2];            /* -1: none, a twist inside the admissible ones */
+  tp_vector edges[2], normal; /* their balls and the cross product of these */
   tp_vector twist;
   tp_face_motion motion;
   long site;        /* of TP_MOTION_TURN_AT_SITE */
@@ -53,8 +54,8 @@ void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judg
 void tp_face_settle_capacities(tp_face *face, const tp_cones *cones, const bool *at_most,
                                const tp_judge *judge);
 
-/* The factors on both columns with which they balance the wrench together with the capacities at
- * their bounds. The wrench lies in the face. */
+/* Of a face that is spanned: the factors on both columns with which they balance the wrench
+ * together with the capacities at their bounds. The wrench lies in the face. */
 void tp_face_forces(arb_ptr factors, const tp_face *face, const tp_cones *cones,
                     const tp_vector *wrench, const tp_judge *judge);
 

@@ -27,8 +27,7 @@ static tp_answer slide_alike(const tp_face *a, const tp_face *b, const tp_judge 
   arb_init(cross);
   arb_mul(cross, v, w + 1, bits);
   arb_submul(cross, v + 1, w, bits);
-  const double scale = tp_vector_log2_size(&a->twist) + tp_vector_log2_size(&b->twist);
-  const int sign = tp_judge_sign(judge, cross, scale);
+  const int sign = tp_vector_judge(judge, cross, &a->twist, &b->twist);
   arb_clear(cross);
   return sign == 0 ? TP_YES : sign > 1 ? TP_OPEN : TP_NO;
 }
@@ -110,11 +109,20 @@ static void find_forces(const proof *p) {
   tp_vector_clear(&wrench);
 }
 
+static int sign_of_force(const proof *p, int k) {
+  const tp_limit_question *q = p->question;
+  const arb_struct *force = p->answer->forces + k;
+  const bool asks = tp_judge_asks_scale(&q->judge, force);
+  return tp_judge_sign(&q->judge, force,
+                       asks ? force_scale(p->answer, q->cones, k, q->judge.bits) : 0);
+}
+
 /* Sign of what column k of the face could bear besides its force; 1 where it has no bound. */
-static int sign_of_rest(const proof *p, int k, double scale) {
+static int sign_of_rest(const proof *p, int k) {
   const tp_limit_question *q = p->question;
   const long column = p->answer->face.columns[k];
   if (tp_cones_is_edge(q->cones, column)) return 1;
+  double scale = force_scale(p->answer, q->cones, k, q->judge.bits);
   arb_t rest;
   arb_init(rest);
   tp_cones_bound(rest, q->cones, column);
@@ -126,15 +134,13 @@ static int sign_of_rest(const proof *p, int k, double scale) {
 }
 
 static tp_answer check_forces(const proof *p) {
-  const tp_limit_question *q = p->question;
   int at_end = -1;
   bool full = false;
   for (int k = 0; k < 2; k++) {
-    const double scale = force_scale(p->answer, q->cones, k, q->judge.bits);
-    const int sign = tp_judge_sign(&q->judge, p->answer->forces + k, scale);
+    const int sign = sign_of_force(p, k);
     if (sign < 0) return TP_NO;
     if (sign > 1) return TP_OPEN;
-    const int rest = sign_of_rest(p, k, scale);
+    const int rest = sign_of_rest(p, k);
     if (rest < 0) return TP_NO;
     if (rest > 1) return TP_OPEN;
     if (sign > 0 && rest > 0) continue;

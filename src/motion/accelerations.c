@@ -62,8 +62,7 @@ static tp_motion_outcome turn(tp_starting *s) {
   arb_one(about.of + 2);
   tp_vector_dot(moment, &about, &s->loads, bits);
   tp_vector_dot(inertia, &about, s->items, bits);
-  const int sign = tp_judge_sign(&q->judge, moment,
-                                 tp_vector_log2_size(&about) + tp_vector_log2_size(&s->loads));
+  const int sign = tp_vector_judge(&q->judge, moment, &about, &s->loads);
   arb_div(moment, moment, inertia, bits);
   const tp_vector *twist = &s->m->twists.rays[s->mode->rays[0]].twist;
   for (int e = 0; e < 3; e++) {
@@ -95,8 +94,7 @@ static tp_motion_outcome look_for_paradox(tp_starting *s) {
     tp_vector_neg(&edge);
     tp_newton_normal(&normal, s->q, n, n->normal_of[own->point]);
     tp_vector_dot(press, &normal, &edge, bits);
-    const double scale = tp_vector_log2_size(&normal) + tp_vector_log2_size(&edge);
-    const int sign = tp_judge_sign(&s->q->judge, press, scale);
+    const int sign = tp_vector_judge(&s->q->judge, press, &normal, &edge);
     if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
     if (sign == 1 || sign == TP_OPEN_SIGN) continue;
     int slip = 0;

@@ -63,7 +63,9 @@ static int sign_against(const spanning *s, const tp_vector *h, const tp_source *
   arb_t dot;
   arb_init(dot);
   tp_vector_dot(dot, h, &other->of, s->of->q->judge.precision);
-  const int sign = tp_judge_sign(&s->of->q->judge, dot, size + tp_vector_log2_size(&other->of));
+  const bool asks = tp_judge_asks_scale(&s->of->q->judge, dot);
+  if (asks) size += tp_vector_log2_size(&other->of);
+  const int sign = tp_judge_sign(&s->of->q->judge, dot, size);
   arb_clear(dot);
   return sign;
 }
@@ -133,8 +135,9 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   tp_bound *own = add_bound(s->bounds);
   if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
   const tp_generator *a = s->of->items + i, *b = s->of->items + j;
-  s->bounds->count--; /* until it is one */
-  double size = tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of);
+  s->bounds->count--;                           /* until it is one */
+  const bool settled = s->of->q->judge.settled; /* else no sign asks for its scale */
+  double size = settled ? tp_vector_log2_size(&a->of) + tp_vector_log2_size(&b->of) : 0;
   tp_vector_cross(&own->h, &a->of, &b->of, s->of->q->judge.precision);
   const int line = is_line(s, &own->h, size);
   if (line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
@@ -142,7 +145,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   own->source = tp_generators_source(s->of, a, b);
   own->rays = bit_of(i, s) | bit_of(j, s);
   own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
-  if (sharpen(own, s, a, b)) size = tp_vector_log2_size(&own->h);
+  if (sharpen(own, s, a, b) && settled) size = tp_vector_log2_size(&own->h);
   long above = 0, below = 0;
   for (long k = 0; k < s->of->count; k++) {
     if (k == i || k == j) continue;

@@ -40,7 +40,7 @@ static const tp_vector *h_of(cutting *c, int which, long normal) {
 }
 
 static int sign_of(const cutting *c, const arb_t ball, const tp_vector *a, const tp_vector *b) {
-  return tp_judge_sign(&c->n->judge, ball, tp_vector_log2_size(a) + tp_vector_log2_size(b));
+  return tp_vector_judge(&c->n->judge, ball, a, b);
 }
 
 static int dot_sign(const cutting *c, const tp_vector *a, const tp_vector *b) {

@@ -71,8 +71,7 @@ int tp_normal_sign(const tp_normals *n, const tp_normal *normal, const tp_vector
   arb_init(power);
   tp_normals_set_h(&h, n, normal - n->items);
   tp_vector_dot(power, &h, twist, n->judge.precision);
-  const int sign =
-      tp_judge_sign(&n->judge, power, tp_vector_log2_size(&h) + tp_vector_log2_size(twist));
+  const int sign = tp_vector_judge(&n->judge, power, &h, twist);
   tp_vector_clear(&h);
   arb_clear(power);
   return sign;
@@ -100,8 +99,7 @@ int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist) {
   arb_init(along);
   set_slip(&g, n, point);
   tp_vector_dot(along, &g, twist, n->judge.precision);
-  const int sign =
-      tp_judge_sign(&n->judge, along, tp_vector_log2_size(&g) + tp_vector_log2_size(twist));
+  const int sign = tp_vector_judge(&n->judge, along, &g, twist);
   tp_vector_clear(&g);
   arb_clear(along);
   return sign;

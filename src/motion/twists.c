@@ -151,8 +151,7 @@ static tp_motion_outcome add_across(tp_twists *t, const tp_normals *n, const tp_
   arb_init(side);
   turn_about(&turn, n, point, 1);
   tp_vector_dot(side, &turn, across, n->judge.precision);
-  const int sign =
-      tp_judge_sign(&n->judge, side, tp_vector_log2_size(&turn) + tp_vector_log2_size(across));
+  const int sign = tp_vector_judge(&n->judge, side, &turn, across);
   tp_vector_clear(&turn);
   arb_clear(side);
   if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;

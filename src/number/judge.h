@@ -28,6 +28,11 @@ enum { TP_OPEN_SIGN = 2 };
 /* Sign of a ball by the judge: 1, -1, 0, or TP_OPEN_SIGN. `log2_scale` is that of its terms. */
 int tp_judge_sign(const tp_judge *judge, const arb_t ball, double log2_scale);
 
+/* Does that sign rest on the scale? Otherwise any will do. */
+static inline bool tp_judge_asks_scale(const tp_judge *judge, const arb_t ball) {
+  return judge->settled && arb_contains_zero(ball) && !arb_is_zero(ball);
+}
+
 /* Is what its bits do not tell apart to be taken for equal? Notes that it is. */
 bool tp_judge_takes_equal(const tp_judge *judge);
 

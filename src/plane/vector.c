@@ -38,3 +38,8 @@ double tp_vector_log2_size(const tp_vector *v) {
   for (int k = 0; k < 3; k++) most = fmax(most, tp_ball_log2_above(v->of + k));
   return most;
 }
+
+int tp_vector_judge(const tp_judge *judge, const arb_t of, const tp_vector *a, const tp_vector *b) {
+  const bool asks = tp_judge_asks_scale(judge, of);
+  return tp_judge_sign(judge, of, asks ? tp_vector_log2_size(a) + tp_vector_log2_size(b) : 0);
+}

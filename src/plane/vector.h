@@ -7,6 +7,8 @@
 #ifndef TP_VECTOR_H
 #define TP_VECTOR_H
 
+#include "number/judge.h"
+
 #include <arb.h>
 
 typedef struct tp_vector {
@@ -32,5 +34,8 @@ static inline void tp_vector_cross_near(double product[3], const double a[3], co
 
 /* An upper bound of log2 of the largest entry. */
 double tp_vector_log2_size(const tp_vector *v);
+
+/* The sign by the judge of what is made of products of the entries of two. */
+int tp_vector_judge(const tp_judge *judge, const arb_t of, const tp_vector *a, const tp_vector *b);
 
 #endif

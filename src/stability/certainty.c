@@ -85,7 +85,7 @@ tp_bounded tp_result_within(const tp_evaluation *e, const arb_t ball, double log
 tp_bounded tp_result_metres(const tp_evaluation *e, arb_t value, int degree,
                             tp_certainty *certainty) {
   tp_evaluation_to_metres(value, e, degree);
-  return tp_result_scaled(e, value, degree * tp_evaluation_log2_extent(e), certainty);
+  return tp_result_scaled(e, value, degree * e->log2_extent, certainty);
 }
 
 void tp_result_point(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *e, tp_outline_point at,

@@ -3,8 +3,26 @@
 
 #include "stability/evaluation.h"
 
+#include "stability/friction.h"
+
 #include <float.h>
 #include <math.h>
+
+static double log2_extent(const tp_lattice *l) {
+  const double step_m = fmpq_get_d(l->step_m);
+  return (double)l->bits + log2(step_m > 0 ? step_m : DBL_MIN);
+}
+
+/* Once for all that ask for it. */
+static void set_friction(tp_evaluation *e) {
+  const tp_scene *scene = e->problem->scene;
+  if (!scene->friction_angle_deg.given || tp_friction_is_load_dependent(e)) return;
+  arb_t degrees;
+  arb_init(degrees);
+  arb_set_fmpq(degrees, scene->friction_angle_deg.value, e->rung.bits);
+  tp_friction_tangent(e->friction_tangent, degrees, e->rung.bits);
+  arb_clear(degrees);
+}
 
 void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung rung,
                         const tp_solve_options *options) {
@@ -13,14 +31,18 @@ void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung run
                        .digits = options->digits,
                        .reduces_strength = options->strength_reduction,
                        .tells_ranges = options->motion_ranges,
-                       .pivots = options->pivots};
+                       .pivots = options->pivots,
+                       .log2_extent = log2_extent(&problem->lattice)};
   arb_init(e->weight_per_area_pa);
+  arb_init(e->friction_tangent);
+  set_friction(e);
   tp_moments_init(&e->moments);
   tp_evaluate_moments(&e->moments, problem, rung);
 }
 
 void tp_evaluation_clear(tp_evaluation *e) {
   arb_clear(e->weight_per_area_pa);
+  arb_clear(e->friction_tangent);
   tp_moments_clear(&e->moments);
 }
 
@@ -81,12 +103,6 @@ void tp_evaluation_facet(arb_t dx, arb_t dy, const tp_evaluation *e, const tp_fa
   arb_sub(dy, dy, y, e->rung.bits);
   arb_clear(x);
   arb_clear(y);
-}
-
-double tp_evaluation_log2_extent(const tp_evaluation *e) {
-  const tp_lattice *l = &e->problem->lattice;
-  const double step_m = fmpq_get_d(l->step_m);
-  return (double)l->bits + log2(step_m > 0 ? step_m : DBL_MIN);
 }
 
 void tp_evaluation_to_metres(arb_t value, const tp_evaluation *e, int degree) {

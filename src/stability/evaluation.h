@@ -21,6 +21,8 @@ typedef struct tp_evaluation {
   tp_pivots_listed pivots;
   tp_moments moments;
   arb_t weight_per_area_pa;       /* on the mean plane, level; where friction depends on the load */
+  arb_t friction_tangent;         /* where it does not */
+  double log2_extent;             /* of what a coordinate can be, m from the lattice's origin */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
   tp_decimals *decimals; /* keeps texts where more digits are asked for than a double holds */
   tp_work *work;         /* counts that of the limit and the onset on all rungs; NULL: any */
@@ -51,9 +53,6 @@ void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *evaluation, long 
 /* From one end of a facet to the other, in lattice units. */
 void tp_evaluation_facet(arb_t dx, arb_t dy, const tp_evaluation *evaluation,
                          const tp_facet *facet);
-
-/* log2 of what a coordinate can be, m from the lattice's origin. */
-double tp_evaluation_log2_extent(const tp_evaluation *evaluation);
 
 /* A quantity of the lattice times step^degree: in metres to that power. */
 void tp_evaluation_to_metres(arb_t value, const tp_evaluation *evaluation, int degree);

@@ -157,3 +157,11 @@ void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits) {
   arb_div_ui(tangent, degrees, 180, bits);
   arb_tan_pi(tangent, tangent, bits);
 }
+
+void tp_friction_set_tangent(arb_t tangent, const tp_evaluation *e, const arb_t degrees) {
+  if (tp_friction_is_load_dependent(e)) {
+    tp_friction_tangent(tangent, degrees, e->rung.bits);
+  } else {
+    arb_set(tangent, e->friction_tangent);
+  }
+}

@@ -24,6 +24,9 @@ void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t 
 /* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);
 
+/* The same of an angle of friction of the scene, which tp_friction_at gave. */
+void tp_friction_set_tangent(arb_t tangent, const tp_evaluation *evaluation, const arb_t degrees);
+
 /* The tilt at which the block lets go where the friction angle is `degrees`: to a few digits where
  * `tilt` is asked of as an estimate, else enclosed. False where there is none. */
 typedef bool (*tp_friction_limit)(arb_t tilt, void *context, const arb_t degrees, bool estimate);

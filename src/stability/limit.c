@@ -63,7 +63,7 @@ static void reduce_strength(tp_limit *result, tp_limit_asking *a) {
   arb_init(friction);
   arb_set_fmpq(tilt, given->value, e->rung.bits);
   tp_friction_at(friction, e, tilt);
-  tp_friction_tangent(a->cones->friction, friction, e->rung.bits);
+  tp_friction_set_tangent(a->cones->friction, e, friction);
   tp_work_begin(e->work, tp_cones_column_count(a->cones));
   a->outcome = tp_reduction_find(&found, a->question, a->cones, tilt, e->digits);
   if (holds_at_single_tilts(a)) {
@@ -124,7 +124,7 @@ static bool share_scaled(contact_forces *c, tp_limit_question *question, const t
     arb_t friction;
     arb_init(friction);
     tp_friction_at(friction, e, friction);
-    tp_friction_tangent(c->cones.friction, friction, e->rung.bits);
+    tp_friction_set_tangent(c->cones.friction, e, friction);
     arb_clear(friction);
     c->has_scaled = tp_program_scaled(&c->scaled, question);
   }

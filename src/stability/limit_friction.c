@@ -56,7 +56,7 @@ static tp_limit_outcome find(tp_limit_asking *a) {
 /* A friction angle to the limit that it gives (tp_friction_limit). */
 static bool limit_of(arb_t tilt, void *context, const arb_t degrees, bool estimate) {
   tp_limit_asking *a = context;
-  tp_friction_tangent(a->cones->friction, degrees, a->e->rung.bits);
+  tp_friction_set_tangent(a->cones->friction, a->e, degrees);
   if (estimate) {
     tp_scaled scaled;
     if (!tp_program_scaled(&scaled, a->question)) {

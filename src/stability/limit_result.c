@@ -33,7 +33,7 @@ tp_mechanism tp_limit_mechanism(tp_face_motion motion) {
 static void set_point(tp_bounded *x_m, tp_bounded *y_m, const telling *t, const arb_t x,
                       const arb_t y) {
   const tp_evaluation *e = t->e;
-  const double log2_size = tp_evaluation_log2_extent(e);
+  const double log2_size = e->log2_extent;
   arb_t scene_x, scene_y;
   arb_init(scene_x);
   arb_init(scene_y);
@@ -96,8 +96,7 @@ static bool slides_along(const telling *t, long column) {
   tp_cones_column(force.of, t->question->cones, column, judge->precision);
   arb_zero(force.of + 2); /* its moment does none: a slide does not turn */
   tp_vector_dot(power, twist, &force, judge->precision);
-  const double scale = tp_vector_log2_size(twist) + tp_vector_log2_size(&force);
-  const int sign = tp_judge_sign(judge, power, scale);
+  const int sign = tp_vector_judge(judge, power, twist, &force);
   tp_vector_clear(&force);
   arb_clear(power);
   return sign != 1 && sign != -1;

@@ -52,8 +52,7 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
  * overturns. A load whose line passes through the pivot overturns nothing. */
 static tp_load_side side_of(const tp_evaluation *e, const tp_load *load, const arb_t moment,
                             const arb_t x, const arb_t y, tp_certainty *certainty) {
-  const double arm =
-      fmax(tp_evaluation_log2_extent(e), fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
+  const double arm = fmax(e->log2_extent, fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
   if (arb_contains_zero(moment) && !arb_is_zero(moment)) {
     if (tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
       tp_certainty_take_zero(certainty, e);

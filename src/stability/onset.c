@@ -69,7 +69,7 @@ static bool find_by(asking *a, const arb_t friction, const tp_judge *judge) {
   tp_motion_question q = a->asked.question;
   q.judge = *judge;
   forget(a);
-  tp_friction_tangent(a->asked.cones.friction, friction, a->e->rung.bits);
+  tp_friction_set_tangent(a->asked.cones.friction, a->e, friction);
   a->outcome = tp_motions_init(&a->motions, &q);
   if (a->outcome != TP_MOTION_PROVEN) return false;
   a->outcome = tp_windows_init(&a->windows, &a->motions, &q.judge);

@@ -55,7 +55,7 @@ static void set_components(tp_bounded *x, tp_bounded *y, const tp_onset_telling 
 static tp_bounded turning(const tp_onset_telling *t, const arb_t of, bool over_length) {
   const tp_evaluation *e = t->e;
   const tp_lattice *l = &e->problem->lattice;
-  const double log2_size = tp_evaluation_log2_extent(e);
+  const double log2_size = e->log2_extent;
   arb_t own, unit;
   arb_init(own);
   arb_init(unit);

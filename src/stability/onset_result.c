@@ -27,7 +27,7 @@ long tp_onset_first_window(const tp_motion_windows *windows, const tp_judge *jud
 void tp_onset_centre(tp_bounded *x_m, tp_bounded *y_m, const tp_onset_telling *t,
                      const tp_vector *twist) {
   const tp_evaluation *e = t->e;
-  const double log2_size = tp_evaluation_log2_extent(e);
+  const double log2_size = e->log2_extent;
   arb_t x, y;
   arb_init(x);
   arb_init(y);

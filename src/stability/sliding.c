@@ -104,7 +104,7 @@ static tp_fos strength_factor(const tp_evaluation *e, const arb_t facet_angle,
     arb_tan_pi(needed, needed, bits);
     arb_set_fmpq(tilt, scene->tilt_angle_deg.value, bits);
     tp_friction_at(tilt, e, tilt);
-    tp_friction_tangent(value, tilt, bits);
+    tp_friction_set_tangent(value, e, tilt);
     arb_div(value, value, needed, bits);
     fos.value = tp_result(e, value, certainty);
   } else if (!arb_is_nonpositive(needed)) {
