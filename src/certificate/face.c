@@ -192,15 +192,40 @@ void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judg
   arb_clear(zero);
 }
 
+static void powers_init(powers *p) {
+  arb_init(p->vx);
+  arb_init(p->vy);
+  arb_init(p->normal);
+  arb_init(p->along);
+  arb_init(p->edge);
+}
+
+static void powers_clear(powers *p) {
+  arb_clear(p->vx);
+  arb_clear(p->vy);
+  arb_clear(p->normal);
+  arb_clear(p->along);
+  arb_clear(p->edge);
+}
+
+tp_answer tp_face_admit_points(tp_face *face, const tp_cones *cones, long from,
+                               const tp_judge *judge) {
+  powers p;
+  long violated = -1;
+  tp_answer answer = TP_YES;
+  powers_init(&p);
+  for (long k = from; k < cones->count && answer == TP_YES; k++) {
+    answer = admit_point(face, cones, k, &p, judge, &violated);
+  }
+  powers_clear(&p);
+  return answer;
+}
+
 tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_scaled *scaled,
                         const tp_judge *judge, long *violated) {
   const tp_filter filter = tp_filter_of(&face->twist, scaled);
   powers p;
-  arb_init(p.vx);
-  arb_init(p.vy);
-  arb_init(p.normal);
-  arb_init(p.along);
-  arb_init(p.edge);
+  powers_init(&p);
   tp_answer answer = TP_YES;
   for (long k = 0; k < cones->count && answer == TP_YES; k++) {
     if (tp_filter_is_above_zero(&filter, scaled->columns[2 * k]) &&
@@ -209,11 +234,7 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_scaled *s
     }
     answer = admit_point(face, cones, k, &p, judge, violated);
   }
-  arb_clear(p.vx);
-  arb_clear(p.vy);
-  arb_clear(p.normal);
-  arb_clear(p.along);
-  arb_clear(p.edge);
+  powers_clear(&p);
   if (answer == TP_YES && face->motion == TP_MOTION_TURN_AT_SITE) turn_about_site(face, cones);
   if (answer == TP_YES) tp_face_find_resistance(face, cones, judge);
   return answer;

@@ -46,6 +46,11 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
 tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_scaled *scaled,
                         const tp_judge *judge, long *violated);
 
+/* Likewise to the friction cones of points from one on, one by one, and neither K nor the centre
+ * of a turn as exactly as its site. */
+tp_answer tp_face_admit_points(tp_face *face, const tp_cones *cones, long from,
+                               const tp_judge *judge);
+
 /* K and `full` alone. */
 void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judge *judge);
 

@@ -124,7 +124,7 @@ static bool find_zeros(zeros *z, const tp_trig *excess, const tp_limit_question 
   return certain;
 }
 
-/* About `at`, the work of the loads being above what is held there; `z` NULL: there alone. */
+/* About `at`, the work of the loads being above what is held there. */
 static tp_answer infeasible_about(zeros *z, const tp_limit_question *q, tp_scaled *scaled,
                                   const tp_vector *push, const arb_t at) {
   tp_face face;
@@ -146,8 +146,7 @@ static tp_answer infeasible_about(zeros *z, const tp_limit_question *q, tp_scale
   if (answer == TP_YES) {
     tp_excess_of(&excess, &face, q);
     tp_trig_evaluate(above, &excess, sine, cosine, q->judge.bits);
-    const bool infeasible =
-        arb_is_positive(above) && (z == NULL || find_zeros(z, &excess, q, at, 0));
+    const bool infeasible = arb_is_positive(above) && find_zeros(z, &excess, q, at, 0);
     answer = infeasible ? TP_YES : TP_OPEN;
   }
   tp_vector_clear(&load);
@@ -159,9 +158,34 @@ static tp_answer infeasible_about(zeros *z, const tp_limit_question *q, tp_scale
   return answer;
 }
 
+tp_answer tp_infeasible_under(const tp_limit_question *q, tp_scaled *scaled, const tp_vector *push,
+                              const tp_vector *load) {
+  tp_face face;
+  if (!tp_face_init(&face, q->cones)) {
+    scaled->out_of_memory = true;
+    return TP_OPEN;
+  }
+  tp_answer answer = find_face(&face, q, scaled, push, load);
+  if (answer == TP_YES) {
+    arb_t above;
+    arb_init(above);
+    tp_vector_dot(above, &face.twist, load, q->judge.precision);
+    arb_sub(above, above, face.resistance, q->judge.bits);
+    answer = arb_is_positive(above) ? TP_YES : TP_OPEN;
+    arb_clear(above);
+  }
+  tp_face_clear(&face);
+  return answer;
+}
+
 tp_answer tp_infeasible_at(const tp_limit_question *q, tp_scaled *scaled, const tp_vector *push,
                            const arb_t degrees) {
-  return infeasible_about(NULL, q, scaled, push, degrees);
+  tp_vector load;
+  tp_vector_init(&load);
+  tp_question_load_at_degrees(&load, q, degrees);
+  const tp_answer answer = tp_infeasible_under(q, scaled, push, &load);
+  tp_vector_clear(&load);
+  return answer;
 }
 
 typedef struct walk {

@@ -10,7 +10,11 @@
 #include "certificate/equilibrium.h"
 #include "certificate/face.h"
 
-/* Is there no equilibrium at the tilt? */
+/* Is there no equilibrium under a wrench? */
+tp_answer tp_infeasible_under(const tp_limit_question *question, tp_scaled *scaled,
+                              const tp_vector *push, const tp_vector *load);
+
+/* Is there none at the tilt? */
 tp_answer tp_infeasible_at(const tp_limit_question *question, tp_scaled *scaled,
                            const tp_vector *push, const arb_t degrees);
 

@@ -10,6 +10,7 @@
 #include "stability/limit_cones.h"
 #include "stability/limit_friction.h"
 #include "stability/limit_result.h"
+#include "stability/limit_serves.h"
 #include "stability/loaded.h"
 #include "stability/stages.h"
 #include "strength_reduction/reduction.h"
@@ -112,9 +113,11 @@ typedef struct contact_forces {
   bool has_scaled; /* not with friction that depends on the load: it changes with every question */
 } contact_forces;
 
-/* Tilted on or back; with the factor of safety. */
+/* Tilted on or back; with the factor of safety; and whether the limit serves for the base as it is
+ * otherwise is told there, or not asked. */
 typedef struct variant {
   bool back, with_factor;
+  bool *serves;
 } variant;
 
 /* False when memory is exhausted. */
@@ -154,6 +157,10 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, const tp_evaluation 
     a.outcome = TP_LIMIT_PROVEN;
     tp_limit_meet_friction(result, &a);
     describe(result, angle, &a, towards);
+    if (v.serves != NULL && a.outcome == TP_LIMIT_PROVEN && !asked.took_zero &&
+        !tp_limit_serves(v.serves, e, towards, question, &answer)) {
+      a.outcome = TP_LIMIT_OUT_OF_MEMORY;
+    }
     note_zeros(&asked, &a, result->tie_bits != 0);
   }
   if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) {
@@ -171,14 +178,15 @@ static void contact_forces_clear(contact_forces *c) {
 }
 
 static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_ball *back,
-                     const tp_evaluation *e, tp_certainty *certainty) {
+                     const tp_evaluation *e, bool *serves, tp_certainty *certainty) {
   const tp_direction towards = result->towards;
   contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
   result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
   result->limit_back = result->limit;
+  const variant forward = {.with_factor = true, .serves = serves};
   const bool done =
-      ask(&result->limit, limit, e, &c, towards, (variant){.with_factor = true}, certainty) &&
+      ask(&result->limit, limit, e, &c, towards, forward, certainty) &&
       ask(&result->limit_back, back, e, &c, towards, (variant){.back = true}, certainty);
   contact_forces_clear(&c);
   return done;
@@ -215,12 +223,12 @@ static bool differ(const tp_limit *a, const tp_limit *b, const tp_evaluation *e,
 
 bool tp_evaluate_limit(const tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
                        tp_direction_ball *back, tp_certainty *certainty) {
-  bool done = find_own(result, limit, back, e, certainty);
+  bool matters = false, serves = false;
+  bool done = tp_limit_base_matters(&matters, e->problem, result->towards) &&
+              find_own(result, limit, back, e, matters ? &serves : NULL, certainty);
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
-  bool matters = false;
-  done = done && tp_limit_base_matters(&matters, e->problem, result->towards);
-  if (done && matters) done = find_otherwise(result, e, certainty);
+  if (done && matters && !serves) done = find_otherwise(result, e, certainty);
   result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   result->base_matters = differ(&result->limit, &result->limit_otherwise, e, certainty);
   return done;

@@ -271,3 +271,30 @@ bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *e, tp_direction t
   tp_limit_beyond_clear(&beyond);
   return done;
 }
+
+static void copy_point(tp_cones *cones, long to, const tp_cones *from, long point) {
+  cones->points[to] = from->points[point];
+  arb_set(cones->x + to, from->x + point);
+  arb_set(cones->y + to, from->y + point);
+  fmpz_set(cones->tx + to, from->tx + point);
+  fmpz_set(cones->ty + to, from->ty + point);
+}
+
+bool tp_limit_cones_added(tp_cones *cones, const tp_evaluation *e, tp_direction towards,
+                          const tp_cones *own, const long points[2]) {
+  tp_limit_beyond beyond;
+  if (!tp_limit_beyond_init(&beyond, e->problem, towards)) return false;
+  const bool done = tp_cones_init(cones, 2 + count_beyond(&beyond));
+  if (done) {
+    for (int k = 0; k < 2; k++) copy_point(cones, k, own, points[k]);
+    arb_set(cones->friction, own->friction);
+    filling f = {.cones = cones, .e = e, .towards = towards, .next = 2};
+    add_beyond(&f, &beyond);
+  }
+  tp_limit_beyond_clear(&beyond);
+  return done;
+}
+
+bool tp_limit_keeps_facet(const tp_problem *problem, tp_direction towards, long facet) {
+  return !lies_beyond(problem, problem->contact.facets + facet, towards);
+}

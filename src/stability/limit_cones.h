@@ -22,4 +22,13 @@ TP_MUST_USE bool tp_limit_base_matters(bool *matters, const tp_problem *problem,
 TP_MUST_USE bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *evaluation,
                                      tp_direction towards, bool otherwise);
 
+/* Of a base that ends at the toe, two of its points and behind them what it would have more if it
+ * went on. False when memory is exhausted. */
+TP_MUST_USE bool tp_limit_cones_added(tp_cones *cones, const tp_evaluation *evaluation,
+                                      tp_direction towards, const tp_cones *own,
+                                      const long points[2]);
+
+/* Of a base that goes on, would the facet of the contact be there if it ended at the toe? */
+bool tp_limit_keeps_facet(const tp_problem *problem, tp_direction towards, long facet);
+
 #endif

@@ -3,24 +3,22 @@
 
 #include "strength_reduction/reduced.h"
 
+#include "certificate/equilibrium.h"
 #include "certificate/infeasible.h"
-#include "certificate/interval.h"
 #include "limit/program.h"
 #include "limit/search.h"
 
 #include <math.h>
 
-static void set_target(tp_reduced *r) {
-  tp_vector load;
-  tp_vector_init(&load);
-  tp_question_load_at_degrees(&load, r->question, r->degrees);
-  tp_scaled_wrench(r->target, &r->reduced, &load);
+static void set_load(tp_reduced *r) {
+  tp_vector_init(&r->load);
+  tp_question_load_at_degrees(&r->load, r->question, r->degrees);
+  tp_scaled_wrench(r->target, &r->reduced, &r->load);
   for (int row = 0; row < 3; row++) r->target[row] = -r->target[row];
-  tp_vector_clear(&load);
 }
 
 void tp_reduced_init(tp_reduced *r) {
-  set_target(r);
+  set_load(r);
   const tp_cones *cones = r->cones;
   arb_init(r->friction);
   arb_set(r->friction, cones->friction);
@@ -40,6 +38,7 @@ void tp_reduced_clear(tp_reduced *r) {
   }
   _arb_vec_clear(r->bounds, 2 * cones->capacity_count);
   arb_clear(r->friction);
+  tp_vector_clear(&r->load);
 }
 
 static void divide_by(const tp_reduced *r, const arf_t factor) {
@@ -110,7 +109,15 @@ static tp_limit_outcome infeasible_by_limit(int *side, tp_reduced *r, const arf_
   return outcome == TP_LIMIT_PROVEN && *side == 0 ? TP_LIMIT_OPEN : outcome;
 }
 
-tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor) {
+static bool is_held(const tp_limit_question *q, tp_reduced *r, const tp_vector *push) {
+  return tp_equilibrium_bears(q, &r->reduced, push, &r->load) == TP_YES;
+}
+
+static bool is_lost(const tp_limit_question *q, tp_reduced *r, const tp_vector *push) {
+  return tp_infeasible_under(q, &r->reduced, push, &r->load) == TP_YES;
+}
+
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor, int expected) {
   tp_limit_question strict = *r->question;
   strict.judge.settled = false; /* a proof takes nothing for zero that only is so to so many bits */
   tp_vector push;
@@ -118,9 +125,11 @@ tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor) {
   divide(r, factor);
   tp_equilibrium_push(&push, &strict, &r->reduced);
   *side = 0;
-  if (tp_interval_bears_at(&strict, &r->reduced, &push, r->degrees) == TP_YES) {
+  if (expected < 0 && is_lost(&strict, r, &push)) {
+    *side = -1;
+  } else if (is_held(&strict, r, &push)) {
     *side = 1;
-  } else if (tp_infeasible_at(&strict, &r->reduced, &push, r->degrees) == TP_YES) {
+  } else if (expected >= 0 && is_lost(&strict, r, &push)) {
     *side = -1;
   }
   tp_vector_clear(&push);

@@ -11,6 +11,7 @@
 
 #include "limit/limit.h"
 #include "linear_program/scaled.h"
+#include "plane/vector.h"
 
 /* The strength as given, to be divided. */
 typedef struct tp_reduced {
@@ -21,7 +22,8 @@ typedef struct tp_reduced {
   const tp_scaled *given;
   tp_scaled reduced; /* the caller's copy */
   arb_srcptr degrees;
-  double target[3]; /* the loads at the tilt, turned round, in the scaled program's units */
+  tp_vector load;   /* at the tilt */
+  double target[3]; /* turned round, in the scaled program's units */
 } tp_reduced;
 
 /* Keeps the strength of the cones; `clear` gives it back to them. */
@@ -43,7 +45,7 @@ typedef struct tp_reduced_limit {
 tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, const arf_t factor);
 
 /* With the strength divided by the factor, is the block proven to be held at the tilt, 1, or not,
- * -1? 0 where that is open. */
-tp_limit_outcome tp_reduced_side(int *side, tp_reduced *reduced, const arf_t factor);
+ * -1? 0 where that is open. What is expected is tried first. */
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced *reduced, const arf_t factor, int expected);
 
 #endif

@@ -99,10 +99,10 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
   arf_mul_2exp_si(width, estimate, -wanted);
   arf_sub(low, estimate, width, bits, ARF_RND_DOWN);
   arf_add(high, estimate, width, bits, ARF_RND_UP);
-  tp_limit_outcome outcome = tp_reduced_side(&side, r, low);
+  tp_limit_outcome outcome = tp_reduced_side(&side, r, low, 1);
   *proven = outcome == TP_LIMIT_PROVEN && side > 0;
   if (*proven) {
-    outcome = tp_reduced_side(&side, r, high);
+    outcome = tp_reduced_side(&side, r, high, -1);
     *proven = outcome == TP_LIMIT_PROVEN && side < 0;
   }
   if (*proven) {
@@ -162,7 +162,7 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
     if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
       break;
     }
-    outcome = tp_reduced_side(&side, r, factor);
+    outcome = tp_reduced_side(&side, r, factor, 1);
     arf_set(side > 0 ? low : high, factor);
   }
   arf_clear(low);
@@ -193,10 +193,10 @@ static tp_limit_outcome find_surely(tp_reduction *reduction, tp_reduced *r, doub
   arf_t about;
   arf_init(about);
   arf_set_d(about, high);
-  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about);
+  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about, -1);
   if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
     arf_set_d(about, low);
-    outcome = tp_reduced_side(&strong, r, about);
+    outcome = tp_reduced_side(&strong, r, about, 1);
   }
   reduction->kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
   if (strong > 0 && weak < 0) {
