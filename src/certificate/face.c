@@ -69,8 +69,9 @@ tp_answer tp_face_span(tp_face *face, const tp_cones *cones, long first, long se
   return sign == 0 ? TP_NO : sign == TP_OPEN_SIGN || turns == TP_OPEN_SIGN ? TP_OPEN : TP_YES;
 }
 
-/* Scratch for the power of the two edges of a cone. */
+/* Scratch for the power of the two edges of the cone at a point, once it is needed. */
 typedef struct powers {
+  long point; /* -1: none as yet */
   arb_t vx, vy, normal, along, edge;
 } powers;
 
@@ -79,6 +80,7 @@ typedef struct powers {
 static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, long point,
                          long bits) {
   const arb_struct *v = face->twist.of;
+  p->point = point;
   arb_mul(p->vx, v + 2, cones->y + point, bits);
   arb_sub(p->vx, v, p->vx, bits);
   arb_mul(p->vy, v + 2, cones->x + point, bits);
@@ -130,22 +132,29 @@ static tp_answer is_at_rest(const tp_face *face, const tp_cones *cones, long poi
   return along == 0 && up == 0 ? TP_YES : TP_NO;
 }
 
-/* The signs of both edges' powers at a point: idle ones count as zero without arithmetic. */
-static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, powers *p,
-                             const tp_judge *judge, long *violated) {
+/* The sign of an edge's power. */
+static int sign_of_edge(const tp_face *face, const tp_cones *cones, long column, powers *p,
+                        const tp_judge *judge) {
+  const long point = column / 2;
+  if (p->point != point) point_powers(p, face, cones, point, judge->precision);
+  if (column % 2 == 0) {
+    arb_add(p->edge, p->normal, p->along, judge->precision);
+  } else {
+    arb_sub(p->edge, p->normal, p->along, judge->precision);
+  }
+  const bool asks = tp_judge_asks_scale(judge, p->edge);
+  return tp_judge_sign(judge, p->edge, asks ? log2_of_terms(face, cones, point) : 0);
+}
+
+/* The signs of both edges' powers at a point, but those `above` zero: idle ones count as zero
+ * without arithmetic. */
+static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, const bool above[2],
+                             powers *p, const tp_judge *judge, long *violated) {
   int zeros = 0;
-  point_powers(p, face, cones, point, judge->precision);
   for (int side = 0; side < 2; side++) {
+    if (above[side]) continue;
     const long column = 2 * point + side;
-    if (side == 0) {
-      arb_add(p->edge, p->normal, p->along, judge->precision);
-    } else {
-      arb_sub(p->edge, p->normal, p->along, judge->precision);
-    }
-    if (arb_is_positive(p->edge)) continue;
-    const int sign = is_idle(face, cones, column)
-                         ? 0
-                         : tp_judge_sign(judge, p->edge, log2_of_terms(face, cones, point));
+    const int sign = is_idle(face, cones, column) ? 0 : sign_of_edge(face, cones, column, p, judge);
     if (sign == 0) zeros++;
     if (sign == -1 || sign == TP_OPEN_SIGN) {
       *violated = column;
@@ -153,6 +162,7 @@ static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, p
     }
   }
   if (zeros < 2 || face->motion != TP_MOTION_TURN) return TP_YES;
+  if (p->point != point) point_powers(p, face, cones, point, judge->precision);
   const tp_answer rests = is_at_rest(face, cones, point, p, judge);
   if (rests == TP_YES) { /* the centre lies in this point */
     face->motion = TP_MOTION_TURN_AT_SITE;
@@ -193,6 +203,7 @@ void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judg
 }
 
 static void powers_init(powers *p) {
+  p->point = -1;
   arb_init(p->vx);
   arb_init(p->vy);
   arb_init(p->normal);
@@ -215,7 +226,7 @@ tp_answer tp_face_admit_points(tp_face *face, const tp_cones *cones, long from,
   tp_answer answer = TP_YES;
   powers_init(&p);
   for (long k = from; k < cones->count && answer == TP_YES; k++) {
-    answer = admit_point(face, cones, k, &p, judge, &violated);
+    answer = admit_point(face, cones, k, (bool[2]){false, false}, &p, judge, &violated);
   }
   powers_clear(&p);
   return answer;
@@ -228,11 +239,10 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_scaled *s
   powers_init(&p);
   tp_answer answer = TP_YES;
   for (long k = 0; k < cones->count && answer == TP_YES; k++) {
-    if (tp_filter_is_above_zero(&filter, scaled->columns[2 * k]) &&
-        tp_filter_is_above_zero(&filter, scaled->columns[2 * k + 1])) {
-      continue;
-    }
-    answer = admit_point(face, cones, k, &p, judge, violated);
+    const bool above[2] = {tp_filter_is_above_zero(&filter, scaled->columns[2 * k]),
+                           tp_filter_is_above_zero(&filter, scaled->columns[2 * k + 1])};
+    if (above[0] && above[1]) continue;
+    answer = admit_point(face, cones, k, above, &p, judge, violated);
   }
   powers_clear(&p);
   if (answer == TP_YES && face->motion == TP_MOTION_TURN_AT_SITE) turn_about_site(face, cones);

@@ -35,7 +35,7 @@ static tp_motion_outcome add_contact(tp_closed *closed, const tp_normals *n, lon
 
 int tp_closed_slip(const tp_normals *n, long point, const tp_ray *ray) {
   if (ray->site >= 0 && ray->site == n->cones->points[point].site) return 0;
-  return tp_normals_slip(n, point, &ray->twist);
+  return tp_normals_slip(n, point, &ray->twist, ray->near);
 }
 
 /* x f_y - y f_x of the force f = n +- t tan(phi) at a point. */
@@ -105,7 +105,8 @@ static tp_motion_outcome add_family(tp_closed *closed, const tp_normals *n,
                                     const tp_contact_family *family, const tp_ray *ray) {
   if (ray->axis >= 0) {
     if (ray->axis != family->axis) return TP_MOTION_PROVEN;
-    const int slip = tp_normals_slip(n, n->order[n->items[family->first].first], &ray->twist);
+    const int slip =
+        tp_normals_slip(n, n->order[n->items[family->first].first], &ray->twist, ray->near);
     return slip == TP_OPEN_SIGN ? TP_MOTION_OPEN : add_sliding(closed, n, family, slip);
   }
   for (long k = 0; k < (family->count > 1 ? 2 : 1); k++) {

@@ -35,23 +35,10 @@ void tp_mode_filter_init(tp_mode_filter *f, const tp_motion_question *q) {
   f->friction = near_of(q->cones->friction);
 }
 
-/* What tp_normals_near gives, zeros where it does not tell; any positive factor of a vector will
- * do. */
-static bool set_near(tp_near own[3], const double near[3]) {
-  static const double error = 0x1p-49;
-  for (int k = 0; k < 3; k++) own[k] = (tp_near){near[k], fabs(near[k]) * error};
-  return near[0] != 0 || near[1] != 0 || near[2] != 0;
-}
-
-static tp_near whole(const fmpz_t number) {
-  const double value = fmpz_get_d(number);
-  return (tp_near){value, fabs(value) < 1 / DBL_EPSILON ? 0 : fabs(value) * DBL_EPSILON};
-}
-
 /* M r, as in motion/newton.h. */
 static bool set_inertia(tp_near own[3], const tp_mode_filter *f, const tp_ray *ray) {
   tp_near a[3];
-  if (!set_near(a, ray->near)) return false;
+  if (!tp_normals_set_near(a, ray->near)) return false;
   own[0] = tp_near_mul(a[0], f->scale);
   own[1] = tp_near_mul(a[1], f->scale);
   own[2] = (tp_near){.error = 0};
@@ -65,7 +52,7 @@ static bool set_inertia(tp_near own[3], const tp_mode_filter *f, const tp_ray *r
 /* -e: the force n +- t tan(phi) at its point, turned round. */
 static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals *n, long point,
                       bool against) {
-  const tp_near tx = whole(n->tx + point), ty = whole(n->ty + point);
+  const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
   const tp_near friction = against ? tp_near_neg(f->friction) : f->friction;
   const tp_near x = tp_near_mul(tp_ball_near(n->cones->x + point), f->scale);
   const tp_near y = tp_near_mul(tp_ball_near(n->cones->y + point), f->scale);
@@ -78,7 +65,7 @@ static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals 
 /* k^2 M^-1 h of a normal line. */
 static bool set_normal(tp_near own[3], const tp_mode_filter *f, const tp_normal *normal) {
   tp_near h[3];
-  if (!set_near(h, normal->near)) return false;
+  if (!tp_normals_set_near(h, normal->near)) return false;
   own[0] = tp_near_mul(h[0], f->gyration);
   own[1] = tp_near_mul(h[1], f->gyration);
   own[2] = tp_near_add(tp_near_sub(tp_near_mul(h[2], f->scale), tp_near_mul(h[1], f->x)),

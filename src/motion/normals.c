@@ -92,7 +92,24 @@ void tp_normals_slip_ball(arb_t along, const tp_normals *n, long point, const tp
   tp_vector_clear(&g);
 }
 
-int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist) {
+bool tp_normals_set_near(tp_near own[3], const double near[3]) {
+  static const double error = 0x1p-49; /* the 2^-50 of tp_normals_near, or so */
+  for (int k = 0; k < 3; k++) own[k] = (tp_near){near[k], fabs(near[k]) * error};
+  return near[0] != 0 || near[1] != 0 || near[2] != 0;
+}
+
+static int sign_of_slip(const tp_normals *n, long point, const double near[3]) {
+  tp_near a[3];
+  if (!tp_normals_set_near(a, near)) return 0;
+  const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
+  const tp_near x = tp_ball_near(n->cones->x + point), y = tp_ball_near(n->cones->y + point);
+  const tp_near g[3] = {tx, ty, tp_near_sub(tp_near_mul(x, ty), tp_near_mul(y, tx))};
+  return tp_near_sign(tp_near_dot(g, a));
+}
+
+int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist, const double near[3]) {
+  const int told = sign_of_slip(n, point, near);
+  if (told != 0) return told;
   tp_vector g;
   arb_t along;
   tp_vector_init(&g);

@@ -19,6 +19,7 @@
 
 #include "linear_program/cones.h"
 #include "number/judge.h"
+#include "number/near.h"
 #include "plane/vector.h"
 #include "topple.h"
 
@@ -68,10 +69,11 @@ void tp_normals_set_h(tp_vector *h, const tp_normals *normals, long normal);
 int tp_normal_sign(const tp_normals *normals, const tp_normal *normal, const tp_vector *twist,
                    const double near[3], long site);
 
-/* g . a of a point; its sign, or TP_OPEN_SIGN. */
+/* g . a of a point; its sign, by doubles where they tell, or TP_OPEN_SIGN. */
 void tp_normals_slip_ball(arb_t along, const tp_normals *normals, long point,
                           const tp_vector *twist);
-int tp_normals_slip(const tp_normals *normals, long point, const tp_vector *twist);
+int tp_normals_slip(const tp_normals *normals, long point, const tp_vector *twist,
+                    const double near[3]);
 
 /* n + t tan(phi), or n - t tan(phi) `against` t, at the judge's bits; the moment is left alone. */
 void tp_normals_edge(tp_vector *force, const tp_normals *normals, long point, bool against);
@@ -93,5 +95,8 @@ double tp_normals_top(const arf_struct *number, slong exponent);
 /* A vector in doubles, times a power of two, each to 2^-50 of itself or so; zeros where one is too
  * small beside the largest. */
 void tp_normals_near(double near[3], const tp_vector *vector);
+
+/* That with its bounds; false where it does not tell. */
+bool tp_normals_set_near(tp_near own[3], const double near[3]);
 
 #endif

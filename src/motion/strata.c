@@ -47,7 +47,8 @@ static tp_motion_outcome insert_cut(long *cuts, long *count, const visiting *v, 
                                     long ray, int sign_at_end) {
   long at = *count;
   for (long k = 0; k < *count && at == *count; k++) {
-    const int sign = tp_normals_slip(v->n, point, &v->twists->rays[cuts[k]].twist);
+    const tp_ray *cut = v->twists->rays + cuts[k];
+    const int sign = tp_normals_slip(v->n, point, &cut->twist, cut->near);
     if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     if (sign == sign_at_end) at = k;
   }

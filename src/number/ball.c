@@ -71,6 +71,12 @@ tp_near tp_ball_near(const arb_t ball) {
   return tp_near_of(value, radius + fabs(value) * DBL_EPSILON);
 }
 
+tp_near tp_near_whole(const fmpz_t number) {
+  const double value = COEFF_IS_MPZ(*number) ? fmpz_get_d(number) : (double)*number;
+  const bool exact = fabs(value) < 1 / DBL_EPSILON;
+  return (tp_near){value, exact ? 0 : fabs(value) * DBL_EPSILON};
+}
+
 double tp_mag_log2(const mag_t size) {
   if (mag_is_zero(size)) return -INFINITY;
   return log2((double)MAG_MAN(size)) - MAG_BITS + fmpz_get_d(MAG_EXPREF(size));
