@@ -182,13 +182,55 @@ static tp_answer bears_with(const tp_basis *basis, const tp_limit_question *q,
   return answer;
 }
 
+void tp_equilibrium_push_near(tp_near push[3], const tp_cones *cones, const tp_scaled *scaled) {
+  for (int row = 0; row < 3; row++) push[row] = (tp_near){.error = 0};
+  for (int k = 0; k < TP_PUSH_EDGES; k++) {
+    const double *edge = scaled->columns[tp_equilibrium_push_edge(cones, k)];
+    const tp_near weight = {tp_equilibrium_push_weights[k], 0};
+    for (int row = 0; row < 3; row++) {
+      const tp_near own = {edge[row], scaled->error};
+      push[row] = tp_near_add(push[row], tp_near_mul(weight, own));
+    }
+  }
+}
+
+/* By Cramer's rule, as in triple_judge: all shares above zero. */
+bool tp_equilibrium_is_told(const tp_simplex_answer *found, const tp_scaled *scaled,
+                            const tp_near push[3], const tp_near wrench[3]) {
+  const tp_basis basis = tp_basis_of(found);
+  if (scaled->at_most != NULL || found->outcome != TP_SIMPLEX_OPTIMAL || basis.count != 2) {
+    return false;
+  }
+  tp_near columns[3][3], cross[3];
+  for (int row = 0; row < 3; row++) {
+    for (int k = 0; k < 2; k++) {
+      columns[k][row] = (tp_near){scaled->columns[basis.columns[k]][row], scaled->error};
+    }
+    columns[2][row] = push[row];
+  }
+  int volume = 0;
+  for (int k = 0; k < 3; k++) {
+    tp_near_cross(cross, columns[(k + 1) % 3], columns[(k + 2) % 3]);
+    if (k == 0) volume = tp_near_sign(tp_near_dot(columns[0], cross));
+    const int share = tp_near_sign(tp_near_dot(wrench, cross));
+    if (volume == 0 || share != -volume) return false;
+  }
+  return true;
+}
+
+tp_simplex_answer tp_equilibrium_solve_near(tp_scaled *scaled, const tp_near push[3],
+                                            const tp_near wrench[3]) {
+  const double direction[3] = {push[0].value, push[1].value, push[2].value};
+  const double target[3] = {-wrench[0].value, -wrench[1].value, -wrench[2].value};
+  return tp_scaled_solve(scaled, direction, target);
+}
+
 tp_simplex_answer tp_equilibrium_solve(tp_scaled *scaled, const tp_vector *push,
                                        const tp_vector *wrench) {
-  double direction[3], target[3];
-  tp_scaled_wrench(direction, scaled, push);
-  tp_scaled_wrench(target, scaled, wrench);
-  for (int row = 0; row < 3; row++) target[row] = -target[row];
-  return tp_scaled_solve(scaled, direction, target);
+  tp_near direction[3], target[3];
+  tp_scaled_wrench_near(direction, scaled, push);
+  tp_scaled_wrench_near(target, scaled, wrench);
+  return tp_equilibrium_solve_near(scaled, direction, target);
 }
 
 tp_simplex_answer tp_equilibrium_solve_precisely(const tp_limit_question *q, tp_scaled *scaled,
@@ -234,11 +276,15 @@ static tp_answer bears_beside(const tp_limit_question *q, tp_scaled *scaled, con
 
 tp_answer tp_equilibrium_bears(const tp_limit_question *q, tp_scaled *scaled, const tp_vector *push,
                                const tp_vector *wrench) {
+  tp_near near_push[3], near_wrench[3];
+  tp_scaled_wrench_near(near_push, scaled, push);
+  tp_scaled_wrench_near(near_wrench, scaled, wrench);
   for (int engine = 0; engine < 2; engine++) {
     if (!tp_work_spend(q->work, engine == 0 ? 1 : 4, scaled->count, q->judge.bits)) return TP_OPEN;
     const tp_simplex_answer found = engine == 0
-                                        ? tp_equilibrium_solve(scaled, push, wrench)
+                                        ? tp_equilibrium_solve_near(scaled, near_push, near_wrench)
                                         : tp_equilibrium_solve_precisely(q, scaled, push, wrench);
+    if (tp_equilibrium_is_told(&found, scaled, near_push, near_wrench)) return TP_YES;
     const tp_basis basis = tp_basis_of(&found);
     if (found.outcome == TP_SIMPLEX_OPTIMAL && basis.count == 2 && found.t > 0 &&
         bears_with(&basis, q, scaled, push, wrench) == TP_YES) {

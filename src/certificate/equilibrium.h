@@ -25,6 +25,19 @@ long tp_equilibrium_push_edge(const tp_cones *cones, int k);
 void tp_equilibrium_push(tp_vector *push, const tp_limit_question *question,
                          const tp_scaled *scaled);
 
+/* Such a push in doubles, of the scaled program's own edges and in its units. */
+void tp_equilibrium_push_near(tp_near push[3], const tp_cones *cones, const tp_scaled *scaled);
+
+/* Does an answer of the scaled program prove, in doubles with their bounds, that a wrench is borne
+ * beside some of the push? False where they do not tell, or capacities are in play. Both in the
+ * program's units. */
+bool tp_equilibrium_is_told(const tp_simplex_answer *found, const tp_scaled *scaled,
+                            const tp_near push[3], const tp_near wrench[3]);
+
+/* The program's answer for a wrench and a push in its units. */
+tp_simplex_answer tp_equilibrium_solve_near(tp_scaled *scaled, const tp_near push[3],
+                                            const tp_near wrench[3]);
+
 /* Of all that balance a wrench, with a share t of the push as large as can be: in doubles, and at
  * the question's bits. A share below zero says that the base does not bear it. */
 tp_simplex_answer tp_equilibrium_solve(tp_scaled *scaled, const tp_vector *push,

@@ -64,15 +64,24 @@ static bool span(long columns[2], const tp_simplex_answer *found, const tp_scale
   return basis.count > 1 || span_widest(columns, scaled, scaled->count, NULL);
 }
 
+static tp_simplex_answer solve_without(const tp_limit_question *q, tp_scaled *scaled,
+                                       const tp_vector *load) {
+  tp_near push[3], wrench[3];
+  tp_equilibrium_push_near(push, q->cones, scaled);
+  tp_scaled_wrench_near(wrench, scaled, load);
+  return tp_equilibrium_solve_near(scaled, push, wrench);
+}
+
 /* The face through which the loads leave what the base bears, seen from the push. */
 static tp_answer find_face(tp_face *face, const tp_limit_question *q, tp_scaled *scaled,
                            const tp_vector *push, const tp_vector *load) {
   tp_answer answer = TP_OPEN;
-  for (int engine = 0; engine < 2 && answer != TP_YES; engine++) {
+  for (int engine = 0; engine < (push == NULL ? 1 : 2) && answer != TP_YES; engine++) {
     if (!tp_work_spend(q->work, engine == 0 ? STEPS_IN_DOUBLES : STEPS_IN_LONG_NUMBERS,
                        scaled->count, q->judge.bits))
       return TP_OPEN;
-    const tp_simplex_answer found = engine == 0
+    const tp_simplex_answer found = push == NULL ? solve_without(q, scaled, load)
+                                    : engine == 0
                                         ? tp_equilibrium_solve(scaled, push, load)
                                         : tp_equilibrium_solve_precisely(q, scaled, push, load);
     long columns[2] = {-1, -1}, violated = -1;

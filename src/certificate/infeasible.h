@@ -10,7 +10,8 @@
 #include "certificate/equilibrium.h"
 #include "certificate/face.h"
 
-/* Is there no equilibrium under a wrench? */
+/* Is there no equilibrium under a wrench? Without a push, NULL, by one in doubles, and by doubles
+ * alone. */
 tp_answer tp_infeasible_under(const tp_limit_question *question, tp_scaled *scaled,
                               const tp_vector *push, const tp_vector *load);
 

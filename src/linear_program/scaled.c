@@ -256,6 +256,19 @@ void tp_scaled_wrench(double wrench[3], const tp_scaled *scaled, const tp_vector
   arb_clear(moment);
 }
 
+void tp_scaled_wrench_near(tp_near wrench[3], const tp_scaled *scaled, const tp_vector *of) {
+  arb_t own;
+  arb_init(own);
+  for (int row = 0; row < 3; row++) {
+    const bool force = row < 2;
+    if (!force) set_moment(own, scaled, of);
+    const long unit = scaled->force_exponent + (force ? 0 : scaled->length_exponent);
+    arb_mul_2exp_si(own, force ? of->of + row : own, -unit);
+    wrench[row] = tp_ball_near(own);
+  }
+  arb_clear(own);
+}
+
 void tp_scaled_twist(tp_vector *own, const tp_scaled *s, const tp_vector *twist) {
   const arb_struct *v = twist->of;
   arb_mul(own->of, v + 2, s->y, s->bits);

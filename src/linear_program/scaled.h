@@ -10,6 +10,7 @@
 
 #include "linear_program/cones.h"
 #include "linear_program/simplex.h"
+#include "number/near.h"
 #include "plane/vector.h"
 
 typedef struct tp_scaled tp_scaled;
@@ -35,8 +36,9 @@ bool tp_scaled_copy(tp_scaled *copy, const tp_scaled *scaled);
 void tp_scaled_divide_strength(tp_scaled *scaled, const tp_scaled *given, long edges,
                                double divisor);
 
-/* A wrench in the scaled program's units. */
+/* A wrench in the scaled program's units; with a bound of each entry's error. */
 void tp_scaled_wrench(double wrench[3], const tp_scaled *scaled, const tp_vector *of);
+void tp_scaled_wrench_near(tp_near wrench[3], const tp_scaled *scaled, const tp_vector *of);
 
 /* A twist about the point of the scaled program's moments, lengths by its unit; and back. */
 void tp_scaled_twist(tp_vector *own, const tp_scaled *scaled, const tp_vector *twist);

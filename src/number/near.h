@@ -9,8 +9,8 @@
  * all of terms that are not negative: their roundings are covered by a factor 1 + 16 u. An error
  * that is infinite or no number says nothing, and no comparison of it holds. */
 
-#ifndef TP_NEAR_H
-#define TP_NEAR_H
+#ifndef TP_NUMBER_NEAR_H
+#define TP_NUMBER_NEAR_H
 
 #include <float.h>
 #include <math.h>

@@ -12,6 +12,8 @@
 
 static void set_load(tp_reduced *r) {
   tp_vector_init(&r->load);
+  tp_question_load_term(&r->load, r->question->load, TP_COS);
+  tp_scaled_wrench_near(r->level, &r->reduced, &r->load);
   tp_question_load_at_degrees(&r->load, r->question, r->degrees);
   tp_scaled_wrench(r->target, &r->reduced, &r->load);
   for (int row = 0; row < 3; row++) r->target[row] = -r->target[row];
@@ -97,6 +99,17 @@ tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_
   return outcome;
 }
 
+bool tp_reduced_holds_below(const tp_reduced_limit *at, tp_reduced *r) {
+  if (at->kind != TP_LIMIT_AT_ANGLE || !tp_question_is_linear(r->question) ||
+      arb_is_negative(r->degrees) || !arb_lt(r->degrees, at->degrees)) {
+    return false;
+  }
+  tp_near push[3];
+  tp_equilibrium_push_near(push, r->cones, &r->reduced);
+  const tp_simplex_answer found = tp_equilibrium_solve_near(&r->reduced, push, r->level);
+  return tp_equilibrium_is_told(&found, &r->reduced, push, r->level);
+}
+
 /* Where forces span less than all directions: held nowhere, or, where loads turn with the tilt so
  * that it is held between two tilts alone, no longer. */
 static tp_limit_outcome infeasible_by_limit(int *side, tp_reduced *r, const arf_t factor) {
@@ -120,16 +133,18 @@ static bool is_lost(const tp_limit_question *q, tp_reduced *r, const tp_vector *
 tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor, int expected) {
   tp_limit_question strict = *r->question;
   strict.judge.settled = false; /* a proof takes nothing for zero that only is so to so many bits */
+  *side = 0;
+  divide(r, factor);
+  if (expected < 0 && is_lost(&strict, r, NULL)) {
+    *side = -1;
+    return TP_LIMIT_PROVEN;
+  }
   tp_vector push;
   tp_vector_init(&push);
-  divide(r, factor);
   tp_equilibrium_push(&push, &strict, &r->reduced);
-  *side = 0;
-  if (expected < 0 && is_lost(&strict, r, &push)) {
-    *side = -1;
-  } else if (is_held(&strict, r, &push)) {
+  if (is_held(&strict, r, &push)) {
     *side = 1;
-  } else if (expected >= 0 && is_lost(&strict, r, &push)) {
+  } else if (is_lost(&strict, r, &push)) {
     *side = -1;
   }
   tp_vector_clear(&push);

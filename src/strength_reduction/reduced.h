@@ -24,6 +24,7 @@ typedef struct tp_reduced {
   arb_srcptr degrees;
   tp_vector load;   /* at the tilt */
   double target[3]; /* turned round, in the scaled program's units */
+  tp_near level[3]; /* that on level ground in these units, where loads turn with the tilt */
 } tp_reduced;
 
 /* Keeps the strength of the cones; `clear` gives it back to them. */
@@ -43,6 +44,11 @@ typedef struct tp_reduced_limit {
 } tp_reduced_limit;
 
 tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, const arf_t factor);
+
+/* Does that limit, which is at the strength at hand, prove that the block is held at the tilt? It
+ * does where the tilt lies below it, and not below level ground, on which doubles prove that it is
+ * held: the loads between two that are borne are a sum of these. */
+bool tp_reduced_holds_below(const tp_reduced_limit *limit, tp_reduced *reduced);
 
 /* With the strength divided by the factor, is the block proven to be held at the tilt, 1, or not,
  * -1? 0 where that is open. What is expected is tried first. */

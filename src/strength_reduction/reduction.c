@@ -77,14 +77,31 @@ static tp_limit_outcome refine(arf_t factor, tp_reduced *r, int digits) {
   return outcome;
 }
 
-static tp_limit_outcome find_motion(tp_reduction *reduction, tp_reduced *r, const arf_t factor) {
+/* Is it held at the tilt with its strength divided by the factor? With the motion at the limit that
+ * it then has, which may tell. */
+static tp_limit_outcome prove_held(bool *held, tp_reduction *reduction, tp_reduced *r,
+                                   const arf_t factor) {
+  const bool settled = r->question->judge.settled; /* then what it takes for zero is no proof */
   tp_reduced_limit at;
   arb_init(at.degrees);
-  const tp_limit_outcome outcome = tp_reduced_find(&at, r, factor);
-  reduction->has_motion = at.has_motion;
-  if (at.has_motion) reduction->motion = at.motion;
+  tp_limit_outcome outcome = TP_LIMIT_OPEN;
+  int side = 0;
+  if (!settled) {
+    outcome = tp_reduced_find(&at, r, factor);
+    side = outcome == TP_LIMIT_PROVEN && tp_reduced_holds_below(&at, r) ? 1 : 0;
+  }
+  if (side == 0 && outcome != TP_LIMIT_OUT_OF_MEMORY && outcome != TP_LIMIT_FAILED) {
+    outcome = tp_reduced_side(&side, r, factor, 1);
+    if (settled && outcome == TP_LIMIT_PROVEN && side > 0) {
+      outcome = tp_reduced_find(&at, r, factor);
+      if (outcome == TP_LIMIT_OPEN) outcome = TP_LIMIT_PROVEN;
+    }
+  }
+  *held = outcome == TP_LIMIT_PROVEN && side > 0;
+  if (*held) reduction->has_motion = at.has_motion;
+  if (*held && at.has_motion) reduction->motion = at.motion;
   arb_clear(at.degrees);
-  return outcome == TP_LIMIT_OPEN ? TP_LIMIT_PROVEN : outcome;
+  return outcome;
 }
 
 /* Is the factor within 2^-wanted of its size of the estimate? Proven at both ends. */
@@ -99,8 +116,7 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
   arf_mul_2exp_si(width, estimate, -wanted);
   arf_sub(low, estimate, width, bits, ARF_RND_DOWN);
   arf_add(high, estimate, width, bits, ARF_RND_UP);
-  tp_limit_outcome outcome = tp_reduced_side(&side, r, low, 1);
-  *proven = outcome == TP_LIMIT_PROVEN && side > 0;
+  tp_limit_outcome outcome = prove_held(proven, reduction, r, low);
   if (*proven) {
     outcome = tp_reduced_side(&side, r, high, -1);
     *proven = outcome == TP_LIMIT_PROVEN && side < 0;
@@ -109,7 +125,6 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
     arb_set_arf(reduction->factor, estimate);
     arf_mul_2exp_si(width, width, 1); /* the rounded ends lie within */
     arf_get_mag(arb_radref(reduction->factor), width);
-    outcome = find_motion(reduction, r, low);
   }
   arf_clear(width);
   arf_clear(low);
