@@ -50,6 +50,35 @@ static void edge_moment(arb_t moment, const tp_normals *n, long point, bool agai
   tp_vector_clear(&force);
 }
 
+static tp_near near_moment(const tp_normals *n, long point, bool against) {
+  const tp_cones *cones = n->cones;
+  const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
+  const tp_near friction = tp_ball_near(cones->friction);
+  const tp_near along = against ? tp_near_neg(friction) : friction;
+  const tp_near fx = tp_near_sub(tp_near_mul(along, tx), ty);
+  const tp_near fy = tp_near_add(tp_near_mul(along, ty), tx);
+  return tp_near_sub(tp_near_mul(tp_ball_near(cones->x + point), fy),
+                     tp_near_mul(tp_ball_near(cones->y + point), fx));
+}
+
+/* Of the forces at two points of a family that slips, the sign of the first one's moment less the
+ * other's, by doubles where they tell. */
+static int compare_moments(const tp_normals *n, long point, long other, bool against) {
+  const int told =
+      tp_near_sign(tp_near_sub(near_moment(n, point, against), near_moment(n, other, against)));
+  if (told != 0) return told;
+  arb_t gap, most;
+  arb_init(gap);
+  arb_init(most);
+  edge_moment(gap, n, point, against);
+  edge_moment(most, n, other, against);
+  arb_sub(gap, gap, most, n->judge.bits);
+  const int sign = tp_judge_sign(&n->judge, gap, tp_ball_log2_above(most));
+  arb_clear(gap);
+  arb_clear(most);
+  return sign;
+}
+
 /* Of a family that slips, all forces have one direction: the two with the least and the largest
  * moment. */
 static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
@@ -58,32 +87,16 @@ static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
   const long first = n->items[family->first].first;
   const tp_normal *last = n->items + family->first + family->count - 1;
   long ends[2] = {n->order[first], n->order[first]};
-  arb_t moment, most[2], gap;
-  arb_init(moment);
-  arb_init(gap);
-  tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (int e = 0; e < 2; e++) {
-    arb_init(most[e]);
-    edge_moment(most[e], n, ends[e], against);
-  }
-  for (long k = first + 1; k < last->first + last->count && done == TP_MOTION_PROVEN; k++) {
+  for (long k = first + 1; k < last->first + last->count; k++) {
     const long point = n->order[k];
     if (n->same[point] != point) continue;
-    edge_moment(moment, n, point, against);
     for (int e = 0; e < 2; e++) { /* 0: the least, 1: the largest */
       if (n->cones->points[point].site == n->cones->points[ends[e]].site) continue;
-      arb_sub(gap, moment, most[e], n->judge.bits);
-      const int sign = tp_judge_sign(&n->judge, gap, tp_ball_log2_above(most[e]));
-      if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
-      if (sign != (e == 0 ? -1 : 1)) continue;
-      arb_set(most[e], moment);
-      ends[e] = point;
+      const int sign = compare_moments(n, point, ends[e], against);
+      if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
+      if (sign == (e == 0 ? -1 : 1)) ends[e] = point;
     }
   }
-  arb_clear(moment);
-  arb_clear(gap);
-  for (int e = 0; e < 2; e++) arb_clear(most[e]);
-  if (done != TP_MOTION_PROVEN) return done;
   const bool added = add_edge(closed, ends[0], against) &&
                      (ends[0] == ends[1] || add_edge(closed, ends[1], against));
   return added ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;

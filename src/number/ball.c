@@ -44,22 +44,44 @@ static double above(const mag_t size) {
   return result;
 }
 
+/* What the nearest double leaves out of a number of one word, as arf_get_mag bounds it; false for
+ * any other number. */
+static bool rest_of_word(mag_t rest, const arf_struct *number) {
+  mp_srcptr words;
+  mp_size_t count;
+  if (arf_is_special(number) || !is_moderate(ARF_EXP(number))) return false;
+  ARF_GET_MPN_READONLY(words, count, number);
+  if (count != 1) return false;
+  const mp_limb_t unit = (mp_limb_t)1 << (FLINT_BITS - DBL_MANT_DIG), lost = words[0] & (unit - 1);
+  const mp_limb_t size = lost > unit / 2 ? unit - lost : lost;
+  if (size == 0) {
+    mag_zero(rest);
+    return true;
+  }
+  const int zeros = __builtin_clzl(size);
+  MAG_MAN(rest) = ((size << zeros) >> (FLINT_BITS - MAG_BITS)) + 1;
+  fmpz_set_si(MAG_EXPREF(rest), ARF_EXP(number) - zeros);
+  return true;
+}
+
 tp_bounded tp_ball_bounded(const arb_t ball) {
   if (!arb_is_finite(ball)) return (tp_bounded){.error = INFINITY};
   tp_bounded result = {.value = tp_ball_nearest(arb_midref(ball))};
   if (!isfinite(result.value)) {
     return (tp_bounded){.value = copysign(DBL_MAX, result.value), .error = INFINITY};
   }
-  arf_t rest;
   mag_t error;
-  arf_init(rest);
   mag_init(error);
-  arf_set_d(rest, result.value);
-  arf_sub(rest, rest, arb_midref(ball), ARF_PREC_EXACT, ARF_RND_UP);
-  arf_get_mag(error, rest);
+  if (!rest_of_word(error, arb_midref(ball))) {
+    arf_t rest;
+    arf_init(rest);
+    arf_set_d(rest, result.value);
+    arf_sub(rest, rest, arb_midref(ball), ARF_PREC_EXACT, ARF_RND_UP);
+    arf_get_mag(error, rest);
+    arf_clear(rest);
+  }
   mag_add(error, error, arb_radref(ball));
   result.error = above(error);
-  arf_clear(rest);
   mag_clear(error);
   return result;
 }

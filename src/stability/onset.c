@@ -146,7 +146,7 @@ static void tell_onset(asking *a) {
 static void set_motions(asking *a, const arb_t tilt) {
   const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
                               &a->motions, &a->windows};
-  const tp_motion_outcome outcome = tp_onset_motions(&t, tilt);
+  const tp_motion_outcome outcome = tp_onset_motions(&t, tilt, a->found->at_tilt != TP_NO);
   const bool missing = a->found->at_tilt == TP_YES && a->result->onset.motion_count == 0 &&
                        tp_onset_has_strength(a->e); /* a slide that a bond cannot balance */
   if (outcome == TP_MOTION_PROVEN && !missing) return;

@@ -276,11 +276,13 @@ static void set_beginnings(tp_onset *onset) {
   }
 }
 
-tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt) {
+tp_motion_outcome tp_onset_motions(const tp_onset_telling *t, const arb_t tilt, bool may_move) {
   tp_onset *onset = &t->result->onset;
   const tp_motions *m = t->motions;
   onset->motions = calloc((size_t)m->mode_count + 1, sizeof *onset->motions);
   if (onset->motions == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  onset->has_motions = !may_move;
+  if (!may_move) return TP_MOTION_PROVEN;
   tp_vector loads;
   tp_vector_init(&loads);
   set_loads(&loads, t, tilt);

@@ -8,8 +8,9 @@
 
 #include "stability/onset_result.h"
 
-/* Fills in the motions of the case's onset, at a tilt in degrees. What is open, or too dear, is
- * left out. */
-TP_MUST_USE tp_motion_outcome tp_onset_motions(const tp_onset_telling *telling, const arb_t tilt);
+/* Fills in the motions of the case's onset, at a tilt in degrees: none outside all windows, where
+ * the block may not move. What is open, or too dear, is left out. */
+TP_MUST_USE tp_motion_outcome tp_onset_motions(const tp_onset_telling *telling, const arb_t tilt,
+                                               bool may_move);
 
 #endif
