@@ -109,11 +109,13 @@ static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
 
 /* Where the loads have no moment, the plane of a slide and a force meets them along the slide,
  * whatever the force: M r x -e is its moment times (v_y, -v_x), beside a part that does no work. */
+static bool runs_along_slide(const tp_bound *bound, const spanning *s, const tp_generator *force) {
+  return bound->source.kind == TP_FROM_AXIS && s->of->strength == NULL && !force->is_ray;
+}
+
 static tp_motion_outcome sharpen_slide(tp_bound *bound, const spanning *s, const tp_generator *ray,
                                        const tp_generator *force, bool below) {
-  if (bound->source.kind != TP_FROM_AXIS || s->of->strength != NULL || force->is_ray) {
-    return TP_MOTION_PROVEN;
-  }
+  if (!runs_along_slide(bound, s, force)) return TP_MOTION_PROVEN;
   const int side =
       tp_judge_sign(&s->of->q->judge, force->of.of + 2, tp_vector_log2_size(&force->of));
   if (side == TP_OPEN_SIGN) return TP_MOTION_OPEN;
@@ -130,7 +132,15 @@ static unsigned bit_of(long generator_index, const spanning *s) {
   return s->of->items[generator_index].is_ray ? 1U << generator_index : 0;
 }
 
-/* The plane of two generators: a bound where all others lie on one side. */
+/* The plane of two generators, but for h. */
+static void describe(tp_bound *own, const spanning *s, long i, long j) {
+  const tp_generator *a = s->of->items + i, *b = s->of->items + j;
+  own->source = tp_generators_source(s->of, a, b);
+  own->rays = bit_of(i, s) | bit_of(j, s);
+  own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
+}
+
+/* A bound where all others lie on one side. */
 static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, long i, long j) {
   tp_bound *own = add_bound(s->bounds);
   if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
@@ -142,9 +152,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   const int line = is_line(s, &own->h, size);
   if (line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (line == 1) return TP_MOTION_PROVEN;
-  own->source = tp_generators_source(s->of, a, b);
-  own->rays = bit_of(i, s) | bit_of(j, s);
-  own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
+  describe(own, s, i, j);
   if (sharpen(own, s, a, b) && settled) size = tp_vector_log2_size(&own->h);
   long above = 0, below = 0;
   for (long k = 0; k < s->of->count; k++) {
@@ -244,13 +252,37 @@ static tp_motion_outcome bound_pairs(spanning *s) {
   return done == TP_MOTION_PROVEN && !solid ? bound_flat(s, flat_pair) : done;
 }
 
-/* Of the pairs that are chosen, each is a bound. */
-static tp_motion_outcome bound_chosen(spanning *s, const tp_chosen_planes *chosen) {
-  bool solid = false;
-  long flat_pair[2] = {-1, -1};
+/* The plane of a pair that is known to be a bound, and on which side of it the others lie. */
+static tp_motion_outcome bound_pair(spanning *s, const tp_twists *twists, long i, long j,
+                                    bool below, long beside) {
+  tp_bound *own = add_bound(s->bounds);
+  if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  const tp_generator *a = s->of->items + i, *b = s->of->items + j;
+  (void)tp_generators_evaluate(s->of, twists, i);
+  (void)tp_generators_evaluate(s->of, twists, j);
+  describe(own, s, i, j);
+  if (sharpen(own, s, a, b)) { /* which may point the other way */
+    (void)tp_generators_evaluate(s->of, twists, beside);
+    const bool settled = s->of->q->judge.settled;
+    const double size = settled ? tp_vector_log2_size(&own->h) : 0;
+    const int side = sign_against(s, &own->h, &own->source, size, s->of->items + beside);
+    if (side != 1 && side != -1) return TP_MOTION_OPEN;
+    if (side < 0) tp_vector_neg(&own->h);
+    return TP_MOTION_PROVEN;
+  }
+  if (!runs_along_slide(own, s, b) || arb_contains_zero(b->of.of + 2)) {
+    tp_vector_cross(&own->h, &a->of, &b->of, s->of->q->judge.precision);
+    if (below) tp_vector_neg(&own->h);
+  }
+  return sharpen_slide(own, s, a, b, below);
+}
+
+static tp_motion_outcome bound_chosen(spanning *s, const tp_twists *twists,
+                                      const tp_chosen_planes *chosen) {
   tp_motion_outcome done = TP_MOTION_PROVEN;
   for (int k = 0; k < chosen->count && done == TP_MOTION_PROVEN; k++) {
-    done = try_pair(s, &solid, flat_pair, chosen->first[k], chosen->second[k]);
+    done = bound_pair(s, twists, chosen->first[k], chosen->second[k], chosen->below[k],
+                      chosen->beside[k]);
   }
   return done;
 }
@@ -297,6 +329,7 @@ tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_mode_filter *filter
   tp_chosen_planes chosen;
   bounds->tilts = tp_mode_filter_pairs(&chosen, filter, g, twists);
   if (bounds->tilts == TP_TILTS_NONE) return TP_MOTION_PROVEN;
-  tp_generators_evaluate(g, twists);
-  return bounds->tilts == TP_TILTS_OPEN ? bound_pairs(&s) : bound_chosen(&s, &chosen);
+  if (bounds->tilts == TP_TILTS_BETWEEN) return bound_chosen(&s, twists, &chosen);
+  tp_generators_evaluate_all(g, twists);
+  return bound_pairs(&s);
 }

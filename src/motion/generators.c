@@ -22,6 +22,7 @@ static tp_generator *add(tp_generators *g) {
 
 /* All but the balls, whose room stays. */
 static void describe(tp_generator *own, const tp_generator *as) {
+  own->is_evaluated = false;
   own->is_ray = as->is_ray;
   own->id = as->id;
   own->axis = as->axis;
@@ -93,22 +94,27 @@ void tp_generators_clear(tp_generators *g) {
   memset(g, 0, sizeof *g);
 }
 
-void tp_generators_evaluate(tp_generators *g, const tp_twists *twists) {
+const tp_vector *tp_generators_evaluate(tp_generators *g, const tp_twists *twists, long k) {
   const tp_mode *mode = g->mode;
-  for (long k = 0; k < g->count + g->free_count; k++) {
-    tp_vector *own = &g->items[k].of;
-    const long edge = k - mode->ray_count, added = edge - mode->edge_count;
-    if (edge < 0) {
-      tp_newton_inertia(own, g->q, twists->rays + mode->rays[k]);
-    } else if (added < 0) {
-      tp_newton_force(own, g->q, g->n, mode->edges + edge);
-    } else {
-      const long pulls = g->strength->pull_count;
-      const tp_vector *from =
-          added < pulls ? g->strength->pulls + added : g->strength->free + added - pulls;
-      for (int e = 0; e < 3; e++) arb_set(own->of + e, from->of + e);
-    }
+  tp_vector *own = &g->items[k].of;
+  if (g->items[k].is_evaluated) return own;
+  const long edge = k - mode->ray_count, added = edge - mode->edge_count;
+  if (edge < 0) {
+    tp_newton_inertia(own, g->q, twists->rays + mode->rays[k]);
+  } else if (added < 0) {
+    tp_newton_force(own, g->q, g->n, mode->edges + edge);
+  } else {
+    const long pulls = g->strength->pull_count;
+    const tp_vector *from =
+        added < pulls ? g->strength->pulls + added : g->strength->free + added - pulls;
+    for (int e = 0; e < 3; e++) arb_set(own->of + e, from->of + e);
   }
+  g->items[k].is_evaluated = true;
+  return own;
+}
+
+void tp_generators_evaluate_all(tp_generators *g, const tp_twists *twists) {
+  for (long k = 0; k < g->count + g->free_count; k++) (void)tp_generators_evaluate(g, twists, k);
 }
 
 tp_source tp_generators_normal_source(const tp_motion_question *q, const tp_normals *n,

@@ -24,6 +24,7 @@ typedef enum tp_source_kind {
 
 typedef struct tp_generator {
   tp_vector of; /* once it is evaluated */
+  bool is_evaluated;
   bool is_ray;
   long id;          /* no two have the same */
   long axis;        /* of a force; of a ray that does not turn; else -1 */
@@ -49,8 +50,9 @@ TP_MUST_USE bool tp_generators_set(tp_generators *generators, const tp_motion_qu
                                    const tp_mode *mode, const tp_strength *strength);
 void tp_generators_clear(tp_generators *generators);
 
-/* Their balls. */
-void tp_generators_evaluate(tp_generators *generators, const tp_twists *twists);
+/* The balls of one, or all. */
+const tp_vector *tp_generators_evaluate(tp_generators *generators, const tp_twists *twists, long k);
+void tp_generators_evaluate_all(tp_generators *generators, const tp_twists *twists);
 
 /* Of the plane of two of them. */
 tp_source tp_generators_source(const tp_generators *generators, const tp_generator *a,

@@ -83,7 +83,8 @@ static tp_near work_of(const tp_near h[3], const tp_near load[3]) {
 
 /* A plane, and the tangent of the tilt from which, `lower`, or up to which it lets a mode begin. */
 typedef struct plane {
-  long first, second;
+  long first, second, beside;
+  bool below;
   tp_source source;
   bool lower;
   tp_near tangent;
@@ -136,10 +137,14 @@ static bool is_chosen(const ends *e, const tp_source *source) {
          (e->has[1] && share_source(&e->of[1].source, source));
 }
 
-static bool choose(tp_chosen_planes *chosen, long first, long second) {
-  if (chosen->count == TP_MOST_CHOSEN) return false;
-  chosen->first[chosen->count] = first;
-  chosen->second[chosen->count++] = second;
+static bool choose(tp_chosen_planes *chosen, const plane *own) {
+  const int k = chosen->count;
+  if (k == TP_MOST_CHOSEN) return false;
+  chosen->first[k] = own->first;
+  chosen->second[k] = own->second;
+  chosen->below[k] = own->below;
+  chosen->beside[k] = own->beside;
+  chosen->count++;
   return true;
 }
 
@@ -167,7 +172,9 @@ static bool try_pair(cone *c, long i, long j) {
     if (sign == 0) return false;
     above = above || sign > 0;
     below = below || sign < 0;
+    own->beside = k;
   }
+  own->below = below;
   if (above && below) return true;
   c->count++;
   return (above || below) && set_tangent(own, c->filter, h, below);
@@ -208,7 +215,7 @@ tp_mode_tilts tp_mode_filter_pairs(tp_chosen_planes *chosen, const tp_mode_filte
   const tp_mode_tilts tilts = between(&e);
   for (long k = 0; k < c.count && tilts == TP_TILTS_BETWEEN; k++) {
     const plane *own = c.planes + k;
-    if (is_chosen(&e, &own->source) && !choose(chosen, own->first, own->second)) {
+    if (is_chosen(&e, &own->source) && !choose(chosen, own)) {
       return TP_TILTS_OPEN;
     }
   }
@@ -232,7 +239,7 @@ tp_mode_tilts tp_mode_filter_interior(tp_chosen_planes *chosen, const tp_mode_fi
   const tp_mode_tilts tilts = between(&e);
   for (long k = 0; k < twists->face_count && tilts == TP_TILTS_BETWEEN; k++) {
     const tp_source own = tp_generators_normal_source(q, n, NULL, twists->faces[k].normal);
-    if (is_chosen(&e, &own) && !choose(chosen, k, k)) return TP_TILTS_OPEN;
+    if (is_chosen(&e, &own) && !choose(chosen, &(plane){.first = k})) return TP_TILTS_OPEN;
   }
   return tilts;
 }
