@@ -13,6 +13,10 @@ void tp_excess_of(tp_trig *excess, const tp_face *face, const tp_limit_question 
   tp_vector_init(&term);
   for (int basis = 0; basis < TP_BASIS; basis++) {
     tp_question_load_term(&term, q->load, basis);
+    if (arb_is_zero(term.of) && arb_is_zero(term.of + 1) && arb_is_zero(term.of + 2)) {
+      arb_zero(excess->of + basis);
+      continue;
+    }
     tp_vector_dot(excess->of + basis, &face->twist, &term, q->judge.precision);
   }
   arb_sub(excess->of + TP_ONE, excess->of + TP_ONE, face->resistance, q->judge.bits);

@@ -21,6 +21,7 @@ typedef struct tp_limit_question {
   double range_deg;
   tp_judge judge;
   tp_work *work;        /* what its proofs may take, and have taken; NULL: anything */
+  bool without_forces;  /* only where the limit lies and what moves: not how large its forces are */
   bool without_doubles; /* by a program of all columns at full precision from the start */
 } tp_limit_question;
 

@@ -3,6 +3,7 @@
 
 #include "stability/evaluation.h"
 
+#include "number/ball.h"
 #include "stability/friction.h"
 
 #include <float.h>
@@ -35,7 +36,11 @@ void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung run
                        .log2_extent = log2_extent(&problem->lattice)};
   arb_init(e->weight_per_area_pa);
   arb_init(e->friction_tangent);
+  arb_init(e->tilt_sine);
+  arb_init(e->tilt_cosine);
   set_friction(e);
+  const tp_quantity *tilt = &problem->scene->tilt_angle_deg;
+  if (tilt->given) tp_ball_sin_cos_degrees(e->tilt_sine, e->tilt_cosine, tilt->value, rung.bits);
   tp_moments_init(&e->moments);
   tp_evaluate_moments(&e->moments, problem, rung);
 }
@@ -43,6 +48,8 @@ void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung run
 void tp_evaluation_clear(tp_evaluation *e) {
   arb_clear(e->weight_per_area_pa);
   arb_clear(e->friction_tangent);
+  arb_clear(e->tilt_sine);
+  arb_clear(e->tilt_cosine);
   tp_moments_clear(&e->moments);
 }
 

@@ -22,6 +22,7 @@ typedef struct tp_evaluation {
   tp_moments moments;
   arb_t weight_per_area_pa;       /* on the mean plane, level; where friction depends on the load */
   arb_t friction_tangent;         /* where it does not */
+  arb_t tilt_sine, tilt_cosine;   /* of the scene's tilt, where it gives one */
   double log2_extent;             /* of what a coordinate can be, m from the lattice's origin */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
   tp_decimals *decimals; /* keeps texts where more digits are asked for than a double holds */

@@ -161,6 +161,7 @@ static void set_reactions(const telling *t) {
   tp_limit *r = t->result;
   const tp_cones *cones = t->question->cones;
   const long bits = t->question->judge.bits;
+  const bool known = t->question->judge.precision == bits; /* as the face has them */
   tp_vector column;
   arb_t weight;
   tp_vector_init(&column);
@@ -171,9 +172,10 @@ static void set_reactions(const telling *t) {
     if (arb_is_zero(t->answer->forces + k)) continue;
     tp_reaction *reaction = r->reactions + r->reaction_count++;
     set_source(reaction, t, own);
-    tp_cones_column(column.of, cones, own, bits);
+    if (!known) tp_cones_column(column.of, cones, own, bits);
+    const tp_vector *edge = known ? t->answer->face.edges + k : &column;
     for (int row = 0; row < 2; row++) {
-      arb_mul(column.of + row, column.of + row, t->answer->forces + k, bits);
+      arb_mul(column.of + row, edge->of + row, t->answer->forces + k, bits);
       arb_div(column.of + row, column.of + row, weight, bits);
     }
     if (t->towards == TP_TOWARDS_RIGHT) arb_neg(column.of, column.of);

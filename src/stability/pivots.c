@@ -49,18 +49,12 @@ void tp_evaluate_turning(const tp_evaluation *e, tp_direction towards, long k,
   angle->exact_direction = true;
 }
 
-/* The scene's tilt, where it gives one. */
-typedef struct tilt {
-  bool given;
-  arb_t sine, cosine;
-} tilt;
-
 /* x arm cot(alpha) / y arm, Eq. (2). Nothing overturns where the centroid is not above the pivot,
  * or on level ground; a weight past the pivot has no factor then. */
-static tp_fos resultant_form(const tp_evaluation *e, const tp_direction_ball *angle, const tilt *t,
+static tp_fos resultant_form(const tp_evaluation *e, const tp_direction_ball *angle,
                              tp_certainty *certainty) {
-  if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
-  if (arb_is_zero(t->sine) || arb_is_nonpositive(angle->cosine)) {
+  if (!e->problem->scene->tilt_angle_deg.given) return (tp_fos){.state = TP_FOS_NO_TILT};
+  if (arb_is_zero(e->tilt_sine) || arb_is_nonpositive(angle->cosine)) {
     const bool past = arb_is_negative(angle->sine);
     return (tp_fos){.state = past ? TP_FOS_UNDEFINED : TP_FOS_NO_OVERTURNING};
   }
@@ -68,8 +62,8 @@ static tp_fos resultant_form(const tp_evaluation *e, const tp_direction_ball *an
   arb_t value, divisor;
   arb_init(value);
   arb_init(divisor);
-  arb_mul(value, angle->sine, t->cosine, e->rung.bits);
-  arb_mul(divisor, angle->cosine, t->sine, e->rung.bits);
+  arb_mul(value, angle->sine, e->tilt_cosine, e->rung.bits);
+  arb_mul(divisor, angle->cosine, e->tilt_sine, e->rung.bits);
   arb_div(value, value, divisor, e->rung.bits);
   fos.value = tp_result(e, value, certainty);
   arb_clear(value);
@@ -87,10 +81,10 @@ static void combine(arb_t sum, const fmpz_t normal, const fmpz_t parallel, const
 /* Each element's components with the stabilising or the overturning moments by their own sign,
  * (A1.3): the normal component W cos(alpha) stabilises beyond the pivot, the parallel one
  * W sin(alpha) overturns above it. */
-static tp_fos elements_form(const tp_evaluation *e, tp_direction towards, long point, const tilt *t,
+static tp_fos elements_form(const tp_evaluation *e, tp_direction towards, long point,
                             tp_certainty *certainty) {
   const tp_problem *problem = e->problem;
-  if (!t->given) return (tp_fos){.state = TP_FOS_NO_TILT};
+  if (!problem->scene->tilt_angle_deg.given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (!problem->has_elements) return (tp_fos){.state = TP_FOS_NOT_ASKED};
   fmpz m[4]; /* beyond and before along x, above and below along y */
   for (int k = 0; k < 4; k++) fmpz_init(m + k);
@@ -101,8 +95,8 @@ static tp_fos elements_form(const tp_evaluation *e, tp_direction towards, long p
   arb_t stabilising, overturning;
   arb_init(stabilising);
   arb_init(overturning);
-  combine(stabilising, m, m + 3, t->sine, t->cosine, e->rung.bits);
-  combine(overturning, m + 1, m + 2, t->sine, t->cosine, e->rung.bits);
+  combine(stabilising, m, m + 3, e->tilt_sine, e->tilt_cosine, e->rung.bits);
+  combine(overturning, m + 1, m + 2, e->tilt_sine, e->tilt_cosine, e->rung.bits);
   tp_fos fos = {.state = TP_FOS_NO_OVERTURNING};
   if (!arb_is_zero(overturning)) {
     fos.state = TP_FOS_NUMBER;
@@ -181,9 +175,9 @@ tp_governing_pivot tp_evaluate_toppling(const tp_evaluation *e, tp_direction tow
   return governing;
 }
 
-/* All numbers of one pivot. */
+/* All numbers of one pivot; of the governing one by its angle, which is known, else NULL. */
 static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivot *pivot, long k,
-                           const tilt *t, tp_certainty *certainty) {
+                           const tp_direction_ball *known, tp_certainty *certainty) {
   const tp_contact_point *point = e->problem->contact.points + k;
   tp_direction_ball angle;
   tp_direction_ball_init(&angle);
@@ -197,35 +191,24 @@ static void evaluate_pivot(const tp_evaluation *e, tp_direction towards, tp_pivo
     loaded_angle(e, k, &angle, &roots, certainty);
     tp_loaded_pivot(pivot, e->loaded, e, k, angle.degrees, &roots, certainty);
     tp_roots_clear(&roots);
+    pivot->critical_angle_deg = tp_result(e, angle.degrees, certainty);
   } else {
-    tp_evaluate_turning(e, towards, k, &angle, certainty);
-    pivot->fos_resultant = resultant_form(e, &angle, t, certainty);
-    pivot->fos_elements = elements_form(e, towards, point->point, t, certainty);
+    if (known == NULL) tp_evaluate_turning(e, towards, k, &angle, certainty);
+    const tp_direction_ball *own = known != NULL ? known : &angle;
+    pivot->fos_resultant = resultant_form(e, own, certainty);
+    pivot->fos_elements = elements_form(e, towards, point->point, certainty);
+    pivot->critical_angle_deg = tp_result(e, own->degrees, certainty);
   }
-  pivot->critical_angle_deg = tp_result(e, angle.degrees, certainty);
   tp_direction_ball_clear(&angle);
-}
-
-static void tilt_init(tilt *t, const tp_evaluation *e) {
-  const tp_quantity *angle = &e->problem->scene->tilt_angle_deg;
-  t->given = angle->given;
-  arb_init(t->sine);
-  arb_init(t->cosine);
-  if (t->given) tp_ball_sin_cos_degrees(t->sine, t->cosine, angle->value, e->rung.bits);
-}
-
-static void tilt_clear(tilt *t) {
-  arb_clear(t->sine);
-  arb_clear(t->cosine);
 }
 
 /* Its numbers, unless they are settled. */
 static void tell_pivot(const tp_evaluation *e, tp_case *result, size_t k, bool *settled,
-                       const tilt *t, tp_certainty *certainty) {
+                       const tp_direction_ball *known, tp_certainty *certainty) {
   if (settled[k]) return;
   tp_certainty own = {0};
   result->pivots[k].told = true;
-  evaluate_pivot(e, result->towards, result->pivots + k, (long)k, t, &own);
+  evaluate_pivot(e, result->towards, result->pivots + k, (long)k, known, &own);
   settled[k] = !own.open;
   tp_certainty_add(certainty, &own);
 }
@@ -238,20 +221,18 @@ static bool tells_all(const tp_evaluation *e, const tp_case *result) {
 void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
                         tp_direction_ball *toppling, tp_certainty *certainty) {
   const bool all = tells_all(e, result), left = result->towards == TP_TOWARDS_LEFT;
-  tilt t;
-  tilt_init(&t, e);
+  const tp_governing_pivot governing =
+      tp_evaluate_toppling(e, result->towards, toppling, certainty);
   for (size_t k = 0; k < result->pivot_count; k++) {
     tp_pivot *pivot = result->pivots + k;
     const size_t from_toe = left ? k : result->pivot_count - 1 - k;
     pivot->admissible = e->problem->admissible[result->towards][k];
     const bool is_rounded = e->problem->contact.points[k].cut != NULL; /* it lies elsewhere */
     if (all || pivot->admissible || is_rounded || from_toe < TP_PIVOTS_NEAR_TOE) {
-      tell_pivot(e, result, k, settled, &t, certainty);
+      const bool governs = governing.found && governing.index == k;
+      tell_pivot(e, result, k, settled, governs ? toppling : NULL, certainty);
     }
   }
-  tilt_clear(&t);
-  const tp_governing_pivot governing =
-      tp_evaluate_toppling(e, result->towards, toppling, certainty);
   result->has_governing = governing.found;
   result->governing = governing.index;
   result->governing_tie = governing.tie;
@@ -261,11 +242,8 @@ void tp_evaluate_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
 void tp_evaluate_bearing_pivots(const tp_evaluation *e, tp_case *result, bool *settled,
                                 tp_certainty *certainty) {
   if (tells_all(e, result)) return;
-  tilt t;
-  tilt_init(&t, e);
   for (size_t k = 0; k < result->pivot_count; k++) {
     if (!tp_pivot_bears(result->pivots + k, &result->limit)) continue;
-    tell_pivot(e, result, k, settled, &t, certainty);
+    tell_pivot(e, result, k, settled, NULL, certainty);
   }
-  tilt_clear(&t);
 }

@@ -51,33 +51,30 @@ static void add_friction_at(const tp_evaluation *e, const tp_sliding_facet *best
 
 /* tan(phi_b + i) / tan(alpha). */
 static tp_fos factor_of_safety(const tp_evaluation *e, const tp_sliding_facet *best, bool never,
-                               tp_certainty *certainty) {
+                               const tp_direction_ball *sliding, tp_certainty *certainty) {
   const tp_quantity *tilt = &e->problem->scene->tilt_angle_deg;
   if (!tilt->given) return (tp_fos){.state = TP_FOS_NO_TILT};
   if (never || fmpq_is_zero(tilt->value)) return (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   const long bits = e->rung.bits;
   tp_fos fos = {.state = TP_FOS_NUMBER};
-  tp_direction_ball shear;
-  arb_t sine, cosine, value;
-  tp_direction_ball_init(&shear);
-  arb_init(sine);
-  arb_init(cosine);
+  tp_direction_ball at_tilt;
+  arb_t value;
+  tp_direction_ball_init(&at_tilt);
   arb_init(value);
-  tp_ball_sin_cos_degrees(sine, cosine, tilt->value, bits);
   arb_set_fmpq(value, tilt->value, bits);
-  add_friction_at(e, best, value, &shear);
-  if (shear.exact_direction) {
-    arb_div(value, shear.sine, shear.cosine, bits);
+  const bool depends = tp_friction_is_load_dependent(e);
+  if (depends) add_friction_at(e, best, value, &at_tilt);
+  const tp_direction_ball *shear = depends ? &at_tilt : sliding;
+  if (shear->exact_direction) {
+    arb_div(value, shear->sine, shear->cosine, bits);
   } else {
-    arb_div_ui(value, shear.degrees, 180, bits);
+    arb_div_ui(value, shear->degrees, 180, bits);
     arb_tan_pi(value, value, bits);
   }
-  tp_direction_ball_clear(&shear);
-  arb_mul(value, value, cosine, bits);
-  arb_div(value, value, sine, bits);
+  tp_direction_ball_clear(&at_tilt);
+  arb_mul(value, value, e->tilt_cosine, bits);
+  arb_div(value, value, e->tilt_sine, bits);
   fos.value = tp_result(e, value, certainty);
-  arb_clear(sine);
-  arb_clear(cosine);
   arb_clear(value);
   return fos;
 }
@@ -210,7 +207,7 @@ static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_f
     s->never = best->blocked || !slides || arb_ge(sliding->degrees, angle);
     if (!s->never && !arb_lt(sliding->degrees, angle)) certainty->open = true;
     s->critical_angle_deg = tp_result(e, sliding->degrees, certainty);
-    s->fos = factor_of_safety(e, best, s->never, certainty);
+    s->fos = factor_of_safety(e, best, s->never, sliding, certainty);
   }
   arb_clear(angle);
   arb_clear(friction);
@@ -219,6 +216,7 @@ static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_f
 /* phi_b + i <= 0 */
 static bool slides_when_level(const tp_evaluation *e, const tp_sliding_facet *best,
                               tp_certainty *certainty) {
+  if (fmpz_sgn(best->rise) >= 0 && arb_is_positive(e->friction_tangent)) return false;
   tp_direction_ball limit;
   arb_t level;
   tp_direction_ball_init(&limit);

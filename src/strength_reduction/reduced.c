@@ -87,6 +87,7 @@ tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_
   divide(r, factor);
   tp_limit_question question = *r->question;
   question.scaled = &r->reduced;
+  question.without_forces = true;
   const tp_limit_outcome outcome = tp_limit_find(&answer, &question);
   if (outcome == TP_LIMIT_PROVEN) at->kind = answer.kind;
   at->has_motion = at->kind == TP_LIMIT_AT_ANGLE;
