@@ -43,14 +43,29 @@ static double cost(const tableau *s, long variable) {
 
 /* Row vector of the costs of the basis times its inverse. */
 static void prices(const tableau *s, double y[3]) {
+  double costs[3];
+  for (int r = 0; r < 3; r++) costs[r] = cost(s, s->basis[r]);
   for (int c = 0; c < 3; c++) {
     y[c] = 0;
-    for (int r = 0; r < 3; r++) y[c] += cost(s, s->basis[r]) * s->inverse[r][c];
+    for (int r = 0; r < 3; r++) y[c] += costs[r] * s->inverse[r][c];
   }
 }
 
 static bool in_basis(const tableau *s, long variable) {
   return s->basis[0] == variable || s->basis[1] == variable || s->basis[2] == variable;
+}
+
+/* Of columns without bound the one of the largest gain above `best`. */
+static long find_column(const tableau *s, const double y[3], double best) {
+  const tp_simplex_program *p = s->program;
+  long entering = ARTIFICIAL;
+  for (long k = 0; k < p->count; k++) {
+    const double gain = tp_vector_dot_near(y, p->columns[k]);
+    if (gain <= best || in_basis(s, k)) continue;
+    best = gain;
+    entering = k;
+  }
+  return entering;
 }
 
 /* The variable that lowers the cost most as it moves off its bound, and the way it moves. Costs
@@ -69,8 +84,12 @@ static long find_entering(const tableau *s, const double y[3], double *way) {
       *way = reduced < 0 ? 1 : -1;
     }
   }
+  if (s->at_most == NULL && best < INFINITY) {
+    *way = 1;
+    return find_column(s, y, best);
+  }
   for (long k = 0; k < p->count && best < INFINITY; k++) {
-    const bool high = s->at_most != NULL && s->at_most[k];
+    const bool high = s->at_most[k];
     const double gain =
         high ? -tp_vector_dot_near(y, p->columns[k]) : tp_vector_dot_near(y, p->columns[k]);
     if (gain <= best || in_basis(s, k)) continue;
