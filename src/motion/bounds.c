@@ -253,14 +253,17 @@ static tp_motion_outcome bound_pairs(spanning *s) {
 }
 
 /* The plane of a pair that is known to be a bound, and on which side of it the others lie. */
-static tp_motion_outcome bound_pair(spanning *s, const tp_twists *twists, long i, long j,
-                                    bool below, long beside) {
+static tp_motion_outcome bound_pair(spanning *s, const tp_twists *twists,
+                                    const tp_chosen_planes *chosen, int k) {
+  const long i = chosen->first[k], j = chosen->second[k], beside = chosen->beside[k];
+  const bool below = chosen->below[k];
   tp_bound *own = add_bound(s->bounds);
   if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
   const tp_generator *a = s->of->items + i, *b = s->of->items + j;
   (void)tp_generators_evaluate(s->of, twists, i);
   (void)tp_generators_evaluate(s->of, twists, j);
   describe(own, s, i, j);
+  own->lower = chosen->lower[k];
   if (sharpen(own, s, a, b)) { /* which may point the other way */
     (void)tp_generators_evaluate(s->of, twists, beside);
     const bool settled = s->of->q->judge.settled;
@@ -281,8 +284,7 @@ static tp_motion_outcome bound_chosen(spanning *s, const tp_twists *twists,
                                       const tp_chosen_planes *chosen) {
   tp_motion_outcome done = TP_MOTION_PROVEN;
   for (int k = 0; k < chosen->count && done == TP_MOTION_PROVEN; k++) {
-    done = bound_pair(s, twists, chosen->first[k], chosen->second[k], chosen->below[k],
-                      chosen->beside[k]);
+    done = bound_pair(s, twists, chosen, k);
   }
   return done;
 }
@@ -308,6 +310,7 @@ static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_mode_filter 
   bool done = true;
   for (int k = 0; k < chosen.count && !open && done; k++) {
     done = bound_face(bounds, q, n, strength, twists->faces[chosen.first[k]].normal);
+    if (done) bounds->items[bounds->count - 1].lower = chosen.lower[k];
   }
   for (long k = 0; k < twists->face_count && open && done; k++) {
     const long normal = twists->faces[k].normal;

@@ -20,6 +20,7 @@ typedef struct tp_bound {
   tp_vector h;
   tp_source source;
   bool ray_and_edge; /* the pair is */
+  bool lower;        /* where doubles chose it: it ends the tilts from below */
   unsigned rays;     /* bit k: M times the k-th ray of the mode lies in the plane */
   arb_t held;        /* h . w >= held, below zero or above by cohesion and bonds */
 } tp_bound;

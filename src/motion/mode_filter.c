@@ -100,10 +100,6 @@ static bool set_tangent(plane *p, const tp_mode_filter *f, const tp_near h[3], b
   return isfinite(p->tangent.error) != 0;
 }
 
-static bool share_source(const tp_source *a, const tp_source *b) {
-  return a->kind == b->kind && a->a == b->a && a->b == b->b;
-}
-
 /* The last of the lower ends, the first of the upper ones. */
 typedef struct ends {
   bool has[2]; /* by `lower` */
@@ -118,7 +114,7 @@ static bool tighten(ends *e, const plane *p) {
     *own = *p;
     return true;
   }
-  if (share_source(&own->source, &p->source)) return true; /* one tilt */
+  if (tp_source_is_same(&own->source, &p->source)) return true; /* one tilt */
   const int order = tp_near_sign(tp_near_sub(p->tangent, own->tangent));
   if (order != 0 && (order > 0) == p->lower) *own = *p;
   return order != 0;
@@ -126,15 +122,14 @@ static bool tighten(ends *e, const plane *p) {
 
 static tp_mode_tilts between(const ends *e) {
   if (!e->has[0] || !e->has[1]) return TP_TILTS_BETWEEN;
-  if (share_source(&e->of[0].source, &e->of[1].source)) return TP_TILTS_OPEN;
+  if (tp_source_is_same(&e->of[0].source, &e->of[1].source)) return TP_TILTS_OPEN;
   const int order = tp_near_sign(tp_near_sub(e->of[0].tangent, e->of[1].tangent));
   return order == 0 ? TP_TILTS_OPEN : order > 0 ? TP_TILTS_BETWEEN : TP_TILTS_NONE;
 }
 
-/* Is the plane at one of the ends? */
-static bool is_chosen(const ends *e, const tp_source *source) {
-  return (e->has[0] && share_source(&e->of[0].source, source)) ||
-         (e->has[1] && share_source(&e->of[1].source, source));
+/* Is the plane at the lower end, or at the upper one? */
+static bool is_at(const ends *e, const tp_source *source, bool lower) {
+  return e->has[lower] && tp_source_is_same(&e->of[lower].source, source);
 }
 
 static bool choose(tp_chosen_planes *chosen, const plane *own) {
@@ -142,6 +137,7 @@ static bool choose(tp_chosen_planes *chosen, const plane *own) {
   if (k == TP_MOST_CHOSEN) return false;
   chosen->first[k] = own->first;
   chosen->second[k] = own->second;
+  chosen->lower[k] = own->lower;
   chosen->below[k] = own->below;
   chosen->beside[k] = own->beside;
   chosen->count++;
@@ -215,9 +211,7 @@ tp_mode_tilts tp_mode_filter_pairs(tp_chosen_planes *chosen, const tp_mode_filte
   const tp_mode_tilts tilts = between(&e);
   for (long k = 0; k < c.count && tilts == TP_TILTS_BETWEEN; k++) {
     const plane *own = c.planes + k;
-    if (is_chosen(&e, &own->source) && !choose(chosen, own)) {
-      return TP_TILTS_OPEN;
-    }
+    if (is_at(&e, &own->source, own->lower) && !choose(chosen, own)) return TP_TILTS_OPEN;
   }
   return tilts;
 }
@@ -239,7 +233,11 @@ tp_mode_tilts tp_mode_filter_interior(tp_chosen_planes *chosen, const tp_mode_fi
   const tp_mode_tilts tilts = between(&e);
   for (long k = 0; k < twists->face_count && tilts == TP_TILTS_BETWEEN; k++) {
     const tp_source own = tp_generators_normal_source(q, n, NULL, twists->faces[k].normal);
-    if (is_chosen(&e, &own) && !choose(chosen, &(plane){.first = k})) return TP_TILTS_OPEN;
+    const bool lower = is_at(&e, &own, true);
+    if ((lower || is_at(&e, &own, false)) &&
+        !choose(chosen, &(plane){.first = k, .lower = lower})) {
+      return TP_TILTS_OPEN;
+    }
   }
   return tilts;
 }

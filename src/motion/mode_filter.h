@@ -36,6 +36,7 @@ enum { TP_MOST_CHOSEN = 16 };
 typedef struct tp_chosen_planes {
   int count;
   long first[TP_MOST_CHOSEN], second[TP_MOST_CHOSEN];
+  bool lower[TP_MOST_CHOSEN];  /* at the lower end of the tilts */
   bool below[TP_MOST_CHOSEN];  /* the others lie below the cross product of the pair, */
   long beside[TP_MOST_CHOSEN]; /* as this one does for certain */
 } tp_chosen_planes;

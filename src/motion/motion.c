@@ -32,7 +32,7 @@ typedef struct collecting {
   tp_tilts own, other; /* of the mode, of one bound */
 } collecting;
 
-/* h . w, and the scale of its terms. */
+/* h . w, and the scale of its terms where the judge may ask for it. */
 static double set_work(tp_trig *f, const tp_vector *h, const tp_motion_question *q) {
   const tp_trig *load[] = {&q->load.x, &q->load.y, &q->load.moment};
   double log2_scale = -INFINITY;
@@ -42,6 +42,7 @@ static double set_work(tp_trig *f, const tp_vector *h, const tp_motion_question 
       const arb_struct *own = load[row]->of + basis;
       if (arb_is_zero(own)) continue;
       arb_addmul(f->of + basis, h->of + row, own, q->judge.precision);
+      if (!q->judge.settled) continue;
       log2_scale = fmax(log2_scale, tp_ball_log2_above(h->of + row) + tp_ball_log2_above(own));
     }
   }
@@ -90,6 +91,37 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
   tp_tilt_clear(&zero);
   if (!done) return TP_MOTION_OUT_OF_MEMORY;
   return told == TP_OPEN ? TP_MOTION_OPEN : TP_MOTION_PROVEN;
+}
+
+/* A plane that doubles have chosen: where A cos + B sin of its loads is zero. Planes at one end are
+ * one tilt, of which only what they share counts; so are those of one source in modes side by side.
+ */
+static void apply_chosen(collecting *c, const tp_bound *bound) {
+  enum { NEIGHBOURS = 4 };
+  const tp_tilts *spans = &c->m->spans;
+  tp_tilt *end = bound->lower ? &c->own.items->from : &c->own.items->to;
+  if (!end->endless) {
+    end->rays &= bound->rays;
+    return;
+  }
+  const long first = spans->count > NEIGHBOURS ? spans->count - NEIGHBOURS : 0;
+  for (long k = first; k < spans->count; k++) {
+    const tp_tilt *other = bound->lower ? &spans->items[k].from : &spans->items[k].to;
+    if (other->endless || !tp_source_is_same(&other->source, &bound->source)) continue;
+    tp_tilt_set(end, other);
+    end->rays = bound->rays;
+    return;
+  }
+  tp_trig f;
+  tp_tilt zero;
+  tp_trig_init(&f);
+  tp_tilt_init(&zero);
+  zero.source = bound->source;
+  zero.rays = bound->rays;
+  set_work(&f, &bound->h, c->q);
+  tp_tilt_set_zero(end, &zero, f.of + TP_COS, f.of + TP_SIN, bound->lower, c->q->judge.bits);
+  tp_trig_clear(&f);
+  tp_tilt_clear(&zero);
 }
 
 static bool keep_mode(tp_motions *m, const tp_mode *mode) {
@@ -145,7 +177,11 @@ static tp_motion_outcome collect(void *context, const tp_mode *mode) {
   }
   if (done != TP_MOTION_PROVEN || rays == 0) return done;
   for (long k = 0; k < c->bounds.count && done == TP_MOTION_PROVEN && c->own.count > 0; k++) {
-    done = apply(c, c->bounds.items + k, &rays, false);
+    if (told == TP_TILTS_BETWEEN) {
+      apply_chosen(c, c->bounds.items + k);
+    } else {
+      done = apply(c, c->bounds.items + k, &rays, false);
+    }
   }
   return done == TP_MOTION_PROVEN && c->own.count > 0 ? keep(c, mode) : done;
 }

@@ -26,13 +26,13 @@ void tp_tilt_set(tp_tilt *tilt, const tp_tilt *other) {
   arb_set(tilt->degrees, other->degrees);
 }
 
-static bool share_source(const tp_source *a, const tp_source *b) {
+bool tp_source_is_same(const tp_source *a, const tp_source *b) {
   return a->kind == b->kind && a->a == b->a && a->b == b->b && a->root == b->root &&
          a->mode == b->mode;
 }
 
 int tp_tilt_compare(const tp_tilt *a, const tp_tilt *b, const tp_judge *judge) {
-  if (share_source(&a->source, &b->source)) return 0;
+  if (tp_source_is_same(&a->source, &b->source)) return 0;
   arb_t gap;
   arb_init(gap);
   arb_sub(gap, a->degrees, b->degrees, judge->bits);
@@ -43,7 +43,7 @@ int tp_tilt_compare(const tp_tilt *a, const tp_tilt *b, const tp_judge *judge) {
 
 bool tp_tilt_is_same(const tp_tilt *a, const tp_tilt *b) {
   if (a->endless || b->endless) return a->endless == b->endless;
-  return share_source(&a->source, &b->source) ||
+  return tp_source_is_same(&a->source, &b->source) ||
          (arb_is_exact(a->degrees) && arb_equal(a->degrees, b->degrees));
 }
 
@@ -85,6 +85,24 @@ static void set_end(tp_tilt *end, const tp_tilt *zero, long root) {
   end->source.root = root;
 }
 
+void tp_tilt_set_zero(tp_tilt *end, const tp_tilt *zero, const arb_t a, const arb_t b, bool rises,
+                      long bits) {
+  arb_t sine, cosine;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_set(sine, a);
+  arb_set(cosine, b);
+  if (rises) {
+    arb_neg(sine, sine);
+  } else {
+    arb_neg(cosine, cosine);
+  }
+  set_end(end, zero, 0);
+  tp_ball_atan2_degrees(end->degrees, sine, cosine, bits);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
 /* A cos a + B sin a >= 0, where cos a > 0: A + B tan a >= 0. */
 static bool of_line(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp_tilt *zero,
                     double log2_scale, const tp_judge *judge) {
@@ -101,20 +119,7 @@ static bool of_line(tp_tilts *spans, tp_answer *told, const tp_trig *f, const tp
   tp_tilt_span *span = tp_tilts_add(spans);
   if (span == NULL) return false;
   tp_tilt *end = rises > 0 ? &span->from : &span->to;
-  set_end(end, zero, 0);
-  arb_t sine, cosine;
-  arb_init(sine);
-  arb_init(cosine);
-  arb_set(sine, f->of + TP_COS);
-  arb_set(cosine, f->of + TP_SIN);
-  if (rises > 0) {
-    arb_neg(sine, sine);
-  } else {
-    arb_neg(cosine, cosine);
-  }
-  tp_ball_atan2_degrees(end->degrees, sine, cosine, judge->bits);
-  arb_clear(sine);
-  arb_clear(cosine);
+  tp_tilt_set_zero(end, zero, f->of + TP_COS, f->of + TP_SIN, rises > 0, judge->bits);
   return true;
 }
 

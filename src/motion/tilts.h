@@ -23,6 +23,8 @@ typedef struct tp_source {
   long a, b, root, mode;
 } tp_source;
 
+bool tp_source_is_same(const tp_source *a, const tp_source *b);
+
 typedef struct tp_tilt {
   bool endless; /* of an end: there is none within the range */
   arb_t degrees;
@@ -61,6 +63,11 @@ tp_tilt_span *tp_tilts_add(tp_tilts *spans);
  * exhausted. */
 TP_MUST_USE bool tp_tilts_of(tp_tilts *spans, tp_answer *told, const tp_trig *f,
                              const tp_tilt *zero, double log2_scale, const tp_judge *judge);
+
+/* Where a cos + b sin rises or falls through zero between -90 and 90 degrees: an end like `zero`.
+ */
+void tp_tilt_set_zero(tp_tilt *end, const tp_tilt *zero, const arb_t a, const arb_t b, bool rises,
+                      long bits);
 
 /* spans = spans and other; single tilts stay where both bounds there share a ray of `rays`. */
 TP_MUST_USE bool tp_tilts_intersect(tp_tilts *spans, tp_answer *told, const tp_tilts *other,
