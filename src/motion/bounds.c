@@ -57,19 +57,6 @@ static void set_held(tp_bound *bound, const tp_strength *s, const tp_judge *judg
   arb_clear(own);
 }
 
-static int sign_against(const spanning *s, const tp_vector *h, const tp_source *plane, double size,
-                        const tp_generator *other) {
-  if (tp_generator_is_in_plane(other, plane)) return 0;
-  arb_t dot;
-  arb_init(dot);
-  tp_vector_dot(dot, h, &other->of, s->of->q->judge.precision);
-  const bool asks = tp_judge_asks_scale(&s->of->q->judge, dot);
-  if (asks) size += tp_vector_log2_size(&other->of);
-  const int sign = tp_judge_sign(&s->of->q->judge, dot, size);
-  arb_clear(dot);
-  return sign;
-}
-
 /* Do two generators point along one line? 1, 0, or open. */
 static int is_line(const spanning *s, const tp_vector *cross, double size) {
   int line = 1;
@@ -79,65 +66,6 @@ static int is_line(const spanning *s, const tp_vector *cross, double size) {
     if (sign == TP_OPEN_SIGN) line = TP_OPEN_SIGN;
   }
   return line;
-}
-
-/* The same plane by its point or its direction alone, without the roundings of friction: forces
- * through a point have no moment about it, forces of one direction none across it, and what
- * accelerates along a normal line none along that. False: it stays as it is. */
-static bool sharpen(tp_bound *bound, const spanning *s, const tp_generator *a,
-                    const tp_generator *b) {
-  if (a->is_ray && b->is_ray) {
-    tp_newton_normal(&bound->h, s->of->q, s->of->n, s->of->mode->normal);
-    return true;
-  }
-  if (bound->source.kind == TP_FROM_PARALLEL) {
-    arb_set(bound->h.of, a->of.of + 1);
-    arb_neg(bound->h.of + 1, a->of.of);
-    arb_zero(bound->h.of + 2);
-    return true;
-  }
-  if (bound->source.kind != TP_FROM_SITE) return false;
-  const tp_cones *cones = s->of->q->cones;
-  const long bits = s->of->q->judge.precision;
-  arb_mul(bound->h.of, cones->y + a->point, s->of->q->scale, bits);
-  arb_sub(bound->h.of, bound->h.of, s->of->q->y, bits);
-  arb_mul(bound->h.of + 1, cones->x + a->point, s->of->q->scale, bits);
-  arb_sub(bound->h.of + 1, s->of->q->x, bound->h.of + 1, bits);
-  arb_one(bound->h.of + 2);
-  return true;
-}
-
-/* Where the loads have no moment, the plane of a slide and a force meets them along the slide,
- * whatever the force: M r x -e is its moment times (v_y, -v_x), beside a part that does no work. */
-static bool runs_along_slide(const tp_bound *bound, const spanning *s, const tp_generator *force) {
-  return bound->source.kind == TP_FROM_AXIS && s->of->strength == NULL && !force->is_ray;
-}
-
-static tp_motion_outcome sharpen_slide(tp_bound *bound, const spanning *s, const tp_generator *ray,
-                                       const tp_generator *force, bool below) {
-  if (!runs_along_slide(bound, s, force)) return TP_MOTION_PROVEN;
-  const int side =
-      tp_judge_sign(&s->of->q->judge, force->of.of + 2, tp_vector_log2_size(&force->of));
-  if (side == TP_OPEN_SIGN) return TP_MOTION_OPEN;
-  if (side == 0) return TP_MOTION_PROVEN;
-  const bool turned = arb_is_negative(force->of.of + 2) != 0;
-  arb_set(bound->h.of, ray->of.of + 1);
-  arb_neg(bound->h.of + 1, ray->of.of);
-  arb_zero(bound->h.of + 2);
-  if (turned != below) tp_vector_neg(&bound->h);
-  return TP_MOTION_PROVEN;
-}
-
-static unsigned bit_of(long generator_index, const spanning *s) {
-  return s->of->items[generator_index].is_ray ? 1U << generator_index : 0;
-}
-
-/* The plane of two generators, but for h. */
-static void describe(tp_bound *own, const spanning *s, long i, long j) {
-  const tp_generator *a = s->of->items + i, *b = s->of->items + j;
-  own->source = tp_generators_source(s->of, a, b);
-  own->rays = bit_of(i, s) | bit_of(j, s);
-  own->ray_and_edge = own->source.kind == TP_FROM_PAIR && a->is_ray && !b->is_ray && b->axis >= 0;
 }
 
 /* A bound where all others lie on one side. */
@@ -152,16 +80,16 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   const int line = is_line(s, &own->h, size);
   if (line == TP_OPEN_SIGN) return TP_MOTION_OPEN;
   if (line == 1) return TP_MOTION_PROVEN;
-  describe(own, s, i, j);
-  if (sharpen(own, s, a, b) && settled) size = tp_vector_log2_size(&own->h);
+  tp_bound_describe(own, s->of, i, j);
+  if (tp_bound_sharpen(own, s->of, a, b) && settled) size = tp_vector_log2_size(&own->h);
   long above = 0, below = 0;
   for (long k = 0; k < s->of->count; k++) {
     if (k == i || k == j) continue;
-    const int sign = sign_against(s, &own->h, &own->source, size, s->of->items + k);
+    const int sign = tp_bound_sign(s->of, &own->h, &own->source, size, s->of->items + k);
     if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
     above += sign > 0;
     below += sign < 0;
-    if (sign == 0) own->rays |= bit_of(k, s);
+    if (sign == 0) own->rays |= tp_bound_bit(s->of, k);
   }
   *solid = *solid || above > 0 || below > 0;
   if (above == 0 && below == 0 && j < s->of->count) {
@@ -172,7 +100,7 @@ static tp_motion_outcome try_pair(spanning *s, bool *solid, long *flat_pair, lon
   if (below > 0) tp_vector_neg(&own->h);
   set_held(own, s->of->strength, &s->of->q->judge);
   s->bounds->count++;
-  return sharpen_slide(own, s, a, b, below > 0);
+  return tp_bound_sharpen_slide(own, s->of, a, b, below > 0);
 }
 
 /* All of C in the plane of two generators: that plane, from both sides. */
@@ -213,15 +141,16 @@ static tp_motion_outcome bound_flat(spanning *s, const long pair[2]) {
     const tp_source line = {.kind = TP_FROM_PAIR, .a = s->of->items[g].id, .b = s->of->items[g].id};
     tp_vector_cross(&own->h, &normal, &s->of->items[g].of, s->of->q->judge.precision);
     own->source = line;
-    own->rays = bit_of(g, s);
+    own->rays = tp_bound_bit(s->of, g);
     const double log2_line = size + tp_vector_log2_size(&s->of->items[g].of);
     long above = 0, below = 0;
     for (long k = 0; k < s->of->count && done == TP_MOTION_PROVEN; k++) {
-      const int sign = k == g ? 0 : sign_against(s, &own->h, &line, log2_line, s->of->items + k);
+      const int sign =
+          k == g ? 0 : tp_bound_sign(s->of, &own->h, &line, log2_line, s->of->items + k);
       if (sign == TP_OPEN_SIGN) done = TP_MOTION_OPEN;
       above += sign > 0;
       below += sign < 0;
-      if (sign == 0) own->rays |= bit_of(k, s);
+      if (sign == 0) own->rays |= tp_bound_bit(s->of, k);
     }
     if ((above > 0) == (below > 0)) continue;
     if (below > 0) tp_vector_neg(&own->h);
@@ -252,87 +181,69 @@ static tp_motion_outcome bound_pairs(spanning *s) {
   return done == TP_MOTION_PROVEN && !solid ? bound_flat(s, flat_pair) : done;
 }
 
-/* The plane of a pair that is known to be a bound, and on which side of it the others lie. */
-static tp_motion_outcome bound_pair(spanning *s, const tp_twists *twists,
-                                    const tp_chosen_planes *chosen, int k) {
-  const long i = chosen->first[k], j = chosen->second[k], beside = chosen->beside[k];
-  const bool below = chosen->below[k];
-  tp_bound *own = add_bound(s->bounds);
-  if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
-  const tp_generator *a = s->of->items + i, *b = s->of->items + j;
-  (void)tp_generators_evaluate(s->of, twists, i);
-  (void)tp_generators_evaluate(s->of, twists, j);
-  describe(own, s, i, j);
-  own->lower = chosen->lower[k];
-  if (sharpen(own, s, a, b)) { /* which may point the other way */
-    (void)tp_generators_evaluate(s->of, twists, beside);
-    const bool settled = s->of->q->judge.settled;
-    const double size = settled ? tp_vector_log2_size(&own->h) : 0;
-    const int side = sign_against(s, &own->h, &own->source, size, s->of->items + beside);
-    if (side != 1 && side != -1) return TP_MOTION_OPEN;
-    if (side < 0) tp_vector_neg(&own->h);
+/* The planes that doubles have chosen, but for h: tp_bounds_evaluate. */
+static tp_motion_outcome describe_chosen(tp_bounds *bounds, const tp_motion_question *q,
+                                         const tp_normals *n, const tp_twists *twists,
+                                         const tp_mode *mode) {
+  const tp_chosen_planes *chosen = &bounds->chosen;
+  for (int k = 0; k < chosen->count; k++) {
+    tp_bound *own = add_bound(bounds);
+    if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
+    own->lower = chosen->lower[k];
+    if (mode->ray_count > 0) {
+      tp_bound_describe(own, &bounds->generators, chosen->first[k], chosen->second[k]);
+      continue;
+    }
+    own->rays = ~0U;
+    own->source = tp_generators_normal_source(q, n, NULL, twists->faces[chosen->first[k]].normal);
+  }
+  return TP_MOTION_PROVEN;
+}
+
+tp_motion_outcome tp_bounds_evaluate(tp_bounds *bounds, long k, const tp_motion_question *q,
+                                     const tp_normals *n, const tp_twists *twists,
+                                     const tp_mode *mode) {
+  tp_bound *own = bounds->items + k;
+  if (mode->ray_count == 0) {
+    tp_newton_normal(&own->h, q, n, twists->faces[bounds->chosen.first[k]].normal);
     return TP_MOTION_PROVEN;
   }
-  if (!runs_along_slide(own, s, b) || arb_contains_zero(b->of.of + 2)) {
-    tp_vector_cross(&own->h, &a->of, &b->of, s->of->q->judge.precision);
-    if (below) tp_vector_neg(&own->h);
-  }
-  return sharpen_slide(own, s, a, b, below);
+  return tp_bound_evaluate(own, &bounds->generators, twists, &bounds->chosen, (int)k);
 }
 
-static tp_motion_outcome bound_chosen(spanning *s, const tp_twists *twists,
-                                      const tp_chosen_planes *chosen) {
-  tp_motion_outcome done = TP_MOTION_PROVEN;
-  for (int k = 0; k < chosen->count && done == TP_MOTION_PROVEN; k++) {
-    done = bound_pair(s, twists, chosen, k);
-  }
-  return done;
-}
-
-/* The interior: h . a >= 0 on a face of K, for a = M^-1 w, times k^2. */
-static bool bound_face(tp_bounds *bounds, const tp_motion_question *q, const tp_normals *n,
-                       const tp_strength *strength, long normal) {
-  tp_bound *own = add_bound(bounds);
-  if (own == NULL) return false;
-  tp_newton_normal(&own->h, q, n, normal);
-  own->source = tp_generators_normal_source(q, n, strength, normal);
-  own->rays = ~0U;
-  set_held(own, strength, &q->judge);
-  return true;
-}
-
-static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_mode_filter *filter,
-                                        const tp_motion_question *q, const tp_normals *n,
-                                        const tp_twists *twists, const tp_strength *strength) {
-  tp_chosen_planes chosen;
-  bounds->tilts = tp_mode_filter_interior(&chosen, filter, q, n, twists);
-  const bool open = bounds->tilts == TP_TILTS_OPEN;
-  bool done = true;
-  for (int k = 0; k < chosen.count && !open && done; k++) {
-    done = bound_face(bounds, q, n, strength, twists->faces[chosen.first[k]].normal);
-    if (done) bounds->items[bounds->count - 1].lower = chosen.lower[k];
-  }
-  for (long k = 0; k < twists->face_count && open && done; k++) {
+/* The interior: h . a >= 0 on every face of K, for a = M^-1 w, times k^2. */
+static tp_motion_outcome bound_interior(tp_bounds *bounds, const tp_motion_question *q,
+                                        const tp_normals *n, const tp_twists *twists,
+                                        const tp_strength *strength) {
+  for (long k = 0; k < twists->face_count; k++) {
     const long normal = twists->faces[k].normal;
     if (k > 0 && normal == twists->faces[k - 1].normal) continue;
-    done = bound_face(bounds, q, n, strength, normal);
+    tp_bound *own = add_bound(bounds);
+    if (own == NULL) return TP_MOTION_OUT_OF_MEMORY;
+    tp_newton_normal(&own->h, q, n, normal);
+    own->source = tp_generators_normal_source(q, n, strength, normal);
+    own->rays = ~0U;
+    set_held(own, strength, &q->judge);
   }
-  return done ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
+  return TP_MOTION_PROVEN;
 }
 
 tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_mode_filter *filter,
                                  const tp_motion_question *q, const tp_normals *n,
                                  const tp_twists *twists, const tp_mode *mode,
                                  const tp_strength *strength) {
-  bounds->count = 0;
-  if (mode->ray_count == 0) return bound_interior(bounds, filter, q, n, twists, strength);
+  const bool interior = mode->ray_count == 0;
   tp_generators *g = &bounds->generators;
-  if (!tp_generators_set(g, q, n, twists, mode, strength)) return TP_MOTION_OUT_OF_MEMORY;
-  spanning s = {.bounds = bounds, .of = g};
-  tp_chosen_planes chosen;
-  bounds->tilts = tp_mode_filter_pairs(&chosen, filter, g, twists);
+  bounds->count = 0;
+  if (!interior && !tp_generators_set(g, q, n, twists, mode, strength)) {
+    return TP_MOTION_OUT_OF_MEMORY;
+  }
+  bounds->tilts = interior ? tp_mode_filter_interior(&bounds->chosen, filter, q, n, twists)
+                           : tp_mode_filter_pairs(&bounds->chosen, filter, g, twists);
   if (bounds->tilts == TP_TILTS_NONE) return TP_MOTION_PROVEN;
-  if (bounds->tilts == TP_TILTS_BETWEEN) return bound_chosen(&s, twists, &chosen);
+  if (bounds->tilts == TP_TILTS_BETWEEN) return describe_chosen(bounds, q, n, twists, mode);
+  if (interior) return bound_interior(bounds, q, n, twists, strength);
   tp_generators_evaluate_all(g, twists);
+  spanning s = {.bounds = bounds, .of = g};
   return bound_pairs(&s);
 }

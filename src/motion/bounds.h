@@ -13,23 +13,14 @@
 #ifndef TP_BOUNDS_H
 #define TP_BOUNDS_H
 
-#include "motion/generators.h"
-#include "motion/mode_filter.h"
-
-typedef struct tp_bound {
-  tp_vector h;
-  tp_source source;
-  bool ray_and_edge; /* the pair is */
-  bool lower;        /* where doubles chose it: it ends the tilts from below */
-  unsigned rays;     /* bit k: M times the k-th ray of the mode lies in the plane */
-  arb_t held;        /* h . w >= held, below zero or above by cohesion and bonds */
-} tp_bound;
+#include "motion/bound_plane.h"
 
 typedef struct tp_bounds {
   long count, room;
   tp_bound *items;
   tp_mode_tilts tilts; /* as told in doubles: unless open, none but the planes that matter are here,
-                          each of which the loads leave */
+                          each of which the loads leave, and h of none as yet */
+  tp_chosen_planes chosen;
   tp_generators generators;
 } tp_bounds;
 
@@ -38,6 +29,11 @@ TP_MUST_USE tp_motion_outcome tp_bounds_find(tp_bounds *bounds, const tp_mode_fi
                                              const tp_motion_question *question,
                                              const tp_normals *normals, const tp_twists *twists,
                                              const tp_mode *mode, const tp_strength *strength);
+/* h of one of those that doubles have chosen. */
+TP_MUST_USE tp_motion_outcome tp_bounds_evaluate(tp_bounds *bounds, long k,
+                                                 const tp_motion_question *question,
+                                                 const tp_normals *normals, const tp_twists *twists,
+                                                 const tp_mode *mode);
 void tp_bounds_clear(tp_bounds *bounds);
 
 #endif

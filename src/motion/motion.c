@@ -96,22 +96,27 @@ static tp_motion_outcome apply(collecting *c, const tp_bound *bound, unsigned *r
 /* A plane that doubles have chosen: where A cos + B sin of its loads is zero. Planes at one end are
  * one tilt, of which only what they share counts; so are those of one source in modes side by side.
  */
-static void apply_chosen(collecting *c, const tp_bound *bound) {
+static tp_motion_outcome apply_chosen(collecting *c, long number, const tp_mode *mode) {
   enum { NEIGHBOURS = 4 };
+  const tp_bound *bound = c->bounds.items + number;
   const tp_tilts *spans = &c->m->spans;
   tp_tilt *end = bound->lower ? &c->own.items->from : &c->own.items->to;
   if (!end->endless) {
     end->rays &= bound->rays;
-    return;
+    return TP_MOTION_PROVEN;
   }
   const long first = spans->count > NEIGHBOURS ? spans->count - NEIGHBOURS : 0;
-  for (long k = first; k < spans->count; k++) {
-    const tp_tilt *other = bound->lower ? &spans->items[k].from : &spans->items[k].to;
+  for (long k = 2 * first; k < 2 * spans->count; k++) {
+    const tp_tilt_span *span = spans->items + k / 2;
+    const tp_tilt *other = k % 2 == 0 ? &span->from : &span->to;
     if (other->endless || !tp_source_is_same(&other->source, &bound->source)) continue;
     tp_tilt_set(end, other);
     end->rays = bound->rays;
-    return;
+    return TP_MOTION_PROVEN;
   }
+  const tp_motion_outcome done =
+      tp_bounds_evaluate(&c->bounds, number, c->q, &c->m->normals, &c->m->twists, mode);
+  if (done != TP_MOTION_PROVEN) return done;
   tp_trig f;
   tp_tilt zero;
   tp_trig_init(&f);
@@ -122,6 +127,7 @@ static void apply_chosen(collecting *c, const tp_bound *bound) {
   tp_tilt_set_zero(end, &zero, f.of + TP_COS, f.of + TP_SIN, bound->lower, c->q->judge.bits);
   tp_trig_clear(&f);
   tp_tilt_clear(&zero);
+  return TP_MOTION_PROVEN;
 }
 
 static bool keep_mode(tp_motions *m, const tp_mode *mode) {
@@ -177,11 +183,8 @@ static tp_motion_outcome collect(void *context, const tp_mode *mode) {
   }
   if (done != TP_MOTION_PROVEN || rays == 0) return done;
   for (long k = 0; k < c->bounds.count && done == TP_MOTION_PROVEN && c->own.count > 0; k++) {
-    if (told == TP_TILTS_BETWEEN) {
-      apply_chosen(c, c->bounds.items + k);
-    } else {
-      done = apply(c, c->bounds.items + k, &rays, false);
-    }
+    done = told == TP_TILTS_BETWEEN ? apply_chosen(c, k, mode)
+                                    : apply(c, c->bounds.items + k, &rays, false);
   }
   return done == TP_MOTION_PROVEN && c->own.count > 0 ? keep(c, mode) : done;
 }
