@@ -31,9 +31,13 @@ void tp_trig_evaluate(arb_t value, const tp_trig *f, const arb_t sine, const arb
                       long bits) {
   arb_t term;
   arb_init(term);
-  arb_mul(value, f->of + TP_COS, cosine, bits);
-  arb_addmul(value, f->of + TP_SIN, sine, bits);
-  arb_add(value, value, f->of + TP_ONE, bits);
+  if (arb_is_zero(f->of + TP_COS)) {
+    arb_zero(value);
+  } else {
+    arb_mul(value, f->of + TP_COS, cosine, bits);
+  }
+  if (!arb_is_zero(f->of + TP_SIN)) arb_addmul(value, f->of + TP_SIN, sine, bits);
+  if (!arb_is_zero(f->of + TP_ONE)) arb_add(value, value, f->of + TP_ONE, bits);
   if (!arb_is_zero(f->of + TP_SEC)) {
     arb_div(term, f->of + TP_SEC, cosine, bits);
     arb_add(value, value, term, bits);

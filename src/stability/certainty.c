@@ -108,30 +108,36 @@ void tp_result_point(tp_bounded *x_m, tp_bounded *y_m, const tp_evaluation *e, t
   arb_clear(y);
 }
 
+enum { BITS_OF_RATIONAL = 128 }; /* more than a double can show */
+
 tp_bounded tp_result_rational(const fmpq_t value) {
-  enum { BITS = 128 }; /* more than a double can show */
   arb_t ball;
   arb_init(ball);
-  arb_set_fmpq(ball, value, BITS);
+  arb_set_fmpq(ball, value, BITS_OF_RATIONAL);
   const tp_bounded result = tp_ball_bounded(ball);
   arb_clear(ball);
   return result;
 }
 
-static tp_bounded coordinate(const tp_lattice *lattice, const fmpz *value,
-                             void (*to_metres)(fmpq_t, const tp_lattice *, const fmpz_t)) {
-  fmpq_t metres;
-  fmpq_init(metres);
-  to_metres(metres, lattice, value);
-  const tp_bounded result = tp_result_rational(metres);
-  fmpq_clear(metres);
+/* As tp_result_rational, but for the lowest terms. */
+static tp_bounded coordinate(const tp_lattice *lattice, const fmpz *value, const fmpz *origin) {
+  fmpz_t steps;
+  arb_t ball;
+  fmpz_init(steps);
+  arb_init(ball);
+  fmpz_add(steps, value, origin);
+  fmpz_mul(steps, steps, fmpq_numref(lattice->step_m));
+  arb_fmpz_div_fmpz(ball, steps, fmpq_denref(lattice->step_m), BITS_OF_RATIONAL);
+  const tp_bounded result = tp_ball_bounded(ball);
+  fmpz_clear(steps);
+  arb_clear(ball);
   return result;
 }
 
 tp_bounded tp_result_x(const tp_problem *problem, long point) {
-  return coordinate(&problem->lattice, problem->lattice.x + point, tp_lattice_metres_x);
+  return coordinate(&problem->lattice, problem->lattice.x + point, problem->lattice.origin_x);
 }
 
 tp_bounded tp_result_y(const tp_problem *problem, long point) {
-  return coordinate(&problem->lattice, problem->lattice.y + point, tp_lattice_metres_y);
+  return coordinate(&problem->lattice, problem->lattice.y + point, problem->lattice.origin_y);
 }
