@@ -25,6 +25,14 @@ static void set_friction(tp_evaluation *e) {
   arb_clear(degrees);
 }
 
+static void set_metres(tp_evaluation *e) {
+  for (int k = 0; k < TP_METRES; k++) arb_init(e->metres + k);
+  arb_set_fmpq(e->metres, e->problem->lattice.step_m, e->rung.bits);
+  for (int k = 1; k < TP_METRES; k++) {
+    arb_pow_ui(e->metres + k, e->metres, (ulong)k + 1, e->rung.bits);
+  }
+}
+
 void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung rung,
                         const tp_solve_options *options) {
   *e = (tp_evaluation){.problem = problem,
@@ -38,6 +46,7 @@ void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung run
   arb_init(e->friction_tangent);
   arb_init(e->tilt_sine);
   arb_init(e->tilt_cosine);
+  set_metres(e);
   set_friction(e);
   const tp_quantity *tilt = &problem->scene->tilt_angle_deg;
   if (tilt->given) tp_ball_sin_cos_degrees(e->tilt_sine, e->tilt_cosine, tilt->value, rung.bits);
@@ -50,6 +59,7 @@ void tp_evaluation_clear(tp_evaluation *e) {
   arb_clear(e->friction_tangent);
   arb_clear(e->tilt_sine);
   arb_clear(e->tilt_cosine);
+  for (int k = 0; k < TP_METRES; k++) arb_clear(e->metres + k);
   tp_moments_clear(&e->moments);
 }
 
@@ -113,13 +123,7 @@ void tp_evaluation_facet(arb_t dx, arb_t dy, const tp_evaluation *e, const tp_fa
 }
 
 void tp_evaluation_to_metres(arb_t value, const tp_evaluation *e, int degree) {
-  const long bits = e->rung.bits;
-  arb_t step;
-  arb_init(step);
-  arb_set_fmpq(step, e->problem->lattice.step_m, bits);
-  arb_pow_ui(step, step, (ulong)degree, bits);
-  arb_mul(value, value, step, bits);
-  arb_clear(step);
+  arb_mul(value, value, e->metres + degree - 1, e->rung.bits);
 }
 
 void tp_evaluation_weight(arb_t newton, const tp_evaluation *e) {

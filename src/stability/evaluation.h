@@ -12,6 +12,9 @@
 #include "number/work.h"
 #include "stability/problem.h"
 
+/* Up to the second moment of an area. */
+enum { TP_METRES = 4 };
+
 typedef struct tp_evaluation {
   const tp_problem *problem;
   tp_rung rung;
@@ -23,6 +26,7 @@ typedef struct tp_evaluation {
   arb_t weight_per_area_pa;       /* on the mean plane, level; where friction depends on the load */
   arb_t friction_tangent;         /* where it does not */
   arb_t tilt_sine, tilt_cosine;   /* of the scene's tilt, where it gives one */
+  arb_struct metres[TP_METRES];   /* the step of the lattice, its square and so on */
   double log2_extent;             /* of what a coordinate can be, m from the lattice's origin */
   const struct tp_loaded *loaded; /* of the direction in hand; NULL: the weight alone */
   tp_decimals *decimals; /* keeps texts where more digits are asked for than a double holds */
@@ -55,7 +59,7 @@ void tp_evaluation_axis(arb_t x, arb_t y, const tp_evaluation *evaluation, long 
 void tp_evaluation_facet(arb_t dx, arb_t dy, const tp_evaluation *evaluation,
                          const tp_facet *facet);
 
-/* A quantity of the lattice times step^degree: in metres to that power. */
+/* A quantity of the lattice times step^degree, from 1 to TP_METRES: in metres to that power. */
 void tp_evaluation_to_metres(arb_t value, const tp_evaluation *evaluation, int degree);
 
 /* The block's weight in newton. */

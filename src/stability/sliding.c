@@ -39,6 +39,12 @@ static void add_friction(const tp_evaluation *e, const tp_sliding_facet *best, c
   fmpz_clear(cosine);
 }
 
+/* Is an angle below 90 degrees for certain, by doubles? */
+static bool is_below_upright(const arb_t degrees) {
+  const tp_near angle = tp_ball_near(degrees);
+  return angle.value + angle.error < 89;
+}
+
 /* phi_b + i with the friction at a tilt. */
 static void add_friction_at(const tp_evaluation *e, const tp_sliding_facet *best, const arb_t tilt,
                             tp_direction_ball *sliding) {
@@ -93,7 +99,7 @@ static tp_fos strength_factor(const tp_evaluation *e, const arb_t facet_angle,
   arb_set_fmpq(needed, scene->tilt_angle_deg.value, bits);
   arb_sub(needed, needed, facet_angle, bits);
   arb_set_ui(value, 90);
-  if (arb_ge(needed, value)) {
+  if (!is_below_upright(needed) && arb_ge(needed, value)) {
     fos.state = TP_FOS_UNDEFINED; /* no friction would do */
   } else if (arb_is_positive(needed)) {
     fos.state = TP_FOS_NUMBER;
@@ -203,9 +209,10 @@ static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_f
     if (!s->never && !s->always) s->critical_angle_deg = tp_result(e, sliding->degrees, certainty);
   } else {
     s->fos_strength = strength_factor(e, angle, certainty);
+    const bool below = is_below_upright(sliding->degrees);
     arb_set_ui(angle, 90);
-    s->never = best->blocked || !slides || arb_ge(sliding->degrees, angle);
-    if (!s->never && !arb_lt(sliding->degrees, angle)) certainty->open = true;
+    s->never = best->blocked || !slides || (!below && arb_ge(sliding->degrees, angle));
+    if (!s->never && !below && !arb_lt(sliding->degrees, angle)) certainty->open = true;
     s->critical_angle_deg = tp_result(e, sliding->degrees, certainty);
     s->fos = factor_of_safety(e, best, s->never, sliding, certainty);
   }
