@@ -156,6 +156,7 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   e.decimals = c->solution->decimals;
   e.work = &c->work;
   tp_friction_stress_when_level(e.weight_per_area_pa, &e);
+  tp_friction_tangent_given(e.friction_tangent, &e);
   tp_evaluate_block(&e, &c->solution->block, &certainty);
   tp_evaluate_contact(&e, &c->solution->contact, &certainty);
   bool done = tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);

@@ -4,7 +4,6 @@
 #include "stability/evaluation.h"
 
 #include "number/ball.h"
-#include "stability/friction.h"
 
 #include <float.h>
 #include <math.h>
@@ -12,17 +11,6 @@
 static double log2_extent(const tp_lattice *l) {
   const double step_m = fmpq_get_d(l->step_m);
   return (double)l->bits + log2(step_m > 0 ? step_m : DBL_MIN);
-}
-
-/* Once for all that ask for it. */
-static void set_friction(tp_evaluation *e) {
-  const tp_scene *scene = e->problem->scene;
-  if (!scene->friction_angle_deg.given || tp_friction_is_load_dependent(e)) return;
-  arb_t degrees;
-  arb_init(degrees);
-  arb_set_fmpq(degrees, scene->friction_angle_deg.value, e->rung.bits);
-  tp_friction_tangent(e->friction_tangent, degrees, e->rung.bits);
-  arb_clear(degrees);
 }
 
 static void set_metres(tp_evaluation *e) {
@@ -47,7 +35,6 @@ void tp_evaluation_init(tp_evaluation *e, const tp_problem *problem, tp_rung run
   arb_init(e->tilt_sine);
   arb_init(e->tilt_cosine);
   set_metres(e);
-  set_friction(e);
   const tp_quantity *tilt = &problem->scene->tilt_angle_deg;
   if (tilt->given) tp_ball_sin_cos_degrees(e->tilt_sine, e->tilt_cosine, tilt->value, rung.bits);
   tp_moments_init(&e->moments);

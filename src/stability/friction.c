@@ -165,3 +165,13 @@ void tp_friction_set_tangent(arb_t tangent, const tp_evaluation *e, const arb_t 
     arb_set(tangent, e->friction_tangent);
   }
 }
+
+void tp_friction_tangent_given(arb_t tangent, const tp_evaluation *e) {
+  const tp_quantity *given = &e->problem->scene->friction_angle_deg;
+  if (!given->given || tp_friction_is_load_dependent(e)) return;
+  arb_t degrees;
+  arb_init(degrees);
+  arb_set_fmpq(degrees, given->value, e->rung.bits);
+  tp_friction_tangent(tangent, degrees, e->rung.bits);
+  arb_clear(degrees);
+}

@@ -15,8 +15,10 @@
 
 bool tp_friction_is_load_dependent(const tp_evaluation *evaluation);
 
-/* The stress on level ground by the weight alone, Pa; zero where friction does not depend on it. */
+/* What an evaluation keeps of it: the stress on level ground by the weight alone, Pa, zero where
+ * friction does not depend on it; tan(phi) where it does not. */
 void tp_friction_stress_when_level(arb_t pascal, const tp_evaluation *evaluation);
+void tp_friction_tangent_given(arb_t tangent, const tp_evaluation *evaluation);
 
 /* In degrees, at a tilt in degrees. */
 void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t tilt);

@@ -40,7 +40,7 @@ tp_status tp_evaluate_limit_at_price(arb_t degrees, bool *found, const tp_evalua
   arb_t friction;
   arb_init(friction);
   tp_friction_at(friction, e, friction);
-  tp_friction_set_tangent(cones.friction, e, friction);
+  tp_friction_tangent(cones.friction, friction, e->rung.bits);
   arb_clear(friction);
   asked.question.without_doubles = price == TP_LIMIT_EXACTLY;
   const tp_status status = price == TP_LIMIT_IN_DOUBLES ? estimate(degrees, found, &asked.question)

@@ -36,7 +36,7 @@ tp_status tp_evaluate_onset_at_price(arb_t degrees, bool *found, const tp_evalua
   arb_t friction;
   arb_init(friction);
   tp_friction_at(friction, e, friction);
-  tp_friction_set_tangent(asked.cones.friction, e, friction);
+  tp_friction_tangent(asked.cones.friction, friction, e->rung.bits);
   arb_clear(friction);
   const tp_motion_outcome outcome = find(degrees, found, &asked.question);
   tp_onset_asked_clear(&asked);
