@@ -148,6 +148,7 @@ static bool choose(tp_chosen_planes *chosen, const plane *own) {
 typedef struct cone {
   const tp_mode_filter *filter;
   const tp_generators *of;
+  long size; /* of the generators */
   tp_near near[MOST_GENERATORS][3];
   long count;
   plane planes[MOST_PLANES];
@@ -162,7 +163,7 @@ static bool try_pair(cone *c, long i, long j) {
   tp_near h[3];
   tp_near_cross(h, c->near[i], c->near[j]);
   bool above = false, below = false;
-  for (long k = 0; k < g->count; k++) {
+  for (long k = 0; k < c->size; k++) {
     if (k == i || k == j || tp_generator_is_in_plane(g->items + k, &own->source)) continue;
     const int sign = tp_near_sign(tp_near_dot(h, c->near[k]));
     if (sign == 0) return false;
@@ -180,7 +181,8 @@ static bool set_cone(cone *c, const tp_twists *twists) {
   const tp_generators *g = c->of;
   const tp_mode *mode = g->mode;
   if (!c->filter->applies || g->count > MOST_GENERATORS) return false;
-  for (long k = 0; k < g->count; k++) {
+  c->size = g->count;
+  for (long k = 0; k < c->size; k++) {
     if (k >= mode->ray_count) {
       const tp_mode_edge *edge = mode->edges + (k - mode->ray_count);
       set_force(c->near[k], c->filter, g->n, edge->point, edge->against);
@@ -188,8 +190,8 @@ static bool set_cone(cone *c, const tp_twists *twists) {
       return false;
     }
   }
-  for (long i = 0; i < g->count; i++) {
-    for (long j = i + 1; j < g->count; j++) {
+  for (long i = 0; i < c->size; i++) {
+    for (long j = i + 1; j < c->size; j++) {
       if (!try_pair(c, i, j)) return false;
     }
   }
@@ -201,7 +203,7 @@ tp_mode_tilts tp_mode_filter_pairs(tp_chosen_planes *chosen, const tp_mode_filte
   cone c;
   c.filter = f;
   c.of = g;
-  c.count = 0;
+  c.size = c.count = 0;
   ends e = {.has = {false, false}};
   chosen->count = 0;
   if (!set_cone(&c, twists)) return TP_TILTS_OPEN;
