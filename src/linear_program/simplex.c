@@ -84,7 +84,8 @@ static long find_entering(const tableau *s, const double y[3], double *way) {
       *way = reduced < 0 ? 1 : -1;
     }
   }
-  if (s->at_most == NULL && best < INFINITY) {
+  if (s->at_most == NULL) {
+    if (entering == TP_SIMPLEX_T) return entering;
     *way = 1;
     return find_column(s, y, best);
   }
