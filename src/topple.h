@@ -47,6 +47,7 @@
 #include "topple_derive.h"
 #include "topple_figure.h"
 #include "topple_find.h"
+#include "topple_profile.h"
 #include "topple_scene.h"
 #include "topple_solve.h"
 #include "topple_verify.h"

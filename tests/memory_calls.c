@@ -5,6 +5,7 @@
 
 #include "memory_charts.h"
 #include "memory_expect.h"
+#include "memory_profiles.h"
 
 #include "topple.h"
 
@@ -359,6 +360,8 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve rounded corners", solve_rounded, 100},
                                     {"solve an ellipse", solve_ellipse, 100},
                                     {"solve arcs", solve_arcs, 100},
+                                    {"measure a profile", measure_profile, 60},
+                                    {"measure a base", measure_base, 60},
                                     {"find", find, 40},
                                     {"derive", derive, 200},
                                     {"derive and check", derive_checked, 60},

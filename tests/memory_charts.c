@@ -41,6 +41,13 @@ void chart_ranges(void) {
   report_chart(status, chart, &message);
 }
 
+void chart_profile(const tp_profile *profile) {
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_status status = tp_chart_profile(&chart, profile, &message);
+  report_chart(status, chart, &message);
+}
+
 void chart_map(void) {
   tp_scene *scene = NULL;
   tp_chart *chart = NULL;

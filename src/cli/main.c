@@ -22,6 +22,8 @@ static const struct command {
     {"verify", "Verdicts on printed formulas and numbers, each proven", tp_cli_verify},
     {"accuracy", "What accuracy costs: time, bound and true error by price", tp_cli_accuracy},
     {"chart", "Factors of safety and mechanism maps as figures", tp_cli_chart},
+    {"profile", "How rough is a base or a measured profile, and which JRC follows?",
+     tp_cli_profile},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

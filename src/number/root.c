@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The one file that calls the GNU Scientific Library. Where that meets what it refuses it calls a
- * handler of the process, which ends it unless the program has set another: the handler is none of
- * ours to change, and is never called. For what is refused is kept from it: ends out of order,
- * signs that do not differ and values that are no numbers (a search that comes upon one ends with
- * the step that did, to which it is told as 0); and it is asked for no memory, as the state of its
- * method, whose type is public, is kept on the stack. */
+/* This file and number/series.c call the GNU Scientific Library. Where that meets what it refuses
+ * it calls a handler of the process, which ends it unless the program has set another: the handler
+ * is none of ours to change, and is never called. For what is refused is kept from it: ends out of
+ * order, signs that do not differ and values that are no numbers (a search that comes upon one ends
+ * with the step that did, to which it is told as 0); and it is asked for no memory, as the state of
+ * its method, whose type is public, is kept on the stack. */
 
 #include "number/root.h"
 

@@ -39,7 +39,7 @@ class Folder(unittest.TestCase):
         """Every command that writes a file of this name."""
         scene = scene or self.scene
         commands = [("chart", "map", scene, *MAP, "--output", output),
-                    ("accuracy", scene, "--output", output)]
+                    ("accuracy", scene, "--output", output), ("profile", scene, "--output", output)]
         if not str(output).endswith(".csv"):
             commands.append(("solve", scene, "--figure", output))
         return commands

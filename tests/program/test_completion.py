@@ -13,7 +13,7 @@ import unittest
 from harness import PROGRAM, ROOT, main, run
 
 FOLDER = ROOT / "docs" / "packaging" / "completion"
-COMMANDS = ("solve", "derive", "verify", "accuracy", "chart")
+COMMANDS = ("solve", "derive", "verify", "accuracy", "chart", "profile")
 # The function that `complete -F` names, called as bash calls it.
 ASK = r"""
 source "$1"; shift
@@ -84,6 +84,13 @@ class Bash(unittest.TestCase):
                 (pathlib.Path(name) / file).touch()
             self.assertEqual(self.ask("solve", "--figure", "=", "a", folder=name), ["a.svg"])
             self.assertEqual(self.ask("chart", "fos", "-o", "", folder=name), ["a.svg", "a.csv"])
+            self.assertEqual(self.ask("profile", "a", folder=name), ["a.yaml", "a.csv"])
+        help_text = run("profile", "--help")[1]
+        for option in ("--resample", "--detrend", "--window", "--unit"):
+            words = self.ask("profile", option, "=")
+            self.assertGreater(len(words), 1)
+            for word in words:
+                self.assertRegex(help_text, rf"\b{word}\b")
 
     def test_charts(self):
         self.assertEqual(self.ask("chart", ""), ["fos", "mechanisms", "ranges", "map"])
@@ -127,6 +134,7 @@ class Zsh(unittest.TestCase):
         self.assertEqual(self.ask("chart", "")[-1], "*:chart:(fos mechanisms ranges map)")
         for words in (("chart", "map", ""), ("solve", ""), ("block.yaml", "")):
             self.assertEqual(self.ask(*words)[-1], "*:file:_files -g '*.(yaml|yml)(-.)'")
+        self.assertEqual(self.ask("profile", "")[-1], "*:file:_files -g '*.(yaml|yml|csv)(-.)'")
 
 
 if __name__ == "__main__":

@@ -99,6 +99,15 @@ class Outputs(hostile.Case):
                 self.run_bytes("accuracy", "--output", "a.svg", "scene.yaml")
                 hostile.as_xml((self.path / "a.svg").read_bytes(), self)
 
+    def test_profiles(self):
+        for title in hostile.TEXTS[::6]:
+            with self.subTest(title=title[:60]):
+                self.scene(title)
+                hostile.plain(self.run_bytes("profile", "scene.yaml")[0], self)
+                self.assertEqual(hostile.as_json(self.run_bytes("profile", "--json", "scene.yaml")[0], self)["title"], title)
+                self.run_bytes("profile", "--output", "p.svg", "scene.yaml")
+                hostile.as_xml((self.path / "p.svg").read_bytes(), self)
+
     def test_names_of_parameters(self):
         """Every name that a scene may give, alone and with all others: C compiles and computes, LaTeX
         stands, and text and JSON keep the name."""

@@ -83,7 +83,8 @@ class Messages(hostile.Case):
                  ["solve", scene, "{}"], ["solve", "--from", "{}", scene], ["derive", "--for-all", "{}", scene], ["derive", "-j{}", scene],
                  ["chart", "{}"], ["chart", "map", scene, "--x", "{}=1:2"], ["chart", "map", scene, "--x", "a={}"],
                  ["chart", "map", scene, "--x", "a=20:40", "--output", "{}"], ["chart", "fos", "--tilt", "{}"], ["chart", "fos", "--amplitude", "{}"],
-                 ["accuracy", "--sweep={}"], ["accuracy", "--output", "{}", scene], ["verify", "{}"], ["verify", "a", "{}"]]
+                 ["accuracy", "--sweep={}"], ["accuracy", "--output", "{}", scene],
+                 ["profile", "{}"], ["profile", "--step", "{}", scene], ["profile", "--unit", "{}", scene], ["verify", "{}"], ["verify", "a", "{}"]]
         for text in [t.encode() for t in hostile.TEXTS if t] + [b"\xff\xc3", b"\xe2\x80", b"a\xed\xa0\x80"]:
             for form in forms:
                 words = [word.encode().replace(b"{}", text) for word in form]

@@ -91,6 +91,10 @@ class OutOfMemory(unittest.TestCase):
         """To a file, as the times differ from run to run."""
         self.every(3, "accuracy", "--output", "out.csv", EXAMPLES / "slab.yaml")
 
+    def test_profile(self):
+        self.every(10, "profile", "--json", EXAMPLES / "joint_profile.csv")
+        self.every(5, "profile", "--step", "0.5", "--resample", "spline", "--jcs", "120", EXAMPLES / "block_e_valley.yaml")
+
     def test_table(self):
         self.every(30, "solve", "--table", EXAMPLES / "block_f.yaml", EXAMPLES / "slab.yaml")
 

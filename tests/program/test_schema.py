@@ -92,7 +92,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "solve", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "profile", "solve", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -184,6 +184,17 @@ class Schema(unittest.TestCase):
         slab = ROOT / "examples" / "slab_left.yaml"
         self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150")
         self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150", "--y", "block.slab.height=10:150")
+
+    def test_2_profile(self):
+        joint = ROOT / "examples" / "joint_profile.csv"
+        for words in ((), ("--all",), ("--step", "0.5", "--detrend", "line", "--mirror"), ("--step", "30")):
+            self.prints("profile", "--json", *words, joint)
+        self.prints("profile", "--json", "--jcs", "120", E)
+        with tempfile.TemporaryDirectory() as folder:  # nothing rough in it; and one that leans
+            (pathlib.Path(folder) / "flat.csv").write_text("".join(f"{k},0\n" for k in range(200)))
+            self.prints("profile", "--json", "flat.csv", folder=folder)
+            (pathlib.Path(folder) / "steep.csv").write_text("".join(f"{k},{k}\n" for k in range(20)))
+            self.prints("profile", "--json", "steep.csv", folder=folder)
 
     def test_3_strange_keys_are_found(self):
         """The schema refuses a key that it does not know, one that is missing, and another kind of value, wherever

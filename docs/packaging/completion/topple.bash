@@ -35,6 +35,10 @@ _topple_values() { # OPTION WORD
   --level) compgen -W "double compensated ball exact" -- "$2" ;;
   --pivots) compgen -W "all governing" -- "$2" ;;
   --for-all) compgen -W "count" -- "$2" ;;
+  --resample) compgen -W "linear spline" -- "$2" ;;
+  --detrend) compgen -W "none line ends" -- "$2" ;;
+  --window) compgen -W "hann none" -- "$2" ;;
+  --unit) compgen -W "mm cm m km in ft" -- "$2" ;;
   --for)
     compgen -S = -W "critical_angle fos sliding_angle sliding_fos limit_angle limit_fos onset_angle" -- "$2"
     ;;
@@ -81,6 +85,7 @@ _topple() {
   mapfile -t COMPREPLY < <(
     compgen -W "$commands" -- "$word"
     [[ -z $command || -z $commands ]] && _topple_files "$word" yaml yml
+    [[ $command == profile ]] && compgen -f -X '!*.csv' -- "$word"
   )
 }
 

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Profiles while memory runs out. */
+
+#ifndef TP_TEST_MEMORY_PROFILES_H
+#define TP_TEST_MEMORY_PROFILES_H
+
+void measure_profile(void);
+void measure_base(void);
+
+#endif
