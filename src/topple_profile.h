@@ -32,17 +32,19 @@ typedef enum tp_profile_detrend {
 /* Of the spectrum. */
 typedef enum tp_profile_window { TP_WINDOW_HANN, TP_WINDOW_NONE } tp_profile_window;
 
+/* How a profile is sampled, and what JRC by Eq. (10) rests on. */
 typedef struct tp_profile_options {
-  size_t size; /* of this struct, as `…_default()` has it */
-  double step; /* 0: the points as they are; else resampled at this distance */
-  tp_profile_resampling resampling;
-  tp_profile_detrend detrend;
-  tp_profile_window window;
-  bool mirrored;                     /* left and right exchanged */
-  double scale;                      /* by which all lengths are multiplied before anything else */
+  size_t size;                      /* of this struct, as `…_default()` has it */
+  double step;                      /* 0: the points as they are; else resampled at this distance */
+  tp_profile_resampling resampling; /* between the points, where there is a step */
+  tp_profile_detrend detrend;       /* the line to take off */
+  tp_profile_window window;         /* of the spectrum */
+  bool mirrored;                    /* left and right exchanged */
+  double scale;                     /* by which all lengths are multiplied before anything else */
   double jcs_mpa, normal_stress_kpa; /* for Eq. (10); 0: not given */
 } tp_profile_options;
 
+/* The points as they are, no line taken off, a Hann window, scale 1; `size` is the caller's. */
 void tp_profile_options_init(tp_profile_options *options, size_t size);
 static inline tp_profile_options tp_profile_options_default(void) {
   tp_profile_options options;
@@ -60,13 +62,15 @@ const char *tp_profile_window_name(tp_profile_window window);
 
 /* An estimate from one sample, with the range of 95 % where its spread is known. */
 typedef struct tp_profile_estimate {
-  bool found, has_range;
-  double value, low, high;
+  bool found;       /* else there is none */
+  bool has_range;   /* else its spread is not known */
+  double value;     /* the estimate */
+  double low, high; /* the range */
 } tp_profile_estimate;
 
 /* The facets that face a block sliding to one side: those that it must climb. */
 typedef struct tp_profile_facing {
-  size_t facets;
+  size_t facets;           /* their number */
   tp_bounded share;        /* of the length along the profile */
   tp_bounded angle_deg;    /* i of these: atan of their rise over their run */
   tp_bounded steepest_deg; /* theta*max */
@@ -78,13 +82,16 @@ typedef struct tp_profile_facing {
 /* At one distance: the mean square of the difference of two heights (the structure function), and
  * their autocorrelation, of so many pairs of points. */
 typedef struct tp_profile_lag {
-  double distance, structure, correlation;
-  size_t pairs;
+  double distance;    /* along x */
+  double structure;   /* the mean square */
+  double correlation; /* 1 for heights that agree */
+  size_t pairs;       /* that there are */
 } tp_profile_lag;
 
 /* One-sided power spectral density, length^3, at a frequency in cycles per length. */
 typedef struct tp_profile_density {
-  double frequency, density;
+  double frequency; /* of the wave */
+  double density;   /* its mean square height, per frequency */
 } tp_profile_density;
 
 /* Why there is no autocorrelation, structure function and spectrum. */
@@ -94,6 +101,7 @@ typedef enum tp_profile_series {
   TP_SERIES_SHORT   /* fewer points than TP_PROFILE_SERIES_LEAST */
 } tp_profile_series;
 
+/* Points that a series of heights takes at least. */
 enum { TP_PROFILE_SERIES_LEAST = 16 };
 
 /* Is a correlation meant for this profile? The first reason why not. */
@@ -111,11 +119,12 @@ typedef struct tp_profile_jrc {
   const char *equation; /* as text */
   const char *step;     /* that it is meant for, as text; empty: any */
   double own_step;      /* at which its input was measured: 0, the profile's points */
-  tp_bounded input;
-  tp_bounded jrc;
-  tp_jrc_state state;
+  tp_bounded input;     /* Z2, A, A/L or theta*max / (C + 1) in degrees */
+  tp_bounded jrc;       /* what it comes to */
+  tp_jrc_state state;   /* is it meant for the profile? */
 } tp_profile_jrc;
 
+/* As reports have it: "meant for it"; "unknown" where it is none. */
 const char *tp_jrc_state_name(tp_jrc_state state);
 
 /* What a profile was taken from. */
@@ -126,23 +135,26 @@ typedef enum tp_profile_origin {
   TP_PROFILE_MATED_BASE /* the part of the block's underside that its mated base touches */
 } tp_profile_origin;
 
+/* How rough a profile is; owns what it points to. */
 typedef struct tp_profile {
-  TP_OUTSIDE char *title; /* of the scene, or the name of the file; NULL: of points */
-  tp_profile_origin origin;
-  const char *length_unit; /* a static string */
-  double metres_per_unit;
+  TP_OUTSIDE char *title;     /* of the scene, or the name of the file; NULL: of points */
+  tp_profile_origin origin;   /* what it was taken from */
+  const char *length_unit;    /* a static string */
+  double metres_per_unit;     /* of that */
   tp_profile_options options; /* as they were taken */
-  tp_notes notes;
-  size_t source_count;
-  TP_OUTSIDE char **sources; /* files that it was read from */
+  tp_notes notes;             /* on what was read, and on what it may be wrong with */
+  size_t source_count;        /* of the sources */
+  TP_OUTSIDE char **sources;  /* files that it was read from */
 
   size_t given_points; /* before resampling */
   size_t point_count;  /* of the profile that is measured: */
   double *x, *y;       /* from its left end on; heights above the first point, detrended */
   bool even;           /* the points lie at equal distances, but for a millionth */
-  double step, least_step, largest_step; /* mean distance along x, and the others */
+  double step;         /* mean distance along x */
+  double least_step, largest_step; /* the least and the largest of them */
 
-  tp_bounded length, along;       /* along x; along the profile */
+  tp_bounded length;              /* along x */
+  tp_bounded along;               /* along the profile */
   tp_bounded amplitude;           /* from the lowest to the highest point */
   tp_bounded rms_height;          /* about the mean height */
   tp_bounded trend_deg;           /* of the line of least squares, before it is taken off */
@@ -151,26 +163,30 @@ typedef struct tp_profile {
   tp_bounded z2;                  /* root mean square of the slope: Eq. (13) with its root */
   tp_bounded effective_angle_deg; /* i: atan of the mean size of the slope; Eq. (7) of teeth */
   tp_bounded rp;                  /* along / length */
-  bool has_sf;
-  tp_bounded sf;               /* structure function at the step, where that is even */
+  bool has_sf;                    /* the points are even */
+  tp_bounded sf;                  /* structure function at the step */
   tp_profile_facing facing[2]; /* by tp_direction: of a block that slides to the left, the right */
 
-  tp_profile_series series;
-  size_t lag_count;
+  tp_profile_series series;               /* are there series of heights? */
+  size_t lag_count;                       /* of the lags */
   tp_profile_lag *lags;                   /* 8 in a tenfold distance, up to half the length */
   tp_profile_estimate correlation_length; /* at which the autocorrelation has fallen to 1 / e */
-  size_t density_count;
-  tp_profile_density *densities; /* from frequency 0 on, evenly */
-  tp_profile_estimate hurst_by_structure, hurst_by_spectrum;
-  double structure_fit[2], spectrum_fit[2]; /* the distances, and the frequencies, of the fits */
+  size_t density_count;                   /* of the densities */
+  tp_profile_density *densities;          /* from frequency 0 on, evenly */
+  tp_profile_estimate hurst_by_structure; /* the exponent of a self-affine profile, */
+  tp_profile_estimate hurst_by_spectrum;  /* by two ways */
+  double structure_fit[2];                /* the least and the largest distance of the first fit */
+  double spectrum_fit[2];                 /* the least and the largest frequency of the second */
 
-  size_t jrc_count;
-  tp_profile_jrc *jrc;
-  size_t jrc_meant; /* so many are meant for this profile: */
-  tp_bounded jrc_low, jrc_high, jrc_median;
-  bool has_eq_10;
-  double jcs_mpa, normal_stress_kpa; /* that Eq. (10) was given */
-  tp_bounded jrc_eq_10;
+  size_t jrc_count;             /* of the correlations */
+  tp_profile_jrc *jrc;          /* each of them */
+  size_t jrc_meant;             /* so many are meant for this profile: */
+  tp_bounded jrc_low, jrc_high; /* the least and the largest JRC by these */
+  tp_bounded jrc_median;        /* and their median */
+  bool has_eq_10;               /* JCS and a normal stress are known: */
+  double jcs_mpa;               /* joint wall compressive strength */
+  double normal_stress_kpa;     /* across the contact */
+  tp_bounded jrc_eq_10;         /* i / log10(JCS / normal stress) */
 } tp_profile;
 
 /* The profile in a CSV file of x, y. `length_unit` is mm, cm, m, km, in or ft. */
@@ -189,6 +205,8 @@ TP_MUST_USE tp_status tp_profile_of_points(tp_profile **profile, tp_coordinates 
  */
 TP_MUST_USE tp_status tp_profile_of_scene(tp_profile **profile, const tp_scene *scene,
                                           const tp_profile_options *options, tp_message *message);
+
+/* NULL is let pass. */
 void tp_profile_free(tp_profile *profile);
 
 /* A page; JSON (docs/schema/profile.json), with every facet, lag and ordinate of the spectrum where

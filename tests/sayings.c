@@ -103,21 +103,6 @@ static void say_found(sayings *s, const char *path, const tp_find_options *optio
   tp_scene_free(scene);
 }
 
-static void say_profile(sayings *s) {
-  tp_message message = {""};
-  tp_profile *profile = NULL;
-  tp_profile_options options = tp_profile_options_default();
-  options.step = 0.3;
-  options.detrend = TP_DETREND_LINE;
-  note(s, tp_profile_of_file(&profile, EXAMPLE("joint_profile.csv"), "mm", &options, &message),
-       &message);
-  if (profile == NULL) return;
-  if (tp_report_profile(next(s), profile) != TP_OK) s->count--;
-  if (tp_report_profile_json(next(s), profile, true) != TP_OK) s->count--;
-  if (tp_report_profile_csv(next(s), profile) != TP_OK) s->count--;
-  tp_profile_free(profile);
-}
-
 /* By its place: an argument is read before a call beside it fills it in. */
 static void say_chart(sayings *s, tp_status status, tp_chart *const *made,
                       const tp_message *message, bool draw) {
@@ -234,7 +219,7 @@ const saying all_sayings[] = {{"block E", say_block_e},
                               {"find a limit", say_limit_found},
                               {"charts", say_charts},
                               {"accuracy", say_accuracy},
-                              {"profiles", say_profile},
+                              {"profiles", say_profiles},
                               {"built", say_built},
                               {"built shapes", say_built_shapes},
                               {"built loads", say_built_loads},
