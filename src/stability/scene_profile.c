@@ -55,12 +55,11 @@ static tp_status find_stress(double *kpa, const tp_scene *scene, tp_message *mes
   return status;
 }
 
-/* The scene's own file first. */
+/* The files that the scene was read from. */
 static const char **list_sources(const tp_scene *scene) {
-  const char **sources = calloc((size_t)scene->file_count + 1, sizeof *sources);
-  for (long k = 0; k <= scene->file_count && sources != NULL; k++) {
-    sources[k] = k == 0 ? scene->path : scene->files[k - 1];
-  }
+  const size_t count = tp_scene_source_count(scene);
+  const char **sources = calloc(count + 1, sizeof *sources);
+  for (size_t k = 0; k < count && sources != NULL; k++) sources[k] = tp_scene_source(scene, k);
   return sources;
 }
 
@@ -75,7 +74,7 @@ static tp_status measure(tp_profile **profile, const tp_scene *scene,
                                       .title = scene->title,
                                       .length_unit = scene->length_unit,
                                       .metres_per_unit = tp_metres_of_unit(scene->metres_per_unit),
-                                      .source_count = (size_t)scene->file_count + 1,
+                                      .source_count = tp_scene_source_count(scene),
                                       .sources = sources};
   tp_status status = scene->base.mated ? find_mated(&mated, scene, message) : TP_OK;
   if (status == TP_OK) status = tp_profile_measure(profile, &subject, options, message);
