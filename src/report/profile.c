@@ -178,10 +178,10 @@ tp_status tp_report_profile(char **text, const tp_profile *p) {
 }
 
 tp_status tp_report_profile_csv(char **text, const tp_profile *p) {
-  static const double degrees = 57.295779513082323;
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, p);
+  static const double degrees = 57.295779513082323;
   tp_text t = {0};
   tp_text_add(&t, "facet,x0,y0,x1,y1,length,slope,angle_deg,faces\n");
   for (size_t k = 1; k < p->point_count; k++) {
