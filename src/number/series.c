@@ -68,8 +68,8 @@ static const double *at(const table *t, size_t k) {
  * Y_j = (Z_j + Z'_j) / 2 - i e^(-2 pi i j / count) (Z_j - Z'_j) / 2, Z'_j the conjugate of
  * Z_(count / 2 - j). */
 static double power_of(const table *t, size_t j) {
-  const size_t half = t->rows * t->columns;
-  const double *here = at(t, j % half), *there = at(t, (half - j) % half);
+  const size_t half = t->rows * t->columns; /* a power of two */
+  const double *here = at(t, j & (half - 1)), *there = at(t, (half - j) & (half - 1));
   const double even_re = (here[0] + there[0]) / 2, even_im = (here[1] - there[1]) / 2;
   const double odd_re = (here[1] + there[1]) / 2, odd_im = (there[0] - here[0]) / 2;
   const double angle = pi * (double)j / (double)half, c = cos(angle), s = sin(angle);

@@ -239,7 +239,7 @@ tp_status tp_profile_of_file(tp_profile **profile, const char *path, const char 
   if (status == TP_OK) status = tp_csv_read(&line, path, false, &notes, message);
   subject.chain = &line;
   if (status == TP_OK) status = tp_profile_measure(&own, &subject, options, message);
-  if (status == TP_OK) status = prepend_notes(own, &notes, message);
+  if (own != NULL) status = prepend_notes(own, &notes, message);
   tp_polyline_clear(&line);
   tp_notes_clear(&notes);
   if (status == TP_OK) {
