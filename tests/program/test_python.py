@@ -123,7 +123,9 @@ class Scenes(unittest.TestCase):
             "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
             "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name",  # for programs and terminals
             "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
-            "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",  # Word
+            "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",
+            "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",
+            "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name",  # Word
         }
         for name in dir(lib):
             if name.startswith("tp_") and not re.search(r"_options_(default|init)$", name) and name not in needless:

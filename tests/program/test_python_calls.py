@@ -155,6 +155,40 @@ class Accuracy(unittest.TestCase):
         self.assertEqual({run.vertices for run in topple.accuracy_sweep(10, 100).runs}, {10, 100})
 
 
+class Profiles(unittest.TestCase):
+    JOINT = ROOT / "examples" / "joint_profile.csv"
+
+    def test_file(self):
+        """What the program prints, and the same numbers in the records."""
+        own = topple.profile_of_file(self.JOINT, step=0.5, resampling="spline", detrend="line")
+        words = ("profile", "--step", "0.5", "--resample", "spline", "--detrend", "line", self.JOINT)
+        self.assertEqual(own.report(), printed(*words))
+        self.assertEqual(own.to_json(), printed(*words[:1], "--json", *words[1:]))
+        self.assertEqual(own.to_json(every=True), printed(*words[:1], "--json", "--all", *words[1:]))
+        self.assertEqual(own.csv(), printed(*words[:1], "--csv", *words[1:]))
+        told = json.loads(own.to_json())
+        self.assertEqual(told["z2"], {"value": own.z2.value, "error": own.z2.error})
+        self.assertEqual(told["sampling"]["detrend"], own.options["detrend"].value)
+        self.assertEqual(told["correlation_length"]["value"], own.correlation_length.value)
+        self.assertEqual([row["jrc"]["value"] for row in told["jrc"]["correlations"]], [row.jrc.value for row in own.jrc])
+        self.assertEqual([row["state"] for row in told["jrc"]["correlations"]], [row.state.value for row in own.jrc])
+        self.assertEqual([lag["structure"] for lag in told["lags"]], [lag.structure for lag in own.lags])
+        self.assertEqual((len(own.x), len(own.y), len(own.sources)), (201, 201, 1))
+        self.assertIn("slope rose", own.chart().csv())
+
+    def test_points_and_scene(self):
+        teeth = numpy.array([[0, 0], [30, 5], [60, 0], [90, 5]])
+        own, base = topple.profile_of_points(teeth), topple.profile_of_scene(topple.Scene.read(BLOCK), jcs_mpa=120)
+        for profile in (own, base):
+            self.assertAlmostEqual(profile.z2.value, 1 / 6, delta=profile.z2.error)
+            self.assertIs(profile.series, topple.ProfileSeries.SHORT)
+            self.assertFalse(profile.correlation_length.found)
+        self.assertIsNone(own.jrc_eq_10)
+        self.assertAlmostEqual(base.jrc_eq_10.value, 2.0534, delta=0.001)
+        self.assertRaises(topple.BadInput, topple.profile_of_points, teeth[::-1])
+        self.assertRaises(topple.BadInput, topple.profile_of_points, teeth, "ell")
+
+
 class Find(unittest.TestCase):
     def test_radius(self):
         """The radius of the worn corner, as the program finds it, and as a solve of the scene with it says."""

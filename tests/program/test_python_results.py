@@ -183,6 +183,8 @@ MIRRORS = {
     "tp_family": "Family", "tp_bounded": "Bounded", "tp_area_moments": "AreaMoments",
     "tp_blocks_summary": "Summary", "tp_moment_columns": "Moments", "tp_critical_columns": "CriticalAngles",
     "tp_verdict_columns": "Verdicts", "tp_rest_result": "Rest",
+    "tp_profile": "Profile", "tp_profile_facing": "ProfileFacing", "tp_profile_lag": "ProfileLag",
+    "tp_profile_density": "ProfileDensity", "tp_profile_estimate": "ProfileEstimate", "tp_profile_jrc": "ProfileJrc",
 }
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
 FLAGS = {"known", "rests", "water_overtops", "from_below", "to_above", "splits", "limits", "decimals"}
@@ -209,7 +211,9 @@ class Mirrors(unittest.TestCase):
         """Members stand in the order of C and are called as there, and their words are the library's."""
         names = {"Mechanism": lib.tp_mechanism_name, "Level": lib.tp_level_name, "FindTarget": lib.tp_find_target_name,
                  "AccuracyMethod": lib.tp_accuracy_method_name, "FosDefinition": lib.tp_fos_definition_name,
-                 "Verdict": lib.tp_verdict_name, "NoteKind": lib.tp_note_kind_name}
+                 "Verdict": lib.tp_verdict_name, "NoteKind": lib.tp_note_kind_name,
+                 "ProfileResampling": lib.tp_profile_resampling_name, "ProfileDetrend": lib.tp_profile_detrend_name,
+                 "ProfileWindow": lib.tp_profile_window_name, "JrcState": lib.tp_jrc_state_name}
         found = set()
         for kind in Word.__subclasses__():
             struct = "tp_" + re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()

@@ -28,13 +28,16 @@ from .find import Found, FoundInterval, find
 from .formula import Fraction
 from .limit import (Limit, Motion, MotionContact, MotionRange, MotionResistance, Onset, Reaction,
                     Window)
+from .profile import (Profile, ProfileDensity, ProfileEstimate, ProfileFacing, ProfileJrc,
+                      ProfileLag, profile_of_file, profile_of_points, profile_of_scene)
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Design, Direction,
-                    ElementKind, FindTarget, FosDefinition, FosState, Level, LimitKind, LoadSide,
-                    Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed, Rolls,
-                    Verdict)
+                    ElementKind, FindTarget, FosDefinition, FosState, JrcState, Level, LimitKind,
+                    LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
+                    ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,
+                    Rolls, Verdict)
 
 __version__ = _ffi.string(_lib.TP_VERSION).decode()

@@ -224,3 +224,52 @@ class AccuracyMethod(Word):
     ROUNDED_EXACT = "rounding, exact model"
     LIMIT = "limit analysis"
     ONSET = "onset of motion"
+
+
+class ProfileResampling(Word):
+    """What lies between the points of a profile."""
+
+    LINEAR = "linear"
+    SPLINE = "spline"
+
+
+class ProfileDetrend(Word):
+    """The line that is taken off the heights of a profile."""
+
+    NONE = "none"
+    LINE = "line"  #: of least squares
+    ENDS = "ends"  #: through both ends
+
+
+class ProfileWindow(Word):
+    """The window of a spectrum."""
+
+    HANN = "hann"
+    NONE = "none"
+
+
+class ProfileSeries(Word):
+    """Whether a profile has series of heights."""
+
+    GIVEN = "given"
+    UNEVEN = "uneven"  #: its points lie at uneven distances
+    SHORT = "short"
+
+
+class ProfileOrigin(Word):
+    """What a profile was taken from."""
+
+    POINTS = "points"
+    FILE = "file"
+    BASE = "base profile"
+    MATED_BASE = "mated base"
+
+
+class JrcState(Word):
+    """Whether a correlation is meant for a profile."""
+
+    MEANT = "meant for it"
+    OTHER_STEP = "meant for another step"
+    OTHER_LENGTH = "meant for other lengths"
+    OFF_SCALE = "beyond the profiles that it was fitted to"
+    NO_NUMBER = "no number"
