@@ -6,9 +6,10 @@
  *     bench_profile [POINTS]
  *
  * A random walk of so many points (10^3 to 10^6 unless given), four decimals each, every 0.1 mm: a
- * file of CSV, read; the same points measured, from exact points to all numbers (bounded sums, facing
- * facets, correlations at their own steps, lags, spectrum, exponents); the same from an array of
- * doubles in one public call. Medians of 5. To be read: seconds, and nanoseconds a point. */
+ * file of CSV, read; the same points measured, from exact points to all numbers (bounded sums,
+ * facing facets, correlations at their own steps, lags, spectrum, exponents); the same from an
+ * array of doubles in one public call. Medians of 5. To be read: seconds, and nanoseconds a point.
+ */
 
 #include "bench.h"
 
