@@ -18,6 +18,16 @@ void tp_exact_point_clear(tp_exact_point *point) {
   fmpq_clear(&point->y);
 }
 
+void tp_exact_dot(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
+  fmpq_mul(product, &p->x, &q->x);
+  fmpq_addmul(product, &p->y, &q->y);
+}
+
+void tp_exact_cross(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
+  fmpq_mul(product, &p->x, &q->y);
+  fmpq_submul(product, &p->y, &q->x);
+}
+
 /* FLINT's vectors of rationals end the process without memory, so they are made by hand. */
 static bool body_init(tp_body *body, long count) {
   *body = (tp_body){.count = count};

@@ -45,6 +45,8 @@ void tp_bodies_place(tp_bodies *bodies);
 
 void tp_exact_point_init(tp_exact_point *point);
 void tp_exact_point_clear(tp_exact_point *point);
+void tp_exact_dot(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q);
+void tp_exact_cross(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q);
 
 static inline long tp_body_next(const tp_body *body, long k) {
   return k + 1 == body->count ? 0 : k + 1;

@@ -3,6 +3,8 @@
 
 #include "rest/pose.h"
 
+#include "plane/direction.h"
+
 void tp_pose_init(tp_pose *pose) {
   fmpq_init(pose->cosine);
   fmpq_init(pose->sine);
@@ -78,47 +80,12 @@ void tp_pose_pin(tp_pose *pose, const fmpq_t own_x, const fmpq_t own_y, const fm
   fmpq_clear(at_y);
 }
 
-/* Cosine p / k and sine q / k of a direction in whole numbers, k its root, cut off after
- * TP_POSE_BITS binary digits where it is no whole number: with k at least 1, k is too short by a
- * share of less than 2^-TP_POSE_BITS. */
-static void unit_vector(fmpq_t cosine, fmpq_t sine, const fmpq_t u, const fmpq_t v) {
-  fmpz_t p, q, square, root, rest;
-  fmpz_init(p);
-  fmpz_init(q);
-  fmpz_init(square);
-  fmpz_init(root);
-  fmpz_init(rest);
-  fmpz_mul(p, fmpq_numref(u), fmpq_denref(v));
-  fmpz_mul(q, fmpq_numref(v), fmpq_denref(u));
-  fmpz_gcd(rest, p, q);
-  fmpz_divexact(p, p, rest);
-  fmpz_divexact(q, q, rest);
-  fmpz_mul(square, p, p);
-  fmpz_addmul(square, q, q);
-  fmpz_sqrtrem(root, rest, square);
-  unsigned long cut = 0;
-  if (!fmpz_is_zero(rest)) {
-    cut = TP_POSE_BITS;
-    fmpz_mul_2exp(square, square, 2 * cut);
-    fmpz_sqrt(root, square);
-  }
-  fmpq_set_fmpz_frac(cosine, p, root);
-  fmpq_set_fmpz_frac(sine, q, root);
-  fmpq_mul_2exp(cosine, cosine, cut);
-  fmpq_mul_2exp(sine, sine, cut);
-  fmpz_clear(p);
-  fmpz_clear(q);
-  fmpz_clear(square);
-  fmpz_clear(root);
-  fmpz_clear(rest);
-}
-
 void tp_pose_turn_along(tp_pose *pose, const fmpq_t u, const fmpq_t v) {
   fmpq_t x, y;
   fmpq_init(x);
   fmpq_init(y);
   multiply(x, y, pose->cosine, pose->sine, u, v);
-  unit_vector(pose->cosine, pose->sine, x, y);
+  tp_direction_unit(pose->cosine, pose->sine, x, y);
   fmpq_clear(x);
   fmpq_clear(y);
 }

@@ -36,16 +36,6 @@ void tp_turning_numbers_clear(tp_turning_numbers *n) {
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
 }
 
-static void dot(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
-  fmpq_mul(product, &p->x, &q->x);
-  fmpq_addmul(product, &p->y, &q->y);
-}
-
-static void cross(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
-  fmpq_mul(product, &p->x, &q->y);
-  fmpq_submul(product, &p->y, &q->x);
-}
-
 void tp_turning_numbers_of(tp_turning_numbers *n, const tp_bodies *bodies,
                            const tp_exact_point *pivot, int turn, const tp_candidate *pair) {
   const tp_body *one = pair->of_base ? &bodies->base : &bodies->block;
@@ -62,13 +52,13 @@ void tp_turning_numbers_of(tp_turning_numbers *n, const tp_bodies *bodies,
   fmpq_sub(&r.y, one->y + pair->vertex, &pivot->y);
   fmpq_sub(&o.x, other->x + pair->edge, &pivot->x);
   fmpq_sub(&o.y, other->y + pair->edge, &pivot->y);
-  cross(n->a, &r, &e);
-  dot(n->c, &e, &r);
+  tp_exact_cross(n->a, &r, &e);
+  tp_exact_dot(n->c, &e, &r);
   fmpq_mul_si(n->b, n->c, -way);
   fmpq_mul_si(n->s, n->a, way);
-  cross(n->d, &o, &e);
-  dot(n->g, &e, &o);
-  dot(n->square, &e, &e);
+  tp_exact_cross(n->d, &o, &e);
+  tp_exact_dot(n->g, &e, &o);
+  tp_exact_dot(n->square, &e, &e);
   tp_exact_point_clear(&e);
   tp_exact_point_clear(&r);
   tp_exact_point_clear(&o);

@@ -75,29 +75,19 @@ static void clear_pair(pair_from_pivot *p) {
   tp_exact_point_clear(&p->along);
 }
 
-static void cross(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
-  fmpq_mul(product, &p->x, &q->y);
-  fmpq_submul(product, &p->y, &q->x);
-}
-
-static void dot(fmpq_t product, const tp_exact_point *p, const tp_exact_point *q) {
-  fmpq_mul(product, &p->x, &q->x);
-  fmpq_addmul(product, &p->y, &q->y);
-}
-
 /* Does the vertex lie behind the edge (-1), on it (0), or beside or before it? */
 static int side_of(const pair_from_pivot *p) {
   fmpq_t height, base, place;
   fmpq_init(height);
   fmpq_init(base);
   fmpq_init(place);
-  cross(height, &p->vertex, &p->along);
-  cross(base, &p->edge, &p->along);
+  tp_exact_cross(height, &p->vertex, &p->along);
+  tp_exact_cross(base, &p->edge, &p->along);
   const int side = fmpq_cmp(height, base);
-  dot(place, &p->vertex, &p->along);
-  dot(base, &p->edge, &p->along);
+  tp_exact_dot(place, &p->vertex, &p->along);
+  tp_exact_dot(base, &p->edge, &p->along);
   fmpq_sub(place, place, base);
-  dot(base, &p->along, &p->along);
+  tp_exact_dot(base, &p->along, &p->along);
   const bool beside = fmpq_sgn(place) < 0 || fmpq_cmp(place, base) > 0;
   fmpq_clear(height);
   fmpq_clear(base);
@@ -141,8 +131,8 @@ static void stretch(tp_bodies *b, const tp_exact_point *pivot, const tp_candidat
   fmpq_init(vertex);
   fmpq_init(edge);
   init_pair(&p, b, pivot, pair);
-  cross(vertex, &p.vertex, &p.along);
-  cross(edge, &p.edge, &p.along);
+  tp_exact_cross(vertex, &p.vertex, &p.along);
+  tp_exact_cross(edge, &p.edge, &p.along);
   if (pair->of_base) fmpq_swap(vertex, edge);
   fmpq_div(edge, edge, vertex);
   tp_pose_scale(&b->pose, edge);

@@ -5,11 +5,10 @@
  *
  * The mean plane is given by two points, or fitted to the contact (base/mean_plane.h): its
  * direction (p, q) is exact, in whole numbers. All points are turned by -atan(q / p) about one that
- * stays, with cosine p / k and sine q / k, k the root of p^2 + q^2. Where that is no whole number k
- * is cut off after 256 binary digits: lengths come out too long by less than a share of 1e-77, and
- * all angles, on which verdicts and factors under the weight alone rest, exactly. The dip is
- * rounded up to 256 binary digits, and added to the scene's tilt: the block is never taken for
- * lying flatter than it does.
+ * stays, with the cosine and sine of plane/direction.h: where k is cut off lengths come out too
+ * long by less than a share of 1e-77, and all angles, on which verdicts and factors under the
+ * weight alone rest, exactly. The dip is rounded up to 256 binary digits, and added to the scene's
+ * tilt: the block is never taken for lying flatter than it does.
  *
  * Where the scene leaves the contact to the default, its ends and the mean plane depend on each
  * other: from the ends that the coordinates themselves have, plane and ends are found in turn until

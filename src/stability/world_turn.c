@@ -5,13 +5,10 @@
 
 #include "block/section.h"
 #include "number/ball.h"
+#include "plane/direction.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Binary digits to which the root k and the dip are cut (stability/world.h): a share of 2^-256 is
- * below 1e-77, and a scene of the world may be asked for TP_WORLD_DIGITS, 60. */
-enum { CUT_BITS = 256 };
 
 void tp_turn_init(tp_turn *turn) {
   fmpq *const all[] = {turn->dip_deg, turn->x, turn->y, turn->cosine, turn->sine};
@@ -25,51 +22,26 @@ void tp_turn_clear(tp_turn *turn) {
 }
 
 void tp_turn_set(tp_turn *w, const fmpq_t u, const fmpq_t v) {
-  fmpz_t p, q, square, root, rest;
-  fmpz_init(p);
-  fmpz_init(q);
-  fmpz_init(square);
-  fmpz_init(root);
-  fmpz_init(rest);
-  fmpq_div(w->cosine, v, u); /* q / p in lowest terms */
-  fmpz_set(q, fmpq_numref(w->cosine));
-  fmpz_set(p, fmpq_denref(w->cosine));
-  fmpz_mul(square, p, p);
-  fmpz_addmul(square, q, q);
-  fmpz_sqrtrem(root, rest, square);
-  unsigned long cut = 0;
-  if (!fmpz_is_zero(rest)) {
-    cut = CUT_BITS;
-    fmpz_mul_2exp(square, square, 2 * cut);
-    fmpz_sqrt(root, square);
-  }
-  fmpq_set_fmpz_frac(w->cosine, p, root);
-  fmpq_set_fmpz_frac(w->sine, q, root);
-  fmpq_mul_2exp(w->cosine, w->cosine, cut);
-  fmpq_mul_2exp(w->sine, w->sine, cut);
-  w->rises = fmpz_sgn(q);
+  tp_direction_unit(w->cosine, w->sine, u, v);
+  w->rises = fmpq_sgn(v);
   arb_t x, y;
   arf_t above;
   arb_init(x);
   arb_init(y);
   arf_init(above);
-  fmpz_abs(q, q);
-  arb_set_fmpz(x, p);
-  arb_set_fmpz(y, q);
-  tp_ball_atan2_degrees(y, y, x, 2 * CUT_BITS);
-  arb_mul_2exp_si(y, y, CUT_BITS);
-  arb_get_ubound_arf(above, y, 4 * CUT_BITS);
+  fmpq_div(w->dip_deg, v, u); /* whole numbers: an angle of 45 degrees is told exactly */
+  fmpq_abs(w->dip_deg, w->dip_deg);
+  arb_set_fmpz(y, fmpq_numref(w->dip_deg));
+  arb_set_fmpz(x, fmpq_denref(w->dip_deg));
+  tp_ball_atan2_degrees(y, y, x, 2 * TP_DIRECTION_BITS);
+  arb_mul_2exp_si(y, y, TP_DIRECTION_BITS);
+  arb_get_ubound_arf(above, y, 4 * TP_DIRECTION_BITS);
   arf_get_fmpz(fmpq_numref(w->dip_deg), above, ARF_RND_CEIL);
   fmpz_one(fmpq_denref(w->dip_deg));
-  fmpq_div_2exp(w->dip_deg, w->dip_deg, CUT_BITS);
+  fmpq_div_2exp(w->dip_deg, w->dip_deg, TP_DIRECTION_BITS);
   arb_clear(x);
   arb_clear(y);
   arf_clear(above);
-  fmpz_clear(p);
-  fmpz_clear(q);
-  fmpz_clear(square);
-  fmpz_clear(root);
-  fmpz_clear(rest);
 }
 
 /* The point about which it turns stays: x' = x0 + c (x - x0) + s (y - y0). */
