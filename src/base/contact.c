@@ -3,6 +3,8 @@
 
 #include "base/contact.h"
 
+#include "base/near.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -148,12 +150,25 @@ static void find_steepest(tp_contact *contact, const tp_lattice *l) {
 }
 
 /* What to do where nothing touches: rounding may have taken it all. */
-static tp_status fail_apart(bool cut, const tp_base *base, tp_message *message) {
-  return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(&base->ring, -1),
-                 cut ? "the block would touch its base with corners alone that are rounded off; "
-                       "let it rest on what rounding leaves of its edges"
-                     : "the block does not touch its base anywhere; both are given in the same "
-                       "coordinates, and contact is exact: give them the same vertices");
+static tp_status fail_apart(bool cut, const tp_section *section, const tp_base *base,
+                            const tp_lattice *lattice, tp_message *message) {
+  const tp_place place = tp_polyline_place(&base->ring, -1);
+  if (cut) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "the block would touch its base with corners alone that are rounded off; let it "
+                   "rest on what rounding leaves of its edges");
+  }
+  tp_near near;
+  tp_near_miss miss = {.count = 0};
+  char nearest[200] = "";
+  tp_near_init(&near, section, base, lattice);
+  if (!tp_near_miss_find(&miss, &near, true)) return tp_fail_memory(message, "the contact");
+  if (miss.count > 0) tp_near_miss_text(nearest, sizeof nearest, &miss, &near);
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "the block does not touch its base anywhere%s%s; both are given in the same "
+                 "coordinates, and contact is exact: give them the same vertices, or say 'place: "
+                 "rest', or 'contact: {within: …}'",
+                 miss.count > 0 ? ": at the nearest " : "", nearest);
 }
 
 /* Neighbouring facets share their ends: about half of the room for points is left. */
@@ -172,7 +187,9 @@ tp_status tp_contact_init(tp_contact *contact, const tp_section *section, const 
                                  : tp_facets_of_profile(&facets, section, base, lattice, message);
   const bool touches = facets.count > 0;
   tp_facets_cut(&facets, corners, lattice, lattice->start[1]);
-  if (status == TP_OK && facets.count == 0) status = fail_apart(touches, base, message);
+  if (status == TP_OK && facets.count == 0) {
+    status = fail_apart(touches, section, base, lattice, message);
+  }
   contact->facets = facets.items;
   contact->facet_count = facets.count;
   if (status == TP_OK) {

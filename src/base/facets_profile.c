@@ -6,10 +6,12 @@
 
 #define _GNU_SOURCE /* qsort_r */
 #include "base/facets.h"
+#include "base/near.h"
 #include "base/overlap.h"
 #include "block/check_ring.h"
 #include "block/ring_meetings.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,6 +86,38 @@ static bool take_meeting(void *context, tp_geom_meeting meeting) {
   return done;
 }
 
+/* Of a crossing that may be one of last digits: by how much an end of one edge has passed the other,
+ * where that is 1/1000 of the block at most. */
+static void slight_cut(char *text, size_t size, const search *s, long edge_a, long edge_b) {
+  static const double share_of_size = 1e-3;
+  const tp_near_pair pairs[] = {{false, edge_a, edge_b},
+                                {false, next_of_outline(s, s->outline + edge_a), edge_b},
+                                {true, edge_b, edge_a},
+                                {true, edge_b + 1, edge_a}};
+  tp_near near;
+  fmpq_t share, square, least;
+  int side;
+  tp_near_init(&near, s->section, s->base, s->lattice);
+  fmpq_init(share);
+  fmpq_init(square);
+  fmpq_init(least);
+  for (size_t k = 0; k < sizeof pairs / sizeof pairs[0]; k++) {
+    tp_near_foot(share, square, &side, &near, pairs + k);
+    if (k == 0 || fmpq_cmp(square, least) < 0) fmpq_set(least, square);
+  }
+  const double by = tp_near_root(least);
+  text[0] = '\0';
+  if (s->base->mated_count == 0 && by <= share_of_size * near.size * near.unit) {
+    snprintf(text, size,
+             ", by %.2g %s; contact is exact: where they should touch there, say 'place: rest', or "
+             "'contact: {within: …}'",
+             by, s->base->unit);
+  }
+  fmpq_clear(share);
+  fmpq_clear(square);
+  fmpq_clear(least);
+}
+
 static tp_status fail_cut(const search *s, tp_message *message) {
   const tp_polyline *outline = s->section->rings, *ring = &s->base->ring;
   const long edge_a = (long)s->cut.a - s->outline, edge_b = (long)s->cut.b - s->ring;
@@ -96,9 +130,11 @@ static tp_status fail_cut(const search *s, tp_message *message) {
                    "profile go on, or end it where the block ends",
                    one);
   }
+  char slight[200];
+  slight_cut(slight, sizeof slight, s, edge_a, edge_b);
   return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, edge_b),
-                 "the base cuts into the block: of the profile, %s crosses %s of the outline",
-                 other, one);
+                 "the base cuts into the block: of the profile, %s crosses %s of the outline%s",
+                 other, one, slight);
 }
 
 /* Order along the base: the edge, then the distance from the edge's beginning. */

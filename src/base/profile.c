@@ -233,6 +233,7 @@ static bool close_below(tp_base *base, const tp_polyline *outline) {
 tp_status tp_base_init(tp_base *base, const tp_scene *scene, const tp_section *section,
                        tp_message *message) {
   memset(base, 0, sizeof *base);
+  base->unit = scene->length_unit;
   const tp_place place = scene->base.place.file != NULL ? scene->base.place : scene->block.place;
   base->ring.file = place.file;
   base->ring.mark = (tp_mark){place.line, place.column};

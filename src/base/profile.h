@@ -20,6 +20,7 @@ typedef struct tp_base {
   /* of any mated base: edges mated_first … are the outline's edges outline_first …, as many */
   long mated_first, outline_first, mated_count;
   tp_contact_end left, right; /* why it begins and ends there */
+  const char *unit;           /* of the scene's lengths, borrowed */
   const char *none;           /* NULL, or for tp_underside_fail, once the block is checked */
 } tp_base;
 

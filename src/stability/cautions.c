@@ -3,7 +3,10 @@
 
 #include "stability/cautions.h"
 
+#include "base/near.h"
 #include "notes.h"
+
+#include <stdio.h>
 
 /* How the side of the block that water wets differs from a face normal to the base. */
 typedef struct side {
@@ -81,6 +84,31 @@ static bool is_one_point(const tp_contact *contact, const tp_lattice *l) {
   return true;
 }
 
+/* Vertices of straight edges that nearly touch a profile. */
+static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  const tp_block_description *block = &scene->block;
+  if (scene->base.mated || block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 ||
+      problem->corners.count > 0) {
+    return TP_OK;
+  }
+  tp_near near;
+  tp_near_miss miss;
+  char gap[200], more[100] = "";
+  tp_near_init(&near, &problem->section, &problem->base, &problem->lattice);
+  if (!tp_near_miss_find(&miss, &near, false)) return tp_fail_memory(message, "the contact");
+  if (miss.count == 0) return TP_OK;
+  tp_near_miss_text(gap, sizeof gap, &miss, &near);
+  if (miss.count > 1) {
+    snprintf(more, sizeof more, ", the largest of %ld such gaps", miss.count);
+  }
+  const tp_polyline *line = miss.pair.of_base ? &problem->base.ring : problem->section.rings;
+  return tp_notes_add(notes, message, TP_CAUTION, tp_polyline_place(line, miss.pair.vertex),
+                      "%s%s, and does not touch: contact is exact; if it should, say %s'contact: "
+                      "{within: …}'",
+                      gap, more, problem->rested == NULL ? "'place: rest', or " : "");
+}
+
 tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   tp_status status = TP_OK;
@@ -92,6 +120,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
                           "no other; whether it balances at one to the last digit may stay "
                           "undecided");
   }
+  if (status == TP_OK) status = note_near(notes, problem, message);
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
   if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);
   if (status == TP_OK && scene->towards_right) status = note_water(notes, problem, false, message);

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What nearly touches, by the criterion of base/near.h, and its words. */
+
+#include "base/near.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double share_of_size = 1e-3, share_of_edge = 1e-2;
+static const double farther = 10; /* from one round of the search for the nearest to the next */
+
+/* Of a vertex: its least distance so far, and the edge. */
+typedef struct least {
+  double distance; /* 0: it touches */
+  long edge;
+} least;
+
+typedef struct search {
+  const tp_near *near;
+  least *vertices, *points; /* of the outline; of the profile */
+} search;
+
+static least *least_of(const search *s, const tp_near_pair *pair) {
+  return (pair->of_base ? s->points : s->vertices) + pair->vertex;
+}
+
+static bool is_on(const tp_near *n, const tp_near_pair *pair) {
+  const long outline = n->lattice->start[1];
+  const long point = pair->of_base ? n->ring + pair->vertex : pair->vertex;
+  const long from = pair->of_base ? pair->edge : n->ring + pair->edge;
+  const long to = pair->of_base ? (pair->edge + 1) % outline : from + 1;
+  return tp_lattice_cross(n->lattice, from, to, from, point) == 0 &&
+         tp_lattice_dot(n->lattice, from, point, from, to) >= 0 &&
+         tp_lattice_dot(n->lattice, to, point, to, from) >= 0;
+}
+
+/* In the unit of the search; exact where doubles do not tell it from 0. */
+static bool take(void *context, const tp_near_pair *pair, double distance) {
+  const search *s = context;
+  least *own = least_of(s, pair);
+  enum { ROOM = 16 };
+  if (own->distance == 0) return true;
+  if (distance <= ROOM * s->near->error) {
+    if (is_on(s->near, pair)) {
+      distance = 0;
+    } else {
+      fmpq_t share, square;
+      int side;
+      fmpq_init(share);
+      fmpq_init(square);
+      tp_near_foot(share, square, &side, s->near, pair);
+      /* a gap too small for a double is the least of one */
+      distance = fmax(tp_near_root(square) / s->near->unit, 0x1p-1074);
+      fmpq_clear(share);
+      fmpq_clear(square);
+    }
+  }
+  if (distance < own->distance) *own = (least){distance, pair->edge};
+  return true;
+}
+
+static double edge_length(const tp_near *n, long from, long to) {
+  const tp_lattice *l = n->lattice;
+  return hypot((l->u[to] - l->u[from]) * n->scale_u, (l->v[to] - l->v[from]) * n->scale_v);
+}
+
+static double shorter_edge(const tp_near *n, const tp_near_pair *pair) {
+  const long k = pair->vertex, outline = n->lattice->start[1];
+  if (!pair->of_base) {
+    return fmin(edge_length(n, k, (k + 1) % outline),
+                edge_length(n, (k + outline - 1) % outline, k));
+  }
+  double length = INFINITY;
+  if (k > 0) length = fmin(length, edge_length(n, n->ring + k - 1, n->ring + k));
+  if (k + 1 < n->points) length = fmin(length, edge_length(n, n->ring + k, n->ring + k + 1));
+  return length;
+}
+
+static void describe(tp_near_miss *miss, const tp_near *n, tp_near_pair pair) {
+  const long outline = n->lattice->start[1];
+  const long from = pair.of_base ? pair.edge : n->ring + pair.edge;
+  const long to = pair.of_base ? (pair.edge + 1) % outline : from + 1;
+  const tp_lattice *l = n->lattice;
+  fmpq_t share, square;
+  int side;
+  fmpq_init(share);
+  fmpq_init(square);
+  tp_near_foot(share, square, &side, n, &pair);
+  miss->pair = pair;
+  miss->gap = tp_near_root(square);
+  miss->beside =
+      fabs((l->v[to] - l->v[from]) * n->scale_v) > fabs((l->u[to] - l->u[from]) * n->scale_u);
+  fmpq_clear(share);
+  fmpq_clear(square);
+}
+
+/* Of the vertices of one body: how many miss nearly, and the farthest of them; or the nearest. */
+static void pick(const search *s, bool of_base, bool apart, long *count, double *most,
+                 tp_near_pair *pair) {
+  const tp_near *n = s->near;
+  const long vertices = of_base ? n->points : n->lattice->start[1];
+  for (long k = 0; k < vertices; k++) {
+    const tp_near_pair own = {of_base, k, 0};
+    const least *found = least_of(s, &own);
+    if (found->distance == 0 || isinf(found->distance)) continue;
+    if (!apart && found->distance > share_of_edge * shorter_edge(n, &own)) continue;
+    if (*count == 0 || (apart ? found->distance < *most : found->distance > *most)) {
+      *most = found->distance;
+      *pair = (tp_near_pair){of_base, k, found->edge};
+    }
+    (*count)++;
+  }
+}
+
+bool tp_near_miss_find(tp_near_miss *miss, const tp_near *near, bool apart) {
+  const long outline = near->lattice->start[1];
+  search s = {.near = near};
+  *miss = (tp_near_miss){.count = 0};
+  s.vertices = malloc((size_t)outline * sizeof *s.vertices);
+  s.points = malloc((size_t)near->points * sizeof *s.points);
+  const bool done = s.vertices != NULL && s.points != NULL;
+  for (long k = 0; k < outline && done; k++) s.vertices[k] = (least){INFINITY, 0};
+  for (long k = 0; k < near->points && done; k++) s.points[k] = (least){INFINITY, 0};
+  double within = share_of_size * near->size, most = 0;
+  tp_near_pair pair = {false, 0, 0};
+  for (bool again = done; again; within *= farther) {
+    (void)tp_near_visit(near, within, take, &s);
+    pick(&s, false, apart, &miss->count, &most, &pair);
+    pick(&s, true, apart, &miss->count, &most, &pair);
+    again = apart && miss->count == 0 && within < farther * near->size;
+  }
+  if (miss->count > 0) {
+    if (apart) miss->count = 1;
+    describe(miss, near, pair);
+  }
+  free(s.vertices);
+  free(s.points);
+  return done;
+}
+
+void tp_near_miss_text(char *text, size_t size, const tp_near_miss *miss, const tp_near *near) {
+  const tp_near_pair *p = &miss->pair;
+  const char *unit = near->base->unit;
+  if (p->of_base) {
+    snprintf(text, size, "point %ld of the profile lies %.2g %s %s the block",
+             tp_polyline_number(&near->base->ring, p->vertex), miss->gap, unit,
+             miss->beside ? "beside" : "below");
+  } else {
+    snprintf(text, size, "vertex %ld of the outline lies %.2g %s %s the base",
+             tp_polyline_number(near->section->rings, p->vertex), miss->gap, unit,
+             miss->beside ? "beside" : "above");
+  }
+}
