@@ -65,6 +65,18 @@ typedef struct tp_rest_result {
                         line, which passes between them; one below 0: it is wedged in */
 } tp_rest_result;
 
+/* What lay near its contact and was moved there ('contact: {within: ...}'). All of a solution is of
+ * the block so moved. */
+typedef struct tp_within_result {
+  bool known;                   /* the scene asks for it */
+  size_t moved;                 /* vertices of the block, onto its base */
+  size_t taken;                 /* points of the profile that became vertices of the block */
+  tp_bounded within_m;          /* what the scene says */
+  tp_bounded farthest_m;        /* the farthest that anything was moved */
+  tp_bounded gap_left_m;        /* along y, the largest between the first contact and the last */
+  tp_bounded overlap_removed_m; /* the deepest that a vertex of one lay in the other */
+} tp_within_result;
+
 #ifdef __cplusplus
 }
 #endif

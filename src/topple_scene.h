@@ -166,6 +166,11 @@ TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates 
  * until it rests (docs/rest.md); else, and unless set, it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);
 
+/* What of the block lies closer than `within`, above 0, to the profile that was set is taken to
+ * touch it, and is moved there (docs/rest.md); unless set what touches does so exactly. */
+TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within,
+                                                  tp_message *message);
+
 /* By how much a mated base goes on past the contact, to the `left` and to the `right`: not below 0,
  * and 0 unless set. */
 TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,

@@ -198,6 +198,7 @@ typedef struct tp_solution {
   tp_block_result block;         /* area, centroid, weight */
   tp_teeth_result teeth;         /* of a toothed block */
   tp_rest_result rest;           /* of a block that was set down on its profile */
+  tp_within_result within;       /* of a block that was moved onto its profile where it is near */
   tp_frame_result frame;         /* what the coordinates lie along */
   tp_contact_result contact;     /* where the block touches its base */
   bool loaded;                   /* the scene calls for loads besides the weight */

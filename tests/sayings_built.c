@@ -102,6 +102,8 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_base_rest(scene, true, &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_contact_within(scene, T("0.125"), &message));
+  say_scene_built(s, scene);
 }
 
 static void say_outline_solved(sayings *s) {

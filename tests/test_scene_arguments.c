@@ -73,6 +73,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_unit_weight_kn_m3(own, E(20), &message), why);
   REFUSED(tp_scene_set_base_mated(own, true, &message), why);
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
+  REFUSED(tp_scene_set_contact_within(own, E(1), &message), why);
   REFUSED(tp_scene_set_base_profile(own, s, &message), why);
   REFUSED(tp_scene_set_base_beyond(own, E(1), E(1), &message), why);
   REFUSED(tp_scene_set_base_between(own, tp_coordinates_of(square, 2), &message), why);

@@ -161,6 +161,15 @@ START_TEST(bases) {
                         "x", &message));
   expect_equal(json, solve(read, 9));
   tp_scene_free(read);
+  DO(tp_scene_set_base_rest(scene, false, &message));
+  DO(tp_scene_set_contact_within(scene, E(0.125), &message));
+  json = solve(scene, 9);
+  DO(tp_scene_read_text(&read,
+                        BLOCK "base: {profile: [[-1, 0], [2, 0], [2, -1], [5, 0]]}\n"
+                              "contact: {within: 0.125}\n",
+                        "x", &message));
+  expect_equal(json, solve(read, 9));
+  tp_scene_free(read);
   DO(tp_scene_set_base_mated(scene, false, &message)); /* the profile is dropped */
   DO(tp_scene_set_base_between(scene, tp_coordinates_of(ends, 2), &message));
   expect_same(scene, BLOCK "base: {mated: true, between: [[0, 0], [1, 0]]}\n");

@@ -88,6 +88,7 @@ static void build_loads(tp_scene *scene, const double *n) {
 static void build_profile(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_base_profile(scene, tp_coordinates_of(n, 2), &message));
+  DO(tp_scene_set_contact_within(scene, E(n[7]), &message));
   DO(tp_scene_set_friction_barton(scene, E(n[4]), E(n[5]), E(n[6]), &message));
 }
 
@@ -169,9 +170,10 @@ static const kind kinds[] = {
                "  bond_kpa: @t\n  cohesion_kpa: @u\n",
                {0.0625, 0.125, 1, 9.75, 4, 1, 4, 5, 2, 3, 3, 6, 1, 6, 5, 0, 3, 200, 30, 2, 8}},
     [PROFILE] = {build_profile,
-                 HEAD TEXT_SQUARE "base: {profile: [[@a, @b], [@c, @d]]}\nfriction: {law: barton, "
-                                  "residual_angle_deg: @e, jrc: @f, jcs_mpa: @g}\n",
-                 {-1, 0, 5, 0, 28, 8, 60}},
+                 HEAD TEXT_SQUARE "base: {profile: [[@a, @b], [@c, @d]]}\ncontact: {within: @h}\n"
+                                  "friction: {law: barton, residual_angle_deg: @e, jrc: @f, "
+                                  "jcs_mpa: @g}\n",
+                 {-1, 0, 5, 0, 28, 8, 60, 0.25}},
     [BETWEEN] = {build_between,
                  HEAD TEXT_SQUARE "base: {between: [[@a, @b], [@c, @d]]}\nfriction: {law: patton, "
                                   "basic_angle_deg: @e, roughness_angle_deg: @f}\n",
@@ -252,6 +254,7 @@ static const struct {
     {LOADS, "loads.anchors.1.force_kn", 's', 40},
     {LOADS, "loads.bond_kpa", 't', 1},
     {LOADS, "loads.cohesion_kpa", 'u', 4},
+    {PROFILE, "contact.within", 'h', 0.125},
     {PROFILE, "base.profile.1.1", 'a', -0.5},
     {PROFILE, "base.profile.2.2", 'd', -1},
     {PROFILE, "friction.residual_angle_deg", 'e', 25},

@@ -86,8 +86,8 @@ static bool take_meeting(void *context, tp_geom_meeting meeting) {
   return done;
 }
 
-/* Of a crossing that may be one of last digits: by how much an end of one edge has passed the other,
- * where that is 1/1000 of the block at most. */
+/* Of a crossing that may be one of last digits: by how much an end of one edge has passed the
+ * other, where that is 1/1000 of the block at most. */
 static void slight_cut(char *text, size_t size, const search *s, long edge_a, long edge_b) {
   static const double share_of_size = 1e-3;
   const tp_near_pair pairs[] = {{false, edge_a, edge_b},

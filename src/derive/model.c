@@ -67,6 +67,11 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                    "where a block comes to rest is no formula in its parameters; derive it where "
                    "it rests, 'place: as_given'");
   }
+  if (scene->base.within.given) {
+    return tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
+                   "where vertices are moved to their contacts is no formula in the parameters; "
+                   "give them where they touch, and leave out 'contact'");
+  }
   if (scene->frame == TP_FRAME_WORLD) {
     return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
                    "formulas are derived along the mean plane of the base; give coordinates along "

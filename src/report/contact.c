@@ -140,11 +140,34 @@ static void add_rest(tp_page *p) {
   }
 }
 
+/* What was moved to its contact. */
+static void add_within(tp_page *p) {
+  const tp_within_result *r = &p->solution->within;
+  const char *unit = p->solution->length_unit;
+  char n[2][TP_NUMBER_SIZE];
+  if (!r->known) return;
+  tp_text_add(&p->text, "Within   what lies within %s %s of its contact touches: ",
+              tp_page_length(p, n[0], r->within_m, 5), unit);
+  if (r->moved + r->taken == 0) {
+    tp_text_add(&p->text, "nothing\n         had to be moved;");
+  } else {
+    tp_text_add(&p->text,
+                "%zu vert%s\n         moved onto the base, %zu point%s of the profile taken into "
+                "the\n         block, by %s %s at most;",
+                r->moved, r->moved == 1 ? "ex" : "ices", r->taken, r->taken == 1 ? "" : "s",
+                tp_page_length(p, n[0], r->farthest_m, 5), unit);
+  }
+  tp_text_add(&p->text, " largest overlap removed %s %s,\n         largest gap left %s %s\n",
+              tp_page_length(p, n[0], r->overlap_removed_m, 5), unit,
+              tp_page_length(p, n[1], r->gap_left_m, 5), unit);
+}
+
 void tp_page_add_contact(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
   char n[2][TP_NUMBER_SIZE];
   add_rest(p);
+  add_within(p);
   add_frame(p);
   tp_text_add(&p->text, "Base     ");
   if (c->mated) {
@@ -201,6 +224,18 @@ void tp_json_rest(tp_json *j, const tp_rest_result *r) {
   tp_json_bounded(j, "moved_y_m", r->moved_y_m);
   tp_json_bounded(j, "margin_left_m", r->margin_left_m);
   tp_json_bounded(j, "margin_right_m", r->margin_right_m);
+  tp_json_close(j);
+}
+
+void tp_json_within(tp_json *j, const tp_within_result *r) {
+  if (!r->known) return;
+  tp_json_object(j, "within", TP_JSON_LINE);
+  tp_json_count(j, "moved", r->moved);
+  tp_json_count(j, "taken", r->taken);
+  tp_json_bounded(j, "within_m", r->within_m);
+  tp_json_bounded(j, "farthest_m", r->farthest_m);
+  tp_json_bounded(j, "gap_left_m", r->gap_left_m);
+  tp_json_bounded(j, "overlap_removed_m", r->overlap_removed_m);
   tp_json_close(j);
 }
 

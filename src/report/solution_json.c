@@ -192,6 +192,7 @@ static void add_case(tp_json *j, const tp_solution *s, const tp_case *c, tp_pivo
   add_block(j, &s->block);
   add_teeth(j, &s->teeth);
   tp_json_rest(j, &s->rest);
+  tp_json_within(j, &s->within);
   tp_json_frame(j, &s->frame);
   tp_json_contact(j, &s->contact, s->block.has_weight);
   tp_json_pivots(j, s, c, shown == TP_PIVOTS_ALL);

@@ -14,7 +14,8 @@ static void drop_between(tp_base_description *base) {
 
 static void drop(tp_base_description *base) {
   drop_between(base);
-  base->rests = false;
+  base->rests = base->within.given = false;
+  fmpq_zero(base->within.value);
   tp_polyline_clear(&base->profile);
   base->beyond_left.given = base->beyond_right.given = false;
   fmpq_zero(base->beyond_left.value);
@@ -60,6 +61,13 @@ tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *messag
   scene->base.rests = rests;
   scene->base.rests_place = build.place;
   return TP_OK;
+}
+
+tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return tp_build_set(scene, __func__, (tp_given){"within", within, TP_RULE_ABOVE_ZERO},
+                      offsetof(tp_scene, base.within), message);
 }
 
 /* The base of a scene that says more of it than that it is mated. */

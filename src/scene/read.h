@@ -59,6 +59,9 @@ TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *r
 TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 
+/* The key contact of the scene. */
+TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *node);
+
 /* Where a node stands. */
 tp_place tp_read_place(const tp_reader *reader, const tp_node *node);
 

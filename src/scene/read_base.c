@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The section `base` of a scene. */
+/* The sections `base` and `contact` of a scene. */
 
 #include "scene/read.h"
 
@@ -120,4 +120,18 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   status = read_between(reader, between);
   if (status == TP_OK) status = read_beyond(reader, tp_node_get(node, "beyond"));
   return status;
+}
+
+tp_status tp_read_contact(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"within", NULL};
+  const tp_node *within = NULL;
+  if (node == NULL) return TP_OK;
+  tp_status status =
+      tp_node_expect_keys(node, keys, "contact", reader->scene->path, reader->message);
+  if (status == TP_OK) {
+    status = tp_read_required(reader, &within, node, "within", "contact: {within: 0.2}");
+  }
+  if (status != TP_OK) return status;
+  return tp_read_quantity(reader, &reader->scene->base.within, within, "within",
+                          TP_RULE_ABOVE_ZERO);
 }

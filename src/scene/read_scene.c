@@ -95,8 +95,9 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "topple", "title", "length_unit",        "parameters", "block", "base",
-      "loads",  "tilt",  "friction_angle_deg", "friction",   "frame", NULL};
+      "topple", "title",   "length_unit", "parameters",         "block",
+      "base",   "loads",   "tilt",        "friction_angle_deg", "friction",
+      "frame",  "contact", NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -113,6 +114,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
         tp_read_required(reader, &block, root, "block", "block: {slab: {width: 50, height: 100}}");
   if (status == TP_OK) status = tp_read_block(reader, block);
   if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
+  if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));

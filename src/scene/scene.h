@@ -104,6 +104,7 @@ typedef struct tp_base_description {
   tp_polyline profile;
   bool rests; /* the block is set down on its profile and comes to rest; else it is as given */
   tp_place rests_place; /* that says so */
+  tp_quantity within;   /* what lies closer than that to its contact is moved there */
 } tp_base_description;
 
 /* A pressure or a surcharge along a line of the outline, in kPa at its two ends; or an anchor at

@@ -166,6 +166,7 @@ static const tp_slot_row rows[] = {
     OF_SCENE("base.between.right_of", base.right_of, ANY, NULL, NULL),
     OF_SCENE("base.beyond.left", base.beyond_left, BEYOND, NULL, NULL),
     OF_SCENE("base.beyond.right", base.beyond_right, BEYOND, NULL, NULL),
+    OF_SCENE("contact.within", base.within, ABOVE_ZERO, NULL, NULL),
     OF_SCENE("friction_angle_deg", friction_angle_deg, ANGLE_BELOW_90, is_plain_angle, NULL),
     OF_SCENE("friction.basic_angle_deg", friction.basic_angle_deg, ANGLE_BELOW_90, NULL,
              settle_friction),

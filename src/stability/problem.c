@@ -25,6 +25,7 @@ void tp_problem_clear(tp_problem *problem) {
   free(problem->admissible[0]);
   free(problem->admissible[1]);
   tp_world_free(problem->world);
+  tp_snapped_free(problem->snapped);
   tp_rested_free(problem->rested);
   memset(problem, 0, sizeof *problem);
 }
@@ -282,6 +283,16 @@ static tp_status set_down(tp_problem *problem, const tp_solve_options *options,
                tp_effects_note(solution, "rest", scene->base.rests_place, "", began));
 }
 
+static tp_status snap(tp_problem *problem, tp_solution *solution, tp_message *message) {
+  const tp_scene *scene = problem->scene;
+  const tp_effect_begin began = tp_effects_begin(solution);
+  const tp_status status = tp_snapped_init(&problem->snapped, scene, message);
+  if (status != TP_OK) return status;
+  problem->scene = &problem->snapped->scene;
+  return noted(status, message,
+               tp_effects_note(solution, "within", scene->base.within.place, "", began));
+}
+
 tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
                           const tp_solve_options *options, tp_solution *solution,
                           tp_message *message) {
@@ -293,10 +304,12 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   if (status == TP_OK && scene->base.rests) {
     status = set_down(problem, options, solution, message);
   }
+  if (status == TP_OK && scene->base.within.given) status = snap(problem, solution, message);
   if (status == TP_OK && scene->frame == TP_FRAME_WORLD) {
     status = turn(problem, options, solution, message);
   }
   if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
+  if (status == TP_BAD_INPUT && problem->snapped != NULL) tp_snapped_explain(scene, message);
   /* Euler: any triangulation of n vertices and h holes has n + 2 h - 2 triangles. */
   problem->triangle_count = triangulation.count;
   if (triangulation.count == 0 && status == TP_OK) {

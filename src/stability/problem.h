@@ -10,6 +10,7 @@
 #include "block/corners.h"
 #include "block/elements.h"
 #include "stability/rested.h"
+#include "stability/snapped.h"
 #include "stability/world.h"
 
 /* Above this many vertices the elements form of the factor of safety, which needs a triangulation
@@ -19,6 +20,7 @@ enum { TP_ELEMENTS_UNASKED = 10000 };
 typedef struct tp_problem {
   const tp_scene *scene; /* in the frame of its base */
   tp_rested *rested;     /* the block was set down on its profile; else NULL */
+  tp_snapped *snapped;   /* what lies near its contact was moved there; else NULL */
   tp_world *world;       /* the scene lies as it lies: turned into that frame; else NULL */
   tp_section section;
   tp_base base;

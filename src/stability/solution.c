@@ -144,6 +144,7 @@ tp_status tp_solution_describe(tp_solution *solution, const tp_problem *problem,
   describe_teeth(solution, problem->scene);
   tp_describe_frame(solution, problem);
   tp_describe_rest(solution, problem);
+  tp_describe_within(solution, problem);
   solution->loaded = problem->loaded;
   solution->digits = options->digits;
   if (options->digits > TP_DECIMALS_OF_DOUBLE) {

@@ -59,6 +59,8 @@ SAID = [
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{mated: true, between: {{below: 1}}}}\nframe: world"),
     ({"outline": SQUARE, "base_profile": [(-100, 10), (0, -5), (200, 0)], "base_rest": True},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: rest}}"),
+    ({"outline": SQUARE, "base_profile": [(-100, -1), (0, 0.5), (200, 0)], "contact_within": 2},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, -1], [0, 0.5], [200, 0]]}}\ncontact: {{within: 2}}"),
     ({"outline": SQUARE, "base_profile": [(-100, 0), (200, 0)], "mean_plane": [(0, 0), (100, 5)]},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 0], [200, 0]]}}\n"
      "frame: {mean_plane: [[0, 0], [100, 5]]}"),

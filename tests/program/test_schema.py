@@ -26,6 +26,8 @@ LOADED = ("rounded:", "ellipse:", "loads:", "arcs:")
 
 # What the examples and the hard cases do not bring forth.
 SCENES = {
+    "within": "block: {outline: [[0, 0.01], [2, -0.01], [2, 3], [0, 3]]}\nbase: {profile: [[-1, 0], [3, 0]]}\n"
+              "contact: {within: 0.02}\n",
     "barton": "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
               "friction: {law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: 50}\ntilt: {angle_deg: 20}\n",
     "rolls": "block: {slab: {width: 10, height: 20}, rounded: {corners: [{at: left_end, radius: 2}]}}\n"

@@ -18,7 +18,8 @@ from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verd
 from .builder import Along, BaseBound, LeftEnd, Towards, UndersideEnd
 from .case import Case, Factor, GoverningFos, LoadResult, Pivot, Sliding, Toe
 from .chart import Chart, chart_fos, chart_map, chart_mechanisms, chart_ranges
-from .contact import Account, Block, Contact, Effect, Element, Fos, Frame, Note, Rest, Teeth
+from .contact import (Account, Block, Contact, Effect, Element, Fos, Frame, Note, Rest, Teeth,
+                      Within)
 from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot,
                          DerivedReaction, DerivedRounding, DerivedRow)
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family

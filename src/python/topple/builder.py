@@ -170,6 +170,10 @@ class Builder:
         lies as they say."""
         self._change(lib.tp_scene_set_base_rest, rests)
 
+    def set_contact_within(self, within: Number) -> None:
+        """What of the block lies closer than that to the profile is moved there, to touch it."""
+        self._change_numbers(lib.tp_scene_set_contact_within, within)
+
     # Friction of the contact; the last one set is taken.
 
     def set_friction_angle_deg(self, angle_deg: Number) -> None:

@@ -114,6 +114,18 @@ class Rest(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class Within(Record):
+    """What lay near its contact and was moved there."""
+
+    moved: int  #: vertices of the block, onto its base
+    taken: int  #: points of the profile that became vertices of the block
+    within_m: Bounded  #: what the scene says
+    farthest_m: Bounded  #: the farthest that anything was moved
+    gap_left_m: Bounded  #: along y, the largest between the first contact and the last
+    overlap_removed_m: Bounded  #: the deepest that a vertex of one lay in the other
+
+
+@dataclasses.dataclass(frozen=True)
 class Block(Record):
     """The block: its area, the centroid of its weight, and its second moments about the centroid,
     weighted by unit weight over mean unit weight."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Iterable
 
 from ._library import ffi, lib
 from .case import Case
-from .contact import Block, Contact, Effect, Frame, Note, Rest, Teeth, notes_of
+from .contact import Block, Contact, Effect, Frame, Note, Rest, Teeth, Within, notes_of
 from .errors import DependencyFailed
 from .given import c_path
 from .record import Bounded, Record, field, record, struct_of
@@ -43,6 +43,7 @@ class Solution(Record):
     frame: Frame
     contact: Contact
     rest: Rest | None = field(when=lambda c: c.rest.known)
+    within: Within | None = field(when=lambda c: c.within.known)
     loaded: bool  #: the scene calls for loads besides the weight
     cases: tuple[Case, ...] = field(read=_cases)
     notes: tuple[Note, ...] = field(read=notes_of)
