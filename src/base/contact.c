@@ -3,7 +3,7 @@
 
 #include "base/contact.h"
 
-#include "base/near.h"
+#include "base/closeness.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -158,10 +158,10 @@ static tp_status fail_apart(bool cut, const tp_section *section, const tp_base *
                    "the block would touch its base with corners alone that are rounded off; let it "
                    "rest on what rounding leaves of its edges");
   }
-  tp_near near;
+  tp_closeness near;
   tp_near_miss miss = {.count = 0};
   char nearest[200] = "";
-  tp_near_init(&near, section, base, lattice);
+  tp_closeness_init(&near, section, base, lattice);
   if (!tp_near_miss_find(&miss, &near, true)) return tp_fail_memory(message, "the contact");
   if (miss.count > 0) tp_near_miss_text(nearest, sizeof nearest, &miss, &near);
   return tp_fail(message, TP_BAD_INPUT, place,

@@ -5,8 +5,8 @@
  * the profile that meet, by an exact search, and what each meeting restrains. */
 
 #define _GNU_SOURCE /* qsort_r */
+#include "base/closeness.h"
 #include "base/facets.h"
-#include "base/near.h"
 #include "base/overlap.h"
 #include "block/check_ring.h"
 #include "block/ring_meetings.h"
@@ -90,22 +90,22 @@ static bool take_meeting(void *context, tp_geom_meeting meeting) {
  * other, where that is 1/1000 of the block at most. */
 static void slight_cut(char *text, size_t size, const search *s, long edge_a, long edge_b) {
   static const double share_of_size = 1e-3;
-  const tp_near_pair pairs[] = {{false, edge_a, edge_b},
-                                {false, next_of_outline(s, s->outline + edge_a), edge_b},
-                                {true, edge_b, edge_a},
-                                {true, edge_b + 1, edge_a}};
-  tp_near near;
+  const tp_closeness_pair pairs[] = {{false, edge_a, edge_b},
+                                     {false, next_of_outline(s, s->outline + edge_a), edge_b},
+                                     {true, edge_b, edge_a},
+                                     {true, edge_b + 1, edge_a}};
+  tp_closeness near;
   fmpq_t share, square, least;
   int side;
-  tp_near_init(&near, s->section, s->base, s->lattice);
+  tp_closeness_init(&near, s->section, s->base, s->lattice);
   fmpq_init(share);
   fmpq_init(square);
   fmpq_init(least);
   for (size_t k = 0; k < sizeof pairs / sizeof pairs[0]; k++) {
-    tp_near_foot(share, square, &side, &near, pairs + k);
+    tp_closeness_foot(share, square, &side, &near, pairs + k);
     if (k == 0 || fmpq_cmp(square, least) < 0) fmpq_set(least, square);
   }
-  const double by = tp_near_root(least);
+  const double by = tp_closeness_root(least);
   text[0] = '\0';
   if (s->base->mated_count == 0 && by <= share_of_size * near.size * near.unit) {
     snprintf(text, size,

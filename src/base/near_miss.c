@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* What nearly touches, by the criterion of base/near.h, and its words. */
+/* What nearly touches, by the criterion of base/closeness.h, and its words. */
 
-#include "base/near.h"
+#include "base/closeness.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,15 +19,15 @@ typedef struct least {
 } least;
 
 typedef struct search {
-  const tp_near *near;
+  const tp_closeness *near;
   least *vertices, *points; /* of the outline; of the profile */
 } search;
 
-static least *least_of(const search *s, const tp_near_pair *pair) {
+static least *least_of(const search *s, const tp_closeness_pair *pair) {
   return (pair->of_base ? s->points : s->vertices) + pair->vertex;
 }
 
-static bool is_on(const tp_near *n, const tp_near_pair *pair) {
+static bool is_on(const tp_closeness *n, const tp_closeness_pair *pair) {
   const long outline = n->lattice->start[1];
   const long point = pair->of_base ? n->ring + pair->vertex : pair->vertex;
   const long from = pair->of_base ? pair->edge : n->ring + pair->edge;
@@ -38,7 +38,7 @@ static bool is_on(const tp_near *n, const tp_near_pair *pair) {
 }
 
 /* In the unit of the search; exact where doubles do not tell it from 0. */
-static bool take(void *context, const tp_near_pair *pair, double distance) {
+static bool take(void *context, const tp_closeness_pair *pair, double distance) {
   const search *s = context;
   least *own = least_of(s, pair);
   enum { ROOM = 16 };
@@ -51,9 +51,9 @@ static bool take(void *context, const tp_near_pair *pair, double distance) {
       int side;
       fmpq_init(share);
       fmpq_init(square);
-      tp_near_foot(share, square, &side, s->near, pair);
+      tp_closeness_foot(share, square, &side, s->near, pair);
       /* a gap too small for a double is the least of one */
-      distance = fmax(tp_near_root(square) / s->near->unit, 0x1p-1074);
+      distance = fmax(tp_closeness_root(square) / s->near->unit, 0x1p-1074);
       fmpq_clear(share);
       fmpq_clear(square);
     }
@@ -62,12 +62,12 @@ static bool take(void *context, const tp_near_pair *pair, double distance) {
   return true;
 }
 
-static double edge_length(const tp_near *n, long from, long to) {
+static double edge_length(const tp_closeness *n, long from, long to) {
   const tp_lattice *l = n->lattice;
   return hypot((l->u[to] - l->u[from]) * n->scale_u, (l->v[to] - l->v[from]) * n->scale_v);
 }
 
-static double shorter_edge(const tp_near *n, const tp_near_pair *pair) {
+static double shorter_edge(const tp_closeness *n, const tp_closeness_pair *pair) {
   const long k = pair->vertex, outline = n->lattice->start[1];
   if (!pair->of_base) {
     return fmin(edge_length(n, k, (k + 1) % outline),
@@ -79,7 +79,7 @@ static double shorter_edge(const tp_near *n, const tp_near_pair *pair) {
   return length;
 }
 
-static void describe(tp_near_miss *miss, const tp_near *n, tp_near_pair pair) {
+static void describe(tp_near_miss *miss, const tp_closeness *n, tp_closeness_pair pair) {
   const long outline = n->lattice->start[1];
   const long from = pair.of_base ? pair.edge : n->ring + pair.edge;
   const long to = pair.of_base ? (pair.edge + 1) % outline : from + 1;
@@ -88,9 +88,9 @@ static void describe(tp_near_miss *miss, const tp_near *n, tp_near_pair pair) {
   int side;
   fmpq_init(share);
   fmpq_init(square);
-  tp_near_foot(share, square, &side, n, &pair);
+  tp_closeness_foot(share, square, &side, n, &pair);
   miss->pair = pair;
-  miss->gap = tp_near_root(square);
+  miss->gap = tp_closeness_root(square);
   miss->beside =
       fabs((l->v[to] - l->v[from]) * n->scale_v) > fabs((l->u[to] - l->u[from]) * n->scale_u);
   fmpq_clear(share);
@@ -99,23 +99,23 @@ static void describe(tp_near_miss *miss, const tp_near *n, tp_near_pair pair) {
 
 /* Of the vertices of one body: how many miss nearly, and the farthest of them; or the nearest. */
 static void pick(const search *s, bool of_base, bool apart, long *count, double *most,
-                 tp_near_pair *pair) {
-  const tp_near *n = s->near;
+                 tp_closeness_pair *pair) {
+  const tp_closeness *n = s->near;
   const long vertices = of_base ? n->points : n->lattice->start[1];
   for (long k = 0; k < vertices; k++) {
-    const tp_near_pair own = {of_base, k, 0};
+    const tp_closeness_pair own = {of_base, k, 0};
     const least *found = least_of(s, &own);
     if (found->distance == 0 || isinf(found->distance)) continue;
     if (!apart && found->distance > share_of_edge * shorter_edge(n, &own)) continue;
     if (*count == 0 || (apart ? found->distance < *most : found->distance > *most)) {
       *most = found->distance;
-      *pair = (tp_near_pair){of_base, k, found->edge};
+      *pair = (tp_closeness_pair){of_base, k, found->edge};
     }
     (*count)++;
   }
 }
 
-bool tp_near_miss_find(tp_near_miss *miss, const tp_near *near, bool apart) {
+bool tp_near_miss_find(tp_near_miss *miss, const tp_closeness *near, bool apart) {
   const long outline = near->lattice->start[1];
   search s = {.near = near};
   *miss = (tp_near_miss){.count = 0};
@@ -125,9 +125,9 @@ bool tp_near_miss_find(tp_near_miss *miss, const tp_near *near, bool apart) {
   for (long k = 0; k < outline && done; k++) s.vertices[k] = (least){INFINITY, 0};
   for (long k = 0; k < near->points && done; k++) s.points[k] = (least){INFINITY, 0};
   double within = share_of_size * near->size, most = 0;
-  tp_near_pair pair = {false, 0, 0};
+  tp_closeness_pair pair = {false, 0, 0};
   for (bool again = done; again; within *= farther) {
-    (void)tp_near_visit(near, within, take, &s);
+    (void)tp_closeness_visit(near, within, take, &s);
     pick(&s, false, apart, &miss->count, &most, &pair);
     pick(&s, true, apart, &miss->count, &most, &pair);
     again = apart && miss->count == 0 && within < farther * near->size;
@@ -141,8 +141,9 @@ bool tp_near_miss_find(tp_near_miss *miss, const tp_near *near, bool apart) {
   return done;
 }
 
-void tp_near_miss_text(char *text, size_t size, const tp_near_miss *miss, const tp_near *near) {
-  const tp_near_pair *p = &miss->pair;
+void tp_near_miss_text(char *text, size_t size, const tp_near_miss *miss,
+                       const tp_closeness *near) {
+  const tp_closeness_pair *p = &miss->pair;
   const char *unit = near->base->unit;
   if (p->of_base) {
     snprintf(text, size, "point %ld of the profile lies %.2g %s %s the block",

@@ -10,7 +10,7 @@
 
 /* The nearest point of the other body to a vertex, by an edge and a share of it. */
 typedef struct foot {
-  tp_near_pair pair;
+  tp_closeness_pair pair;
   fmpq_t share, square;
   int side;
   long corner; /* of the block alone: the nearest point of the profile that it fits; or -1 */
@@ -23,7 +23,7 @@ typedef struct taken {
 } taken;
 
 typedef struct search {
-  const tp_near *near;
+  const tp_closeness *near;
   const tp_polyline *outline, *ring;
   fmpq_t limit; /* the square of w */
   long count, capacity;
@@ -96,7 +96,7 @@ static void consider_corner(const search *s, foot *f, long point) {
   fmpq_clear(square);
 }
 
-static foot *add_foot(search *s, const tp_near_pair *pair) {
+static foot *add_foot(search *s, const tp_closeness_pair *pair) {
   foot *room = tp_grow(s->feet, s->count, &s->capacity, sizeof *room);
   if (room == NULL) return NULL;
   s->feet = room;
@@ -109,7 +109,7 @@ static foot *add_foot(search *s, const tp_near_pair *pair) {
   return f;
 }
 
-static bool take(void *context, const tp_near_pair *pair, double distance) {
+static bool take(void *context, const tp_closeness_pair *pair, double distance) {
   search *s = context;
   fmpq_t share, square;
   int side = 0;
@@ -117,7 +117,7 @@ static bool take(void *context, const tp_near_pair *pair, double distance) {
   (void)distance;
   fmpq_init(share);
   fmpq_init(square);
-  tp_near_foot(share, square, &side, s->near, pair);
+  tp_closeness_foot(share, square, &side, s->near, pair);
   if (fmpq_cmp(square, s->limit) <= 0) {
     const long known = (pair->of_base ? s->of_point : s->of_vertex)[pair->vertex];
     foot *f = known >= 0 ? s->feet + known : add_foot(s, pair);
@@ -413,7 +413,7 @@ static bool build(tp_snap *snap, const search *s) {
 /* ------------------------------------------------------------------------------------------------
  */
 
-static bool search_init(search *s, const tp_near *near, const fmpq_t within) {
+static bool search_init(search *s, const tp_closeness *near, const fmpq_t within) {
   *s = (search){.near = near, .outline = near->section->rings, .ring = &near->base->ring};
   fmpq_init(s->limit);
   fmpq_mul(s->limit, within, within);
@@ -440,10 +440,11 @@ static void search_clear(search *s) {
   free(s->points);
 }
 
-bool tp_snap_find(tp_snap *snap, const tp_near *near, const fmpq_t within) {
+bool tp_snap_find(tp_snap *snap, const tp_closeness *near, const fmpq_t within) {
   search s;
   const double reach = fmpq_get_d(within) / near->unit;
-  bool done = search_init(&s, near, within) && tp_near_visit(near, reach * (1 + 0x1p-50), take, &s);
+  bool done =
+      search_init(&s, near, within) && tp_closeness_visit(near, reach * (1 + 0x1p-50), take, &s);
   for (long k = 0; k < s.count && done; k++) {
     const foot *f = s.feet + k;
     if (is_inside(&s, f) && fmpq_cmp(f->square, snap->overlap) > 0) {

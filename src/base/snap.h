@@ -16,7 +16,7 @@
 #ifndef TP_SNAP_H
 #define TP_SNAP_H
 
-#include "base/near.h"
+#include "base/closeness.h"
 
 /* What was moved; squares in scene lengths. */
 typedef struct tp_snap {
@@ -35,16 +35,17 @@ void tp_snap_clear(tp_snap *snap);
 
 /* False when memory is exhausted. Whether the new outline meets itself, or the profile, is for the
  * caller to see. */
-TP_MUST_USE bool tp_snap_find(tp_snap *snap, const tp_near *near, const fmpq_t within);
+TP_MUST_USE bool tp_snap_find(tp_snap *snap, const tp_closeness *near, const fmpq_t within);
 
 /* The shortest edge of the outline, or of the profile from `low` to `high` along x, if it is
  * shorter than `within`: true, with the square of its length, and by its first point. */
-bool tp_snap_short_edge(fmpq_t square, bool *of_base, long *edge, const tp_near *near,
+bool tp_snap_short_edge(fmpq_t square, bool *of_base, long *edge, const tp_closeness *near,
                         const fmpq_t within);
 
 /* The largest height along y of the new outline over the profile, and the other way round, between
  * the first contact and the last; in doubles, scene lengths, with a bound. False when memory is
  * exhausted. */
-TP_MUST_USE bool tp_snap_gap(double *gap, double *error, const tp_snap *snap, const tp_near *near);
+TP_MUST_USE bool tp_snap_gap(double *gap, double *error, const tp_snap *snap,
+                             const tp_closeness *near);
 
 #endif

@@ -31,7 +31,7 @@ static bool is_shorter(fmpq_t square, const tp_polyline *line, long from, long t
   return shorter;
 }
 
-bool tp_snap_short_edge(fmpq_t square, bool *of_base, long *edge, const tp_near *near,
+bool tp_snap_short_edge(fmpq_t square, bool *of_base, long *edge, const tp_closeness *near,
                         const fmpq_t within) {
   const tp_polyline *outline = near->section->rings, *ring = &near->base->ring;
   fmpq_t low, high;
@@ -153,7 +153,7 @@ static void cover_points(heights *h, long k) {
   }
 }
 
-static bool heights_init(heights *h, const tp_snap *snap, const tp_near *near) {
+static bool heights_init(heights *h, const tp_snap *snap, const tp_closeness *near) {
   *h = (heights){.outline = snap->outline.count, .points = near->points};
   const size_t all = (size_t)(h->outline + h->points);
   h->u = malloc(all * sizeof *h->u);
@@ -167,7 +167,7 @@ static bool heights_init(heights *h, const tp_snap *snap, const tp_near *near) {
   return true;
 }
 
-bool tp_snap_gap(double *gap, double *error, const tp_snap *snap, const tp_near *near) {
+bool tp_snap_gap(double *gap, double *error, const tp_snap *snap, const tp_closeness *near) {
   heights h;
   const bool done = heights_init(&h, snap, near);
   if (done) {

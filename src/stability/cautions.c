@@ -3,7 +3,7 @@
 
 #include "stability/cautions.h"
 
-#include "base/near.h"
+#include "base/closeness.h"
 #include "notes.h"
 
 #include <stdio.h>
@@ -92,10 +92,10 @@ static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_messag
       block->arc_count > 0 || problem->corners.count > 0) {
     return TP_OK;
   }
-  tp_near near;
+  tp_closeness near;
   tp_near_miss miss;
   char gap[200], more[100] = "";
-  tp_near_init(&near, &problem->section, &problem->base, &problem->lattice);
+  tp_closeness_init(&near, &problem->section, &problem->base, &problem->lattice);
   if (!tp_near_miss_find(&miss, &near, false)) return tp_fail_memory(message, "the contact");
   if (miss.count == 0) return TP_OK;
   tp_near_miss_text(gap, sizeof gap, &miss, &near);

@@ -24,7 +24,7 @@ static tp_status check_form(const tp_scene *scene, tp_message *message) {
   return TP_OK;
 }
 
-static tp_status check_edges(const tp_near *near, const tp_scene *scene, tp_message *message) {
+static tp_status check_edges(const tp_closeness *near, const tp_scene *scene, tp_message *message) {
   const fmpq *within = scene->base.within.value;
   fmpq_t square;
   bool of_base = false;
@@ -42,13 +42,13 @@ static tp_status check_edges(const tp_near *near, const tp_scene *scene, tp_mess
                      "vertex %ld of the %s (%s) is %.3g %s long; give at most the shortest edge",
                      text, scene->length_unit, tp_polyline_number(line, edge),
                      tp_polyline_number(line, next), of_base ? "profile" : "outline", where,
-                     tp_near_root(square), scene->length_unit);
+                     tp_closeness_root(square), scene->length_unit);
   }
   fmpq_clear(square);
   return status;
 }
 
-static tp_status snap(tp_snapped *s, const tp_near *near, const tp_scene *scene,
+static tp_status snap(tp_snapped *s, const tp_closeness *near, const tp_scene *scene,
                       tp_message *message) {
   tp_status status = check_edges(near, scene, message);
   if (status != TP_OK) return status;
@@ -147,12 +147,12 @@ static tp_status fill(tp_snapped *s, const tp_scene *scene, const tp_section *se
                       tp_message *message) {
   tp_base base;
   tp_lattice lattice = {0};
-  tp_near near;
+  tp_closeness near;
   tp_status status = tp_base_init(&base, scene, section, message);
   if (status != TP_OK) return status;
   status = tp_as_given_check(&lattice, scene, section, &base.ring, message);
   if (status == TP_OK) {
-    tp_near_init(&near, section, &base, &lattice);
+    tp_closeness_init(&near, section, &base, &lattice);
     status = snap(s, &near, scene, message);
     tp_lattice_clear(&lattice);
   }

@@ -9,13 +9,13 @@
  * it. So it lies nearly flush with what it faces, at any scale: of an edge that leaves a contact
  * at more than 0.6 degrees the far end is none. */
 
-#ifndef TP_NEAR_H
-#define TP_NEAR_H
+#ifndef TP_CLOSENESS_H
+#define TP_CLOSENESS_H
 
 #include "base/profile.h"
 
 /* Coordinates in doubles, of one unit for x and y. */
-typedef struct tp_near {
+typedef struct tp_closeness {
   const tp_section *section;
   const tp_base *base;
   const tp_lattice *lattice;
@@ -24,44 +24,45 @@ typedef struct tp_near {
   double unit;             /* in scene lengths */
   double error;            /* of a distance */
   double size;             /* of the block */
-} tp_near;
+} tp_closeness;
 
 /* A vertex of the outline (of the profile, for `of_base`) and an edge of the other body: of the
  * profile, or of the underside, whose edges run to the right or upright; by their first points. */
-typedef struct tp_near_pair {
+typedef struct tp_closeness_pair {
   bool of_base;
   long vertex, edge;
-} tp_near_pair;
+} tp_closeness_pair;
 
 /* The base's ring is the chain of the lattice after the section's rings. */
-void tp_near_init(tp_near *near, const tp_section *section, const tp_base *base,
-                  const tp_lattice *lattice);
+void tp_closeness_init(tp_closeness *near, const tp_section *section, const tp_base *base,
+                       const tp_lattice *lattice);
 
 /* All pairs whose distance, in doubles, is at most `within` and the error; false ends the search,
  * and is what it returns then. */
-typedef bool (*tp_near_visitor)(void *context, const tp_near_pair *pair, double distance);
-bool tp_near_visit(const tp_near *near, double within, tp_near_visitor visitor, void *context);
+typedef bool (*tp_closeness_visitor)(void *context, const tp_closeness_pair *pair, double distance);
+bool tp_closeness_visit(const tp_closeness *near, double within, tp_closeness_visitor visitor,
+                        void *context);
 
 /* The nearest point of the edge, as a share of it in [0, 1], the square of the distance from it, in
  * scene lengths, and the side of the edge on which the vertex lies: 1 left of it. Exact. */
-void tp_near_foot(fmpq_t share, fmpq_t square, int *side, const tp_near *near,
-                  const tp_near_pair *pair);
+void tp_closeness_foot(fmpq_t share, fmpq_t square, int *side, const tp_closeness *near,
+                       const tp_closeness_pair *pair);
 
 /* The root of a square, as a double. */
-double tp_near_root(const fmpq_t square);
+double tp_closeness_root(const fmpq_t square);
 
 typedef struct tp_near_miss {
-  long count;        /* of the near misses */
-  tp_near_pair pair; /* that with the largest gap */
-  double gap;        /* scene lengths */
-  bool beside;       /* the edge is steep: else above, or below */
+  long count;             /* of the near misses */
+  tp_closeness_pair pair; /* that with the largest gap */
+  double gap;             /* scene lengths */
+  bool beside;            /* the edge is steep: else above, or below */
 } tp_near_miss;
 
 /* Near misses of a block that touches its base; of one that does not (`apart`) what comes nearest
  * to it, as one. False when memory is exhausted. */
-TP_MUST_USE bool tp_near_miss_find(tp_near_miss *miss, const tp_near *near, bool apart);
+TP_MUST_USE bool tp_near_miss_find(tp_near_miss *miss, const tp_closeness *near, bool apart);
 
 /* "vertex 7 of the outline lies 0.1 mm above the base". */
-void tp_near_miss_text(char *text, size_t size, const tp_near_miss *miss, const tp_near *near);
+void tp_near_miss_text(char *text, size_t size, const tp_near_miss *miss, const tp_closeness *near);
 
 #endif

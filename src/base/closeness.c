@@ -1,23 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "base/near.h"
+#include "base/closeness.h"
 
 #include <arb.h>
 #include <float.h>
 #include <math.h>
 
-static double u_of(const tp_near *n, long point) {
+static double u_of(const tp_closeness *n, long point) {
   return n->lattice->u[point] * n->scale_u;
 }
 
-static double v_of(const tp_near *n, long point) {
+static double v_of(const tp_closeness *n, long point) {
   return n->lattice->v[point] * n->scale_v;
 }
 
 /* Scene lengths in the unit, 2^exponent steps of the lattice: by the height of the base's ring,
  * which is never 0. */
-static double unit_of(const tp_near *n, long exponent) {
+static double unit_of(const tp_closeness *n, long exponent) {
   const tp_polyline *ring = &n->base->ring;
   const long last = ring->count - 1;
   fmpq_t unit;
@@ -37,16 +37,16 @@ static double unit_of(const tp_near *n, long exponent) {
 /* Each coordinate is off by 2^-53 of the largest, a difference of two by four times that. With the
  * share t of the edge in [0, 1] the distance |r - t e| takes up the errors of r, of e, and of t,
  * which is some two of these over |e|: 2^-49 of the largest covers them and the rounding. */
-void tp_near_init(tp_near *near, const tp_section *section, const tp_base *base,
-                  const tp_lattice *l) {
+void tp_closeness_init(tp_closeness *near, const tp_section *section, const tp_base *base,
+                       const tp_lattice *l) {
   const long exponent = l->exponent_u > l->exponent_v ? l->exponent_u : l->exponent_v;
-  *near = (tp_near){.section = section,
-                    .base = base,
-                    .lattice = l,
-                    .ring = l->start[section->ring_count],
-                    .points = base->edge_count + 1,
-                    .scale_u = ldexp(1, (int)(l->exponent_u - exponent)),
-                    .scale_v = ldexp(1, (int)(l->exponent_v - exponent))};
+  *near = (tp_closeness){.section = section,
+                         .base = base,
+                         .lattice = l,
+                         .ring = l->start[section->ring_count],
+                         .points = base->edge_count + 1,
+                         .scale_u = ldexp(1, (int)(l->exponent_u - exponent)),
+                         .scale_v = ldexp(1, (int)(l->exponent_v - exponent))};
   near->unit = unit_of(near, exponent);
   double largest = 0, low_u = INFINITY, low_v = INFINITY, high_u = -INFINITY, high_v = -INFINITY;
   for (long k = 0; k < l->start[1]; k++) {
@@ -68,7 +68,7 @@ void tp_near_init(tp_near *near, const tp_section *section, const tp_base *base,
  */
 
 /* The first point of the profile at `low` or right of it. */
-static long first_from(const tp_near *n, double low) {
+static long first_from(const tp_closeness *n, double low) {
   long a = 0, b = n->points;
   while (a < b) {
     const long middle = a + (b - a) / 2;
@@ -81,7 +81,7 @@ static long first_from(const tp_near *n, double low) {
   return a;
 }
 
-static double distance(const tp_near *n, long point, long from, long to) {
+static double distance(const tp_closeness *n, long point, long from, long to) {
   const double eu = u_of(n, to) - u_of(n, from), ev = v_of(n, to) - v_of(n, from);
   const double ru = u_of(n, point) - u_of(n, from), rv = v_of(n, point) - v_of(n, from);
   const double square = eu * eu + ev * ev;
@@ -89,24 +89,26 @@ static double distance(const tp_near *n, long point, long from, long to) {
   return hypot(ru - share * eu, rv - share * ev);
 }
 
-static long next_of_outline(const tp_near *n, long vertex) {
+static long next_of_outline(const tp_closeness *n, long vertex) {
   return vertex + 1 == n->lattice->start[1] ? 0 : vertex + 1;
 }
 
-static bool visit_vertices(const tp_near *n, double reach, tp_near_visitor visitor, void *context) {
+static bool visit_vertices(const tp_closeness *n, double reach, tp_closeness_visitor visitor,
+                           void *context) {
   for (long k = 0; k < n->lattice->start[1]; k++) {
     const double u = u_of(n, k);
     long edge = first_from(n, u - reach);
     if (edge > 0) edge--;
     for (; edge + 1 < n->points && u_of(n, n->ring + edge) <= u + reach; edge++) {
       const double d = distance(n, k, n->ring + edge, n->ring + edge + 1);
-      if (d <= reach && !visitor(context, &(tp_near_pair){false, k, edge}, d)) return false;
+      if (d <= reach && !visitor(context, &(tp_closeness_pair){false, k, edge}, d)) return false;
     }
   }
   return true;
 }
 
-static bool visit_points(const tp_near *n, double reach, tp_near_visitor visitor, void *context) {
+static bool visit_points(const tp_closeness *n, double reach, tp_closeness_visitor visitor,
+                         void *context) {
   for (long k = 0; k < n->lattice->start[1]; k++) {
     const long next = next_of_outline(n, k);
     if (u_of(n, next) < u_of(n, k)) continue;
@@ -117,13 +119,14 @@ static bool visit_points(const tp_near *n, double reach, tp_near_visitor visitor
       const double v = v_of(n, n->ring + p);
       if (v < low - reach || v > high + reach) continue;
       const double d = distance(n, n->ring + p, k, next);
-      if (d <= reach && !visitor(context, &(tp_near_pair){true, p, k}, d)) return false;
+      if (d <= reach && !visitor(context, &(tp_closeness_pair){true, p, k}, d)) return false;
     }
   }
   return true;
 }
 
-bool tp_near_visit(const tp_near *near, double within, tp_near_visitor visitor, void *context) {
+bool tp_closeness_visit(const tp_closeness *near, double within, tp_closeness_visitor visitor,
+                        void *context) {
   const double reach = within + near->error;
   return visit_vertices(near, reach, visitor, context) &&
          visit_points(near, reach, visitor, context);
@@ -134,8 +137,8 @@ bool tp_near_visit(const tp_near *near, double within, tp_near_visitor visitor, 
 
 /* With r from the edge's first point to the vertex and e along the edge: t = r . e / e . e, cut to
  * [0, 1], and |r - t e|^2. */
-void tp_near_foot(fmpq_t share, fmpq_t square, int *side, const tp_near *near,
-                  const tp_near_pair *pair) {
+void tp_closeness_foot(fmpq_t share, fmpq_t square, int *side, const tp_closeness *near,
+                       const tp_closeness_pair *pair) {
   const tp_polyline *outline = near->section->rings, *ring = &near->base->ring;
   const tp_polyline *own = pair->of_base ? ring : outline, *other = pair->of_base ? outline : ring;
   const long next = pair->of_base ? next_of_outline(near, pair->edge) : pair->edge + 1;
@@ -174,7 +177,7 @@ void tp_near_foot(fmpq_t share, fmpq_t square, int *side, const tp_near *near,
   fmpq_clear(work);
 }
 
-double tp_near_root(const fmpq_t square) {
+double tp_closeness_root(const fmpq_t square) {
   enum { BITS = 64 };
   arb_t root;
   arb_init(root);
