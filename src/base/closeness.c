@@ -93,13 +93,32 @@ static long next_of_outline(const tp_closeness *n, long vertex) {
   return vertex + 1 == n->lattice->start[1] ? 0 : vertex + 1;
 }
 
-static bool visit_vertices(const tp_closeness *n, double reach, tp_closeness_visitor visitor,
-                           void *context) {
+static double edge_length(const tp_closeness *n, long from, long to) {
+  return hypot(u_of(n, to) - u_of(n, from), v_of(n, to) - v_of(n, from));
+}
+
+double tp_closeness_shorter_edge(const tp_closeness *n, bool of_base, long k) {
+  const long outline = n->lattice->start[1];
+  if (!of_base) {
+    return fmin(edge_length(n, k, next_of_outline(n, k)),
+                edge_length(n, (k == 0 ? outline : k) - 1, k));
+  }
+  double length = INFINITY;
+  if (k > 0) length = fmin(length, edge_length(n, n->ring + k - 1, n->ring + k));
+  if (k + 1 < n->points) length = fmin(length, edge_length(n, n->ring + k, n->ring + k + 1));
+  return length;
+}
+
+static bool visit_vertices(const tp_closeness *n, const tp_closeness_reach *r,
+                           tp_closeness_visitor visitor, void *context) {
   for (long k = 0; k < n->lattice->start[1]; k++) {
-    const double u = u_of(n, k);
-    long edge = first_from(n, u - reach);
+    const double own =
+        r->share_of_edge > 0 ? r->share_of_edge * tp_closeness_shorter_edge(n, false, k) : INFINITY;
+    const double reach = fmin(r->within, own) + n->error;
+    const double u = u_of(n, k), across = r->upright ? n->error : reach;
+    long edge = first_from(n, u - across);
     if (edge > 0) edge--;
-    for (; edge + 1 < n->points && u_of(n, n->ring + edge) <= u + reach; edge++) {
+    for (; edge + 1 < n->points && u_of(n, n->ring + edge) <= u + across; edge++) {
       const double d = distance(n, k, n->ring + edge, n->ring + edge + 1);
       if (d <= reach && !visitor(context, &(tp_closeness_pair){false, k, edge}, d)) return false;
     }
@@ -107,14 +126,16 @@ static bool visit_vertices(const tp_closeness *n, double reach, tp_closeness_vis
   return true;
 }
 
-static bool visit_points(const tp_closeness *n, double reach, tp_closeness_visitor visitor,
-                         void *context) {
+static bool visit_points(const tp_closeness *n, const tp_closeness_reach *r,
+                         tp_closeness_visitor visitor, void *context) {
   for (long k = 0; k < n->lattice->start[1]; k++) {
     const long next = next_of_outline(n, k);
     if (u_of(n, next) < u_of(n, k)) continue;
+    const double own = r->share_of_edge > 0 ? edge_length(n, k, next) : INFINITY;
+    const double reach = fmin(r->within, own) + n->error, across = r->upright ? n->error : reach;
     const double low = fmin(v_of(n, k), v_of(n, next)), high = fmax(v_of(n, k), v_of(n, next));
-    const double last = u_of(n, next) + reach;
-    for (long p = first_from(n, u_of(n, k) - reach); p < n->points && u_of(n, n->ring + p) <= last;
+    const double last = u_of(n, next) + across;
+    for (long p = first_from(n, u_of(n, k) - across); p < n->points && u_of(n, n->ring + p) <= last;
          p++) {
       const double v = v_of(n, n->ring + p);
       if (v < low - reach || v > high + reach) continue;
@@ -125,9 +146,8 @@ static bool visit_points(const tp_closeness *n, double reach, tp_closeness_visit
   return true;
 }
 
-bool tp_closeness_visit(const tp_closeness *near, double within, tp_closeness_visitor visitor,
-                        void *context) {
-  const double reach = within + near->error;
+bool tp_closeness_visit(const tp_closeness *near, const tp_closeness_reach *reach,
+                        tp_closeness_visitor visitor, void *context) {
   return visit_vertices(near, reach, visitor, context) &&
          visit_points(near, reach, visitor, context);
 }

@@ -6,8 +6,9 @@
  *
  * A near miss is a vertex that does not touch, and lies from the other body by no more than 1/1000
  * of the block's width or height, whichever is larger, and 1/100 of the shorter edge that ends in
- * it. So it lies nearly flush with what it faces, at any scale: of an edge that leaves a contact
- * at more than 0.6 degrees the far end is none. */
+ * it; a point of the profile besides no farther than the block's edge is long. So it lies nearly
+ * flush with what it faces, at any scale: of an edge that leaves a contact at more than 0.6 degrees
+ * the far end is none. */
 
 #ifndef TP_CLOSENESS_H
 #define TP_CLOSENESS_H
@@ -37,11 +38,22 @@ typedef struct tp_closeness_pair {
 void tp_closeness_init(tp_closeness *near, const tp_section *section, const tp_base *base,
                        const tp_lattice *lattice);
 
-/* All pairs whose distance, in doubles, is at most `within` and the error; false ends the search,
- * and is what it returns then. */
+/* How far to look. */
+typedef struct tp_closeness_reach {
+  double within;        /* the greatest distance */
+  double share_of_edge; /* above 0: at most this share of the shorter edge at a vertex of the block,
+                           and of a point of the profile at most the length of the edge */
+  bool upright;         /* only along y */
+} tp_closeness_reach;
+
+/* All pairs whose distance, in doubles, is within reach and the error; false ends the search, and
+ * is what it returns then. */
 typedef bool (*tp_closeness_visitor)(void *context, const tp_closeness_pair *pair, double distance);
-bool tp_closeness_visit(const tp_closeness *near, double within, tp_closeness_visitor visitor,
-                        void *context);
+bool tp_closeness_visit(const tp_closeness *near, const tp_closeness_reach *reach,
+                        tp_closeness_visitor visitor, void *context);
+
+/* Of the edges that end in a vertex of the outline, or of the profile. */
+double tp_closeness_shorter_edge(const tp_closeness *near, bool of_base, long vertex);
 
 /* The nearest point of the edge, as a share of it in [0, 1], the square of the distance from it, in
  * scene lengths, and the side of the edge on which the vertex lies: 1 left of it. Exact. */
@@ -58,8 +70,9 @@ typedef struct tp_near_miss {
   bool beside;            /* the edge is steep: else above, or below */
 } tp_near_miss;
 
-/* Near misses of a block that touches its base; of one that does not (`apart`) what comes nearest
- * to it, as one. False when memory is exhausted. */
+/* Near misses of a block that touches its base; of one that does not (`apart`) what of it and of
+ * the profile below it, or above, is nearest to the other, as one. False when memory is exhausted.
+ */
 TP_MUST_USE bool tp_near_miss_find(tp_near_miss *miss, const tp_closeness *near, bool apart);
 
 /* "vertex 7 of the outline lies 0.1 mm above the base". */

@@ -10,7 +10,6 @@
 #include <stdlib.h>
 
 static const double share_of_size = 1e-3, share_of_edge = 1e-2;
-static const double farther = 10; /* from one round of the search for the nearest to the next */
 
 /* Of a vertex: its least distance so far, and the edge. */
 typedef struct least {
@@ -62,23 +61,6 @@ static bool take(void *context, const tp_closeness_pair *pair, double distance) 
   return true;
 }
 
-static double edge_length(const tp_closeness *n, long from, long to) {
-  const tp_lattice *l = n->lattice;
-  return hypot((l->u[to] - l->u[from]) * n->scale_u, (l->v[to] - l->v[from]) * n->scale_v);
-}
-
-static double shorter_edge(const tp_closeness *n, const tp_closeness_pair *pair) {
-  const long k = pair->vertex, outline = n->lattice->start[1];
-  if (!pair->of_base) {
-    return fmin(edge_length(n, k, (k + 1) % outline),
-                edge_length(n, (k + outline - 1) % outline, k));
-  }
-  double length = INFINITY;
-  if (k > 0) length = fmin(length, edge_length(n, n->ring + k - 1, n->ring + k));
-  if (k + 1 < n->points) length = fmin(length, edge_length(n, n->ring + k, n->ring + k + 1));
-  return length;
-}
-
 static void describe(tp_near_miss *miss, const tp_closeness *n, tp_closeness_pair pair) {
   const long outline = n->lattice->start[1];
   const long from = pair.of_base ? pair.edge : n->ring + pair.edge;
@@ -106,7 +88,8 @@ static void pick(const search *s, bool of_base, bool apart, long *count, double 
     const tp_closeness_pair own = {of_base, k, 0};
     const least *found = least_of(s, &own);
     if (found->distance == 0 || isinf(found->distance)) continue;
-    if (!apart && found->distance > share_of_edge * shorter_edge(n, &own)) continue;
+    if (!apart && found->distance > share_of_edge * tp_closeness_shorter_edge(n, of_base, k))
+      continue;
     if (*count == 0 || (apart ? found->distance < *most : found->distance > *most)) {
       *most = found->distance;
       *pair = (tp_closeness_pair){of_base, k, found->edge};
@@ -124,13 +107,15 @@ bool tp_near_miss_find(tp_near_miss *miss, const tp_closeness *near, bool apart)
   const bool done = s.vertices != NULL && s.points != NULL;
   for (long k = 0; k < outline && done; k++) s.vertices[k] = (least){INFINITY, 0};
   for (long k = 0; k < near->points && done; k++) s.points[k] = (least){INFINITY, 0};
-  double within = share_of_size * near->size, most = 0;
+  double most = 0;
   tp_closeness_pair pair = {false, 0, 0};
-  for (bool again = done; again; within *= farther) {
-    (void)tp_closeness_visit(near, within, take, &s);
+  const tp_closeness_reach reach = {.within = apart ? INFINITY : share_of_size * near->size,
+                                    .share_of_edge = apart ? 0 : share_of_edge,
+                                    .upright = apart};
+  if (done) {
+    (void)tp_closeness_visit(near, &reach, take, &s);
     pick(&s, false, apart, &miss->count, &most, &pair);
     pick(&s, true, apart, &miss->count, &most, &pair);
-    again = apart && miss->count == 0 && within < farther * near->size;
   }
   if (miss->count > 0) {
     if (apart) miss->count = 1;

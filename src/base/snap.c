@@ -442,9 +442,8 @@ static void search_clear(search *s) {
 
 bool tp_snap_find(tp_snap *snap, const tp_closeness *near, const fmpq_t within) {
   search s;
-  const double reach = fmpq_get_d(within) / near->unit;
-  bool done =
-      search_init(&s, near, within) && tp_closeness_visit(near, reach * (1 + 0x1p-50), take, &s);
+  const tp_closeness_reach reach = {.within = fmpq_get_d(within) / near->unit * (1 + 0x1p-50)};
+  bool done = search_init(&s, near, within) && tp_closeness_visit(near, &reach, take, &s);
   for (long k = 0; k < s.count && done; k++) {
     const foot *f = s.feet + k;
     if (is_inside(&s, f) && fmpq_cmp(f->square, snap->overlap) > 0) {
