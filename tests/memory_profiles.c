@@ -6,8 +6,6 @@
 #include "memory_charts.h"
 #include "memory_expect.h"
 
-#define EXAMPLE(name) TP_EXAMPLES "/" name
-
 void measure_profile(void) {
   tp_profile *profile = NULL;
   tp_message message = {""};
