@@ -60,6 +60,10 @@ static void solve_bond(void) {
   solve_scene(EXAMPLE("block_bonded.yaml"), false);
 }
 
+static void solve_at_rest(void) {
+  solve_scene(EXAMPLE("resting_block.yaml"), false);
+}
+
 /* A limit whose facets only the simplex method at many bits tells apart. What is missing for want
  * of memory is not to be called undecided. */
 static void solve_limit_precisely(void) {
@@ -233,6 +237,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve blocks", solve_blocks, 200},
                                     {"solve repaired", solve_repaired, 100},
                                     {"solve bond", solve_bond, 100},
+                                    {"solve at rest", solve_at_rest, 100},
                                     {"solve a limit precisely", solve_limit_precisely, 2000},
                                     {"measure accuracy", measure_accuracy, 60},
                                     {"solve rounded corners", solve_rounded, 100},
