@@ -166,6 +166,13 @@ TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates 
  * until it rests (docs/rest.md); else, and unless set, it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);
 
+/* The profile of the base, given, read or generated (docs/generate.md), as CSV of x, y with all of
+ * its digits: into `text`, which the caller frees; and into the file `path`, which appears whole or
+ * not at all. TP_SYSTEM_FAILED where it cannot be written; a mated base has none. */
+TP_MUST_USE tp_status tp_scene_profile_csv(char **text, const tp_scene *scene, tp_message *message);
+TP_MUST_USE tp_status tp_scene_write_profile(const tp_scene *scene, const char *path,
+                                             tp_message *message);
+
 /* By how much a mated base goes on past the contact, to the `left` and to the `right`: not below 0,
  * and 0 unless set. */
 TP_MUST_USE tp_status tp_scene_set_base_beyond(tp_scene *scene, tp_exact left, tp_exact right,
