@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-/* So many bits for the parts, and for m: the sum stays below 2^62. */
-enum { BITS_FIRST = 60, BITS_EACH = 27, BITS_OF_M = 34, BITS_BELOW = 60 };
+/* Of the parts, and of m each: the sum stays below 2^62. */
+enum { BITS = 60 };
 
 void tp_ticks_init(tp_ticks *ticks, const fmpq_t origin, const fmpq_t unit) {
   fmpz_t below, part;
@@ -18,19 +18,21 @@ void tp_ticks_init(tp_ticks *ticks, const fmpq_t origin, const fmpq_t unit) {
   fmpq_set(ticks->unit, unit);
   ticks->first = ticks->each = ticks->below = 0;
   ticks->twos = 0;
+  ticks->most = 0;
   ticks->other = 1;
   fmpz_init(below);
   fmpz_init(part);
   fmpz_lcm(below, fmpq_denref(origin), fmpq_denref(unit));
-  if (fmpz_bits(below) <= BITS_BELOW) {
+  if (fmpz_bits(below) <= BITS) {
     fmpz_divexact(part, below, fmpq_denref(origin));
     fmpz_mul(part, part, fmpq_numref(origin));
-    const bool fits = fmpz_bits(part) <= BITS_FIRST;
+    const bool fits = fmpz_bits(part) <= BITS;
     if (fits) ticks->first = fmpz_get_si(part);
     fmpz_divexact(part, below, fmpq_denref(unit));
     fmpz_mul(part, part, fmpq_numref(unit));
-    if (fits && fmpz_bits(part) <= BITS_EACH) {
+    if (fits && fmpz_bits(part) <= BITS) {
       ticks->each = fmpz_get_si(part);
+      ticks->most = (INT64_C(1) << BITS) / llabs(ticks->each);
       ticks->below = fmpz_get_si(below);
       ticks->twos = __builtin_ctzll((unsigned long long)ticks->below);
       ticks->other = ticks->below >> ticks->twos;
@@ -82,7 +84,7 @@ static void set_words(fmpq_t value, const tp_ticks *ticks, int64_t above) {
 }
 
 void tp_ticks_at(fmpq_t value, const tp_ticks *ticks, int64_t m) {
-  if (ticks->below != 0 && llabs(m) < INT64_C(1) << BITS_OF_M) {
+  if (ticks->below != 0 && llabs(m) <= ticks->most) {
     set_words(value, ticks, ticks->first + m * ticks->each);
   } else {
     fmpq_mul_si(value, ticks->unit, m);

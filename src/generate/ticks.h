@@ -15,6 +15,7 @@ typedef struct tp_ticks {
   int64_t first, each, below; /* (first + m each) / below; below 0: not of one word */
   int twos;                   /* below = 2^twos 5^k other */
   int64_t other;
+  int64_t most; /* for |m| up to here first + m each is a word */
 } tp_ticks;
 
 void tp_ticks_init(tp_ticks *ticks, const fmpq_t origin, const fmpq_t unit);
