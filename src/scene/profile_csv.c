@@ -49,14 +49,14 @@ tp_status tp_scene_write_profile(const tp_scene *scene, const char *path, tp_mes
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, path);
   char *text = NULL;
-  tp_status status = make(&text, scene, message);
-  if (status != TP_OK) return status;
   const size_t count = tp_scene_source_count(scene);
   const char **sources = calloc(count + 1, sizeof *sources);
-  for (size_t k = 0; k < count && sources != NULL; k++) sources[k] = tp_scene_source(scene, k);
-  status = sources == NULL ? tp_fail_memory(message, "the profile")
-                           : tp_file_write(path, text, strlen(text),
-                                           (tp_file_sources){count, sources}, message);
+  if (sources == NULL) return tp_fail_memory(message, "the profile");
+  for (size_t k = 0; k < count; k++) sources[k] = tp_scene_source(scene, k);
+  tp_status status = make(&text, scene, message);
+  if (status == TP_OK && text != NULL) {
+    status = tp_file_write(path, text, strlen(text), (tp_file_sources){count, sources}, message);
+  }
   free(sources);
   free(text);
   return status;

@@ -56,11 +56,12 @@ static tp_status wear_off(const tp_reader *reader, tp_polyline *line, const tp_n
                         "worn says one of cut, rounded and abraded, with its depth: 'worn: {cut: "
                         "0.5}'");
   }
-  tp_wear wear = TP_WEAR_CUT;
-  while (strcmp(keys[wear], node->first->key) != 0) wear++;
+  int key = 0;
+  while (keys[key + 1] != NULL && strcmp(keys[key], node->first->key) != 0) key++;
+  const tp_wear wear = (tp_wear)key;
   fmpq_t depth;
   fmpq_init(depth);
-  status = tp_read_by_rule(reader, depth, node->first, keys[wear], TP_RULE_ABOVE_ZERO);
+  status = tp_read_by_rule(reader, depth, node->first, keys[key], TP_RULE_ABOVE_ZERO);
   if (status == TP_OK) status = check_depth(reader, line, wear, depth, node->first);
   if (status == TP_OK && !tp_wear_off(line, wear, depth)) {
     status = tp_fail_memory(reader->message, "the profile");

@@ -2,7 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A self-affine base. Where a JRC is asked for, the profile gets the Z2 that has it by the
- * regression of Tse and Cruden (1979), JRC = 32.2 + 32.47 log10 Z2, meant for steps of 1.27 mm. */
+ * regression of Tse and Cruden (1979), JRC = 32.2 + 32.47 log10 Z2, for steps of 0.508 mm (1.27 mm
+ * on profiles enlarged 2.5 times). */
 
 #include "generate/generate.h"
 #include "number/ball.h"
@@ -49,7 +50,7 @@ static tp_status note_jrc(const tp_reader *reader, const tp_self_affine_options 
       &reader->scene->notes, reader->message, TP_NOTE, tp_read_place(reader, node),
       "the base is generated, self-affine, and none of Barton's profiles: its Z2 of "
       "%.4g is what the JRC asked for has by Tse and Cruden (1979), whose points "
-      "were 1.27 mm apart; these are %.4g mm apart",
+      "were 0.508 mm apart; these are %.4g mm apart",
       fmpq_get_d(o->size), mm);
 }
 

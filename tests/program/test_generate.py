@@ -122,11 +122,22 @@ class Generate(unittest.TestCase):
                                ", noise: {deviation: 0.01, seed: 4}, worn: {rounded: 0.05}", block=WIDE)
         self.assertEqual(hashlib.sha256(text.encode()).hexdigest(), TEETH_SUM)
 
+    def test_measured_again(self):
+        """`topple profile` finds in it the Z2 of the JRC that was asked for, and that JRC."""
+        path = self.write(scene(ROUGH % ("100", "0.5", "0.8", "jrc: 11.5", 1, ""), block=WIDE))
+        status, out, err = run("profile", "--json", path)
+        self.assertEqual((status, err), (0, ""))
+        told = json.loads(out)
+        self.assertAlmostEqual(told["z2"]["value"], 10 ** ((11.5 - 32.2) / 32.47), delta=1e-5)
+        jrc = [row["jrc"]["value"] for row in told["jrc"]["correlations"] if "Tse" in row["source"]]
+        self.assertEqual(len(jrc), 1)
+        self.assertAlmostEqual(jrc[0], 11.5, delta=1e-3)
+
     def test_note_on_jrc(self):
         """A profile of a wanted JRC is none of Barton's, and says so, with the step that the regression is meant for."""
         done = solve(self.write(scene(ROUGH % ("100", "0.5", "0.8", "jrc: 8", 1, ""), block=WIDE)))
         notes = [note["text"] for note in done["notes"]]
-        self.assertTrue(any("none of Barton's profiles" in note and "Tse and Cruden (1979)" in note and "1.27 mm" in note
+        self.assertTrue(any("none of Barton's profiles" in note and "Tse and Cruden (1979)" in note and "0.508 mm" in note
                             and "0.5 mm apart" in note for note in notes), notes)
 
     def test_teeth_as_mated(self):
