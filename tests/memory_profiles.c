@@ -62,7 +62,7 @@ void make_profiles(void) {
       status = tp_scene_profile_csv(&csv, scene, &message);
       (void)done(status, csv, &message);
       status = tp_scene_write_profile(scene, "/dev/null", &message);
-      (void)done(status, scene, &message);
+      (void)done(status, status == TP_OK ? scene : NULL, &message);
     }
     free(csv);
     tp_scene_free(scene);

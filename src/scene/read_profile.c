@@ -83,6 +83,18 @@ static tp_status read_measured(const tp_reader *reader, tp_polyline *line, const
   return status;
 }
 
+/* What a rule makes of numbers in range may be out of it. */
+static tp_status check_range(const tp_reader *reader, const tp_polyline *line,
+                             const tp_node *node) {
+  const tp_place place = tp_read_place(reader, node);
+  const long last = line->count - 1;
+  tp_status status = tp_check_range(line->x + last, "the profile's x", place, reader->message);
+  for (long k = 0; k <= last && status == TP_OK; k++) {
+    status = tp_check_range(line->y + k, "the profile's y", place, reader->message);
+  }
+  return status;
+}
+
 tp_status tp_read_generated(const tp_reader *reader, tp_polyline *line, const tp_node *node) {
   static const char *const keys[] = {"teeth", "self_affine", "measured", "noise", "worn", NULL};
   tp_status status = tp_node_expect_keys(node, keys, "a profile made by rule", reader->scene->path,
@@ -101,6 +113,7 @@ tp_status tp_read_generated(const tp_reader *reader, tp_polyline *line, const tp
                            : read_measured(reader, &own, measured);
   if (status == TP_OK) status = add_noise(reader, &own, tp_node_get(node, "noise"));
   if (status == TP_OK) status = wear_off(reader, &own, tp_node_get(node, "worn"));
+  if (status == TP_OK) status = check_range(reader, &own, node);
   if (status == TP_OK && own.users == NULL && !tp_polyline_make_shared(&own)) {
     status = tp_fail_memory(reader->message, "the profile");
   }

@@ -269,6 +269,7 @@ class Generate(unittest.TestCase):
                 (TEETH % (4, "") + ", noise: {deviation: 0, seed: 1}", "deviation must be above zero"),
                 (TEETH % (4, "") + ", measured: [[0, 0], [1, 1]]", "begins with one of teeth, self_affine and measured"),
                 ("noise: {deviation: 1, seed: 1}", "begins with one of teeth, self_affine and measured"),
+                (ROUGH % ("40", "0.5", "0.5", "rms_height: 1e308", 1, ""), ":4:17: the profile's y is outside the range"),
                 ("measured: nowhere.csv", "nowhere.csv: cannot be opened"),
                 ("self_afine: {}", "did you mean 'self_affine'?")):
             status, out, err = run("solve", self.write(scene(made)), "--write-profile", self.path / "none.csv")
