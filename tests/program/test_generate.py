@@ -70,11 +70,13 @@ class Generate(unittest.TestCase):
 
     def rough(self, length, step, hurst, target, seed, more=""):
         middle = Fraction(length) / 2
-        block = f"block: {{outline: [[{middle - 3}, 999], [{middle + 3}, 999], [{middle + 3}, 1001], [{middle - 3}, 1001]]}}"
+        low, high = middle - 3, middle + 3
+        block = f"block: {{outline: [[{low}, 999], [{high}, 999], [{high}, 1001], [{low}, 1001]]}}"
         return self.profile(ROUGH % (length, step, hurst, target, seed, more), block=block)
 
     def test_targets(self):
-        """RMS height about the mean line, Z2, and the Z2 of a JRC, to the rounding of the heights: a millionth of the RMS."""
+        """RMS height about the mean line, Z2, and the Z2 of a JRC, to the rounding of the heights:
+        a millionth of the RMS."""
         for seed, (target, value) in enumerate((("rms_height", 2), ("rms_height", 0.037), ("z2", 0.25), ("jrc", 0),
                                                 ("jrc", 12.5), ("jrc", 20))):
             _, points = self.rough("128", "0.5", "0.7", f"{target}: {value}", seed)
@@ -92,9 +94,10 @@ class Generate(unittest.TestCase):
                 self.assertAlmostEqual(32.2 + 32.47 * math.log10(z2), value, delta=1e-3)
 
     def test_exponent(self):
-        """The periodogram of what was made, with a Hann window, falls as frequency^-(2 H + 1). The logarithm of an ordinate
-        has the spread pi / sqrt 6, and by the window some two of three are independent: over these ordinates the slope has a
-        standard deviation of 0.1, H half of that, and the mean over the seeds 0.02: three times that is allowed."""
+        """The periodogram of what was made, with a Hann window, falls as frequency^-(2 H + 1). The
+        logarithm of an ordinate has the spread pi / sqrt 6, and by the window some two of three are
+        independent: over these ordinates the slope has a standard deviation of 0.1, H half of that,
+        and the mean over the seeds 0.02: three times that is allowed."""
         seeds, used = 6, range(8, 400)
         for hurst in ("0.3", "0.5", "0.8"):
             found = []
@@ -102,7 +105,8 @@ class Generate(unittest.TestCase):
                 _, points = self.rough("1023", "1", hurst, "rms_height: 5", seed)
                 powers = transform([float(v) * (1 - math.cos(2 * math.pi * (k + 0.5) / 1024))
                                     for k, (_, v) in enumerate(points)])
-                found.append((-slope([math.log(k) for k in used], [2 * math.log(abs(powers[k])) for k in used]) - 1) / 2)
+                fall = -slope([math.log(k) for k in used], [2 * math.log(abs(powers[k])) for k in used])
+                found.append((fall - 1) / 2)
             self.assertAlmostEqual(math.fsum(found) / seeds, float(hurst), delta=0.06, msg=str(found))
 
     def test_cut_offs(self):
@@ -118,8 +122,9 @@ class Generate(unittest.TestCase):
         self.assertEqual(hashlib.sha256(text.encode()).hexdigest(), ROUGH_SUM)
         self.assertEqual(text, self.rough("100", "0.25", "0.8", "jrc: 8", 7)[0])
         self.assertNotEqual(text, self.rough("100", "0.25", "0.8", "jrc: 8", 8)[0])
-        text, _ = self.profile(TEETH % (40, ", seed: 3, skew: 0.2, scatter: {wavelength: 0.3, amplitude: 0.4, skew: 0.1}") +
-                               ", noise: {deviation: 0.01, seed: 4}, worn: {rounded: 0.05}", block=WIDE)
+        scattered = ", seed: 3, skew: 0.2, scatter: {wavelength: 0.3, amplitude: 0.4, skew: 0.1}"
+        text, _ = self.profile(TEETH % (40, scattered) + ", noise: {deviation: 0.01, seed: 4}, worn: {rounded: 0.05}",
+                               block=WIDE)
         self.assertEqual(hashlib.sha256(text.encode()).hexdigest(), TEETH_SUM)
 
     def test_measured_again(self):
@@ -134,18 +139,21 @@ class Generate(unittest.TestCase):
         self.assertAlmostEqual(jrc[0], 11.5, delta=1e-3)
 
     def test_note_on_jrc(self):
-        """A profile of a wanted JRC is none of Barton's, and says so, with the step that the regression is meant for."""
+        """A profile of a wanted JRC is none of Barton's, and says so, with the step that the
+        regression is meant for."""
         done = solve(self.write(scene(ROUGH % ("100", "0.5", "0.8", "jrc: 8", 1, ""), block=WIDE)))
         notes = [note["text"] for note in done["notes"]]
-        self.assertTrue(any("none of Barton's profiles" in note and "Tse and Cruden (1979)" in note and "0.508 mm" in note
-                            and "0.5 mm apart" in note for note in notes), notes)
+        said = ("none of Barton's profiles", "Tse and Cruden (1979)", "0.508 mm", "0.5 mm apart")
+        self.assertTrue(any(all(words in note for words in said) for note in notes), notes)
 
     def test_teeth_as_mated(self):
-        """Regular teeth are the base of the paper's blocks: everything that is told of the block is that of a mated base."""
-        block = ("block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: valley}, unit_weight_kn_m3: 25.8}\n"
-                 "friction_angle_deg: 30\ntilt: {angle_deg: 20}\n")
+        """Regular teeth are the base of the paper's blocks: everything that is told of the block is
+        that of a mated base."""
+        block = ("block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: valley}, "
+                 "unit_weight_kn_m3: 25.8}\nfriction_angle_deg: 30\ntilt: {angle_deg: 20}\n")
         own = solve(self.write(scene(TEETH % (7, ", start: [-60, 0]"), block=block, base="place: as_given")))
-        mated = solve(self.write(f"topple: 1\nlength_unit: mm\n{block}base: {{mated: true, beyond: {{left: 60, right: 60}}}}\n"))
+        mated = solve(self.write(f"topple: 1\nlength_unit: mm\n{block}"
+                                 "base: {mated: true, beyond: {left: 60, right: 60}}\n"))
         for mine, other in zip(own["cases"], mated["cases"], strict=True):
             for key in ("pivots", "toppling", "sliding", "limit", "onset", "governing_fos", "mechanism"):
                 self.assertEqual(mine[key], other[key], key)
@@ -154,7 +162,8 @@ class Generate(unittest.TestCase):
         """(A1.1) and its like come out of the generated base as of the mated one; a symbol in its rule is refused."""
         text = ("topple: 1\nlength_unit: mm\nparameters: {a: 30, b: 120, c: 5}\n"
                 "block: {teeth: {count: 3, width: a, height: b, depth: c, left_end: valley}}\nbase: {%s}\n")
-        formulas = [run("derive", self.write(text % base))[1] for base in ("profile: {" + TEETH % (3, "") + "}", "mated: true")]
+        formulas = [run("derive", self.write(text % base))[1]
+                    for base in ("profile: {" + TEETH % (3, "") + "}", "mated: true")]
         self.assertIn("tan(alpha_crit) = (27*a*b + 13*a*c)/(9*b^2 + 18*b*c + 6*c^2)", formulas[0])
         self.assertEqual(*formulas)
         symbol = text % ("profile: {" + (TEETH % (3, "")).replace("60", "2*a") + "}")
@@ -165,14 +174,15 @@ class Generate(unittest.TestCase):
 
     def test_scattered_teeth(self):
         """Every tooth within its ranges, as far as both ends of them in 400 teeth; valleys at one height."""
-        _, points = self.profile(TEETH % (800, ", seed: 11, skew: 0.25, scatter: {wavelength: 0.2, amplitude: 0.5, skew: 0.25}"),
-                                 block=WIDE)
+        scattered = ", seed: 11, skew: 0.25, scatter: {wavelength: 0.2, amplitude: 0.5, skew: 0.25}"
+        _, points = self.profile(TEETH % (800, scattered), block=WIDE)
         self.assertEqual({y for _, y in points[::2]}, {0})
         widths, skews = [], []
         for (x0, _), (x1, _), (x2, _) in zip(points[::2], points[1::2], points[2::2]):
             widths.append(float(x2 - x0) / 60)
             skews.append(float((x1 - x0) - (x2 - x1)) / float(x2 - x0))
-        for values, middle, scatter in ((widths, 1, 0.2), (skews, 0.25, 0.25), ([float(y) / 5 for _, y in points[1::2]], 1, 0.5)):
+        heights = [float(y) / 5 for _, y in points[1::2]]
+        for values, middle, scatter in ((widths, 1, 0.2), (skews, 0.25, 0.25), (heights, 1, 0.5)):
             self.assertEqual(len(values), 400)
             self.assertLess(max(abs(v - middle) for v in values), scatter * 1.0001)
             for end in (-1, 1):
@@ -190,11 +200,13 @@ class Generate(unittest.TestCase):
         moved = [float(b - a) for (_, a), (_, b) in zip(line, points)]
         self.assertLess(max(map(abs, moved)), 6 * 0.05)
         self.assertAlmostEqual(math.fsum(moved) / 3000, 0, delta=4 * 0.05 / math.sqrt(3000))
-        self.assertAlmostEqual(math.sqrt(math.fsum(m * m for m in moved) / 3000), 0.05, delta=4 * 0.05 / math.sqrt(6000))
+        deviation = math.sqrt(math.fsum(m * m for m in moved) / 3000)
+        self.assertAlmostEqual(deviation, 0.05, delta=4 * 0.05 / math.sqrt(6000))
 
     def test_wear(self):
-        """Cut: the lower of the profile and the level, everywhere. Abraded: above the mean in proportion. Rounded: never above
-        what was there, lower than it by at most the depth, and by the depth at tips that are blunt enough for it."""
+        """Cut: the lower of the profile and the level, everywhere. Abraded: above the mean in
+        proportion. Rounded: never above what was there, lower than it by at most the depth, and at a
+        tip by the depth, or by all that half of its edges allow."""
         draw = random.Random(5)
         for _ in range(4):
             line = [(Fraction(k), Fraction(draw.randint(0, 4000), 1000)) for k in range(60)]
@@ -212,7 +224,8 @@ class Generate(unittest.TestCase):
                 self.assertLess(after, before + Fraction(1, 10 ** 6))
                 self.assertGreater(after, before - depth - Fraction(1, 10 ** 6))
             for (x, y), (_, after) in zip(line, worn["abraded"], strict=True):
-                self.assertAlmostEqual(after, y if y <= mean else mean + (y - mean) * (1 - depth / (top - mean)), delta=1e-6)
+                left = y if y <= mean else mean + (y - mean) * (1 - depth / (top - mean))
+                self.assertAlmostEqual(after, left, delta=1e-6)
             for (x, y), a, b in zip(line[1:-1], line, line[2:]):
                 blunt = min(depth, (2 * y - a[1] - b[1]) / 8)
                 self.assertAlmostEqual(height(worn["rounded"], x), y - max(blunt, 0), delta=1e-5)
@@ -232,9 +245,10 @@ class Generate(unittest.TestCase):
         self.assertIn("would be lost", err)
 
     def test_found(self):
-        """A number within the rule is found as others are: the slope of one facet at which a wedge on it topples at 35 degrees,
-        solved anew at what was found."""
-        text = ("topple: 1\nlength_unit: mm\nblock: {outline: [[0, h], [40, 0], [40, 80], [0, 80]]}\nparameters: {h: %s}\n"
+        """A number within the rule is found as others are: the slope of one facet at which a wedge
+        on it topples at 35 degrees, solved anew at what was found."""
+        text = ("topple: 1\nlength_unit: mm\nparameters: {h: %s}\n"
+                "block: {outline: [[0, h], [40, 0], [40, 80], [0, 80]]}\n"
                 "tilt: {towards: left}\n"
                 "base: {profile: {teeth: {count: 1, wavelength: 80, amplitude: h, left_end: peak}}}\n")
         status, out, err = run("solve", "--json", self.write(text % 5), "--find", "h", "--for", "critical_angle=35",
@@ -248,28 +262,42 @@ class Generate(unittest.TestCase):
     def test_bad_input(self):
         """Where, what, and what is right instead."""
         for made, expected in (
-                (ROUGH % ("40", "0.3", "0.8", "jrc: 8", 1, ""), ":4:50: the length must be a whole number of steps, from 8 to "
-                 "4194303; it is 400/3"),
-                (ROUGH % ("40", "0.5", "1", "jrc: 8", 1, ""), "hurst must lie strictly between 0 and 1; it is 1"),
-                (ROUGH % ("40", "0.5", "0.5", "jrc: 21", 1, ""), "jrc must lie between 0 and 20; it is 21"),
-                (ROUGH % ("40", "0.5", "0.5", "jrc: 8, z2: 1", 1, ""), "one of rms_height, z2 and jrc"),
-                (ROUGH % ("40", "0.5", "0.5", "z2: 0", 1, ""), "z2 must lie between 0.000001 and 1000; it is 0"),
+                (ROUGH % ("40", "0.3", "0.8", "jrc: 8", 1, ""),
+                 ":4:50: the length must be a whole number of steps, from 8 to 4194303; it is 400/3"),
+                (ROUGH % ("40", "0.5", "1", "jrc: 8", 1, ""),
+                 "hurst must lie strictly between 0 and 1; it is 1"),
+                (ROUGH % ("40", "0.5", "0.5", "jrc: 21", 1, ""),
+                 "jrc must lie between 0 and 20; it is 21"),
+                (ROUGH % ("40", "0.5", "0.5", "jrc: 8, z2: 1", 1, ""),
+                 "one of rms_height, z2 and jrc"),
+                (ROUGH % ("40", "0.5", "0.5", "z2: 0", 1, ""),
+                 "z2 must lie between 0.000001 and 1000; it is 0"),
                 (ROUGH % ("40", "0.5", "0.5", "jrc: 8", -1, ""), "seed must not be negative"),
-                (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 2 ** 63, ""), "a seed is a whole number from 0 to 9223372036854775807"),
-                ((ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, "")).replace(", seed: 1", ""), "'seed' is missing here"),
-                (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, ", shortest: 0.9"), "wavelengths go from 'shortest'"),
+                (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 2 ** 63, ""),
+                 "a seed is a whole number from 0 to 9223372036854775807"),
+                ((ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, "")).replace(", seed: 1", ""),
+                 "'seed' is missing here"),
+                (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, ", shortest: 0.9"),
+                 "wavelengths go from 'shortest'"),
                 (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, ", longest: 41"), "at most the length"),
-                (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, ", shortest: 20, longest: 20.1"), "no wave of the profile's period"),
+                (ROUGH % ("40", "0.5", "0.5", "jrc: 8", 1, ", shortest: 20, longest: 20.1"),
+                 "no wave of the profile's period"),
                 (TEETH % (4, ", scatter: {skew: 0.5}"), "'seed' is missing here"),
                 (TEETH % (4, ", skew: 0.5, scatter: {skew: 0.5}"), "together at most 0.9"),
                 (TEETH % (4, ", scatter: {amplitude: 1.1}"), "amplitude must lie between 0 and 1"),
                 (TEETH % (0, ""), "a whole number of teeth, at least 1"),
-                (TEETH % (4, "") + ", worn: {cut: 5}", "'cut' takes off all of the roughness: the highest point stands 5 above"),
-                (TEETH % (4, "") + ", worn: {cut: 1, rounded: 1}", "one of cut, rounded and abraded"),
-                (TEETH % (4, "") + ", noise: {deviation: 0, seed: 1}", "deviation must be above zero"),
-                (TEETH % (4, "") + ", measured: [[0, 0], [1, 1]]", "begins with one of teeth, self_affine and measured"),
-                ("noise: {deviation: 1, seed: 1}", "begins with one of teeth, self_affine and measured"),
-                (ROUGH % ("40", "0.5", "0.5", "rms_height: 1e308", 1, ""), ":4:17: the profile's y is outside the range"),
+                (TEETH % (4, "") + ", worn: {cut: 5}",
+                 "'cut' takes off all of the roughness: the highest point stands 5 above"),
+                (TEETH % (4, "") + ", worn: {cut: 1, rounded: 1}",
+                 "one of cut, rounded and abraded"),
+                (TEETH % (4, "") + ", noise: {deviation: 0, seed: 1}",
+                 "deviation must be above zero"),
+                (TEETH % (4, "") + ", measured: [[0, 0], [1, 1]]",
+                 "begins with one of teeth, self_affine and measured"),
+                ("noise: {deviation: 1, seed: 1}",
+                 "begins with one of teeth, self_affine and measured"),
+                (ROUGH % ("40", "0.5", "0.5", "rms_height: 1e308", 1, ""),
+                 ":4:17: the profile's y is outside the range"),
                 ("measured: nowhere.csv", "nowhere.csv: cannot be opened"),
                 ("self_afine: {}", "did you mean 'self_affine'?")):
             status, out, err = run("solve", self.write(scene(made)), "--write-profile", self.path / "none.csv")
