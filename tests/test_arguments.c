@@ -55,6 +55,9 @@ START_TEST(solutions) {
     options.pivots = (tp_pivots_listed)k;
     REFUSED(tp_solve(&solution, scene, &options, &message), "pivots");
   }
+  options = tp_solve_options_default();
+  options.threads = 17;
+  REFUSED(tp_solve(&solution, scene, &options, &message), "threads");
   ck_assert_ptr_eq(solution, UNTOUCHED(tp_solution));
   ck_assert(tp_solution_is_undecided(NULL));
   tp_level level = TP_LEVEL_BALL;
