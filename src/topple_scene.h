@@ -170,6 +170,12 @@ TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_mes
  * touch it, and is moved there (docs/rest.md); unless set what touches does so exactly. */
 TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within,
                                                   tp_message *message);
+/* The profile of the base, given, read or generated (docs/generate.md), as CSV of x, y with all of
+ * its digits: into `text`, which the caller frees; and into the file `path`, which appears whole or
+ * not at all. TP_SYSTEM_FAILED where it cannot be written; a mated base has none. */
+TP_MUST_USE tp_status tp_scene_profile_csv(char **text, const tp_scene *scene, tp_message *message);
+TP_MUST_USE tp_status tp_scene_write_profile(const tp_scene *scene, const char *path,
+                                             tp_message *message);
 
 /* By how much a mated base goes on past the contact, to the `left` and to the `right`: not below 0,
  * and 0 unless set. */

@@ -39,6 +39,8 @@ typedef struct tp_solve_options {
   int digits;     /* relative accuracy asked of every number: 10^-digits, 1 to TP_DIGITS_MAX */
   tp_level level; /* the dearest arithmetic allowed; TP_UNDECIDED where it is not enough */
   tp_pivots_listed pivots; /* a number for each of a million pivots takes a fifth of the time */
+  size_t threads; /* that sum the moments of a ring, at most 16, the same bits by any number: 0: one
+                     up to 800 000 edges, then as many as there are cores; 1: none is started */
 } tp_solve_options;
 
 /* The defaults: the limit with strength reduction, 9 digits, every level, all pivots. `size` is

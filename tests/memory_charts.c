@@ -5,8 +5,6 @@
 
 #include "memory_expect.h"
 
-#define EXAMPLE(name) TP_EXAMPLES "/" name
-
 static void report_chart(tp_status status, tp_chart *chart, const tp_message *message) {
   if (done(status, chart, message)) {
     char *csv = NULL, *json = NULL;

@@ -12,6 +12,8 @@
 
 #include <stdlib.h>
 
+#define EXAMPLE(name) TP_EXAMPLES "/" name
+
 /* Check takes memory for every assertion; these take some only where they fail. */
 #define EXPECT(condition, ...)                                                                     \
   do {                                                                                             \
@@ -29,6 +31,10 @@ static inline bool done(tp_status status, const void *output, const tp_message *
   EXPECT((status == TP_OK) == (output != NULL), "status %d, but an output", (int)status);
   return status == TP_OK;
 }
+
+/* The call comes first, then its output is looked at; of a function that has a `message`. */
+extern tp_status last_status;
+#define DONE(call, output) (last_status = (call), done(last_status, output, &message))
 
 /* Reports have no message but their status. */
 static inline void expect_report(tp_status status, char *text) {

@@ -6,8 +6,6 @@
 #include "memory_charts.h"
 #include "memory_expect.h"
 
-#define EXAMPLE(name) TP_EXAMPLES "/" name
-
 void measure_profile(void) {
   tp_profile *profile = NULL;
   tp_message message = {""};
@@ -42,4 +40,31 @@ void measure_base(void) {
   }
   tp_profile_free(profile);
   tp_scene_free(scene);
+}
+
+#define MADE(profile)                                                                              \
+  "topple: 1\nlength_unit: mm\nblock: {slab: {width: 3, height: 5}}\nbase: {profile: {" profile    \
+  "}}\n"
+
+void make_profiles(void) {
+  static const char *const texts[] = {
+      MADE("self_affine: {length: 64, step: 1, hurst: 0.8, jrc: 8, seed: 1}, worn: {cut: 0.5}"),
+      MADE("teeth: {count: 20, wavelength: 6, amplitude: 1, left_end: peak, seed: 2, "
+           "scatter: {amplitude: 0.5, skew: 0.2}}, worn: {rounded: 0.1}"),
+      MADE("measured: [[0, 0], [1, 3], [2, 0], [3, 2]], noise: {deviation: 0.1, seed: 3}, "
+           "worn: {abraded: 0.2}")};
+  for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
+    tp_scene *scene = NULL;
+    tp_message message = {""};
+    char *csv = NULL;
+    tp_status status = tp_scene_read_text(&scene, texts[k], "made", &message);
+    if (done(status, scene, &message)) {
+      status = tp_scene_profile_csv(&csv, scene, &message);
+      (void)done(status, csv, &message);
+      status = tp_scene_write_profile(scene, "/dev/null", &message);
+      (void)done(status, status == TP_OK ? scene : NULL, &message);
+    }
+    free(csv);
+    tp_scene_free(scene);
+  }
 }

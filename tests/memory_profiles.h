@@ -7,6 +7,7 @@
 #define TP_TEST_MEMORY_PROFILES_H
 
 void measure_profile(void);
+void make_profiles(void);
 void measure_base(void);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #define E(number) tp_exact_of(number)
 #define T(text) tp_exact_text(text)
@@ -106,6 +107,28 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
 }
 
+/* Generated in doubles: in every thread the same digits. */
+static void say_generated(sayings *s) {
+  static const char text[] =
+      "topple: 1\nlength_unit: mm\nblock: {outline: [[11.3, 9], [15.2, 9.4], [14.8, 15], [11, "
+      "14]]}\n"
+      "base:\n  profile:\n    self_affine: {length: 32, step: 0.25, hurst: 0.7, jrc: 12.5, seed: "
+      "5}\n"
+      "    noise: {deviation: 0.01, seed: 6}\n    worn: {rounded: 0.01}\n  place: rest\n"
+      "friction_angle_deg: 31.5\n";
+  tp_message message = {""};
+  tp_scene *scene = NULL;
+  char path[100];
+  SAY(tp_scene_read_text(&scene, text, "generated", &message));
+  if (scene == NULL) return;
+  SAY(tp_scene_profile_csv(next_saying(s), scene, &message));
+  snprintf(path, sizeof path, "%s/profile.csv", s->folder);
+  SAY(tp_scene_write_profile(scene, path, &message));
+  say_file(s, path);
+  say_scene_built(s, scene);
+  tp_scene_free(scene);
+}
+
 static void say_outline_solved(sayings *s) {
   static const double outline[] = {0, 0, 4.1, 0, 4.3, 6.7, 0.3, 6.5};
   tp_message message = {""};
@@ -122,6 +145,7 @@ void say_built_shapes(sayings *s) {
   tp_scene *scene = begin(s);
   if (scene == NULL) return;
   say_outline_solved(s);
+  say_generated(s);
   SAY(tp_scene_set_friction_angle_deg(scene, E(31.25), &message));
   say_forms(s, scene);
   say_bases(s, scene);

@@ -2,11 +2,12 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Arguments that no call can do anything with: NULL for every pointer in turn,
- * values outside of their enumeration, numbers that are none.
+ * values outside of their enumeration, numbers that are none, sizes of options.
  *
  * NULL ended the program of whoever passed it. Every call says what is wrong, names the argument,
- * and leaves its outputs alone. */
+ * and leaves its outputs alone. Other calls are in test_analysis_arguments.c and the like. */
 
+#include "example_scene.h"
 #include "message.h"
 #include "notes.h"
 #include "options.h"
@@ -15,19 +16,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static tp_scene *read_scene(void) {
-  tp_scene *scene = NULL;
-  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), TP_OK);
-  return scene;
-}
-
-static tp_solution *solve(const tp_scene *scene) {
-  tp_solution *solution = NULL;
-  const tp_solve_options options = tp_solve_options_default();
-  ck_assert_int_eq(tp_solve(&solution, scene, &options, &message), TP_OK);
-  return solution;
-}
 
 START_TEST(scenes) {
   tp_scene *scene = UNTOUCHED(tp_scene);
@@ -44,8 +32,8 @@ START_TEST(scenes) {
 END_TEST
 
 START_TEST(solutions) {
-  tp_scene *scene = read_scene();
-  tp_solution *own = solve(scene), *solution = UNTOUCHED(tp_solution);
+  tp_scene *scene = example_scene();
+  tp_solution *own = example_solution(scene), *solution = UNTOUCHED(tp_solution);
   tp_solve_options options = tp_solve_options_default();
   char *text = &untouched;
   REFUSED(tp_solve(NULL, scene, &options, &message), "'solution'");
@@ -67,6 +55,9 @@ START_TEST(solutions) {
     options.pivots = (tp_pivots_listed)k;
     REFUSED(tp_solve(&solution, scene, &options, &message), "pivots");
   }
+  options = tp_solve_options_default();
+  options.threads = 17;
+  REFUSED(tp_solve(&solution, scene, &options, &message), "threads");
   ck_assert_ptr_eq(solution, UNTOUCHED(tp_solution));
   ck_assert(tp_solution_is_undecided(NULL));
   tp_level level = TP_LEVEL_BALL;
@@ -111,7 +102,7 @@ END_TEST
 /* Options of a program compiled with an older library end sooner: what lies beyond is not read, and
  * is at its default. */
 START_TEST(older_options) {
-  tp_scene *scene = read_scene();
+  tp_scene *scene = example_scene();
   tp_solution *solution = NULL, *refused = UNTOUCHED(tp_solution);
   tp_solve_options options = tp_solve_options_default();
   options.size = offsetof(tp_solve_options, level);
@@ -156,7 +147,7 @@ END_TEST
 
 /* Every other call that takes options. */
 START_TEST(sizes_of_options) {
-  tp_scene *scene = read_scene();
+  tp_scene *scene = example_scene();
   char *text = &untouched;
   const tp_found nothing = {0};
   for (size_t k = 0; k < 2; k++) {
@@ -184,188 +175,7 @@ START_TEST(sizes_of_options) {
 }
 END_TEST
 
-START_TEST(back_analysis) {
-  const tp_find_options good = {.size = sizeof good,
-                                .key = "block.slab.width",
-                                .target = TP_FIND_CRITICAL_ANGLE,
-                                .value = 20};
-  tp_scene *scene = read_scene();
-  tp_find_options bad = good;
-  tp_found *found = UNTOUCHED(tp_found), *own = NULL;
-  char *text = &untouched;
-  REFUSED(tp_find(NULL, scene, &good, &message), "'found'");
-  REFUSED(tp_find(&found, NULL, &good, &message), "'scene'");
-  REFUSED(tp_find(&found, scene, NULL, &message), "'options'");
-  bad.key = NULL;
-  REFUSED(tp_find(&found, scene, &bad, &message), "key");
-  for (int k = -1; k <= TP_FIND_ONSET_ANGLE + 1; k += TP_FIND_ONSET_ANGLE + 2) {
-    bad = good;
-    bad.target = (tp_find_target)k;
-    REFUSED(tp_find(&found, scene, &bad, &message), "result");
-    ck_assert_str_eq(tp_find_target_name(bad.target), "unknown");
-  }
-  static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
-  for (size_t k = 0; k < 3; k++) {
-    bad = good;
-    bad.value = no_numbers[k];
-    REFUSED(tp_find(&found, scene, &bad, &message), "finite");
-    bad = (tp_find_options){
-        .size = sizeof bad, .key = good.key, .value = 20, .has_high = true, .high = no_numbers[k]};
-    REFUSED(tp_find(&found, scene, &bad, &message), "finite");
-    bad.low = no_numbers[k];
-    bad.has_low = true;
-    REFUSED(tp_find(&found, scene, &bad, &message), "finite");
-  }
-  ck_assert_ptr_eq(found, UNTOUCHED(tp_found));
-  tp_find_target target = TP_FIND_FOS;
-  ck_assert(!tp_find_target_read(NULL, "fos") && !tp_find_target_read(&target, NULL));
-  tp_solution *solution = solve(scene);
-  ck_assert_int_eq(tp_find(&own, scene, &good, &message), TP_OK);
-  UNWRITTEN(tp_report_found(NULL, own, &good));
-  UNWRITTEN(tp_report_found(&text, NULL, &good));
-  UNWRITTEN(tp_report_found(&text, own, NULL));
-  UNWRITTEN(tp_report_found_json(NULL, own, solution));
-  UNWRITTEN(tp_report_found_json(&text, NULL, solution));
-  UNWRITTEN(tp_report_found_json(&text, own, NULL));
-  ck_assert_ptr_eq(text, &untouched);
-  tp_found_free(NULL);
-  tp_found_free(own);
-  tp_solution_free(solution);
-  tp_scene_free(scene);
-}
-END_TEST
-
-START_TEST(formulas) {
-  tp_scene *scene = read_scene();
-  tp_derivation *derivation = UNTOUCHED(tp_derivation), *own = NULL;
-  tp_family *family = UNTOUCHED(tp_family);
-  tp_derive_options options = tp_derive_options_default();
-  char *text = &untouched;
-  REFUSED(tp_derive(NULL, scene, &options, &message), "'derivation'");
-  REFUSED(tp_derive(&derivation, NULL, &options, &message), "'scene'");
-  REFUSED(tp_derive(&derivation, scene, NULL, &message), "'options'");
-  REFUSED(tp_derive_family(NULL, scene, TP_NOTATION_TEXT, &message), "'family'");
-  REFUSED(tp_derive_family(&family, NULL, TP_NOTATION_TEXT, &message), "'scene'");
-  ck_assert_int_eq(tp_derive(&own, scene, &options, &message), TP_OK);
-  options.notation = (tp_notation)3;
-  REFUSED(tp_derive(&derivation, scene, &options, &message), "notation");
-  REFUSED(tp_derive_family(&family, scene, (tp_notation)-1, &message), "notation");
-  ck_assert_ptr_eq(derivation, UNTOUCHED(tp_derivation));
-  ck_assert_ptr_eq(family, UNTOUCHED(tp_family));
-  UNWRITTEN(tp_report_derivation(NULL, own));
-  UNWRITTEN(tp_report_derivation(&text, NULL));
-  UNWRITTEN(tp_report_derivation_json(NULL, own));
-  UNWRITTEN(tp_report_derivation_json(&text, NULL));
-  UNWRITTEN(tp_report_family(&text, NULL));
-  UNWRITTEN(tp_report_family_json(&text, NULL));
-  const tp_family empty = {0};
-  UNWRITTEN(tp_report_family(NULL, &empty));
-  UNWRITTEN(tp_report_family_json(NULL, &empty));
-  ck_assert_ptr_eq(text, &untouched);
-  tp_derivation_free(NULL);
-  tp_family_free(NULL);
-  tp_derivation_free(own);
-  tp_scene_free(scene);
-}
-END_TEST
-
-START_TEST(verdicts) {
-  tp_verification *verification = UNTOUCHED(tp_verification);
-  const tp_verification empty = {0};
-  char *text = &untouched;
-  REFUSED(tp_verify(NULL, "x", &message), "'verification'");
-  REFUSED(tp_verify(&verification, NULL, &message), "'path'");
-  REFUSED(tp_verify_text(NULL, "x", "x", &message), "'verification'");
-  REFUSED(tp_verify_text(&verification, NULL, "x", &message), "'text'");
-  REFUSED(tp_verify_text(&verification, "x", NULL, &message), "'name'");
-  ck_assert_ptr_eq(verification, UNTOUCHED(tp_verification));
-  ck_assert(tp_verification_objects(NULL));
-  ck_assert_str_eq(tp_verdict_name((tp_verdict)TP_VERDICTS), "unknown");
-  ck_assert_str_eq(tp_verdict_name((tp_verdict)-1), "unknown");
-  UNWRITTEN(tp_report_verification(NULL, &empty));
-  UNWRITTEN(tp_report_verification(&text, NULL));
-  UNWRITTEN(tp_report_verification_json(NULL, &empty));
-  UNWRITTEN(tp_report_verification_json(&text, NULL));
-  UNWRITTEN(tp_report_verification_markdown(NULL, &empty));
-  UNWRITTEN(tp_report_verification_markdown(&text, NULL));
-  ck_assert_ptr_eq(text, &untouched);
-  tp_verification_free(NULL);
-}
-END_TEST
-
-START_TEST(accuracy) {
-  tp_accuracy *measured = UNTOUCHED(tp_accuracy);
-  tp_chart *chart = UNTOUCHED(tp_chart);
-  const tp_accuracy empty = {0};
-  char *text = &untouched;
-  tp_scene *scene = read_scene();
-  REFUSED(tp_accuracy_of_scene(NULL, scene, &message), "'accuracy'");
-  REFUSED(tp_accuracy_of_scene(&measured, NULL, &message), "'scene'");
-  REFUSED(tp_accuracy_sweep(NULL, 10, 10, &message), "'accuracy'");
-  static const size_t sizes[][2] = {{0, 10}, {10, 0}, {100, 10}, {10, SIZE_MAX}, {SIZE_MAX, 10}};
-  for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; k++) {
-    REFUSED(tp_accuracy_sweep(&measured, sizes[k][0], sizes[k][1], &message), "sweep");
-  }
-  REFUSED(tp_chart_accuracy(NULL, &empty, &message), "'chart'");
-  REFUSED(tp_chart_accuracy(&chart, NULL, &message), "'accuracy'");
-  ck_assert_ptr_eq(measured, UNTOUCHED(tp_accuracy));
-  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
-  ck_assert_str_eq(tp_accuracy_method_name((tp_accuracy_method)TP_ACCURACY_METHODS), "unknown");
-  UNWRITTEN(tp_report_accuracy(NULL, &empty));
-  UNWRITTEN(tp_report_accuracy(&text, NULL));
-  UNWRITTEN(tp_report_accuracy_json(NULL, &empty));
-  UNWRITTEN(tp_report_accuracy_json(&text, NULL));
-  ck_assert_ptr_eq(text, &untouched);
-  tp_accuracy_free(NULL);
-  tp_scene_free(scene);
-}
-END_TEST
-
 /* Of a path that is too long for a message, the position stays. */
-START_TEST(blocks) {
-  static const double xy[] = {0, 0, 1, 0, 1, 1, 0, 1};
-  static const size_t falls[] = {0, 4, 3};
-  double number = 7;
-  tp_area_moments *moments = UNTOUCHED(tp_area_moments);
-  tp_blocks_summary *told = UNTOUCHED(tp_blocks_summary);
-  const tp_blocks_options good = tp_blocks_options_default();
-  const tp_outlines one = tp_outlines_of(xy, 1, 4);
-  const tp_numbers none = tp_numbers_of(NAN);
-  const tp_moment_columns area = {.area = &number};
-  const tp_critical_columns angle = {.angle_deg = &number};
-  const tp_verdict_columns fos = {.fos = &number};
-  REFUSED(tp_outline_moments(NULL, xy, 4, &message), "'moments'");
-  REFUSED(tp_outline_moments(moments, NULL, 4, &message), "'xy'");
-  REFUSED(tp_outlines_moments(NULL, told, &one, &good, &message), "'columns'");
-  REFUSED(tp_outlines_moments(&area, NULL, &one, &good, &message), "'summary'");
-  REFUSED(tp_outlines_moments(&area, told, NULL, &good, &message), "'outlines'");
-  REFUSED(tp_outlines_moments(&area, told, &one, NULL, &message), "'options'");
-  REFUSED(tp_blocks_critical_angles(NULL, told, &one, &good, &message), "'columns'");
-  REFUSED(tp_blocks_critical_angles(&angle, NULL, &one, &good, &message), "'summary'");
-  REFUSED(tp_blocks_critical_angles(&angle, told, NULL, &good, &message), "'outlines'");
-  REFUSED(tp_blocks_critical_angles(&angle, told, &one, NULL, &message), "'options'");
-  REFUSED(tp_blocks_solve(NULL, told, &one, none, none, &good, &message), "'columns'");
-  REFUSED(tp_blocks_solve(&fos, NULL, &one, none, none, &good, &message), "'summary'");
-  REFUSED(tp_blocks_solve(&fos, told, NULL, none, none, &good, &message), "'outlines'");
-  REFUSED(tp_blocks_solve(&fos, told, &one, none, none, NULL, &message), "'options'");
-  tp_blocks_options bad = good;
-  tp_blocks_options_init(NULL, sizeof bad);
-  bad.size = 0;
-  REFUSED(tp_blocks_critical_angles(&angle, told, &one, &bad, &message), "size of 'options'");
-  bad = good;
-  bad.towards = (tp_direction)2;
-  REFUSED(tp_blocks_critical_angles(&angle, told, &one, &bad, &message), "'towards'");
-  const tp_outlines nowhere = tp_outlines_of(NULL, 1, 4), back = tp_outlines_ragged(xy, 2, falls);
-  const tp_outlines vast = tp_outlines_of(xy, 1, SIZE_MAX / 2);
-  REFUSED(tp_outlines_moments(&area, told, &nowhere, &good, &message), "must not be NULL");
-  REFUSED(tp_blocks_solve(&fos, told, &back, none, tp_numbers_each(NULL), &good, &message),
-          "must not fall");
-  REFUSED(tp_outlines_moments(&area, told, &vast, &good, &message), "too many");
-  ck_assert_int_eq(tp_outlines_moments(&area, told, &nowhere, &good, NULL), TP_BAD_INPUT);
-  ck_assert_double_eq(number, 7);
-}
-END_TEST
-
 START_TEST(long_paths) {
   static const size_t lengths[] = {10, 500, 504, 505, 506, 510, 511, 512, 513, 1000, 5000};
   for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
@@ -410,11 +220,6 @@ int main(void) {
   tcase_add_test(tests, older_options);
   tcase_add_test(tests, defaults);
   tcase_add_test(tests, sizes_of_options);
-  tcase_add_test(tests, back_analysis);
-  tcase_add_test(tests, formulas);
-  tcase_add_test(tests, verdicts);
-  tcase_add_test(tests, accuracy);
-  tcase_add_test(tests, blocks);
   tcase_add_test(tests, long_paths);
   tcase_add_test(tests, long_texts);
   suite_add_tcase(suite, tests);

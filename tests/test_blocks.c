@@ -5,14 +5,11 @@
  *
  * One bad row among a million must not end a study, nor pass for a number: it is NaN, its status
  * says so, and the summary tells the first of them and what is wrong with it. Any number of threads
- * gives the same bytes. Random blocks are in test_random_blocks.c. */
+ * gives the same bytes. Random blocks are in test_random_blocks.c, verdicts in
+ * test_block_verdicts.c. */
 
-#include "random_blocks.h"
+#include "drawn_blocks.h"
 #include "runner.h"
-
-#include "number/arctangent.h"
-#include "number/ball.h"
-#include "topple.h"
 
 #include <math.h>
 #include <string.h>
@@ -98,45 +95,6 @@ START_TEST(slabs) {
   }
 }
 END_TEST
-
-/* Of every seventh block something is wrong. */
-enum { BLOCKS = 3000, BAD_EVERY = 7 };
-
-static double all_xy[2 * BLOCKS * BLOCK_MOST];
-static size_t first_of[BLOCKS + 1];
-
-static void spoil(random_block *block, long which) {
-  switch (which % 5) {
-  case 0:
-    block->xy[3] = NAN;
-    break;
-  case 1:
-    block->count = 2;
-    break;
-  case 2:
-    block->count = 0;
-    break;
-  case 3: /* a vertex given twice */
-    block->xy[4] = block->xy[2];
-    block->xy[5] = block->xy[3];
-    break;
-  default: /* all on one line */
-    for (size_t k = 0; k < block->count; k++) block->xy[2 * k + 1] = 0;
-    break;
-  }
-}
-
-static tp_outlines draw_blocks(void) {
-  random_numbers state = random_numbers_from(random_seed());
-  for (long k = 0; k < BLOCKS; k++) {
-    random_block block;
-    draw_block(&block, &state);
-    if (k % BAD_EVERY == BAD_EVERY - 1) spoil(&block, k / BAD_EVERY);
-    memcpy(all_xy + 2 * first_of[k], block.xy, 2 * block.count * sizeof *all_xy);
-    first_of[k + 1] = first_of[k] + block.count;
-  }
-  return tp_outlines_ragged(all_xy, BLOCKS, first_of);
-}
 
 typedef struct critical {
   double angle[BLOCKS], error[BLOCKS];
@@ -239,143 +197,6 @@ START_TEST(moments_of_many) {
 }
 END_TEST
 
-enum { SOLVED = 60 };
-
-typedef struct verdicts {
-  tp_mechanism mechanism[SOLVED], first[SOLVED];
-  double angle[SOLVED], error[SOLVED], critical[SOLVED], limit[SOLVED], onset[SOLVED], fos[SOLVED];
-  tp_limit_kind limit_kind[SOLVED];
-  tp_onset_kind onset_kind[SOLVED];
-  tp_status status[SOLVED];
-  tp_blocks_summary summary;
-} verdicts;
-
-static double friction[SOLVED], tilt[SOLVED];
-
-static void solve(verdicts *v, const tp_outlines *outlines, size_t threads) {
-  tp_blocks_options options = tp_blocks_options_default();
-  options.threads = threads;
-  options.towards = TP_TOWARDS_RIGHT;
-  memset(v, 0, sizeof *v);
-  const tp_verdict_columns columns = {.mechanism = v->mechanism,
-                                      .first = v->first,
-                                      .first_angle_deg = v->angle,
-                                      .first_error_deg = v->error,
-                                      .critical_angle_deg = v->critical,
-                                      .limit_kind = v->limit_kind,
-                                      .limit_angle_deg = v->limit,
-                                      .onset_kind = v->onset_kind,
-                                      .onset_angle_deg = v->onset,
-                                      .fos = v->fos,
-                                      .status = v->status};
-  ck_assert_int_eq(tp_blocks_solve(&columns, &v->summary, outlines, tp_numbers_each(friction),
-                                   tp_numbers_each(tilt), &options, &message),
-                   TP_OK);
-}
-
-static void claim_same(double own, bool given, tp_bounded number) {
-  ck_assert_int_eq(isnan(own), !given);
-  if (given) ck_assert_double_eq(own, number.value);
-}
-
-/* As tp_solve tells of each alone. */
-static void claim_verdict(const verdicts *v, size_t k) {
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
-  const tp_coordinates own =
-      tp_coordinates_of(all_xy + 2 * first_of[k], first_of[k + 1] - first_of[k]);
-  tp_status status = tp_scene_new(&scene, "km", &message);
-  if (status == TP_OK) status = tp_scene_set_outline(scene, own, &message);
-  if (status == TP_OK) status = tp_scene_set_tilt_towards(scene, false, true, &message);
-  if (status == TP_OK && !isnan(friction[k])) {
-    status = tp_scene_set_friction_angle_deg(scene, tp_exact_of(friction[k]), &message);
-  }
-  if (status == TP_OK && !isnan(tilt[k])) {
-    status = tp_scene_set_tilt_angle_deg(scene, tp_exact_of(tilt[k]), &message);
-  }
-  const tp_solve_options options = tp_solve_options_default();
-  if (status == TP_OK) status = tp_solve(&solution, scene, &options, &message);
-  tp_scene_free(scene);
-  if (status == TP_OK && tp_solution_is_undecided(solution)) status = TP_UNDECIDED;
-  ck_assert_int_eq(status, v->status[k]);
-  if (status == TP_BAD_INPUT) ck_assert_int_eq(v->mechanism[k], TP_MECHANISM_UNDECIDED);
-  if (solution == NULL) return;
-  const tp_case *one = solution->cases;
-  ck_assert_int_eq(v->mechanism[k], one->mechanism);
-  ck_assert_int_eq(v->first[k], one->first);
-  ck_assert_int_eq(v->limit_kind[k], one->limit.kind);
-  ck_assert_int_eq(v->onset_kind[k], one->onset.kind);
-  claim_same(v->angle[k], one->has_first_angle, one->first_angle_deg);
-  claim_same(v->error[k], one->has_first_angle, (tp_bounded){one->first_angle_deg.error, 0, NULL});
-  claim_same(v->critical[k], one->has_governing,
-             one->has_governing ? one->pivots[one->governing].critical_angle_deg : (tp_bounded){0});
-  claim_same(v->limit[k], one->limit.kind == TP_LIMIT_AT_ANGLE, one->limit.critical_angle_deg);
-  claim_same(v->onset[k], one->onset.kind == TP_ONSET_AT_ANGLE, one->onset.critical_angle_deg);
-  claim_same(v->fos[k], one->governing_fos.fos.state == TP_FOS_NUMBER,
-             one->governing_fos.fos.value);
-  tp_solution_free(solution);
-}
-
-START_TEST(verdicts_of_many) {
-  static verdicts first, other;
-  tp_outlines outlines = draw_blocks();
-  outlines.count = SOLVED;
-  for (size_t k = 0; k < SOLVED; k++) {
-    friction[k] = k % 5 == 0 ? NAN : 20 + (double)(k % 30);
-    tilt[k] = k % 7 == 0 ? NAN : (double)(k % 40);
-  }
-  friction[10] = 91; /* an angle of friction that is none */
-  solve(&first, &outlines, 1);
-  ck_assert_int_eq(first.status[10], TP_BAD_INPUT);
-  for (size_t k = 0; k < SOLVED; k++) claim_verdict(&first, k);
-  solve(&other, &outlines, 7);
-  ck_assert(same_bytes(&first, &other, sizeof first));
-  const size_t all = first.summary.done + first.summary.bad + first.summary.undecided;
-  ck_assert_uint_eq(all, SOLVED);
-}
-END_TEST
-
-/* Within 2^-49 of Arb's, in all quadrants and on both sides of every sixteenth. */
-START_TEST(arctangents) {
-  random_numbers state = random_numbers_from(random_seed());
-  arb_t y, x, truth, error;
-  arb_init(y);
-  arb_init(x);
-  arb_init(truth);
-  arb_init(error);
-  for (int k = 0; k < 20000; k++) {
-    const double sixteenth = (double)draw_below(&state, 18) / 16 + (draw_part(&state) - 0.5) / 8;
-    double up = k % 3 == 0    ? sixteenth
-                : k % 50 == 1 ? 0
-                              : ldexp(1 + draw_part(&state), k % 890 - 445);
-    double along = k % 3 == 0 ? 1 : k % 50 == 4 ? 0 : ldexp(1 + draw_part(&state), k % 700 - 350);
-    if (up == 0 && along == 0) continue;
-    if (draw_once_in(&state, 2)) up = -up;
-    if (draw_once_in(&state, 2)) along = -along;
-    if (draw_once_in(&state, 2)) {
-      const double held = up;
-      up = along;
-      along = held;
-    }
-    const double own = tp_arctangent_degrees(up, along);
-    arb_set_d(y, up);
-    arb_set_d(x, along);
-    tp_ball_atan2_degrees(truth, y, x, 200);
-    arb_set_d(error, own);
-    arb_sub(error, error, truth, 200);
-    arb_abs(error, error);
-    arb_abs(truth, truth);
-    arb_mul_2exp_si(truth, truth, -49);
-    ck_assert_msg(arb_le(error, truth) || up == 0, "atan2(%a, %a) is not %a", up, along, own);
-    if (up == 0) ck_assert_double_eq(fabs(own), along > 0 ? 0 : 180);
-  }
-  arb_clear(y);
-  arb_clear(x);
-  arb_clear(truth);
-  arb_clear(error);
-}
-END_TEST
-
 int main(void) {
   Suite *suite = suite_create("blocks");
   TCase *tests = tcase_create("blocks");
@@ -388,8 +209,6 @@ int main(void) {
   tcase_add_test(tests, any_number_of_threads);
   tcase_add_test(tests, no_columns);
   tcase_add_test(tests, moments_of_many);
-  tcase_add_test(tests, verdicts_of_many);
-  tcase_add_test(tests, arctangents);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

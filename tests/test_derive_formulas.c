@@ -3,8 +3,7 @@
 
 /* The moments and lever arms of a block in symbols against sums over triangles in rationals, at the
  * scene's parameters and at others, for which the outline need not even be one: the formulas are
- * identities. Blocks are stars with a hole and a part of another density, each coordinate a linear
- * function of two parameters. */
+ * identities. Blocks: stars with a hole and a part of its own density, linear in two parameters. */
 
 #include "derive/model.h"
 #include "exact_vectors.h"

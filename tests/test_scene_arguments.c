@@ -108,6 +108,24 @@ START_TEST(scenes) {
 }
 END_TEST
 
+START_TEST(profiles) {
+  static const double line[] = {-1, 0, 5, 0};
+  char *text = UNTOUCHED(char);
+  REFUSED(tp_scene_profile_csv(NULL, scene, &message), "'text' must not be NULL");
+  REFUSED(tp_scene_profile_csv(&text, NULL, &message), "'scene' must not be NULL");
+  REFUSED(tp_scene_profile_csv(&text, scene, &message), "the base has no profile of its own");
+  REFUSED(tp_scene_write_profile(NULL, "x.csv", &message), "'scene' must not be NULL");
+  REFUSED(tp_scene_write_profile(scene, NULL, &message), "'path' must not be NULL");
+  REFUSED(tp_scene_write_profile(scene, "x.csv", &message), "the base has no profile of its own");
+  ck_assert_ptr_eq(text, UNTOUCHED(char));
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(line, 2), &message));
+  ck_assert_int_eq(tp_scene_write_profile(scene, "/dev/null/x.csv", &message), TP_SYSTEM_FAILED);
+  DO(tp_scene_profile_csv(&text, scene, &message));
+  ck_assert_str_eq(text, "x,y\n-1,0\n5,0\n");
+  free(text);
+}
+END_TEST
+
 START_TEST(numbers) {
   char *before = solve();
 #define ANGLE(number) tp_scene_set_friction_angle_deg(scene, number, &message)
@@ -309,6 +327,7 @@ int main(void) {
   tcase_add_checked_fixture(tests, set_up, tear_down);
   tcase_add_test(tests, new_scenes);
   tcase_add_test(tests, scenes);
+  tcase_add_test(tests, profiles);
   tcase_add_test(tests, numbers);
   tcase_add_test(tests, outlines);
   tcase_add_test(tests, bases_and_loads);

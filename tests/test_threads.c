@@ -220,6 +220,20 @@ static void solve_long_roof(crowd *among, int number) {
   of_thread[number] = s;
 }
 
+/* By so many threads that the caller allows. */
+static char *solved_by(const tp_scene *scene, size_t threads) {
+  char *json = NULL;
+  tp_solution *solution = NULL;
+  tp_solve_options options = tp_solve_options_default();
+  options.threads = threads;
+  options.pivots = TP_PIVOTS_GOVERNING;
+  ck_assert_int_eq(tp_solve(&solution, scene, &options, NULL), TP_OK);
+  same_times(solution);
+  ck_assert_int_eq(tp_report_json(&json, solution), TP_OK);
+  tp_solution_free(solution);
+  return json;
+}
+
 START_TEST(threads_within_a_call) {
   sayings alone = {0};
   tp_scene *scene = build_long_roof();
@@ -233,6 +247,10 @@ START_TEST(threads_within_a_call) {
     sayings_forget(of_thread[k]);
     free(of_thread[k]);
   }
+  char *by_one = solved_by(scene, 1), *by_seven = solved_by(scene, 7);
+  ck_assert_str_eq(by_one, by_seven);
+  free(by_one);
+  free(by_seven);
   sayings_forget(&alone);
   tp_scene_free(scene);
 }

@@ -7,7 +7,6 @@
 #include "batch/blocks.h"
 #include "batch/share.h"
 #include "batch/turning.h"
-#include "host.h"
 
 /* Blocks handed out at once: some tens of microseconds of work. */
 enum { CHUNK = 512 };
@@ -40,14 +39,8 @@ tp_status tp_blocks_critical_angles(const tp_critical_columns *columns, tp_block
                                     const tp_outlines *outlines, const tp_blocks_options *options,
                                     tp_message *message) {
   TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, columns);
-  TP_REFUSE_NULL(message, summary);
-  TP_REFUSE_NULL(message, outlines);
-  TP_REFUSE_NULL(message, options);
   tp_blocks_options own = tp_blocks_options_default();
-  TP_TAKE_OPTIONS(message, own, options);
-  const tp_status status = tp_blocks_check(outlines, options, __func__, message);
-  if (status != TP_OK) return status;
+  TP_BLOCKS_BEGIN(message, columns, summary, outlines, own, options);
   const critical_task task = {.columns = columns,
                               .outlines = outlines,
                               .turning = {.towards = options->towards,

@@ -6,7 +6,6 @@
 #include "batch/area.h"
 #include "batch/blocks.h"
 #include "batch/share.h"
-#include "host.h"
 
 #include <math.h>
 
@@ -37,18 +36,13 @@ typedef struct moments_task {
   const tp_scan_kernel *kernel;
 } moments_task;
 
-static void put(double *values, double *errors, size_t block, tp_bounded number) {
-  if (values != NULL) values[block] = number.value;
-  if (errors != NULL) errors[block] = number.error;
-}
-
 static void put_all(const tp_moment_columns *c, size_t block, const tp_area_moments *m) {
-  put(c->area, c->area_error, block, m->area);
-  put(c->centroid_x, c->centroid_x_error, block, m->centroid_x);
-  put(c->centroid_y, c->centroid_y_error, block, m->centroid_y);
-  put(c->second_moment_xx, c->second_moment_xx_error, block, m->second_moment_xx);
-  put(c->second_moment_yy, c->second_moment_yy_error, block, m->second_moment_yy);
-  put(c->second_moment_xy, c->second_moment_xy_error, block, m->second_moment_xy);
+  tp_columns_put(c->area, c->area_error, block, m->area);
+  tp_columns_put(c->centroid_x, c->centroid_x_error, block, m->centroid_x);
+  tp_columns_put(c->centroid_y, c->centroid_y_error, block, m->centroid_y);
+  tp_columns_put(c->second_moment_xx, c->second_moment_xx_error, block, m->second_moment_xx);
+  tp_columns_put(c->second_moment_yy, c->second_moment_yy_error, block, m->second_moment_yy);
+  tp_columns_put(c->second_moment_xy, c->second_moment_xy_error, block, m->second_moment_xy);
 }
 
 static tp_status find(tp_workspace *workspace, const void *task, size_t block,
@@ -72,14 +66,8 @@ tp_status tp_outlines_moments(const tp_moment_columns *columns, tp_blocks_summar
                               const tp_outlines *outlines, const tp_blocks_options *options,
                               tp_message *message) {
   TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, columns);
-  TP_REFUSE_NULL(message, summary);
-  TP_REFUSE_NULL(message, outlines);
-  TP_REFUSE_NULL(message, options);
   tp_blocks_options own = tp_blocks_options_default();
-  TP_TAKE_OPTIONS(message, own, options);
-  const tp_status status = tp_blocks_check(outlines, options, __func__, message);
-  if (status != TP_OK) return status;
+  TP_BLOCKS_BEGIN(message, columns, summary, outlines, own, options);
   const moments_task task = {columns, outlines, tp_scan_kernel_choose(TP_INSTRUCTIONS_BEST)};
   return tp_share_out(summary, find, &task, outlines->count, CHUNK, options->threads, message);
 }

@@ -98,13 +98,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define LESSER(a, b) ((VECTOR)_mm512_min_pd(a, b))
 #define EQUAL(a, b) ((unsigned)_mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ))
 #include "batch/outline_scan_in.h"
-#undef KERNEL
-#undef TARGET
-#undef WIDTH
-#undef FIRSTS
-#undef SECONDS
-#undef LESSER
-#undef EQUAL
 
 #define KERNEL(name) avx2_##name
 #define TARGET __attribute__((target("avx2")))
@@ -114,13 +107,6 @@ static inline __attribute__((always_inline)) double least_of(const double *lanes
 #define LESSER(a, b) ((VECTOR)_mm256_min_pd(a, b))
 #define EQUAL(a, b) ((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)))
 #include "batch/outline_scan_in.h"
-#undef KERNEL
-#undef TARGET
-#undef WIDTH
-#undef FIRSTS
-#undef SECONDS
-#undef LESSER
-#undef EQUAL
 #endif
 
 #define KERNEL(name) baseline_##name

@@ -4,7 +4,7 @@
 /* The kernels of outline_scan.h for one instruction set; included once for each. The includer
  * defines TARGET (the attribute that allows the instructions), KERNEL(name), WIDTH, FIRSTS and
  * SECONDS (the places of x and of y among 2 WIDTH numbers), LESSER(a, b) and EQUAL(a, b), a bit for
- * every lane. No include guard: that is meant. */
+ * every lane; all of these end with this file. No include guard: that is meant. */
 
 #define INLINE static inline __attribute__((always_inline)) TARGET
 #define VECTOR KERNEL(vector)
@@ -141,3 +141,10 @@ static TARGET turning KERNEL(turn)(const facets *f) {
 #undef INLINE
 #undef VECTOR
 #undef BITS
+#undef KERNEL
+#undef TARGET
+#undef WIDTH
+#undef FIRSTS
+#undef SECONDS
+#undef LESSER
+#undef EQUAL

@@ -7,7 +7,6 @@
 #include "batch/block_scene.h"
 #include "batch/blocks.h"
 #include "batch/share.h"
-#include "host.h"
 
 #include <math.h>
 
@@ -24,22 +23,17 @@ typedef struct verdict_task {
 
 static const tp_bounded none = {.value = NAN, .error = NAN};
 
-static void put(double *values, double *errors, size_t block, tp_bounded number) {
-  if (values != NULL) values[block] = number.value;
-  if (errors != NULL) errors[block] = number.error;
-}
-
 /* Of a block that has no solution. */
 static void put_nothing(const tp_verdict_columns *c, size_t block) {
   if (c->mechanism != NULL) c->mechanism[block] = TP_MECHANISM_UNDECIDED;
   if (c->first != NULL) c->first[block] = TP_MECHANISM_UNDECIDED;
   if (c->limit_kind != NULL) c->limit_kind[block] = TP_LIMIT_UNDECIDED;
   if (c->onset_kind != NULL) c->onset_kind[block] = TP_ONSET_UNDECIDED;
-  put(c->first_angle_deg, c->first_error_deg, block, none);
-  put(c->critical_angle_deg, c->critical_error_deg, block, none);
-  put(c->limit_angle_deg, c->limit_error_deg, block, none);
-  put(c->onset_angle_deg, c->onset_error_deg, block, none);
-  put(c->fos, c->fos_error, block, none);
+  tp_columns_put(c->first_angle_deg, c->first_error_deg, block, none);
+  tp_columns_put(c->critical_angle_deg, c->critical_error_deg, block, none);
+  tp_columns_put(c->limit_angle_deg, c->limit_error_deg, block, none);
+  tp_columns_put(c->onset_angle_deg, c->onset_error_deg, block, none);
+  tp_columns_put(c->fos, c->fos_error, block, none);
 }
 
 static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *own) {
@@ -51,13 +45,15 @@ static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *o
   if (c->first != NULL) c->first[block] = own->first;
   if (c->limit_kind != NULL) c->limit_kind[block] = own->limit.kind;
   if (c->onset_kind != NULL) c->onset_kind[block] = own->onset.kind;
-  put(c->first_angle_deg, c->first_error_deg, block,
-      own->has_first_angle ? own->first_angle_deg : none);
-  put(c->critical_angle_deg, c->critical_error_deg, block,
-      pivot != NULL ? pivot->critical_angle_deg : none);
-  put(c->limit_angle_deg, c->limit_error_deg, block, limit ? own->limit.critical_angle_deg : none);
-  put(c->onset_angle_deg, c->onset_error_deg, block, onset ? own->onset.critical_angle_deg : none);
-  put(c->fos, c->fos_error, block, fos->state == TP_FOS_NUMBER ? fos->value : none);
+  tp_columns_put(c->first_angle_deg, c->first_error_deg, block,
+                 own->has_first_angle ? own->first_angle_deg : none);
+  tp_columns_put(c->critical_angle_deg, c->critical_error_deg, block,
+                 pivot != NULL ? pivot->critical_angle_deg : none);
+  tp_columns_put(c->limit_angle_deg, c->limit_error_deg, block,
+                 limit ? own->limit.critical_angle_deg : none);
+  tp_columns_put(c->onset_angle_deg, c->onset_error_deg, block,
+                 onset ? own->onset.critical_angle_deg : none);
+  tp_columns_put(c->fos, c->fos_error, block, fos->state == TP_FOS_NUMBER ? fos->value : none);
 }
 
 static tp_status set_angle(tp_scene *scene, tp_numbers numbers, size_t block,
@@ -101,14 +97,8 @@ tp_status tp_blocks_solve(const tp_verdict_columns *columns, tp_blocks_summary *
                           tp_numbers tilt_angle_deg, const tp_blocks_options *options,
                           tp_message *message) {
   TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, columns);
-  TP_REFUSE_NULL(message, summary);
-  TP_REFUSE_NULL(message, outlines);
-  TP_REFUSE_NULL(message, options);
   tp_blocks_options own = tp_blocks_options_default();
-  TP_TAKE_OPTIONS(message, own, options);
-  const tp_status status = tp_blocks_check(outlines, options, __func__, message);
-  if (status != TP_OK) return status;
+  TP_BLOCKS_BEGIN(message, columns, summary, outlines, own, options);
   verdict_task task = {columns,        outlines,         friction_angle_deg,
                        tilt_angle_deg, options->towards, tp_solve_options_default()};
   task.options.limit = options->limit;

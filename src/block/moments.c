@@ -27,11 +27,11 @@ static void unscale(arb_t sum, int k, const tp_lattice *lattice) {
 typedef struct ring {
   const tp_lattice *lattice;
   long first, count;
-  int sum_count;
+  int sum_count, threads;
 } ring;
 
 static tp_sums_plan plan_of(const ring *r) {
-  return (tp_sums_plan){.sum_count = r->sum_count};
+  return (tp_sums_plan){.sum_count = r->sum_count, .threads = r->threads};
 }
 
 static void ring_in_double(arb_struct *sums, const ring *r) {
@@ -118,7 +118,9 @@ void tp_moments_evaluate(tp_moments *moments, const tp_section *section, const t
   arb_zero(moments->area2);
   for (long r = 0; r < section->ring_count; r++) {
     const long first = lattice->start[r];
-    ring_sums(sums, &(ring){lattice, first, lattice->start[r + 1] - first, sum_count}, rung);
+    ring_sums(sums,
+              &(ring){lattice, first, lattice->start[r + 1] - first, sum_count, section->threads},
+              rung);
     if (r == 0) {
       arb_set(moments->area2, sums + TP_A2);
     } else if (r <= section->hole_count) {

@@ -54,12 +54,16 @@ typedef enum tp_instructions {
 /* Can this machine run them? */
 bool tp_instructions_present(tp_instructions set);
 
+/* The most threads that sum one ring. */
+enum { TP_SUMS_THREADS = 16 };
+
 /* How the two forms in double go about their work; the result does not depend on `instructions`
  * and `threads`. Only sets that are present may be asked for. */
 typedef struct tp_sums_plan {
   int sum_count; /* TP_AREA_SUM_COUNT or TP_SUM_COUNT */
   tp_instructions instructions;
-  int threads; /* at most 16; 0: as many as there are cores, one up to 3 * 2^18 edges */
+  int threads; /* at most TP_SUMS_THREADS; 0: as many as there are cores, one up to 3 * 2^18 edges
+                */
 } tp_sums_plan;
 
 /* In double with a proven bound: |sums[k] - truth| <= bounds[k], for coordinates that are exact

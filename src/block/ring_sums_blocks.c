@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 /* Levels of blocks: 63 bits of a count of edges less the 18 of a block, and one. Threads beyond
- * MOST_THREADS wait for memory. */
-enum { LEVELS = 63 - 18 + 1, MOST_THREADS = 16 };
+ * TP_SUMS_THREADS wait for memory. */
+enum { LEVELS = 63 - 18 + 1 };
 
 typedef struct work {
   const tp_ring *ring;
@@ -54,7 +54,7 @@ static void *share(void *argument) {
 
 /* Every block into `results`. A thread that cannot be had leaves more to the others. */
 static void share_out(work *w, int threads) {
-  pthread_t others[MOST_THREADS];
+  pthread_t others[TP_SUMS_THREADS];
   int started = 0;
   for (; started + 1 < threads; started++) {
     if (pthread_create(others + started, NULL, share, w) != 0) break;
@@ -89,7 +89,7 @@ static int threads_of(tp_sums_plan plan, long block_count) {
   long threads = plan.threads;
   if (threads == 0 && block_count >= 4) threads = sysconf(_SC_NPROCESSORS_ONLN);
   if (plan.threads == 0 && threads > block_count / 2) threads = block_count / 2;
-  return threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : (int)threads;
+  return threads < 1 ? 1 : threads > TP_SUMS_THREADS ? TP_SUMS_THREADS : (int)threads;
 }
 
 void tp_ring_rows(double rows[TP_ROW_COUNT], const tp_ring *ring, tp_sums_plan plan, bool pairs) {

@@ -25,6 +25,7 @@ typedef struct tp_section {
   fmpq_t weight_unit;          /* kN/m3; 1 where the scene gives no unit weight */
   tp_arc_tips arc_tips;        /* of the outline's arcs: the ring holds their tangents */
   const tp_ellipse *ellipse;   /* the outline stands around this; NULL: it is the block's own */
+  int threads;                 /* that sum a ring's moments (block/ring_sums.h) */
   bool repairable;             /* `repair: true` is to be offered where it helps */
   tp_notes notes;              /* what a repair moved */
   tp_polyline element_corners; /* of the paper's own elements (teeth, slab); else empty */

@@ -227,6 +227,9 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
              : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
                                  : print_solution(solution, a, ended);
   }
+  if (status == TP_OK && *ended == 0 && a->profile != NULL) {
+    status = tp_scene_write_profile(scene, a->profile, message);
+  }
   if (status == TP_OK && *ended == 0 && a->find.key == NULL) {
     *ended = end_open(solution, a, a->scene);
   }

@@ -16,7 +16,8 @@ enum {
   KEY_TO,
   KEY_CSV,
   KEY_FAIL_BELOW,
-  KEY_PIVOTS
+  KEY_PIVOTS,
+  KEY_WRITE_PROFILE
 };
 
 static const struct argp_option options[] = {
@@ -36,6 +37,8 @@ static const struct argp_option options[] = {
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
+    {"write-profile", KEY_WRITE_PROFILE, "FILE", 0,
+     "Write the profile of the base into FILE as CSV, every digit of it", 0},
     {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
     {"level", KEY_LEVEL, "LEVEL", 0,
      "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
@@ -135,9 +138,10 @@ static void check(tp_solve_words *a, struct argp_state *state) {
                   a->scenes[1]);
   }
   if (table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL || a->verbose ||
-                (a->table && a->csv))) {
-    tp_cli_refuse(state, "--table and --csv print a table alone; drop --json, --elements, "
-                         "--figure, --find, --verbose and the other of the two");
+                a->profile != NULL || (a->table && a->csv))) {
+    tp_cli_refuse(state,
+                  "--table and --csv print a table alone; drop --json, --elements, --figure, "
+                  "--find, --verbose, --write-profile and the other of the two");
   }
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
@@ -178,6 +182,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_FIGURE:
     read_figure(a, argument, state);
+    return 0;
+  case KEY_WRITE_PROFILE:
+    a->profile = argument;
     return 0;
   case KEY_FIND:
     a->find.key = argument;

@@ -12,7 +12,8 @@ typedef struct tp_solve_words {
   const char *scene; /* the first of `scenes` */
   char **scenes;     /* those of --table and --csv */
   int scene_count;
-  const char *figure; /* file to draw into; NULL: none */
+  const char *figure;  /* file to draw into; NULL: none */
+  const char *profile; /* file to write the base's profile into; NULL: none */
   bool json, elements, table, csv, verbose;
   tp_pivots_listed pivots;
   bool has_design_fos;

@@ -5,6 +5,7 @@
 
 #include "block/outline.h"
 #include "derive/field_work.h"
+#include "derive/made_profile.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -228,6 +229,9 @@ static tp_status set_rings(const builder *b, const tp_section *section) {
   }
   const tp_node *base = tp_node_get(b->scene->source, "base");
   const tp_node *profile = base != NULL ? tp_node_get(base, "profile") : NULL;
+  if (status == TP_OK && profile != NULL && profile->kind == TP_NODE_MAPPING) {
+    status = tp_made_profile_check(b->scene, profile, b->message);
+  }
   if (status == TP_OK && profile != NULL) {
     status = set_points(b, &symbols->profile, profile, &b->scene->base.profile);
   }

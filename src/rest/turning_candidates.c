@@ -100,6 +100,40 @@ static bool note_pair(const search *q, bool of_base, long vertex, long edge) {
                             certain);
 }
 
+/* The vertices of the profile that a part of the block between two abscissas can come to before
+ * some pair touches for certain: it moves by at most the angle of that turn times its arm. */
+static void in_reach(long *first, long *last, const search *q, double reach, double from,
+                     double to) {
+  const double moves = fmin(2, 2 * atan(q->found->best)) * reach + 4 * q->error;
+  tp_candidates_reach(first, last, q->bodies, fmax(fmin(from, to) - moves, q->u - reach),
+                      fmin(fmax(from, to) + moves, q->u + reach));
+}
+
+/* A vertex of the block on edges of the base, its upright ends among them. */
+static bool note_vertex(const search *q, double reach, long vertex) {
+  const double u = q->bodies->block.u[vertex];
+  bool done = true;
+  for (long edge = q->bodies->profile_count - 1; edge < q->bodies->base.count && done; edge++) {
+    done = note_pair(q, false, vertex, edge);
+  }
+  long first, last;
+  in_reach(&first, &last, q, reach, u, u);
+  for (long edge = first; edge < last && done; edge++) done = note_pair(q, false, vertex, edge);
+  return done;
+}
+
+/* Vertices of the base on an edge of the block. */
+static bool note_edge(const search *q, double reach, long edge) {
+  const tp_body *block = &q->bodies->block;
+  long first, last;
+  in_reach(&first, &last, q, reach, block->u[edge], block->u[tp_body_next(block, edge)]);
+  bool done = true;
+  for (long vertex = first; vertex <= last && done; vertex++) {
+    done = note_pair(q, true, vertex, edge);
+  }
+  return done;
+}
+
 bool tp_turning_candidates(tp_turning *turning, const tp_bodies *bodies) {
   const tp_body *block = &bodies->block, *base = &bodies->base;
   fmpq_t rest;
@@ -116,18 +150,9 @@ bool tp_turning_candidates(tp_turning *turning, const tp_bodies *bodies) {
     reach = fmax(reach, hypot(block->u[k] - q.u, block->v[k] - q.v));
   }
   reach += 4 * q.error + 4 * DBL_EPSILON * reach;
-  long first, last;
-  tp_candidates_reach(&first, &last, bodies, q.u - reach, q.u + reach);
   bool done = true;
-  for (long k = 0; k < block->count && done; k++) {
-    for (long edge = first; edge < last && done; edge++) done = note_pair(&q, false, k, edge);
-    for (long edge = bodies->profile_count - 1; edge < base->count && done; edge++) {
-      done = note_pair(&q, false, k, edge);
-    }
-    for (long vertex = first; vertex <= last && done; vertex++) {
-      done = note_pair(&q, true, vertex, k);
-    }
-  }
+  for (long k = 0; k < block->count && done; k++) done = note_vertex(&q, reach, k);
+  for (long k = 0; k < block->count && done; k++) done = note_edge(&q, reach, k);
   tp_candidates_settle(&turning->pairs);
   return done;
 }

@@ -62,21 +62,23 @@ static const size_t of_anchor[] = {offsetof(tp_anchor_description, x.value),
                                    offsetof(tp_anchor_description, direction_deg.value),
                                    offsetof(tp_anchor_description, force_kn.value)};
 
+#define ITEMS(list, number, type)                                                                  \
+  .items = IN_SCENE(list), .count = IN_SCENE(number), .size = sizeof(type)
+
 const tp_list tp_scene_lists[TP_LISTS] = {
-    [TP_LIST_HOLES] = {IN_SCENE(block.holes), IN_SCENE(block.hole_count), sizeof(tp_polyline),
-                       .has_line = true},
-    [TP_LIST_PARTS] = {IN_SCENE(block.parts), IN_SCENE(block.part_count), sizeof(tp_part),
-                       OFFSETS(of_part), true, offsetof(tp_part, outline)},
-    [TP_LIST_ARCS] = {IN_SCENE(block.arcs), IN_SCENE(block.arc_count), sizeof(tp_arc_description),
-                      OFFSETS(of_arc)},
-    [TP_LIST_CORNERS] = {IN_SCENE(block.rounded.corners), IN_SCENE(block.rounded.count),
-                         sizeof(tp_corner_description), OFFSETS(of_corner)},
-    [TP_LIST_PRESSURES] = {IN_SCENE(loads.pressures), IN_SCENE(loads.pressure_count),
-                           sizeof(tp_line_load), OFFSETS(of_line_load)},
-    [TP_LIST_SURCHARGES] = {IN_SCENE(loads.surcharges), IN_SCENE(loads.surcharge_count),
-                            sizeof(tp_line_load), OFFSETS(of_line_load)},
-    [TP_LIST_ANCHORS] = {IN_SCENE(loads.anchors), IN_SCENE(loads.anchor_count),
-                         sizeof(tp_anchor_description), OFFSETS(of_anchor)}};
+    [TP_LIST_HOLES] = {ITEMS(block.holes, block.hole_count, tp_polyline), .has_line = true},
+    [TP_LIST_PARTS] = {ITEMS(block.parts, block.part_count, tp_part), .numbers = OFFSETS(of_part),
+                       .has_line = true, .line = offsetof(tp_part, outline)},
+    [TP_LIST_ARCS] = {ITEMS(block.arcs, block.arc_count, tp_arc_description),
+                      .numbers = OFFSETS(of_arc)},
+    [TP_LIST_CORNERS] = {ITEMS(block.rounded.corners, block.rounded.count, tp_corner_description),
+                         .numbers = OFFSETS(of_corner)},
+    [TP_LIST_PRESSURES] = {ITEMS(loads.pressures, loads.pressure_count, tp_line_load),
+                           .numbers = OFFSETS(of_line_load)},
+    [TP_LIST_SURCHARGES] = {ITEMS(loads.surcharges, loads.surcharge_count, tp_line_load),
+                            .numbers = OFFSETS(of_line_load)},
+    [TP_LIST_ANCHORS] = {ITEMS(loads.anchors, loads.anchor_count, tp_anchor_description),
+                         .numbers = OFFSETS(of_anchor)}};
 
 fmpq *tp_member_number(void *of, size_t offset) {
   return (fmpq *)(void *)((char *)of + offset);

@@ -58,6 +58,9 @@ TP_MUST_USE tp_status tp_read_loads(const tp_reader *reader, const tp_node *node
 TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *root);
 TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
+/* A profile that is made by rule. */
+TP_MUST_USE tp_status tp_read_generated(const tp_reader *reader, tp_polyline *line,
+                                        const tp_node *node);
 
 /* The key contact of the scene. */
 TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *node);

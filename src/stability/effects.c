@@ -50,6 +50,10 @@ bool tp_effects_add(tp_solution *solution, const char *name, tp_place place, con
   return true;
 }
 
+tp_status tp_effects_entered(tp_status status, tp_message *message, bool noted) {
+  return status == TP_OK && !noted ? tp_fail_memory(message, "the effects") : status;
+}
+
 void tp_effects_clear(tp_solution *solution) {
   for (size_t k = 0; k < solution->effect_count; k++) free(solution->effects[k].called_for_by);
   free(solution->effects);

@@ -25,6 +25,9 @@ TP_MUST_USE bool tp_effects_note(tp_solution *solution, const char *name, tp_pla
 TP_MUST_USE bool tp_effects_add(tp_solution *solution, const char *name, tp_place place,
                                 const char *instead, double seconds);
 
+/* The status of a step that was `noted`, or could not be. */
+TP_MUST_USE tp_status tp_effects_entered(tp_status status, tp_message *message, bool noted);
+
 void tp_effects_clear(tp_solution *solution);
 
 #endif

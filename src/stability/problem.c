@@ -10,6 +10,7 @@
 #include "scene/check.h"
 #include "stability/admissible.h"
 #include "stability/effects.h"
+#include "stability/lay.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -77,11 +78,6 @@ static bool wants_elements(const tp_problem *problem, const tp_solve_options *op
          tp_lattice_work(&problem->lattice) <= most_work_unasked;
 }
 
-/* Of a step that was entered into the account of effects, or could not be. */
-static tp_status noted(tp_status status, tp_message *message, bool entered) {
-  return status == TP_OK && !entered ? tp_fail_memory(message, "the effects") : status;
-}
-
 static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *triangulation,
                                const tp_solve_options *options, tp_solution *solution,
                                tp_message *message) {
@@ -103,7 +99,7 @@ static tp_status find_elements(tp_problem *problem, tp_geom_triangulation *trian
                               section->ring_count + 1, triangulation, message);
   }
   problem->has_elements = status == TP_OK;
-  return noted(
+  return tp_effects_entered(
       status, message,
       tp_effects_note(solution, "elements",
                       options->elements ? (tp_place){0} : problem->scene->tilt_angle_deg.place,
@@ -120,8 +116,9 @@ static tp_status round_corners(tp_problem *problem, const tp_solve_options *opti
   tp_status status =
       tp_corners_init(&problem->corners, &scene->block, scene->base.mated ? ends : NULL,
                       &problem->section, &problem->lattice, scene->metres_per_unit, message);
-  status = noted(status, message,
-                 tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began));
+  status = tp_effects_entered(
+      status, message,
+      tp_effects_note(solution, "rounding", scene->block.rounded.place, "", began));
   if (status == TP_OK && problem->corners.count > 0 && options->elements) {
     return tp_fail(message, TP_BAD_INPUT, scene->block.rounded.place,
                    "the account by elements is for sharp corners; leave out --elements or the "
@@ -207,6 +204,7 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   const tp_scene *scene = problem->scene;
   tp_effect_begin began = tp_effects_begin(solution);
   tp_status status = tp_section_init(&problem->section, &scene->block, message);
+  problem->section.threads = (int)options->threads;
   if (status == TP_OK) {
     status = tp_notes_append(&solution->notes, &problem->section.notes, message);
   }
@@ -219,14 +217,14 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
     status = tp_underside_fail(problem->base.none, scene, message);
   }
   if (status != TP_OK) return status;
-  status =
-      noted(status, message, tp_effects_note(solution, "outline", scene->block.place, "", began));
+  status = tp_effects_entered(status, message,
+                              tp_effects_note(solution, "outline", scene->block.place, "", began));
   if (status == TP_OK && scene->block.arc_count > 0) {
     began = tp_effects_begin(solution);
     status = tp_arcs_check(&problem->section, &problem->lattice, &scene->block,
                            scene->metres_per_unit, message);
-    status = noted(status, message,
-                   tp_effects_note(solution, "arcs", scene->block.arcs[0].place, "", began));
+    status = tp_effects_entered(
+        status, message, tp_effects_note(solution, "arcs", scene->block.arcs[0].place, "", began));
   }
   if (status == TP_OK && scene->block.rounded.count > 0) {
     status = round_corners(problem, options, solution, message);
@@ -241,56 +239,13 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   if (status == TP_OK && tp_loads_are_called_for(&scene->loads)) {
     status = check_loads(problem, options, message);
   }
-  status = noted(status, message,
-                 tp_effects_note(solution, "contact", scene->base.place,
-                                 "a mated base, as none is given", began));
+  status = tp_effects_entered(status, message,
+                              tp_effects_note(solution, "contact", scene->base.place,
+                                              "a mated base, as none is given", began));
   if (status == TP_OK && wants_elements(problem, options)) {
     status = find_elements(problem, triangulation, options, solution, message);
   }
   return status;
-}
-
-static tp_status turn(tp_problem *problem, const tp_solve_options *options, tp_solution *solution,
-                      tp_message *message) {
-  const tp_scene *scene = problem->scene;
-  const tp_effect_begin began = tp_effects_begin(solution);
-  if (options->digits > TP_WORLD_DIGITS) {
-    return tp_fail(message, TP_BAD_INPUT, scene->frame_place,
-                   "where 'frame' is 'world' numbers are certain to %d digits at most; give the "
-                   "coordinates along the mean plane for more",
-                   TP_WORLD_DIGITS);
-  }
-  const tp_status status = tp_world_init(&problem->world, scene, message);
-  if (status != TP_OK) return status;
-  problem->scene = &problem->world->scene;
-  return noted(status, message, tp_effects_note(solution, "frame", scene->frame_place, "", began));
-}
-
-static tp_status set_down(tp_problem *problem, const tp_solve_options *options,
-                          tp_solution *solution, tp_message *message) {
-  const tp_scene *scene = problem->scene;
-  const tp_effect_begin began = tp_effects_begin(solution);
-  if (options->digits > TP_RESTED_DIGITS) {
-    return tp_fail(message, TP_BAD_INPUT, scene->base.rests_place,
-                   "of a block that comes to rest numbers are certain to %d digits at most; give "
-                   "it where it rests, 'place: as_given', for more",
-                   TP_RESTED_DIGITS);
-  }
-  const tp_status status = tp_rested_init(&problem->rested, scene, message);
-  if (status != TP_OK) return status;
-  problem->scene = &problem->rested->scene;
-  return noted(status, message,
-               tp_effects_note(solution, "rest", scene->base.rests_place, "", began));
-}
-
-static tp_status snap(tp_problem *problem, tp_solution *solution, tp_message *message) {
-  const tp_scene *scene = problem->scene;
-  const tp_effect_begin began = tp_effects_begin(solution);
-  const tp_status status = tp_snapped_init(&problem->snapped, scene, message);
-  if (status != TP_OK) return status;
-  problem->scene = &problem->snapped->scene;
-  return noted(status, message,
-               tp_effects_note(solution, "within", scene->base.within.place, "", began));
 }
 
 tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
@@ -301,12 +256,9 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   problem->scene = scene;
   tp_status status = TP_OK;
   if (scene->source == NULL) status = tp_check_built(scene, message);
-  if (status == TP_OK && scene->base.rests) {
-    status = set_down(problem, options, solution, message);
-  }
-  if (status == TP_OK && scene->base.within.given) status = snap(problem, solution, message);
-  if (status == TP_OK && scene->frame == TP_FRAME_WORLD) {
-    status = turn(problem, options, solution, message);
+  if (status == TP_OK) {
+    status = tp_lay(&problem->scene, &problem->rested, &problem->snapped, &problem->world, options,
+                    solution, message);
   }
   if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
   if (status == TP_BAD_INPUT && problem->snapped != NULL) tp_snapped_explain(scene, message);

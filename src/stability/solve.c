@@ -4,6 +4,7 @@
 /* A scene in, the stability of its block out. */
 
 #include "stability/solve.h"
+#include "block/ring_sums.h"
 #include "host.h"
 #include "notes.h"
 #include "options.h"
@@ -14,7 +15,7 @@
 
 #include <stdlib.h>
 
-TP_OPTIONS_END(tp_solve_options, pivots);
+TP_OPTIONS_END(tp_solve_options, threads);
 
 void tp_solve_options_init(tp_solve_options *options, size_t size) {
   const tp_solve_options defaults = {.size = sizeof defaults,
@@ -61,6 +62,10 @@ tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve
   }
   if ((int)options->level < 0 || (int)options->level >= TP_LEVELS) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such level of arithmetic");
+  }
+  if (options->threads > TP_SUMS_THREADS) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "threads must be 0 to %d",
+                   TP_SUMS_THREADS);
   }
   if ((int)options->pivots < 0 || options->pivots > TP_PIVOTS_GOVERNING) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such list of pivots");

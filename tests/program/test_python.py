@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""The library as Python has it: a scene built by every call is what the file that says the same is; numbers go in exactly,
-of every kind and every layout of array; what is wrong raises the exception of its status; threads, memory, figures."""
+"""The library as Python has it: numbers go in exactly, of every kind and every layout of array; what is wrong raises the
+exception of its status; threads, memory, figures."""
 
 import gc
-import inspect
 import math
 import pathlib
 import re
@@ -13,132 +12,12 @@ import sys
 import tempfile
 import threading
 import unittest
-import warnings
 import xml.dom.minidom
 from decimal import Decimal
 from fractions import Fraction
 
 from harness import ROOT, main, run
-from python_case import BUILD, SOURCES, lib, numpy, topple
-
-SQUARE = [(0, 0), (50, 0), (50, 100), (0, 100)]
-BLOCK = [(0, 0), (30, 5), (60, 0), (90, 5), (90, 125), (0, 120)]
-SQUARE_TEXT = "[[0, 0], [50, 0], [50, 100], [0, 100]]"
-HOLE, PART = [(20, 40), (30, 40), (30, 50), (20, 50)], [(0, 80), (50, 80), (50, 100), (0, 100)]
-WEIGHED = {"outline": SQUARE, "unit_weight_kn_m3": 26, "base_beyond": (10, 20), "tilt_angle_deg": 10,
-           "tilt_towards": "left", "friction_angle_deg": 30}
-WEIGHED_TEXT = f"""topple: 1
-length_unit: mm
-block: {{outline: {SQUARE_TEXT}, unit_weight_kn_m3: 26}}
-base: {{mated: true, beyond: {{left: 10, right: 20}}}}
-friction_angle_deg: 30
-tilt: {{towards: left, angle_deg: 10}}
-"""
-#: What a scene is given, and the lines of a file that say the same.
-SAID = [
-    ({"slab": (50, 100), "title": "A slab"}, "title: A slab\nblock: {slab: {width: 50, height: 100}}"),
-    ({"slab": {"width": "1/3", "height": Decimal("1.25")}}, "block: {slab: {width: 1/3, height: 1.25}}"),
-    ({"teeth": (3, 30, 120, 5, "valley")},
-     "block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: valley}}"),
-    ({"teeth_over": (4, 80, 100, 4, topple.LeftEnd.PEAK), "rounded_ends": [("left_end", "0.5")], "rounding_keeps_mass": True},
-     "block: {teeth: {block_width: 80, mean_height: 100, amplitude: 4, wavelength: 40, left_end: peak},"
-     " rounded: {model: paper, corners: [{at: left_end, radius: 0.5}]}}"),
-    ({"ellipse": (100, 60, 20)}, "block: {ellipse: {width: 100, height: 60, flat: 20}}"),
-    ({"outline": SQUARE, "holes": [HOLE], "parts": [(PART, 20)], "unit_weight_kn_m3": 26, "thickness": 20},
-     f"block: {{outline: {SQUARE_TEXT}, holes: [{[list(p) for p in HOLE]}],"
-     f" parts: [{{outline: {[list(p) for p in PART]}, unit_weight_kn_m3: 20}}], unit_weight_kn_m3: 26, thickness: 20}}"),
-    ({"outline": SQUARE, "arcs_through": [(50, 100, 25, 120)], "arcs_bulge": [(50, 0, Fraction(1, 8))],
-      "rounded_vertices": [(0, 0, 2)]},
-     f"block: {{outline: {SQUARE_TEXT}, arcs: [{{from: [50, 100], through: [25, 120]}}, {{from: [50, 0], bulge: 1/8}}],"
-     " rounded: {corners: [{at: [0, 0], radius: 2}]}}"),
-    ({"outline": BLOCK, "repair": True, "base_mated": True, "tilt_towards": "right"},
-     f"block: {{outline: {[list(p) for p in BLOCK]}, repair: true}}\nbase: {{mated: whole}}\ntilt: {{towards: right}}"),
-    ({"outline": BLOCK, "base_between": [(0, 0), (60, 0)]},
-     f"block: {{outline: {[list(p) for p in BLOCK]}}}\nbase: {{mated: true, between: [[0, 0], [60, 0]]}}"),
-    ({"outline": SQUARE, "base_bound": ("below", 1), "frame": "world"},
-     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{mated: true, between: {{below: 1}}}}\nframe: world"),
-    ({"outline": SQUARE, "base_profile": [(-100, 10), (0, -5), (200, 0)], "base_rest": True},
-     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: rest}}"),
-    ({"outline": SQUARE, "base_profile": [(-100, -1), (0, 0.5), (200, 0)], "contact_within": 2},
-     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, -1], [0, 0.5], [200, 0]]}}\ncontact: {{within: 2}}"),
-    ({"outline": SQUARE, "base_profile": [(-100, 0), (200, 0)], "mean_plane": [(0, 0), (100, 5)]},
-     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 0], [200, 0]]}}\n"
-     "frame: {mean_plane: [[0, 0], [100, 5]]}"),
-    ({"outline": SQUARE, "frame": topple.Along.BASE, "friction_patton": (25, 5)},
-     f"block: {{outline: {SQUARE_TEXT}}}\nframe: base\n"
-     "friction: {law: patton, basic_angle_deg: 25, roughness_angle_deg: 5}"),
-]
-LAWS = [
-    ({"friction_barton": (28, 6, 80)}, "{law: barton, residual_angle_deg: 28, jrc: 6, jcs_mpa: 80}"),
-    ({"friction_barton_test": (28, 60, "0.5", 80)},
-     "{law: barton, residual_angle_deg: 28, tilt_test: {angle_deg: 60, normal_stress_kpa: 0.5}, jcs_mpa: 80}"),
-    ({"friction_barton_roughness": (28, 10, 80)},
-     "{law: barton, residual_angle_deg: 28, roughness_angle_deg: 10, jcs_mpa: 80}"),
-]
-LOADS = [
-    ({"seismic_horizontal": "0.1", "seismic_vertical": "0.05"}, "{seismic: {horizontal: 0.1, vertical: 0.05}}"),
-    ({"water": (40,)}, "{water: {height: 40}}"),
-    ({"water": {"height": 30, "unit_weight_kn_m3": 10, "stays_level": True, "uplift": True}},
-     "{water: {height: 30, unit_weight_kn_m3: 10, stays_level: true, uplift: true}}"),
-    ({"pressures": [(50, 20, 50, 40, 1, 2)]}, "{pressures: [{from: [50, 20], to: [50, 40], kpa: [1, 2]}]}"),
-    ({"surcharges": [(0, 100, 50, 100, 3)]}, "{surcharges: [{from: [0, 100], to: [50, 100], kpa: 3}]}"),
-    ({"anchors": [(50, 50, -10, "0.001"), {"x": 0, "y": 50, "direction_deg": 0, "force_kn": "0.002", "passive": True}]},
-     "{anchors: [{at: [50, 50], direction_deg: -10, force_kn: 0.001},"
-     " {at: [0, 50], direction_deg: 0, force_kn: 0.002, passive: true}]}"),
-    ({"bond_kpa": "0.1", "cohesion_kpa": "0.2"}, "{bond_kpa: 0.1, cohesion_kpa: 0.2}"),
-]
-
-
-def said(scene):
-    """What the solved scene says, but for places, times and notes."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", topple.Caution)
-        text = scene.solve().to_json()
-    text = re.sub(r'"notes": \[[^\]]*\]', "", text)
-    return re.sub(r'"called_for_by": "[^"]*"|"seconds": [^,}]*', "", text)
-
-
-class Scenes(unittest.TestCase):
-    def check(self, given, text):
-        with self.subTest(text):
-            self.assertEqual(said(topple.Scene("mm", **given)), said(topple.Scene.from_text(text)))
-
-    def test_every_call(self):
-        """By its name given to Scene, which calls the method of that name."""
-        for given, text in SAID:
-            self.check(given, f"topple: 1\nlength_unit: mm\n{text}\n")
-        for given, text in LAWS:
-            self.check({**{k: v for k, v in WEIGHED.items() if k != "friction_angle_deg"}, **given},
-                       WEIGHED_TEXT.replace("friction_angle_deg: 30", f"friction: {text}"))
-        for given, text in LOADS:
-            self.check({**WEIGHED, **given}, f"{WEIGHED_TEXT}loads: {text}\n")
-        tried = {name for given, _ in SAID + LAWS + LOADS for name in given} | set(WEIGHED) | {"length_unit"}
-        self.assertEqual(set(inspect.signature(topple.Scene).parameters) - tried, set())
-
-    def test_every_call_of_the_library(self):
-        """Each function of the headers is called somewhere in the package, or need not be."""
-        text = "".join(path.read_text(encoding="utf-8") for path in SOURCES.glob("*.py"))
-        needless = {
-            "tp_exact_of", "tp_exact_text", "tp_coordinates_of", "tp_coordinates_text",  # structs made by cffi
-            "tp_numbers_of", "tp_numbers_each", "tp_outlines_of", "tp_outlines_ragged",  # likewise
-            "tp_solve_outline", "tp_report_json",  # said by Scene.solve, tp_report_json_pivots
-            "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
-            "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name",  # for programs and terminals
-            "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
-            "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",
-            "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",
-            "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name",  # Word
-        }
-        for name in dir(lib):
-            if name.startswith("tp_") and not re.search(r"_options_(default|init)$", name) and name not in needless:
-                self.assertTrue(re.search(rf"lib\.{name}\b", text), name)
-
-    def test_a_set_call_replaces(self):
-        """A sweep sets one number again and again."""
-        scene = topple.Scene("mm", outline=SQUARE)
-        for angle in (20, "30", Fraction(81, 2)):
-            scene.set_friction_angle_deg(angle)
-            self.assertEqual(said(scene), said(topple.Scene("mm", outline=SQUARE, friction_angle_deg=angle)))
+from python_case import BLOCK, BUILD, SQUARE, lib, numpy, said, topple
 
 
 class Numbers(unittest.TestCase):

@@ -32,6 +32,7 @@ _topple_values() { # OPTION WORD
   case $1 in
   --figure) _topple_files "$2" svg pdf png ;;
   --output) _topple_files "$2" svg pdf png csv ;;
+  --write-profile) _topple_files "$2" csv ;;
   --level) compgen -W "double compensated ball exact" -- "$2" ;;
   --pivots) compgen -W "all governing" -- "$2" ;;
   --for-all) compgen -W "count" -- "$2" ;;
@@ -67,7 +68,7 @@ _topple() {
   if [[ -n $option ]]; then
     mapfile -t COMPREPLY < <(_topple_values "$option" "$word")
     case $option in
-    --figure | --output) _topple_how filenames ;;
+    --figure | --output | --write-profile) _topple_how filenames ;;
     --for) _topple_how nospace ;;
     esac
     return

@@ -148,19 +148,20 @@ class Scene(Builder):
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,
               motion_ranges: bool | None = None, level: Level | str | None = None,
-              pivots: PivotsListed | str | None = None) -> Solution:
+              pivots: PivotsListed | str | None = None, threads: int | None = None) -> Solution:
         """The stability of the block in each direction of tilt that the scene asks for.
 
         `digits`: relative accuracy 10^-digits asked of every number, 1 to 1000. `elements`: the
         account of moments by elements. `limit`: the static limit and the onset of motion, where the
         scene gives friction. `strength_reduction`: its factor of safety. `motion_ranges`: which
         motions can begin at every tilt. `level`: the dearest arithmetic allowed. `pivots`: which
-        get their numbers. None: as `topple solve` does.
+        get their numbers. `threads`: that sum the moments of a ring, 0 (as many as serve) to 16.
+        None: as `topple solve` does.
 
         A caution is issued as a warning, `topple.Caution`; all notes are in `notes` of the
         solution."""
         options = solve_options(digits, elements, limit, strength_reduction, motion_ranges, level,
-                                pivots)
+                                pivots, threads)
         receives = ffi.new(RECEIVES_SOLUTION)
         version = self._use(lib.tp_solve, receives, self._c, options)
         owner = ffi.gc(receives[0], lib.tp_solution_free)
@@ -171,15 +172,17 @@ class Scene(Builder):
         return solution
 
 
-def solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots):
+def solve_options(digits, elements, limit, strength_reduction, motion_ranges, level, pivots,
+                  threads):
     """The defaults, but for what is not None."""
     if (digits is None and elements is None and limit is None and strength_reduction is None
-            and motion_ranges is None and level is None and pivots is None):
+            and motion_ranges is None and level is None and pivots is None and threads is None):
         return DEFAULTS
     return options_of("solve", digits=digits, elements=elements, limit=limit,
                       strength_reduction=strength_reduction, motion_ranges=motion_ranges,
                       level=None if level is None else number_of(Level, level),
-                      pivots=None if pivots is None else number_of(PivotsListed, pivots))
+                      pivots=None if pivots is None else number_of(PivotsListed, pivots),
+                      threads=threads)
 
 
 def warn(notes: Iterable[Note], depth: int) -> None:

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "derive/made_profile.h"
+
+#include "outside.h"
+
+#include <ctype.h>
+#include <string.h>
+
+static bool is_of_name(char c) {
+  return isalnum((unsigned char)c) || c == '_';
+}
+
+/* The name as a whole word of the text. */
+static bool stands_in(const char *name, const char *text) {
+  const size_t length = strlen(name);
+  for (const char *at = strstr(text, name); at != NULL; at = strstr(at + 1, name)) {
+    if ((at == text || !is_of_name(at[-1])) && !is_of_name(at[length])) return true;
+  }
+  return false;
+}
+
+/* The names of files, and words that are no numbers, are not looked at. */
+static bool is_number(const tp_node *node) {
+  const char *key = node->key != NULL ? node->key : "";
+  return strcmp(key, "measured") != 0 && strcmp(key, "left_end") != 0;
+}
+
+tp_status tp_made_profile_check(const tp_scene *scene, const tp_node *profile,
+                                tp_message *message) {
+  const tp_parameters *names = &scene->parameters;
+  for (const tp_node *n = profile->first; n != NULL; n = n->next) {
+    if (n->kind != TP_NODE_SCALAR) {
+      const tp_status status = tp_made_profile_check(scene, n, message);
+      if (status != TP_OK) return status;
+      continue;
+    }
+    for (long k = 0; k < names->count && is_number(n); k++) {
+      if (!stands_in(names->names[k], n->text)) continue;
+      return tp_fail(message, TP_NO_ANSWER, tp_node_place(n, scene->path),
+                     "derive takes a profile made by rule by its numbers, and '%s' stands for any: "
+                     "write the number here, or give the profile as points",
+                     tp_quote_all(names->names[k]).text);
+    }
+  }
+  return TP_OK;
+}

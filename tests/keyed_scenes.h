@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Scenes that have a number for every key which a scene in memory can have. */
+
+#ifndef TP_TEST_KEYED_SCENES_H
+#define TP_TEST_KEYED_SCENES_H
+
+#include "built_scene.h"
+
+enum { MOST_NUMBERS = 26, KEYED_ROWS = 75 };
+
+/* A scene of numbers: built, and as text, in which @a is the first of them; or NULL. */
+typedef struct keyed_scene {
+  void (*build)(tp_scene *scene, const double *n);
+  const char *text;
+  double numbers[MOST_NUMBERS];
+} keyed_scene;
+
+/* A key of such a scene, the letter of its number, and another one. */
+typedef struct keyed_row {
+  const keyed_scene *scene;
+  const char *key;
+  char letter;
+  double other;
+} keyed_row;
+
+extern const keyed_row keyed_rows[KEYED_ROWS];
+
+#endif

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "memory_arrays.h"
+
+#include "memory_expect.h"
+
+#include <stdlib.h>
+
+/* Everything that a scene built in memory asks memory for. */
+static tp_status build(tp_scene *scene, tp_message *message) {
+  static const double outline[] = {0, 0, 4, 0, 4, 6, 0, 6}, hole[] = {1, 1, 2, 1, 2, 2, 1, 2};
+  static const char *const part[] = {"2.5", "0.5", "7/2", "0.5", "7/2", "5"};
+  const tp_exact one = tp_exact_of(1), four = tp_exact_of(4), five = tp_exact_of(5);
+  tp_status status = tp_scene_set_title(scene, "Built", message);
+  if (status == TP_OK) {
+    status = tp_scene_set_outline(scene, tp_coordinates_of(outline, 4), message);
+  }
+  if (status == TP_OK) status = tp_scene_add_hole(scene, tp_coordinates_of(hole, 4), message);
+  if (status == TP_OK) {
+    status = tp_scene_add_part(scene, tp_coordinates_text(part, 3), tp_exact_text("20.5"), message);
+  }
+  if (status == TP_OK) status = tp_scene_set_unit_weight_kn_m3(scene, tp_exact_of(25), message);
+  for (int k = 0; k < 3 && status == TP_OK; k++) {
+    status =
+        tp_scene_add_anchor(scene, tp_exact_of(0), five, tp_exact_of(-30), one, false, message);
+  }
+  if (status == TP_OK)
+    status = tp_scene_add_pressure(scene, four, one, four, five, one, one, message);
+  return status;
+}
+
+static tp_status build_curves(tp_scene *scene, tp_message *message) {
+  const tp_exact zero = tp_exact_of(0), one = tp_exact_of(1), six = tp_exact_of(6);
+  tp_status status = tp_scene_add_arc_bulge(scene, zero, six, tp_exact_text("1/3"), message);
+  if (status == TP_OK) status = tp_scene_add_arc_through(scene, zero, zero, one, one, message);
+  if (status == TP_OK) {
+    status = tp_scene_add_rounded_end(scene, TP_UNDERSIDE_LEFT_END, one, message);
+  }
+  if (status == TP_OK) status = tp_scene_add_rounded_vertex(scene, six, six, one, message);
+  return status;
+}
+
+void build_scene(void) {
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  const tp_solve_options options = tp_solve_options_default();
+  if (DONE(tp_scene_new(&scene, "m", &message), scene)) {
+    tp_status status = build(scene, &message);
+    if (status == TP_OK && DONE(tp_solve(&solution, scene, &options, &message), solution)) {
+      status = build_curves(scene, &message);
+    }
+    EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status,
+           message.text);
+  }
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+}
+
+void solve_outline(void) {
+  static const double outline[] = {0, 0, 30, 5, 60, 0, 90, 5, 90, 125, 0, 120};
+  tp_solution *solution = NULL;
+  tp_message message = {""};
+  DONE(tp_solve_outline(&solution, "mm", outline, 6, 30, 20, &message), solution);
+  tp_solution_free(solution);
+}
+
+/* A slab that doubles decide, one with an overhang, which climbs, and one that is none. In the
+ * thread that calls: the count of requests is of one. */
+void solve_blocks(void) {
+  static const double xy[] = {0, 0,  1, 0, 1, 2, 0, 2, 0, 0, 5, 0,
+                              4, -1, 9, 9, 0, 0, 1, 1, 2, 2, 3, 3};
+  const tp_outlines outlines = tp_outlines_of(xy, 3, 4);
+  tp_blocks_options options = tp_blocks_options_default();
+  options.threads = 1;
+  double number[3];
+  const tp_moment_columns area = {.area = number};
+  const tp_critical_columns angle = {.angle_deg = number};
+  const tp_verdict_columns limit = {.limit_angle_deg = number};
+  tp_blocks_summary summary;
+  tp_message message = {""};
+  tp_status status = tp_outlines_moments(&area, &summary, &outlines, &options, &message);
+  if (status == TP_OK) {
+    status = tp_blocks_critical_angles(&angle, &summary, &outlines, &options, &message);
+  }
+  if (status == TP_OK) {
+    status = tp_blocks_solve(&limit, &summary, &outlines, tp_numbers_of(30), tp_numbers_of(20),
+                             &options, &message);
+  }
+  EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status, message.text);
+}
+
+/* One number of each: of a parameter and of a point, of an item and of a point. */
+static void vary_scene(tp_scene *scene, const char *const keys[2], double number) {
+  tp_scene *varied = NULL;
+  tp_solution *solution = NULL;
+  char *text = NULL;
+  tp_message message = {""};
+  const tp_exact values[2] = {tp_exact_of(number), tp_exact_text("5.1")};
+  const tp_solve_options options = tp_solve_options_default();
+  if (DONE(tp_scene_with_numbers(&varied, scene, keys, values, 2, &message), varied) &&
+      DONE(tp_scene_number_text(&text, varied, keys[1], &message), text)) {
+    (void)DONE(tp_solve(&solution, varied, &options, &message), solution);
+  }
+  free(text);
+  tp_solution_free(solution);
+  tp_scene_free(varied);
+}
+
+void vary_scenes(void) {
+  static const char *const of_file[2] = {"a", "tilt.angle_deg"};
+  static const char *const built[2] = {"block.outline.3.2", "loads.anchors.3.force_kn"};
+  tp_scene *scene = NULL;
+  tp_message message = {""};
+  if (DONE(tp_scene_read(&scene, EXAMPLE("block_e_valley.yaml"), &message), scene)) {
+    vary_scene(scene, of_file, 31);
+  }
+  tp_scene_free(scene);
+  scene = NULL;
+  if (DONE(tp_scene_new(&scene, "m", &message), scene)) {
+    const tp_status status = build(scene, &message);
+    EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "%s", message.text);
+    if (status == TP_OK) vary_scene(scene, built, 6.5);
+  }
+  tp_scene_free(scene);
+}
