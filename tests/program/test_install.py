@@ -145,8 +145,10 @@ class Installed(unittest.TestCase):
 class Entries(unittest.TestCase):
     def test_every_entry_guards_its_caller(self):
         """Each public call that can fail begins with the guard of tests/test_host.c, refuses NULL for
-        each of its pointers but the message, and is tried with them in tests/test_arguments.c or another
-        test_*_arguments.c."""
+        each of its pointers but the message, by itself or by what the calls on many blocks begin with, and is tried
+        with them in tests/test_arguments.c or another test_*_arguments.c."""
+        blocks = (ROOT / "src" / "batch" / "blocks.h").read_text(encoding="utf-8")
+        (begin,) = re.findall(r"^#define TP_BLOCKS_BEGIN\((?:.*\\\n)+.*", blocks, re.M)
         sources = {p: p.read_text(encoding="utf-8") for p in (ROOT / "src").rglob("*.c")}
         tried = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").glob("test_*arguments.c"))
         count = 0
@@ -156,6 +158,8 @@ class Entries(unittest.TestCase):
                 pattern = re.compile(rf"^tp_status {name}\(([^{{]*)\) {{\n(.*?)^}}", re.M | re.S)
                 (found,) = [m for text in sources.values() for m in pattern.finditer(text)]
                 parameters, body = found.groups()
+                if "TP_BLOCKS_BEGIN(message, columns, summary, outlines, own, options);" in body:
+                    body += begin
                 self.assertTrue(body.lstrip().startswith("TP_GUARD_HOST;"), name)
                 for pointer in re.findall(r"\*(\w+)(?:,|$)", parameters):
                     if pointer != "message":

@@ -6,6 +6,7 @@ against fractions worked out here."""
 import copy
 import json
 import math
+import pathlib
 import pickle
 import tempfile
 import unittest
@@ -213,6 +214,19 @@ class Find(unittest.TestCase):
         (width,) = topple.find(scene, "block.slab.width", "critical_angle", 20, low=1, high=200).solutions
         self.assertAlmostEqual(width.value, 100 * math.tan(math.radians(20)), delta=1e-9)
         self.assertLessEqual(width.low, 100 * math.tan(math.radians(20)))
+
+    def test_profile(self):
+        """The profile of a base comes back with all its digits, and rests the block as it did."""
+        scene = topple.Scene.read(ROOT / "examples" / "boulder_on_rough_ground.yaml")
+        rows = [line.split(",") for line in scene.profile_csv().splitlines() if line and line[0] in "-.0123456789"]
+        self.assertGreater(len(rows), 100)
+        self.assertEqual([len(row) for row in rows], [2] * len(rows))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "profile.csv"
+            scene.write_profile(path)
+            self.assertEqual(path.read_text(encoding="utf-8"), scene.profile_csv())
+        with self.assertRaises(topple.BadInput):
+            topple.Scene("mm", slab=(1, 2)).profile_csv()
 
     def test_varied(self):
         """Other scenes with other numbers, exactly; the scene itself stays."""

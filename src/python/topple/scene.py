@@ -135,6 +135,16 @@ class Scene(Builder):
         top, _, bottom = taken(receives[0]).partition("/")
         return fractions.Fraction(top) / fractions.Fraction(bottom or 1)
 
+    def profile_csv(self) -> str:
+        """The profile of the base, given, read or generated, as CSV of x, y with all its digits."""
+        receives = ffi.new("char **")
+        self._use(lib.tp_scene_profile_csv, receives, self._c)
+        return taken(receives[0])
+
+    def write_profile(self, path: str | os.PathLike) -> None:
+        """The same into a file, which appears whole or not at all."""
+        self._use(lib.tp_scene_write_profile, self._c, c_path(path))
+
     def varied(self, numbers: Mapping[str, Number]) -> Scene:
         """Another scene, in which the numbers at some keys are others, exactly, and all else is as
         in this one: scene.varied({"friction_angle_deg": 35, "block.outline.3.1": "60.5"})."""
