@@ -113,6 +113,22 @@ void tp_pose_scale(tp_pose *pose, const fmpq_t factor) {
   fmpq_mul(pose->sine, pose->sine, factor);
 }
 
+bool tp_pose_is_true(const tp_pose *pose) {
+  fmpq_t square, most;
+  fmpq_init(square);
+  fmpq_init(most);
+  fmpq_mul(square, pose->cosine, pose->cosine);
+  fmpq_addmul(square, pose->sine, pose->sine);
+  fmpq_sub_si(square, square, 1);
+  fmpq_abs(square, square);
+  fmpq_one(most);
+  fmpq_div_2exp(most, most, TP_POSE_TRUE_BITS);
+  const bool is_true = fmpq_cmp(square, most) <= 0;
+  fmpq_clear(square);
+  fmpq_clear(most);
+  return is_true;
+}
+
 /* By the tangent of half the angle, sine / (1 + cosine), which is at most 1 in size where the
  * cosine is not negative; else of half the opposite direction's. */
 void tp_pose_shorten(tp_pose *pose) {

@@ -13,7 +13,7 @@
 #include <flint/fmpq.h>
 #include <stdbool.h>
 
-enum { TP_POSE_BITS = 256 };
+enum { TP_POSE_BITS = 256, TP_POSE_TRUE_BITS = 208 };
 
 typedef struct tp_pose {
   fmpq_t cosine, sine, shift_x, shift_y;
@@ -40,6 +40,9 @@ void tp_pose_turn_half(tp_pose *pose, const fmpq_t t);
 
 /* Make the block's lengths `factor` times as long: towards the truth of a pose that is cut off. */
 void tp_pose_scale(tp_pose *pose, const fmpq_t factor);
+
+/* Is the root as near to 1 as TP_POSE_TRUE_BITS tell: more than 60 decimals? */
+bool tp_pose_is_true(const tp_pose *pose);
 
 /* Take cosine and sine of many digits to ones of TP_POSE_BITS and a unit root. */
 void tp_pose_shorten(tp_pose *pose);

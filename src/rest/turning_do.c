@@ -219,7 +219,8 @@ bool tp_turning_do(const tp_turning *turning, tp_bodies *bodies) {
     tp_pose_set(&bodies->pose, &before);
     tp_bodies_place(bodies);
     turn_exactly(bodies, turning, turning->pairs.items + k);
-    done = is_free(bodies, turning);
+    /* A line that passes close by P takes a long stretch to reach. */
+    done = tp_pose_is_true(&bodies->pose) && is_free(bodies, turning);
   }
   tp_pose_clear(&before);
   return done;
