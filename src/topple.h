@@ -47,9 +47,12 @@
 #include "topple_derive.h"
 #include "topple_figure.h"
 #include "topple_find.h"
+#include "topple_generate.h"
 #include "topple_profile.h"
 #include "topple_scene.h"
 #include "topple_solve.h"
+#include "topple_study.h"
+#include "topple_sweep.h"
 #include "topple_verify.h"
 
 #endif

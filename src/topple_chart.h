@@ -8,6 +8,7 @@
 #define TOPPLE_CHART_H
 
 #include "topple_solve.h"
+#include "topple_study.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -110,6 +111,16 @@ static inline tp_chart_map_options tp_chart_map_options_default(void) {
  * TP_UNDECIDED, TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_chart_map(tp_chart **chart, const tp_chart_map_options *options,
                                    tp_message *message);
+
+/* What a study came to: the probability against tilt with its band, the distribution of the angle
+ * at which samples let go by what becomes of them, rank correlations of that angle with what
+ * varies, and how the estimate settled. And that angle against each number that varies, of the
+ * first
+ * 8. To be freed by tp_chart_free. TP_NO_ANSWER where no sample has such an angle. */
+TP_MUST_USE tp_status tp_chart_study(tp_chart **chart, const tp_study_result *result,
+                                     tp_message *message);
+TP_MUST_USE tp_status tp_chart_study_scatter(tp_chart **chart, const tp_study_result *result,
+                                             tp_message *message);
 
 /* Free it with all that it holds; NULL is allowed. */
 void tp_chart_free(tp_chart *chart);

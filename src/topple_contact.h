@@ -37,7 +37,8 @@ typedef struct tp_frame_result {
 
 /* The contact as a whole. */
 typedef struct tp_contact_result {
-  bool mated;         /* the base is the counterpart of the underside; else a profile of its own */
+  bool mated;         /* the base is the counterpart of the underside; else a profile of its own, */
+  bool shifted;       /* or it was, before the block was shifted along it ('joint') */
   bool beyond_stated; /* false: the scene does not say how far the base goes on; taken as 0 */
   tp_bounded beyond_left_m, beyond_right_m;            /* how far the base goes on past the block */
   tp_contact_end left_end, right_end;                  /* why it begins, and ends, */
@@ -50,8 +51,18 @@ typedef struct tp_contact_result {
   size_t corner_points;    /* of the points: a corner on a corner, which restrains nothing */
   tp_bounded length_m;     /* along the facets */
   tp_bounded nominal_length_m; /* projected on the mean plane: the paper's S is this x thickness */
+  bool has_contact_ratio;      /* on a profile, if the block has an underside there: */
+  tp_bounded contact_ratio;    /* that length over that of the underside */
   tp_bounded weight_per_contact_area_pa, weight_per_nominal_area_pa; /* if has_weight */
 } tp_contact_result;
+
+/* Facets of the base with a friction angle of their own: from one number to another, counted from 1
+ * from left to right, along the profile or the underside that the base is mated with. */
+typedef struct tp_facet_friction_result {
+  size_t first, last;   /* these numbers */
+  size_t touching;      /* how many facets and single points of the contact are of them */
+  tp_bounded angle_deg; /* that friction angle */
+} tp_facet_friction_result;
 
 /* A block that was set down on its profile ('place: rest'), and where it came to rest: it fell
  * upright, then turned about points of its contact. All of a solution is of that pose. */
@@ -64,6 +75,24 @@ typedef struct tp_rest_result {
   tp_bounded margin_left_m, margin_right_m; /* along x from the outermost contacts to the weight's
                         line, which passes between them; one below 0: it is wedged in */
 } tp_rest_result;
+
+/* A block that was shifted along the mated base that it fits ('joint') and came to rest there: how
+ * open the joint is then. Gaps are along y, and lengths along x, of the part of the underside that
+ * lies above the base. */
+typedef struct tp_joint_result {
+  bool known;                 /* the scene asks for it */
+  tp_bounded shift_m;         /* along x, to the right above 0 */
+  tp_bounded above_base_m;    /* how much of the underside lies above the base */
+  tp_bounded largest_gap_m;   /* there */
+  tp_bounded mean_gap_m;      /* the area of the gap over that length */
+  bool has_closure;           /* the scene says up to which gap */
+  tp_bounded closure_m;       /* the joint counts as closed: */
+  tp_bounded matching;        /* so much of all of the underside is, 0 to 1 */
+  bool has_matching_sought;   /* the scene says how much, and the shift was searched: */
+  tp_bounded matching_sought; /* that much at most; */
+  tp_bounded shift_before_m;  /* at this shift, the last before it that was looked at, */
+  tp_bounded matching_before; /* it is still this, above what is sought */
+} tp_joint_result;
 
 /* What lay near its contact and was moved there ('contact: {within: ...}'). All of a solution is of
  * the block so moved. */

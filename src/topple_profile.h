@@ -22,11 +22,13 @@ extern "C" {
 /* Between the points: straight, or a natural cubic spline. */
 typedef enum tp_profile_resampling { TP_RESAMPLE_LINEAR, TP_RESAMPLE_SPLINE } tp_profile_resampling;
 
-/* The line that is taken off all heights: none, the one of least squares, or through both ends. */
+/* The line that is taken off all heights: none, the one of least squares, or through both ends; or
+ * the profile is turned onto its mean plane, before anything else but the scale. */
 typedef enum tp_profile_detrend {
   TP_DETREND_NONE,
   TP_DETREND_LINE,
-  TP_DETREND_ENDS
+  TP_DETREND_ENDS,
+  TP_DETREND_TURN
 } tp_profile_detrend;
 
 /* Of the spectrum. */
@@ -37,7 +39,7 @@ typedef struct tp_profile_options {
   size_t size;                      /* of this struct, as `…_default()` has it */
   double step;                      /* 0: the points as they are; else resampled at this distance */
   tp_profile_resampling resampling; /* between the points, where there is a step */
-  tp_profile_detrend detrend;       /* the line to take off */
+  tp_profile_detrend detrend;       /* the line to take off, or to turn it onto */
   tp_profile_window window;         /* of the spectrum */
   bool mirrored;                    /* left and right exchanged */
   double scale;                     /* by which all lengths are multiplied before anything else */
@@ -52,7 +54,7 @@ static inline tp_profile_options tp_profile_options_default(void) {
   return options;
 }
 
-/* linear or spline; none, line or ends; hann or none. False for another name. */
+/* linear or spline; none, line, ends or turn; hann or none. False for another name. */
 bool tp_profile_resampling_read(tp_profile_resampling *resampling, const char *name);
 const char *tp_profile_resampling_name(tp_profile_resampling resampling);
 bool tp_profile_detrend_read(tp_profile_detrend *detrend, const char *name);
@@ -153,11 +155,12 @@ typedef struct tp_profile {
   double step;         /* mean distance along x */
   double least_step, largest_step; /* the least and the largest of them */
 
-  tp_bounded length;              /* along x */
-  tp_bounded along;               /* along the profile */
-  tp_bounded amplitude;           /* from the lowest to the highest point */
-  tp_bounded rms_height;          /* about the mean height */
-  tp_bounded trend_deg;           /* of the line of least squares, before it is taken off */
+  tp_bounded length;     /* along x */
+  tp_bounded along;      /* along the profile */
+  tp_bounded amplitude;  /* from the lowest to the highest point */
+  tp_bounded rms_height; /* about the mean height */
+  tp_bounded trend_deg; /* of the line of least squares, before any is taken off; or by which it was
+                           turned */
   tp_bounded mean_slope;          /* from end to end */
   tp_bounded absolute_slope;      /* mean of the slopes' sizes */
   tp_bounded z2;                  /* root mean square of the slope: Eq. (13) with its root */

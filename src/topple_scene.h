@@ -166,10 +166,27 @@ TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates 
  * until it rests (docs/rest.md); else, and unless set, it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);
 
+/* Where `all`, set the block down likewise, and list all its resting poses besides, each with the
+ * starting positions from which it comes to it; else, and unless set, it lies as they say. */
+TP_MUST_USE tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_message *message);
+
 /* What of the block lies closer than `within`, above 0, to the profile that was set is taken to
  * touch it, and is moved there (docs/rest.md); unless set what touches does so exactly. */
 TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within,
                                                   tp_message *message);
+
+/* The block is shifted along the mated base that it fits, and set down there until it rests
+ * (docs/rest.md): by `shift`, to the right above 0; or, to the right or `leftwards`, by the least
+ * at which no more than `matching` of its underside, in [0, 1], is closed. The last one set is
+ * taken; unless set the block lies where it fits. Closed are gaps up to `closure`, above 0, which
+ * the second needs. */
+TP_MUST_USE tp_status tp_scene_set_joint_shift(tp_scene *scene, tp_exact shift,
+                                               tp_message *message);
+TP_MUST_USE tp_status tp_scene_set_joint_matching(tp_scene *scene, tp_exact matching,
+                                                  bool leftwards, tp_message *message);
+TP_MUST_USE tp_status tp_scene_set_joint_closure(tp_scene *scene, tp_exact closure,
+                                                 tp_message *message);
+
 /* The profile of the base, given, read or generated (docs/generate.md), as CSV of x, y with all of
  * its digits: into `text`, which the caller frees; and into the file `path`, which appears whole or
  * not at all. TP_SYSTEM_FAILED where it cannot be written; a mated base has none. */
@@ -222,6 +239,18 @@ TP_MUST_USE tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene,
                                                              tp_exact residual_angle_deg,
                                                              tp_exact roughness_angle_deg,
                                                              tp_exact jcs_mpa, tp_message *message);
+
+/* A friction angle of their own, `angle_deg` in [0, 90), for facets of the base: from the one with
+ * the number `first` to `last`, counted from 1 from left to right, along the profile or, of a mated
+ * base, along the underside that it is mated with. All other facets have that of the contact, which
+ * is one angle or Patton's law. No facet is given two. */
+TP_MUST_USE tp_status tp_scene_add_friction_facets(tp_scene *scene, size_t first, size_t last,
+                                                   tp_exact angle_deg, tp_message *message);
+
+/* The same for all facets between two abscissas, x0 below x1, each wholly; an upright facet lies
+ * between them from x0 to before x1. Not in the frame of the world. */
+TP_MUST_USE tp_status tp_scene_add_friction_between(tp_scene *scene, tp_exact x0, tp_exact x1,
+                                                    tp_exact angle_deg, tp_message *message);
 
 /* The directions of tilt that are looked at: `left`, `right`, or both, as it is unless set. */
 TP_MUST_USE tp_status tp_scene_set_tilt_towards(tp_scene *scene, bool left, bool right,
@@ -302,6 +331,14 @@ TP_MUST_USE tp_status tp_scene_with(tp_scene **varied, const tp_scene *scene, co
 TP_MUST_USE tp_status tp_scene_with_numbers(tp_scene **varied, const tp_scene *scene,
                                             const char *const *keys, const tp_exact *values,
                                             size_t count, tp_message *message);
+
+/* The same by `count` settings "KEY=FORMULA", as `topple solve --set` takes them: each number is
+ * what its formula says as if it stood there in the file, in the parameters as all settings leave
+ * them. Without parameters, in memory, formulas are of numbers alone, as "3*2". The
+ * solution tells what was set (tp_solution.settings). */
+TP_MUST_USE tp_status tp_scene_with_settings(tp_scene **varied, const tp_scene *scene,
+                                             const char *const *settings, size_t count,
+                                             tp_message *message);
 
 #ifdef __cplusplus
 }

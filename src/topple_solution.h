@@ -14,6 +14,7 @@
 #include "topple_governing.h"
 #include "topple_limit.h"
 #include "topple_onset.h"
+#include "topple_poses.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -77,7 +78,8 @@ typedef struct tp_sliding {
   bool never;  /* at no tilt: phi_b + i reaches 90 degrees */
   bool always; /* at every tilt: its loads push it down-dip harder than it resists at any */
   bool opens;  /* no other facet stands in the way of sliding along this one */
-  tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides */
+  tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides; of facets with
+                                    frictions of their own the least along which it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */
   tp_bounded facet_x0_m, facet_y0_m, facet_x1_m, facet_y1_m; /* its ends, left and right */
   tp_bounded critical_angle_deg; /* with loads, from the forces along and across the facet */
@@ -87,8 +89,9 @@ typedef struct tp_sliding {
 
 /* Can the toe alone hold the block at its critical angle, where moment equilibrium puts all the
  * weight on it? Only if the reaction lies in the friction cone of the facets at the toe, that is up
- * to phi_b + i of the steepest of them. If not, the block may let go before its critical angle:
- * contact forces decide, which moments do not see. */
+ * to phi_b + i of the steepest of them, or where facets have frictions of their own to the largest.
+ * If not, the block may let go before its critical angle: contact forces decide, which moments do
+ * not see. */
 typedef struct tp_toe {
   bool known;   /* the scene gives a friction angle, and a pivot governs */
   bool holds;   /* it can */
@@ -184,6 +187,20 @@ typedef struct tp_effect {
   tp_level level;                 /* the arithmetic that it ended with */
 } tp_effect;
 
+/* A number that was set in the scene by tp_scene_with_settings. */
+typedef struct tp_setting {
+  TP_OUTSIDE char *key;     /* of the number, as it was given */
+  TP_OUTSIDE char *formula; /* likewise */
+  const char *unit; /* of a length: that of the scene; NULL: the key names it, or there is none */
+  tp_bounded value; /* of the formula */
+} tp_setting;
+
+/* A list of them. */
+typedef struct tp_settings {
+  size_t count;      /* of the items */
+  tp_setting *items; /* in the order in which they were set; owned by what holds the list */
+} tp_settings;
+
 /* A scene solved. */
 typedef struct tp_solution {
   TP_OUTSIDE char *title;        /* of the scene, or NULL */
@@ -198,6 +215,8 @@ typedef struct tp_solution {
   tp_block_result block;         /* area, centroid, weight */
   tp_teeth_result teeth;         /* of a toothed block */
   tp_rest_result rest;           /* of a block that was set down on its profile */
+  tp_poses_result poses;         /* all in which it can rest, where the scene asks for them */
+  tp_joint_result joint;         /* of a block that was shifted along its mated base */
   tp_within_result within;       /* of a block that was moved onto its profile where it is near */
   tp_frame_result frame;         /* what the coordinates lie along */
   tp_contact_result contact;     /* where the block touches its base */
@@ -214,6 +233,9 @@ typedef struct tp_solution {
                        rule */
   long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do
                      not tell from zero, besides the ties that say so themselves */
+  tp_settings settings;                      /* what was set in the scene */
+  size_t friction_facet_count;               /* entries of facets with their own friction, */
+  tp_facet_friction_result *friction_facets; /* in the order of the scene */
   struct tp_decimals *decimals; /* owns the digits of numbers beyond a double, where asked for */
 } tp_solution;
 

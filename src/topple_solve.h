@@ -96,7 +96,8 @@ TP_MUST_USE tp_status tp_report_text(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_elements(char **text, const tp_solution *solution);
 TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
 
-/* Notes and cautions of a solution, as on its page; an empty text where there are none. */
+/* What was set in the scene, notes and cautions of a solution, as on its page; an empty text where
+ * there are none. */
 TP_MUST_USE tp_status tp_report_notes(char **text, const tp_solution *solution);
 
 /* What ran: effects, what called for each, and what each cost. */

@@ -9,17 +9,22 @@
 #include <string.h>
 
 static fmpz large_x[MOST], large_y[MOST]; /* initialised, to 0 */
+static double rounded_x[MOST], rounded_y[MOST];
 
+/* Larger numbers are those of the figure sheared, so far that no double holds what was y: each
+ * orientation is as it was, and only whole numbers tell. */
 tp_geom_rings view(const figure *f, bool small) {
   for (size_t k = 0; k < f->count; k++) {
     fmpz_set_si(large_x + k, (long)f->u[k] - 1000003);
-    fmpz_set_si(large_y + k, (long)f->v[k] + 2000003);
+    fmpz_mul_2exp(large_y + k, large_x + k, 70);
+    fmpz_add_si(large_y + k, large_y + k, (long)f->v[k] + 2000003);
     fmpz_mul_2exp(large_x + k, large_x + k, 70);
-    fmpz_mul_2exp(large_y + k, large_y + k, 70);
     fmpz_add_ui(large_x + k, large_x + k, 12345678987654321);
+    rounded_x[k] = fmpz_get_d(large_x + k);
+    rounded_y[k] = fmpz_get_d(large_y + k);
   }
   if (small) return (tp_geom_rings){f->ring_count, f->start, f->u, f->v, NULL, NULL, true};
-  return (tp_geom_rings){f->ring_count, f->start, NULL, NULL, large_x, large_y, false};
+  return (tp_geom_rings){f->ring_count, f->start, rounded_x, rounded_y, large_x, large_y, false};
 }
 
 void add_ring(figure *f, const long (*points)[2], size_t count) {

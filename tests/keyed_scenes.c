@@ -79,6 +79,18 @@ static void build_between(tp_scene *scene, const double *n) {
   DO(tp_scene_set_friction_patton(scene, E(n[4]), E(n[5]), &message));
 }
 
+static void build_joint(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_joint_shift(scene, E(n[0]), &message));
+  DO(tp_scene_set_joint_closure(scene, E(n[1]), &message));
+}
+
+static void build_matching(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_joint_matching(scene, E(n[0]), true, &message));
+  DO(tp_scene_set_joint_closure(scene, E(n[1]), &message));
+}
+
 static void build_bounds(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_base_bound(scene, TP_BASE_BELOW, E(n[0]), &message));
@@ -95,6 +107,14 @@ static void build_slope(tp_scene *scene, const double *n) {
   DO(tp_scene_set_friction_barton_roughness(scene, E(n[4]), E(n[5]), E(n[6]), &message));
 }
 
+static void build_facets(tp_scene *scene, const double *n) {
+  static const double feet[] = {0, 0, 1, 0, 2, 0, 4, 0, 4, 6, 0, 6};
+  DO(tp_scene_set_outline(scene, tp_coordinates_of(feet, 6), &message));
+  DO(tp_scene_set_friction_angle_deg(scene, E(n[0]), &message));
+  DO(tp_scene_add_friction_facets(scene, 3, 3, E(n[1]), &message));
+  DO(tp_scene_add_friction_between(scene, E(n[2]), E(n[3]), E(n[4]), &message));
+}
+
 #define HEAD "topple: 1\nlength_unit: m\n"
 
 enum {
@@ -108,8 +128,11 @@ enum {
   LOADS,
   PROFILE,
   BETWEEN,
+  JOINT,
+  MATCHING,
   BOUNDS,
-  SLOPE
+  SLOPE,
+  FACETS
 };
 
 static const keyed_scene kinds[] = {
@@ -159,6 +182,10 @@ static const keyed_scene kinds[] = {
                  HEAD TEXT_SQUARE "base: {between: [[@a, @b], [@c, @d]]}\nfriction: {law: patton, "
                                   "basic_angle_deg: @e, roughness_angle_deg: @f}\n",
                  {0, 0, 4, 0, 25, 10}},
+    [JOINT] = {build_joint, HEAD TEXT_SQUARE "joint: {shift: @a, closure: @b}\n", {0.5, 0.25}},
+    [MATCHING] = {build_matching,
+                  HEAD TEXT_SQUARE "joint: {matching: @a, closure: @b, towards: left}\n",
+                  {0.75, 0.5}},
     [BOUNDS] = {build_bounds,
                 HEAD TEXT_SQUARE
                 "base: {between: {below: @a, left_of: @b, right_of: @c}}\nfriction: {law: barton, "
@@ -170,6 +197,11 @@ static const keyed_scene kinds[] = {
                     "frame: {mean_plane: [[@a, @b], [@c, @d]]}\nfriction: {law: barton, "
                     "residual_angle_deg: @e, roughness_angle_deg: @f, jcs_mpa: @g}\n",
                {0, 0, 4, 1, 28, 10, 60}},
+    [FACETS] = {build_facets,
+                HEAD "block: {outline: [[0, 0], [1, 0], [2, 0], [4, 0], [4, 6], [0, 6]]}\n"
+                     "friction_angle_deg: @a\nfriction: {facets: [{facet: 3, angle_deg: @b}, "
+                     "{x: [@c, @d], angle_deg: @e}]}\n",
+                {30, 20, 0, 2, 25}},
 };
 
 const keyed_row keyed_rows[KEYED_ROWS] = {
@@ -239,6 +271,9 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + BETWEEN, "base.between.2.1", 'c', 3},
     {kinds + BETWEEN, "friction.basic_angle_deg", 'e', 30},
     {kinds + BETWEEN, "friction.roughness_angle_deg", 'f', 5},
+    {kinds + JOINT, "joint.shift", 'a', -0.25},
+    {kinds + JOINT, "joint.closure", 'b', 0.5},
+    {kinds + MATCHING, "joint.matching", 'a', 0.875},
     {kinds + BOUNDS, "base.between.below", 'a', 7},
     {kinds + BOUNDS, "base.between.left_of", 'b', 3},
     {kinds + BOUNDS, "base.between.right_of", 'c', 0},
@@ -248,4 +283,8 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + SLOPE, "frame.mean_plane.1.2", 'b', -0.125},
     {kinds + SLOPE, "frame.mean_plane.2.1", 'c', 5},
     {kinds + SLOPE, "friction.roughness_angle_deg", 'f', 8},
+    {kinds + FACETS, "friction.facets.1.angle_deg", 'b', 10},
+    {kinds + FACETS, "friction.facets.2.x.1", 'c', 1},
+    {kinds + FACETS, "friction.facets.2.x.2", 'd', 1},
+    {kinds + FACETS, "friction.facets.2.angle_deg", 'e', 35},
 };

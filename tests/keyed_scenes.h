@@ -8,7 +8,7 @@
 
 #include "built_scene.h"
 
-enum { MOST_NUMBERS = 26, KEYED_ROWS = 75 };
+enum { MOST_NUMBERS = 26, KEYED_ROWS = 82, KEYED_BASE_ROWS = 32 };
 
 /* A scene of numbers: built, and as text, in which @a is the first of them; or NULL. */
 typedef struct keyed_scene {
@@ -26,5 +26,7 @@ typedef struct keyed_row {
 } keyed_row;
 
 extern const keyed_row keyed_rows[KEYED_ROWS];
+/* Of bases that are made by rule. */
+extern const keyed_row keyed_base_rows[KEYED_BASE_ROWS];
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "memory_expect.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Everything that a scene built in memory asks memory for. */
@@ -25,6 +26,8 @@ static tp_status build(tp_scene *scene, tp_message *message) {
     status =
         tp_scene_add_anchor(scene, tp_exact_of(0), five, tp_exact_of(-30), one, false, message);
   }
+  if (status == TP_OK) status = tp_scene_set_friction_angle_deg(scene, five, message);
+  if (status == TP_OK) status = tp_scene_add_friction_facets(scene, 1, 1, four, message);
   if (status == TP_OK)
     status = tp_scene_add_pressure(scene, four, one, four, five, one, one, message);
   return status;
@@ -91,6 +94,46 @@ void solve_blocks(void) {
   EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status, message.text);
 }
 
+/* By settings, which are kept, in a scene that was varied, and varied once more. */
+static void set_again(const tp_scene *scene, const char *const keys[2]) {
+  tp_scene *set = NULL, *varied = NULL;
+  tp_solution *solution = NULL;
+  char setting[80], *report = NULL;
+  tp_message message = {""};
+  const char *const settings[] = {setting};
+  const tp_solve_options options = tp_solve_options_default();
+  snprintf(setting, sizeof setting, "%s=5+1/5", keys[1]);
+  if (DONE(tp_scene_with_settings(&set, scene, settings, 1, &message), set) &&
+      DONE(tp_scene_with(&varied, set, keys[0], tp_exact_of(5.5), &message), varied) &&
+      DONE(tp_solve(&solution, varied, &options, &message), solution)) {
+    const tp_solution *const all[] = {solution};
+    const tp_status status = tp_report_csv(&report, all, 1);
+    expect_report(status, report);
+  }
+  tp_solution_free(solution);
+  tp_scene_free(varied);
+  tp_scene_free(set);
+}
+
+static bool take_text(void *context, const char *text) {
+  (void)context;
+  return text[0] != '\0';
+}
+
+/* Over a point that is wrong, by a thread alone, as a thread that cannot be had is no failure. */
+static void sweep_over(const tp_scene *scene, const char *key) {
+  tp_sweep_summary summary = {.count = 0};
+  tp_message message = {""};
+  char axis[80];
+  tp_sweep_options options = tp_sweep_options_default();
+  snprintf(axis, sizeof axis, "%s=5.2,-1e9", key);
+  options.x = axis;
+  options.threads = 1;
+  const tp_text_sink sink = {take_text, NULL};
+  const tp_status status = tp_sweep_write(&summary, scene, &options, TP_SWEEP_CSV, sink, &message);
+  EXPECT(status == TP_OK || status == TP_OUT_OF_MEMORY, "status %d: %s", (int)status, message.text);
+}
+
 /* One number of each: of a parameter and of a point, of an item and of a point. */
 static void vary_scene(tp_scene *scene, const char *const keys[2], double number) {
   tp_scene *varied = NULL;
@@ -101,6 +144,8 @@ static void vary_scene(tp_scene *scene, const char *const keys[2], double number
   const tp_solve_options options = tp_solve_options_default();
   if (DONE(tp_scene_with_numbers(&varied, scene, keys, values, 2, &message), varied) &&
       DONE(tp_scene_number_text(&text, varied, keys[1], &message), text)) {
+    set_again(varied, keys);
+    sweep_over(varied, keys[1]);
     (void)DONE(tp_solve(&solution, varied, &options, &message), solution);
   }
   free(text);

@@ -7,6 +7,8 @@
 #include "memory_charts.h"
 #include "memory_expect.h"
 #include "memory_profiles.h"
+#include "memory_samples.h"
+#include "memory_studies.h"
 
 #include "topple.h"
 
@@ -62,6 +64,10 @@ static void solve_bond(void) {
 
 static void solve_at_rest(void) {
   solve_scene(EXAMPLE("resting_block.yaml"), false);
+}
+
+static void solve_all_poses(void) {
+  solve_scene(EXAMPLE("resting_poses.yaml"), false);
 }
 
 /* A limit whose facets only the simplex method at many bits tells apart. What is missing for want
@@ -238,6 +244,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve repaired", solve_repaired, 100},
                                     {"solve bond", solve_bond, 100},
                                     {"solve at rest", solve_at_rest, 100},
+                                    {"solve all poses", solve_all_poses, 40},
                                     {"solve a limit precisely", solve_limit_precisely, 2000},
                                     {"measure accuracy", measure_accuracy, 60},
                                     {"solve rounded corners", solve_rounded, 100},
@@ -246,6 +253,12 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"measure a profile", measure_profile, 60},
                                     {"measure a base", measure_base, 60},
                                     {"make profiles", make_profiles, 200},
+                                    {"build profiles", build_profiles, 100},
+                                    {"run a study", run_study, 200},
+                                    {"merge a study", merge_study, 200},
+                                    {"draw samples", draw_samples, 200},
+                                    {"measure sensitivity", measure_sensitivity, 200},
+                                    {"find reliability", find_reliability, 200},
                                     {"find", find, 40},
                                     {"derive", derive, 200},
                                     {"derive and check", derive_checked, 60},

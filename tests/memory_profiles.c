@@ -68,3 +68,34 @@ void make_profiles(void) {
     tp_scene_free(scene);
   }
 }
+
+/* By calls, and once more with another seed; what fails leaves the base as it was. */
+void build_profiles(void) {
+  static const double points[] = {0, 0, 1, 3, 2, 0, 3, 2};
+  tp_scene *scene = NULL, *varied = NULL;
+  tp_message message = {""};
+  tp_base_teeth_options teeth = tp_base_teeth_options_default();
+  teeth.count = 20;
+  teeth.wavelength = tp_exact_of(6);
+  teeth.amplitude = teeth.amplitude_scatter = tp_exact_of(1);
+  tp_status status = tp_scene_new(&scene, "mm", &message);
+  if (done(status, scene, &message)) {
+    status = tp_scene_set_base_teeth(scene, &teeth, &message);
+    (void)done(status, status == TP_OK ? scene : NULL, &message);
+    status = tp_scene_set_base_profile(scene, tp_coordinates_of(points, 4), &message);
+    (void)done(status, status == TP_OK ? scene : NULL, &message);
+    status = tp_scene_set_base_jrc_profile(scene, 2, &message);
+    (void)done(status, status == TP_OK ? scene : NULL, &message);
+    status = tp_scene_set_base_noise(scene, tp_exact_of(0.125), 1, &message);
+    if (done(status, status == TP_OK ? scene : NULL, &message)) {
+      status = tp_scene_with(&varied, scene, "base.profile.noise.seed", tp_exact_of(2), &message);
+      (void)done(status, varied, &message);
+    }
+    status = tp_scene_set_base_scaled(scene, TP_ROUGHNESS_JRC, tp_exact_of(5), &message);
+    (void)done(status, status == TP_OK ? scene : NULL, &message);
+    status = tp_scene_set_base_worn(scene, TP_WEAR_ROUNDED, tp_exact_of(0.125), &message);
+    (void)done(status, status == TP_OK ? scene : NULL, &message);
+  }
+  tp_scene_free(varied);
+  tp_scene_free(scene);
+}

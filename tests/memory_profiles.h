@@ -8,6 +8,7 @@
 
 void measure_profile(void);
 void make_profiles(void);
+void build_profiles(void);
 void measure_base(void);
 
 #endif

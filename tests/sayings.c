@@ -226,6 +226,7 @@ const saying all_sayings[] = {{"block E", say_block_e},
                               {"built wrongly", say_built_refused},
                               {"blocks", say_blocks},
                               {"varied", say_varied},
+                              {"studies", say_studies},
                               {"names", say_names}};
 const size_t all_sayings_count = sizeof all_sayings / sizeof all_sayings[0];
 

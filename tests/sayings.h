@@ -55,6 +55,8 @@ void say_built_refused(sayings *s);
 void say_blocks(sayings *s);
 /* Scenes with other numbers. */
 void say_varied(sayings *s);
+/* Studies. */
+void say_studies(sayings *s);
 /* Roughness. */
 void say_profiles(sayings *s);
 /* Names of enumerations, and calls on texts. */

@@ -63,6 +63,11 @@ void say_built(sayings *s) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_friction_barton_roughness(scene, E(28), E(12.5), E(120), &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_friction_angle_deg(scene, E(31.5), &message));
+  SAY(tp_scene_add_friction_facets(scene, 1, 1, T("20.5"), &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_add_friction_between(scene, E(-0.5), T("1/3"), E(20), &message));
+  say_scene_built(s, scene);
   tp_scene_free(scene);
 }
 
@@ -101,9 +106,18 @@ static void say_bases(sayings *s, tp_scene *scene) {
   SAY(tp_scene_set_outline(scene, tp_coordinates_of(square, 4), &message));
   SAY(tp_scene_set_base_profile(scene, tp_coordinates_of(profile, 4), &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_base_poses(scene, true, &message));
+  say_scene_built(s, scene);
   SAY(tp_scene_set_base_rest(scene, true, &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_contact_within(scene, T("0.125"), &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_set_outline(scene, tp_coordinates_text(feet, 6), &message));
+  SAY(tp_scene_set_base_mated(scene, true, &message));
+  SAY(tp_scene_set_joint_shift(scene, T("-0.125"), &message));
+  SAY(tp_scene_set_joint_closure(scene, T("0.1"), &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_set_joint_matching(scene, T("0.75"), false, &message));
   say_scene_built(s, scene);
 }
 
@@ -129,6 +143,40 @@ static void say_generated(sayings *s) {
   tp_scene_free(scene);
 }
 
+/* The same by calls. */
+static void say_made(sayings *s, tp_scene *scene) {
+  tp_message message = {""};
+  tp_base_teeth_options teeth = tp_base_teeth_options_default();
+  tp_base_self_affine_options rough = tp_base_self_affine_options_default();
+  teeth.count = 40;
+  teeth.wavelength = T("1.1");
+  teeth.amplitude = T("0.3");
+  teeth.amplitude_scatter = teeth.skew_scatter = T("0.4");
+  teeth.start_x = E(-12);
+  teeth.start_y = E(-3);
+  teeth.seed = 4;
+  SAY(tp_scene_set_base_teeth(scene, &teeth, &message));
+  SAY(tp_scene_set_base_rest(scene, true, &message));
+  SAY(tp_scene_profile_csv(next_saying(s), scene, &message));
+  rough.length = E(32);
+  rough.step = T("0.25");
+  rough.hurst = T("0.7");
+  rough.by = TP_ROUGHNESS_JRC;
+  rough.roughness = T("12.5");
+  rough.start_x = E(-14);
+  rough.start_y = E(-5);
+  rough.seed = 5;
+  SAY(tp_scene_set_base_self_affine(scene, &rough, &message));
+  SAY(tp_scene_set_base_noise(scene, T("0.01"), 6, &message));
+  SAY(tp_scene_set_base_scaled(scene, TP_ROUGHNESS_JRC, E(9), &message));
+  SAY(tp_scene_set_base_worn(scene, TP_WEAR_ROUNDED, T("0.01"), &message));
+  SAY(tp_scene_profile_csv(next_saying(s), scene, &message));
+  SAY(tp_scene_set_base_rest(scene, true, &message));
+  say_scene_built(s, scene);
+  SAY(tp_scene_set_base_jrc_profile(scene, 7, &message));
+  SAY(tp_scene_profile_csv(next_saying(s), scene, &message));
+}
+
 static void say_outline_solved(sayings *s) {
   static const double outline[] = {0, 0, 4.1, 0, 4.3, 6.7, 0.3, 6.5};
   tp_message message = {""};
@@ -149,6 +197,7 @@ void say_built_shapes(sayings *s) {
   SAY(tp_scene_set_friction_angle_deg(scene, E(31.25), &message));
   say_forms(s, scene);
   say_bases(s, scene);
+  say_made(s, scene);
   tp_scene_free(scene);
   scene = begin_square(s);
   if (scene == NULL) return;

@@ -27,11 +27,20 @@ static void say_enumerations(sayings *s) {
   for (int k = 0; k <= TP_MECHANISM_UNDECIDED + 1; k++) {
     note_text(s, tp_mechanism_name((tp_mechanism)k));
   }
+  for (int k = 0; k <= TP_SETTLING_UNDECIDED + 1; k++) {
+    note_text(s, tp_settling_end_name((tp_settling_end)k));
+  }
   for (int k = 0; k <= TP_ACCURACY_METHODS; k++) {
     note_text(s, tp_accuracy_method_name((tp_accuracy_method)k));
   }
   for (int k = 0; k <= TP_FIND_ONSET_ANGLE + 1; k++) {
     note_text(s, tp_find_target_name((tp_find_target)k));
+  }
+  for (int k = 0; k <= TP_STUDY_OUTCOMES; k++) {
+    note_text(s, tp_study_outcome_name((tp_study_outcome)k));
+  }
+  for (int k = 0; k <= TP_STUDY_QUANTITIES; k++) {
+    note_text(s, tp_study_quantity_name((tp_study_quantity)k));
   }
 }
 

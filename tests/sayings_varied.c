@@ -4,9 +4,12 @@
 /* Scenes with other numbers: of a file with parameters, and built in memory. What a key holds has
  * decimals, which a program whose decimals have a comma reads with a point, too. */
 
+#define _GNU_SOURCE
 #include "sayings.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define SAY(call) note_status(s, call, &message)
 
@@ -22,6 +25,44 @@ static void say_number(sayings *s, const tp_scene *scene, const char *key) {
   if (tp_scene_number_text(next_saying(s), scene, key, &message) != TP_OK) s->count--;
 }
 
+static void say_set(sayings *s, const tp_scene *scene, const char *key) {
+  tp_message message = {""};
+  tp_scene *set = NULL;
+  char setting[80];
+  const char *const settings[] = {setting, "tilt.angle_deg=7.5+1/3"};
+  snprintf(setting, sizeof setting, "%s=3.25", key);
+  SAY(tp_scene_with_settings(&set, scene, settings, 2, &message));
+  if (set != NULL) say_solved(s, set, false, 9, false);
+  tp_scene_free(set);
+}
+
+static bool say_text(void *context, const char *piece) {
+  sayings *s = context;
+  char **own = next_saying(s);
+  *own = strdup(piece);
+  if (*own == NULL) s->count--;
+  return true;
+}
+
+static bool say_point(void *context, const tp_sweep_point *point) {
+  note_number(context, (long)point->status);
+  return true;
+}
+
+/* By as many threads as there are, one of whose points is wrong. */
+static void say_sweep(sayings *s, const tp_scene *scene) {
+  tp_message message = {""};
+  tp_sweep_summary summary;
+  tp_sweep_options options = tp_sweep_options_default();
+  options.x = "friction_angle_deg=29.5,30+1/7,99";
+  options.y = "tilt.angle_deg=5:6:0.5";
+  SAY(tp_sweep(&summary, scene, &options, (tp_sweep_sink){say_point, s}, &message));
+  SAY(tp_sweep_write(&summary, scene, &options, TP_SWEEP_CSV, (tp_text_sink){say_text, s},
+                     &message));
+  SAY(tp_sweep_write_file(&summary, scene, &options, TP_SWEEP_JSON, "/nowhere/at/all.json",
+                          &message));
+}
+
 static void say_with(sayings *s, const tp_scene *scene, const char *const keys[2]) {
   tp_message message = {""};
   tp_scene *once = NULL, *twice = NULL;
@@ -30,6 +71,7 @@ static void say_with(sayings *s, const tp_scene *scene, const char *const keys[2
   SAY(tp_scene_with(&once, scene, keys[0], tp_exact_of(3.7), &message));
   SAY(tp_scene_with_numbers(&twice, scene, keys, values, 2, &message));
   if (once != NULL) say_solved(s, once, false, 9, false);
+  say_set(s, scene, keys[0]);
   if (twice != NULL) {
     say_number(s, twice, keys[1]);
     say_solved(s, twice, false, 30, false);
@@ -47,6 +89,7 @@ void say_varied(sayings *s) {
   SAY(tp_scene_read_text(&scene, text, "varied", &message));
   if (scene == NULL) return;
   say_with(s, scene, of_file);
+  say_sweep(s, scene);
   say_number(s, scene, "c");
   say_number(s, scene, "none");
   tp_scene_free(scene);

@@ -6,6 +6,8 @@
  * profile needs. */
 
 #include "base/contact.h"
+#include "block/check_ring.h"
+#include "geom.h"
 #include "grid_contact.h"
 #include "runner.h"
 
@@ -169,12 +171,76 @@ START_TEST(mated_contact_is_found_by_the_search_too) {
 }
 END_TEST
 
+static bool append(tp_polyline *line, long x, long y) {
+  fmpq_t exact_x, exact_y;
+  fmpq_init(exact_x);
+  fmpq_init(exact_y);
+  fmpq_set_si(exact_x, x, 7);
+  fmpq_set_si(exact_y, y, 3);
+  const bool done = tp_polyline_append(line, exact_x, exact_y, (tp_mark){0, 0});
+  fmpq_clear(exact_x);
+  fmpq_clear(exact_y);
+  return done;
+}
+
+/* Mostly to the right, with upright steps, also several in a row, and now and then back; closed by
+ * two corners, not always below all of it. */
+static void draw_ground(tp_polyline *ring) {
+  const long count = 2 + (long)(draw(&state) % 5);
+  long x = 0, y = 0;
+  for (long k = 0; k < count; k++) {
+    ck_assert(append(ring, x, y));
+    const long turn = (long)(draw(&state) % 16), rise = 1 + (long)(draw(&state) % 3);
+    x += turn == 0 ? -1 : turn < 8 ? 0 : 1;
+    y += draw(&state) % 2 == 0 ? rise : -rise;
+  }
+  const long floor = draw(&state) % 8 == 0 ? (long)(draw(&state) % 5) - 2 : -40;
+  fmpq_t last;
+  fmpq_init(last);
+  fmpq_mul_si(last, ring->x + count - 1, 7);
+  ck_assert(append(ring, fmpz_get_si(fmpq_numref(last)), floor) && append(ring, 0, floor));
+  fmpq_clear(last);
+}
+
+/* Guards the check of the rock under a profile, which trusts the order of its points: whether the
+ * ring is simple is what CGAL's sweep says, and what is not is refused. */
+START_TEST(rock_under_a_profile_is_simple_where_the_sweep_says_so) {
+  enum { ROUNDS = 20000 };
+  long found[2] = {0};
+  state = random_numbers_from(16);
+  for (int round = 0; round < ROUNDS; round++) {
+    tp_polyline ring = {0};
+    const tp_polyline *const chains[1] = {&ring};
+    tp_lattice lattice;
+    tp_message message = {""};
+    fmpq_t metre;
+    draw_ground(&ring);
+    fmpq_init(metre);
+    fmpq_one(metre);
+    ck_assert_int_eq(tp_lattice_init(&lattice, chains, 1, metre, &message), TP_OK);
+    const size_t start[2] = {0, (size_t)ring.count};
+    const tp_geom_rings rings = {1, start, lattice.u, lattice.v, lattice.x, lattice.y, true};
+    bool simple = false;
+    ck_assert_int_eq(tp_geom_is_simple(&simple, &rings, 0), TP_GEOM_OK);
+    const tp_status status = tp_check_ring(&ring, &lattice, 0, false, "the rock", &message);
+    ck_assert_msg((status == TP_OK) == simple, "round %d: %s", round, message.text);
+    found[simple]++;
+    fmpq_clear(metre);
+    tp_lattice_clear(&lattice);
+    tp_polyline_clear(&ring);
+  }
+  ck_assert_int_gt(found[0], ROUNDS / 10);
+  ck_assert_int_gt(found[1], ROUNDS / 10);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("base");
   TCase *cases = tcase_create("base");
   tcase_set_timeout(cases, 300);
   tcase_add_test(cases, contact_is_that_of_all_pairs_of_edges);
   tcase_add_test(cases, mated_contact_is_found_by_the_search_too);
+  tcase_add_test(cases, rock_under_a_profile_is_simple_where_the_sweep_says_so);
   suite_add_tcase(suite, cases);
   return run_suite(suite);
 }

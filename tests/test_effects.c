@@ -12,6 +12,7 @@
 #include "block/ellipse.h"
 #include "clock.h"
 #include "load/loads.h"
+#include "stability/facet_friction.h"
 #include "stability/stages.h"
 
 #include <stdio.h>
@@ -32,6 +33,7 @@ enum {
   ELLIPSE,
   ELEMENTS,
   SLIDING,
+  FACETS,
   EFFECTS
 };
 
@@ -71,6 +73,11 @@ COUNTED(ELEMENTS, tp_status, tp_elements_init,
 COUNTED(SLIDING, void, tp_evaluate_sliding,
         (const tp_evaluation *e, tp_case *c, tp_direction_ball *s, tp_certainty *own),
         (e, c, s, own))
+
+COUNTED(FACETS, tp_status, tp_facet_friction_init,
+        (tp_facet_friction * f, const tp_scene *s, const tp_base *b, const tp_lattice *l,
+         const tp_contact *c, tp_facets_counted counted, tp_solution *own, tp_message *m),
+        (f, s, b, l, c, counted, own, m))
 
 /* Solve a scene written to a file, and count. */
 static void solve(const char *block, const char *rest) {
@@ -112,6 +119,8 @@ START_TEST(only_what_is_called_for) {
       {ROUNDING, ROLLING, SLAB "\n  rounded: {corners: [{at: left_end, radius: 0.1}]}", ""},
       {ELLIPSE, -1, "ellipse: {width: 4, height: 3, flat: 1}", ""},
       {SLIDING, -1, SLAB, "friction_angle_deg: 30"},
+      {FACETS, SLIDING, SLAB,
+       "friction_angle_deg: 30\nfriction: {facets: [{facet: 1, angle_deg: 20}]}"},
       {ELEMENTS, -1, SLAB, "tilt: {towards: left, angle_deg: 5}"},
   };
   for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++) {

@@ -18,6 +18,7 @@ START_TEST(names) {
     ck_assert_ptr_nonnull(tp_fos_definition_name((tp_fos_definition)v));
     ck_assert_ptr_nonnull(tp_note_kind_name((tp_note_kind)v));
     ck_assert_ptr_nonnull(tp_mechanism_name((tp_mechanism)v));
+    ck_assert_ptr_nonnull(tp_settling_end_name((tp_settling_end)v));
   }
   char plain[] = "untouched", empty[1] = "x";
   tp_plain_text(NULL, 9, "text");

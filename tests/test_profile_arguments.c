@@ -63,7 +63,7 @@ START_TEST(strange_options) {
   options = tp_profile_options_default();
   options.scale = 0;
   REFUSED(tp_profile_of_points(&profile, points, "mm", &options, &message), "scale");
-  for (int k = -1; k <= 3; k += 4) {
+  for (int k = -1; k <= 4; k += 5) {
     options = tp_profile_options_default();
     options.resampling = (tp_profile_resampling)k;
     REFUSED(tp_profile_of_points(&profile, points, "mm", &options, &message), "resampling");
@@ -85,6 +85,7 @@ START_TEST(names) {
   tp_profile_detrend detrend;
   ck_assert(!tp_profile_detrend_read(NULL, "line") && !tp_profile_detrend_read(&detrend, NULL));
   ck_assert(tp_profile_detrend_read(&detrend, "ends") && detrend == TP_DETREND_ENDS);
+  ck_assert(tp_profile_detrend_read(&detrend, "turn") && detrend == TP_DETREND_TURN);
   tp_profile_resampling resampling;
   ck_assert(!tp_profile_resampling_read(NULL, "spline"));
   ck_assert(!tp_profile_resampling_read(&resampling, NULL));

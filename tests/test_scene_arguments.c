@@ -4,41 +4,13 @@
 /* What the calls that build a scene refuse: each names itself and the argument, says what is wrong,
  * and leaves the scene as it was. */
 
-#include "refused.h"
+#include "refused_scene.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-#define E(number) tp_exact_of(number)
 #define T(text) tp_exact_text(text)
-#define DO(call) ck_assert_msg((call) == TP_OK, "%s: %s", #call, message.text)
-
-static const double square[] = {0, 0, 4, 0, 4, 6, 0, 6};
-#define SQUARE tp_coordinates_of(square, 4)
-
-static tp_scene *scene;
-
-static void set_up(void) {
-  scene = NULL;
-  DO(tp_scene_new(&scene, "m", &message));
-  DO(tp_scene_set_outline(scene, SQUARE, &message));
-  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
-}
-
-static void tear_down(void) {
-  tp_scene_free(scene);
-}
-
-static char *solve(void) {
-  tp_solution *solution = NULL;
-  const tp_solve_options options = tp_solve_options_default();
-  DO(tp_solve(&solution, scene, &options, &message));
-  char *table = NULL;
-  DO(tp_report_csv(&table, (const tp_solution *const *)&solution, 1));
-  tp_solution_free(solution);
-  return table;
-}
 
 START_TEST(new_scenes) {
   tp_scene *made = UNTOUCHED(tp_scene);
@@ -55,6 +27,8 @@ END_TEST
 /* Every call without a scene, and with one that was read. */
 static void refuse_all(tp_scene *own, const char *why) {
   const tp_coordinates s = SQUARE;
+  const tp_base_teeth_options teeth = tp_base_teeth_options_default();
+  const tp_base_self_affine_options rough = tp_base_self_affine_options_default();
   REFUSED(tp_scene_set_title(own, "x", &message), why);
   REFUSED(tp_scene_set_outline(own, s, &message), why);
   REFUSED(tp_scene_set_slab(own, E(1), E(1), &message), why);
@@ -73,8 +47,18 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_unit_weight_kn_m3(own, E(20), &message), why);
   REFUSED(tp_scene_set_base_mated(own, true, &message), why);
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
+  REFUSED(tp_scene_set_base_poses(own, true, &message), why);
   REFUSED(tp_scene_set_contact_within(own, E(1), &message), why);
+  REFUSED(tp_scene_set_joint_shift(own, E(1), &message), why);
+  REFUSED(tp_scene_set_joint_matching(own, E(0.5), true, &message), why);
+  REFUSED(tp_scene_set_joint_closure(own, E(1), &message), why);
   REFUSED(tp_scene_set_base_profile(own, s, &message), why);
+  REFUSED(tp_scene_set_base_teeth(own, &teeth, &message), why);
+  REFUSED(tp_scene_set_base_self_affine(own, &rough, &message), why);
+  REFUSED(tp_scene_set_base_jrc_profile(own, 1, &message), why);
+  REFUSED(tp_scene_set_base_noise(own, E(1), 1, &message), why);
+  REFUSED(tp_scene_set_base_scaled(own, TP_ROUGHNESS_Z2, E(1), &message), why);
+  REFUSED(tp_scene_set_base_worn(own, TP_WEAR_CUT, E(1), &message), why);
   REFUSED(tp_scene_set_base_beyond(own, E(1), E(1), &message), why);
   REFUSED(tp_scene_set_base_between(own, tp_coordinates_of(square, 2), &message), why);
   REFUSED(tp_scene_set_base_bound(own, TP_BASE_BELOW, E(1), &message), why);
@@ -83,6 +67,8 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_friction_barton(own, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_friction_barton_test(own, E(1), E(2), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_friction_barton_roughness(own, E(1), E(1), E(1), &message), why);
+  REFUSED(tp_scene_add_friction_facets(own, 1, 1, E(1), &message), why);
+  REFUSED(tp_scene_add_friction_between(own, E(0), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_tilt_towards(own, true, true, &message), why);
   REFUSED(tp_scene_set_tilt_angle_deg(own, E(1), &message), why);
   REFUSED(tp_scene_set_frame_base(own, &message), why);
@@ -105,24 +91,6 @@ START_TEST(scenes) {
                         "x", &message));
   refuse_all(read, "this scene was read from a file");
   tp_scene_free(read);
-}
-END_TEST
-
-START_TEST(profiles) {
-  static const double line[] = {-1, 0, 5, 0};
-  char *text = UNTOUCHED(char);
-  REFUSED(tp_scene_profile_csv(NULL, scene, &message), "'text' must not be NULL");
-  REFUSED(tp_scene_profile_csv(&text, NULL, &message), "'scene' must not be NULL");
-  REFUSED(tp_scene_profile_csv(&text, scene, &message), "the base has no profile of its own");
-  REFUSED(tp_scene_write_profile(NULL, "x.csv", &message), "'scene' must not be NULL");
-  REFUSED(tp_scene_write_profile(scene, NULL, &message), "'path' must not be NULL");
-  REFUSED(tp_scene_write_profile(scene, "x.csv", &message), "the base has no profile of its own");
-  ck_assert_ptr_eq(text, UNTOUCHED(char));
-  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(line, 2), &message));
-  ck_assert_int_eq(tp_scene_write_profile(scene, "/dev/null/x.csv", &message), TP_SYSTEM_FAILED);
-  DO(tp_scene_profile_csv(&text, scene, &message));
-  ck_assert_str_eq(text, "x,y\n-1,0\n5,0\n");
-  free(text);
 }
 END_TEST
 
@@ -161,6 +129,13 @@ START_TEST(numbers) {
           "must be below jcs_mpa");
   REFUSED(tp_scene_set_friction_barton_roughness(scene, E(30), E(90), E(1), &message),
           "roughness_angle_deg must lie in");
+  REFUSED(tp_scene_add_friction_facets(scene, 0, 1, E(20), &message), "there is no facet 0");
+  REFUSED(tp_scene_add_friction_facets(scene, 1, SIZE_MAX, E(20), &message), "there is no facet");
+  REFUSED(tp_scene_add_friction_facets(scene, 2, 1, E(20), &message), "before the last");
+  REFUSED(tp_scene_add_friction_facets(scene, 1, 1, E(90), &message), "angle_deg must lie in");
+  REFUSED(tp_scene_add_friction_between(scene, E(1), E(1), E(20), &message),
+          "the second must be the larger");
+  REFUSED(tp_scene_add_friction_between(scene, E(NAN), E(1), E(20), &message), "x0");
   REFUSED(tp_scene_set_tilt_towards(scene, false, false, &message), "'left' and 'right'");
   REFUSED(tp_scene_set_title(scene, NULL, &message), "'title' must not be NULL");
   char *after = solve();
@@ -218,37 +193,6 @@ START_TEST(outlines) {
 }
 END_TEST
 
-START_TEST(bases_and_loads) {
-  char *before = solve();
-  const double leftwards[] = {4, 0, 0, 0};
-  REFUSED(tp_scene_set_base_beyond(scene, E(-1), E(0), &message), "cannot end inside the block");
-  REFUSED(tp_scene_set_base_between(scene, SQUARE, &message), "in two vertices");
-  REFUSED(tp_scene_set_base_bound(scene, (tp_base_bound)3, E(0), &message), "'bound'");
-  REFUSED(tp_scene_set_base_profile(scene, tp_coordinates_of(NULL, 3), &message), "'profile'");
-  REFUSED(tp_scene_set_mean_plane(scene, SQUARE, &message), "by two points on it, not by 4");
-  REFUSED(tp_scene_set_mean_plane(scene, tp_coordinates_of(leftwards, 2), &message),
-          "from left to right");
-  REFUSED(tp_scene_set_water(scene, E(-1), E(10), false, false, &message), "height must not be");
-  REFUSED(tp_scene_set_water(scene, E(1), E(-10), false, false, &message), "unit_weight_kn_m3");
-  REFUSED(tp_scene_set_seismic_horizontal(scene, E(NAN), &message), "coefficient");
-  REFUSED(tp_scene_add_pressure(scene, E(0), E(0), E(0), E(1), E(1), E(-1), &message), "last_kpa");
-  REFUSED(tp_scene_add_surcharge(scene, E(0), E(0), E(0), E(1), E(-1), &message), "kpa");
-  REFUSED(tp_scene_add_anchor(scene, E(0), E(0), E(0), E(-1), false, &message), "force_kn");
-  REFUSED(tp_scene_set_bond_kpa(scene, E(-1), &message), "bond_kpa must not be negative");
-  REFUSED(tp_scene_set_cohesion_kpa(scene, E(-1), &message), "cohesion_kpa must not be negative");
-  char *after = solve();
-  ck_assert_str_eq(before, after);
-  free(before);
-  free(after);
-  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(square, 2), &message));
-  REFUSED(tp_scene_set_base_beyond(scene, E(1), E(0), &message), "belongs to a mated base");
-  REFUSED(tp_scene_set_base_bound(scene, TP_BASE_BELOW, E(0), &message), "belongs to a mated base");
-  DO(tp_scene_set_base_mated(scene, true, &message));
-  REFUSED(tp_scene_set_base_between(scene, tp_coordinates_of(square, 2), &message),
-          "drop one of them");
-}
-END_TEST
-
 /* One call for an outline: its own pointers, then what the calls that it stands for refuse. */
 START_TEST(outlines_at_once) {
   tp_solution *solution = UNTOUCHED(tp_solution);
@@ -303,6 +247,18 @@ START_TEST(whole_scenes) {
   REFUSED(SOLVE(scene), "tp_scene_set_friction_barton: the law barton depends");
   DO(tp_scene_add_part(scene, SQUARE, E(20), &message));
   REFUSED(SOLVE(scene), "tp_scene_add_part:1: parts of another density need");
+  tear_down();
+  set_up();
+  DO(tp_scene_add_friction_facets(scene, 2, 2, E(20), &message));
+  REFUSED(SOLVE(scene), "tp_scene_add_friction_facets:1: there is no facet 2: the base has 1");
+  tear_down();
+  set_up();
+  DO(tp_scene_add_friction_facets(scene, 1, 1, E(20), &message));
+  DO(tp_scene_add_friction_between(scene, E(-1), E(5), E(25), &message));
+  REFUSED(SOLVE(scene), "tp_scene_add_friction_between:2: facet 1 of the base is given");
+  DO(tp_scene_set_unit_weight_kn_m3(scene, E(25), &message));
+  DO(tp_scene_set_friction_barton(scene, E(30), E(8), E(100), &message));
+  REFUSED(SOLVE(scene), "tp_scene_add_friction_facets:1: the law barton is for the contact");
   static const double crossed[] = {0, 0, 4, 6, 4, 0, 0, 6};
   tear_down();
   set_up();
@@ -327,10 +283,8 @@ int main(void) {
   tcase_add_checked_fixture(tests, set_up, tear_down);
   tcase_add_test(tests, new_scenes);
   tcase_add_test(tests, scenes);
-  tcase_add_test(tests, profiles);
   tcase_add_test(tests, numbers);
   tcase_add_test(tests, outlines);
-  tcase_add_test(tests, bases_and_loads);
   tcase_add_test(tests, outlines_at_once);
   tcase_add_test(tests, whole_scenes);
   suite_add_tcase(suite, tests);

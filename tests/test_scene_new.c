@@ -139,6 +139,22 @@ START_TEST(holes_and_parts) {
 }
 END_TEST
 
+START_TEST(facets) {
+  static const double sole[] = {0, 0, 1, 0, 2, 0.5, 4, 0, 4, 6, 0, 6};
+  tp_scene *scene = new_scene("m");
+  DO(tp_scene_add_friction_facets(scene, 1, 2, E(20), &message));
+  DO(tp_scene_set_outline(scene, tp_coordinates_of(sole, 6), &message));
+  DO(tp_scene_add_friction_between(scene, E(2), T("9/2"), T("70/3"), &message));
+  DO(tp_scene_set_friction_angle_deg(scene, E(30), &message));
+  DO(tp_scene_set_friction_patton(scene, E(25), E(10), &message));
+  expect_same(scene,
+              "topple: 1\nlength_unit: m\n"
+              "block: {outline: [[0, 0], [1, 0], [2, 0.5], [4, 0], [4, 6], [0, 6]]}\n"
+              "friction: {law: patton, basic_angle_deg: 25, roughness_angle_deg: 10, facets: "
+              "[{facet: [1, 2], angle_deg: 20}, {x: [2, 9/2], angle_deg: 70/3}]}\n");
+}
+END_TEST
+
 START_TEST(bases) {
   static const double profile[] = {-1, 0, 2, 0, 2, -1, 5, 0}, ends[] = {0, 0, 1, 0};
   tp_scene *scene = new_scene("m");
@@ -161,7 +177,14 @@ START_TEST(bases) {
                         "x", &message));
   expect_equal(json, solve(read, 9));
   tp_scene_free(read);
-  DO(tp_scene_set_base_rest(scene, false, &message));
+  DO(tp_scene_set_base_poses(scene, true, &message));
+  json = solve(scene, 9);
+  DO(tp_scene_read_text(&read,
+                        BLOCK "base: {profile: [[-1, 0], [2, 0], [2, -1], [5, 0]], place: all}\n",
+                        "x", &message));
+  expect_equal(json, solve(read, 9));
+  tp_scene_free(read);
+  DO(tp_scene_set_base_poses(scene, false, &message));
   DO(tp_scene_set_contact_within(scene, E(0.125), &message));
   json = solve(scene, 9);
   DO(tp_scene_read_text(&read,
@@ -170,7 +193,18 @@ START_TEST(bases) {
                         "x", &message));
   expect_equal(json, solve(read, 9));
   tp_scene_free(read);
-  DO(tp_scene_set_base_mated(scene, false, &message)); /* the profile is dropped */
+  DO(tp_scene_set_base_mated(scene, true, &message)); /* the profile is dropped, and the rest */
+  DO(tp_scene_set_base_rest(scene, true, &message));
+  DO(tp_scene_set_joint_matching(scene, E(0.5), true, &message)); /* replaced */
+  DO(tp_scene_set_joint_closure(scene, E(0.125), &message));
+  DO(tp_scene_set_joint_shift(scene, E(-0.125), &message));
+  json = solve(scene, 9);
+  DO(tp_scene_read_text(&read,
+                        BLOCK "base: {mated: whole}\njoint: {shift: -0.125, closure: 0.125}\n", "x",
+                        &message));
+  expect_equal(json, solve(read, 9));
+  tp_scene_free(read);
+  DO(tp_scene_set_base_mated(scene, false, &message)); /* and the shift */
   DO(tp_scene_set_base_between(scene, tp_coordinates_of(ends, 2), &message));
   expect_same(scene, BLOCK "base: {mated: true, between: [[0, 0], [1, 0]]}\n");
   scene = new_scene("m");
@@ -244,6 +278,7 @@ int main(void) {
   tcase_add_test(tests, exact_numbers);
   tcase_add_test(tests, forms);
   tcase_add_test(tests, holes_and_parts);
+  tcase_add_test(tests, facets);
   tcase_add_test(tests, bases);
   tcase_add_test(tests, curves);
   tcase_add_test(tests, frames);

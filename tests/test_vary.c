@@ -4,6 +4,7 @@
 /* Scenes in which numbers are others: what follows a parameter, chains of points that scenes share,
  * exact numbers as text, and what is refused. */
 
+#include "scene/scene.h"
 #include "varied_scene.h"
 
 #include <stdlib.h>
@@ -233,6 +234,43 @@ START_TEST(refused) {
 }
 END_TEST
 
+#define MADE(step, seed, deviation)                                                                \
+  HEAD "parameters: {s: " deviation "}\n"                                                          \
+       "block: {outline: [[1, 0.5], [4, 0.5], [4, 2], [1, 2]]}\n"                                  \
+       "base: {profile: {measured: [[0, 0], [2, " step                                             \
+       "], [5, 0]], noise: {deviation: s, seed: " seed "}}, place: rest}\n" REST
+
+/* A profile made by rule is made anew where a number of its rule is another: one of its own, one of
+ * the points that it begins with, a parameter that it names; else scenes share it. */
+START_TEST(made_anew) {
+  static const char *const rules[] = {MADE("0.25", "1", "1/16"), MADE("0.25", "1", "0.0625")};
+  tp_scene *scene = read_text(rules[0]);
+  expect_equal(solved(with(scene, "friction_angle_deg", E(30))), solved(read_text(rules[1])));
+  expect_equal(solved(with(scene, "base.profile.noise.seed", E(2))),
+               solved(read_text(MADE("0.25", "2", "0.0625"))));
+  expect_equal(solved(with(scene, "base.profile.measured.2.2", E(0.5))),
+               solved(read_text(MADE("0.5", "1", "0.0625"))));
+  expect_equal(solved(with(scene, "s", E(0.125))), solved(read_text(MADE("0.25", "1", "0.125"))));
+  tp_scene_free(scene);
+  scene = read_text(HEAD "block: {outline: [[1, 3], [4, 3], [4, 5], [1, 5]]}\n"
+                         "base: {profile: {teeth: {count: 8, wavelength: 1, amplitude: 1/4, "
+                         "left_end: peak}}, place: rest}\n" REST);
+  tp_scene *same = with(scene, "tilt.angle_deg", E(5));
+  tp_scene *other = with(scene, "base.profile.teeth.amplitude", E(0.5));
+  ck_assert_ptr_eq(same->base.profile.y, scene->base.profile.y);
+  ck_assert_ptr_ne(other->base.profile.y, scene->base.profile.y);
+  tp_scene_free(scene);
+  tp_scene_free(other);
+  expect_equal(
+      solved(same),
+      solved(read_text(
+          HEAD
+          "block: {outline: [[1, 3], [4, 3], [4, 5], [1, 5]]}\n"
+          "base: {profile: {teeth: {count: 8, wavelength: 1, amplitude: 1/4, left_end: peak}}, "
+          "place: rest}\nfriction_angle_deg: 30\ntilt: {towards: left, angle_deg: 5}\n")));
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("vary");
   TCase *tests = tcase_create("scenes");
@@ -244,6 +282,7 @@ int main(void) {
   tcase_add_test(tests, files_once);
   tcase_add_test(tests, exact_texts);
   tcase_add_test(tests, refused);
+  tcase_add_test(tests, made_anew);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

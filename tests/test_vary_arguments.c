@@ -31,9 +31,57 @@ START_TEST(numbers_by_keys) {
   REFUSED(tp_scene_with_numbers(&varied, scene, &key, NULL, 1, &message), "'values'");
   REFUSED(tp_scene_with_numbers(&varied, scene, &none, &value, 1, &message), "key 1");
   REFUSED(tp_scene_with_numbers(&varied, scene, &key, &value, (size_t)-1, &message), "at most");
+  const char *setting = "friction_angle_deg=20", *no_value = "friction_angle_deg=", *no_key = "=2";
+  REFUSED(tp_scene_with_settings(NULL, scene, &setting, 1, &message), "'varied'");
+  REFUSED(tp_scene_with_settings(&varied, NULL, &setting, 1, &message), "'scene'");
+  REFUSED(tp_scene_with_settings(&varied, scene, NULL, 1, &message), "'settings'");
+  REFUSED(tp_scene_with_settings(&varied, scene, &none, 1, &message), "setting 1");
+  REFUSED(tp_scene_with_settings(&varied, scene, &key, 1, &message), "KEY=VALUE");
+  REFUSED(tp_scene_with_settings(&varied, scene, &no_key, 1, &message), "KEY=VALUE");
+  REFUSED(tp_scene_with_settings(&varied, scene, &no_value, 1, &message), "a number");
+  REFUSED(tp_scene_with_settings(&varied, scene, &setting, (size_t)-1, &message), "at most");
   ck_assert_ptr_eq(varied, UNTOUCHED(tp_scene));
   ck_assert_ptr_eq(text, &untouched);
   ck_assert(number.value == 7);
+  tp_scene_free(scene);
+}
+END_TEST
+
+static bool take_point(void *context, const tp_sweep_point *point) {
+  (void)point;
+  return context == NULL;
+}
+
+static bool take_text(void *context, const char *text) {
+  (void)text;
+  return context == NULL;
+}
+
+START_TEST(sweeps) {
+  const tp_sweep_sink points = {take_point, NULL}, no_points = {NULL, NULL};
+  const tp_text_sink texts = {take_text, NULL}, no_texts = {NULL, NULL};
+  const char *path = "/nowhere/at/all.csv";
+  tp_sweep_summary sum = {.count = 7};
+  tp_sweep_options o = tp_sweep_options_default(), none = o, strange = o;
+  tp_scene *scene = NULL;
+  ck_assert_int_eq(tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message), TP_OK);
+  o.x = "friction_angle_deg=20,30";
+  strange.x = "friction_angle_deg";
+  REFUSED(tp_sweep(NULL, scene, &o, points, &message), "'summary' must not be NULL");
+  REFUSED(tp_sweep(&sum, NULL, &o, points, &message), "'scene'");
+  REFUSED(tp_sweep(&sum, scene, NULL, points, &message), "'options'");
+  REFUSED(tp_sweep(&sum, scene, &o, no_points, &message), "'sink.take'");
+  REFUSED(tp_sweep(&sum, scene, &none, points, &message), "'options->x'");
+  REFUSED(tp_sweep(&sum, scene, &strange, points, &message), "KEY=FIRST:LAST:STEP");
+  REFUSED(tp_sweep_write(NULL, scene, &o, TP_SWEEP_CSV, texts, &message), "'summary'");
+  REFUSED(tp_sweep_write(&sum, scene, &o, (tp_sweep_format)9, texts, &message), "no such format");
+  REFUSED(tp_sweep_write(&sum, scene, &o, TP_SWEEP_CSV, no_texts, &message), "'sink.take'");
+  REFUSED(tp_sweep_write_file(NULL, scene, &o, TP_SWEEP_CSV, path, &message), "'summary'");
+  REFUSED(tp_sweep_write_file(&sum, scene, &o, TP_SWEEP_CSV, NULL, &message), "'path'");
+  ck_assert_int_eq(tp_sweep_write_file(&sum, scene, &o, TP_SWEEP_CSV, path, &message),
+                   TP_SYSTEM_FAILED);
+  tp_sweep_options_init(NULL, sizeof o);
+  ck_assert_uint_eq(sum.count, 7);
   tp_scene_free(scene);
 }
 END_TEST
@@ -42,6 +90,7 @@ int main(void) {
   Suite *suite = suite_create("vary_arguments");
   TCase *tests = tcase_create("vary_arguments");
   tcase_add_test(tests, numbers_by_keys);
+  tcase_add_test(tests, sweeps);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

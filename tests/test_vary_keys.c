@@ -84,22 +84,28 @@ static void expect_varied(const tp_scene *scene, const char *key, double number,
   free(anew);
 }
 
+enum { ALL_ROWS = KEYED_ROWS + KEYED_BASE_ROWS };
+
+static const keyed_row *row_of(size_t k) {
+  return k < KEYED_ROWS ? keyed_rows + k : keyed_base_rows + (k - KEYED_ROWS);
+}
+
 START_TEST(every_key) {
-  const keyed_scene *of = keyed_rows[_i].scene;
-  const char *key = keyed_rows[_i].key;
+  const keyed_row *row = row_of((size_t)_i);
+  const keyed_scene *of = row->scene;
+  const char *key = row->key;
   double numbers[MOST_NUMBERS];
   memcpy(numbers, of->numbers, sizeof numbers);
-  numbers[keyed_rows[_i].letter - 'a'] = keyed_rows[_i].other;
+  numbers[row->letter - 'a'] = row->other;
   tp_scene *scene = build(of, of->numbers), *anew = build(of, numbers);
   tp_bounded held = {0};
   DO(tp_scene_number(&held, scene, key, &message));
-  ck_assert_msg(held.value == of->numbers[keyed_rows[_i].letter - 'a'], "%s: %.17g", key,
-                held.value);
-  expect_varied(scene, key, keyed_rows[_i].other, say(anew), true);
+  ck_assert_msg(held.value == of->numbers[row->letter - 'a'], "%s: %.17g", key, held.value);
+  expect_varied(scene, key, row->other, say(anew), true);
   if (of->text != NULL) {
     tp_scene *file = read(of, of->numbers), *file_anew = read(of, numbers);
-    expect_varied(file, key, keyed_rows[_i].other, say(file_anew), true);
-    expect_varied(file, key, keyed_rows[_i].other, say(anew), false);
+    expect_varied(file, key, row->other, say(file_anew), true);
+    expect_varied(file, key, row->other, say(anew), false);
     tp_scene_free(file);
     tp_scene_free(file_anew);
   }
@@ -110,10 +116,10 @@ END_TEST
 
 START_TEST(whole_table) {
   bool seen[TP_SLOT_ROWS] = {false};
-  for (size_t k = 0; k < KEYED_ROWS; k++) {
-    tp_scene *scene = build(keyed_rows[k].scene, keyed_rows[k].scene->numbers);
+  for (size_t k = 0; k < ALL_ROWS; k++) {
+    tp_scene *scene = build(row_of(k)->scene, row_of(k)->scene->numbers);
     tp_slot slot;
-    DO(tp_slot_find(&slot, scene, keyed_rows[k].key, &message));
+    DO(tp_slot_find(&slot, scene, row_of(k)->key, &message));
     seen[slot.row - tp_slot_rows] = true;
     tp_scene_free(scene);
   }
@@ -127,7 +133,7 @@ int main(void) {
   Suite *suite = suite_create("vary_keys");
   TCase *tests = tcase_create("keys");
   tcase_set_timeout(tests, 0);
-  tcase_add_loop_test(tests, every_key, 0, KEYED_ROWS);
+  tcase_add_loop_test(tests, every_key, 0, ALL_ROWS);
   tcase_add_test(tests, whole_table);
   suite_add_tcase(suite, tests);
   return run_suite(suite);

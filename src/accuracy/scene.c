@@ -24,6 +24,7 @@ static tp_status subject_init(tp_accuracy_subject *s, const tp_scene *scene, cor
   options.limit = false;
   *s = (tp_accuracy_subject){.scene = *scene};
   tp_rounded_description *rounded = &s->scene.block.rounded;
+  s->scene.base.all_poses = false;
   if (as == CORNERS_SHARP) rounded->count = 0;
   if (as != CORNERS_AS_THEY_ARE) rounded->keeps_mass = as == CORNERS_PAPER;
   tp_status status = tp_solve(&s->noted, &s->scene, &options, message);

@@ -17,7 +17,8 @@ typedef struct tp_base {
   tp_polyline ring; /* the profile, closed by two corners below everything else */
   long edge_count;  /* edges of the profile: the ring's first */
   bool mated;       /* with all of the underside, up to steep sides: nothing else can touch */
-  /* of any mated base: edges mated_first … are the outline's edges outline_first …, as many */
+  /* of any mated base, also of one that the block was shifted along: edges mated_first … are the
+   * outline's edges outline_first …, as many */
   long mated_first, outline_first, mated_count;
   tp_contact_end left, right; /* why it begins and ends there */
   const char *unit;           /* of the scene's lengths, borrowed */

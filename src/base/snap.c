@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SPDX-FileCopyrightText: 2026 The Topple authors */ #include "base/snap.h"
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "base/snap.h"
 
 #include <string.h>
 
-    void
-    tp_snap_init(tp_snap *snap) {
+void tp_snap_init(tp_snap *snap) {
   memset(snap, 0, sizeof *snap);
   fmpq_init(snap->most);
   fmpq_init(snap->overlap);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SPDX-FileCopyrightText: 2026 The Topple authors */ /* Which vertices of either body lie within
-                                                       * the distance of the other, and where those
-                                                       * of the block go.
-                                                       */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Which vertices of either body lie within the distance of the other, and where those of the block
+ * go. */
 
 #include "base/snap_search.h"
 
@@ -26,6 +26,16 @@ static void square_between(fmpq_t square, const tp_snap_search *s, long vertex, 
   fmpq_sub(d, s->outline->x + vertex, s->ring->x + point);
   fmpq_mul(square, d, d);
   fmpq_sub(d, s->outline->y + vertex, s->ring->y + point);
+  fmpq_addmul(square, d, d);
+  fmpq_clear(d);
+}
+
+static void square_of_edge(fmpq_t square, const tp_polyline *line, long edge) {
+  fmpq_t d;
+  fmpq_init(d);
+  fmpq_sub(d, line->x + edge + 1, line->x + edge);
+  fmpq_mul(square, d, d);
+  fmpq_sub(d, line->y + edge + 1, line->y + edge);
   fmpq_addmul(square, d, d);
   fmpq_clear(d);
 }
@@ -123,11 +133,40 @@ bool tp_snap_settle_corners(tp_snap_search *s) {
   return true;
 }
 
+/* Takes a foot within an edge to a fraction of it with few digits, a hair along the edge: each
+ * exact one of a block that was turned has hundreds of its own, and all points come to one lattice.
+ * Within the distance it stays. */
+static void shorten(tp_snap_search *s, tp_snap_foot *f) {
+  enum { SHARE_BITS = 48, SHORT_BITS = 64 };
+  if (fmpz_bits(fmpq_denref(f->share)) <= SHORT_BITS) return;
+  const long e = f->pair.edge;
+  fmpq_t share, step, side;
+  fmpq_init(share);
+  fmpq_init(step);
+  fmpq_init(side);
+  fmpq_mul_2exp(step, f->share, SHARE_BITS);
+  fmpz_fdiv_q(fmpq_numref(share), fmpq_numref(step), fmpq_denref(step));
+  fmpq_div_2exp(share, share, SHARE_BITS);
+  fmpq_sub(step, share, f->share);
+  fmpq_mul(step, step, step);
+  square_of_edge(side, s->ring, e);
+  fmpq_mul(step, step, side);
+  fmpq_add(step, step, f->square);
+  if (fmpq_sgn(share) > 0 && fmpq_cmp(step, s->limit) <= 0) {
+    fmpq_swap(f->share, share);
+    fmpq_swap(f->square, step);
+  }
+  fmpq_clear(share);
+  fmpq_clear(step);
+  fmpq_clear(side);
+}
+
 /* By the profile's points, which the last edge's end is too. */
 void tp_snap_normalise(tp_snap_search *s) {
   for (long k = 0; k < s->count; k++) {
     tp_snap_foot *f = s->feet + k;
     if (f->pair.of_base) continue;
+    if (!fmpq_is_zero(f->square)) shorten(s, f);
     if (fmpq_is_one(f->share)) {
       f->pair.edge++;
       fmpq_zero(f->share);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SPDX-FileCopyrightText: 2026 The Topple authors */ /* All of the block that lies near its profile
-                                                         moved onto it. */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* All of the block that lies near its profile moved onto it. */
 
 #include "base/snap_search.h"
 

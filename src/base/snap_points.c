@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SPDX-FileCopyrightText: 2026 The Topple authors */ /* Points of the profile that are taken into
-                                                         edges of the block. */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Points of the profile that are taken into edges of the block. */
 
 #include "base/snap_search.h"
 
@@ -141,21 +142,30 @@ static bool append_beside(tp_snap *snap, const tp_snap_search *s, const tp_snap_
   return done;
 }
 
+/* Less a quarter of the room; of one with many digits, of the power of two below it. */
+static void take_part(fmpq_t room) {
+  enum { SHORT_BITS = 64 };
+  const long above = (long)fmpz_bits(fmpq_numref(room)), below = (long)fmpz_bits(fmpq_denref(room));
+  if (below > SHORT_BITS) {
+    fmpq_one(room);
+    fmpq_div_2exp(room, room, (ulong)(below + 1 - above)); /* at most a half, as room is below 1 */
+  }
+  fmpq_div_2exp(room, room, 2);
+  fmpq_neg(room, room);
+}
+
 /* A vertex; or where that would be a corner on a corner, a piece of the edge through it, as steep
  * as the edge. */
 static bool take_point(tp_snap *snap, const tp_snap_search *s, long own, long first, long last) {
-  enum { PART = 4 };
   const tp_snap_taken *t = s->points + own;
   const tp_snap_foot *f = s->feet + s->of_point[t->point];
   if (!fmpq_is_zero(f->square)) snap->taken_count++;
   if (fmpq_cmp(f->square, snap->most) > 0) fmpq_set(snap->most, f->square);
-  fmpq_t room, part;
+  fmpq_t room;
   fmpq_init(room);
-  fmpq_init(part);
   bool done;
   if (stands_alone(room, s, own, first, last)) {
-    fmpq_set_si(part, -1, PART);
-    fmpq_mul(room, room, part);
+    take_part(room);
     done = append_beside(snap, s, t, room);
     fmpq_neg(room, room);
     done = done && append_beside(snap, s, t, room);
@@ -164,7 +174,6 @@ static bool take_point(tp_snap *snap, const tp_snap_search *s, long own, long fi
                               s->outline->marks[t->edge]);
   }
   fmpq_clear(room);
-  fmpq_clear(part);
   return done;
 }
 

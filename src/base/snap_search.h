@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SPDX-FileCopyrightText: 2026 The Topple authors */ /* What is found while a block is moved onto
-                                                       * its profile (base/snap.h): for each vertex
-                                                       * of either body its foot, the nearest point
-                                                       * of the other within the distance; then
-                                                       * where vertices go, and which points of the
-                                                       * profile are taken into edges. */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What is found while a block is moved onto its profile (base/snap.h): for each vertex of either
+ * body its foot, the nearest point of the other within the distance; then where vertices go, and
+ * which points of the profile are taken into edges. */
 
 #ifndef TP_SNAP_SEARCH_H
 #define TP_SNAP_SEARCH_H

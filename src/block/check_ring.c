@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Is one ring a simple polygon? Meetings of its edges by CGAL's exact predicates, the first told in
- * the user's vertices. */
+/* Is one ring a simple polygon? Of the rock under a profile that runs from left to right its order
+ * says so; else by CGAL's sweep, and meetings of its edges, the first told in the user's vertices.
+ */
 
 #include "block/check_ring.h"
 
@@ -60,6 +61,36 @@ static tp_status fail_not_simple(const tp_polyline *ring, const tp_geom_rings *r
                  tp_rings_verb(first.meeting.kind), other, where, advice);
 }
 
+/* Does an upright step up or down to vertex k go on as it began? The first goes up, the last down.
+ */
+static bool step_goes_on(const tp_lattice *l, long first, long k, long last) {
+  const bool up = fmpz_cmp(l->y + k, l->y + k - 1) > 0;
+  bool goes_on = true;
+  if (k == first + 1) {
+    goes_on = up;
+  } else if (fmpz_equal(l->x + k - 1, l->x + k - 2)) {
+    goes_on = up == (fmpz_cmp(l->y + k - 1, l->y + k - 2) > 0);
+  }
+  return goes_on && !(k == last && up);
+}
+
+/* A chain that never goes back in x, closed by two corners below all of it at its ends: the rock
+ * under a profile, which is simple. */
+static bool is_ground(const tp_lattice *l, long first, long count) {
+  const long last = first + count - 3, floor = last + 1; /* of the chain; the corner below that */
+  if (count < 4 || !fmpz_equal(l->x + floor, l->x + last) ||
+      !fmpz_equal(l->x + floor + 1, l->x + first)) {
+    return false;
+  }
+  bool is = true;
+  for (long k = first; k <= last && is; k++) {
+    const int way = k == first ? 1 : fmpz_cmp(l->x + k, l->x + k - 1);
+    is = fmpz_cmp(l->y + k, l->y + floor) > 0 && fmpz_cmp(l->y + k, l->y + floor + 1) > 0 &&
+         (way > 0 || (way == 0 && step_goes_on(l, first, k, last)));
+  }
+  return is && fmpz_cmp(l->x + first, l->x + last) < 0;
+}
+
 tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long chain,
                         bool repairable, const char *name, tp_message *message) {
   const long first = lattice->start[chain], count = ring->count;
@@ -74,6 +105,7 @@ tp_status tp_check_ring(const tp_polyline *ring, const tp_lattice *lattice, long
     return tp_fail(message, TP_BAD_INPUT, tp_polyline_place(ring, -1),
                    "%s has no area: all its vertices lie on one line", name);
   }
+  if (is_ground(lattice, first, count)) return TP_OK;
   size_t start[2];
   const tp_geom_rings rings = tp_rings_view(lattice, chain, 1, start);
   bool simple = false;

@@ -89,7 +89,7 @@ static void point_powers(powers *p, const tp_face *face, const tp_cones *cones, 
   arb_submul_fmpz(p->normal, p->vx, cones->ty + point, bits);
   arb_mul_fmpz(p->along, p->vx, cones->tx + point, bits);
   arb_addmul_fmpz(p->along, p->vy, cones->ty + point, bits);
-  arb_mul(p->along, p->along, cones->friction, bits);
+  arb_mul(p->along, p->along, tp_cones_friction(cones, point), bits);
 }
 
 /* Does the column do no work by its point alone? */
@@ -125,7 +125,7 @@ static double log2_of_terms(const tp_face *face, const tp_cones *cones, long poi
  * edges span the plane; otherwise the point may still slip along its facet. */
 static tp_answer is_at_rest(const tp_face *face, const tp_cones *cones, long point, const powers *p,
                             const tp_judge *judge) {
-  if (!arb_is_zero(cones->friction)) return TP_YES;
+  if (!arb_is_zero(tp_cones_friction(cones, point))) return TP_YES;
   const double scale = log2_of_velocity(face, cones, point);
   const int along = tp_judge_sign(judge, p->vx, scale), up = tp_judge_sign(judge, p->vy, scale);
   if (along == TP_OPEN_SIGN || up == TP_OPEN_SIGN) return TP_OPEN;
@@ -169,6 +169,13 @@ static tp_answer admit_point(tp_face *face, const tp_cones *cones, long point, c
     face->site = cones->points[point].site;
   }
   return rests == TP_OPEN ? TP_OPEN : TP_YES;
+}
+
+tp_face_motion tp_face_told_motion(const tp_face *face, const tp_cones *cones) {
+  const bool spans = face->columns[0] >= 0 && face->columns[1] >= 0;
+  const bool slips = spans && face->motion == TP_MOTION_TURN &&
+                     tp_cones_slip_unevenly(cones, face->columns[0], face->columns[1]);
+  return slips ? TP_MOTION_SLIDE : face->motion;
 }
 
 static void powers_init(powers *p) {

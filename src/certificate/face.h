@@ -51,6 +51,11 @@ tp_answer tp_face_admit(tp_face *face, const tp_cones *cones, const tp_scaled *s
 tp_answer tp_face_admit_points(tp_face *face, const tp_cones *cones, long from,
                                const tp_judge *judge);
 
+/* The motion to tell: a turn by which both columns slip along one direction, under frictions that
+ * differ, is the slide; it turns only because the flow rule that goes with the cones opens each
+ * contact by its own friction as it slips. */
+tp_face_motion tp_face_told_motion(const tp_face *face, const tp_cones *cones);
+
 /* K and `full` alone. */
 void tp_face_find_resistance(tp_face *face, const tp_cones *cones, const tp_judge *judge);
 

@@ -4,6 +4,7 @@
 #include "chart/axis_label.h"
 
 #include "outside.h"
+#include "scene/unit.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -101,54 +102,22 @@ static const quantity *known(const char *key, long *number) {
   return NULL;
 }
 
-/* A point is a length along x or y. */
-static bool is_coordinate(const char *key) {
-  static const char *const begins[] = {"block.outline.", "block.holes.",     "block.arcs.",
-                                       "base.profile.",  "base.between.",    "frame.mean_plane.",
-                                       "loads.anchors.", "loads.pressures.", "loads.surcharges.",
-                                       "block.parts."};
-  static const char *const others[] = {".bulge", "_deg", "_kn", "_m3", "kpa"};
-  bool is = false;
-  for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {
-    is = is || strncmp(key, begins[k], strlen(begins[k])) == 0;
-  }
-  for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
-    const size_t length = strlen(key), own = strlen(others[k]);
-    is = is && !(length > own && strcmp(key + length - own, others[k]) == 0);
-  }
-  return is;
-}
-
 /* What a parameter stands for, if it is one thing. */
 typedef struct use {
-  const char *parameter;
   char key[KEY_SIZE]; /* where it stands alone; empty: nowhere yet */
   bool lengths;       /* it stands alone for lengths, */
   bool others;        /* for other things, */
   bool several;       /* for more quantities than one */
 } use;
 
-static void look_at(use *u, const char *key) {
+static void look_at(void *context, const char *key) {
+  use *u = context;
   long number = 0;
   const quantity *q = known(key, &number);
-  const bool length =
-      q != NULL ? q->unit != NULL && strcmp(q->unit, OF_SCENE) == 0 : is_coordinate(key);
+  const bool length = tp_key_is_length(key);
   u->several = u->several || q == NULL || u->key[0] != '\0';
   *(length ? &u->lengths : &u->others) = true;
   snprintf(u->key, sizeof u->key, "%s", key);
-}
-
-/* Every place in the scene that is the parameter alone; `way` is that of the node. */
-static void find_use(use *u, const tp_node *node, const char *way) {
-  if (node->kind == TP_NODE_SCALAR && strcmp(node->text, u->parameter) == 0) look_at(u, way);
-  long index = 0;
-  for (const tp_node *child = node->first; child != NULL; child = child->next) {
-    char key[KEY_SIZE], item[24];
-    snprintf(item, sizeof item, "%ld", ++index);
-    const char *name = node->kind == TP_NODE_MAPPING ? child->key : item;
-    const int written = snprintf(key, sizeof key, "%s%s%s", way, *way != '\0' ? "." : "", name);
-    if (written < (int)sizeof key && strcmp(key, "parameters") != 0) find_use(u, child, key);
-  }
 }
 
 /* "Depth of teeth c (mm)" where the parameter is that and nothing else; "Parameter c (mm)" where it
@@ -156,9 +125,9 @@ static void find_use(use *u, const tp_node *node, const char *way) {
 static void write_parameter(char *label, size_t size, const char *name, int shown,
                             const tp_scene *scene) {
   enum { MOST_OF_SYMBOL = 60 };
-  use u = {.parameter = name};
+  use u = {.several = false};
   long number = 0;
-  find_use(&u, scene->source, "");
+  tp_parameter_uses(scene, name, look_at, &u);
   if (u.key[0] != '\0' && !u.several && strlen(name) <= MOST_OF_SYMBOL) {
     const quantity *q = known(u.key, &number);
     write_known(label, size, q, number, scene->length_unit, name);
@@ -193,7 +162,7 @@ void tp_axis_label(char *label, size_t size, bool *plain, const char *key, const
   const int shown = (int)tp_whole_characters(name, MOST_SHOWN);
   if (is_parameter(scene, name)) {
     write_parameter(label, size, name, shown, scene);
-  } else if (is_coordinate(key)) {
+  } else if (tp_key_is_length(key)) {
     snprintf(label, size, "%.*s (%.20s)", shown, name, unit);
   } else {
     snprintf(label, size, "%.*s", shown, name);

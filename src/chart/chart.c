@@ -121,6 +121,13 @@ void tp_chart_add_label(tp_chart *chart, double x, double y, tp_label_side side,
       .panel = chart->panel_count - 1, .x = x, .y = y, .text = copy(chart, text), .side = side};
 }
 
+void tp_chart_add_plain_label(tp_chart *chart, double x, double y, tp_label_side side,
+                              const char *text) {
+  const size_t count = chart->label_count;
+  tp_chart_add_label(chart, x, y, side, text);
+  if (chart->label_count > count) chart->labels[count].plain = true;
+}
+
 void tp_chart_add_legend(tp_chart *chart, const char *text, tp_chart_style style) {
   tp_chart_legend *entry =
       grow(chart, (void **)&chart->legend, &chart->legend_count, sizeof *chart->legend);

@@ -11,7 +11,12 @@
 
 enum { TP_CHART_KEYS = 5, TP_CHART_NOTES = 5 };
 
-typedef enum tp_chart_mark { TP_MARK_LINE, TP_MARK_POINTS, TP_MARK_REGION } tp_chart_mark;
+typedef enum tp_chart_mark {
+  TP_MARK_LINE,
+  TP_MARK_POINTS,
+  TP_MARK_REGION,
+  TP_MARK_NONE /* data of which something else is drawn */
+} tp_chart_mark;
 
 typedef enum tp_chart_colour {
   TP_COLOUR_BLACK,
@@ -31,7 +36,7 @@ typedef enum tp_chart_dash {
   TP_DASH_DOTTED,
   TP_DASH_DASH_DOT,
   TP_DASH_LONG
-} tp_chart_dash;
+} tp_chart_dash; /* of points a symbol: dashed squares, dotted rings, any other the usual one */
 
 typedef struct tp_chart_style {
   tp_chart_mark mark;
@@ -81,6 +86,7 @@ typedef struct tp_chart_label {
   size_t panel;
   double x, y;
   char *text;
+  bool plain; /* a user's text: no markup */
   tp_label_side side;
 } tp_chart_label;
 
@@ -97,6 +103,7 @@ struct tp_chart {
   char *x_name, *y_name;
   size_t columns; /* panels in a row */
   double panel_width_mm, panel_height_mm;
+  bool rows_are_named; /* each row has labels below and titles above: more room between rows */
   size_t panel_count, series_count, label_count, legend_count, source_count;
   tp_chart_panel *panels;
   tp_chart_series *series;
@@ -126,6 +133,9 @@ void tp_chart_add_guide(tp_chart *chart, tp_chart_style style);
 void tp_chart_add_corner(tp_chart *chart, double x, double y);
 void tp_chart_add_break(tp_chart *chart); /* another polygon of the same region begins */
 void tp_chart_add_label(tp_chart *chart, double x, double y, tp_label_side side, const char *text);
+/* The same of a user's text, which it takes as it is. */
+void tp_chart_add_plain_label(tp_chart *chart, double x, double y, tp_label_side side,
+                              const char *text);
 void tp_chart_add_legend(tp_chart *chart, const char *text, tp_chart_style style);
 
 /* Hand the chart over, or free it when memory was exhausted on the way. */

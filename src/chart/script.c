@@ -10,7 +10,8 @@
 
 /* Sizes in mm; letters of 7 points, about the least that journals take. */
 static const double left_mm = 16, right_mm = 4, top_mm = 7, bottom_mm = 10.5, foot_mm = 1;
-static const double between_columns_mm = 12, between_rows_mm = 7, between_titles_mm = 4;
+static const double between_columns_mm = 12, between_rows_mm = 7, between_titles_mm = 4,
+                    between_names_mm = 5;
 static const double legend_row_mm = 3.8, letter_mm = 1.3, sample_mm = 8, after_sample_mm = 1.5,
                     after_text_mm = 4;
 static const double letter_points = 7;
@@ -68,6 +69,10 @@ static bool lay_out_legend(sheet *s, size_t columns) {
   return width <= s->width_mm - 2 * foot_mm;
 }
 
+static double between_rows(const tp_chart *chart) {
+  return between_rows_mm + between_titles_mm + (chart->rows_are_named ? between_names_mm : 0);
+}
+
 static sheet lay_out(const tp_chart *chart, tp_chart_format format) {
   sheet s = {.chart = chart,
              .format = format,
@@ -79,8 +84,7 @@ static sheet lay_out(const tp_chart *chart, tp_chart_format format) {
   while (columns > 1 && !lay_out_legend(&s, columns)) columns--;
   if (columns == 1) (void)lay_out_legend(&s, 1);
   s.height_mm = top_mm + bottom_mm + foot_mm + (double)s.rows * chart->panel_height_mm +
-                (double)(s.rows - 1) * (between_rows_mm + between_titles_mm) +
-                (double)s.legend_rows * legend_row_mm;
+                (double)(s.rows - 1) * between_rows(chart) + (double)s.legend_rows * legend_row_mm;
   return s;
 }
 
@@ -131,6 +135,8 @@ static double line_width(const tp_chart_style *style) {
 
 /* Circles, but for one colour: grey print tells them apart. */
 static int symbol(const tp_chart_style *style) {
+  if (style->dash == TP_DASH_DASHED) return 5;
+  if (style->dash == TP_DASH_DOTTED) return 6;
   return style->colour == TP_COLOUR_VERMILLION ? 9 : 7;
 }
 
@@ -147,6 +153,8 @@ static void add_style(tp_text *t, const tp_chart_style *style) {
     /* edged with itself, or hair lines would show between neighbours */
     tp_text_add(t, "with filledcurves closed fc rgb '%s' fs solid border lc rgb '%s' lw 0.3",
                 tints[style->colour], tints[style->colour]);
+    break;
+  case TP_MARK_NONE:
     break;
   }
 }
@@ -174,7 +182,8 @@ static void add_label(tp_text *t, const tp_chart_label *label) {
                                       "left offset character 0,0.6"};
   tp_text_add(t, "set label ");
   tp_encode_gnuplot(t, label->text);
-  tp_text_add(t, " at %.8g,%.8g %s front\n", label->x, label->y, sides[label->side]);
+  tp_text_add(t, " at %.8g,%.8g %s front%s\n", label->x, label->y, sides[label->side],
+              label->plain ? " noenhanced" : "");
 }
 
 /* The margins of a panel, shares of the sheet. */
@@ -184,8 +193,7 @@ static void add_margins(tp_text *t, const sheet *s, size_t panel) {
   const size_t rows_above = panel / c->columns;
   const double left = left_mm + column * (c->panel_width_mm + between_columns_mm);
   const double top =
-      s->height_mm - top_mm -
-      (double)rows_above * (c->panel_height_mm + between_rows_mm + between_titles_mm);
+      s->height_mm - top_mm - (double)rows_above * (c->panel_height_mm + between_rows(c));
   tp_text_add(t, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n", left / s->width_mm,
               (left + c->panel_width_mm) / s->width_mm);
   tp_text_add(t, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", top / s->height_mm,
@@ -215,6 +223,8 @@ static void add_sample(tp_text *t, const sheet *s, const tp_chart_style *style, 
                 "set object rectangle from screen %.6f,%.6f to screen %.6f,%.6f fc rgb '%s' "
                 "fs solid border lc rgb 'black' lw 0.4\n",
                 x / w, (y - 1) / h, (x + sample_mm) / w, (y + 1) / h, tints[style->colour]);
+    break;
+  case TP_MARK_NONE:
     break;
   }
 }

@@ -19,6 +19,8 @@ int tp_cli_chart(int argc, char **argv);
 int tp_cli_solve(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
 int tp_cli_profile(int argc, char **argv);
+int tp_cli_study(int argc, char **argv);
+int tp_cli_sweep(int argc, char **argv);
 int tp_cli_verify(int argc, char **argv);
 
 /* Where FLINT and GMP run out of memory the program ends with a message and TP_EXIT_SYSTEM. */
@@ -39,6 +41,10 @@ TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
 /* The complaint of a status on stderr unless it is TP_OK; the exit status, which is `ended` then.
  */
 int tp_cli_end(tp_status status, const tp_message *message, int ended);
+
+/* Of two exit statuses the one that tells more: the system, bad input, a design factor that is not
+ * met, undecided, done. */
+int tp_cli_graver(int one, int other);
 
 /* Write a whole report to stdout: 0, or TP_EXIT_SYSTEM with a message. */
 int tp_cli_print(const char *text);

@@ -50,6 +50,14 @@ int tp_cli_end(tp_status status, const tp_message *message, int ended) {
   return tp_status_exit(status);
 }
 
+int tp_cli_graver(int one, int other) {
+  static const int order[] = {TP_EXIT_SYSTEM, 3, TP_EXIT_REFUTED, 4, 0};
+  for (size_t k = 0; k < sizeof order / sizeof order[0]; k++) {
+    if (one == order[k] || other == order[k]) return order[k];
+  }
+  return one;
+}
+
 int tp_cli_run(const struct argp *parser, void *words, tp_cli_work *work, int argc, char **argv) {
   const int refused = parse(parser, words, argc, argv);
   if (refused != 0) return refused;

@@ -7,56 +7,22 @@
 
 #define _GNU_SOURCE
 #include "cli/cli.h"
+#include "cli/library.h"
 
 #include <dlfcn.h>
 #include <errno.h>
-#include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 typedef tp_status (*draw_function)(const char *path, const tp_scene *scene,
                                    const tp_solution *solution, tp_figure_consent consent,
                                    tp_message *message);
-
-/* Is it there, and of someone who could as well have replaced the program: its owner, this user, or
- * the system's? A folder such as /tmp may hold the files of others. */
-static bool is_trusted(const char *path, const struct stat *program) {
-  struct stat own;
-  if (stat(path, &own) != 0 || !S_ISREG(own.st_mode)) return false;
-  const bool owner = own.st_uid == 0 || own.st_uid == geteuid() || own.st_uid == program->st_uid;
-  return owner && (own.st_mode & S_IWOTH) == 0;
-}
-
-/* Beside the program, as it is built; where it lies seen from the program, as it is installed,
- * wherever to; else where it was meant to be installed. It stays loaded: Fontconfig keeps what it
- * knows until the process ends. */
-static void *load_library(void) {
-  static const char *const relative[] = {TP_FIGURE_LIBRARY,
-                                         TP_LIBRARY_FROM_PROGRAM "/" TP_FIGURE_LIBRARY};
-  char folder[PATH_MAX], path[2 * PATH_MAX];
-  struct stat program;
-  const ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
-  char *slash = NULL;
-  if (length > 0) {
-    folder[length] = '\0';
-    slash = strrchr(folder, '/');
-  }
-  if (slash != NULL && stat("/proc/self/exe", &program) == 0) {
-    slash[1] = '\0';
-    for (size_t k = 0; k < sizeof relative / sizeof relative[0]; k++) {
-      snprintf(path, sizeof path, "%s%s", folder, relative[k]);
-      if (is_trusted(path, &program)) return dlopen(path, RTLD_NOW);
-    }
-  }
-  return dlopen(TP_LIBRARY_FOLDER "/" TP_FIGURE_LIBRARY, RTLD_NOW);
-}
 
 /* What the process that draws has to tell: that all is ready, and it waits for a byte as consent;
  * or what it came to. */
@@ -68,7 +34,7 @@ typedef struct outcome {
 
 static tp_status draw_here(const char *path, const tp_scene *scene, const tp_solution *solution,
                            tp_figure_consent consent, tp_message *message) {
-  void *library = load_library();
+  void *library = tp_cli_load_library(TP_FIGURE_LIBRARY);
   draw_function draw = NULL;
   if (library != NULL) *(void **)&draw = dlsym(library, "tp_report_figure_if");
   if (draw != NULL) return draw(path, scene, solution, consent, message);

@@ -18,12 +18,14 @@ static const struct command {
   int (*run)(int argc, char **argv);
 } commands[] = {
     {"solve", "Does the block of a scene stand, slide or topple, and at which tilt?", tp_cli_solve},
+    {"sweep", "A table of that over a range of one or two numbers of the scene", tp_cli_sweep},
     {"derive", "The closed formulas behind that, in the scene's parameters", tp_cli_derive},
     {"verify", "Verdicts on printed formulas and numbers, each proven", tp_cli_verify},
     {"accuracy", "What accuracy costs: time, bound and true error by price", tp_cli_accuracy},
     {"chart", "Factors of safety and mechanism maps as figures", tp_cli_chart},
     {"profile", "How rough is a base or a measured profile, and which JRC follows?",
      tp_cli_profile},
+    {"study", "How probable is each verdict, where numbers of a scene vary?", tp_cli_study},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

@@ -37,7 +37,10 @@ static const struct argp_option options[] = {
     {"step", KEY_STEP, "LENGTH", 0, "Sample the profile anew at this distance", 0},
     {"resample", KEY_RESAMPLE, "HOW", 0, "Between the points: linear or spline", 0},
     {"detrend", KEY_DETREND, "LINE", 0,
-     "Take a line off: none, line (of least squares) or ends (through both)", 0},
+     "Take a line off: none, line (of least squares) or ends (through both); or turn the profile "
+     "onto "
+     "its mean plane: turn",
+     0},
     {"window", KEY_WINDOW, "WINDOW", 0, "Of the spectrum: hann or none", 0},
     {"mirror", KEY_MIRROR, NULL, 0, "Exchange left and right", 0},
     {"scale", KEY_SCALE, "FACTOR", 0, "Multiply all lengths", 0},
@@ -93,7 +96,7 @@ static error_t parse_measure(int key, char *argument, struct argp_state *state) 
     return 0;
   case KEY_DETREND:
     if (!tp_profile_detrend_read(&o->detrend, argument)) {
-      tp_cli_refuse(state, "--detrend takes none, line or ends, not '%s'", argument);
+      tp_cli_refuse(state, "--detrend takes none, line, ends or turn, not '%s'", argument);
     }
     return 0;
   case KEY_WINDOW:

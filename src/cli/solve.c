@@ -126,22 +126,12 @@ static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const cha
   solve.digits = a->digits;
   solve.level = a->level;
   solve.pivots = a->figure != NULL ? TP_PIVOTS_ALL : a->pivots;
-  const tp_status status = tp_scene_read(scene, path, message);
+  const tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
   return status == TP_OK ? tp_solve(solution, *scene, &solve, message) : status;
 }
 
 /* ---- several scenes ----------------------------------------------------------------------------
  */
-
-/* Of two exit statuses the one that tells more: the system, bad input, a design factor that is not
- * met, undecided, done. */
-static int graver(int one, int other) {
-  static const int order[] = {TP_EXIT_SYSTEM, 3, TP_EXIT_REFUTED, 4, 0};
-  for (size_t k = 0; k < sizeof order / sizeof order[0]; k++) {
-    if (one == order[k] || other == order[k]) return order[k];
-  }
-  return one;
-}
 
 /* Of one scene alone: the others go on. */
 static bool is_of_scene(tp_status status) {
@@ -159,7 +149,7 @@ static tp_status solve_all(tp_solution **solutions, const char **paths, size_t *
     if (status == TP_OK) {
       paths[(*count)++] = a->scenes[k];
     } else if (is_of_scene(status)) {
-      *ended = graver(*ended, tp_cli_end(status, message, 0));
+      *ended = tp_cli_graver(*ended, tp_cli_end(status, message, 0));
       message->text[0] = '\0';
       status = TP_OK;
     }
@@ -179,9 +169,9 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
     const tp_solution *const *own = (const tp_solution *const *)solutions;
     status = a->csv ? tp_report_csv(&report, own, count) : tp_report_table(&report, own, count);
   }
-  if (status == TP_OK && count > 0) *ended = graver(*ended, tp_cli_print(report));
+  if (status == TP_OK && count > 0) *ended = tp_cli_graver(*ended, tp_cli_print(report));
   for (size_t k = 0; k < count && status == TP_OK; k++) {
-    *ended = graver(*ended, end_open(solutions[k], a, paths[k]));
+    *ended = tp_cli_graver(*ended, end_open(solutions[k], a, paths[k]));
   }
   free(report);
   for (size_t k = 0; solutions != NULL && k < count; k++) tp_solution_free(solutions[k]);

@@ -17,7 +17,8 @@ enum {
   KEY_CSV,
   KEY_FAIL_BELOW,
   KEY_PIVOTS,
-  KEY_WRITE_PROFILE
+  KEY_WRITE_PROFILE,
+  KEY_SET
 };
 
 static const struct argp_option options[] = {
@@ -32,6 +33,10 @@ static const struct argp_option options[] = {
      "List in JSON all pivots, or those that can govern or hold the block (governing); unless "
      "given "
      "all, up to 300 of them",
+     0},
+    {"set", KEY_SET, "KEY=VALUE", 0,
+     "Solve with this number at KEY, as friction_angle_deg=30: a number or a formula, as the scene "
+     "could have it; may be given several times",
      0},
     {"verbose", 'v', NULL, 0, "Tell what ran, what called for it, and what it cost", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
@@ -185,6 +190,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;
+    return 0;
+  case KEY_SET:
+    tp_cli_take_setting(&a->settings, argument, state);
     return 0;
   case KEY_FIND:
     a->find.key = argument;

@@ -27,6 +27,15 @@ void tp_cli_complain(const char *format, ...) {
   fprintf(stderr, "topple: %s\n", plain);
 }
 
+void tp_cli_tell_progress(size_t done, size_t of, double rate) {
+  fprintf(stderr, "\r%zu of %zu samples, %.3g a second, %.3g s to go   ", done, of, rate,
+          (double)(of - done) / rate);
+}
+
+void tp_cli_clear_progress(void) {
+  fprintf(stderr, "\r%70s\r", "");
+}
+
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...) {
   char plain[COMPLAINT_SIZE];
   va_list arguments;

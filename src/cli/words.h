@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Complaints on stderr. What they quote of the command line is made plain (tp_plain_text), so they
- * are written by these alone. */
+/* Complaints and progress on stderr. What complaints quote of the command line is made plain
+ * (tp_plain_text), so they are written by these alone. */
 
 #ifndef TP_WORDS_H
 #define TP_WORDS_H
@@ -12,6 +12,11 @@
 
 /* "topple: …" and the end of the line. */
 void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* How far work is, over the line before, in numbers alone: so many done, at a rate a second. */
+void tp_cli_tell_progress(size_t done, size_t of, double rate);
+/* Clears that line. */
+void tp_cli_clear_progress(void);
 
 /* argp_error in plain text: complain, name --help and end, unless the parser's flags keep it. */
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...)

@@ -22,6 +22,11 @@ tp_status tp_derive_limit_check(const tp_scene *scene, tp_message *message) {
                    "the static limit needs friction_angle_deg; its value picks the mechanism, and "
                    "the formula then holds for every tan(phi) in its range");
   }
+  if (scene->friction.facet_count > 0) {
+    return tp_fail(message, TP_BAD_INPUT, scene->friction.facets[0].place,
+                   "formulas of the limit take one friction angle for all facets; leave out what "
+                   "facets have of their own");
+  }
   if (scene->friction.load_dependent) {
     return tp_fail(
         message, TP_BAD_INPUT, scene->friction_angle_deg.place,

@@ -67,6 +67,11 @@ tp_status tp_model_init(tp_model *model, const tp_scene *scene, bool elements,
                    "where a block comes to rest is no formula in its parameters; derive it where "
                    "it rests, 'place: as_given'");
   }
+  if (tp_scene_is_shifted(scene)) {
+    return tp_fail(message, TP_BAD_INPUT, tp_scene_shift_place(scene),
+                   "where a shifted block comes to rest is no formula in its parameters; derive it "
+                   "where it fits, and leave out 'joint'");
+  }
   if (scene->base.within.given) {
     return tp_fail(message, TP_BAD_INPUT, scene->base.within.place,
                    "where vertices are moved to their contacts is no formula in the parameters; "

@@ -192,8 +192,7 @@ static const char *find_modes(tp_onset_modes *m, bool *failed) {
   if (done == TP_MOTION_PROVEN) done = tp_twists_init(&m->twists, &m->normals, NULL);
   if (done == TP_MOTION_PROVEN) {
     m->base_rays = m->twists.ray_count;
-    done = tp_strata_visit(&m->twists, &m->normals, !arb_is_zero(m->terms->cones.friction),
-                           add_mode, m);
+    done = tp_strata_visit(&m->twists, &m->normals, false, add_mode, m);
   }
   if (done == TP_MOTION_OUT_OF_MEMORY) *failed = true;
   if (done != TP_MOTION_PROVEN) return "the motions are undecided at these values";

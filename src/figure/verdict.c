@@ -188,7 +188,8 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
   tp_text_add(&t, "Tilted towards the %s: %s", tp_text_direction(state->own->towards),
               states[state->kind]);
   if (state->kind == TP_STATE_LIMIT && figure->solution->has_friction) {
-    tp_text_add(&t, ", φ = %s°", tp_page_degrees(n, figure->solution->friction_angle_deg));
+    tp_text_add(&t, ", φ = %s°%s", tp_page_degrees(n, figure->solution->friction_angle_deg),
+                figure->solution->friction_facet_count > 0 ? " but on some facets" : "");
   }
   const bool done = !t.failed;
   if (done) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Profiles made by rule: teeth, self-affine ones, noise on a profile, and wear of its asperities.
+/* Profiles made by rule: teeth, self-affine ones, noise on a profile, heights scaled, and wear of
+ * asperities.
  *
  * The same options give the same exact coordinates on any machine that has the arithmetic of IEEE
  * 754 in doubles: random numbers are whole numbers of 64 bits (random.h), and what is computed in
@@ -16,6 +17,7 @@
 #define TP_GENERATE_H
 
 #include "plane/polyline.h"
+#include "topple_generate.h"
 
 #include <stdint.h>
 
@@ -69,16 +71,26 @@ TP_MUST_USE bool tp_generate_self_affine(tp_polyline *line, bool *no_wave,
  * to a millionth of a deviation or finer, to a power of ten. */
 void tp_add_noise(tp_polyline *line, const fmpq_t deviation, uint64_t seed);
 
-/* How asperities wear by a depth: all that stands above the highest point less the depth is cut
- * off; or every corner that points upwards is rounded until it lies lower by the depth, by at most
- * half of its edges; or heights above the mean of all points shrink in proportion, the highest by
- * the depth. */
-typedef enum tp_wear { TP_WEAR_CUT, TP_WEAR_ROUNDED, TP_WEAR_ABRADED } tp_wear;
-
-/* `line` becomes the worn profile. Coordinates that are new are rounded to a millionth of the depth
- * or finer, to a power of ten; an x is kept between its neighbours. The depth is above zero, and
- * less than the highest point stands above the lowest (cut) or above the mean (abraded). */
+/* `line` becomes the worn profile; a corner is rounded by at most half of its edges. Coordinates
+ * that are new are rounded to a millionth of the depth or finer, to a power of ten; an x is kept
+ * between its neighbours. The depth is above zero, and less than the highest point stands above the
+ * lowest (cut) or above the mean (abraded). */
 TP_MUST_USE bool tp_wear_off(tp_polyline *line, tp_wear wear, const fmpq_t depth);
+
+/* How rough a chain is. */
+typedef struct tp_roughness {
+  double size; /* the RMS height about its mean, between its points too, or Z2; 0: it is level */
+  double mean_rise; /* of |dy| from point to point */
+  long lowest;      /* the index of a lowest point */
+} tp_roughness;
+
+/* As topple profile has it. False: the chain steps upright or folds back, or is out of the range of
+ * doubles. */
+TP_MUST_USE bool tp_roughness_of(tp_roughness *roughness, const tp_polyline *line,
+                                 tp_self_affine_target target);
+/* Stretch the heights over the lowest point, which are as rough as `own`, until they are `size`,
+ * above zero. Heights are rounded to a millionth of the mean rise or finer, to a power of ten. */
+void tp_scale_heights(tp_polyline *line, const fmpq_t size, const tp_roughness *own);
 
 /* By how much the highest point stands above the lowest, or above the mean of all. */
 void tp_wear_most(fmpq_t most, const tp_polyline *line, tp_wear wear);

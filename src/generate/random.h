@@ -11,7 +11,18 @@
 
 #include <stdint.h>
 
-typedef enum tp_stream { TP_STREAM_TEETH = 1, TP_STREAM_WAVES, TP_STREAM_NOISE } tp_stream;
+/* What the numbers are for: of generated profiles, of sampling/ and of statistics/. */
+typedef enum tp_stream {
+  TP_STREAM_TEETH = 1,
+  TP_STREAM_WAVES,
+  TP_STREAM_NOISE,
+  TP_STREAM_SAMPLES,
+  TP_STREAM_STRATA,
+  TP_STREAM_SHIFTS,
+  TP_STREAM_BOOTSTRAP,
+  TP_STREAM_IMPORTANCE,
+  TP_STREAM_SUBSETS
+} tp_stream;
 
 static inline uint64_t tp_random_mix(uint64_t state) {
   state = (state ^ (state >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -26,6 +37,16 @@ static inline uint64_t tp_random_stream(uint64_t seed, tp_stream stream) {
 
 static inline uint64_t tp_random_bits(uint64_t stream, uint64_t k) {
   return tp_random_mix(stream + (k + 1) * UINT64_C(0x9e3779b97f4a7c15));
+}
+
+/* Stream number k of those that a stream falls into. */
+static inline uint64_t tp_random_branch(uint64_t stream, uint64_t k) {
+  return tp_random_mix(stream ^ tp_random_mix(k + UINT64_C(0xd1b54a32d192ed03)));
+}
+
+/* Evenly within (0, 1), of 52 bits: an odd multiple of 2^-53. */
+static inline double tp_random_unit(uint64_t bits) {
+  return ((double)(bits >> 12) + 0.5) * 0x1p-52;
 }
 
 /* Evenly within (-1, 1), of 32 bits: an odd multiple of 2^-32. */

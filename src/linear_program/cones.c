@@ -19,6 +19,11 @@ bool tp_cones_init(tp_cones *cones, long count) {
   return true;
 }
 
+void tp_cones_take_own(tp_cones *cones, long own_count) {
+  cones->own_count = own_count;
+  cones->own_friction = _arb_vec_init(own_count);
+}
+
 bool tp_cones_allow(tp_cones *cones, long capacity_count) {
   cones->capacities = calloc((size_t)capacity_count + 1, sizeof *cones->capacities);
   if (cones->capacities == NULL) return false;
@@ -37,6 +42,7 @@ void tp_cones_clear(tp_cones *cones) {
   _fmpz_vec_clear(cones->tx, cones->count);
   _fmpz_vec_clear(cones->ty, cones->count);
   arb_clear(cones->friction);
+  if (cones->own_friction != NULL) _arb_vec_clear(cones->own_friction, cones->own_count);
   for (long k = 0; k < cones->capacity_count; k++) {
     arb_clear(cones->capacities[k].shear);
     arb_clear(cones->capacities[k].pull);
@@ -80,6 +86,19 @@ void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t 
   arb_add_fmpz(force + 1, force + 1, tx, bits);
 }
 
+arb_srcptr tp_cones_friction(const tp_cones *cones, long point) {
+  const long own = cones->points[point].own;
+  return own == 0 ? cones->friction : cones->own_friction + own - 1;
+}
+
+bool tp_cones_are_exact(const tp_cones *cones) {
+  bool exact = arb_is_exact(cones->friction) != 0;
+  for (long k = 0; k < cones->own_count && exact; k++) {
+    exact = arb_is_exact(cones->own_friction + k) != 0;
+  }
+  return exact;
+}
+
 static void set_capacity(arb_ptr force, const tp_cones *cones, long point, int kind) {
   const fmpz *tx = cones->tx + point, *ty = cones->ty + point;
   arb_set_fmpz(force, kind == PULL ? ty : tx);
@@ -104,8 +123,8 @@ void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long b
 void tp_cones_column(arb_ptr entries, const tp_cones *cones, long column, long bits) {
   const long point = tp_cones_point_of(cones, column);
   if (tp_cones_is_edge(cones, column)) {
-    tp_cones_edge(entries, cones->tx + point, cones->ty + point, cones->friction, column % 2 == 1,
-                  bits);
+    tp_cones_edge(entries, cones->tx + point, cones->ty + point, tp_cones_friction(cones, point),
+                  column % 2 == 1, bits);
     set_moment(entries, cones->x + point, cones->y + point, bits);
     return;
   }
@@ -131,10 +150,8 @@ void tp_cones_bound(arb_t most, const tp_cones *cones, long column) {
   arb_set(most, kind == PULL ? own->pull : own->shear);
 }
 
-bool tp_cones_are_parallel(const tp_cones *cones, long column, long other) {
-  if (!tp_cones_is_edge(cones, column) || !tp_cones_is_edge(cones, other)) return false;
-  const long a = column / 2, b = other / 2;
-  if (column % 2 != other % 2 && !arb_is_zero(cones->friction)) return false;
+/* Are the facets of two points, with the same side of them free? */
+static bool faces_are_parallel(const tp_cones *cones, long a, long b) {
   fmpz_t cross;
   fmpz_init(cross);
   fmpz_mul(cross, cones->tx + a, cones->ty + b);
@@ -145,6 +162,23 @@ bool tp_cones_are_parallel(const tp_cones *cones, long column, long other) {
   const bool same = fmpz_sgn(cross) > 0;
   fmpz_clear(cross);
   return parallel && same;
+}
+
+bool tp_cones_are_parallel(const tp_cones *cones, long column, long other) {
+  if (!tp_cones_is_edge(cones, column) || !tp_cones_is_edge(cones, other)) return false;
+  const long a = column / 2, b = other / 2;
+  if (cones->points[a].own != cones->points[b].own) return false;
+  if (column % 2 != other % 2 && !arb_is_zero(tp_cones_friction(cones, a))) return false;
+  return faces_are_parallel(cones, a, b);
+}
+
+bool tp_cones_slip_unevenly(const tp_cones *cones, long column, long other) {
+  if (!tp_cones_is_edge(cones, column) || !tp_cones_is_edge(cones, other)) return false;
+  const long a = column / 2, b = other / 2;
+  if (cones->points[a].own == cones->points[b].own) return false;
+  const bool smooth = arb_is_zero(tp_cones_friction(cones, a)) != 0 ||
+                      arb_is_zero(tp_cones_friction(cones, b)) != 0;
+  return (column % 2 == other % 2 || smooth) && faces_are_parallel(cones, a, b);
 }
 
 bool tp_cones_share_site(const tp_cones *cones, long column, long other) {

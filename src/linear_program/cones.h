@@ -7,7 +7,7 @@
  * normal n, into the block. The friction cone of a point is spanned by its edges n + t tan(phi) and
  * n - t tan(phi). A force counts as the column (f_x, f_y, moment about the origin). Cohesion lets a
  * straight line of facets carry a shear of either sense along it, a bond a facet a pull at its
- * middle, both up to a bound.
+ * middle, both up to a bound. phi is one for all points but those of facets that have their own.
  * Any one unit of length and force; x mirrored towards the right, so that down-dip is -x. */
 
 #ifndef TP_CONES_H
@@ -22,6 +22,7 @@ typedef struct tp_cone_point {
   long site;  /* the same for columns at one point of the plane */
   long facet; /* the caller's */
   long line;  /* the straight line of its facet: the same for all on it; needed for capacities */
+  long own;   /* its friction: 0, that of most points; else the one before this of `own_friction` */
 } tp_cone_point;
 
 /* Two successive points: the ends of a facet that a bond acts on, or the first on a line that
@@ -37,13 +38,16 @@ typedef struct tp_cones {
   arb_ptr x, y;
   fmpz *tx, *ty;  /* t in whole numbers of any length */
   arb_t friction; /* tan(phi) */
+  long own_count; /* no two of these are the same, nor the same as `friction` */
+  arb_ptr own_friction;
   long capacity_count;
   tp_capacity *capacities;
 } tp_cones;
 
-/* Room for `count` points, and for capacities, zeros all; false when memory is exhausted: without
- * points there is nothing to clear. */
+/* Room for `count` points, for frictions of their own and for capacities, zeros all; false when
+ * memory is exhausted: without points there is nothing to clear. */
 bool tp_cones_init(tp_cones *cones, long count);
+void tp_cones_take_own(tp_cones *cones, long own_count);
 bool tp_cones_allow(tp_cones *cones, long capacity_count);
 void tp_cones_clear(tp_cones *cones);
 
@@ -59,6 +63,10 @@ bool tp_cones_is_shear(const tp_cones *cones, long column);
 void tp_cones_edge(arb_ptr force, const fmpz_t tx, const fmpz_t ty, const arb_t friction,
                    bool against, long bits);
 
+/* tan(phi) at a point. Is it known exactly at all? */
+arb_srcptr tp_cones_friction(const tp_cones *cones, long point);
+bool tp_cones_are_exact(const tp_cones *cones);
+
 /* The middle of a point and the next, the ends of a facet. */
 void tp_cones_middle(arb_t x, arb_t y, const tp_cones *cones, long point, long bits);
 
@@ -72,6 +80,8 @@ long tp_cones_point_of(const tp_cones *cones, long column);
 /* Is column `other` parallel to `column` by its facet alone? Are both forces at one point? Do both
  * pass through one point alone, that of an edge's point or of one on a sheared line? */
 bool tp_cones_are_parallel(const tp_cones *cones, long column, long other);
+/* Would both slip along one direction the same way, their forces at different angles to it? */
+bool tp_cones_slip_unevenly(const tp_cones *cones, long column, long other);
 bool tp_cones_meet(long *site, const tp_cones *cones, long column, long other);
 bool tp_cones_share_site(const tp_cones *cones, long column, long other);
 

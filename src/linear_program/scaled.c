@@ -45,10 +45,11 @@ static void set_moment(arb_t moment, const tp_scaled *s, const tp_vector *of) {
   arb_clear(product);
 }
 
-/* Exact doubles: where a scaled program's moments are about, and the friction rounded. With them
- * the edges of cones at exact points take no balls. */
+/* Exact doubles: where a scaled program's moments are about, and the friction rounded, that of
+ * points of one `own`. With them the edges of cones at exact points take no balls. */
 typedef struct doubles {
-  bool known;
+  bool known, friction_known;
+  long own;
   double x, y, friction;
   double log2_friction;
 } doubles;
@@ -63,25 +64,30 @@ static bool to_double(double *value, const arb_t ball) {
 }
 
 /* Log2 of tan(phi). */
-static double friction_above(const tp_cones *cones) {
+static double friction_above(arb_srcptr tangent) {
   mag_t friction;
   mag_init(friction);
-  arb_get_mag(friction, cones->friction);
+  arb_get_mag(friction, tangent);
   const double log2_above = tp_mag_log2_above(friction);
   mag_clear(friction);
   return log2_above;
 }
 
 /* Friction known to half a unit in its last place and a little more. */
-static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
+static void set_friction(doubles *d, arb_srcptr tangent, long own) {
   enum { BITS_OF_FRICTION = 60 }; /* the 53 of a double and some */
+  d->own = own;
+  d->friction = arf_get_d(arb_midref(tangent), ARF_RND_NEAR);
+  d->friction_known =
+      (arb_is_zero(tangent) || arb_rel_accuracy_bits(tangent) >= BITS_OF_FRICTION) &&
+      isfinite(d->friction);
+  d->log2_friction = friction_above(tangent);
+}
+
+static doubles doubles_of(const tp_scaled *s, const tp_cones *cones) {
   doubles d = {.known = false};
-  d.known =
-      to_double(&d.x, s->x) && to_double(&d.y, s->y) &&
-      (arb_is_zero(cones->friction) || arb_rel_accuracy_bits(cones->friction) >= BITS_OF_FRICTION);
-  d.friction = arf_get_d(arb_midref(cones->friction), ARF_RND_NEAR);
-  d.known = d.known && isfinite(d.friction);
-  d.log2_friction = friction_above(cones);
+  set_friction(&d, cones->friction, 0);
+  d.known = to_double(&d.x, s->x) && to_double(&d.y, s->y) && d.friction_known;
   return d;
 }
 
@@ -134,7 +140,8 @@ static long edge_exponent(const tp_cones *cones, long point, double log2_frictio
 
 /* Log2 of the size of a force. */
 static long column_exponent(const tp_cones *cones, long k, const tp_vector *entries) {
-  if (tp_cones_is_edge(cones, k)) return edge_exponent(cones, k / 2, friction_above(cones));
+  if (tp_cones_is_edge(cones, k))
+    return edge_exponent(cones, k / 2, friction_above(tp_cones_friction(cones, k / 2)));
   mag_t size;
   mag_init(size);
   arb_get_mag(size, entries->of);
@@ -167,12 +174,15 @@ static void set_column(tp_scaled *s, const tp_cones *cones, long k, tp_vector *e
  * force, which is at least |t| max(1, tan(phi)), and with w = 2^-53: tan(phi) t errs by 2 w, that
  * and n together, at most 2, by 5 w with the rounding of the friction; a moment, of arms at most 1
  * that err by w, by 2 (5 + 2 + 2) + 4 = 22 w. */
-static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point, const doubles *d) {
+static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point, doubles *d) {
   static const double error = 22 * (DBL_EPSILON / 2);
   static const slong most = 1L << DBL_MANT_DIG;
   const fmpz *x = cones->tx + point, *y = cones->ty + point;
   double dx = 0, dy = 0;
+  const long kind = cones->points[point].own;
   if (!away_in_double(&dx, &dy, d, cones, point)) return false;
+  if (d->own != kind) set_friction(d, tp_cones_friction(cones, point), kind);
+  if (!d->friction_known) return false;
   if (fmpz_cmp_si(x, most) > 0 || fmpz_cmp_si(x, -most) < 0) return false;
   if (fmpz_cmp_si(y, most) > 0 || fmpz_cmp_si(y, -most) < 0) return false;
   const double unit = ldexp(1, (int)-edge_exponent(cones, point, d->log2_friction));
@@ -222,7 +232,7 @@ bool tp_scaled_init(tp_scaled *scaled, const tp_cones *cones, const tp_vector *s
   set_moment(entries.of + 2, scaled, size);
   arb_get_mag(moment, entries.of + 2);
   scaled->force_exponent = exponent_of(force);
-  const doubles d = doubles_of(scaled, cones);
+  doubles d = doubles_of(scaled, cones);
   scaled->length_exponent = length_exponent(scaled, cones, &d, tp_mag_log2_above(moment) - force);
   mag_clear(moment);
   for (long point = 0; point < cones->count; point++) {

@@ -19,11 +19,13 @@ enum { MOST_GENERATORS = 24, MOST_FREE = 4 };
 static bool forces_are_alike(const tp_starting *s) {
   const tp_normals *n = &s->m->normals;
   const tp_mode_edge *first = s->mode->edges;
+  const tp_cone_point *points = n->cones->points;
   bool site = true, direction = true;
   for (long k = 1; k < s->mode->edge_count; k++) {
     const tp_mode_edge *own = s->mode->edges + k;
-    site = site && n->cones->points[own->point].site == n->cones->points[first->point].site;
+    site = site && points[own->point].site == points[first->point].site;
     direction = direction && n->family_of[own->point] == n->family_of[first->point] &&
+                points[own->point].own == points[first->point].own &&
                 own->against == first->against;
   }
   return s->mode->ray_count == 1 && (site || direction);

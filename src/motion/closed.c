@@ -25,7 +25,7 @@ static bool add_edge(tp_closed *closed, long point, bool against) {
 /* Friction acts against the slip; without friction both edges are one. */
 static tp_motion_outcome add_contact(tp_closed *closed, const tp_normals *n, long point, int slip) {
   if (slip == TP_OPEN_SIGN) return TP_MOTION_OPEN;
-  const bool rough = !arb_is_zero(n->cones->friction);
+  const bool rough = !arb_is_zero(tp_cones_friction(n->cones, point));
   if (slip == 0) closed->sticks = true;
   bool done = true;
   if (slip <= 0 || !rough) done = add_edge(closed, point, false);
@@ -53,7 +53,7 @@ static void edge_moment(arb_t moment, const tp_normals *n, long point, bool agai
 static tp_near near_moment(const tp_normals *n, long point, bool against) {
   const tp_cones *cones = n->cones;
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
-  const tp_near friction = tp_ball_near(cones->friction);
+  const tp_near friction = tp_ball_near(tp_cones_friction(cones, point));
   const tp_near along = against ? tp_near_neg(friction) : friction;
   const tp_near fx = tp_near_sub(tp_near_mul(along, tx), ty);
   const tp_near fy = tp_near_add(tp_near_mul(along, ty), tx);
@@ -79,27 +79,61 @@ static int compare_moments(const tp_normals *n, long point, long other, bool aga
   return sign;
 }
 
-/* Of a family that slips, all forces have one direction: the two with the least and the largest
- * moment. */
-static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
-                                     const tp_contact_family *family, int slip) {
-  const bool against = slip > 0 && !arb_is_zero(n->cones->friction);
-  const long first = n->items[family->first].first;
+/* Of points of one friction those with the least and the largest moment; first -1: none as yet. */
+typedef struct moment_ends {
+  long of[2];
+} moment_ends;
+
+static bool slips_against(const tp_normals *n, long point, int slip) {
+  return slip > 0 && !arb_is_zero(tp_cones_friction(n->cones, point));
+}
+
+static tp_motion_outcome widen(moment_ends *ends, const tp_normals *n, long point, bool against) {
+  if (ends->of[0] < 0) ends->of[0] = ends->of[1] = point;
+  for (int e = 0; e < 2; e++) { /* 0: the least, 1: the largest */
+    if (n->cones->points[point].site == n->cones->points[ends->of[e]].site) continue;
+    const int sign = compare_moments(n, point, ends->of[e], against);
+    if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
+    if (sign == (e == 0 ? -1 : 1)) ends->of[e] = point;
+  }
+  return TP_MOTION_PROVEN;
+}
+
+/* Of a family that slips, all forces of one friction have one direction: the two with the least and
+ * the largest moment. `ends`: for each friction. */
+static tp_motion_outcome add_ends(tp_closed *closed, const tp_normals *n,
+                                  const tp_contact_family *family, int slip, moment_ends *ends) {
   const tp_normal *last = n->items + family->first + family->count - 1;
-  long ends[2] = {n->order[first], n->order[first]};
-  for (long k = first + 1; k < last->first + last->count; k++) {
+  const long frictions = n->cones->own_count + 1;
+  for (long own = 0; own < frictions; own++) ends[own].of[0] = -1;
+  for (long k = n->items[family->first].first; k < last->first + last->count; k++) {
     const long point = n->order[k];
     if (n->same[point] != point) continue;
-    for (int e = 0; e < 2; e++) { /* 0: the least, 1: the largest */
-      if (n->cones->points[point].site == n->cones->points[ends[e]].site) continue;
-      const int sign = compare_moments(n, point, ends[e], against);
-      if (sign == TP_OPEN_SIGN) return TP_MOTION_OPEN;
-      if (sign == (e == 0 ? -1 : 1)) ends[e] = point;
+    const tp_motion_outcome done =
+        widen(ends + n->cones->points[point].own, n, point, slips_against(n, point, slip));
+    if (done != TP_MOTION_PROVEN) return done;
+  }
+  for (long own = 0; own < frictions; own++) {
+    const long *of = ends[own].of;
+    if (of[0] < 0) continue;
+    const bool against = slips_against(n, of[0], slip);
+    if (!add_edge(closed, of[0], against) ||
+        (of[0] != of[1] && !add_edge(closed, of[1], against))) {
+      return TP_MOTION_OUT_OF_MEMORY;
     }
   }
-  const bool added = add_edge(closed, ends[0], against) &&
-                     (ends[0] == ends[1] || add_edge(closed, ends[1], against));
-  return added ? TP_MOTION_PROVEN : TP_MOTION_OUT_OF_MEMORY;
+  return TP_MOTION_PROVEN;
+}
+
+static tp_motion_outcome add_sliding(tp_closed *closed, const tp_normals *n,
+                                     const tp_contact_family *family, int slip) {
+  moment_ends one;
+  if (n->cones->own_count == 0) return add_ends(closed, n, family, slip, &one);
+  moment_ends *ends = calloc((size_t)n->cones->own_count + 1, sizeof *ends);
+  if (ends == NULL) return TP_MOTION_OUT_OF_MEMORY;
+  const tp_motion_outcome done = add_ends(closed, n, family, slip, ends);
+  free(ends);
+  return done;
 }
 
 /* Those of one normal line, each point once. */

@@ -3,8 +3,8 @@
 
 /* The contacts that stay closed in a mode (motion/strata.h), and the forces that they can exert: n
  * and t tan(phi) against the slip of each, both edges where it sticks. Of a family of parallel
- * normals that slips, all forces have one direction, and the two with the least and the largest
- * moment span the rest. Every sign is judged in balls (number/judge.h). */
+ * normals that slips, all forces of one friction have one direction, and the two with the least and
+ * the largest moment span the rest. Every sign is judged in balls (number/judge.h). */
 
 #ifndef TP_CLOSED_H
 #define TP_CLOSED_H

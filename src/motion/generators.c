@@ -29,6 +29,7 @@ static void describe(tp_generator *own, const tp_generator *as) {
   own->site = as->site;
   own->point = as->point;
   own->against = as->against;
+  own->edge = as->edge;
 }
 
 static bool add_ray(tp_generators *g, const tp_twists *twists, long ray) {
@@ -48,11 +49,13 @@ static long axis_of(const tp_normals *n, long point) {
 static bool add_edge(tp_generators *g, const tp_mode_edge *edge) {
   tp_generator *own = add(g);
   if (own == NULL) return false;
+  const tp_cone_point *point = g->n->cones->points + edge->point;
   describe(own, &(tp_generator){.id = 2 * g->n->same[edge->point] + edge->against,
                                 .axis = axis_of(g->n, edge->point),
-                                .site = g->n->cones->points[edge->point].site,
+                                .site = point->site,
                                 .point = edge->point,
-                                .against = edge->against});
+                                .against = edge->against,
+                                .edge = 2 * point->own + edge->against});
   g->count++;
   return true;
 }
@@ -129,8 +132,8 @@ tp_source tp_generators_source(const tp_generators *g, const tp_generator *a,
                                const tp_generator *b) {
   if (!a->is_ray && !b->is_ray) {
     if (a->site == b->site) return (tp_source){.kind = TP_FROM_SITE, .a = a->site};
-    if (a->axis == b->axis && a->against == b->against) {
-      return (tp_source){.kind = TP_FROM_PARALLEL, .a = a->axis, .b = a->against};
+    if (a->axis == b->axis && a->edge == b->edge) {
+      return (tp_source){.kind = TP_FROM_PARALLEL, .a = a->axis, .b = a->edge};
     }
   } else {
     const tp_generator *ray = a->is_ray ? a : b;
@@ -148,5 +151,5 @@ tp_source tp_generators_source(const tp_generators *g, const tp_generator *a,
 bool tp_generator_is_in_plane(const tp_generator *g, const tp_source *plane) {
   if (g->is_ray) return false;
   if (plane->kind == TP_FROM_SITE) return g->site == plane->a;
-  return plane->kind == TP_FROM_PARALLEL && g->axis == plane->a && g->against == plane->b;
+  return plane->kind == TP_FROM_PARALLEL && g->axis == plane->a && g->edge == plane->b;
 }

@@ -16,7 +16,7 @@
  * for planes that weight alone, whose moment is none, meets at one tilt. */
 typedef enum tp_source_kind {
   TP_FROM_SITE,     /* all forces through one point */
-  TP_FROM_PARALLEL, /* all forces of one direction: an axis and a side of its cones */
+  TP_FROM_PARALLEL, /* all forces of one direction: an axis and an edge of its cones */
   TP_FROM_AXIS,     /* weight along a facet */
   TP_FROM_NORMAL,   /* M times the twists on one normal line */
   TP_FROM_PAIR      /* two generators */
@@ -30,6 +30,8 @@ typedef struct tp_generator {
   long axis;        /* of a force; of a ray that does not turn; else -1 */
   long site, point; /* of a force */
   bool against;
+  long edge; /* of a force: its friction and the side of its cone; forces of one axis and one such
+                are parallel */
 } tp_generator;
 
 typedef struct tp_generators {

@@ -53,7 +53,9 @@ static bool set_inertia(tp_near own[3], const tp_mode_filter *f, const tp_ray *r
 static void set_force(tp_near own[3], const tp_mode_filter *f, const tp_normals *n, long point,
                       bool against) {
   const tp_near tx = tp_near_whole(n->tx + point), ty = tp_near_whole(n->ty + point);
-  const tp_near friction = against ? tp_near_neg(f->friction) : f->friction;
+  const bool has_own = n->cones->points[point].own != 0;
+  const tp_near tangent = has_own ? near_of(tp_cones_friction(n->cones, point)) : f->friction;
+  const tp_near friction = against ? tp_near_neg(tangent) : tangent;
   const tp_near x = tp_near_mul(tp_ball_near(n->cones->x + point), f->scale);
   const tp_near y = tp_near_mul(tp_ball_near(n->cones->y + point), f->scale);
   own[0] = tp_near_sub(ty, tp_near_mul(friction, tx));

@@ -198,8 +198,7 @@ tp_motion_outcome tp_motions_init(tp_motions *m, const tp_motion_question *q) {
     collecting c = {.m = m, .q = q};
     tp_mode_filter_init(&c.filter, q);
     tp_strength_init(&c.strength);
-    const bool grips = q->strong != NULL || !arb_is_zero(q->cones->friction);
-    done = tp_strata_visit(&m->twists, &m->normals, grips, collect, &c);
+    done = tp_strata_visit(&m->twists, &m->normals, q->strong != NULL, collect, &c);
     tp_bounds_clear(&c.bounds);
     tp_strength_clear(&c.strength);
     tp_tilts_clear(&c.own);

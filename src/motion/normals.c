@@ -123,8 +123,8 @@ int tp_normals_slip(const tp_normals *n, long point, const tp_vector *twist, con
 }
 
 void tp_normals_edge(tp_vector *force, const tp_normals *n, long point, bool against) {
-  tp_cones_edge(force->of, n->tx + point, n->ty + point, n->cones->friction, against,
-                n->judge.bits);
+  tp_cones_edge(force->of, n->tx + point, n->ty + point, tp_cones_friction(n->cones, point),
+                against, n->judge.bits);
 }
 
 bool tp_normal_has_site(const tp_normals *n, const tp_normal *normal, long site) {

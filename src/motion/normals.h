@@ -40,7 +40,7 @@ typedef struct tp_normals {
   tp_judge judge;              /* its precision is that of the coordinates */
   long *order;                 /* all points, line after line */
   long *normal_of, *family_of; /* by point */
-  long *same;                  /* by point: the first with its site on its line */
+  long *same;                  /* by point: the first with its site and friction on its line */
   fmpz *tx, *ty;               /* by point, without common divisor */
   long count;
   tp_normal *items;

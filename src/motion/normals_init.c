@@ -44,6 +44,19 @@ static bool is_new_family(const tp_normals_order *order, long k) {
              tp_normal_entry_is_against(order->entries + k - 1);
 }
 
+/* Of the entries before one on its line, with its site, the first with its friction; else its own
+ * point. */
+static long first_alike(const tp_normals *n, const tp_normals_order *order, long k) {
+  const tp_cone_point *points = n->cones->points;
+  const long own = tp_normal_entry_point(order->entries + k);
+  for (long j = k - 1; j >= n->items[n->count - 1].first; j--) {
+    const long other = tp_normal_entry_point(order->entries + j);
+    if (points[other].site != points[own].site) break;
+    if (points[other].own == points[own].own) return n->same[other];
+  }
+  return own;
+}
+
 static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
   long alike = 0; /* the first point of the family in hand */
   for (long k = 0; k < order->count; k++) {
@@ -73,10 +86,7 @@ static tp_motion_outcome gather(tp_normals *n, const tp_normals_order *order) {
     }
     n->family_of[point] = n->family_count - 1;
     n->normal_of[point] = n->count - 1;
-    const tp_cone_point *points = n->cones->points;
-    const long last = before != NULL ? tp_normal_entry_point(before) : point;
-    const bool same_site = same_line && points[last].site == points[point].site;
-    n->same[point] = same_site ? n->same[last] : point;
+    n->same[point] = same_line ? first_alike(n, order, k) : point;
   }
   return TP_MOTION_PROVEN;
 }

@@ -11,7 +11,7 @@
 typedef struct visiting {
   tp_twists *twists;
   const tp_normals *n;
-  bool grips;
+  bool bonded;
   tp_mode_visit visit;
   void *context;
   tp_closed closed;
@@ -90,6 +90,7 @@ static tp_motion_outcome find_cuts(long *cuts, long *count, visiting *v,
   for (long k = own->first; k < own->first + own->count; k++) {
     const long point = v->n->order[k];
     if (v->n->same[point] != point) continue;
+    if (!v->bonded && arb_is_zero(tp_cones_friction(v->n->cones, point))) continue;
     const int from = tp_closed_slip(v->n, point, v->twists->rays + face->from);
     const int to = tp_closed_slip(v->n, point, v->twists->rays + face->to);
     if (from == TP_OPEN_SIGN || to == TP_OPEN_SIGN) return TP_MOTION_OPEN;
@@ -112,8 +113,7 @@ static tp_motion_outcome visit_face(visiting *v, const tp_twist_face *face) {
   const tp_normal *own = v->n->items + face->normal;
   long *cuts = calloc((size_t)own->count + 1, sizeof *cuts), count = 0;
   if (cuts == NULL) return TP_MOTION_OUT_OF_MEMORY;
-  tp_motion_outcome done = TP_MOTION_PROVEN;
-  if (v->grips) done = find_cuts(cuts, &count, v, face);
+  tp_motion_outcome done = find_cuts(cuts, &count, v, face);
   long from = face->from;
   for (long k = 0; k < count && done == TP_MOTION_PROVEN; k++) {
     done = visit_sector(v, from, cuts[k], face->normal);
@@ -125,9 +125,10 @@ static tp_motion_outcome visit_face(visiting *v, const tp_twist_face *face) {
   return done;
 }
 
-tp_motion_outcome tp_strata_visit(tp_twists *twists, const tp_normals *normals, bool grips,
+tp_motion_outcome tp_strata_visit(tp_twists *twists, const tp_normals *normals, bool bonded,
                                   tp_mode_visit visit, void *context) {
-  visiting v = {.twists = twists, .n = normals, .grips = grips, .visit = visit, .context = context};
+  visiting v = {
+      .twists = twists, .n = normals, .bonded = bonded, .visit = visit, .context = context};
   tp_motion_outcome done = TP_MOTION_PROVEN;
   if (twists->has_interior || twists->everything) {
     const tp_mode mode = {.mechanism = TP_LEAVES_BASE};

@@ -19,10 +19,10 @@
 /* Called for each mode; ends the visit with another outcome than TP_MOTION_PROVEN. */
 typedef tp_motion_outcome (*tp_mode_visit)(void *context, const tp_mode *mode);
 
-/* Adds to `twists` the rays of turning about points that stick on a face; `grips`: friction or
- * cohesion can make them stick. */
+/* Adds to `twists` the rays of turning about points that stick on a face: those with friction, or
+ * with `bonded`, where cohesion can make them stick, all. */
 TP_MUST_USE tp_motion_outcome tp_strata_visit(tp_twists *twists, const tp_normals *normals,
-                                              bool grips, tp_mode_visit visit, void *context);
+                                              bool bonded, tp_mode_visit visit, void *context);
 
 /* The mechanism of one ray: it slides, turns about a contact that sticks, or about another point.
  */

@@ -3,6 +3,7 @@
 
 #include "report/contact.h"
 
+#include "report/joint.h"
 #include "report/parts_json.h"
 #include "report/words.h"
 
@@ -166,12 +167,15 @@ void tp_page_add_contact(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_contact_result *c = &s->contact;
   char n[2][TP_NUMBER_SIZE];
+  tp_page_add_joint(p);
   add_rest(p);
   add_within(p);
   add_frame(p);
   tp_text_add(&p->text, "Base     ");
-  if (c->mated) {
-    tp_text_add(&p->text, "mated; it ");
+  if (c->mated || c->shifted) {
+    tp_text_add(&p->text, c->mated
+                              ? "mated; it "
+                              : "the counterpart of the underside before the shift; it\n         ");
     add_beyond(p, c);
     if (!c->beyond_stated) {
       tp_text_add(&p->text, "\n         (taken so: the scene does not say 'beyond')");
@@ -187,6 +191,10 @@ void tp_page_add_contact(tp_page *p) {
   tp_text_add(&p->text, ",%s%s %s long, %s %s along the mean plane",
               c->points > 0 ? "\n         " : " ", tp_page_length(p, n[0], c->length_m, 6),
               s->length_unit, tp_page_length(p, n[1], c->nominal_length_m, 6), s->length_unit);
+  if (c->has_contact_ratio) {
+    tp_text_add(&p->text, ",\n         contact ratio %s, the share of the underside",
+                tp_text_significant(n[0], c->contact_ratio, 5));
+  }
   if (s->block.has_weight && c->facets > 0) {
     tp_text_add(&p->text, ";\n         weight per area ");
     tp_page_add_quantity(p, c->weight_per_contact_area_pa, "Pa");
@@ -285,12 +293,13 @@ void tp_json_contact(tp_json *j, const tp_contact_result *c, bool has_weight) {
   json_end(j, "left_end", c->left_end, c->left_x_m, c->left_y_m);
   json_end(j, "right_end", c->right_end, c->right_x_m, c->right_y_m);
   json_steepness(j, c);
-  if (c->mated) {
+  if (c->mated || c->shifted) {
     tp_json_bounded(j, "beyond_left_m", c->beyond_left_m);
     tp_json_bounded(j, "beyond_right_m", c->beyond_right_m);
   }
   tp_json_bounded(j, "length_m", c->length_m);
   tp_json_bounded(j, "nominal_length_m", c->nominal_length_m);
+  if (c->has_contact_ratio) tp_json_bounded(j, "contact_ratio", c->contact_ratio);
   if (has_weight) {
     tp_json_bounded(j, "weight_per_contact_area_pa", c->weight_per_contact_area_pa);
     tp_json_bounded(j, "weight_per_nominal_area_pa", c->weight_per_nominal_area_pa);

@@ -37,7 +37,7 @@ static void add_toe_friction(tp_page *p, const tp_toe *toe) {
   const tp_solution *s = p->solution;
   char n[2][TP_NUMBER_SIZE];
   tp_text_fixed(n[0], toe->limit_angle_deg, 3);
-  if (s->friction_is_residual) {
+  if (s->friction_is_residual || s->friction_facet_count > 0) {
     tp_text_add(&p->text, "%s°", n[0]);
     return;
   }

@@ -5,7 +5,9 @@
 
 #include "host.h"
 #include "output/encode.h"
+#include "report/settings.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { INDENT = 9, WIDTH = 80 };
@@ -35,6 +37,18 @@ static void add_words(tp_text *t, const char *words, size_t *column) {
   }
 }
 
+void tp_text_settings(tp_text *t, const tp_settings *settings) {
+  for (size_t k = 0; k < settings->count; k++) {
+    char *text = tp_text_setting(settings->items + k);
+    size_t column = INDENT;
+    tp_text_add(t, "%-*s", INDENT, "Set");
+    if (text != NULL) add_words(t, text, &column);
+    tp_text_add(t, "\n");
+    t->failed = t->failed || text == NULL;
+    free(text);
+  }
+}
+
 void tp_text_notes(tp_text *t, const tp_notes *notes) {
   for (size_t k = 0; k < notes->count; k++) {
     const tp_note *note = notes->items + k;
@@ -60,6 +74,7 @@ tp_status tp_report_notes(char **text, const tp_solution *solution) {
   TP_REFUSE_NULL(NULL, solution);
   tp_text t = {0};
   tp_text_add(&t, "%s", "");
+  tp_text_settings(&t, &solution->settings);
   tp_text_notes(&t, &solution->notes);
   return tp_text_finish(&t, text);
 }

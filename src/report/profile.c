@@ -44,10 +44,14 @@ static void add_head(tp_text *t, const tp_profile *p) {
   }
   if (o->mirrored) tp_text_add(t, "; mirrored");
   if (o->scale != 1) tp_text_add(t, "; scaled by %.6g", o->scale);
-  tp_text_add(t, "\n%s\n\n",
-              o->detrend == TP_DETREND_LINE   ? "the line of least squares is taken off"
-              : o->detrend == TP_DETREND_ENDS ? "the line through both ends is taken off"
-                                              : "no line is taken off");
+  if (o->detrend == TP_DETREND_TURN) {
+    tp_text_add(t, "\nturned onto its mean plane, by %.6g°\n\n", p->trend_deg.value);
+  } else {
+    tp_text_add(t, "\n%s\n\n",
+                o->detrend == TP_DETREND_LINE   ? "the line of least squares is taken off"
+                : o->detrend == TP_DETREND_ENDS ? "the line through both ends is taken off"
+                                                : "no line is taken off");
+  }
 }
 
 static void add_shape(tp_text *t, const tp_profile *p) {

@@ -59,4 +59,7 @@ void tp_page_add_sliding(tp_page *p, const tp_case *c) {
               tp_page_degrees(n[0], s->friction_angle_deg), climbs ? "+" : "−",
               tp_page_degrees(n[1], i), tp_text_fixed(n[2], s->critical_angle_deg, 3),
               solution->friction_is_patton ? ", φ by Patton's law (Eq. 6)" : "");
+  if (solution->friction_facet_count > 0) {
+    tp_text_add(&p->text, "  φ: the least of that facet and of all parallel to it.\n");
+  }
 }

@@ -7,11 +7,13 @@
 #include "output/encode.h"
 #include "report/contact.h"
 #include "report/digits.h"
+#include "report/friction.h"
 #include "report/governing.h"
 #include "report/limit.h"
 #include "report/loads.h"
 #include "report/notes.h"
 #include "report/pivots.h"
+#include "report/poses.h"
 #include "report/sliding.h"
 #include "report/verdict.h"
 #include "report/words.h"
@@ -138,6 +140,9 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
   add_teeth(&p);
   add_block(&p);
   tp_page_add_contact(&p);
+  tp_page_add_friction(&p);
+  tp_text_settings(&p.text, &solution->settings);
+  tp_page_add_poses(&p);
   tp_text_notes(&p.text, &solution->notes);
   for (size_t k = 0; k < solution->case_count; k++) add_case(&p, solution->cases + k);
   tp_page_add_digits(&p);

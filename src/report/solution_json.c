@@ -7,13 +7,17 @@
 
 #include "host.h"
 #include "report/contact.h"
+#include "report/friction.h"
 #include "report/governing.h"
+#include "report/joint.h"
 #include "report/limit.h"
 #include "report/loads.h"
 #include "report/notes.h"
 #include "report/onset.h"
 #include "report/parts_json.h"
 #include "report/pivots.h"
+#include "report/poses.h"
+#include "report/settings.h"
 #include "report/words.h"
 
 typedef struct named {
@@ -189,9 +193,12 @@ static void add_case(tp_json *j, const tp_solution *s, const tp_case *c, tp_pivo
                     s->friction_is_residual ? "residual_friction_angle_deg" : "friction_angle_deg",
                     s->friction_angle_deg);
   }
+  tp_json_friction(j, s);
   add_block(j, &s->block);
   add_teeth(j, &s->teeth);
   tp_json_rest(j, &s->rest);
+  tp_json_poses(j, &s->poses, (size_t)(c - s->cases));
+  tp_json_joint(j, &s->joint);
   tp_json_within(j, &s->within);
   tp_json_frame(j, &s->frame);
   tp_json_contact(j, &s->contact, s->block.has_weight);
@@ -211,6 +218,7 @@ static void add_case(tp_json *j, const tp_solution *s, const tp_case *c, tp_pivo
 
 void tp_json_solution(tp_json *j, const tp_solution *s, tp_pivots_listed listed) {
   if (s->title != NULL) tp_json_string(j, "title", s->title);
+  tp_json_settings(j, &s->settings);
   tp_json_string(j, "level", tp_level_name(s->level));
   tp_json_beside(j);
   tp_json_integer(j, "bits", s->bits);

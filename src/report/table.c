@@ -6,7 +6,12 @@
 #include "host.h"
 #include "output/encode.h"
 #include "report/onset.h"
+#include "report/row.h"
+#include "report/settings.h"
 #include "report/words.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 static void add_angle(tp_text *t, bool known, tp_bounded angle) {
   char n[TP_NUMBER_SIZE];
@@ -79,25 +84,25 @@ static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
   tp_text_add(t, " |\n");
 }
 
-typedef void (*row)(tp_text *text, const tp_solution *solution, const tp_case *own);
-
-/* A head and a row for each case. */
-static void write(tp_text *t, const char *head, row add, const tp_solution *const *solutions,
-                  size_t count) {
-  tp_text_add(t, "%s", head);
-  for (size_t k = 0; k < count; k++) {
-    for (size_t c = 0; c < solutions[k]->case_count; c++) {
-      add(t, solutions[k], solutions[k]->cases + c);
-    }
-  }
+static void add_name(tp_text *t, const tp_solution *s) {
+  tp_text_add(t, "- ");
+  tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
 }
 
-/* Below the table: the notes and cautions of each scene, by its name. */
+/* Below the table: what was set, and the notes and cautions of each scene, by its name. */
 static void add_notes(tp_text *t, const tp_solution *s) {
+  for (size_t k = 0; k < s->settings.count; k++) {
+    char *text = tp_text_setting(s->settings.items + k);
+    add_name(t, s);
+    tp_text_add(t, ", set: ");
+    tp_encode_markdown(t, text != NULL ? text : "");
+    tp_text_add(t, "\n");
+    t->failed = t->failed || text == NULL;
+    free(text);
+  }
   for (size_t k = 0; k < s->notes.count; k++) {
     const tp_note *note = s->notes.items + k;
-    tp_text_add(t, "- ");
-    tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+    add_name(t, s);
     tp_text_add(t, ", %s: ", tp_note_kind_name(note->kind));
     tp_encode_markdown(t, note->text);
     if (note->place[0] != '\0') {
@@ -111,7 +116,9 @@ static void add_notes(tp_text *t, const tp_solution *s) {
 
 static void add_all_notes(tp_text *t, const tp_solution *const *solutions, size_t count) {
   bool any = false;
-  for (size_t k = 0; k < count; k++) any = any || solutions[k]->notes.count > 0;
+  for (size_t k = 0; k < count; k++) {
+    any = any || solutions[k]->notes.count + solutions[k]->settings.count > 0;
+  }
   if (any) tp_text_add(t, "\n");
   for (size_t k = 0; k < count; k++) add_notes(t, solutions[k]);
 }
@@ -127,56 +134,84 @@ tp_status tp_report_table(char **text, const tp_solution *const *solutions, size
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
   tp_text t = {0};
-  write(&t, columns, add_case, solutions, count);
+  tp_text_add(&t, "%s", columns);
+  for (size_t k = 0; k < count; k++) {
+    for (size_t c = 0; c < solutions[k]->case_count; c++) {
+      add_case(&t, solutions[k], solutions[k]->cases + c);
+    }
+  }
   add_all_notes(&t, solutions, count);
   return tp_text_finish(&t, text);
 }
 
-/* A number in full, or an empty field. */
-static void add_field(tp_text *t, bool known, tp_bounded number) {
-  if (known) tp_text_add(t, "%.17g", number.value);
-  tp_text_add(t, ",");
-  if (known) tp_text_add(t, "%.17g", number.error);
-  tp_text_add(t, ",");
+/* ---- CSV ---------------------------------------------------------------------------------------
+ */
+
+/* The settings that come first under their keys, in all solutions. */
+typedef struct keys {
+  size_t count;
+  const tp_setting **items;
+} keys;
+
+static const tp_setting *find(const tp_setting *const *items, size_t count, const char *key) {
+  for (size_t k = 0; k < count; k++) {
+    if (strcmp(items[k]->key, key) == 0) return items[k];
+  }
+  return NULL;
 }
 
-static void add_fields(tp_text *t, const tp_solution *s, const tp_case *c) {
-  const tp_pivot *pivot = governing_pivot(c);
-  const tp_governing_fos *g = &c->governing_fos;
-  const bool counts = g->fos.state == TP_FOS_NUMBER && (g->complete || !g->sliding_judged);
-  tp_encode_csv(t, s->title != NULL ? s->title : "");
-  tp_text_add(t, ",%s,", tp_text_direction(c->towards));
-  add_field(t, s->has_tilt_angle, s->tilt_angle_deg);
-  tp_text_add(t, "%s,", s->has_tilt_angle ? tp_mechanism_name(c->mechanism) : "");
-  add_field(t, counts, g->fos.value);
-  const tp_factor *factor = g->has_factor ? g->factors + g->factor : NULL;
-  tp_text_add(t, "%s,%s,", factor != NULL ? tp_mechanism_name(factor->mechanism) : "",
-              factor != NULL ? tp_fos_definition_name(factor->definition) : "");
-  add_field(t, c->onset.kind == TP_ONSET_AT_ANGLE, c->onset.critical_angle_deg);
-  add_field(t, pivot != NULL && !pivot->never && !pivot->always,
-            pivot != NULL ? pivot->critical_angle_deg : (tp_bounded){0});
-  add_field(t, c->sliding.known && !c->sliding.never && !c->sliding.always,
-            c->sliding.critical_angle_deg);
-  add_field(t, c->limit.kind == TP_LIMIT_AT_ANGLE, c->limit.critical_angle_deg);
-  tp_text_add(t, "%s,",
-              c->limit.kind == TP_LIMIT_NOT_ASKED ? ""
-              : c->limit.kind == TP_LIMIT_NOWHERE ? "holds nowhere"
-                                                  : tp_mechanism_name(c->limit.mechanism));
-  tp_text_beginnings(t, &c->onset);
+static bool gather(keys *all, const tp_solution *const *solutions, size_t count) {
+  size_t room = 1;
+  for (size_t k = 0; k < count; k++) room += solutions[k]->settings.count;
+  all->items = calloc(room, sizeof *all->items);
+  for (size_t k = 0; k < count && all->items != NULL; k++) {
+    for (size_t n = 0; n < solutions[k]->settings.count; n++) {
+      const tp_setting *own = solutions[k]->settings.items + n;
+      if (find(all->items, all->count, own->key) == NULL) all->items[all->count++] = own;
+    }
+  }
+  return all->items != NULL;
+}
+
+/* Each number that was set, or an empty field. */
+static void add_settings(tp_text *t, const tp_settings *settings, const keys *all) {
+  for (size_t k = 0; k < all->count; k++) {
+    size_t n = 0;
+    while (n < settings->count && strcmp(settings->items[n].key, all->items[k]->key) != 0) n++;
+    if (n < settings->count) tp_csv_setting_value(t, settings->items + n);
+    tp_text_add(t, ",");
+  }
+}
+
+static void write_csv(tp_text *t, const keys *all, const tp_solution *const *solutions,
+                      size_t count) {
+  for (size_t k = 0; k < all->count; k++) {
+    tp_csv_setting_name(t, all->items[k]->key, all->items[k]->unit);
+    tp_text_add(t, ",");
+  }
+  tp_text_add(t, "scene");
+  tp_row_names(t, TP_ROW_VERDICT);
   tp_text_add(t, "\n");
+  for (size_t k = 0; k < count; k++) {
+    const tp_solution *s = solutions[k];
+    for (size_t c = 0; c < s->case_count; c++) {
+      add_settings(t, &s->settings, all);
+      tp_encode_csv(t, s->title != NULL ? s->title : "");
+      tp_row_fields(t, TP_ROW_VERDICT, s, s->cases + c);
+      tp_text_add(t, "\n");
+    }
+  }
 }
-
-static const char *const fields =
-    "scene,towards,tilt_deg,tilt_error,verdict,fos,fos_error,fos_mechanism,fos_definition,"
-    "certain_to_stand_deg,certain_to_stand_error,moments_deg,moments_error,sliding_deg,"
-    "sliding_error,limit_deg,limit_error,limit_mechanism,can_begin\n";
 
 tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, solutions);
   for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
+  keys all = {.count = 0};
   tp_text t = {0};
-  write(&t, fields, add_fields, solutions, count);
+  if (!gather(&all, solutions, count)) return TP_OUT_OF_MEMORY;
+  write_csv(&t, &all, solutions, count);
+  free(all.items);
   return tp_text_finish(&t, text);
 }

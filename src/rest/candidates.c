@@ -5,7 +5,6 @@
 
 #include "grow.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,10 +13,9 @@ void tp_candidates_clear(tp_candidates *candidates) {
   *candidates = (tp_candidates){.best = INFINITY};
 }
 
-bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate, double high,
-                        bool certain) {
+bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate) {
   if (candidate.low > candidates->best) return true;
-  if (certain && high < candidates->best) candidates->best = high;
+  if (candidate.certain && candidate.high < candidates->best) candidates->best = candidate.high;
   tp_candidate *room =
       tp_grow(candidates->items, candidates->count, &candidates->capacity, sizeof *room);
   if (room == NULL) return false;
@@ -34,20 +32,6 @@ void tp_candidates_settle(tp_candidates *candidates) {
     }
   }
   candidates->count = kept;
-}
-
-static double largest(const tp_body *body) {
-  double most = 0;
-  for (long k = 0; k < body->count; k++) {
-    most = fmax(most, fmax(fabs(body->u[k]), fabs(body->v[k])));
-  }
-  return most;
-}
-
-/* Each coordinate is off by 2^-53 of its size, their difference by two of these and 2^-53 of its
- * own, at most twice the largest: 4 2^-53 = 2 DBL_EPSILON in all. */
-double tp_candidates_error(const tp_bodies *bodies) {
-  return 2 * DBL_EPSILON * fmax(largest(&bodies->block), largest(&bodies->base));
 }
 
 void tp_candidates_reach(long *first, long *last, const tp_bodies *bodies, double low,

@@ -13,7 +13,9 @@
 typedef struct tp_candidate {
   bool of_base; /* a vertex of the base and an edge of the block; else the other way round */
   long vertex, edge;
-  double low; /* it does not touch before this: a height to fall, or a tangent of half an angle */
+  double low;   /* it does not touch before this: a height to fall, or a tangent of half an angle */
+  double high;  /* if it touches it does so by this */
+  bool certain; /* that it touches */
 } tp_candidate;
 
 typedef struct tp_candidates {
@@ -24,15 +26,10 @@ typedef struct tp_candidates {
 
 void tp_candidates_clear(tp_candidates *candidates);
 
-/* Note a pair that touches between `low` and `high`, if it does: `certain` says so. */
-TP_MUST_USE bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate, double high,
-                                    bool certain);
+TP_MUST_USE bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate);
 
 /* Drop those that touch later than the best for certain. */
 void tp_candidates_settle(tp_candidates *candidates);
-
-/* Bound of the errors of differences of coordinates in doubles. */
-double tp_candidates_error(const tp_bodies *bodies);
 
 /* Vertices of the base from which edges begin that come within [low, high] of u, and the one after
  * the last: those of the profile by their order, the far corners always. */

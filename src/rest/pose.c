@@ -43,11 +43,64 @@ static void multiply(fmpq_t x, fmpq_t y, const fmpq_t a, const fmpq_t b, const f
   fmpq_clear(imaginary);
 }
 
-void tp_pose_apply(fmpq_t x, fmpq_t y, const tp_pose *pose, const fmpq_t own_x,
-                   const fmpq_t own_y) {
-  multiply(x, y, pose->cosine, pose->sine, own_x, own_y);
-  fmpq_add(x, x, pose->shift_x);
-  fmpq_add(y, y, pose->shift_y);
+void tp_pose_turn_vector(fmpq_t x, fmpq_t y, const tp_pose *pose) {
+  multiply(x, y, pose->cosine, pose->sine, x, y);
+}
+
+void tp_whole_pose_init(tp_whole_pose *whole) {
+  fmpz_init(whole->cosine);
+  fmpz_init(whole->sine);
+  fmpz_init(whole->shift_x);
+  fmpz_init(whole->shift_y);
+  fmpz_init(whole->denominator);
+}
+
+void tp_whole_pose_clear(tp_whole_pose *whole) {
+  fmpz_clear(whole->cosine);
+  fmpz_clear(whole->sine);
+  fmpz_clear(whole->shift_x);
+  fmpz_clear(whole->shift_y);
+  fmpz_clear(whole->denominator);
+}
+
+/* The numerator of a value over a denominator that its own divides. */
+static void set_over(fmpz_t numerator, const fmpq_t value, const fmpz_t denominator) {
+  fmpz_divexact(numerator, denominator, fmpq_denref(value));
+  fmpz_mul(numerator, numerator, fmpq_numref(value));
+}
+
+void tp_whole_pose_set(tp_whole_pose *whole, const tp_pose *pose) {
+  fmpz_lcm(whole->denominator, fmpq_denref(pose->cosine), fmpq_denref(pose->sine));
+  fmpz_lcm(whole->denominator, whole->denominator, fmpq_denref(pose->shift_x));
+  fmpz_lcm(whole->denominator, whole->denominator, fmpq_denref(pose->shift_y));
+  set_over(whole->cosine, pose->cosine, whole->denominator);
+  set_over(whole->sine, pose->sine, whole->denominator);
+  set_over(whole->shift_x, pose->shift_x, whole->denominator);
+  set_over(whole->shift_y, pose->shift_y, whole->denominator);
+}
+
+void tp_whole_pose_apply(fmpq_t x, fmpq_t y, const tp_whole_pose *whole, const fmpq_t own_x,
+                         const fmpq_t own_y) {
+  fmpz_t common, i, j;
+  fmpz_init(common);
+  fmpz_init(i);
+  fmpz_init(j);
+  fmpz_lcm(common, fmpq_denref(own_x), fmpq_denref(own_y));
+  set_over(i, own_x, common);
+  set_over(j, own_y, common);
+  fmpz_mul(fmpq_numref(x), whole->cosine, i);
+  fmpz_submul(fmpq_numref(x), whole->sine, j);
+  fmpz_addmul(fmpq_numref(x), whole->shift_x, common);
+  fmpz_mul(fmpq_numref(y), whole->sine, i);
+  fmpz_addmul(fmpq_numref(y), whole->cosine, j);
+  fmpz_addmul(fmpq_numref(y), whole->shift_y, common);
+  fmpz_mul(fmpq_denref(x), whole->denominator, common);
+  fmpz_set(fmpq_denref(y), fmpq_denref(x));
+  fmpq_canonicalise(x);
+  fmpq_canonicalise(y);
+  fmpz_clear(common);
+  fmpz_clear(i);
+  fmpz_clear(j);
 }
 
 void tp_pose_undo(fmpq_t own_x, fmpq_t own_y, const tp_pose *pose, const fmpq_t x, const fmpq_t y) {

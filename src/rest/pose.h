@@ -24,9 +24,22 @@ void tp_pose_init(tp_pose *pose);
 void tp_pose_clear(tp_pose *pose);
 void tp_pose_set(tp_pose *pose, const tp_pose *other);
 
-/* The point (x, y) of the block, and back; outputs may be the inputs. */
-void tp_pose_apply(fmpq_t x, fmpq_t y, const tp_pose *pose, const fmpq_t own_x, const fmpq_t own_y);
+/* From the point (x, y) to the block's own; outputs may be the inputs. */
 void tp_pose_undo(fmpq_t own_x, fmpq_t own_y, const tp_pose *pose, const fmpq_t x, const fmpq_t y);
+
+/* The same over one denominator, for points of the block: outputs may be the inputs. */
+typedef struct tp_whole_pose {
+  fmpz_t cosine, sine, shift_x, shift_y, denominator;
+} tp_whole_pose;
+
+void tp_whole_pose_init(tp_whole_pose *whole);
+void tp_whole_pose_clear(tp_whole_pose *whole);
+void tp_whole_pose_set(tp_whole_pose *whole, const tp_pose *pose);
+void tp_whole_pose_apply(fmpq_t x, fmpq_t y, const tp_whole_pose *whole, const fmpq_t own_x,
+                         const fmpq_t own_y);
+
+/* Turn and stretch the vector (x, y), without the shift. */
+void tp_pose_turn_vector(fmpq_t x, fmpq_t y, const tp_pose *pose);
 
 /* Shift so that the block's own point lies in (x, y). */
 void tp_pose_pin(tp_pose *pose, const fmpq_t own_x, const fmpq_t own_y, const fmpq_t x,

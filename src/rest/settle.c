@@ -23,41 +23,40 @@ void tp_settling_clear(tp_settling *settling) {
   memset(settling, 0, sizeof *settling);
 }
 
-static bool is_stopped(const tp_settling *s, const tp_exact_point *pivot, int turn) {
+static bool is_stopped(const tp_settling *s, const tp_touch *about, int turn) {
   bool stopped = false;
   for (long k = 0; k < s->touches.count && !stopped; k++) {
-    stopped = tp_touch_stops(&s->bodies, s->touches.items + k, pivot, turn);
+    stopped = tp_touch_stops(&s->bodies, s->touches.items + k, about, turn);
   }
   return stopped;
 }
 
 /* Where the next turn is about, the one whose arm is longest of those that nothing stops; 0: none.
  * A centroid upright over a point lets itself down either way, if nothing stops it. */
-static int next_turn(tp_settling *s) {
-  tp_exact_point point;
+static int next_turn(tp_settling *s, tp_touch *about) {
   fmpq_t arm, longest;
   fmpq_init(arm);
   fmpq_init(longest);
   int turn = 0;
   for (long k = 0; k < s->touches.count; k++) {
     const tp_touch *touch = s->touches.items + k;
-    point.x = *tp_touch_x(&s->bodies, touch);
-    point.y = *tp_touch_y(&s->bodies, touch);
+    const tp_exact_point point = tp_touch_point(&s->bodies, touch);
     fmpq_sub(arm, &s->bodies.centroid.x, &point.x);
     const int own = -fmpq_sgn(arm);
     fmpq_abs(arm, arm);
     if (own == 0) {
-      if (!is_stopped(s, &point, 1) || !is_stopped(s, &point, -1)) {
+      if (!is_stopped(s, touch, 1) || !is_stopped(s, touch, -1)) {
         s->how = TP_SETTLED_BALANCES;
         fmpq_set(&s->pivot.x, &point.x);
         fmpq_set(&s->pivot.y, &point.y);
         turn = 0;
         break;
       }
-    } else if (fmpq_cmp(arm, longest) > 0 && !is_stopped(s, &point, own)) {
+    } else if (fmpq_cmp(arm, longest) > 0 && !is_stopped(s, touch, own)) {
       fmpq_swap(longest, arm);
       fmpq_set(&s->pivot.x, &point.x);
       fmpq_set(&s->pivot.y, &point.y);
+      *about = *touch;
       turn = own;
     }
   }
@@ -79,16 +78,13 @@ static bool is_on_profile(const tp_settling *s) {
   return on;
 }
 
-static tp_status turn_once(tp_settling *s, int turn, tp_message *message) {
+static tp_status turn_once(tp_settling *s, int turn, const tp_touch *about, tp_message *message) {
   tp_turning turning;
   if (!is_on_profile(s)) {
     s->how = TP_SETTLED_ROLLS_OFF;
     return TP_OK;
   }
-  tp_turning_init(&turning);
-  turning.turn = turn;
-  fmpq_set(&turning.pivot.x, &s->pivot.x);
-  fmpq_set(&turning.pivot.y, &s->pivot.y);
+  tp_turning_init(&turning, &s->bodies, about, turn);
   tp_status status = tp_turning_find(&turning, &s->bodies, message);
   if (status == TP_OK && turning.pairs.count == 0) {
     s->how = TP_SETTLED_ROLLS_OFF;
@@ -102,17 +98,26 @@ static tp_status turn_once(tp_settling *s, int turn, tp_message *message) {
 }
 
 static tp_status turn_to_rest(tp_settling *s, tp_message *message) {
-  const long most = tp_settle_most(s->bodies.block.count + s->bodies.base.count);
+  const long most = tp_settle_most(s->bodies.posed.count + s->bodies.base.count);
   tp_status status = TP_OK;
   while (status == TP_OK && s->how == TP_SETTLED_RESTS) {
-    const int turn = next_turn(s);
+    tp_touch about;
+    const int turn = next_turn(s, &about);
     if (turn == 0) break;
     if (s->turns++ == most) {
       s->how = TP_SETTLED_GOES_ON;
     } else {
-      status = turn_once(s, turn, message);
+      status = turn_once(s, turn, &about, message);
     }
   }
+  return status;
+}
+
+static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
+  bool beside = false;
+  tp_status status = tp_drop(s->height, &beside, &s->bodies, &s->touches, message);
+  if (status == TP_OK && beside) s->how = TP_SETTLED_BESIDE;
+  if (status == TP_OK) status = turn_to_rest(s, message);
   return status;
 }
 
@@ -123,10 +128,20 @@ tp_status tp_settle(tp_settling *settling, const tp_polyline *outline, const tp_
   if (status != TP_OK) return status;
   tp_exact_point_init(&settling->pivot);
   fmpq_init(settling->height);
-  bool beside = false;
-  status = tp_drop(settling->height, &beside, &settling->bodies, &settling->touches, message);
-  if (status == TP_OK && beside) settling->how = TP_SETTLED_BESIDE;
-  if (status == TP_OK) status = turn_to_rest(settling, message);
+  status = drop_and_turn(settling, message);
   if (status != TP_OK) tp_settling_clear(settling);
   return status;
+}
+
+tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x, tp_message *message) {
+  tp_pose *pose = &settling->bodies.pose;
+  fmpq_one(pose->cosine);
+  fmpq_zero(pose->sine);
+  fmpq_set(pose->shift_x, shift_x);
+  fmpq_zero(pose->shift_y);
+  tp_bodies_place(&settling->bodies);
+  settling->touches.count = 0;
+  settling->turns = 0;
+  settling->how = TP_SETTLED_RESTS;
+  return drop_and_turn(settling, message);
 }

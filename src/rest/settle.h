@@ -40,6 +40,11 @@ TP_MUST_USE tp_status tp_settle(tp_settling *settling, const tp_polyline *outlin
                                 tp_message *message);
 void tp_settling_clear(tp_settling *settling);
 
+/* Once more, from where the block's own coordinates put it, shifted along x by so much; the bodies
+ * are those that were set up. On failure it is the caller's to clear. */
+TP_MUST_USE tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x,
+                                     tp_message *message);
+
 /* The most turns, for bodies of so many vertices in all. */
 long tp_settle_most(long vertices);
 

@@ -6,6 +6,7 @@
 #include "grow.h"
 #include "message.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 void tp_touches_clear(tp_touches *touches) {
@@ -13,29 +14,32 @@ void tp_touches_clear(tp_touches *touches) {
   *touches = (tp_touches){0};
 }
 
-static bool same_point(const tp_body *a, long i, const tp_body *b, long j) {
-  return fmpq_equal(a->x + i, b->x + j) && fmpq_equal(a->y + i, b->y + j);
+/* Does a vertex of one body lie in one of the other? */
+static bool same_point(const tp_bodies *bodies, bool of_base, long vertex, long other) {
+  const tp_exact_point p = tp_bodies_point(bodies, of_base, vertex);
+  const tp_exact_point q = tp_bodies_point(bodies, !of_base, other);
+  return fmpq_equal(&p.x, &q.x) && fmpq_equal(&p.y, &q.y);
+}
+
+static bool is_same(const tp_touch *a, const tp_touch *b) {
+  return a->block == b->block && a->base == b->base && a->on_block_edge == b->on_block_edge &&
+         a->on_base_edge == b->on_base_edge;
 }
 
 tp_status tp_touches_add(tp_touches *touches, const tp_bodies *bodies, bool of_base, long vertex,
                          long edge, tp_message *message) {
-  const tp_body *one = of_base ? &bodies->base : &bodies->block;
-  const tp_body *other = of_base ? &bodies->block : &bodies->base;
+  const long next = tp_body_next(tp_bodies_ring(bodies, !of_base), edge);
   bool on_edge = true;
-  if (same_point(one, vertex, other, edge)) {
+  if (same_point(bodies, of_base, vertex, edge)) {
     on_edge = false;
-  } else if (same_point(one, vertex, other, tp_body_next(other, edge))) {
-    edge = tp_body_next(other, edge);
+  } else if (same_point(bodies, of_base, vertex, next)) {
+    edge = next;
     on_edge = false;
   }
   const tp_touch touch =
       of_base ? (tp_touch){edge, vertex, on_edge, false} : (tp_touch){vertex, edge, false, on_edge};
   for (long k = 0; k < touches->count; k++) {
-    const tp_touch *known = touches->items + k;
-    if (known->block == touch.block && known->base == touch.base &&
-        known->on_block_edge == touch.on_block_edge && known->on_base_edge == touch.on_base_edge) {
-      return TP_OK;
-    }
+    if (is_same(touches->items + k, &touch)) return TP_OK;
   }
   tp_touch *room = tp_grow(touches->items, touches->count, &touches->capacity, sizeof *room);
   if (room == NULL) return tp_fail_memory(message, "the points of contact");
@@ -44,12 +48,20 @@ tp_status tp_touches_add(tp_touches *touches, const tp_bodies *bodies, bool of_b
   return TP_OK;
 }
 
+static long vertex_of(const tp_touch *touch) {
+  return touch->on_block_edge ? touch->base : touch->block;
+}
+
+tp_exact_point tp_touch_point(const tp_bodies *bodies, const tp_touch *touch) {
+  return tp_bodies_point(bodies, touch->on_block_edge, vertex_of(touch));
+}
+
 const fmpq *tp_touch_x(const tp_bodies *bodies, const tp_touch *touch) {
-  return touch->on_block_edge ? bodies->base.x + touch->base : bodies->block.x + touch->block;
+  return tp_bodies_x(bodies, touch->on_block_edge, vertex_of(touch));
 }
 
 const fmpq *tp_touch_y(const tp_bodies *bodies, const tp_touch *touch) {
-  return touch->on_block_edge ? bodies->base.y + touch->base : bodies->block.y + touch->block;
+  return tp_bodies_y(bodies, touch->on_block_edge, vertex_of(touch));
 }
 
 /* Work space of the predicates. */
@@ -73,16 +85,18 @@ static void numbers_clear(numbers *n) {
   fmpq_clear(n->product);
 }
 
-static void set_edge(numbers *n, const tp_body *body, long edge) {
-  const long next = tp_body_next(body, edge);
-  fmpq_sub(n->dx, body->x + next, body->x + edge);
-  fmpq_sub(n->dy, body->y + next, body->y + edge);
+static void set_edge(numbers *n, const tp_bodies *bodies, bool of_base, long edge) {
+  const tp_exact_point from = tp_bodies_point(bodies, of_base, edge);
+  const tp_exact_point to =
+      tp_bodies_point(bodies, of_base, tp_body_next(tp_bodies_ring(bodies, of_base), edge));
+  fmpq_sub(n->dx, &to.x, &from.x);
+  fmpq_sub(n->dy, &to.y, &from.y);
 }
 
 /* With d the direction of the edge its outward normal is n = (d_y, -d_x), n . r = -d x r and
  * n . r' = -d . r. */
 static bool presses(numbers *n, const tp_bodies *bodies, bool of_block, long edge, int turn) {
-  set_edge(n, of_block ? &bodies->block : &bodies->base, edge);
+  set_edge(n, bodies, !of_block, edge);
   fmpq_mul(n->product, n->dx, n->rx);
   fmpq_addmul(n->product, n->dy, n->ry);
   const int along = fmpq_sgn(n->product) * (of_block ? -turn : turn);
@@ -93,20 +107,24 @@ static bool presses(numbers *n, const tp_bodies *bodies, bool of_block, long edg
 }
 
 /* 1 where the boundary turns to the left in the vertex, 0 where it goes straight on. */
-static int corner_turn(const tp_body *body, long k) {
-  const long before = tp_body_before(body, k), next = tp_body_next(body, k);
-  return tp_points_turn(body->x + before, body->y + before, body->x + k, body->y + k,
-                        body->x + next, body->y + next);
+static int corner_turn(const tp_bodies *bodies, bool of_base, long k) {
+  const tp_body *ring = tp_bodies_ring(bodies, of_base);
+  const tp_exact_point before = tp_bodies_point(bodies, of_base, tp_body_before(ring, k));
+  const tp_exact_point corner = tp_bodies_point(bodies, of_base, k);
+  const tp_exact_point next = tp_bodies_point(bodies, of_base, tp_body_next(ring, k));
+  return tp_points_turn(&before.x, &before.y, &corner.x, &corner.y, &next.x, &next.y);
 }
 
 /* Sign of the side on which a neighbour of vertex `k` lies of the edge, an edge that begins or ends
  * in the point of `k`: 1 inside. */
-static int side_of(numbers *n, const tp_body *body, long k, long neighbour) {
+static int side_of(numbers *n, const tp_bodies *bodies, bool of_base, long k, long neighbour) {
+  const tp_exact_point from = tp_bodies_point(bodies, of_base, k);
+  const tp_exact_point to = tp_bodies_point(bodies, of_base, neighbour);
   fmpq_t x, y;
   fmpq_init(x);
   fmpq_init(y);
-  fmpq_sub(x, body->x + neighbour, body->x + k);
-  fmpq_sub(y, body->y + neighbour, body->y + k);
+  fmpq_sub(x, &to.x, &from.x);
+  fmpq_sub(y, &to.y, &from.y);
   fmpq_mul(n->product, n->dx, y);
   fmpq_submul(n->product, n->dy, x);
   fmpq_clear(x);
@@ -117,21 +135,21 @@ static int side_of(numbers *n, const tp_body *body, long k, long neighbour) {
 /* Does the line of an edge part the corners: its own on its inside, the other on the outside? */
 static bool parts(numbers *n, const tp_bodies *bodies, bool of_block, long edge,
                   const tp_touch *touch) {
-  const tp_body *own = of_block ? &bodies->block : &bodies->base;
-  const tp_body *other = of_block ? &bodies->base : &bodies->block;
+  const tp_body *own = tp_bodies_ring(bodies, !of_block);
+  const tp_body *other = tp_bodies_ring(bodies, of_block);
   const long k = of_block ? touch->block : touch->base, l = of_block ? touch->base : touch->block;
-  set_edge(n, own, edge);
-  return side_of(n, own, k, tp_body_before(own, k)) >= 0 &&
-         side_of(n, own, k, tp_body_next(own, k)) >= 0 &&
-         side_of(n, other, l, tp_body_before(other, l)) <= 0 &&
-         side_of(n, other, l, tp_body_next(other, l)) <= 0;
+  set_edge(n, bodies, !of_block, edge);
+  return side_of(n, bodies, !of_block, k, tp_body_before(own, k)) >= 0 &&
+         side_of(n, bodies, !of_block, k, tp_body_next(own, k)) >= 0 &&
+         side_of(n, bodies, of_block, l, tp_body_before(other, l)) <= 0 &&
+         side_of(n, bodies, of_block, l, tp_body_next(other, l)) <= 0;
 }
 
 static bool corners_stop(numbers *n, const tp_bodies *bodies, const tp_touch *touch, int turn) {
-  const bool notch_of_block = corner_turn(&bodies->block, touch->block) < 0;
-  const bool notch_of_base = corner_turn(&bodies->base, touch->base) < 0;
+  const bool notch_of_block = corner_turn(bodies, false, touch->block) < 0;
+  const bool notch_of_base = corner_turn(bodies, true, touch->base) < 0;
   const long edges[2][2] = {{tp_body_before(&bodies->base, touch->base), touch->base},
-                            {tp_body_before(&bodies->block, touch->block), touch->block}};
+                            {tp_body_before(&bodies->posed, touch->block), touch->block}};
   if (notch_of_block || notch_of_base) {
     const long *notch = edges[notch_of_block ? 1 : 0];
     return presses(n, bodies, notch_of_block, notch[0], turn) ||
@@ -147,16 +165,58 @@ static bool corners_stop(numbers *n, const tp_bodies *bodies, const tp_touch *to
   return stops;
 }
 
-bool tp_touch_stops(const tp_bodies *bodies, const tp_touch *touch, const tp_exact_point *pivot,
+/* From one touch to another in doubles: each off by bodies->error at most. */
+static void set_arm(double *u, double *v, const tp_bodies *bodies, const tp_touch *touch,
+                    const tp_touch *about) {
+  const tp_touch *const both[2] = {touch, about};
+  double at_u[2], at_v[2];
+  for (int k = 0; k < 2; k++) {
+    const tp_body *ring = tp_bodies_ring(bodies, both[k]->on_block_edge);
+    at_u[k] = ring->u[vertex_of(both[k])];
+    at_v[k] = ring->v[vertex_of(both[k])];
+  }
+  *u = at_u[0] - at_u[1];
+  *v = at_v[0] - at_v[1];
+}
+
+bool tp_touch_is_in(const tp_bodies *bodies, const tp_touch *touch, const tp_touch *other) {
+  double u, v;
+  if (is_same(touch, other)) return true;
+  set_arm(&u, &v, bodies, touch, other);
+  if (fabs(u) > bodies->error || fabs(v) > bodies->error) return false;
+  const tp_exact_point p = tp_touch_point(bodies, touch), q = tp_touch_point(bodies, other);
+  return fmpq_equal(&p.x, &q.x) && fmpq_equal(&p.y, &q.y);
+}
+
+/* The first order of `presses` in doubles, for a vertex on an edge: 1 presses, -1 does not, 0
+ * open. The product is off by 2 error (|d| + |r|) at most (rest/turning_candidates.c). */
+static int presses_by_far(const tp_bodies *bodies, const tp_touch *touch, const tp_touch *about,
+                          int turn) {
+  const bool of_block = touch->on_block_edge;
+  if (!of_block && !touch->on_base_edge) return 0;
+  const tp_body *ring = tp_bodies_ring(bodies, !of_block);
+  const long edge = of_block ? touch->block : touch->base, next = tp_body_next(ring, edge);
+  const double du = ring->u[next] - ring->u[edge], dv = ring->v[next] - ring->v[edge];
+  double ru, rv;
+  set_arm(&ru, &rv, bodies, touch, about);
+  const double along = (du * ru + dv * rv) * (of_block ? -turn : turn);
+  const double bound = 4 * bodies->error * (fabs(du) + fabs(dv) + fabs(ru) + fabs(rv));
+  return along > bound ? 1 : along < -bound ? -1 : 0;
+}
+
+bool tp_touch_stops(const tp_bodies *bodies, const tp_touch *touch, const tp_touch *about,
                     int turn) {
+  const int by_far = presses_by_far(bodies, touch, about, turn);
+  if (by_far != 0) return by_far > 0;
+  if (tp_touch_is_in(bodies, touch, about)) return false;
+  const tp_exact_point point = tp_touch_point(bodies, touch);
+  const tp_exact_point pivot = tp_touch_point(bodies, about);
   numbers n;
   numbers_init(&n);
-  fmpq_sub(n.rx, tp_touch_x(bodies, touch), &pivot->x);
-  fmpq_sub(n.ry, tp_touch_y(bodies, touch), &pivot->y);
+  fmpq_sub(n.rx, &point.x, &pivot.x);
+  fmpq_sub(n.ry, &point.y, &pivot.y);
   bool stops = false;
-  if (fmpq_is_zero(n.rx) && fmpq_is_zero(n.ry)) {
-    stops = false;
-  } else if (touch->on_base_edge) {
+  if (touch->on_base_edge) {
     stops = presses(&n, bodies, false, touch->base, turn);
   } else if (touch->on_block_edge) {
     stops = presses(&n, bodies, true, touch->block, turn);

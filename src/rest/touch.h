@@ -37,12 +37,16 @@ void tp_touches_clear(tp_touches *touches);
 TP_MUST_USE tp_status tp_touches_add(tp_touches *touches, const tp_bodies *bodies, bool of_base,
                                      long vertex, long edge, tp_message *message);
 
-/* Where it is, now, and in the block's own coordinates. */
+/* Where it is: borrowed, as tp_bodies_point. */
+tp_exact_point tp_touch_point(const tp_bodies *bodies, const tp_touch *touch);
 const fmpq *tp_touch_x(const tp_bodies *bodies, const tp_touch *touch);
 const fmpq *tp_touch_y(const tp_bodies *bodies, const tp_touch *touch);
 
-/* Does it stop a turn, 1 or -1, about the point? */
-bool tp_touch_stops(const tp_bodies *bodies, const tp_touch *touch, const tp_exact_point *pivot,
+/* Does it lie in the same point as another? */
+bool tp_touch_is_in(const tp_bodies *bodies, const tp_touch *touch, const tp_touch *other);
+
+/* Does it stop a turn, 1 or -1, about the point of another? */
+bool tp_touch_stops(const tp_bodies *bodies, const tp_touch *touch, const tp_touch *about,
                     int turn);
 
 #endif

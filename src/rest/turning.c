@@ -6,62 +6,38 @@
 #include "message.h"
 #include "number/surd.h"
 
+#include <arb.h>
 #include <math.h>
 #include <string.h>
 
-void tp_turning_init(tp_turning *turning) {
+void tp_turning_init(tp_turning *turning, const tp_bodies *bodies, const tp_touch *about,
+                     int turn) {
   memset(turning, 0, sizeof *turning);
   tp_exact_point_init(&turning->pivot);
+  tp_exact_point_init(&turning->own);
   fmpq_init(turning->top);
   fmpq_init(turning->radicand);
   fmpq_init(turning->bottom);
-  turning->pairs.best = INFINITY;
+  turning->about = *about;
+  turning->turn = turn;
+  const tp_exact_point pivot = tp_touch_point(bodies, about);
+  fmpq_set(&turning->pivot.x, &pivot.x);
+  fmpq_set(&turning->pivot.y, &pivot.y);
+  if (about->on_block_edge) {
+    tp_pose_undo(&turning->own.x, &turning->own.y, &bodies->pose, &pivot.x, &pivot.y);
+  } else {
+    fmpq_set(&turning->own.x, bodies->own.x + about->block);
+    fmpq_set(&turning->own.y, bodies->own.y + about->block);
+  }
 }
 
 void tp_turning_clear(tp_turning *turning) {
   tp_exact_point_clear(&turning->pivot);
+  tp_exact_point_clear(&turning->own);
   fmpq_clear(turning->top);
   fmpq_clear(turning->radicand);
   fmpq_clear(turning->bottom);
   tp_candidates_clear(&turning->pairs);
-}
-
-void tp_turning_numbers_init(tp_turning_numbers *n) {
-  fmpq *const all[] = {n->a, n->b, n->c, n->s, n->d, n->g, n->square};
-  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_init(all[k]);
-}
-
-void tp_turning_numbers_clear(tp_turning_numbers *n) {
-  fmpq *const all[] = {n->a, n->b, n->c, n->s, n->d, n->g, n->square};
-  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) fmpq_clear(all[k]);
-}
-
-void tp_turning_numbers_of(tp_turning_numbers *n, const tp_bodies *bodies,
-                           const tp_exact_point *pivot, int turn, const tp_candidate *pair) {
-  const tp_body *one = pair->of_base ? &bodies->base : &bodies->block;
-  const tp_body *other = pair->of_base ? &bodies->block : &bodies->base;
-  const long next = tp_body_next(other, pair->edge);
-  const int way = pair->of_base ? -turn : turn;
-  tp_exact_point e, r, o;
-  tp_exact_point_init(&e);
-  tp_exact_point_init(&r);
-  tp_exact_point_init(&o);
-  fmpq_sub(&e.x, other->x + next, other->x + pair->edge);
-  fmpq_sub(&e.y, other->y + next, other->y + pair->edge);
-  fmpq_sub(&r.x, one->x + pair->vertex, &pivot->x);
-  fmpq_sub(&r.y, one->y + pair->vertex, &pivot->y);
-  fmpq_sub(&o.x, other->x + pair->edge, &pivot->x);
-  fmpq_sub(&o.y, other->y + pair->edge, &pivot->y);
-  tp_exact_cross(n->a, &r, &e);
-  tp_exact_dot(n->c, &e, &r);
-  fmpq_mul_si(n->b, n->c, -way);
-  fmpq_mul_si(n->s, n->a, way);
-  tp_exact_cross(n->d, &o, &e);
-  tp_exact_dot(n->g, &e, &o);
-  tp_exact_dot(n->square, &e, &e);
-  tp_exact_point_clear(&e);
-  tp_exact_point_clear(&r);
-  tp_exact_point_clear(&o);
 }
 
 /* Sign of rational + factor sqrt(radicand). */
@@ -193,7 +169,15 @@ static bool centroid_is_over(const tp_turning *turning, const tp_bodies *bodies)
   return side == -turning->turn;
 }
 
-/* The exact stage: of the candidates those that touch first. */
+/* What lies in P stays there. */
+static bool stays(const tp_turning *turning, const tp_candidate *pair) {
+  const tp_touch *about = &turning->about;
+  return pair->of_base ? !about->on_base_edge && pair->vertex == about->base
+                       : !about->on_block_edge && pair->vertex == about->block;
+}
+
+/* The exact stage: of the candidates those that touch first. Doubles with bounds tell most orders,
+ * and that most vertices meet their edges. */
 static void keep_first(tp_turning *turning, const tp_bodies *bodies) {
   tp_turning_numbers n;
   fmpq_t top, radicand, bottom;
@@ -204,10 +188,13 @@ static void keep_first(tp_turning *turning, const tp_bodies *bodies) {
   long kept = 0;
   for (long k = 0; k < turning->pairs.count; k++) {
     const tp_candidate pair = turning->pairs.items[k];
-    tp_turning_numbers_of(&n, bodies, &turning->pivot, turning->turn, &pair);
+    const tp_candidate *first = turning->pairs.items;
+    if (stays(turning, &pair) || (kept > 0 && pair.low > first->high)) continue;
+    tp_turning_numbers_of(&n, bodies, turning, &pair);
     if (!root_of(top, radicand, bottom, &n)) continue;
-    const int order = kept == 0 ? -1 : compare_roots(top, radicand, bottom, turning);
-    if (order > 0 || !lies_on_edge(&n, top, radicand, bottom)) continue;
+    const int order =
+        kept == 0 || pair.high < first->low ? -1 : compare_roots(top, radicand, bottom, turning);
+    if (order > 0 || !(pair.certain || lies_on_edge(&n, top, radicand, bottom))) continue;
     if (order < 0) {
       kept = 0;
       fmpq_swap(turning->top, top);
@@ -228,11 +215,45 @@ static void keep_first(tp_turning *turning, const tp_bodies *bodies) {
   fmpq_clear(bottom);
 }
 
+/* Do the pairs that touch first do so by tan(phi / 2) = limit? */
+static bool is_within(const tp_turning *turning, double limit) {
+  if (turning->pairs.items[0].high <= limit) return true;
+  fmpq_t p, q, w;
+  arf_t exact;
+  fmpq_init(p);
+  fmpq_init(q);
+  fmpq_init(w);
+  arf_init(exact);
+  arf_set_d(exact, -limit);
+  arf_get_fmpq(w, exact);
+  fmpq_one(q);
+  const bool within = sign_at(p, q, w, turning->top, turning->radicand, turning->bottom) <= 0;
+  fmpq_clear(p);
+  fmpq_clear(q);
+  fmpq_clear(w);
+  arf_clear(exact);
+  return within;
+}
+
+/* Small turns first, since what can touch within one lies close to it. */
 tp_status tp_turning_find(tp_turning *turning, const tp_bodies *bodies, tp_message *message) {
-  if (!tp_turning_candidates(turning, bodies)) {
-    return tp_fail_memory(message, "the points of contact");
+  static const double first_limit = 0x1p-10, growth = 4, last_limit = 0x1p4;
+  double passes, latest; /* under P: not before the one, by the other */
+  tp_turning_latest(&passes, &latest, turning, bodies);
+  bool found = false;
+  for (double limit = first_limit; !found; limit *= growth) {
+    const bool is_last = !(limit < fmin(latest, last_limit));
+    if (is_last) limit = latest;
+    if (!tp_turning_candidates(turning, bodies, limit)) {
+      return tp_fail_memory(message, "the points of contact");
+    }
+    if (!is_last && turning->pairs.best >= limit && !turning->is_close) continue;
+    keep_first(turning, bodies);
+    found = is_last || (turning->pairs.count > 0 && is_within(turning, limit));
   }
-  keep_first(turning, bodies);
-  if (turning->pairs.count > 0 && !centroid_is_over(turning, bodies)) turning->pairs.count = 0;
+  if (turning->pairs.count > 0 && turning->pairs.items[0].high >= passes &&
+      !centroid_is_over(turning, bodies)) {
+    turning->pairs.count = 0;
+  }
   return TP_OK;
 }

@@ -5,10 +5,18 @@
  * differences of coordinates and |p| = |p_x| + |p_y|, a product p x q or p . q is off by at most
  * 2 E (|p| + |q|), the rounding of it included, as E is at least 2^-51 of all coordinates. */
 
+#define _GNU_SOURCE /* qsort_r */
 #include "rest/turning.h"
+
+#include "number/binary.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
+
+static double smaller(double held, double other) {
+  return other < held ? other : held;
+}
 
 /* [low, high] holds the truth. */
 typedef struct range {
@@ -23,15 +31,15 @@ typedef struct seen {
 
 typedef struct search {
   const tp_bodies *bodies;
-  tp_candidates *found;
+  tp_turning *turning;
   double u, v; /* P */
   int turn;
   double error;
 } search;
 
 static seen see(const search *q, bool of_base, long vertex, long edge) {
-  const tp_body *one = of_base ? &q->bodies->base : &q->bodies->block;
-  const tp_body *other = of_base ? &q->bodies->block : &q->bodies->base;
+  const tp_body *one = tp_bodies_ring(q->bodies, of_base);
+  const tp_body *other = tp_bodies_ring(q->bodies, !of_base);
   const long next = tp_body_next(other, edge);
   const double eu = other->u[next] - other->u[edge], ev = other->v[next] - other->v[edge];
   const double ru = one->u[vertex] - q->u, rv = one->v[vertex] - q->v;
@@ -90,69 +98,181 @@ static int on_edge(const seen *n, range t) {
 }
 
 static bool note_pair(const search *q, bool of_base, long vertex, long edge) {
+  tp_candidates *found = &q->turning->pairs;
   const seen n = see(q, of_base, vertex, edge);
   range t;
-  if (!root_range(&t, &n) || t.low > q->found->best) return true;
+  if (!root_range(&t, &n) || t.low > found->best) return true;
   const int on = on_edge(&n, t);
   if (on < 0) return true;
-  const bool certain = on > 0 && t.low > 0;
-  return tp_candidates_note(q->found, (tp_candidate){of_base, vertex, edge, t.low}, t.high,
-                            certain);
+  const tp_candidate pair = {of_base, vertex, edge, t.low, t.high, on > 0 && t.low > 0};
+  if (t.low > 0 && t.high <= found->best) q->turning->is_close = true;
+  return tp_candidates_note(found, pair);
 }
 
-/* The vertices of the profile that a part of the block between two abscissas can come to before
- * some pair touches for certain: it moves by at most the angle of that turn times its arm. */
-static void in_reach(long *first, long *last, const search *q, double reach, double from,
-                     double to) {
-  const double moves = fmin(2, 2 * atan(q->found->best)) * reach + 4 * q->error;
-  tp_candidates_reach(first, last, q->bodies, fmax(fmin(from, to) - moves, q->u - reach),
-                      fmin(fmax(from, to) + moves, q->u + reach));
+/* Bounds of sin phi and 1 - cos phi for a turn up to tan(phi / 2) = t. */
+typedef struct swing {
+  double sine, versine;
+} swing;
+
+static swing swing_up_to(double t) {
+  const double slack = 1 + 8 * DBL_EPSILON;
+  if (!(t < 1)) return (swing){1, isfinite(t) ? fmin(2, 2 / (1 + 1 / (t * t)) * slack) : 2};
+  return (swing){2 * t / (1 + t * t) * slack, 2 * t * t / (1 + t * t) * slack};
 }
 
-/* A vertex of the block on edges of the base, its upright ends among them. */
-static bool note_vertex(const search *q, double reach, long vertex) {
-  const double u = q->bodies->block.u[vertex];
-  bool done = true;
-  for (long edge = q->bodies->profile_count - 1; edge < q->bodies->base.count && done; edge++) {
-    done = note_pair(q, false, vertex, edge);
+/* Where a vertex of the block comes meanwhile: from r it moves by -(1 - cos phi) r + sin phi r'. */
+static tp_edges_box swept(const search *q, swing most, long vertex) {
+  const double u = q->bodies->posed.u[vertex], v = q->bodies->posed.v[vertex];
+  const double pad = 8 * q->error;
+  const double back_u = -most.versine * (u - q->u), back_v = -most.versine * (v - q->v);
+  const double on_u = -q->turn * most.sine * (v - q->v), on_v = q->turn * most.sine * (u - q->u);
+  return (tp_edges_box){u + smaller(back_u, 0) + smaller(on_u, 0) - pad,
+                        u + tp_larger(back_u, 0) + tp_larger(on_u, 0) + pad,
+                        v + smaller(back_v, 0) + smaller(on_v, 0) - pad,
+                        v + tp_larger(back_v, 0) + tp_larger(on_v, 0) + pad};
+}
+
+/* An edge of the block and what it can touch: only what its box meets, as it turns, and its line.
+ * With the outward normal n and q a point of the base, seen from P, the height of q over the line
+ * is n . q - n . r - (1 - cos phi) n . q + turn sin phi e . q,    r where the edge begins. */
+typedef struct sweep {
+  const search *of;
+  long edge;
+  swing most;
+  tp_edges_box box;
+  double eu, ev, d, size; /* d = n . r; |e| + |r| */
+} sweep;
+
+static sweep sweep_edge(const search *q, long edge) {
+  const tp_body *block = &q->bodies->posed;
+  const long next = tp_body_next(block, edge);
+  const double ru = block->u[edge] - q->u, rv = block->v[edge] - q->v;
+  sweep s = {.of = q, .edge = edge, .most = swing_up_to(q->turning->pairs.best)};
+  const tp_edges_box from = swept(q, s.most, edge), to = swept(q, s.most, next);
+  s.box = (tp_edges_box){smaller(from.low_u, to.low_u), tp_larger(from.high_u, to.high_u),
+                         smaller(from.low_v, to.low_v), tp_larger(from.high_v, to.high_v)};
+  s.eu = block->u[next] - block->u[edge];
+  s.ev = block->v[next] - block->v[edge];
+  s.d = s.ev * ru - s.eu * rv;
+  s.size = fabs(s.eu) + fabs(s.ev) + fabs(ru) + fabs(rv);
+  return s;
+}
+
+static bool may_meet(const sweep *s, const tp_edges_box *box) {
+  if (box->low_u > s->box.high_u || box->high_u < s->box.low_u || box->low_v > s->box.high_v ||
+      box->high_v < s->box.low_v) {
+    return false;
   }
-  long first, last;
-  in_reach(&first, &last, q, reach, u, u);
-  for (long edge = first; edge < last && done; edge++) done = note_pair(q, false, vertex, edge);
+  const double half_u = (box->high_u - box->low_u) / 2, half_v = (box->high_v - box->low_v) / 2;
+  const double u = box->low_u + half_u - s->of->u, v = box->low_v + half_v - s->of->v;
+  const double across = s->ev * u - s->eu * v, along = s->of->turn * (s->eu * u + s->ev * v);
+  const double wide = fabs(s->ev) * half_u + fabs(s->eu) * half_v;
+  const double deep = fabs(s->eu) * half_u + fabs(s->ev) * half_v;
+  const double least = across - wide - s->d - s->most.versine * tp_larger(across + wide, 0) +
+                       s->most.sine * smaller(along - deep, 0);
+  return !(least > 16 * s->of->error * (s->size + fabs(u) + fabs(v) + half_u + half_v));
+}
+
+static bool note_edges(const sweep *s, long first, long end) {
+  const tp_body *base = &s->of->bodies->base;
+  const long last = s->of->bodies->profile_count - 1;
+  bool done = true;
+  for (long k = first; k < end && done; k++) {
+    const long next = k < last ? k + 1 : k;
+    const tp_edges_box box = {
+        smaller(base->u[k], base->u[next]), tp_larger(base->u[k], base->u[next]),
+        smaller(base->v[k], base->v[next]), tp_larger(base->v[k], base->v[next])};
+    if (!may_meet(s, &box)) continue;
+    done = (k == last || note_pair(s->of, false, s->edge, k)) && note_pair(s->of, true, k, s->edge);
+  }
   return done;
 }
 
-/* Vertices of the base on an edge of the block. */
-static bool note_edge(const search *q, double reach, long edge) {
-  const tp_body *block = &q->bodies->block;
-  long first, last;
-  in_reach(&first, &last, q, reach, block->u[edge], block->u[tp_body_next(block, edge)]);
+/* Down the tree of boxes. */
+static bool note_profile(const sweep *s) {
+  enum { DEEPEST = 64 };
+  const tp_boxes *boxes = &s->of->bodies->boxes;
+  long due[DEEPEST], count = 0;
   bool done = true;
-  for (long vertex = first; vertex <= last && done; vertex++) {
-    done = note_pair(q, true, vertex, edge);
+  due[count++] = 1;
+  while (count > 0 && done) {
+    const long node = due[--count];
+    if (!may_meet(s, boxes->nodes + node)) continue;
+    if (node < boxes->leaves) {
+      due[count++] = 2 * node + 1;
+      due[count++] = 2 * node;
+    } else {
+      long first, end;
+      tp_boxes_edges(&first, &end, boxes, node);
+      done = note_edges(s, first, end);
+    }
   }
   return done;
 }
 
-bool tp_turning_candidates(tp_turning *turning, const tp_bodies *bodies) {
-  const tp_body *block = &bodies->block, *base = &bodies->base;
-  fmpq_t rest;
-  fmpq_init(rest);
-  search q = {.bodies = bodies, .found = &turning->pairs, .turn = turning->turn};
-  q.error = tp_candidates_error(bodies);
-  fmpq_sub(rest, &turning->pivot.x, base->x);
-  q.u = fmpq_get_d(rest);
-  fmpq_sub(rest, &turning->pivot.y, base->y);
-  q.v = fmpq_get_d(rest);
-  fmpq_clear(rest);
-  double reach = 0;
-  for (long k = 0; k < block->count; k++) {
-    reach = fmax(reach, hypot(block->u[k] - q.u, block->v[k] - q.v));
+/* The vertex in which the edge begins on the upright ends of the base and on its floor. */
+static bool note_ends(const sweep *s) {
+  const tp_bodies *b = s->of->bodies;
+  const long left = b->profile_count - 1;
+  if (s->box.low_u > b->base.u[left] && s->box.high_u < b->base.u[0] &&
+      s->box.low_v > b->base.v[left + 1]) {
+    return true;
   }
-  reach += 4 * q.error + 4 * DBL_EPSILON * reach;
   bool done = true;
-  for (long k = 0; k < block->count && done; k++) done = note_vertex(&q, reach, k);
-  for (long k = 0; k < block->count && done; k++) done = note_edge(&q, reach, k);
-  tp_candidates_settle(&turning->pairs);
+  for (long edge = left; edge < b->base.count && done; edge++) {
+    done = note_pair(s->of, false, s->edge, edge);
+  }
+  return done;
+}
+
+/* Vertices of the block first, then those of the base, each along the block; of one vertex or edge
+ * of that the ends of the base first, then along its ring. */
+static int compare_pairs(const void *a, const void *b, void *context) {
+  const tp_candidate *one = a, *other = b;
+  const tp_bodies *bodies = context;
+  if (one->of_base != other->of_base) return one->of_base ? 1 : -1;
+  const bool of_base = one->of_base;
+  const long block = of_base ? one->edge - other->edge : one->vertex - other->vertex;
+  if (block != 0) return block < 0 ? -1 : 1;
+  if (of_base) return one->vertex < other->vertex ? -1 : 1;
+  const long ends = bodies->profile_count - 1;
+  if ((one->edge >= ends) != (other->edge >= ends)) return one->edge >= ends ? -1 : 1;
+  return one->edge < other->edge ? -1 : 1;
+}
+
+void tp_turning_latest(double *low, double *high, const tp_turning *turning,
+                       const tp_bodies *bodies) {
+  fmpq_t arm;
+  fmpq_init(arm);
+  fmpq_sub(arm, &bodies->centroid.x, &turning->pivot.x);
+  const double u = fabs(fmpq_get_d(arm));
+  fmpq_sub(arm, &bodies->centroid.y, &turning->pivot.y);
+  const double v = fmpq_get_d(arm);
+  fmpq_clear(arm);
+  const double t = tan(M_PI_4 + atan2(v, u) / 2);
+  /* Between these the roundings, below 2^-51 of the angle's radian, are less than the slack. */
+  static const double least = 1e-4, most = 1e4, slack = 1e-9;
+  *low = u > 0 && t > least ? fmin(t, most) * (1 - slack) : 0;
+  *high = u > 0 && t > 0 && t < most ? fmax(t, least) * (1 + slack) : INFINITY;
+}
+
+bool tp_turning_candidates(tp_turning *turning, const tp_bodies *bodies, double limit) {
+  search q = {.bodies = bodies, .turning = turning, .turn = turning->turn, .error = bodies->error};
+  q.u = tp_bodies_round(bodies, &turning->pivot.x, bodies->base.x);
+  q.v = tp_bodies_round(bodies, &turning->pivot.y, bodies->base.y);
+  tp_candidates *pairs = &turning->pairs;
+  pairs->count = 0;
+  pairs->best = limit;
+  turning->is_close = false;
+  bool done = true;
+  for (long k = 0; k < bodies->posed.count && done; k++) {
+    const sweep s = sweep_edge(&q, k);
+    done = note_ends(&s) && note_profile(&s);
+  }
+  tp_candidates_settle(pairs);
+  if (pairs->count > 1) {
+    qsort_r(pairs->items, (size_t)pairs->count, sizeof *pairs->items, compare_pairs,
+            (void *)bodies);
+  }
   return done;
 }

@@ -10,6 +10,7 @@
 #include "rest/turning.h"
 
 #include <arb.h>
+#include <math.h>
 
 /* t to so many bits: TP_POSE_BITS of them stay after the pose is shortened. */
 enum { ROOT_BITS = TP_POSE_BITS + 128 };
@@ -47,36 +48,8 @@ static void rounded_root(fmpq_t t, const tp_turning *turning) {
   arb_clear(part);
 }
 
-/* The vertex of a pair, from its place, and the direction of its edge and where that begins, all
- * from P. */
-typedef struct pair_from_pivot {
-  tp_exact_point vertex, edge, along;
-} pair_from_pivot;
-
-static void init_pair(pair_from_pivot *p, const tp_bodies *b, const tp_exact_point *pivot,
-                      const tp_candidate *pair) {
-  const tp_body *one = pair->of_base ? &b->base : &b->block;
-  const tp_body *other = pair->of_base ? &b->block : &b->base;
-  const long next = tp_body_next(other, pair->edge);
-  tp_exact_point_init(&p->vertex);
-  tp_exact_point_init(&p->edge);
-  tp_exact_point_init(&p->along);
-  fmpq_sub(&p->vertex.x, one->x + pair->vertex, &pivot->x);
-  fmpq_sub(&p->vertex.y, one->y + pair->vertex, &pivot->y);
-  fmpq_sub(&p->edge.x, other->x + pair->edge, &pivot->x);
-  fmpq_sub(&p->edge.y, other->y + pair->edge, &pivot->y);
-  fmpq_sub(&p->along.x, other->x + next, other->x + pair->edge);
-  fmpq_sub(&p->along.y, other->y + next, other->y + pair->edge);
-}
-
-static void clear_pair(pair_from_pivot *p) {
-  tp_exact_point_clear(&p->vertex);
-  tp_exact_point_clear(&p->edge);
-  tp_exact_point_clear(&p->along);
-}
-
 /* Does the vertex lie behind the edge (-1), on it (0), or beside or before it? */
-static int side_of(const pair_from_pivot *p) {
+static int side_of(const tp_turning_pair *p) {
   fmpq_t height, base, place;
   fmpq_init(height);
   fmpq_init(base);
@@ -125,18 +98,18 @@ static void turn_along(tp_bodies *b, const tp_candidate *pair, const tp_turning_
 }
 
 /* Bring the pair together by the block's lengths. */
-static void stretch(tp_bodies *b, const tp_exact_point *pivot, const tp_candidate *pair) {
-  pair_from_pivot p;
+static void stretch(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
+  tp_turning_pair p;
   fmpq_t vertex, edge;
   fmpq_init(vertex);
   fmpq_init(edge);
-  init_pair(&p, b, pivot, pair);
+  tp_turning_pair_init(&p, b, turning, pair);
   tp_exact_cross(vertex, &p.vertex, &p.along);
   tp_exact_cross(edge, &p.edge, &p.along);
   if (pair->of_base) fmpq_swap(vertex, edge);
   fmpq_div(edge, edge, vertex);
   tp_pose_scale(&b->pose, edge);
-  clear_pair(&p);
+  tp_turning_pair_clear(&p);
   fmpq_clear(vertex);
   fmpq_clear(edge);
 }
@@ -144,16 +117,11 @@ static void stretch(tp_bodies *b, const tp_exact_point *pivot, const tp_candidat
 /* Turn by the root, so that this pair touches exactly. */
 static void turn_exactly(tp_bodies *b, const tp_turning *turning, const tp_candidate *pair) {
   tp_turning_numbers n;
-  tp_exact_point own;
   fmpq_t t;
   tp_turning_numbers_init(&n);
-  tp_exact_point_init(&own);
   fmpq_init(t);
-  const tp_exact_point *pivot = &turning->pivot;
-  tp_pose_undo(&own.x, &own.y, &b->pose, &pivot->x, &pivot->y);
-  tp_turning_numbers_of(&n, b, pivot, turning->turn, pair);
-  const bool exact = rational_root(t, turning);
-  if (exact) {
+  tp_turning_numbers_of(&n, b, turning, pair);
+  if (rational_root(t, turning)) {
     tp_pose_turn_half(&b->pose, t);
   } else {
     rounded_root(t, turning);
@@ -162,23 +130,34 @@ static void turn_exactly(tp_bodies *b, const tp_turning *turning, const tp_candi
     } else {
       tp_pose_turn_half(&b->pose, t);
       tp_pose_shorten(&b->pose);
-      tp_pose_pin(&b->pose, &own.x, &own.y, &pivot->x, &pivot->y);
-      tp_bodies_place(b);
-      stretch(b, pivot, pair);
+      stretch(b, turning, pair);
     }
   }
-  tp_pose_pin(&b->pose, &own.x, &own.y, &pivot->x, &pivot->y);
+  tp_pose_pin(&b->pose, &turning->own.x, &turning->own.y, &turning->pivot.x, &turning->pivot.y);
   tp_bodies_place(b);
   tp_turning_numbers_clear(&n);
-  tp_exact_point_clear(&own);
   fmpq_clear(t);
 }
 
+/* Does the vertex lie behind the edge (-1), on it (0), or beside or before it? By doubles where
+ * these tell; of the pair that was brought together exactly they need not tell its height. */
 static int side_of_pair(const tp_bodies *b, const tp_turning *turning, long k) {
-  pair_from_pivot p;
-  init_pair(&p, b, &turning->pivot, turning->pairs.items + k);
+  const tp_candidate *pair = turning->pairs.items + k;
+  const tp_body *one = tp_bodies_ring(b, pair->of_base), *other = tp_bodies_ring(b, !pair->of_base);
+  const long next = tp_body_next(other, pair->edge);
+  const double eu = other->u[next] - other->u[pair->edge];
+  const double ev = other->v[next] - other->v[pair->edge];
+  const double ru = one->u[pair->vertex] - other->u[pair->edge];
+  const double rv = one->v[pair->vertex] - other->v[pair->edge];
+  const double bound = 8 * b->error * (fabs(eu) + fabs(ev) + fabs(ru) + fabs(rv));
+  const double height = ru * ev - rv * eu, place = ru * eu + rv * ev;
+  const double whole = eu * eu + ev * ev;
+  if (height > bound || place < -bound || place > whole + bound) return 1;
+  if (k == turning->exact && place > bound && place < whole - bound) return 0;
+  tp_turning_pair p;
+  tp_turning_pair_init(&p, b, turning, pair);
   const int side = side_of(&p);
-  clear_pair(&p);
+  tp_turning_pair_clear(&p);
   return side;
 }
 
@@ -195,10 +174,7 @@ tp_status tp_turning_touches(tp_touches *touches, const tp_turning *turning,
   long kept = 0;
   for (long k = 0; k < touches->count; k++) {
     const tp_touch touch = touches->items[k];
-    if (fmpq_equal(tp_touch_x(bodies, &touch), &turning->pivot.x) &&
-        fmpq_equal(tp_touch_y(bodies, &touch), &turning->pivot.y)) {
-      touches->items[kept++] = touch;
-    }
+    if (tp_touch_is_in(bodies, &touch, &turning->about)) touches->items[kept++] = touch;
   }
   touches->count = kept;
   tp_status status = TP_OK;
@@ -210,14 +186,17 @@ tp_status tp_turning_touches(tp_touches *touches, const tp_turning *turning,
   return status;
 }
 
-bool tp_turning_do(const tp_turning *turning, tp_bodies *bodies) {
+bool tp_turning_do(tp_turning *turning, tp_bodies *bodies) {
   tp_pose before;
   tp_pose_init(&before);
   tp_pose_set(&before, &bodies->pose);
   bool done = false;
   for (long k = 0; k < turning->pairs.count && !done; k++) {
-    tp_pose_set(&bodies->pose, &before);
-    tp_bodies_place(bodies);
+    if (k > 0) {
+      tp_pose_set(&bodies->pose, &before);
+      tp_bodies_place(bodies);
+    }
+    turning->exact = k;
     turn_exactly(bodies, turning, turning->pairs.items + k);
     /* A line that passes close by P takes a long stretch to reach. */
     done = tp_pose_is_true(&bodies->pose) && is_free(bodies, turning);

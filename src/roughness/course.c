@@ -58,7 +58,7 @@ static double difference(const fmpq *from, const fmpq *to, fmpq_t room) {
   return fmpq_get_d(room);
 }
 
-static void convert(tp_course *course, const tp_polyline *chain, double scale) {
+void tp_course_convert(tp_course *course, const tp_polyline *chain, double scale) {
   double far = 0, high = 0;
   fmpq_t moved;
   fmpq_init(moved);
@@ -94,7 +94,7 @@ tp_status tp_course_from_chain(tp_course *course, const tp_polyline *chain, doub
   tp_status status = check_chain(chain, message);
   if (status != TP_OK) return status;
   if (!tp_course_init(course, (size_t)chain->count)) return tp_fail_memory(message, "the profile");
-  convert(course, chain, scale);
+  tp_course_convert(course, chain, scale);
   status = check_distances(course, chain, message);
   if (status == TP_OK) {
     tp_course_measure(course);

@@ -35,6 +35,9 @@ TP_MUST_USE bool tp_course_init(tp_course *course, size_t count);
 TP_MUST_USE tp_status tp_course_from_chain(tp_course *course, const tp_polyline *chain,
                                            double scale, tp_message *message);
 
+/* The points of a chain in doubles, scaled, the first one at the origin; `course` has room. */
+void tp_course_convert(tp_course *course, const tp_polyline *chain, double scale);
+
 /* Exchange left and right. */
 void tp_course_mirror(tp_course *course);
 

@@ -17,7 +17,7 @@ void tp_profile_options_init(tp_profile_options *options, size_t size) {
 }
 
 static const char *const resamplings[] = {"linear", "spline"};
-static const char *const detrends[] = {"none", "line", "ends"};
+static const char *const detrends[] = {"none", "line", "ends", "turn"};
 static const char *const windows[] = {"hann", "none"};
 
 /* The index of a name; -1 where it is none of them. */

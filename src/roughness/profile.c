@@ -10,6 +10,7 @@
 #include "roughness/jrc.h"
 #include "roughness/sampling.h"
 #include "roughness/slopes.h"
+#include "roughness/turn.h"
 #include "scene/csv.h"
 #include "scene/exact.h"
 #include "scene/scene.h"
@@ -154,14 +155,18 @@ static tp_status add_notes(tp_profile *p, const tp_course *given, tp_place place
 
 static tp_status measure(tp_profile *p, const tp_profile_subject *subject, tp_message *message) {
   tp_course given = {0}, points = {0};
-  tp_status status = tp_course_from_chain(&given, subject->chain, p->options.scale, message);
+  const bool turns = p->options.detrend == TP_DETREND_TURN;
+  tp_bounded turned_deg = {0};
+  tp_status status =
+      turns ? tp_course_turned(&given, &turned_deg, subject->chain, p->options.scale, message)
+            : tp_course_from_chain(&given, subject->chain, p->options.scale, message);
   if (status != TP_OK) return status;
   if (p->options.mirrored) tp_course_mirror(&given);
   p->given_points = given.count;
   status = sample(&points, &given, &p->options, message);
   if (status == TP_OK) {
     tp_bounded middle;
-    p->trend_deg = tp_bounded_atan_deg(tp_course_trend(&points, &middle));
+    p->trend_deg = turns ? turned_deg : tp_bounded_atan_deg(tp_course_trend(&points, &middle));
     tp_course_detrend(&points, p->options.detrend);
     measure_slopes(p, &points);
     status = measure_series(p, &points, message);

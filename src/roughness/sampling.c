@@ -131,7 +131,7 @@ tp_bounded tp_course_trend(const tp_course *p, tp_bounded *middle) {
 }
 
 void tp_course_detrend(tp_course *p, tp_profile_detrend detrend) {
-  if (detrend == TP_DETREND_NONE) return;
+  if (detrend == TP_DETREND_NONE || detrend == TP_DETREND_TURN) return;
   const double length = p->x[p->count - 1], highest = p->extent.highest;
   double slope, at_zero, error;
   if (detrend == TP_DETREND_ENDS) {

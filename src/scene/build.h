@@ -50,6 +50,12 @@ TP_MUST_USE tp_status tp_build_set(tp_scene *scene, const char *call, tp_given g
 /* Make room for one more of `count` items, and name its place, which counts from 1. */
 TP_MUST_USE tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size);
 
+/* Nothing is known of the base but that it is mated, or not. */
+void tp_base_drop(tp_base_description *base);
+
+/* Make the profile of the base by its rule, which has one. */
+TP_MUST_USE tp_status tp_build_profile(tp_scene *scene, tp_message *message);
+
 /* The scene has loads, first by this call. */
 void tp_build_note_load(tp_build *build);
 

@@ -12,9 +12,12 @@ static void drop_between(tp_base_description *base) {
   base->below.given = base->left_of.given = base->right_of.given = false;
 }
 
-static void drop(tp_base_description *base) {
+void tp_base_drop(tp_base_description *base) {
   drop_between(base);
-  base->rests = base->within.given = false;
+  tp_profile_rule_drop(&base->rule);
+  base->rests = base->all_poses = base->within.given = false;
+  base->rests_place = (tp_place){0};
+  base->shift.given = base->matching.given = base->closure.given = false;
   fmpq_zero(base->within.value);
   tp_polyline_clear(&base->profile);
   base->beyond_left.given = base->beyond_right.given = false;
@@ -28,7 +31,7 @@ tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_message *messa
   tp_build build;
   const tp_status status = tp_build_begin(&build, scene, __func__, message);
   if (status != TP_OK) return status;
-  drop(&scene->base);
+  tp_base_drop(&scene->base);
   scene->base.mated = true;
   scene->base.whole = whole;
   scene->base.place = build.place;
@@ -45,22 +48,34 @@ tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile, tp_
     status = tp_coordinates_read(&line, profile, false, "profile", __func__, 0, message);
   }
   if (status != TP_OK) return status;
-  drop(&scene->base);
+  tp_base_drop(&scene->base);
   scene->base.mated = scene->base.whole = false;
   scene->base.profile = line;
   scene->base.place = build.place;
   return TP_OK;
 }
 
+static tp_status set_rest(tp_scene *scene, bool rests, bool all, const char *call,
+                          tp_message *message) {
+  tp_build build;
+  const tp_status status = tp_build_begin(&build, scene, call, message);
+  if (status != TP_OK) return status;
+  scene->base.rests = rests;
+  scene->base.all_poses = all;
+  scene->base.rests_place = build.place;
+  return TP_OK;
+}
+
 tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
-  tp_build build;
-  const tp_status status = tp_build_begin(&build, scene, __func__, message);
-  if (status != TP_OK) return status;
-  scene->base.rests = rests;
-  scene->base.rests_place = build.place;
-  return TP_OK;
+  return set_rest(scene, rests, false, __func__, message);
+}
+
+tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_rest(scene, all, all, __func__, message);
 }
 
 tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within, tp_message *message) {
@@ -68,6 +83,36 @@ tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within, tp_messa
   TP_REFUSE_NULL(message, scene);
   return tp_build_set(scene, __func__, (tp_given){"within", within, TP_RULE_ABOVE_ZERO},
                       offsetof(tp_scene, base.within), message);
+}
+
+tp_status tp_scene_set_joint_shift(tp_scene *scene, tp_exact shift, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_status status = tp_build_set(scene, __func__, (tp_given){"shift", shift, TP_RULE_ANY},
+                                        offsetof(tp_scene, base.shift), message);
+  if (status == TP_OK) scene->base.matching.given = false;
+  return status;
+}
+
+tp_status tp_scene_set_joint_matching(tp_scene *scene, tp_exact matching, bool leftwards,
+                                      tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_status status =
+      tp_build_set(scene, __func__, (tp_given){"matching", matching, TP_RULE_SHARE},
+                   offsetof(tp_scene, base.matching), message);
+  if (status == TP_OK) {
+    scene->base.shift.given = false;
+    scene->base.shift_left = leftwards;
+  }
+  return status;
+}
+
+tp_status tp_scene_set_joint_closure(tp_scene *scene, tp_exact closure, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return tp_build_set(scene, __func__, (tp_given){"closure", closure, TP_RULE_ABOVE_ZERO},
+                      offsetof(tp_scene, base.closure), message);
 }
 
 /* The base of a scene that says more of it than that it is mated. */

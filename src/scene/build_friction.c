@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in memory: friction of its contact, one angle or a law. */
+/* A scene in memory: friction of its contact, one angle or a law, and what facets have of their
+ * own. */
 
 #include "host.h"
 #include "scene/build.h"
@@ -114,6 +115,74 @@ tp_status tp_scene_set_friction_barton_roughness(tp_scene *scene, tp_exact resid
   tp_build build;
   const tp_status status = begin(&build, scene, __func__, given, 3, message);
   if (status == TP_OK) tp_build_put(&build, &put_barton(&build)->roughness_angle_deg, 2);
+  tp_build_end(&build);
+  return status;
+}
+
+/* What a call gives facets, from number `first` to `last`; or where the numbers of the build begin
+ * with two abscissas, between these. The angle is the last number. */
+static tp_status add_facets(tp_build *build, const tp_facet_friction_description *given) {
+  tp_friction_description *law = &build->scene->friction;
+  void *items = law->facets;
+  tp_status status = tp_build_grow(build, &items, law->facet_count, sizeof *law->facets);
+  law->facets = items;
+  if (status != TP_OK) return status;
+  tp_facet_friction_description *own = law->facets + law->facet_count;
+  tp_facet_friction_description_init(own);
+  own->place = build->place;
+  own->first = given->first;
+  own->last = given->last;
+  tp_build_put(build, &own->angle_deg, build->count - 1);
+  if (build->count > 1) {
+    tp_build_put(build, &own->x0, 0);
+    tp_build_put(build, &own->x1, 1);
+  }
+  status = tp_check_facet_range(own, build->message);
+  if (status == TP_OK) {
+    law->facet_count++;
+  } else {
+    fmpq_clear(own->x0.value);
+    fmpq_clear(own->x1.value);
+    fmpq_clear(own->angle_deg.value);
+  }
+  return status;
+}
+
+static tp_status read_number(long *number, size_t facet, const tp_build *build) {
+  fmpq_t value;
+  fmpq_init(value);
+  fmpz_set_ui(fmpq_numref(value), facet);
+  const tp_status status = tp_check_facet_number(number, value, build->place, build->message);
+  fmpq_clear(value);
+  return status;
+}
+
+tp_status tp_scene_add_friction_facets(tp_scene *scene, size_t first, size_t last,
+                                       tp_exact angle_deg, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given = {"angle_deg", angle_deg, TP_RULE_ANGLE_BELOW_90};
+  tp_facet_friction_description facets = {.first = 0};
+  tp_build build;
+  tp_status status = begin(&build, scene, __func__, &given, 1, message);
+  if (status == TP_OK) status = read_number(&facets.first, first, &build);
+  if (status == TP_OK) status = read_number(&facets.last, last, &build);
+  if (status == TP_OK) status = add_facets(&build, &facets);
+  tp_build_end(&build);
+  return status;
+}
+
+tp_status tp_scene_add_friction_between(tp_scene *scene, tp_exact x0, tp_exact x1,
+                                        tp_exact angle_deg, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"x0", x0, TP_RULE_ANY},
+                            {"x1", x1, TP_RULE_ANY},
+                            {"angle_deg", angle_deg, TP_RULE_ANGLE_BELOW_90}};
+  const tp_facet_friction_description facets = {.first = 0};
+  tp_build build;
+  tp_status status = begin(&build, scene, __func__, given, 3, message);
+  if (status == TP_OK) status = add_facets(&build, &facets);
   tp_build_end(&build);
   return status;
 }

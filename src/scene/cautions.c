@@ -7,6 +7,7 @@
  * its density in kg/m3 or t/m3, or its weight in N/m3 or MN/m3. A block is between 1 cm, smaller
  * than any on a tilting table, and 300 m; beyond that its lengths are often off by a thousand. */
 
+#include "scene/rule_jrc.h"
 #include "scene/scene.h"
 
 static const long lightest = 5, heaviest = 80; /* kN/m3 */
@@ -112,6 +113,8 @@ tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *
 }
 
 tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_message *message) {
-  if (scene->source == NULL) return tp_scene_cautions(notes, scene, message);
-  return tp_notes_append(notes, &scene->notes, message);
+  if (scene->source != NULL) return tp_notes_append(notes, &scene->notes, message);
+  const tp_status status =
+      tp_profile_rule_notes(notes, &scene->base.rule, scene->metres_per_unit, message);
+  return status == TP_OK ? tp_scene_cautions(notes, scene, message) : status;
 }

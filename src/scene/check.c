@@ -62,6 +62,9 @@ tp_status tp_check_rule(tp_rule rule, const fmpq_t value, const char *name, tp_p
     return tp_fail(message, TP_BAD_INPUT, place,
                    "the base cannot end inside the block here; to let only a part of the "
                    "underside rest on it, say 'between' or give a 'profile'");
+  case TP_RULE_SHARE:
+    if (sign >= 0 && fmpq_cmp_ui(value, 1) <= 0) return TP_OK;
+    return tp_fail(message, TP_BAD_INPUT, place, "%s must lie in [0, 1]", name);
   case TP_RULE_BULGE:
     if (sign != 0) return TP_OK;
     return tp_fail(message, TP_BAD_INPUT, place,
@@ -129,6 +132,35 @@ tp_status tp_check_tilt_test(const fmpq_t angle_deg, const fmpq_t stress_kpa,
                  "the normal stress of a tilt test must be below jcs_mpa");
 }
 
+tp_status tp_check_facet_number(long *number, const fmpq_t value, tp_place place,
+                                tp_message *message) {
+  enum { MOST_FACETS = 1000000000 };
+  if (fmpz_is_one(fmpq_denref(value)) && fmpq_sgn(value) > 0 &&
+      fmpz_cmp_si(fmpq_numref(value), MOST_FACETS) <= 0) {
+    *number = fmpz_get_si(fmpq_numref(value));
+    return TP_OK;
+  }
+  char text[80];
+  tp_ratio_text(text, sizeof text, value);
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "facets of the base are counted from 1, from left to right, up to %d; there is no "
+                 "facet %s",
+                 MOST_FACETS, text);
+}
+
+tp_status tp_check_facet_range(const tp_facet_friction_description *facets, tp_message *message) {
+  if (facets->x0.given && fmpq_cmp(facets->x0.value, facets->x1.value) >= 0) {
+    return tp_fail(message, TP_BAD_INPUT, facets->place,
+                   "the x of facets run from left to right: the second must be the larger");
+  }
+  if (!facets->x0.given && facets->first > facets->last) {
+    return tp_fail(message, TP_BAD_INPUT, facets->place,
+                   "facets are counted from left to right: the first of them comes before the "
+                   "last");
+  }
+  return TP_OK;
+}
+
 tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place place, tp_message *message) {
   if (scene->block.unit_weight_kn_m3.given) return TP_OK;
   return tp_fail(message, TP_BAD_INPUT, place,
@@ -146,6 +178,19 @@ tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place, tp_message
   return tp_fail(message, TP_BAD_INPUT, place,
                  "the law barton depends on the normal stress: give the block its "
                  "unit_weight_kn_m3");
+}
+
+tp_status tp_check_facet_friction(const tp_scene *scene, tp_place place, tp_message *message) {
+  if (!scene->friction_angle_deg.given) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "some facets have their own friction angle: give the friction_angle_deg of all "
+                   "others too");
+  }
+  if (!scene->friction.load_dependent) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "the law barton is for the contact as a whole, by its mean normal stress; facets "
+                 "with a friction angle of their own go with friction_angle_deg, or with the law "
+                 "patton");
 }
 
 tp_status tp_check_arcs_on_outline(const tp_scene *scene, tp_place place, tp_message *message) {
@@ -179,6 +224,30 @@ tp_status tp_check_base_not_whole(const tp_scene *scene, tp_place place, tp_mess
                  "drop one of them");
 }
 
+tp_status tp_check_joint(const tp_scene *scene, tp_place place, tp_message *message) {
+  const tp_base_description *base = &scene->base;
+  const char *wrong = NULL;
+  if (!base->mated) {
+    wrong = "'joint' shifts a block along the mated base that it fits; on a 'profile' shift the "
+            "block itself, with 'place: rest'";
+  } else if (base->within.given) {
+    wrong = "a shifted joint touches where it comes to rest, and 'contact: {within: …}' would move "
+            "it there; for what is nearly closed say 'joint: {closure: …}'";
+  } else if (base->all_poses) {
+    wrong = "a shifted block is set down where the shift says, and 'place: all' asks for all other "
+            "places: give its base as a 'profile' for that";
+  } else if (base->rests_place.file != NULL && !base->rests) {
+    wrong = "a shifted block is set down until it rests; leave out 'place: as_given'";
+  } else if (base->shift.given == base->matching.given) {
+    wrong = "'joint' needs one of 'shift', by how much the block is shifted along its base, and "
+            "'matching', which share of it is closed after that";
+  } else if (base->matching.given && !base->closure.given) {
+    wrong = "'matching' needs a 'closure', up to which gap the joint counts as closed: straight "
+            "edges that are shifted touch in points alone, or leap from all to nothing";
+  }
+  return wrong == NULL ? TP_OK : tp_fail(message, TP_BAD_INPUT, place, "%s", wrong);
+}
+
 tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
   const tp_block_description *block = &scene->block;
   if (block->place.file == NULL) {
@@ -199,11 +268,19 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
     status = tp_check_arcs_on_outline(scene, block->arcs[0].place, message);
   }
   if (status == TP_OK) status = tp_check_repair(scene, block->repair_place, message);
+  if (status == TP_OK && (tp_scene_is_shifted(scene) || scene->base.closure.given)) {
+    const bool shifted = tp_scene_is_shifted(scene);
+    status = tp_check_joint(
+        scene, shifted ? tp_scene_shift_place(scene) : scene->base.closure.place, message);
+  }
   if (status == TP_OK && scene->loads.place.file != NULL) {
     status = tp_check_loads_weighed(scene, scene->loads.place, message);
   }
   if (status == TP_OK && scene->friction.load_dependent) {
     status = tp_check_law_weighed(scene, scene->friction_angle_deg.place, message);
+  }
+  if (status == TP_OK && scene->friction.facet_count > 0) {
+    status = tp_check_facet_friction(scene, scene->friction.facets[0].place, message);
   }
   return status;
 }

@@ -18,7 +18,8 @@ typedef enum tp_rule {
   TP_RULE_JRC,
   TP_RULE_UNIT_WEIGHT, /* of rock */
   TP_RULE_BEYOND,      /* of a base past its block */
-  TP_RULE_BULGE        /* of an arc */
+  TP_RULE_BULGE,       /* of an arc */
+  TP_RULE_SHARE        /* [0, 1] */
 } tp_rule;
 
 /* Zero, or of a size that a double can tell. */
@@ -44,6 +45,13 @@ TP_MUST_USE tp_status tp_check_tilt_test(const fmpq_t angle_deg, const fmpq_t st
                                          const fmpq_t residual_deg, const fmpq_t jcs_mpa,
                                          tp_place place, tp_message *message);
 
+/* A number of a facet of the base, as it goes into `number`; and the last of several, or the end of
+ * a stretch, behind the first. */
+TP_MUST_USE tp_status tp_check_facet_number(long *number, const fmpq_t value, tp_place place,
+                                            tp_message *message);
+TP_MUST_USE tp_status tp_check_facet_range(const tp_facet_friction_description *facets,
+                                           tp_message *message);
+
 /* What one thing of a scene needs of another, or cannot stand beside; `place` is of the first. */
 TP_MUST_USE tp_status tp_check_parts_weighed(const tp_scene *scene, tp_place place,
                                              tp_message *message);
@@ -51,6 +59,9 @@ TP_MUST_USE tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place pla
                                              tp_message *message);
 TP_MUST_USE tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place,
                                            tp_message *message);
+/* Frictions of facets: of a scene that has one angle for the others. */
+TP_MUST_USE tp_status tp_check_facet_friction(const tp_scene *scene, tp_place place,
+                                              tp_message *message);
 TP_MUST_USE tp_status tp_check_arcs_on_outline(const tp_scene *scene, tp_place place,
                                                tp_message *message);
 TP_MUST_USE tp_status tp_check_repair(const tp_scene *scene, tp_place place, tp_message *message);
@@ -62,6 +73,9 @@ TP_MUST_USE tp_status tp_check_base_is_mated(const tp_scene *scene, const char *
                                              tp_message *message);
 TP_MUST_USE tp_status tp_check_base_not_whole(const tp_scene *scene, tp_place place,
                                               tp_message *message);
+
+/* The block is shifted along its base: along a mated one, to where it rests, and by how much. */
+TP_MUST_USE tp_status tp_check_joint(const tp_scene *scene, tp_place place, tp_message *message);
 
 /* All of these of a scene that was built, and is used now. */
 TP_MUST_USE tp_status tp_check_built(const tp_scene *scene, tp_message *message);

@@ -25,10 +25,16 @@ static const tp_node *child(const tp_node *node, const char *key, size_t length)
   return node->kind == TP_NODE_MAPPING ? found : NULL;
 }
 
-/* `near`: may the message name a key that is there? */
-static tp_status fail(const tp_node *at, const char *way, size_t length, bool near,
-                      const char *file, tp_message *message) {
-  const char **known = calloc((size_t)at->count + 1, sizeof *known);
+static void add_keys(const char **known, size_t *count, const tp_node *of) {
+  for (const tp_node *n = of->first; n != NULL && of->kind == TP_NODE_MAPPING; n = n->next) {
+    known[(*count)++] = n->key;
+  }
+}
+
+/* Among the keys of `at`, and of `other`; `near`: may the message name one that is there? */
+static tp_status fail(const tp_node *at, const tp_node *other, const char *way, size_t length,
+                      bool near, const char *file, tp_message *message) {
+  const char **known = calloc((size_t)(at->count + other->count) + 1, sizeof *known);
   char *key = strndup(way, length);
   if (known == NULL || key == NULL) {
     free(known);
@@ -36,9 +42,8 @@ static tp_status fail(const tp_node *at, const char *way, size_t length, bool ne
     return tp_fail_memory(message, "a key");
   }
   size_t count = 0;
-  for (const tp_node *n = at->first; n != NULL && at->kind == TP_NODE_MAPPING; n = n->next) {
-    known[count++] = n->key;
-  }
+  add_keys(known, &count, at);
+  if (other != at) add_keys(known, &count, other);
   const char *nearest = near ? tp_nearest(key, known) : NULL;
   free(known);
   const tp_quote quoted = tp_quote_all(key);
@@ -65,7 +70,7 @@ tp_status tp_key_find(const tp_node **node, const tp_node *root, const char *key
       const bool parameter =
           at == root && is_last && parameters != NULL && parameters->kind == TP_NODE_MAPPING;
       const bool scene = tp_node_get(root, "topple") != NULL;
-      return fail(parameter ? parameters : at, key, length, scene, file, message);
+      return fail(parameter ? parameters : at, at, key, length, scene, file, message);
     }
     at = next;
     key = is_last ? NULL : key + length + 1;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define IN_SCENE(member) offsetof(tp_scene, member)
+#define IN_RULE(member) offsetof(tp_scene, base.rule.member.value)
 #define OFFSETS(array)                                                                             \
   { array, sizeof(array) / sizeof(array)[0] }
 
@@ -24,8 +25,38 @@ static const size_t numbers[] = {IN_SCENE(metres_per_unit),
                                  IN_SCENE(base.beyond_right.value),
                                  IN_SCENE(base.below.value),
                                  IN_SCENE(base.within.value),
+                                 IN_SCENE(base.shift.value),
+                                 IN_SCENE(base.matching.value),
+                                 IN_SCENE(base.closure.value),
                                  IN_SCENE(base.left_of.value),
                                  IN_SCENE(base.right_of.value),
+                                 IN_RULE(count),
+                                 IN_RULE(wavelength),
+                                 IN_RULE(amplitude),
+                                 IN_RULE(skew),
+                                 IN_RULE(scatter[0]),
+                                 IN_RULE(scatter[1]),
+                                 IN_RULE(scatter[2]),
+                                 IN_RULE(length),
+                                 IN_RULE(step),
+                                 IN_RULE(hurst),
+                                 IN_RULE(shortest),
+                                 IN_RULE(longest),
+                                 IN_RULE(roughness[0]),
+                                 IN_RULE(roughness[1]),
+                                 IN_RULE(roughness[2]),
+                                 IN_RULE(start_x),
+                                 IN_RULE(start_y),
+                                 IN_RULE(seed),
+                                 IN_RULE(standard),
+                                 IN_RULE(deviation),
+                                 IN_RULE(noise_seed),
+                                 IN_RULE(scaled[0]),
+                                 IN_RULE(scaled[1]),
+                                 IN_RULE(scaled[2]),
+                                 IN_RULE(worn[0]),
+                                 IN_RULE(worn[1]),
+                                 IN_RULE(worn[2]),
                                  IN_SCENE(loads.horizontal.value),
                                  IN_SCENE(loads.vertical.value),
                                  IN_SCENE(loads.water.height.value),
@@ -41,7 +72,8 @@ static const size_t numbers[] = {IN_SCENE(metres_per_unit),
                                  IN_SCENE(friction.test_stress_kpa.value),
                                  IN_SCENE(tilt_angle_deg.value)};
 static const size_t lines[] = {IN_SCENE(block.outline), IN_SCENE(base.between),
-                               IN_SCENE(base.profile), IN_SCENE(mean_plane)};
+                               IN_SCENE(base.profile), IN_SCENE(base.rule.measured),
+                               IN_SCENE(mean_plane)};
 
 const tp_offsets tp_scene_numbers = OFFSETS(numbers), tp_scene_lines = OFFSETS(lines);
 
@@ -62,6 +94,10 @@ static const size_t of_anchor[] = {offsetof(tp_anchor_description, x.value),
                                    offsetof(tp_anchor_description, direction_deg.value),
                                    offsetof(tp_anchor_description, force_kn.value)};
 
+static const size_t of_facets[] = {offsetof(tp_facet_friction_description, x0.value),
+                                   offsetof(tp_facet_friction_description, x1.value),
+                                   offsetof(tp_facet_friction_description, angle_deg.value)};
+
 #define ITEMS(list, number, type)                                                                  \
   .items = IN_SCENE(list), .count = IN_SCENE(number), .size = sizeof(type)
 
@@ -78,7 +114,10 @@ const tp_list tp_scene_lists[TP_LISTS] = {
     [TP_LIST_SURCHARGES] = {ITEMS(loads.surcharges, loads.surcharge_count, tp_line_load),
                             .numbers = OFFSETS(of_line_load)},
     [TP_LIST_ANCHORS] = {ITEMS(loads.anchors, loads.anchor_count, tp_anchor_description),
-                         .numbers = OFFSETS(of_anchor)}};
+                         .numbers = OFFSETS(of_anchor)},
+    [TP_LIST_FRICTIONS] = {
+        ITEMS(friction.facets, friction.facet_count, tp_facet_friction_description),
+        .numbers = OFFSETS(of_facets)}};
 
 fmpq *tp_member_number(void *of, size_t offset) {
   return (fmpq *)(void *)((char *)of + offset);

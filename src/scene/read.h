@@ -45,6 +45,13 @@ TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_
 TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
                                      const tp_node *node, bool closed, const char *name);
 
+/* A chain that is made of numbers under a node, all read since `varies` was last set to false: what
+ * the same numbers made before, or NULL; and keep what they made now, ready to be shared, for when
+ * the file is read again. False when memory is exhausted. */
+const tp_polyline *tp_read_kept(const tp_reader *reader, const tp_node *node);
+TP_MUST_USE bool tp_read_keep(const tp_reader *reader, const tp_polyline *line,
+                              const tp_node *node);
+
 /* The child that a mapping must have. */
 TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **child,
                                        const tp_node *mapping, const char *key,
@@ -59,11 +66,12 @@ TP_MUST_USE tp_status tp_read_friction(const tp_reader *reader, const tp_node *r
 TP_MUST_USE tp_status tp_read_frame(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_base(const tp_reader *reader, const tp_node *node);
 /* A profile that is made by rule. */
-TP_MUST_USE tp_status tp_read_generated(const tp_reader *reader, tp_polyline *line,
-                                        const tp_node *node);
+TP_MUST_USE tp_status tp_read_generated(const tp_reader *reader, const tp_node *node);
 
 /* The key contact of the scene. */
 TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *node);
+/* The key joint, after base and contact. */
+TP_MUST_USE tp_status tp_read_joint(const tp_reader *reader, const tp_node *node);
 
 /* Where a node stands. */
 tp_place tp_read_place(const tp_reader *reader, const tp_node *node);

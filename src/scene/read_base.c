@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The sections `base` and `contact` of a scene. */
+/* The sections `base`, `contact` and `joint` of a scene. */
 
 #include "scene/read.h"
 
@@ -67,17 +67,18 @@ static tp_status read_mated(const tp_reader *reader, const tp_node *node) {
   return tp_read_bool(reader, &base->mated, node, "mated");
 }
 
-/* as_given, or rest. */
+/* as_given, rest, or all. */
 static tp_status read_placing(const tp_reader *reader, const tp_node *node) {
   tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
   const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
-  base->rests = strcmp(text, "rest") == 0;
+  base->all_poses = strcmp(text, "all") == 0;
+  base->rests = base->all_poses || strcmp(text, "rest") == 0;
   base->rests_place = tp_read_place(reader, node);
   if (base->rests || strcmp(text, "as_given") == 0) return TP_OK;
   return tp_read_fail(reader, node,
                       "place must be 'rest', to set the block down on the profile until it rests, "
-                      "or 'as_given'");
+                      "'all', to list all its resting poses besides, or 'as_given'");
 }
 
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
@@ -115,7 +116,7 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
       return tp_check_base_is_mated(reader->scene, odd->key, tp_read_place(reader, odd),
                                     reader->message);
     }
-    if (profile->kind == TP_NODE_MAPPING) return tp_read_generated(reader, &base->profile, profile);
+    if (profile->kind == TP_NODE_MAPPING) return tp_read_generated(reader, profile);
     return tp_read_points(reader, &base->profile, profile, false, "the profile");
   }
   status = read_between(reader, between);
@@ -135,4 +136,34 @@ tp_status tp_read_contact(const tp_reader *reader, const tp_node *node) {
   if (status != TP_OK) return status;
   return tp_read_quantity(reader, &reader->scene->base.within, within, "within",
                           TP_RULE_ABOVE_ZERO);
+}
+
+/* To which side the block is shifted until it matches no more. */
+static tp_status read_side(const tp_reader *reader, const tp_node *node) {
+  tp_base_description *base = &reader->scene->base;
+  if (node == NULL) return TP_OK;
+  const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
+  base->shift_left = strcmp(text, "left") == 0;
+  if (!base->shift_left && strcmp(text, "right") != 0) {
+    return tp_read_fail(reader, node, "towards must be left or right");
+  }
+  if (base->matching.given) return TP_OK;
+  return tp_read_fail(reader, node,
+                      "'towards' belongs to 'matching'; a 'shift' goes to the right above 0, and "
+                      "to the left below");
+}
+
+tp_status tp_read_joint(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"shift", "matching", "closure", "towards", NULL};
+  static const tp_rule rules[] = {TP_RULE_ANY, TP_RULE_SHARE, TP_RULE_ABOVE_ZERO};
+  tp_base_description *base = &reader->scene->base;
+  tp_quantity *const quantities[] = {&base->shift, &base->matching, &base->closure};
+  if (node == NULL) return TP_OK;
+  tp_status status = tp_node_expect_keys(node, keys, "joint", reader->scene->path, reader->message);
+  for (int k = 0; k < 3 && status == TP_OK; k++) {
+    status = tp_read_quantity(reader, quantities[k], tp_node_get(node, keys[k]), keys[k], rules[k]);
+  }
+  if (status == TP_OK) status = read_side(reader, tp_node_get(node, "towards"));
+  if (status != TP_OK) return status;
+  return tp_check_joint(reader->scene, tp_read_place(reader, node), reader->message);
 }

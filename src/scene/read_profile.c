@@ -1,126 +1,220 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A base profile that is made by rule: teeth, a self-affine one or a measured one, then noise on
- * it, then wear. */
+/* A base profile that is made by rule: the numbers of its rule, each with its place; what must hold
+ * of them is checked where the profile is made (scene/profile_make.h). */
 
-#include "generate/generate.h"
-#include "number/ratio.h"
-#include "scene/read_generated.h"
+#include "scene/profile_make.h"
+#include "scene/read.h"
+#include "scene/rule_jrc.h"
 
 #include <string.h>
 
-/* Standard deviation, and the seed that is drawn from. */
-static tp_status add_noise(const tp_reader *reader, tp_polyline *line, const tp_node *node) {
-  static const char *const keys[] = {"deviation", "seed", NULL};
-  static const char example[] = "noise: {deviation: 0.1, seed: 1}";
-  uint64_t seed = 0;
-  fmpq_t deviation;
+/* A number that a map must have. */
+static tp_status read_required(const tp_reader *reader, tp_quantity *quantity, const tp_node *map,
+                               const char *key, const char *example) {
+  const tp_node *node = NULL;
+  const tp_status status = tp_read_required(reader, &node, map, key, example);
+  return status == TP_OK ? tp_read_quantity(reader, quantity, node, key, TP_RULE_ANY) : status;
+}
+
+/* One that it may have. */
+static tp_status read_own(const tp_reader *reader, tp_quantity *quantity, const tp_node *map,
+                          const char *key) {
+  return tp_read_quantity(reader, quantity, tp_node_get(map, key), key, TP_RULE_ANY);
+}
+
+static tp_status read_start(const tp_reader *reader, tp_profile_rule *rule, const tp_node *map) {
+  const tp_node *node = tp_node_get(map, "start");
   if (node == NULL) return TP_OK;
-  fmpq_init(deviation);
+  return tp_read_point(reader, &rule->start_x, &rule->start_y, node, "start");
+}
+
+static tp_status read_seed(const tp_reader *reader, tp_quantity *seed, const tp_node *map) {
+  return read_required(reader, seed, map, "seed", "seed: 1");
+}
+
+/* ---- teeth -------------------------------------------------------------------------------------
+ */
+
+static tp_status read_left_end(const tp_reader *reader, bool *valley, const tp_node *map) {
+  const tp_node *node = NULL;
+  const tp_status status = tp_read_required(reader, &node, map, "left_end", "left_end: valley");
+  if (status != TP_OK) return status;
+  const char *text = node->kind == TP_NODE_SCALAR ? node->text : "";
+  *valley = strcmp(text, "valley") == 0;
+  if (*valley || strcmp(text, "peak") == 0) return TP_OK;
+  return tp_read_fail(reader, node, "left_end must be valley or peak");
+}
+
+static tp_status read_scatter(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
+  if (node == NULL) return TP_OK;
+  tp_status status =
+      tp_node_expect_keys(node, tp_scatter_keys, "scatter", reader->scene->path, reader->message);
+  for (int k = 0; tp_scatter_keys[k] != NULL && status == TP_OK; k++) {
+    status = read_own(reader, rule->scatter + k, node, tp_scatter_keys[k]);
+  }
+  return status;
+}
+
+static tp_status read_teeth(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
+  static const char *const keys[] = {"count",   "wavelength", "amplitude", "skew", "left_end",
+                                     "scatter", "start",      "seed",      NULL};
+  static const char example[] = "teeth: {count: 8, wavelength: 60, amplitude: 5, left_end: valley}";
+  tp_quantity *const needed[] = {&rule->count, &rule->wavelength, &rule->amplitude};
+  tp_status status = tp_node_expect_keys(node, keys, "teeth", reader->scene->path, reader->message);
+  for (int k = 0; k < 3 && status == TP_OK; k++) {
+    status = read_required(reader, needed[k], node, keys[k], example);
+  }
+  if (status == TP_OK) status = read_own(reader, &rule->skew, node, "skew");
+  if (status == TP_OK) status = read_left_end(reader, &rule->left_end_valley, node);
+  if (status == TP_OK) status = read_scatter(reader, rule, tp_node_get(node, "scatter"));
+  if (status == TP_OK) status = read_start(reader, rule, node);
+  return status == TP_OK ? read_own(reader, &rule->seed, node, "seed") : status;
+}
+
+/* ---- self-affine, and in place of a standard profile -------------------------------------------
+ */
+
+/* By which number it is said how rough a profile is. */
+static tp_status read_roughness(const tp_reader *reader, tp_quantity *by, const tp_node *map,
+                                const char *what) {
+  int given = 0;
+  for (int k = 0; k < TP_ROUGHNESS_KINDS; k++) {
+    given += tp_node_get(map, tp_roughness_keys[k]) != NULL ? 1 : 0;
+  }
+  if (given != 1) {
+    return tp_read_fail(reader, map, "how rough %s is, one of rms_height, z2 and jrc says", what);
+  }
+  tp_status status = TP_OK;
+  for (int k = 0; k < TP_ROUGHNESS_KINDS && status == TP_OK; k++) {
+    status = read_own(reader, by + k, map, tp_roughness_keys[k]);
+  }
+  return status;
+}
+
+static tp_status read_self_affine(const tp_reader *reader, tp_profile_rule *rule,
+                                  const tp_node *node) {
+  static const char *const keys[] = {"length",   "step",    "hurst", "rms_height", "z2", "jrc",
+                                     "shortest", "longest", "start", "seed",       NULL};
+  static const char example[] =
+      "self_affine: {length: 100, step: 0.5, hurst: 0.8, rms_height: 1, seed: 1}";
+  tp_status status =
+      tp_node_expect_keys(node, keys, "self_affine", reader->scene->path, reader->message);
+  if (status == TP_OK) status = read_required(reader, &rule->length, node, "length", example);
+  if (status == TP_OK) status = read_required(reader, &rule->step, node, "step", example);
+  if (status == TP_OK) status = read_own(reader, &rule->shortest, node, "shortest");
+  if (status == TP_OK) status = read_own(reader, &rule->longest, node, "longest");
+  if (status == TP_OK) status = read_required(reader, &rule->hurst, node, "hurst", "hurst: 0.8");
+  if (status == TP_OK) {
+    status = read_roughness(reader, rule->roughness, node, "a self-affine profile");
+  }
+  if (status == TP_OK) status = read_start(reader, rule, node);
+  return status == TP_OK ? read_seed(reader, &rule->seed, node) : status;
+}
+
+/* ---- what changes a profile --------------------------------------------------------------------
+ */
+
+static tp_status read_noise(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
+  static const char *const keys[] = {"deviation", "seed", NULL};
+  if (node == NULL) return TP_OK;
   tp_status status = tp_node_expect_keys(node, keys, "noise", reader->scene->path, reader->message);
   if (status == TP_OK) {
-    status = tp_read_rule_of(reader, deviation, node, keys[0], example, TP_RULE_ABOVE_ZERO);
+    status =
+        read_required(reader, &rule->deviation, node, keys[0], "noise: {deviation: 0.1, seed: 1}");
   }
-  if (status == TP_OK) status = tp_read_seed(reader, &seed, node, true);
-  if (status == TP_OK) tp_add_noise(line, deviation, seed);
-  fmpq_clear(deviation);
-  return status;
+  return status == TP_OK ? read_seed(reader, &rule->noise_seed, node) : status;
 }
 
-static tp_status check_depth(const tp_reader *reader, const tp_polyline *line, tp_wear wear,
-                             const fmpq_t depth, const tp_node *node) {
-  tp_status status = TP_OK;
-  fmpq_t most;
-  fmpq_init(most);
-  tp_wear_most(most, line, wear);
-  if (wear != TP_WEAR_ROUNDED && fmpq_cmp(depth, most) >= 0) {
-    char text[80];
-    tp_ratio_text(text, sizeof text, most);
-    status = tp_read_fail(reader, node,
-                          "'%s' takes off all of the roughness: the highest point stands %s above "
-                          "the %s; take less",
-                          node->key, text, wear == TP_WEAR_CUT ? "lowest" : "mean of all points");
-  }
-  fmpq_clear(most);
-  return status;
-}
-
-static tp_status wear_off(const tp_reader *reader, tp_polyline *line, const tp_node *node) {
-  static const char *const keys[] = {"cut", "rounded", "abraded", NULL};
+static tp_status read_scaled(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
   if (node == NULL) return TP_OK;
-  tp_status status = tp_node_expect_keys(node, keys, "worn", reader->scene->path, reader->message);
+  const tp_status status =
+      tp_node_expect_keys(node, tp_roughness_keys, "scaled", reader->scene->path, reader->message);
+  return status == TP_OK ? read_roughness(reader, rule->scaled, node, "a scaled profile") : status;
+}
+
+static tp_status read_worn(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
+  if (node == NULL) return TP_OK;
+  tp_status status =
+      tp_node_expect_keys(node, tp_wear_keys, "worn", reader->scene->path, reader->message);
   if (status != TP_OK) return status;
   if (node->count != 1) {
     return tp_read_fail(reader, node,
                         "worn says one of cut, rounded and abraded, with its depth: 'worn: {cut: "
                         "0.5}'");
   }
-  int key = 0;
-  while (keys[key + 1] != NULL && strcmp(keys[key], node->first->key) != 0) key++;
-  const tp_wear wear = (tp_wear)key;
-  fmpq_t depth;
-  fmpq_init(depth);
-  status = tp_read_by_rule(reader, depth, node->first, keys[key], TP_RULE_ABOVE_ZERO);
-  if (status == TP_OK) status = check_depth(reader, line, wear, depth, node->first);
-  if (status == TP_OK && !tp_wear_off(line, wear, depth)) {
-    status = tp_fail_memory(reader->message, "the profile");
-  }
-  fmpq_clear(depth);
-  return status;
-}
-
-/* Points that other scenes share become some of its own, which may be changed. */
-static tp_status read_measured(const tp_reader *reader, tp_polyline *line, const tp_node *node) {
-  const tp_status status = tp_read_points(reader, line, node, false, "the profile");
-  if (status == TP_OK && !tp_polyline_separate(line)) {
-    tp_polyline_clear(line);
-    return tp_fail_memory(reader->message, "the profile");
-  }
-  if (status == TP_OK && line->count < 2) {
-    return tp_read_fail(reader, node, "a base profile needs at least two points");
+  for (int k = 0; k < TP_WEAR_KINDS && status == TP_OK; k++) {
+    status = read_own(reader, rule->worn + k, node, tp_wear_keys[k]);
   }
   return status;
 }
 
-/* What a rule makes of numbers in range may be out of it. */
-static tp_status check_range(const tp_reader *reader, const tp_polyline *line,
-                             const tp_node *node) {
-  const tp_place place = tp_read_place(reader, node);
-  const long last = line->count - 1;
-  tp_status status = tp_check_range(line->x + last, "the profile's x", place, reader->message);
-  for (long k = 0; k <= last && status == TP_OK; k++) {
-    status = tp_check_range(line->y + k, "the profile's y", place, reader->message);
+/* ---- the whole ---------------------------------------------------------------------------------
+ */
+
+static tp_status read_first(const tp_reader *reader, tp_profile_rule *rule, const tp_node *node) {
+  rule->first_place = tp_read_place(reader, node);
+  switch (rule->made) {
+  case TP_MADE_OF_TEETH:
+    return read_teeth(reader, rule, node);
+  case TP_MADE_SELF_AFFINE:
+    return read_self_affine(reader, rule, node);
+  case TP_MADE_LIKE_STANDARD:
+    return tp_read_quantity(reader, &rule->standard, node, "jrc_profile", TP_RULE_ANY);
+  case TP_MADE_OF_MEASURED:
+  case TP_MADE_OF_POINTS:
+    break;
   }
-  return status;
+  return tp_read_points(reader, &rule->measured, node, false, "the profile");
 }
 
-tp_status tp_read_generated(const tp_reader *reader, tp_polyline *line, const tp_node *node) {
-  static const char *const keys[] = {"teeth", "self_affine", "measured", "noise", "worn", NULL};
-  tp_status status = tp_node_expect_keys(node, keys, "a profile made by rule", reader->scene->path,
-                                         reader->message);
+/* As its rule says; what the same numbers made before is taken again. */
+static tp_status make(const tp_reader *reader, const tp_node *node) {
+  tp_scene *scene = reader->scene;
+  tp_polyline *line = &scene->base.profile;
+  const tp_polyline *kept = tp_read_kept(reader, node);
+  if (kept != NULL) {
+    *line = tp_polyline_share(kept);
+    return TP_OK;
+  }
+  const tp_status status =
+      tp_profile_make(line, &scene->base.rule, scene->metres_per_unit, reader->message);
+  if (status != TP_OK || tp_read_keep(reader, line, node)) return status;
+  return tp_fail_memory(reader->message, "the profile");
+}
+
+tp_status tp_read_generated(const tp_reader *reader, const tp_node *node) {
+  static const char *const keys[] = {"teeth", "self_affine", "jrc_profile", "measured",
+                                     "noise", "scaled",      "worn",        NULL};
+  enum { FIRST = 4 };
+  tp_scene *scene = reader->scene;
+  tp_profile_rule *rule = &scene->base.rule;
+  const tp_node *first = NULL;
+  int begins = 0;
+  tp_status status =
+      tp_node_expect_keys(node, keys, "a profile made by rule", scene->path, reader->message);
   if (status != TP_OK) return status;
-  const tp_node *teeth = tp_node_get(node, keys[0]), *rough = tp_node_get(node, keys[1]);
-  const tp_node *measured = tp_node_get(node, keys[2]);
-  if ((teeth != NULL) + (rough != NULL) + (measured != NULL) != 1) {
+  for (int k = 0; k < FIRST; k++) {
+    const tp_node *own = tp_node_get(node, keys[k]);
+    if (own == NULL) continue;
+    first = own;
+    rule->made = (tp_made_of)(TP_MADE_OF_TEETH + k);
+    begins++;
+  }
+  if (begins != 1) {
     return tp_read_fail(reader, node,
-                        "a profile made by rule begins with one of teeth, self_affine and "
-                        "measured: 'profile: {self_affine: {…}, noise: {…}, worn: {…}}'");
+                        "a profile made by rule begins with one of teeth, self_affine, jrc_profile "
+                        "and measured: 'profile: {self_affine: {…}, noise: {…}, worn: {…}}'");
   }
-  tp_polyline own = {.file = reader->scene->path, .mark = node->mark};
-  status = teeth != NULL   ? tp_read_teeth_profile(reader, &own, teeth)
-           : rough != NULL ? tp_read_self_affine(reader, &own, rough)
-                           : read_measured(reader, &own, measured);
-  if (status == TP_OK) status = add_noise(reader, &own, tp_node_get(node, "noise"));
-  if (status == TP_OK) status = wear_off(reader, &own, tp_node_get(node, "worn"));
-  if (status == TP_OK) status = check_range(reader, &own, node);
-  if (status == TP_OK && own.users == NULL && !tp_polyline_make_shared(&own)) {
-    status = tp_fail_memory(reader->message, "the profile");
-  }
-  if (status == TP_OK) {
-    *line = own;
-  } else {
-    tp_polyline_clear(&own);
-  }
-  return status;
+  rule->place = tp_read_place(reader, node);
+  reader->reading->varies = false;
+  status = read_first(reader, rule, first);
+  if (status == TP_OK) status = read_noise(reader, rule, tp_node_get(node, "noise"));
+  if (status == TP_OK) status = read_scaled(reader, rule, tp_node_get(node, "scaled"));
+  if (status == TP_OK) status = read_worn(reader, rule, tp_node_get(node, "worn"));
+  if (status == TP_OK) status = make(reader, node);
+  tp_polyline_clear(&rule->measured);
+  if (status != TP_OK) return status;
+  return tp_profile_rule_notes(&scene->notes, rule, scene->metres_per_unit, reader->message);
 }

@@ -95,9 +95,9 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "topple", "title",   "length_unit", "parameters",         "block",
-      "base",   "loads",   "tilt",        "friction_angle_deg", "friction",
-      "frame",  "contact", NULL};
+      "topple", "title", "length_unit",        "parameters", "block", "base",
+      "loads",  "tilt",  "friction_angle_deg", "friction",   "frame", "contact",
+      "joint",  NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -115,6 +115,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_block(reader, block);
   if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
   if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
+  if (status == TP_OK) status = tp_read_joint(reader, tp_node_get(root, "joint"));
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_friction(reader, root);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));

@@ -7,6 +7,7 @@
 
 #include "outside.h"
 #include "scene/csv.h"
+#include "scene/setting.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -24,12 +25,19 @@ tp_status tp_read_fail(const tp_reader *reader, const tp_node *node, const char 
 }
 
 tp_place tp_read_place(const tp_reader *reader, const tp_node *node) {
-  return tp_node_place(node, reader->scene->path);
+  const tp_override *own = tp_scene_override(reader->scene, node);
+  return own != NULL && own->setting != NULL ? (tp_place){own->setting, 0, 0}
+                                             : tp_node_place(node, reader->scene->path);
 }
 
 /* Without a letter no parameter stands in it; what has an exponent may be thought to name one. */
 static bool may_name(const char *text) {
   return text[strspn(text, "0123456789.+-*/^() \t")] != '\0';
+}
+
+/* As if its formula stood in the file. */
+static tp_status evaluate_setting(const tp_reader *reader, tp_override *own) {
+  return tp_setting_evaluate(own->value, own->setting, &reader->scene->parameters, reader->message);
 }
 
 /* What the scene has instead of the text; else what it says. */
@@ -39,8 +47,9 @@ static tp_status read_text(const tp_reader *reader, fmpq_t value, const tp_node 
     tp_override *own = scene->overrides + k;
     if (own->node != node) continue;
     own->used = reader->reading->varies = true;
-    fmpq_set(value, own->value);
-    return TP_OK;
+    const tp_status status = own->setting != NULL ? evaluate_setting(reader, own) : TP_OK;
+    if (status == TP_OK) fmpq_set(value, own->value);
+    return status;
   }
   tp_place place = tp_node_place(node, scene->path);
   place.column += node->text_offset;
@@ -202,4 +211,19 @@ tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_no
                          bool closed, const char *name) {
   return reader->reading->again ? read_again(reader, line, node, closed, name)
                                 : read_first(reader, line, node, closed, name);
+}
+
+const tp_polyline *tp_read_kept(const tp_reader *reader, const tp_node *node) {
+  if (!reader->reading->again) return NULL;
+  const tp_file_chain *kept = reader->scene->file->chains + reader->reading->next_chain++;
+  return kept->fixed && !is_varied(reader->scene, node) ? &kept->line : NULL;
+}
+
+bool tp_read_keep(const tp_reader *reader, const tp_polyline *line, const tp_node *node) {
+  if (reader->reading->again) return true;
+  tp_file_chain *chain = tp_scene_file_add_chain(reader->scene->file, node);
+  if (chain == NULL) return false;
+  chain->fixed = !reader->reading->varies;
+  if (chain->fixed) chain->line = tp_polyline_share(line);
+  return true;
 }

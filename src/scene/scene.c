@@ -22,6 +22,14 @@ tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place p
   return tp_fail(message, TP_BAD_INPUT, place, "length_unit must be one of mm, cm, m, km, in, ft");
 }
 
+bool tp_scene_is_shifted(const tp_scene *scene) {
+  return scene->base.shift.given || scene->base.matching.given;
+}
+
+tp_place tp_scene_shift_place(const tp_scene *scene) {
+  return scene->base.shift.given ? scene->base.shift.place : scene->base.matching.place;
+}
+
 void tp_teeth_over(fmpq_t width, fmpq_t height, const fmpq_t amplitude, long count) {
   fmpq_t factor;
   fmpq_init(factor);
@@ -62,11 +70,10 @@ void tp_corner_init(tp_corner_description *corner) {
   fmpq_init(corner->radius.value);
 }
 
-const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node) {
-  for (long k = 0; k < scene->override_count; k++) {
-    if (scene->overrides[k].node == node) return scene->overrides + k;
-  }
-  return NULL;
+void tp_facet_friction_description_init(tp_facet_friction_description *facets) {
+  fmpq_init(facets->x0.value);
+  fmpq_init(facets->x1.value);
+  fmpq_init(facets->angle_deg.value);
 }
 
 size_t tp_scene_source_count(const tp_scene *scene) {

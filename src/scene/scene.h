@@ -13,16 +13,10 @@
 #include "plane/polyline.h"
 #include "scene/expression.h"
 #include "scene/node.h"
+#include "scene/profile_rule.h"
 #include "scene/scene_file.h"
 
 #include <flint/fmpq.h>
-
-/* A quantity that a scene may give. */
-typedef struct tp_quantity {
-  bool given;
-  fmpq_t value;
-  tp_place place;
-} tp_quantity;
 
 typedef enum tp_outline_form {
   TP_OUTLINE_VERTICES,
@@ -102,9 +96,15 @@ typedef struct tp_base_description {
   tp_quantity below, left_of, right_of; /* or where its vertices lie */
   tp_quantity beyond_left, beyond_right;
   tp_polyline profile;
-  bool rests; /* the block is set down on its profile and comes to rest; else it is as given */
+  tp_profile_rule rule; /* that the profile is made by, where there is one */
+  bool rests;     /* the block is set down on its profile and comes to rest; else it is as given */
+  bool all_poses; /* it `rests`, and all resting poses are asked for */
   tp_place rests_place; /* that says so */
   tp_quantity within;   /* what lies closer than that to its contact is moved there */
+  tp_quantity shift;    /* the block is shifted along its mated base by that, and comes to rest */
+  tp_quantity matching; /* or by the least at which so much of its underside at most is closed: */
+  bool shift_left;      /* to this side, */
+  tp_quantity closure;  /* with gaps up to that */
 } tp_base_description;
 
 /* A pressure or a surcharge along a line of the outline, in kPa at its two ends; or an anchor at
@@ -144,6 +144,14 @@ typedef struct tp_loads_description {
   tp_quantity bond_kpa, cohesion_kpa; /* of the contact */
 } tp_loads_description;
 
+/* Facets of the base with a friction angle of their own: from one number to another, counted from 1
+ * from left to right; or, where x0 is given, all between two abscissas. */
+typedef struct tp_facet_friction_description {
+  tp_place place;
+  long first, last;
+  tp_quantity x0, x1, angle_deg;
+} tp_facet_friction_description;
+
 /* Friction by a law. Patton's phi_b + i (Eq. 6) is one angle, the scene's friction_angle_deg; by
  * Barton's law (Eq. 8) the angle depends on the normal stress, and friction_angle_deg is its
  * residual part. JRC is given, or follows from a tilt test (Eq. 9), or from i (Eq. 10). */
@@ -151,17 +159,22 @@ typedef struct tp_friction_description {
   bool load_dependent;
   tp_quantity basic_angle_deg; /* of Patton's law */
   tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
+  long facet_count;
+  tp_facet_friction_description *facets;
 } tp_friction_description;
 
 /* What x and y of a scene lie along: the mean plane of the base and its normal, said or taken so;
  * or the horizontal and the vertical, with the block as it lies. */
 typedef enum tp_frame { TP_FRAME_UNSTATED, TP_FRAME_BASE, TP_FRAME_WORLD } tp_frame;
 
-/* A number that a scene has instead of the one that stands in its file. */
+/* A number that a scene has instead of the one that stands in its file, or in memory instead of the
+ * one that it was built with: there it is in its place, and what was set is kept to be told. */
 typedef struct tp_override {
-  const tp_node *node;
+  const tp_node *node; /* NULL: in memory */
   fmpq_t value;
-  bool used; /* it was read as a number */
+  bool used;     /* it was read as a number */
+  char *setting; /* "key=formula": the formula is evaluated whenever the file is read; NULL: `value`
+                  */
 } tp_override;
 
 /* Its numbers, chains and lists are listed once more in scene/members.c, and the keys of what a
@@ -196,6 +209,10 @@ tp_scene *tp_scene_make(const char *path);
 /* A copy of a scene that was built in memory, which shares its chains of points; NULL when memory
  * is exhausted. */
 tp_scene *tp_scene_copy(const tp_scene *scene);
+/* Is its block shifted along the mated base, and what says so? */
+bool tp_scene_is_shifted(const tp_scene *scene);
+tp_place tp_scene_shift_place(const tp_scene *scene);
+
 /* What the scene has instead of the number at a node; NULL: nothing. */
 const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node);
 
@@ -215,6 +232,7 @@ void tp_line_load_init(tp_line_load *load);
 void tp_anchor_init(tp_anchor_description *anchor);
 void tp_arc_init(tp_arc_description *arc);
 void tp_corner_init(tp_corner_description *corner);
+void tp_facet_friction_description_init(tp_facet_friction_description *facets);
 
 /* Notes on numbers of the scene that look as if they stood in another unit. */
 TP_MUST_USE tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene,
@@ -227,6 +245,13 @@ TP_MUST_USE tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_
  * array that becomes the scene's, whatever the outcome. */
 TP_MUST_USE tp_status tp_scene_read_again(tp_scene **scene, tp_scene_file *file,
                                           tp_override *overrides, long count, tp_message *message);
+/* Those of the scene, behind the others of a list that has room for them; false when memory is
+ * exhausted. */
+TP_MUST_USE bool tp_overrides_append(tp_override *overrides, long *count, const tp_scene *scene);
+/* Put a value (NULL: none yet), or a setting, which is copied, in place of what the list has for
+ * the node, in memory for the key, or behind the others; false when memory is exhausted. */
+TP_MUST_USE bool tp_overrides_put(tp_override *overrides, long *count, const tp_node *node,
+                                  const fmpq *value, const char *setting);
 /* Give the overrides back. */
 void tp_overrides_free(tp_override *overrides, long count);
 

@@ -36,11 +36,6 @@ static void clear_list(tp_scene *scene, tp_list_kind kind) {
   free(items);
 }
 
-void tp_overrides_free(tp_override *overrides, long count) {
-  for (long k = 0; k < count && overrides != NULL; k++) fmpq_clear(overrides[k].value);
-  free(overrides);
-}
-
 void tp_scene_free(tp_scene *scene) {
   if (scene == NULL) return;
   for (int k = 0; k < TP_LISTS; k++) clear_list(scene, (tp_list_kind)k);
@@ -95,6 +90,15 @@ static bool own_list(tp_scene *copy, tp_list_kind kind, const tp_scene *scene) {
   return true;
 }
 
+static bool own_overrides(tp_scene *copy, const tp_scene *scene) {
+  copy->overrides = NULL;
+  copy->override_count = 0;
+  if (scene->override_count == 0) return true;
+  copy->overrides = calloc((size_t)scene->override_count, sizeof *copy->overrides);
+  if (copy->overrides == NULL) return false;
+  return tp_overrides_append(copy->overrides, &copy->override_count, scene);
+}
+
 tp_scene *tp_scene_copy(const tp_scene *scene) {
   tp_scene *copy = malloc(sizeof *copy);
   if (copy == NULL) return NULL;
@@ -103,7 +107,7 @@ tp_scene *tp_scene_copy(const tp_scene *scene) {
   own_numbers(copy, &tp_scene_numbers);
   for (size_t k = 0; k < tp_scene_lines.count; k++) own_line(copy, tp_scene_lines.items[k]);
   copy->title = scene->title != NULL ? strdup(scene->title) : NULL;
-  bool done = (copy->title == NULL) == (scene->title == NULL);
+  bool done = own_overrides(copy, scene) && (copy->title == NULL) == (scene->title == NULL);
   for (int k = 0; k < TP_LISTS && done; k++) done = own_list(copy, (tp_list_kind)k, scene);
   if (done) return copy;
   tp_scene_free(copy);

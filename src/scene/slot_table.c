@@ -6,6 +6,8 @@
 
 #include "scene/slot_table.h"
 
+#include "scene/build.h"
+
 /* ---- what a scene has --------------------------------------------------------------------------
  */
 
@@ -32,6 +34,18 @@ static bool is_over(const tp_scene *scene) {
 
 static bool is_counted(const tp_scene *scene) {
   return is_teeth(scene) && !scene->block.teeth.block_width.given;
+}
+
+static bool is_listed(const tp_scene *scene) {
+  return scene->base.rule.made == TP_MADE_OF_POINTS;
+}
+
+static bool is_of_teeth(const tp_scene *scene) {
+  return scene->base.rule.made == TP_MADE_OF_TEETH;
+}
+
+static bool is_self_affine(const tp_scene *scene) {
+  return scene->base.rule.made == TP_MADE_SELF_AFFINE;
 }
 
 static bool is_barton(const tp_scene *scene) {
@@ -74,6 +88,11 @@ static tp_status settle_friction(tp_scene *scene, void *holder, tp_message *mess
                             law->jcs_mpa.value, angle->place, message);
 }
 
+static tp_status settle_facets(tp_scene *scene, void *holder, tp_message *message) {
+  (void)scene;
+  return tp_check_facet_range(holder, message);
+}
+
 static tp_status settle_plane(tp_scene *scene, void *holder, tp_message *message) {
   (void)holder;
   return tp_check_mean_plane(&scene->mean_plane, scene->frame_place, message);
@@ -101,6 +120,12 @@ static tp_status settle_part(tp_scene *scene, void *holder, tp_message *message)
   return TP_OK;
 }
 
+/* The profile is another one. */
+static tp_status settle_profile(tp_scene *scene, void *holder, tp_message *message) {
+  (void)holder;
+  return tp_build_profile(scene, message);
+}
+
 /* A surcharge is the same at both ends. */
 static tp_status settle_surcharge(tp_scene *scene, void *holder, tp_message *message) {
   tp_line_load *load = holder;
@@ -123,11 +148,21 @@ static tp_status settle_surcharge(tp_scene *scene, void *holder, tp_message *mes
 #define POINTS(key, member, has, settle)                                                           \
   { key, TP_SLOT_POINT, TP_LISTS, offsetof(tp_scene, member), TP_RULE_ANY, has, settle }
 
+/* Of the rule of a profile, whatever it is; of what it begins with. What it holds is checked where
+ * the profile is made. */
+#define OF_RULE(key, member, has)                                                                  \
+  OF_SCENE("base.profile." key, base.rule.member, ANY, has, settle_profile)
+#define OF_TEETH(key, member) OF_RULE("teeth." key, member, is_of_teeth)
+#define OF_SELF_AFFINE(key, member) OF_RULE("self_affine." key, member, is_self_affine)
+
 #define LOAD(key, list, member, rule, settle) OF_ITEM(key, list, tp_line_load, member, rule, settle)
 #define ENDS(load, list)                                                                           \
   LOAD(load ".from.1", list, x0, ANY, NULL), LOAD(load ".from.2", list, y0, ANY, NULL),            \
       LOAD(load ".to.1", list, x1, ANY, NULL), LOAD(load ".to.2", list, y1, ANY, NULL)
 #define ANCHOR(key, member, rule) OF_ITEM(key, ANCHORS, tp_anchor_description, member, rule, NULL)
+
+#define FACETS(key, member, rule)                                                                  \
+  OF_ITEM(key, FRICTIONS, tp_facet_friction_description, member, rule, settle_facets)
 
 static const tp_slot_row rows[] = {
     POINTS("block.outline.#.#", block.outline, is_outline, settle_outline),
@@ -159,7 +194,38 @@ static const tp_slot_row rows[] = {
             NULL),
     OF_SCENE("block.thickness", block.thickness, ABOVE_ZERO, NULL, NULL),
     OF_SCENE("block.unit_weight_kn_m3", block.unit_weight_kn_m3, UNIT_WEIGHT, NULL, NULL),
-    POINTS("base.profile.#.#", base.profile, NULL, NULL),
+    POINTS("base.profile.#.#", base.profile, is_listed, NULL),
+    OF_TEETH("count", count),
+    OF_TEETH("wavelength", wavelength),
+    OF_TEETH("amplitude", amplitude),
+    OF_TEETH("skew", skew),
+    OF_TEETH("scatter.wavelength", scatter[0]),
+    OF_TEETH("scatter.amplitude", scatter[1]),
+    OF_TEETH("scatter.skew", scatter[2]),
+    OF_TEETH("start.1", start_x),
+    OF_TEETH("start.2", start_y),
+    OF_TEETH("seed", seed),
+    OF_SELF_AFFINE("length", length),
+    OF_SELF_AFFINE("step", step),
+    OF_SELF_AFFINE("hurst", hurst),
+    OF_SELF_AFFINE("rms_height", roughness[TP_ROUGHNESS_RMS_HEIGHT]),
+    OF_SELF_AFFINE("z2", roughness[TP_ROUGHNESS_Z2]),
+    OF_SELF_AFFINE("jrc", roughness[TP_ROUGHNESS_JRC]),
+    OF_SELF_AFFINE("shortest", shortest),
+    OF_SELF_AFFINE("longest", longest),
+    OF_SELF_AFFINE("start.1", start_x),
+    OF_SELF_AFFINE("start.2", start_y),
+    OF_SELF_AFFINE("seed", seed),
+    OF_RULE("jrc_profile", standard, NULL),
+    POINTS("base.profile.measured.#.#", base.rule.measured, NULL, settle_profile),
+    OF_RULE("noise.deviation", deviation, NULL),
+    OF_RULE("noise.seed", noise_seed, NULL),
+    OF_RULE("scaled.rms_height", scaled[TP_ROUGHNESS_RMS_HEIGHT], NULL),
+    OF_RULE("scaled.z2", scaled[TP_ROUGHNESS_Z2], NULL),
+    OF_RULE("scaled.jrc", scaled[TP_ROUGHNESS_JRC], NULL),
+    OF_RULE("worn.cut", worn[TP_WEAR_CUT], NULL),
+    OF_RULE("worn.rounded", worn[TP_WEAR_ROUNDED], NULL),
+    OF_RULE("worn.abraded", worn[TP_WEAR_ABRADED], NULL),
     POINTS("base.between.#.#", base.between, NULL, NULL),
     OF_SCENE("base.between.below", base.below, ANY, NULL, NULL),
     OF_SCENE("base.between.left_of", base.left_of, ANY, NULL, NULL),
@@ -167,6 +233,9 @@ static const tp_slot_row rows[] = {
     OF_SCENE("base.beyond.left", base.beyond_left, BEYOND, NULL, NULL),
     OF_SCENE("base.beyond.right", base.beyond_right, BEYOND, NULL, NULL),
     OF_SCENE("contact.within", base.within, ABOVE_ZERO, NULL, NULL),
+    OF_SCENE("joint.shift", base.shift, ANY, NULL, NULL),
+    OF_SCENE("joint.matching", base.matching, SHARE, NULL, NULL),
+    OF_SCENE("joint.closure", base.closure, ABOVE_ZERO, NULL, NULL),
     OF_SCENE("friction_angle_deg", friction_angle_deg, ANGLE_BELOW_90, is_plain_angle, NULL),
     OF_SCENE("friction.basic_angle_deg", friction.basic_angle_deg, ANGLE_BELOW_90, NULL,
              settle_friction),
@@ -180,6 +249,9 @@ static const tp_slot_row rows[] = {
              settle_friction),
     OF_SCENE("friction.tilt_test.normal_stress_kpa", friction.test_stress_kpa, ABOVE_ZERO, NULL,
              settle_friction),
+    FACETS("friction.facets.#.x.1", x0, ANY),
+    FACETS("friction.facets.#.x.2", x1, ANY),
+    FACETS("friction.facets.#.angle_deg", angle_deg, ANGLE_BELOW_90),
     OF_SCENE("tilt.angle_deg", tilt_angle_deg, ANGLE_TO_90, NULL, NULL),
     POINTS("frame.mean_plane.#.#", mean_plane, NULL, settle_plane),
     OF_SCENE("loads.seismic.horizontal", loads.horizontal, ANY, NULL, NULL),

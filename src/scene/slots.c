@@ -205,6 +205,12 @@ static tp_status set_number(tp_scene *scene, const tp_slot *slot, const fmpq_t v
   return status;
 }
 
+/* What follows from a slot has followed from the one before it already. */
+static bool is_settled(const tp_scene *scene, const tp_slot *slots, size_t k) {
+  return k > 0 && slots[k].row->settle == slots[k - 1].row->settle &&
+         holder(slots + k, scene) == holder(slots + k - 1, scene);
+}
+
 tp_status tp_slots_set(tp_scene *scene, const tp_slot *slots, const fmpq *values, size_t count,
                        tp_message *message) {
   tp_status status = TP_OK;
@@ -213,7 +219,8 @@ tp_status tp_slots_set(tp_scene *scene, const tp_slot *slots, const fmpq *values
   }
   for (size_t k = 0; k < count && status == TP_OK; k++) {
     const tp_slot_row *row = slots[k].row;
-    if (row->settle != NULL) status = row->settle(scene, holder(slots + k, scene), message);
+    if (row->settle == NULL || is_settled(scene, slots, k)) continue;
+    status = row->settle(scene, holder(slots + k, scene), message);
   }
   return status;
 }

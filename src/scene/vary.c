@@ -3,6 +3,8 @@
 
 #include "scene/vary.h"
 
+#include "scene/setting.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,47 +60,67 @@ tp_status tp_scene_key_reach(tp_reach *reach, const tp_scene_key *key, const tp_
   return TP_OK;
 }
 
+bool tp_scene_key_same(const tp_scene_key *one, const tp_scene_key *other) {
+  if (one->node != NULL || other->node != NULL) return one->node == other->node;
+  return one->slot.row == other->slot.row && one->slot.item == other->slot.item &&
+         one->slot.point == other->slot.point && one->slot.axis == other->slot.axis;
+}
+
 /* ---- a scene read from a file ------------------------------------------------------------------
  */
 
-/* In place of what the scene has for the node, or beside that. */
-static void put_override(tp_override *overrides, long *count, const tp_node *node,
-                         const fmpq_t value) {
-  long k = 0;
-  while (k < *count && overrides[k].node != node) k++;
-  if (k == *count) {
-    fmpq_init(overrides[k].value);
-    (*count)++;
-  }
-  overrides[k].node = node;
-  overrides[k].used = false;
-  fmpq_set(overrides[k].value, value);
-}
-
+/* Of each key a value, or a setting. */
 static tp_status vary_file(tp_scene **varied, const tp_scene *scene, const tp_scene_key *keys,
-                           const fmpq *values, size_t count, tp_message *message) {
+                           const fmpq *values, const char *const *settings, size_t count,
+                           tp_message *message) {
   tp_override *overrides = calloc((size_t)scene->override_count + count + 1, sizeof *overrides);
   if (overrides == NULL) return tp_fail_memory(message, "the scene");
   long own = 0;
-  for (long k = 0; k < scene->override_count; k++) {
-    put_override(overrides, &own, scene->overrides[k].node, scene->overrides[k].value);
+  bool done = tp_overrides_append(overrides, &own, scene);
+  for (size_t k = 0; k < count && done; k++) {
+    done = tp_overrides_put(overrides, &own, keys[k].node, values != NULL ? values + k : NULL,
+                            settings != NULL ? settings[k] : NULL);
   }
-  for (size_t k = 0; k < count; k++) put_override(overrides, &own, keys[k].node, values + k);
-  return tp_scene_read_again(varied, scene->file, overrides, own, message);
+  if (done) return tp_scene_read_again(varied, scene->file, overrides, own, message);
+  tp_overrides_free(overrides, own);
+  return tp_fail_memory(message, "the scene");
 }
 
 /* ---- a scene in memory -------------------------------------------------------------------------
  */
 
-static tp_status vary_built(tp_scene **varied, const tp_scene *scene, const tp_scene_key *keys,
-                            const fmpq *values, size_t count, tp_message *message) {
+static tp_status put_slots(tp_scene *scene, const tp_scene_key *keys, const fmpq *values,
+                           size_t count, tp_message *message) {
   tp_slot *slots = calloc(count + 1, sizeof *slots);
   if (slots == NULL) return tp_fail_memory(message, "the scene");
   for (size_t k = 0; k < count; k++) slots[k] = keys[k].slot;
-  tp_scene *copy = tp_scene_copy(scene);
-  const tp_status status = copy != NULL ? tp_slots_set(copy, slots, values, count, message)
-                                        : tp_fail_memory(message, "the scene");
+  const tp_status status = tp_slots_set(scene, slots, values, count, message);
   free(slots);
+  return status;
+}
+
+static bool keep_settings(tp_scene *scene, const fmpq *values, const char *const *settings,
+                          size_t count) {
+  const size_t room = (size_t)scene->override_count + count;
+  tp_override *larger = realloc(scene->overrides, (room + 1) * sizeof *larger);
+  if (larger == NULL) return false;
+  scene->overrides = larger;
+  bool done = true;
+  for (size_t k = 0; k < count && done; k++) {
+    done = tp_overrides_put(larger, &scene->override_count, NULL, values + k, settings[k]);
+  }
+  return done;
+}
+
+static tp_status vary_built(tp_scene **varied, const tp_scene *scene, const tp_scene_key *keys,
+                            const fmpq *values, const char *const *settings, size_t count,
+                            tp_message *message) {
+  tp_scene *copy = tp_scene_copy(scene);
+  if (copy == NULL) return tp_fail_memory(message, "the scene");
+  tp_status status = put_slots(copy, keys, values, count, message);
+  if (status == TP_OK && settings != NULL && !keep_settings(copy, values, settings, count)) {
+    status = tp_fail_memory(message, "the scene");
+  }
   if (status == TP_OK) {
     *varied = copy;
   } else {
@@ -109,6 +131,27 @@ static tp_status vary_built(tp_scene **varied, const tp_scene *scene, const tp_s
 
 tp_status tp_scene_vary(tp_scene **varied, const tp_scene *scene, const tp_scene_key *keys,
                         const fmpq *values, size_t count, tp_message *message) {
-  return scene->file != NULL ? vary_file(varied, scene, keys, values, count, message)
-                             : vary_built(varied, scene, keys, values, count, message);
+  return scene->file != NULL ? vary_file(varied, scene, keys, values, NULL, count, message)
+                             : vary_built(varied, scene, keys, values, NULL, count, message);
+}
+
+tp_status tp_scene_set(tp_scene **varied, const tp_scene *scene, const tp_scene_key *keys,
+                       const char *const *settings, size_t count, tp_message *message) {
+  if (scene->file != NULL) return vary_file(varied, scene, keys, NULL, settings, count, message);
+  fmpq *values = calloc(count + 1, sizeof *values);
+  if (values == NULL) return tp_fail_memory(message, "the scene");
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < count; k++) fmpq_init(values + k);
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    status = tp_setting_evaluate(values + k, settings[k], NULL, message);
+    if (status == TP_OK) {
+      status = tp_check_range(values + k, "the number", (tp_place){settings[k], 0, 0}, message);
+    }
+  }
+  if (status == TP_OK) {
+    status = vary_built(varied, scene, keys, values, settings, count, message);
+  }
+  for (size_t k = 0; k < count; k++) fmpq_clear(values + k);
+  free(values);
+  return status;
 }

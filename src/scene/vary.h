@@ -32,9 +32,15 @@ TP_MUST_USE tp_status tp_scene_key_value(fmpq_t value, const tp_scene_key *key,
 TP_MUST_USE tp_status tp_scene_key_reach(tp_reach *reach, const tp_scene_key *key,
                                          const tp_scene *scene, tp_message *message);
 
+bool tp_scene_key_same(const tp_scene_key *one, const tp_scene_key *other);
+
 /* The scene with `values` for the numbers of `count` keys. */
 TP_MUST_USE tp_status tp_scene_vary(tp_scene **varied, const tp_scene *scene,
                                     const tp_scene_key *keys, const fmpq *values, size_t count,
                                     tp_message *message);
+/* The same by settings (scene/setting.h), which it keeps. */
+TP_MUST_USE tp_status tp_scene_set(tp_scene **varied, const tp_scene *scene,
+                                   const tp_scene_key *keys, const char *const *settings,
+                                   size_t count, tp_message *message);
 
 #endif

@@ -62,12 +62,6 @@ tp_status tp_scene_number_text(char **text, const tp_scene *scene, const char *k
   return status;
 }
 
-static bool is_same(const tp_scene_key *one, const tp_scene_key *other) {
-  if (one->node != NULL || other->node != NULL) return one->node == other->node;
-  return one->slot.row == other->slot.row && one->slot.item == other->slot.item &&
-         one->slot.point == other->slot.point && one->slot.axis == other->slot.axis;
-}
-
 /* The keys of the call of that name, and its numbers. */
 static tp_status read_all(tp_scene_key *found, fmpq *numbers, const tp_scene *scene,
                           const char *const *keys, const tp_exact *values, size_t count,
@@ -80,7 +74,7 @@ static tp_status read_all(tp_scene_key *found, fmpq *numbers, const tp_scene *sc
     }
     status = tp_scene_key_find(found + k, scene, keys[k], message);
     for (size_t j = 0; j < k && status == TP_OK; j++) {
-      if (!is_same(found + j, found + k)) continue;
+      if (!tp_scene_key_same(found + j, found + k)) continue;
       status = tp_fail(message, TP_BAD_INPUT, (tp_place){call, 0, 0},
                        "'%s' is given twice; leave out one of them", tp_quote_all(keys[k]).text);
     }

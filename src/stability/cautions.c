@@ -88,8 +88,8 @@ static bool is_one_point(const tp_contact *contact, const tp_lattice *l) {
 static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   const tp_block_description *block = &scene->block;
-  if (scene->base.mated || problem->snapped != NULL || block->form == TP_OUTLINE_ELLIPSE ||
-      block->arc_count > 0 || problem->corners.count > 0) {
+  if (scene->base.mated || problem->jointed != NULL || problem->snapped != NULL ||
+      block->form == TP_OUTLINE_ELLIPSE || block->arc_count > 0 || problem->corners.count > 0) {
     return TP_OK;
   }
   tp_closeness near;

@@ -3,47 +3,30 @@
 
 #include "stability/climb.h"
 
+#include "stability/climbing.h"
 #include "stability/effects.h"
 #include "stability/friction.h"
 #include "stability/loaded.h"
-#include "stability/onset.h"
 #include "stability/stages.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-/* What lower rungs have settled of one direction. */
-typedef struct settled {
-  bool *pivots; /* all numbers of each */
-  bool limit, onset;
-  tp_direction_ball limit_angle, back_angle; /* of the limit, and tilted back */
-  tp_onset_found onset_found;
-} settled;
-
-typedef struct climb {
-  tp_solution *solution;
-  const tp_problem *problem;
-  const tp_solve_options *options;
-  settled settled[2]; /* by direction */
-  tp_work work;
-  tp_message *message;
-} climb;
-
-/* By contact forces, what is not settled yet. False when memory is exhausted. */
-static bool evaluate_statics(const tp_evaluation *e, tp_case *own, climb *c,
+/* By contact forces, what is not settled yet; with what further tilts share of it. False when
+ * memory is exhausted. */
+static bool evaluate_statics(const tp_evaluation *e, tp_case *own, tp_climbing *c,
                              tp_certainty *certainty) {
   const tp_place place = c->problem->scene->friction_angle_deg.place;
-  settled *kept = c->settled + own->towards;
+  tp_direction_settled *kept = c->settled + own->towards;
   tp_certainty limit = {0}, onset = {0};
   bool done = true;
   if (!kept->limit) {
     const tp_effect_begin began = tp_effects_begin(c->solution);
-    done = tp_evaluate_limit(e, own, &kept->limit_angle, &kept->back_angle, &limit);
+    done = tp_evaluate_limit(e, own, &kept->limit_angle, &kept->back_angle, &c->tilts, &limit);
     done = tp_effects_note(c->solution, "limit", place, "", began) && done;
   }
   if (done && !kept->onset) {
     const tp_effect_begin began = tp_effects_begin(c->solution);
-    done = tp_evaluate_onset(e, own, &kept->onset_found, &onset);
+    done = tp_evaluate_onset(e, own, &kept->onset_found, &c->tilts, &onset);
     done = tp_effects_note(c->solution, "onset", place, "", began) && done;
   }
   if (done && !limit.open && !onset.open) {
@@ -58,7 +41,7 @@ static bool evaluate_statics(const tp_evaluation *e, tp_case *own, climb *c,
 
 /* By the formulas of moments and of sliding. False when memory is exhausted. */
 static bool evaluate_formulas(const tp_evaluation *e, tp_case *own, tp_direction_ball *toppling,
-                              tp_direction_ball *sliding, climb *c, tp_certainty *certainty) {
+                              tp_direction_ball *sliding, tp_climbing *c, tp_certainty *certainty) {
   const tp_scene *scene = c->problem->scene;
   tp_effect_begin began = tp_effects_begin(c->solution);
   tp_evaluate_pivots(e, own, c->settled[own->towards].pivots, toppling, certainty);
@@ -74,7 +57,7 @@ static bool evaluate_formulas(const tp_evaluation *e, tp_case *own, tp_direction
 
 /* What the mechanism leaves open the limit and the onset have to tell on a higher rung. */
 static void tell_mechanism(const tp_evaluation *e, tp_case *own, const tp_direction_ball *toppling,
-                           const tp_direction_ball *sliding, settled *kept,
+                           const tp_direction_ball *sliding, tp_direction_settled *kept,
                            tp_certainty *certainty) {
   tp_certainty mechanism = {0};
   tp_evaluate_mechanism(
@@ -86,7 +69,7 @@ static void tell_mechanism(const tp_evaluation *e, tp_case *own, const tp_direct
 }
 
 /* One direction of tilt. False when memory is exhausted. */
-static bool evaluate_direction(const tp_evaluation *e, tp_case *own, climb *c,
+static bool evaluate_direction(const tp_evaluation *e, tp_case *own, tp_climbing *c,
                                tp_certainty *certainty) {
   tp_direction_ball toppling, sliding;
   tp_direction_ball_init(&toppling);
@@ -127,25 +110,49 @@ static bool note_loads(tp_solution *solution, const tp_loaded *loaded,
   return done;
 }
 
-/* Under its loads, where the scene calls for some. */
-static bool evaluate_case(const tp_evaluation *unloaded, tp_case *own, climb *c,
+/* One direction of one tilt, under the loads of the evaluation. */
+static bool evaluate_tilt(const tp_evaluation *e, tp_case *own, tp_climbing *c,
                           tp_certainty *certainty) {
-  if (!c->problem->loaded) return evaluate_direction(unloaded, own, c, certainty);
+  if (e->loaded == NULL) return evaluate_direction(e, own, c, certainty);
+  const bool done =
+      evaluate_direction(e, own, c, certainty) && tp_loaded_account(own, e->loaded, e, certainty);
+  tp_loaded_overtops(own, e, certainty);
+  return done;
+}
+
+/* At the scene's own tilt, and where all is certain of that at the further ones of this rung. */
+static bool evaluate_tilts(const tp_evaluation *e, size_t number, tp_climbing *c,
+                           tp_certainty *certainty) {
+  tp_case *own = c->solution->cases + number;
+  tp_climbing_take_case(c, number, e->loaded);
+  bool done = evaluate_tilt(e, own, c, certainty);
+  tp_climbing_share(c, own->towards);
+  for (size_t k = 0; k < c->tilts.count && done && !certainty->open; k++) {
+    const tp_further_tilt *at = c->tilts.items + k;
+    if (!at->certainty->open) {
+      done = evaluate_tilt(at->e, at->result, &c->others[k].climbing, at->certainty);
+    }
+  }
+  return done;
+}
+
+/* Under its loads, where the scene calls for some. */
+static bool evaluate_case(const tp_evaluation *unloaded, size_t number, tp_climbing *c,
+                          tp_certainty *certainty) {
+  if (!c->problem->loaded) return evaluate_tilts(unloaded, number, c, certainty);
   const tp_effect_begin began = tp_effects_begin(c->solution);
   tp_loaded loaded;
-  if (!tp_loaded_init(&loaded, unloaded, own->towards)) return false;
+  if (!tp_loaded_init(&loaded, unloaded, c->solution->cases[number].towards)) return false;
   tp_evaluation under_loads = *unloaded;
   under_loads.loaded = &loaded;
   const bool done = note_loads(c->solution, &loaded, &c->problem->scene->loads, began) &&
-                    evaluate_direction(&under_loads, own, c, certainty) &&
-                    tp_loaded_account(own, &loaded, &under_loads, certainty);
-  tp_loaded_overtops(own, &under_loads, certainty);
+                    evaluate_tilts(&under_loads, number, c, certainty);
   tp_loaded_clear(&loaded);
   return done;
 }
 
 static tp_status step(void *context, tp_rung rung, bool *certain) {
-  climb *c = context;
+  tp_climbing *c = context;
   if (tp_problem_is_enclosed(c->problem) && rung.level == TP_LEVEL_EXACT) {
     rung.level = TP_LEVEL_BALL;
   }
@@ -160,9 +167,11 @@ static tp_status step(void *context, tp_rung rung, bool *certain) {
   tp_evaluate_block(&e, &c->solution->block, &certainty);
   tp_evaluate_contact(&e, &c->solution->contact, &certainty);
   bool done = tp_effects_note(c->solution, "moments", c->problem->scene->block.place, "", began);
+  if (c->rungs++ == 0) tp_climbing_begin_tilts(c, &e);
   for (size_t k = 0; k < c->solution->case_count && done; k++) {
-    done = evaluate_case(&e, c->solution->cases + k, c, &certainty);
+    done = evaluate_case(&e, k, c, &certainty);
   }
+  tp_climbing_end_tilts(c, !certainty.open);
   tp_evaluation_clear(&e);
   *certain = !certainty.open;
   c->solution->open_number = certainty.undecided_number;
@@ -186,22 +195,7 @@ static void note_level(tp_solution *solution, tp_rung reached) {
   }
 }
 
-static bool settled_init(settled *own, long pivots) {
-  *own = (settled){.pivots = calloc((size_t)pivots, sizeof *own->pivots)};
-  tp_direction_ball_init(&own->limit_angle);
-  tp_direction_ball_init(&own->back_angle);
-  tp_onset_found_init(&own->onset_found);
-  return own->pivots != NULL;
-}
-
-static void settled_clear(settled *own) {
-  free(own->pivots);
-  tp_direction_ball_clear(&own->limit_angle);
-  tp_direction_ball_clear(&own->back_angle);
-  tp_onset_found_clear(&own->onset_found);
-}
-
-static tp_status fail_undecided(tp_message *message, const climb *c, tp_rung reached) {
+static tp_status fail_undecided(tp_message *message, const tp_climbing *c, tp_rung reached) {
   const tp_level highest = c->options->level;
   const int digits = c->options->digits;
   return tp_fail(message, TP_UNDECIDED, (tp_place){c->problem->scene->path, 0, 0},
@@ -212,20 +206,16 @@ static tp_status fail_undecided(tp_message *message, const climb *c, tp_rung rea
 }
 
 tp_status tp_climb(tp_solution *solution, const tp_problem *problem,
-                   const tp_solve_options *options, tp_message *message) {
-  climb c = {.solution = solution, .problem = problem, .options = options, .message = message};
-  const long pivots = problem->contact.point_count;
-  const bool left = settled_init(c.settled, pivots), right = settled_init(c.settled + 1, pivots);
-  tp_status status = TP_OK;
-  if (left && right) {
+                   const tp_solve_options *options, tp_tilts *tilts, tp_message *message) {
+  tp_climbing c;
+  tp_status status = tp_climbing_init(&c, solution, problem, options, tilts, message);
+  if (status == TP_OK) {
     tp_rung reached = {TP_LEVEL_DOUBLE, 0};
     status = tp_ladder_climb(step, &c, options->level, options->digits, &reached);
     note_level(solution, reached);
     if (status == TP_UNDECIDED) status = fail_undecided(message, &c, reached);
-  } else {
-    status = tp_fail_memory(message, "the pivots");
   }
-  settled_clear(c.settled);
-  settled_clear(c.settled + 1);
+  if (status == TP_OK && tilts != NULL) tp_climbing_hand_out(tilts, &c);
+  tp_climbing_clear(&c);
   return status;
 }

@@ -8,10 +8,13 @@
 #define TP_CLIMB_H
 
 #include "stability/problem.h"
+#include "stability/tilts.h"
 
-/* Fills in a solution whose cases are described. TP_UNDECIDED where the last rung leaves something
- * open: the results stand, enclosures all of them. */
+/* Fills in a solution whose cases are described, and those of the tilts, or NULL, that its first
+ * rung tells, which still lack the factors that govern. TP_UNDECIDED where the last rung leaves
+ * something open: the results stand, enclosures all of them. */
 TP_MUST_USE tp_status tp_climb(tp_solution *solution, const tp_problem *problem,
-                               const tp_solve_options *options, tp_message *message);
+                               const tp_solve_options *options, tp_tilts *tilts,
+                               tp_message *message);
 
 #endif

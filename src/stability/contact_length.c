@@ -55,7 +55,7 @@ void tp_contact_length(arb_t length, const tp_evaluation *e) {
 }
 
 /* What ends in points of the lattice exactly. */
-void tp_contact_nominal_length(arb_t length, const tp_evaluation *e) {
+static void nominal_length(arb_t length, const tp_evaluation *e, bool of_sole) {
   const tp_problem *problem = e->problem;
   fmpz_t sum, dx;
   arb_t cut, cut_dx, cut_dy;
@@ -66,6 +66,7 @@ void tp_contact_nominal_length(arb_t length, const tp_evaluation *e) {
   arb_init(cut_dy);
   for (long k = 0; k < problem->contact.facet_count; k++) {
     const tp_facet *f = problem->contact.facets + k;
+    if (of_sole && !tp_sole_has(&problem->sole, &problem->lattice, f)) continue;
     if (f->cut0 != NULL || f->cut1 != NULL) {
       tp_evaluation_facet(cut_dx, cut_dy, e, f);
       arb_abs(cut_dx, cut_dx);
@@ -83,6 +84,23 @@ void tp_contact_nominal_length(arb_t length, const tp_evaluation *e) {
   arb_clear(cut);
   arb_clear(cut_dx);
   arb_clear(cut_dy);
+}
+
+void tp_contact_nominal_length(arb_t length, const tp_evaluation *e) {
+  nominal_length(length, e, false);
+}
+
+bool tp_contact_ratio(arb_t ratio, const tp_evaluation *e) {
+  fmpz_t length;
+  fmpz_init(length);
+  tp_sole_length(length, &e->problem->sole, &e->problem->lattice);
+  const bool has_sole = fmpz_sgn(length) > 0;
+  if (has_sole) {
+    nominal_length(ratio, e, true);
+    arb_div_fmpz(ratio, ratio, length, e->rung.bits);
+  }
+  fmpz_clear(length);
+  return has_sole;
 }
 
 void tp_weight_per_area(arb_t pascal, const tp_evaluation *e, const arb_t length_m) {

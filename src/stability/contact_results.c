@@ -106,6 +106,8 @@ static void contact_lengths(const tp_evaluation *e, tp_contact_result *contact,
   if (has_weight) {
     contact->weight_per_nominal_area_pa = pressure(e, contact->nominal_length_m, length, certainty);
   }
+  contact->has_contact_ratio = tp_contact_ratio(length, e);
+  if (contact->has_contact_ratio) contact->contact_ratio = tp_result(e, length, certainty);
   arb_clear(length);
 }
 
@@ -114,7 +116,8 @@ void tp_evaluate_contact(const tp_evaluation *e, tp_contact_result *contact,
   const tp_problem *problem = e->problem;
   const tp_base_description *base = &problem->scene->base;
   contact->mated = base->mated;
-  contact->beyond_stated = !base->mated || base->beyond_left.given;
+  contact->shifted = problem->jointed != NULL;
+  contact->beyond_stated = (!base->mated && !contact->shifted) || base->beyond_left.given;
   contact->beyond_left_m = length_in_metres(e, &base->beyond_left);
   contact->beyond_right_m = length_in_metres(e, &base->beyond_right);
   contact_ends(e, contact, certainty);

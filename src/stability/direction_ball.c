@@ -8,7 +8,8 @@ void tp_direction_ball_init(tp_direction_ball *angle) {
   arb_init(angle->cosine);
   arb_init(angle->degrees);
   arb_init(angle->inclination);
-  angle->exact_direction = angle->adds_friction = false;
+  angle->exact_direction = false;
+  angle->adds = NULL;
 }
 
 void tp_direction_ball_clear(tp_direction_ball *angle) {

@@ -14,7 +14,8 @@ typedef struct tp_direction_ball {
   arb_t sine, cosine;
   arb_t degrees;
   bool exact_direction; /* sine and cosine enclose the direction of `degrees` itself */
-  bool adds_friction;   /* `degrees` is this inclination and the scene's friction angle added: */
+  const fmpq *adds;     /* `degrees` is this friction angle of the scene and the inclination added;
+                           NULL: it is not */
   arb_t inclination;
 } tp_direction_ball;
 

@@ -149,6 +149,34 @@ void tp_friction_at(arb_t degrees, const tp_evaluation *e, const arb_t tilt) {
   arb_clear(ratio);
 }
 
+const fmpq *tp_friction_own(const tp_problem *problem, long facet) {
+  const tp_facet_friction *f = &problem->friction;
+  const long own = f->of_facet != NULL && facet >= 0 ? f->of_facet[facet] : 0;
+  return own > 0 ? f->angles[own - 1] : NULL;
+}
+
+void tp_friction_of_facet(arb_t degrees, const tp_evaluation *e, long facet, const arb_t tilt) {
+  const fmpq *own = tp_friction_own(e->problem, facet);
+  if (own != NULL) {
+    arb_set_fmpq(degrees, own, e->rung.bits);
+  } else {
+    tp_friction_at(degrees, e, tilt);
+  }
+}
+
+void tp_friction_take_own(tp_cones *cones, const tp_evaluation *e) {
+  const tp_facet_friction *f = &e->problem->friction;
+  if (f->count == 0) return;
+  arb_t degrees;
+  arb_init(degrees);
+  tp_cones_take_own(cones, f->count);
+  for (long k = 0; k < f->count; k++) {
+    arb_set_fmpq(degrees, f->angles[k], e->rung.bits);
+    tp_friction_tangent(cones->own_friction + k, degrees, e->rung.bits);
+  }
+  arb_clear(degrees);
+}
+
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits) {
   if (arb_is_zero(degrees) || arb_equal_si(degrees, 45)) {
     arb_set_si(tangent, arb_is_zero(degrees) ? 0 : 1);
@@ -163,6 +191,15 @@ void tp_friction_set_tangent(arb_t tangent, const tp_evaluation *e, const arb_t 
     tp_friction_tangent(tangent, degrees, e->rung.bits);
   } else {
     arb_set(tangent, e->friction_tangent);
+  }
+}
+
+void tp_friction_facet_tangent(arb_t tangent, const tp_evaluation *e, long facet,
+                               const arb_t degrees) {
+  if (tp_friction_own(e->problem, facet) != NULL) {
+    tp_friction_tangent(tangent, degrees, e->rung.bits);
+  } else {
+    tp_friction_set_tangent(tangent, e, degrees);
   }
 }
 

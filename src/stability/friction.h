@@ -11,6 +11,7 @@
 #ifndef TP_FRICTION_H
 #define TP_FRICTION_H
 
+#include "linear_program/cones.h"
 #include "stability/loaded.h"
 
 bool tp_friction_is_load_dependent(const tp_evaluation *evaluation);
@@ -22,6 +23,17 @@ void tp_friction_tangent_given(arb_t tangent, const tp_evaluation *evaluation);
 
 /* In degrees, at a tilt in degrees. */
 void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t tilt);
+
+/* The angle that a facet of the contact has of its own; NULL: it has the scene's. */
+const fmpq *tp_friction_own(const tp_problem *problem, long facet);
+/* The same as tp_friction_at of a facet; `degrees` may be `tilt`. */
+void tp_friction_of_facet(arb_t degrees, const tp_evaluation *evaluation, long facet,
+                          const arb_t tilt);
+/* tan(phi) of that. */
+void tp_friction_facet_tangent(arb_t tangent, const tp_evaluation *evaluation, long facet,
+                               const arb_t degrees);
+/* tan(phi) of all facets that have their own, into cones as they are initialised. */
+void tp_friction_take_own(tp_cones *cones, const tp_evaluation *evaluation);
 
 /* tan(phi), exact at 0 and 45 degrees, the only rational angles with a rational tangent (Niven). */
 void tp_friction_tangent(arb_t tangent, const arb_t degrees, long bits);

@@ -45,9 +45,29 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const tp_solve_op
                             tp_effects_note(solution, "frame", scene->frame_place, "", began));
 }
 
-tp_status tp_lay(const tp_scene **scene, tp_rested **rested, tp_snapped **snapped, tp_world **world,
-                 const tp_solve_options *options, tp_solution *solution, tp_message *message) {
-  const bool turns = (*scene)->frame == TP_FRAME_WORLD;
+static tp_status shift(tp_jointed **jointed, const tp_scene *scene, tp_solution *solution,
+                       tp_message *message) {
+  const tp_effect_begin began = tp_effects_begin(solution);
+  const tp_status status = tp_jointed_ask(jointed, scene, message);
+  if (status != TP_OK) return status;
+  return tp_effects_entered(
+      status, message, tp_effects_note(solution, "joint", tp_scene_shift_place(scene), "", began));
+}
+
+tp_status tp_lay(const tp_scene **scene, tp_jointed **jointed, tp_rested **rested,
+                 tp_snapped **snapped, tp_world **world, const tp_solve_options *options,
+                 tp_solution *solution, tp_message *message) {
+  const bool shifts = tp_scene_is_shifted(*scene), turns = (*scene)->frame == TP_FRAME_WORLD;
+  if (turns && shifts) {
+    const tp_status status = turn(world, *scene, options, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*world)->scene;
+  }
+  if (shifts) {
+    const tp_status status = shift(jointed, *scene, solution, message);
+    if (status != TP_OK) return status;
+    *scene = &(*jointed)->scene;
+  }
   if ((*scene)->base.rests) {
     const tp_status status = set_down(rested, *scene, options, solution, message);
     if (status != TP_OK) return status;
@@ -58,7 +78,7 @@ tp_status tp_lay(const tp_scene **scene, tp_rested **rested, tp_snapped **snappe
     if (status != TP_OK) return status;
     *scene = &(*snapped)->scene;
   }
-  if (turns) {
+  if (turns && !shifts) {
     const tp_status status = turn(world, *scene, options, solution, message);
     if (status != TP_OK) return status;
     *scene = &(*world)->scene;

@@ -83,6 +83,23 @@ static void reduce_strength(tp_limit *result, tp_limit_asking *a) {
   arb_clear(friction);
 }
 
+/* Likewise at further tilts. */
+static void reduce_at_tilts(const tp_further_tilts *tilts, tp_limit_asking *a) {
+  for (size_t k = 0; k < tilts->count && a->outcome != TP_LIMIT_OUT_OF_MEMORY; k++) {
+    const tp_further_tilt *at = tilts->items + k;
+    tp_limit_question question = *a->question;
+    tp_limit_asking own = *a;
+    own.e = at->e;
+    own.certainty = at->certainty;
+    own.question = &question;
+    question.work = at->e->work;
+    tp_further_begin(at, &(tp_work){0});
+    reduce_strength(&at->result->limit, &own);
+    tp_further_end(at);
+    if (own.outcome == TP_LIMIT_OUT_OF_MEMORY) a->outcome = own.outcome;
+  }
+}
+
 static void describe(tp_limit *result, tp_direction_ball *angle, const tp_limit_asking *a,
                      tp_direction towards) {
   const tp_evaluation *e = a->e;
@@ -102,7 +119,13 @@ static void describe(tp_limit *result, tp_direction_ball *angle, const tp_limit_
   arb_set(angle->cosine, a->answer->cosine);
   arb_set(angle->degrees, a->answer->degrees);
   arb_set(angle->inclination, a->answer->inclination);
-  angle->adds_friction = a->answer->adds_friction && !tp_friction_is_load_dependent(e);
+  angle->adds = NULL;
+  if (a->answer->adds_friction && !tp_friction_is_load_dependent(e)) {
+    const tp_cone_point *slips =
+        a->cones->points + tp_cones_point_of(a->cones, a->answer->face.columns[0]);
+    const fmpq *own = tp_friction_own(e->problem, slips->facet);
+    angle->adds = own != NULL ? own : e->problem->scene->friction_angle_deg.value;
+  }
   angle->exact_direction = e->loaded == NULL && !a->answer->tie;
 }
 
@@ -113,10 +136,11 @@ typedef struct contact_forces {
   bool has_scaled; /* not with friction that depends on the load: it changes with every question */
 } contact_forces;
 
-/* Tilted on or back; with the factor of safety; and whether the limit serves for the base as it is
- * otherwise is told there, or not asked. */
+/* Tilted on or back; with the factor of safety, there and at further tilts; and whether the limit
+ * serves for the base as it is otherwise is told there, or not asked. */
 typedef struct variant {
   bool back, with_factor;
+  const tp_further_tilts *tilts;
   bool *serves;
 } variant;
 
@@ -166,6 +190,7 @@ static bool ask(tp_limit *result, tp_direction_ball *angle, const tp_evaluation 
   if (a.outcome != TP_LIMIT_OUT_OF_MEMORY && v.with_factor) {
     reduce_strength(result, &a);
     note_zeros(&asked, &a, false);
+    if (v.tilts != NULL) reduce_at_tilts(v.tilts, &a);
   }
   tp_limit_asked_clear(&asked);
   tp_limit_answer_clear(&answer);
@@ -178,13 +203,14 @@ static void contact_forces_clear(contact_forces *c) {
 }
 
 static bool find_own(tp_case *result, tp_direction_ball *limit, tp_direction_ball *back,
-                     const tp_evaluation *e, bool *serves, tp_certainty *certainty) {
+                     const tp_evaluation *e, const tp_further_tilts *tilts, bool *serves,
+                     tp_certainty *certainty) {
   const tp_direction towards = result->towards;
   contact_forces c = {.has_scaled = false};
   if (!tp_limit_cones_init(&c.cones, e, towards, false)) return false;
   result->limit = (tp_limit){.base_beyond_toe = tp_limit_base_beyond_toe(e->problem, towards)};
   result->limit_back = result->limit;
-  const variant forward = {.with_factor = true, .serves = serves};
+  const variant forward = {.with_factor = true, .tilts = tilts, .serves = serves};
   const bool done =
       ask(&result->limit, limit, e, &c, towards, forward, certainty) &&
       ask(&result->limit_back, back, e, &c, towards, (variant){.back = true}, certainty);
@@ -221,15 +247,39 @@ static bool differ(const tp_limit *a, const tp_limit *b, const tp_evaluation *e,
           tp_result_is_above(e, b->critical_angle_deg, a->critical_angle_deg, certainty));
 }
 
-bool tp_evaluate_limit(const tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
-                       tp_direction_ball *back, tp_certainty *certainty) {
-  bool matters = false, serves = false;
-  bool done = tp_limit_base_matters(&matters, e->problem, result->towards) &&
-              find_own(result, limit, back, e, matters ? &serves : NULL, certainty);
+/* With a base otherwise that changes nothing. */
+static void take_otherwise(tp_case *result) {
   result->limit_otherwise = result->limit;
   result->limit_otherwise.base_beyond_toe = !result->limit.base_beyond_toe;
-  if (done && matters && !serves) done = find_otherwise(result, e, certainty);
+  result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
+}
+
+/* All but the factor, which is told there already. */
+static void share_limits(const tp_further_tilts *tilts, const tp_case *result, bool otherwise) {
+  for (size_t k = 0; k < tilts->count; k++) {
+    tp_case *at = tilts->items[k].result;
+    const tp_limit told = at->limit;
+    at->limit = result->limit;
+    at->limit.fos = told.fos;
+    at->limit.fos_mechanism = told.fos_mechanism;
+    at->limit_back = result->limit_back;
+    take_otherwise(at);
+    if (otherwise) at->limit_otherwise = result->limit_otherwise;
+    at->base_matters = result->base_matters;
+  }
+}
+
+bool tp_evaluate_limit(const tp_evaluation *e, tp_case *result, tp_direction_ball *limit,
+                       tp_direction_ball *back, const tp_further_tilts *tilts,
+                       tp_certainty *certainty) {
+  bool matters = false, serves = false;
+  bool done = tp_limit_base_matters(&matters, e->problem, result->towards) &&
+              find_own(result, limit, back, e, tilts, matters ? &serves : NULL, certainty);
+  const bool otherwise = matters && !serves;
+  take_otherwise(result);
+  if (done && otherwise) done = find_otherwise(result, e, certainty);
   result->limit_otherwise.fos = (tp_fos){.state = TP_FOS_NOT_ASKED};
   result->base_matters = differ(&result->limit, &result->limit_otherwise, e, certainty);
+  share_limits(tilts, result, otherwise);
   return done;
 }

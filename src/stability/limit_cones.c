@@ -4,6 +4,7 @@
 #include "stability/limit_cones.h"
 
 #include "load/setting.h"
+#include "stability/friction.h"
 #include "stability/limit_lines.h"
 #include "stability/loaded.h"
 
@@ -79,7 +80,9 @@ static long add_point(filling *f, tp_outline_point at, long site, long facet) {
   tp_evaluation_point(x, y, f->e, at);
   if (f->e->loaded != NULL) tp_loaded_local_metres(x, y, f->e);
   if (f->towards == TP_TOWARDS_RIGHT) arb_neg(x, x);
-  f->cones->points[own] = (tp_cone_point){site, facet, facet};
+  const long *frictions = f->e->problem->friction.of_facet;
+  f->cones->points[own] =
+      (tp_cone_point){site, facet, facet, frictions != NULL && facet >= 0 ? frictions[facet] : 0};
   return own;
 }
 
@@ -250,6 +253,7 @@ static bool fill(tp_cones *cones, const tp_evaluation *e, tp_direction towards, 
     count += f->q0 == f->q1 ? 1 : 2;
   }
   if (!tp_cones_init(cones, count)) return false;
+  tp_friction_take_own(cones, e);
   filling f = {.cones = cones, .e = e, .towards = towards};
   for (long k = 0; k < contact->facet_count; k++) {
     const tp_facet *facet = contact->facets + k;
@@ -288,6 +292,8 @@ bool tp_limit_cones_added(tp_cones *cones, const tp_evaluation *e, tp_direction 
   if (done) {
     for (int k = 0; k < 2; k++) copy_point(cones, k, own, points[k]);
     arb_set(cones->friction, own->friction);
+    tp_cones_take_own(cones, own->own_count);
+    _arb_vec_set(cones->own_friction, own->own_friction, own->own_count);
     filling f = {.cones = cones, .e = e, .towards = towards, .next = 2};
     add_beyond(&f, &beyond);
   }

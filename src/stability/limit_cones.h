@@ -16,9 +16,10 @@ TP_MUST_USE bool tp_limit_base_matters(bool *matters, const tp_problem *problem,
                                        tp_direction towards);
 
 /* In lattice units, or under loads in metres, x mirrored towards the right; tan(phi) is left at
- * zero. A facet's two ends come one after the other. A point's site is the number of its contact
- * point, or a higher one of its own past the toe. Cohesion and bonds act on the contact that the
- * scene has, not past its end. False when memory is exhausted. */
+ * zero, but for facets with a friction of their own. A facet's two ends come one after the other. A
+ * point's site is the number of its contact point, or a higher one of its own past the toe.
+ * Cohesion and bonds act on the contact that the scene has, not past its end. False when memory is
+ * exhausted. */
 TP_MUST_USE bool tp_limit_cones_init(tp_cones *cones, const tp_evaluation *evaluation,
                                      tp_direction towards, bool otherwise);
 

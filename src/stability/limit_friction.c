@@ -8,7 +8,8 @@
 #include "stability/friction.h"
 
 /* Where the weight alone acts and the block slides, all force lies along one edge of a cone: the
- * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi). */
+ * angle is the inclination of n, plus or minus phi, without the roundings of tan(phi): `friction`,
+ * but where its facet has its own. */
 static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const tp_evaluation *e,
                           const arb_t friction, bool back) {
   answer->adds_friction = false;
@@ -27,7 +28,12 @@ static void sharpen_slide(tp_limit_answer *answer, const tp_cones *cones, const 
   arb_set_fmpz(y, cones->tx + point);
   tp_ball_atan2_degrees(answer->inclination, x, y, e->rung.bits);
   arb_set(answer->degrees, answer->inclination);
-  arb_set(angle, friction);
+  const fmpq *own = tp_friction_own(e->problem, cones->points[point].facet);
+  if (own != NULL) {
+    arb_set_fmpq(angle, own, e->rung.bits);
+  } else {
+    arb_set(angle, friction);
+  }
   if (column % 2 != 0) arb_neg(angle, angle);
   arb_add(answer->degrees, answer->degrees, angle, e->rung.bits);
   if (arf_cmpabs_ui(arb_midref(answer->degrees), 90) >

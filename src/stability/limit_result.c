@@ -63,7 +63,7 @@ static void set_centre(const telling *t) {
   tp_limit *r = t->result;
   const tp_face *face = &t->answer->face;
   const tp_cones *cones = t->question->cones;
-  r->has_centre = face->motion != TP_MOTION_SLIDE;
+  r->has_centre = tp_face_told_motion(face, cones) != TP_MOTION_SLIDE;
   if (!r->has_centre) return;
   if (face->motion == TP_MOTION_TURN_AT_SITE) {
     long own = 0;
@@ -88,12 +88,17 @@ static void set_centre(const telling *t) {
 static bool slides_along(const telling *t, long column) {
   const tp_judge *judge = &t->question->judge;
   const tp_vector *twist = &t->answer->face.twist;
-  if (tp_cones_are_parallel(t->question->cones, t->answer->face.columns[0], column)) return true;
+  const tp_cones *cones = t->question->cones;
+  const long first = t->answer->face.columns[0];
+  if (tp_cones_are_parallel(cones, first, column)) return true;
+  if (t->answer->face.motion != TP_MOTION_SLIDE) {
+    return tp_cones_slip_unevenly(cones, first, column);
+  }
   tp_vector force;
   arb_t power;
   tp_vector_init(&force);
   arb_init(power);
-  tp_cones_column(force.of, t->question->cones, column, judge->precision);
+  tp_cones_column(force.of, cones, column, judge->precision);
   arb_zero(force.of + 2); /* its moment does none: a slide does not turn */
   tp_vector_dot(power, twist, &force, judge->precision);
   const int sign = tp_vector_judge(judge, power, twist, &force);
@@ -126,7 +131,7 @@ static long facet_of_slide(const telling *t) {
 
 static void set_facet(const telling *t) {
   tp_limit *r = t->result;
-  if (t->answer->face.motion != TP_MOTION_SLIDE) return;
+  if (tp_face_told_motion(&t->answer->face, t->question->cones) != TP_MOTION_SLIDE) return;
   const long facet = facet_of_slide(t);
   r->has_facet = facet >= 0;
   if (!r->has_facet) return;
@@ -194,13 +199,15 @@ void tp_limit_describe(tp_limit *result, const tp_evaluation *e, const tp_limit_
   result->kind = answer->kind;
   result->mechanism = answer->kind == TP_LIMIT_INTERLOCKED ? TP_INTERLOCKED : TP_SLIDES_AND_TOPPLES;
   if (answer->kind != TP_LIMIT_AT_ANGLE) return;
-  result->mechanism = tp_limit_mechanism(answer->face.motion);
+  result->mechanism = tp_limit_mechanism(tp_face_told_motion(&answer->face, question->cones));
   result->critical_angle_deg = tp_result(e, answer->degrees, certainty);
   result->tie = answer->tie;
   const bool rational =
-      question->judge.precision == ARF_PREC_EXACT && arb_is_exact(question->cones->friction);
+      question->judge.precision == ARF_PREC_EXACT && tp_cones_are_exact(question->cones);
   result->tie_bits = answer->tie && question->judge.settled && !rational ? question->judge.bits : 0;
-  if (answer->tie) result->tied_with = tp_limit_mechanism(answer->other.motion);
+  if (answer->tie) {
+    result->tied_with = tp_limit_mechanism(tp_face_told_motion(&answer->other, question->cones));
+  }
   result->turns_up_dip =
       result->mechanism != TP_SLIDES && arf_sgn(arb_midref(answer->face.twist.of + 2)) < 0;
   set_centre(&t);

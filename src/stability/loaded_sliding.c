@@ -121,12 +121,14 @@ bool tp_loaded_sliding(arb_t degrees, tp_fos *fos, const tp_loaded *loaded, cons
   const bool found = tp_roots_critical(degrees, &always, &roots, level);
   if (!found && always) arb_set_si(degrees, -180);
   if (!roots.certain) certainty->open = true;
-  arb_t present;
-  arb_init(present);
-  arb_set_fmpq(present, e->problem->scene->tilt_angle_deg.value, bits);
-  tp_friction_at(present, e, present);
-  tp_friction_tangent(f.friction, present, bits);
-  arb_clear(present);
+  if (tp_friction_is_load_dependent(e)) {
+    arb_t present;
+    arb_init(present);
+    arb_set_fmpq(present, e->problem->scene->tilt_angle_deg.value, bits);
+    tp_friction_at(present, e, present);
+    tp_friction_tangent(f.friction, present, bits);
+    arb_clear(present);
+  }
   *fos = factor(loaded, e, &f, certainty);
   tp_facet_frame_clear(&f);
   tp_trig_clear(&excess);

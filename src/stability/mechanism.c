@@ -54,10 +54,12 @@ static const tp_direction_ball *first_by_formula(const tp_evaluation *e, tp_case
 
 /* Contact forces let a bond pull at one point and press at another, which counts as friction of
  * tan(phi) times the bond. Where nothing but friction and cohesion holds a block that slips, that
- * is more than the scene gives it: then it slides where the forces along the facet say so. */
+ * is more than the scene gives it: then it slides where the forces along the facet say so. That
+ * needs one friction: of several the forces along the facet know the least alone. */
 static bool slides_sooner(const tp_evaluation *e, const tp_case *result, tp_certainty *certainty) {
   const tp_sliding *s = &result->sliding;
   if (fmpq_is_zero(e->problem->scene->loads.bond_kpa.value) || !s->known || s->never ||
+      e->problem->friction.uneven ||
       !tp_contact_is_free_to_slip(&e->problem->contact, &e->problem->lattice)) {
     return false;
   }
@@ -170,10 +172,10 @@ static void set_margin(arb_t margin, const tp_evaluation *e, const tp_direction_
   const long bits = e->rung.bits;
   fmpq_t rest;
   fmpq_init(rest);
-  if (angle->adds_friction) fmpq_set(rest, scene->friction_angle_deg.value);
+  if (angle->adds != NULL) fmpq_set(rest, angle->adds);
   fmpq_sub(rest, rest, scene->tilt_angle_deg.value);
   arb_set_fmpq(margin, rest, bits);
-  arb_add(margin, margin, angle->adds_friction ? angle->inclination : angle->degrees, bits);
+  arb_add(margin, margin, angle->adds != NULL ? angle->inclination : angle->degrees, bits);
   fmpq_clear(rest);
 }
 

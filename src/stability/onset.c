@@ -200,8 +200,56 @@ static void leave_open(asking *a) {
   if (!onset->too_dear) tp_certainty_leave_open(a->certainty, a->e);
 }
 
+/* The asking turned to a further tilt, which takes over its motions and windows. */
+static void turn_to(asking *a, const tp_further_tilt *at) {
+  a->e = at->e;
+  a->certainty = at->certainty;
+  a->result = at->result;
+  a->found = at->onset;
+  a->asked.question.work = at->e->work;
+}
+
+static void give_back(asking *a, const asking *own) {
+  a->e = own->e;
+  a->certainty = own->certainty;
+  a->result = own->result;
+  a->found = own->found;
+  a->asked.question.work = own->asked.question.work;
+}
+
+/* The onset at further tilts, which is the same. */
+static void tell_at_tilts(asking *a, const tp_further_tilts *tilts) {
+  const asking own = *a;
+  for (size_t k = 0; k < tilts->count && a->outcome == TP_MOTION_PROVEN; k++) {
+    turn_to(a, tilts->items + k);
+    tp_onset_clear(&a->result->onset);
+    a->result->onset.friction_angle_deg = own.result->onset.friction_angle_deg;
+    a->found->at_tilt = TP_NO;
+    tell_onset(a);
+    if (a->outcome == TP_MOTION_PROVEN) set_ranges(a);
+  }
+  give_back(a, &own);
+}
+
+/* What can begin there. It comes last: where friction depends on the load each has windows of its
+ * own. */
+static void look_at_tilts(asking *a, const tp_further_tilts *tilts, const tp_work *spent) {
+  const asking own = *a;
+  for (size_t k = 0; k < tilts->count && a->outcome != TP_MOTION_OUT_OF_MEMORY; k++) {
+    const tp_further_tilt *at = tilts->items + k;
+    a->outcome = TP_MOTION_PROVEN;
+    turn_to(a, at);
+    tp_further_begin(at, spent);
+    look_at_tilt(a);
+    tp_further_end(at);
+    if (a->outcome != TP_MOTION_PROVEN) at->certainty->open = true;
+  }
+  if (a->outcome != TP_MOTION_OUT_OF_MEMORY) a->outcome = own.outcome;
+  give_back(a, &own);
+}
+
 bool tp_evaluate_onset(const tp_evaluation *e, tp_case *result, tp_onset_found *found,
-                       tp_certainty *certainty) {
+                       const tp_further_tilts *tilts, tp_certainty *certainty) {
   tp_onset_clear(&result->onset);
   asking a = {.e = e, .certainty = certainty, .result = result, .found = found};
   if (!tp_onset_asked_init(&a.asked, e, result->towards)) return false;
@@ -210,7 +258,10 @@ bool tp_evaluate_onset(const tp_evaluation *e, tp_case *result, tp_onset_found *
   find_onset(&a);
   if (a.outcome == TP_MOTION_PROVEN) tell_onset(&a);
   if (a.outcome == TP_MOTION_PROVEN) set_ranges(&a);
+  if (a.outcome == TP_MOTION_PROVEN) tell_at_tilts(&a, tilts);
+  const tp_work spent = e->work != NULL ? *e->work : (tp_work){0};
   if (a.outcome == TP_MOTION_PROVEN) look_at_tilt(&a);
+  if (a.outcome == TP_MOTION_PROVEN) look_at_tilts(&a, tilts, &spent);
   if (a.outcome == TP_MOTION_OPEN || a.outcome == TP_MOTION_TOO_DEAR) leave_open(&a);
   const bool is_told = result->onset.tie_bits != 0;
   if (a.outcome == TP_MOTION_PROVEN && a.asked.took_zero && !is_told) {

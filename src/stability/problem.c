@@ -21,6 +21,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_base_clear(&problem->base);
   tp_lattice_clear(&problem->lattice);
   tp_contact_clear(&problem->contact);
+  tp_facet_friction_clear(&problem->friction);
   tp_elements_clear(&problem->elements);
   tp_corners_clear(&problem->corners);
   free(problem->admissible[0]);
@@ -28,6 +29,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_world_free(problem->world);
   tp_snapped_free(problem->snapped);
   tp_rested_free(problem->rested);
+  tp_jointed_free(problem->jointed);
   memset(problem, 0, sizeof *problem);
 }
 
@@ -198,6 +200,24 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
   return status;
 }
 
+/* A block of one ring that was set down or turned was checked before, and is as simple after it:
+ * its coordinates have hundreds of digits by then. */
+static bool was_checked(const tp_problem *problem) {
+  const bool moved_whole = problem->rested != NULL || problem->world != NULL;
+  return moved_whole && problem->snapped == NULL && problem->section.ring_count == 1;
+}
+
+static tp_facets_counted counted_facets(const tp_problem *problem) {
+  const tp_base *base = &problem->base;
+  const bool turned = problem->world != NULL;
+  if (problem->jointed != NULL) {
+    return (tp_facets_counted){problem->jointed->base_first, problem->jointed->sole.count, true,
+                               turned};
+  }
+  if (base->mated_count == 0) return (tp_facets_counted){0, base->edge_count, false, turned};
+  return (tp_facets_counted){base->mated_first, base->mated_count, true, turned};
+}
+
 static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
                          tp_geom_triangulation *triangulation, tp_solution *solution,
                          tp_message *message) {
@@ -209,8 +229,13 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
     status = tp_notes_append(&solution->notes, &problem->section.notes, message);
   }
   if (status == TP_OK) status = tp_base_init(&problem->base, scene, &problem->section, message);
+  if (status == TP_OK && problem->jointed != NULL) { /* facets are counted as before the shift */
+    problem->base.mated_first = problem->jointed->base_first;
+    problem->base.mated_count = problem->jointed->sole.count;
+    problem->base.outline_first = problem->jointed->sole.first;
+  }
   if (status == TP_OK) status = put_on_lattice(problem, message);
-  if (status == TP_OK) {
+  if (status == TP_OK && !was_checked(problem)) {
     status = tp_check_section(triangulation, &problem->section, &problem->lattice, message);
   }
   if (status == TP_OK && problem->base.none != NULL) {
@@ -234,6 +259,11 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   began = tp_effects_begin(solution);
   status = tp_contact_init(&problem->contact, &problem->section, &problem->corners, &problem->base,
                            &problem->lattice, message);
+  if (status == TP_OK && problem->jointed != NULL) {
+    problem->sole = problem->jointed->sole;
+  } else if (status == TP_OK && !scene->base.mated) {
+    status = tp_sole_find(&problem->sole, scene, &problem->section, message);
+  }
   if (status == TP_OK) status = find_pivots(problem, message);
   if (status == TP_OK && scene->block.arc_count > 0) status = check_arcs_clear(problem, message);
   if (status == TP_OK && tp_loads_are_called_for(&scene->loads)) {
@@ -242,6 +272,10 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   status = tp_effects_entered(status, message,
                               tp_effects_note(solution, "contact", scene->base.place,
                                               "a mated base, as none is given", began));
+  if (status == TP_OK && scene->friction.facet_count > 0) {
+    status = tp_facet_friction_init(&problem->friction, scene, &problem->base, &problem->lattice,
+                                    &problem->contact, counted_facets(problem), solution, message);
+  }
   if (status == TP_OK && wants_elements(problem, options)) {
     status = find_elements(problem, triangulation, options, solution, message);
   }
@@ -257,8 +291,8 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   tp_status status = TP_OK;
   if (scene->source == NULL) status = tp_check_built(scene, message);
   if (status == TP_OK) {
-    status = tp_lay(&problem->scene, &problem->rested, &problem->snapped, &problem->world, options,
-                    solution, message);
+    status = tp_lay(&problem->scene, &problem->jointed, &problem->rested, &problem->snapped,
+                    &problem->world, options, solution, message);
   }
   if (status == TP_OK) status = prepare(problem, options, &triangulation, solution, message);
   if (status == TP_BAD_INPUT && problem->snapped != NULL) tp_snapped_explain(scene, message);

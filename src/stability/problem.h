@@ -9,8 +9,11 @@
 #include "base/contact.h"
 #include "block/corners.h"
 #include "block/elements.h"
+#include "stability/facet_friction.h"
+#include "stability/jointed.h"
 #include "stability/rested.h"
 #include "stability/snapped.h"
+#include "stability/sole.h"
 #include "stability/world.h"
 
 /* Above this many vertices the elements form of the factor of safety, which needs a triangulation
@@ -19,6 +22,7 @@ enum { TP_ELEMENTS_UNASKED = 10000 };
 
 typedef struct tp_problem {
   const tp_scene *scene; /* in the frame of its base */
+  tp_jointed *jointed;   /* the block was shifted along its mated base; else NULL */
   tp_rested *rested;     /* the block was set down on its profile; else NULL */
   tp_snapped *snapped;   /* what lies near its contact was moved there; else NULL */
   tp_world *world;       /* the scene lies as it lies: turned into that frame; else NULL */
@@ -26,9 +30,11 @@ typedef struct tp_problem {
   tp_base base;
   tp_lattice lattice; /* chains: the section's rings, the base's ring, the element corners */
   tp_contact contact;
-  bool *admissible[2]; /* by direction of tilt, for each contact point */
-  tp_corners corners;  /* rounded ones */
-  bool loaded;         /* the scene calls for loads besides the weight */
+  tp_facet_friction friction; /* of facets that have their own; else empty */
+  tp_sole sole;               /* on a profile: its underside */
+  bool *admissible[2];        /* by direction of tilt, for each contact point */
+  tp_corners corners;         /* rounded ones */
+  bool loaded;                /* the scene calls for loads besides the weight */
   bool has_elements;
   tp_elements elements;
   size_t triangle_count;

@@ -8,6 +8,7 @@
 #include "message.h"
 #include "stability/as_given.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static tp_status check_form(const tp_scene *scene, tp_message *message) {
@@ -50,6 +51,12 @@ static void find_centroid(tp_exact_point *centroid, const tp_scene *scene,
   fmpq_clear(sum);
 }
 
+static double turned_deg(const tp_pose *pose) {
+  const double degrees = 57.295779513082323; /* 180/pi */
+  return atan2(fmpq_get_d(pose->sine), fmpq_get_d(pose->cosine)) * degrees;
+}
+
+/* Why the block comes to no rest, with the pose where it left its base. */
 static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_message *message) {
   const tp_place place = scene->base.rests_place;
   const char *unit = scene->length_unit;
@@ -60,10 +67,13 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
                    "set down where its coordinates lie the block falls beside its base: no part of "
                    "it stands over the profile; shift the block, or let the profile go on");
   case TP_SETTLED_ROLLS_OFF:
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the block rolls off its base: after %ld turns it goes over (%.9g, %.9g) %s "
-                   "and touches nothing more; let the profile go on, or shift the block",
-                   s->turns - 1, x, y, unit);
+    return tp_fail(
+        message, TP_BAD_INPUT, place,
+        "the block rolls off its base: after %ld turn%s, turned by %.6g° in all with its "
+        "centroid in (%.9g, %.9g) %s, it goes over (%.9g, %.9g) %s and touches nothing "
+        "more; let the profile go on, or shift the block",
+        s->turns - 1, s->turns == 2 ? "" : "s", turned_deg(&s->bodies.pose),
+        fmpq_get_d(&s->bodies.centroid.x), fmpq_get_d(&s->bodies.centroid.y), unit, x, y, unit);
   case TP_SETTLED_BALANCES:
     return tp_fail(message, TP_BAD_INPUT, place,
                    "the block balances on (%.9g, %.9g) %s, exactly below its centroid: it may fall "
@@ -82,7 +92,7 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
 }
 
 static void move_with_block(fmpq_t x, fmpq_t y, const void *context) {
-  tp_pose_apply(x, y, context, x, y);
+  tp_whole_pose_apply(x, y, context, x, y);
 }
 
 /* From the weight's line to the outermost contacts. */
@@ -122,7 +132,7 @@ static tp_status settle(tp_rested *r, const tp_scene *scene, const tp_section *s
 }
 
 static bool move(tp_rested *r, const tp_scene *scene, const tp_section *section) {
-  const tp_point_map map = {move_with_block, &r->settling.bodies.pose};
+  const tp_point_map map = {move_with_block, &r->settling.bodies.whole};
   const tp_point_map stay = {NULL, NULL};
   fmpq_t none;
   fmpq_init(none);
@@ -132,6 +142,21 @@ static bool move(tp_rested *r, const tp_scene *scene, const tp_section *section)
                     tp_moved_profile(&r->scene, scene, &stay);
   fmpq_clear(none);
   return done;
+}
+
+tp_status tp_rested_shift(tp_rested *r, const tp_scene *scene, const fmpq_t shift_x,
+                          tp_message *message) {
+  tp_section section;
+  tp_status status = tp_settle_from(&r->settling, shift_x, message);
+  if (status != TP_OK || r->settling.how != TP_SETTLED_RESTS) return status;
+  status = tp_section_init(&section, &scene->block, message);
+  if (status != TP_OK) return status;
+  tp_moved_clear(&r->scene);
+  tp_moved_begin(&r->scene, scene);
+  if (!move(r, scene, &section)) status = tp_fail_memory(message, "the resting block");
+  tp_section_clear(&section);
+  find_margins(r);
+  return status;
 }
 
 void tp_rested_free(tp_rested *r) {

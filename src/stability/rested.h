@@ -31,4 +31,9 @@ TP_MUST_USE tp_status tp_rested_init(tp_rested **rested, const tp_scene *scene,
                                      tp_message *message);
 void tp_rested_free(tp_rested *rested);
 
+/* Set it down again, shifted along x by so much from where the scene has it. Where it comes to rest
+ * (settling.how) the scene, the centroid and the margins are of that pose. */
+TP_MUST_USE tp_status tp_rested_shift(tp_rested *rested, const tp_scene *scene,
+                                      const fmpq_t shift_x, tp_message *message);
+
 #endif

@@ -12,6 +12,7 @@
 #include "options.h"
 #include "roughness/jrc.h"
 #include "roughness/profile.h"
+#include "scene/rule_jrc.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -43,8 +44,10 @@ static tp_status find_mated(tp_polyline *chain, const tp_scene *scene, tp_messag
 static tp_status find_stress(double *kpa, const tp_scene *scene, tp_message *message) {
   tp_solve_options options = tp_solve_options_default();
   options.limit = false;
+  tp_scene stands = *scene; /* borrows all that it holds */
   tp_solution *solution = NULL;
-  const tp_status status = tp_solve(&solution, scene, &options, message);
+  stands.base.all_poses = false;
+  const tp_status status = tp_solve(&solution, &stands, &options, message);
   *kpa = 0;
   if (solution != NULL && solution->block.has_weight) {
     static const double radians = 0.017453292519943295;
@@ -99,6 +102,13 @@ tp_status tp_profile_of_scene(tp_profile **profile, const tp_scene *scene,
     status = find_stress(&taken.normal_stress_kpa, scene, message);
   }
   if (status == TP_OK) status = measure(&own, scene, &taken, message);
-  if (status == TP_OK) *profile = own;
+  if (status == TP_OK) {
+    status = tp_profile_rule_notes(&own->notes, &scene->base.rule, scene->metres_per_unit, message);
+  }
+  if (status == TP_OK) {
+    *profile = own;
+  } else {
+    tp_profile_free(own);
+  }
   return status;
 }

@@ -7,8 +7,10 @@
  * section 4.5 on block F), so it does not count; of the others the block must climb the one that
  * rises most steeply down-dip, or where none rises it slides down the flattest: the largest signed
  * i. Where even level ground would be too steep for that, the block wedges itself between its
- * facets: the up-dip ones keep their load, and all count. This is a formula, not statics: the limit
- * analysis judges the contact forces. */
+ * facets: the up-dip ones keep their load, and all count. Where facets have frictions of their own,
+ * phi_b is the smallest of the facet that governs and of all others parallel to it, as if all the
+ * weight lay there. This is a formula, not statics: the limit analysis judges the contact forces.
+ */
 
 #include "stability/friction.h"
 #include "stability/sliding_facet.h"
@@ -16,43 +18,10 @@
 
 #include "number/ball.h"
 
-/* phi_b + i. Where tan(phi_b) is rational, at 0 and 45 degrees, the direction is exact. */
-static void add_friction(const tp_evaluation *e, const tp_sliding_facet *best, const arb_t friction,
-                         tp_direction_ball *sliding) {
-  const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
-  fmpz_t sine, cosine;
-  fmpz_init_set(sine, best->rise);
-  fmpz_init_set(cosine, best->run);
-  const bool zero = arb_is_zero(friction) != 0;
-  sliding->exact_direction = zero || arb_equal_si(friction, 45);
-  if (sliding->exact_direction && !zero) { /* turned by 45 degrees */
-    fmpz_add(sine, best->rise, best->run);
-    fmpz_sub(cosine, best->run, best->rise);
-  }
-  arb_set_round_fmpz(sliding->sine, sine, exact);
-  arb_set_round_fmpz(sliding->cosine, cosine, exact);
-  tp_ball_atan2_degrees(sliding->degrees, sliding->sine, sliding->cosine, bits);
-  arb_set(sliding->inclination, sliding->degrees);
-  sliding->adds_friction = !sliding->exact_direction && !tp_friction_is_load_dependent(e);
-  if (!sliding->exact_direction) arb_add(sliding->degrees, sliding->degrees, friction, bits);
-  fmpz_clear(sine);
-  fmpz_clear(cosine);
-}
-
 /* Is an angle below 90 degrees for certain, by doubles? */
 static bool is_below_upright(const arb_t degrees) {
   const tp_near angle = tp_ball_near(degrees);
   return angle.value + angle.error < 89;
-}
-
-/* phi_b + i with the friction at a tilt. */
-static void add_friction_at(const tp_evaluation *e, const tp_sliding_facet *best, const arb_t tilt,
-                            tp_direction_ball *sliding) {
-  arb_t friction;
-  arb_init(friction);
-  tp_friction_at(friction, e, tilt);
-  add_friction(e, best, friction, sliding);
-  arb_clear(friction);
 }
 
 /* tan(phi_b + i) / tan(alpha). */
@@ -69,7 +38,7 @@ static tp_fos factor_of_safety(const tp_evaluation *e, const tp_sliding_facet *b
   arb_init(value);
   arb_set_fmpq(value, tilt->value, bits);
   const bool depends = tp_friction_is_load_dependent(e);
-  if (depends) add_friction_at(e, best, value, &at_tilt);
+  if (depends) tp_sliding_add_friction_at(e, best, value, &at_tilt);
   const tp_direction_ball *shear = depends ? &at_tilt : sliding;
   if (shear->exact_direction) {
     arb_div(value, shear->sine, shear->cosine, bits);
@@ -86,7 +55,7 @@ static tp_fos factor_of_safety(const tp_evaluation *e, const tp_sliding_facet *b
 }
 
 /* tan(phi_b) / tan(alpha - i): the friction that is there over the friction that is needed. */
-static tp_fos strength_factor(const tp_evaluation *e, const arb_t facet_angle,
+static tp_fos strength_factor(const tp_evaluation *e, long facet, const arb_t facet_angle,
                               tp_certainty *certainty) {
   const tp_scene *scene = e->problem->scene;
   const long bits = e->rung.bits;
@@ -106,8 +75,8 @@ static tp_fos strength_factor(const tp_evaluation *e, const arb_t facet_angle,
     arb_div_ui(needed, needed, 180, bits);
     arb_tan_pi(needed, needed, bits);
     arb_set_fmpq(tilt, scene->tilt_angle_deg.value, bits);
-    tp_friction_at(tilt, e, tilt);
-    tp_friction_set_tangent(value, e, tilt);
+    tp_friction_of_facet(tilt, e, facet, tilt);
+    tp_friction_facet_tangent(value, e, facet, tilt);
     arb_div(value, value, needed, bits);
     fos.value = tp_result(e, value, certainty);
   } else if (!arb_is_nonpositive(needed)) {
@@ -135,7 +104,7 @@ static bool start_of(arb_t tilt, void *context, const arb_t friction, bool estim
   (void)estimate;
   start *s = context;
   if (s->e->loaded == NULL) {
-    add_friction(s->e, s->best, friction, s->sliding);
+    tp_sliding_add_friction(s->e, s->best, friction, s->sliding);
     s->slides = true;
   } else {
     s->slides = tp_loaded_sliding(s->sliding->degrees, s->fos, s->e->loaded, s->e, s->best->run,
@@ -169,7 +138,7 @@ static bool find_start(arb_t friction, start *s) {
     }
     if (!found && s->slides) s->certainty->open = true;
   } else {
-    tp_friction_at(friction, s->e, tilt);
+    tp_friction_of_facet(friction, s->e, s->best->facet, tilt);
   }
   found = found && start_of(tilt, s, friction, false);
   arb_clear(tilt);
@@ -208,7 +177,7 @@ static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_f
     s->always = !s->never && arb_equal_si(sliding->degrees, -180);
     if (!s->never && !s->always) s->critical_angle_deg = tp_result(e, sliding->degrees, certainty);
   } else {
-    s->fos_strength = strength_factor(e, angle, certainty);
+    s->fos_strength = strength_factor(e, best->facet, angle, certainty);
     const bool below = is_below_upright(sliding->degrees);
     arb_set_ui(angle, 90);
     s->never = best->blocked || !slides || (!below && arb_ge(sliding->degrees, angle));
@@ -223,12 +192,14 @@ static void describe(const tp_evaluation *e, tp_case *result, const tp_sliding_f
 /* phi_b + i <= 0 */
 static bool slides_when_level(const tp_evaluation *e, const tp_sliding_facet *best,
                               tp_certainty *certainty) {
-  if (fmpz_sgn(best->rise) >= 0 && arb_is_positive(e->friction_tangent)) return false;
+  const fmpq *own = best->facet >= 0 ? tp_friction_own(e->problem, best->facet) : NULL;
+  const bool rough = own != NULL ? fmpq_sgn(own) > 0 : arb_is_positive(e->friction_tangent) != 0;
+  if (fmpz_sgn(best->rise) >= 0 && rough) return false;
   tp_direction_ball limit;
   arb_t level;
   tp_direction_ball_init(&limit);
   arb_init(level);
-  add_friction_at(e, best, level, &limit);
+  tp_sliding_add_friction_at(e, best, level, &limit);
   arb_clear(level);
   const bool slides = arb_is_nonpositive(limit.degrees) != 0;
   if (!slides && !arb_is_positive(limit.degrees)) certainty->open = true;
@@ -251,34 +222,5 @@ void tp_evaluate_sliding(const tp_evaluation *e, tp_case *result, tp_direction_b
   result->sliding.fos = result->sliding.fos_strength = (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   result->sliding.opens = !best.blocked && tp_sliding_facet_opens(e, &best, result->towards);
   if (best.facet >= 0) describe(e, result, &best, sliding, certainty);
-  tp_sliding_facet_clear(&best);
-}
-
-void tp_evaluate_toe(const tp_evaluation *e, tp_case *result, const tp_direction_ball *toppling,
-                     tp_certainty *certainty) {
-  const tp_contact *contact = &e->problem->contact;
-  result->toe = (tp_toe){0};
-  if (!result->has_governing || e->loaded != NULL) return; /* the reaction is not the weight's */
-  const tp_outline_point toe = tp_contact_on_outline(contact->points + result->governing);
-  tp_sliding_facet best;
-  tp_sliding_facet_init(&best);
-  for (long k = 0; k < contact->facet_count; k++) {
-    const tp_facet *facet = contact->facets + k;
-    if (tp_facet_ends_in(&e->problem->lattice, facet, toe)) {
-      tp_sliding_facet_consider(e, k, result->towards, &best);
-    }
-  }
-  if (best.facet >= 0 || best.blocked) {
-    tp_direction_ball limit;
-    tp_direction_ball_init(&limit);
-    result->toe.known = true;
-    result->toe.upright = result->toe.holds = best.blocked;
-    if (!best.blocked) {
-      add_friction_at(e, &best, toppling->degrees, &limit);
-      result->toe.limit_angle_deg = tp_result(e, limit.degrees, certainty);
-      result->toe.holds = tp_direction_ball_compare(e, toppling, &limit, certainty) <= 0;
-    }
-    tp_direction_ball_clear(&limit);
-  }
   tp_sliding_facet_clear(&best);
 }

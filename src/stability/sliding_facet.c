@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which facet governs sliding: by the inclination i of the motion down-dip along it. */
+/* Which facet governs sliding: by the inclination i of the motion down-dip along it; and i with its
+ * friction. */
 
 #include "stability/sliding_facet.h"
+
+#include "number/ball.h"
+#include "stability/friction.h"
 
 /* Integers that bracket the centroid's abscissa: a lattice abscissa x below `low` lies left of the
  * centroid, one above `high` right of it; equal on exact rungs but for the exact position. */
@@ -127,6 +131,40 @@ void tp_sliding_facet_consider(const tp_evaluation *e, long k, tp_direction towa
   fmpz_clear(cross);
 }
 
+/* Sign of one i less another. */
+static int compare_slopes(const tp_sliding_facet *a, const tp_sliding_facet *b) {
+  fmpz_t cross;
+  fmpz_init(cross);
+  fmpz_mul(cross, a->rise, b->run);
+  fmpz_submul(cross, b->rise, a->run);
+  const int sign = fmpz_sgn(cross);
+  fmpz_clear(cross);
+  return sign;
+}
+
+/* Sign of the friction of one facet less that of another. */
+static int compare_frictions(const tp_evaluation *e, long facet, long other) {
+  const fmpq *scene = e->problem->scene->friction_angle_deg.value;
+  const fmpq *a = tp_friction_own(e->problem, facet), *b = tp_friction_own(e->problem, other);
+  return fmpq_cmp(a != NULL ? a : scene, b != NULL ? b : scene);
+}
+
+/* Along which of all facets parallel to the one that governs does it slide: it leans on them as it
+ * likes, so on that of the least friction; of several the first from the toe. */
+static void take_smoothest(tp_sliding_facet *best, const tp_evaluation *e, tp_direction towards) {
+  const tp_contact *contact = &e->problem->contact;
+  const long steepest = best->facet;
+  for (long step = 0; step < contact->facet_count && steepest >= 0; step++) {
+    const long k = towards == TP_TOWARDS_LEFT ? step : contact->facet_count - 1 - step;
+    tp_sliding_facet own;
+    tp_sliding_facet_init(&own);
+    tp_sliding_facet_consider(e, k, towards, &own);
+    const bool parallel = own.facet >= 0 && compare_slopes(&own, best) == 0;
+    if (parallel && compare_frictions(e, k, best->facet) < 0) best->facet = k;
+    tp_sliding_facet_clear(&own);
+  }
+}
+
 /* Would a facet that may reach or not govern? One that may not is of no matter. */
 static bool changes(const tp_sliding_facet *best, const tp_evaluation *e, const foot *f,
                     tp_direction towards) {
@@ -170,6 +208,7 @@ void tp_sliding_facet_find(tp_sliding_facet *best, const tp_evaluation *e, tp_di
       certainty->open = true;
     }
   }
+  if (e->problem->friction.count > 0) take_smoothest(best, e, towards);
   fmpz_clear(f.low);
   fmpz_clear(f.high);
   arb_clear(f.position);
@@ -198,4 +237,39 @@ bool tp_sliding_facet_opens(const tp_evaluation *e, const tp_sliding_facet *best
   fmpz_clear(dy);
   fmpz_clear(apart);
   return opens;
+}
+
+void tp_sliding_add_friction(const tp_evaluation *e, const tp_sliding_facet *best,
+                             const arb_t friction, tp_direction_ball *sliding) {
+  const long bits = e->rung.bits, exact = tp_evaluation_bits(e);
+  fmpz_t sine, cosine;
+  fmpz_init_set(sine, best->rise);
+  fmpz_init_set(cosine, best->run);
+  const bool zero = arb_is_zero(friction) != 0;
+  sliding->exact_direction = zero || arb_equal_si(friction, 45);
+  if (sliding->exact_direction && !zero) { /* turned by 45 degrees */
+    fmpz_add(sine, best->rise, best->run);
+    fmpz_sub(cosine, best->run, best->rise);
+  }
+  arb_set_round_fmpz(sliding->sine, sine, exact);
+  arb_set_round_fmpz(sliding->cosine, cosine, exact);
+  tp_ball_atan2_degrees(sliding->degrees, sliding->sine, sliding->cosine, bits);
+  arb_set(sliding->inclination, sliding->degrees);
+  const fmpq *own = tp_friction_own(e->problem, best->facet);
+  sliding->adds = NULL;
+  if (!sliding->exact_direction && !tp_friction_is_load_dependent(e)) {
+    sliding->adds = own != NULL ? own : e->problem->scene->friction_angle_deg.value;
+  }
+  if (!sliding->exact_direction) arb_add(sliding->degrees, sliding->degrees, friction, bits);
+  fmpz_clear(sine);
+  fmpz_clear(cosine);
+}
+
+void tp_sliding_add_friction_at(const tp_evaluation *e, const tp_sliding_facet *best,
+                                const arb_t tilt, tp_direction_ball *sliding) {
+  arb_t friction;
+  arb_init(friction);
+  tp_friction_of_facet(friction, e, best->facet, tilt);
+  tp_sliding_add_friction(e, best, friction, sliding);
+  arb_clear(friction);
 }

@@ -6,7 +6,7 @@
 #ifndef TP_SLIDING_FACET_H
 #define TP_SLIDING_FACET_H
 
-#include "stability/certainty.h"
+#include "stability/direction_ball.h"
 
 /* i = atan2(rise, run), positive where the motion down-dip climbs. */
 typedef struct tp_sliding_facet {
@@ -23,9 +23,17 @@ void tp_sliding_facet_consider(const tp_evaluation *evaluation, long facet, tp_d
                                tp_sliding_facet *best);
 
 /* The largest i among the facets that reach down-dip of the centroid, or among all; of several the
- * first from the toe that has a length. */
+ * first from the toe that has a length. Where facets have frictions of their own, of all that are
+ * parallel to that the one of the least. */
 void tp_sliding_facet_find(tp_sliding_facet *best, const tp_evaluation *evaluation,
                            tp_direction towards, bool all, tp_certainty *certainty);
+
+/* phi_b + i with a friction angle of the facet; with that at a tilt. Where tan(phi_b) is rational,
+ * at 0 and 45 degrees, the direction is exact. */
+void tp_sliding_add_friction(const tp_evaluation *evaluation, const tp_sliding_facet *best,
+                             const arb_t friction, tp_direction_ball *sliding);
+void tp_sliding_add_friction_at(const tp_evaluation *evaluation, const tp_sliding_facet *best,
+                                const arb_t tilt, tp_direction_ball *sliding);
 
 /* Does sliding down-dip along the facet open every other one, or slip along it? */
 bool tp_sliding_facet_opens(const tp_evaluation *evaluation, const tp_sliding_facet *best,

@@ -4,6 +4,7 @@
 #include "stability/solution.h"
 
 #include "notes.h"
+#include "scene/settings.h"
 #include "stability/effects.h"
 #include "stability/loaded.h"
 #include "stability/onset.h"
@@ -22,9 +23,13 @@ void tp_solution_free(tp_solution *solution) {
     free(solution->cases[k].limits);
     tp_onset_clear(&solution->cases[k].onset);
   }
+  free(solution->poses.poses);
+  free(solution->poses.basins);
   tp_decimals_free(solution->decimals);
   tp_notes_clear(&solution->notes);
+  tp_settings_clear(&solution->settings);
   tp_effects_clear(solution);
+  free(solution->friction_facets);
   free(solution->title);
   free(solution);
 }
@@ -137,13 +142,31 @@ static tp_status make_cases(tp_solution *solution, const tp_problem *problem, bo
   return TP_OK;
 }
 
+static tp_status describe_facets(tp_solution *solution, const tp_problem *problem,
+                                 tp_message *message) {
+  const tp_facet_friction *f = &problem->friction;
+  if (f->entry_count == 0) return TP_OK;
+  solution->friction_facets = calloc((size_t)f->entry_count, sizeof *solution->friction_facets);
+  if (solution->friction_facets == NULL) return tp_fail_memory(message, "the friction of facets");
+  for (long k = 0; k < f->entry_count; k++) {
+    solution->friction_facets[solution->friction_facet_count++] = (tp_facet_friction_result){
+        .first = (size_t)f->firsts[k],
+        .last = (size_t)f->lasts[k],
+        .touching = (size_t)f->touching[k],
+        .angle_deg = tp_result_rational(problem->scene->friction.facets[k].angle_deg.value)};
+  }
+  return TP_OK;
+}
+
 tp_status tp_solution_describe(tp_solution *solution, const tp_problem *problem,
                                const tp_solve_options *options, tp_message *message) {
-  const tp_status status = describe_scene(solution, problem->scene, message);
+  tp_status status = describe_scene(solution, problem->scene, message);
+  if (status == TP_OK) status = describe_facets(solution, problem, message);
   if (status != TP_OK) return status;
   describe_teeth(solution, problem->scene);
   tp_describe_frame(solution, problem);
   tp_describe_rest(solution, problem);
+  tp_describe_joint(solution, problem);
   tp_describe_within(solution, problem);
   solution->loaded = problem->loaded;
   solution->digits = options->digits;

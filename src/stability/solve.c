@@ -1,82 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A scene in, the stability of its block out. */
-
 #include "stability/solve.h"
-#include "block/ring_sums.h"
-#include "host.h"
-#include "notes.h"
-#include "options.h"
-#include "stability/cautions.h"
+
 #include "stability/climb.h"
 #include "stability/governing.h"
 #include "stability/solution.h"
 
-#include <stdlib.h>
-
-TP_OPTIONS_END(tp_solve_options, threads);
-
-void tp_solve_options_init(tp_solve_options *options, size_t size) {
-  const tp_solve_options defaults = {.size = sizeof defaults,
-                                     .limit = true,
-                                     .strength_reduction = true,
-                                     .digits = 9,
-                                     .level = TP_LEVEL_EXACT,
-                                     .pivots = TP_PIVOTS_ALL};
-  tp_options_fill(options, size, &defaults);
+tp_status tp_solve_problem_tilts(tp_solution *solution, tp_tilts *tilts, const tp_problem *problem,
+                                 const tp_solve_options *options, tp_message *message) {
+  tp_status status = tp_solution_describe(solution, problem, options, message);
+  if (status == TP_OK) status = tp_climb(solution, problem, options, tilts, message);
+  if (status != TP_OK) return status;
+  tp_solution_govern(solution);
+  for (size_t k = 0; tilts != NULL && k < tilts->count; k++) {
+    if (tilts->solutions[k] != NULL) tp_solution_govern(tilts->solutions[k]);
+  }
+  return TP_OK;
 }
 
 tp_status tp_solve_problem(tp_solution *solution, const tp_problem *problem,
                            const tp_solve_options *options, tp_message *message) {
-  const tp_status status = tp_solution_describe(solution, problem, options, message);
-  if (status != TP_OK) return status;
-  const tp_status climbed = tp_climb(solution, problem, options, message);
-  if (climbed == TP_OK) tp_solution_govern(solution);
-  return climbed;
-}
-
-static tp_status fill(tp_solution *solution, const tp_scene *scene, const tp_solve_options *options,
-                      tp_message *message) {
-  tp_problem problem;
-  tp_status status = tp_scene_notes(&solution->notes, scene, message);
-  if (status == TP_OK) status = tp_problem_init(&problem, scene, options, solution, message);
-  if (status != TP_OK) return status;
-  status = tp_problem_cautions(&solution->notes, &problem, message);
-  if (status == TP_OK) status = tp_solve_problem(solution, &problem, options, message);
-  tp_problem_clear(&problem);
-  return status;
-}
-
-tp_status tp_solve(tp_solution **solution, const tp_scene *scene, const tp_solve_options *options,
-                   tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, solution);
-  TP_REFUSE_NULL(message, scene);
-  TP_REFUSE_NULL(message, options);
-  tp_solve_options own = tp_solve_options_default();
-  TP_TAKE_OPTIONS(message, own, options);
-  if (options->digits < 1 || options->digits > TP_DIGITS_MAX) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "digits must lie between 1 and %d",
-                   TP_DIGITS_MAX);
-  }
-  if ((int)options->level < 0 || (int)options->level >= TP_LEVELS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such level of arithmetic");
-  }
-  if (options->threads > TP_SUMS_THREADS) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "threads must be 0 to %d",
-                   TP_SUMS_THREADS);
-  }
-  if ((int)options->pivots < 0 || options->pivots > TP_PIVOTS_GOVERNING) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such list of pivots");
-  }
-  tp_solution *filled = calloc(1, sizeof *filled);
-  if (filled == NULL) return tp_fail_memory(message, "the solution");
-  const tp_status status = fill(filled, scene, options, message);
-  if (status == TP_OK) {
-    *solution = filled;
-  } else {
-    tp_solution_free(filled);
-  }
-  return status;
+  return tp_solve_problem_tilts(solution, NULL, problem, options, message);
 }

@@ -9,10 +9,12 @@
 #define TP_STAGES_H
 
 #include "stability/direction_ball.h"
+#include "stability/further.h"
 
 /* What the coordinates lie along; once for all rungs. */
 void tp_describe_frame(tp_solution *solution, const tp_problem *problem);
 void tp_describe_rest(tp_solution *solution, const tp_problem *problem);
+void tp_describe_joint(tp_solution *solution, const tp_problem *problem);
 void tp_describe_within(tp_solution *solution, const tp_problem *problem);
 
 /* The block: area, centroid, second moments, weight. */
@@ -63,10 +65,11 @@ void tp_evaluate_toe(const tp_evaluation *evaluation, tp_case *result,
                      const tp_direction_ball *toppling, tp_certainty *certainty);
 
 /* The static limit of one direction, with the scene's base and otherwise, and that of tilting back;
- * the angles are left in `limit` and `back` where there are any. False when memory is exhausted. */
+ * the angles are left in `limit` and `back` where there are any; the same limits at further tilts,
+ * with the factor of safety there. False when memory is exhausted. */
 TP_MUST_USE bool tp_evaluate_limit(const tp_evaluation *evaluation, tp_case *result,
                                    tp_direction_ball *limit, tp_direction_ball *back,
-                                   tp_certainty *certainty);
+                                   const tp_further_tilts *tilts, tp_certainty *certainty);
 
 /* The onset of motion: stability/onset.h. */
 

@@ -31,7 +31,10 @@ tp_status tp_varied_solve(tp_solution **solution, const tp_varied *varied, const
   if (status == TP_OK) {
     status = tp_scene_vary(&scene, varied->scene, varied->keys, numbers, varied->count, message);
   }
-  if (status == TP_OK) status = tp_solve(solution, scene, &varied->options, message);
+  if (status == TP_OK) {
+    scene->base.all_poses = false; /* of one number after another nobody reads them */
+    status = tp_solve(solution, scene, &varied->options, message);
+  }
   tp_scene_free(scene);
   for (size_t k = 0; k < TP_VARIED_MAX; k++) fmpq_clear(numbers + k);
   return status;

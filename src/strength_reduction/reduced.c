@@ -24,6 +24,8 @@ void tp_reduced_init(tp_reduced *r) {
   const tp_cones *cones = r->cones;
   arb_init(r->friction);
   arb_set(r->friction, cones->friction);
+  r->own_friction = _arb_vec_init(cones->own_count);
+  _arb_vec_set(r->own_friction, cones->own_friction, cones->own_count);
   r->bounds = _arb_vec_init(2 * cones->capacity_count);
   for (long k = 0; k < cones->capacity_count; k++) {
     arb_set(r->bounds + 2 * k, cones->capacities[k].shear);
@@ -34,6 +36,8 @@ void tp_reduced_init(tp_reduced *r) {
 void tp_reduced_clear(tp_reduced *r) {
   tp_cones *cones = r->cones;
   arb_swap(cones->friction, r->friction);
+  _arb_vec_swap(cones->own_friction, r->own_friction, cones->own_count);
+  _arb_vec_clear(r->own_friction, cones->own_count);
   for (long k = 0; k < cones->capacity_count; k++) {
     arb_swap(cones->capacities[k].shear, r->bounds + 2 * k);
     arb_swap(cones->capacities[k].pull, r->bounds + 2 * k + 1);
@@ -50,6 +54,9 @@ static void divide_by(const tp_reduced *r, const arf_t factor) {
   arb_init(divisor);
   arb_set_arf(divisor, factor);
   arb_div(cones->friction, r->friction, divisor, bits);
+  for (long k = 0; k < cones->own_count; k++) {
+    arb_div(cones->own_friction + k, r->own_friction + k, divisor, bits);
+  }
   for (long k = 0; k < cones->capacity_count; k++) {
     arb_div(cones->capacities[k].shear, r->bounds + 2 * k, divisor, bits);
     arb_div(cones->capacities[k].pull, r->bounds + 2 * k + 1, divisor, bits);
@@ -94,7 +101,7 @@ tp_limit_outcome tp_reduced_find(tp_reduced_limit *at, tp_reduced *r, const arf_
   arb_indeterminate(at->degrees);
   if (at->has_motion) {
     arb_set(at->degrees, answer.degrees);
-    at->motion = answer.face.motion;
+    at->motion = tp_face_told_motion(&answer.face, r->cones);
   }
   tp_limit_answer_clear(&answer);
   return outcome;

@@ -17,7 +17,8 @@
 typedef struct tp_reduced {
   const tp_limit_question *question;
   tp_cones *cones;
-  arb_t friction; /* as given */
+  arb_t friction; /* as given, and those of their own */
+  arb_ptr own_friction;
   arb_ptr bounds; /* shear and pull of each capacity, as given */
   const tp_scaled *given;
   tp_scaled reduced; /* the caller's copy */

@@ -40,6 +40,7 @@ DEFINE(set_thickness, N(0))
 DEFINE(set_unit_weight_kn_m3, N(0))
 DEFINE(set_base_mated, call->choice != 0)
 DEFINE(set_base_profile, P)
+DEFINE(set_base_jrc_profile, call->count)
 DEFINE(set_base_beyond, N(0), N(1))
 DEFINE(set_base_between, P)
 DEFINE(set_base_bound, (tp_base_bound)call->choice, N(0))
@@ -48,6 +49,8 @@ DEFINE(set_friction_patton, N(0), N(1))
 DEFINE(set_friction_barton, N(0), N(1), N(2))
 DEFINE(set_friction_barton_test, N(0), N(1), N(2), N(3))
 DEFINE(set_friction_barton_roughness, N(0), N(1), N(2))
+DEFINE(add_friction_facets, (size_t)call->count, (size_t)call->count, N(0))
+DEFINE(add_friction_between, N(0), N(1), N(2))
 DEFINE(set_tilt_towards, (call->choice & 1) != 0, (call->choice & 2) != 0)
 DEFINE(set_tilt_angle_deg, N(0))
 DEFINE_BARE(set_frame_base)
@@ -65,6 +68,34 @@ DEFINE(set_cohesion_kpa, N(0))
 static tp_status set_title(tp_scene *scene, const build_call *call, tp_message *message) {
   static const char *const titles[] = {"Built", "\xff\x1b[1m", NULL, "\"]}"};
   return tp_scene_set_title(scene, titles[call->choice & 3], message);
+}
+
+static tp_status set_base_teeth(tp_scene *scene, const build_call *call, tp_message *message) {
+  tp_base_teeth_options o = tp_base_teeth_options_default();
+  o.count = call->count;
+  o.left_end = (tp_left_end)call->choice;
+  o.wavelength = N(0);
+  o.amplitude = N(1);
+  o.skew = N(2);
+  o.amplitude_scatter = N(3);
+  o.start_x = N(4);
+  o.start_y = N(5);
+  o.seed = 1;
+  return tp_scene_set_base_teeth(scene, &o, message);
+}
+
+static tp_status set_base_self_affine(tp_scene *scene, const build_call *call,
+                                      tp_message *message) {
+  tp_base_self_affine_options o = tp_base_self_affine_options_default();
+  o.length = N(0);
+  o.step = N(1);
+  o.hurst = N(2);
+  o.by = (tp_roughness_by)call->choice;
+  o.roughness = N(3);
+  o.start_x = N(4);
+  o.start_y = N(5);
+  o.seed = call->count;
+  return tp_scene_set_base_self_affine(scene, &o, message);
 }
 
 #define BARTON "friction: {law: barton, residual_angle_deg: $0, jcs_mpa: "
@@ -96,22 +127,34 @@ static const build_kind kinds[] = {
     {set_unit_weight_kn_m3, SLOT_UNIT_WEIGHT, "unit_weight_kn_m3: $0", 0, {0}},
     {set_base_mated, SLOT_BASE, "mated: $e", -2, {"true", "whole"}},
     {set_base_profile, SLOT_BASE, "profile: $p", 0, {0}},
+    {set_base_teeth,
+     SLOT_BASE,
+     "profile: {teeth: {count: $c, wavelength: $0, amplitude: $1, skew: $2, left_end: $e, scatter: "
+     "{amplitude: $3}, start: [$4, $5], seed: 1}}",
+     2,
+     {"valley", "peak"}},
+    {set_base_self_affine,
+     SLOT_BASE,
+     "profile: {self_affine: {length: $0, step: $1, hurst: $2, $e: $3, start: [$4, $5], seed: $c}}",
+     3,
+     {"rms_height", "z2", "jrc"}},
+    {set_base_jrc_profile, SLOT_BASE, "profile: {jrc_profile: $c}", 0, {0}},
     {set_base_beyond, SLOT_BEYOND, "beyond: {left: $0, right: $1}", 0, {0}},
     {set_base_between, SLOT_BETWEEN, "between: $p", 0, {0}},
     {set_base_bound, SLOT_BOUND, "$e: $0", 3, {"below", "left_of", "right_of"}},
     {set_friction_angle_deg, SLOT_FRICTION, "friction_angle_deg: $0", 0, {0}},
     {set_friction_patton,
      SLOT_FRICTION,
-     "friction: {law: patton, basic_angle_deg: $0, roughness_angle_deg: $1}",
+     "friction: {law: patton, basic_angle_deg: $0, roughness_angle_deg: $1",
      0,
      {0}},
-    {set_friction_barton, SLOT_FRICTION, BARTON "$2, jrc: $1}", 0, {0}},
+    {set_friction_barton, SLOT_FRICTION, BARTON "$2, jrc: $1", 0, {0}},
     {set_friction_barton_test,
      SLOT_FRICTION,
-     BARTON "$3, tilt_test: {angle_deg: $1, normal_stress_kpa: $2}}",
+     BARTON "$3, tilt_test: {angle_deg: $1, normal_stress_kpa: $2}",
      0,
      {0}},
-    {set_friction_barton_roughness, SLOT_FRICTION, BARTON "$2, roughness_angle_deg: $1}", 0, {0}},
+    {set_friction_barton_roughness, SLOT_FRICTION, BARTON "$2, roughness_angle_deg: $1", 0, {0}},
     {set_tilt_towards, SLOT_TOWARDS, "towards: $e", -4, {"none", "left", "right", "both"}},
     {set_tilt_angle_deg, SLOT_ANGLE, "angle_deg: $0", 0, {0}},
     {set_frame_base, SLOT_FRAME, "base", 0, {0}},
@@ -133,6 +176,8 @@ static const build_kind kinds[] = {
      {0}},
     {set_bond_kpa, SLOT_BOND, "bond_kpa: $0", 0, {0}},
     {set_cohesion_kpa, SLOT_COHESION, "cohesion_kpa: $0", 0, {0}},
+    {add_friction_facets, SLOT_FACETS, "{facet: $c, angle_deg: $0}", 0, {0}},
+    {add_friction_between, SLOT_FACETS, "{x: [$0, $1], angle_deg: $2}", 0, {0}},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 

@@ -26,7 +26,8 @@ typedef enum build_slot {
   SLOT_BETWEEN,
   SLOT_BOUND, /* and two more: one for each choice */
   SLOT_BEYOND = SLOT_BOUND + 3,
-  SLOT_FRICTION,
+  SLOT_FRICTION, /* that of a law is left open */
+  SLOT_FACETS,
   SLOT_TOWARDS,
   SLOT_ANGLE,
   SLOT_FRAME,

@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 typedef struct file {
   FILE *out;
@@ -156,6 +157,17 @@ static void put_loads(const file *f) {
   fputs("}\n", f->out);
 }
 
+/* A law takes facets into its map; an angle stands beside theirs. */
+static void put_friction(const file *f) {
+  const build_call *own = f->last[SLOT_FRICTION];
+  const bool law = own != NULL && strncmp(own->kind->file, "friction: ", 10) == 0;
+  const bool facets = f->last[SLOT_FACETS] != NULL;
+  if (own != NULL) put_call(f->out, own);
+  fputs(law ? ", " : facets ? "\nfriction: {" : "\n", f->out);
+  put_list(f, SLOT_FACETS, "facets");
+  if (law || facets) fputs("}\n", f->out);
+}
+
 char *build_file(const char *length_unit, const build_call *calls, const bool *done, size_t count) {
   char *text = NULL;
   size_t length = 0;
@@ -170,10 +182,7 @@ char *build_file(const char *length_unit, const build_call *calls, const bool *d
   put_block(&f);
   put_base(&f);
   put_loads(&f);
-  if (f.last[SLOT_FRICTION] != NULL) {
-    put_call(f.out, f.last[SLOT_FRICTION]);
-    fputc('\n', f.out);
-  }
+  put_friction(&f);
   if (f.last[SLOT_FRAME] != NULL) {
     fputs("frame: ", f.out);
     put_call(f.out, f.last[SLOT_FRAME]);

@@ -30,12 +30,14 @@ def normed(v):
 
 
 class Base:
-    """Facets as pairs of points from left to right, lengths in units of about one."""
+    """Facets as pairs of points from left to right, lengths in units of about one; one friction, or a list of one
+    for each facet."""
 
     def __init__(self, facets, friction_deg, cohesion=0.0, bond=0.0):
-        tan = math.tan(math.radians(friction_deg))
         self.ends, edges, self.held = [], [], []
-        for a, b in facets:
+        each = friction_deg if isinstance(friction_deg, list) else [friction_deg] * len(facets)
+        for (a, b), friction in zip(facets, each):
+            tan = math.tan(math.radians(friction))
             length = math.dist(a, b)
             t = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
             n = (-t[1], t[0])

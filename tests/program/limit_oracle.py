@@ -109,16 +109,17 @@ def unit(d):
 
 
 class Limit:
-    """Feasible range of t for contact points, the centroid and tan(phi) = p/q; `shift` is k_h."""
+    """Feasible range of t for contact points, the centroid and tan(phi) = p/q, one pair (p, q) or a list of
+    one for each point; `shift` is k_h."""
 
     def __init__(self, points, centroid, tangent, shift=Fraction(0)):
-        p, q = tangent
+        tangents_of = tangent if isinstance(tangent, list) else [tangent] * len(points)
         self.points = points
         down, across = self.load(centroid, (-shift, -1)), self.load(centroid, (-1, shift))
         both = whole(down + across)
         self.down, self.across = both[:3], both[3:]
         columns = set()
-        for (x, y), (tx, ty) in points:
+        for ((x, y), (tx, ty)), (p, q) in zip(points, tangents_of):
             for side in (1, -1):
                 fx, fy = -ty * q + side * tx * p, tx * q + side * ty * p
                 columns.add(whole((fx, fy, x * fy - y * fx)))

@@ -103,7 +103,8 @@ def maximise(cost, rows, free):
 
 
 class Onset:
-    """Windows of t for contact points ((x, y), (t_x, t_y)), the centroid, k^2 and tan(phi)."""
+    """Windows of t for contact points ((x, y), (t_x, t_y)), the centroid, k^2 and tan(phi), one or a list of one
+    for each point."""
 
     def __init__(self, points, centroid, gyration, tangent):
         self.gyration, self.tangent = gyration, tangent
@@ -118,6 +119,9 @@ class Onset:
             if ends is not None:
                 self.found.append((*ends, states))
         self.windows = self.merge()
+
+    def tangent_at(self, k):
+        return self.tangent[k] if isinstance(self.tangent, list) else self.tangent
 
     def modes(self):
         """The states of all contacts in every motion that the base admits; and the twist where every
@@ -150,9 +154,9 @@ class Onset:
     def interval(self, states, twist):
         """(least, most) t of the mode, None for no end; None where it is not possible."""
         forces = []
-        for ((x, y), (tx, ty), _, _), state in zip(self.contacts, states):
+        for k, (((x, y), (tx, ty), _, _), state) in enumerate(zip(self.contacts, states)):
             for side in {PARTS: (), STICKS: (1, -1), UP: (-1,), DOWN: (1,)}[state]:
-                fx, fy = -ty + side * self.tangent * tx, tx + side * self.tangent * ty
+                fx, fy = -ty + side * self.tangent_at(k) * tx, tx + side * self.tangent_at(k) * ty
                 forces.append((fx, fy, (x * fy - y * fx) / self.gyration))
         count = len(forces)
 

@@ -76,9 +76,10 @@ class StrongOnset(Onset):
 
     def friction(self, states):
         found = []
-        for ((x, y), (tx, ty), _, _), state in zip(self.contacts, states):
+        for k, (((x, y), (tx, ty), _, _), state) in enumerate(zip(self.contacts, states)):
             for side in {STICKS: (1, -1), UP: (-1,), DOWN: (1,)}.get(state, ()):
-                found.append(self.column((x, y), (-ty + side * self.tangent * tx, tx + side * self.tangent * ty)))
+                tan = self.tangent_at(k)
+                found.append(self.column((x, y), (-ty + side * tan * tx, tx + side * tan * ty)))
         return found
 
     def strength(self, states, law):

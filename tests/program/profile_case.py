@@ -13,7 +13,10 @@ import tempfile
 import unittest
 from fractions import Fraction
 
-from harness import run
+from harness import ROOT, run
+
+BOUNDED = ("length", "length_along", "amplitude", "rms_height", "mean_slope", "mean_absolute_slope", "z2", "rp")
+JOINT = ROOT / "examples" / "joint_profile.csv"
 
 decimal.getcontext().prec = 50
 
@@ -111,6 +114,25 @@ def fourier(values):
 
 def text_of(points):
     return "".join(f"{x},{y}\n" for x, y in points)
+
+
+def joint():
+    lines = [line.split(",") for line in JOINT.read_text(encoding="utf-8").splitlines() if line[0].isdigit()]
+    return exactly(lines)
+
+
+def uneven(seed, count):
+    """Decimal texts of points at uneven distances, far from the origin."""
+    draw, points = random.Random(seed), []
+    x = Fraction(draw.randint(-10**6, 10**6), 1000)
+    for _ in range(count):
+        points.append((x, Fraction(draw.randint(-5000, 5000), 1000)))
+        x += Fraction(draw.randint(1, 3000), 1000)
+    return points
+
+
+def decimals(points):
+    return "".join(f"{float(x):.3f},{float(y):.3f}\n" for x, y in points)
 
 
 class ProfileCase(unittest.TestCase):

@@ -244,6 +244,64 @@ class Find(unittest.TestCase):
         self.assertRaises(topple.BadInput, scene.number, "nonsense")
         self.assertRaises(topple.BadInput, scene.varied, {"nonsense": 1})
 
+    def test_settings(self):
+        """Formulas in place of numbers, which the solution tells."""
+        scene = topple.Scene.read(BLOCK)
+        other = scene.with_settings("a=31", "b=2*a+1/3")
+        self.assertEqual(other.number("b"), 62 + Fraction(1, 3))
+        told = other.solve(limit=False).settings
+        self.assertEqual([(own.key, own.formula, own.unit) for own in told], [("a", "31", "mm"), ("b", "2*a+1/3", "mm")])
+        self.assertEqual(float(told[1].value), float(62 + Fraction(1, 3)))
+        self.assertEqual(scene.solve(limit=False).settings, ())
+        self.assertRaises(topple.BadInput, scene.with_settings, "a")
+
+    def test_sweep(self):
+        """Columns in the order of the points; each is what the scene says there."""
+        scene = topple.Scene.read(BLOCK)
+        own = topple.sweep(scene, "friction_angle_deg=20:95:25", "c=2.5,5", threads=2)
+        self.assertEqual(len(own), 8)
+        self.assertEqual(list(own.numbers), ["friction_angle_deg", "c_mm"])
+        self.assertEqual(own.numbers["c_mm"].tolist(), [2.5] * 4 + [5] * 4)
+        for k in range(8):
+            angle, depth = own.numbers["friction_angle_deg"][k], own.numbers["c_mm"][k]
+            if angle == 95:
+                self.assertEqual(own.columns["status"][k], "the input is wrong")
+                self.assertTrue(own.columns["moments_deg"][k] != own.columns["moments_deg"][k])
+                continue
+            case = scene.varied({"friction_angle_deg": angle, "c": depth}).solve().cases[0]
+            self.assertEqual(own.columns["moments_deg"][k], float(case.pivots[case.governing].critical_angle_deg))
+            self.assertEqual(own.columns["first"][k], case.first.value)
+        self.assertRaises(topple.BadInput, topple.sweep, scene, "c=1:2")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "sweep.json"
+            topple.write_sweep(scene, path, "c=1,2")
+            self.assertEqual(len(json.loads(path.read_text(encoding="utf-8"))["points"]), 2)
+
+
+class Study(unittest.TestCase):
+    def test_result(self):
+        """The summary and the rows that the program writes; columns as NumPy has them."""
+        path = ROOT / "examples" / "studies" / "slab_study.yaml"
+        result = topple.study(path)
+        self.assertEqual(result.report(), printed("study", path))
+        self.assertEqual(result.to_json(), printed("study", "--json", path))
+        self.assertEqual((result.samples, result.end), (200, topple.StudyEnd.COMPLETE))
+        phi, outcome = result.columns["friction_angle_deg"], result.columns["outcome_at_30_deg"]
+        self.assertEqual(phi.shape, (200,))
+        self.assertTrue(((phi < 30) == (outcome == topple.StudyOutcome.SLIDES)).all())
+        self.assertEqual(result.tilts[2]["slides"].count, int((phi < 30).sum()))
+        self.assertAlmostEqual(result.spread("limit_deg").quantiles[3].value, 30, delta=0.1)
+        self.assertTrue(numpy.array_equal(pickle.loads(pickle.dumps(result)).columns["limit_deg"], result.columns["limit_deg"]))
+        self.assertRaises(topple.BadInput, topple.study, BLOCK)
+        with tempfile.TemporaryDirectory() as folder:
+            parts = [pathlib.Path(folder) / f"{k}.csv" for k in (1, 2)]
+            for k, part in enumerate(parts, 1):
+                self.assertEqual(topple.study(path, rows=part, shard=(k, 2)).end, topple.StudyEnd.SHARD)
+            rows = pathlib.Path(folder) / "rows.csv"
+            self.assertEqual(topple.study(path, rows=rows, merge=parts).report(), result.report())
+            self.assertEqual(len(rows.read_text(encoding="utf-8").splitlines()), 201)
+            self.assertEqual(topple.study(path, rows=rows).report(), result.report())
+
 
 if __name__ == "__main__":
     main()

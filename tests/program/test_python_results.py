@@ -168,7 +168,7 @@ class Solutions(unittest.TestCase):
 
 #: Structs and the records that mirror them.
 MIRRORS = {
-    "tp_note": "Note", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
+    "tp_note": "Note", "tp_setting": "Setting", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
     "tp_block_result": "Block", "tp_teeth_result": "Teeth", "tp_element": "Element", "tp_account": "Account",
     "tp_reaction": "Reaction", "tp_limit": "Limit", "tp_window": "Window", "tp_motion_range": "MotionRange",
     "tp_motion_contact": "MotionContact", "tp_motion_resistance": "MotionResistance", "tp_motion": "Motion",
@@ -182,8 +182,13 @@ MIRRORS = {
     "tp_derived_onset": "DerivedOnset", "tp_derivation": "Derivation", "tp_family_formula": "FamilyFormula",
     "tp_family": "Family", "tp_bounded": "Bounded", "tp_area_moments": "AreaMoments",
     "tp_blocks_summary": "Summary", "tp_moment_columns": "Moments", "tp_critical_columns": "CriticalAngles",
-    "tp_verdict_columns": "Verdicts", "tp_rest_result": "Rest",
+    "tp_verdict_columns": "Verdicts", "tp_rest_result": "Rest", "tp_joint_result": "Joint", "tp_facet_friction_result": "FacetFriction",
+    "tp_poses_result": "Poses", "tp_resting_pose": "RestingPose", "tp_basin": "Basin", "tp_pose_verdict": "PoseVerdict",
     "tp_profile": "Profile", "tp_profile_facing": "ProfileFacing", "tp_profile_lag": "ProfileLag",
+    "tp_study_share": "StudyShare", "tp_study_tilt": "StudyTilt", "tp_study_quantile": "StudyQuantile",
+    "tp_study_spread": "StudySpread", "tp_study_rank": "StudyRank", "tp_study_variable": "StudyVariable",
+    "tp_study_step": "StudyStep", "tp_study_index": "StudyIndex", "tp_study_reliability": "StudyReliability",
+    "tp_study_rare": "StudyRare", "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
     "tp_profile_density": "ProfileDensity", "tp_profile_estimate": "ProfileEstimate", "tp_profile_jrc": "ProfileJrc",
 }
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
@@ -203,17 +208,20 @@ class Mirrors(unittest.TestCase):
         """Every struct that a result is made of is on the list; the others are what goes in, and messages."""
         structs = {name for name in ffi.list_types()[0] if ffi.typeof(name).kind == "struct" and ffi.typeof(name).fields}
         given = {name for name in structs if name.endswith("_options")} | {
-            "tp_message", "tp_notes", "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis",
-            "tp_derived_checks", "tp_numbers", "tp_outlines"}
+            "tp_message", "tp_notes", "tp_settings", "tp_sweep_point", "tp_sweep_sink", "tp_sweep_summary", "tp_text_sink",
+            "tp_exact", "tp_coordinates", "tp_chart_list", "tp_chart_range", "tp_chart_axis",
+            "tp_derived_checks", "tp_numbers", "tp_outlines", "tp_study_column"}
         self.assertEqual(structs - given - {"tp_figure_consent"} - set(MIRRORS), set())
 
     def test_words(self):
         """Members stand in the order of C and are called as there, and their words are the library's."""
         names = {"Mechanism": lib.tp_mechanism_name, "Level": lib.tp_level_name, "FindTarget": lib.tp_find_target_name,
                  "AccuracyMethod": lib.tp_accuracy_method_name, "FosDefinition": lib.tp_fos_definition_name,
+                 "SettlingEnd": lib.tp_settling_end_name,
                  "Verdict": lib.tp_verdict_name, "NoteKind": lib.tp_note_kind_name,
                  "ProfileResampling": lib.tp_profile_resampling_name, "ProfileDetrend": lib.tp_profile_detrend_name,
-                 "ProfileWindow": lib.tp_profile_window_name, "JrcState": lib.tp_jrc_state_name}
+                 "ProfileWindow": lib.tp_profile_window_name, "JrcState": lib.tp_jrc_state_name,
+                 "StudyOutcome": lib.tp_study_outcome_name, "StudyQuantity": lib.tp_study_quantity_name}
         found = set()
         for kind in Word.__subclasses__():
             struct = "tp_" + re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()
@@ -230,7 +238,7 @@ class Mirrors(unittest.TestCase):
         for status in topple.Status:
             self.assertEqual(ffi.typeof("tp_status").elements[status], f"TP_{status.name}")
         enums = {name for name in ffi.list_types()[0] if ffi.typeof(name).kind == "enum"}
-        self.assertEqual(enums - found, {"tp_status", "tp_chart_format"})
+        self.assertEqual(enums - found, {"tp_status", "tp_chart_format", "tp_sweep_format"})
 
 
 if __name__ == "__main__":

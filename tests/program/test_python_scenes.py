@@ -12,6 +12,7 @@ from harness import main
 from python_case import BLOCK, SOURCES, SQUARE, lib, said, topple
 
 SQUARE_TEXT = "[[0, 0], [50, 0], [50, 100], [0, 100]]"
+SMALL = [(40, 30), (60, 30), (60, 50), (40, 50)]
 HOLE, PART = [(20, 40), (30, 40), (30, 50), (20, 50)], [(0, 80), (50, 80), (50, 100), (0, 100)]
 WEIGHED = {"outline": SQUARE, "unit_weight_kn_m3": 26, "base_beyond": (10, 20), "tilt_angle_deg": 10,
            "tilt_towards": "left", "friction_angle_deg": 30}
@@ -47,14 +48,39 @@ SAID = [
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{mated: true, between: {{below: 1}}}}\nframe: world"),
     ({"outline": SQUARE, "base_profile": [(-100, 10), (0, -5), (200, 0)], "base_rest": True},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: rest}}"),
+    ({"outline": SQUARE, "base_profile": [(-100, 10), (0, -5), (200, 0)], "base_poses": True},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: all}}"),
     ({"outline": SQUARE, "base_profile": [(-100, -1), (0, 0.5), (200, 0)], "contact_within": 2},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, -1], [0, 0.5], [200, 0]]}}\ncontact: {{within: 2}}"),
+    ({"outline": SQUARE, "joint_shift": -3, "joint_closure": "0.5"},
+     f"block: {{outline: {SQUARE_TEXT}}}\njoint: {{shift: -3, closure: 0.5}}"),
+    ({"outline": SQUARE, "joint_matching": ("0.75", True), "joint_closure": 1},
+     f"block: {{outline: {SQUARE_TEXT}}}\njoint: {{matching: 0.75, closure: 1, towards: left}}"),
+    ({"outline": SQUARE, "base_rest": True,
+      "base_teeth": {"count": 40, "wavelength": "20.5", "amplitude": 4, "skew": 0.25, "amplitude_scatter": 0.5,
+                     "start_x": -150, "start_y": -9, "seed": 3}},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{place: rest, profile: {{teeth: {{count: 40, wavelength: 20.5,"
+     " amplitude: 4, left_end: valley, skew: 0.25, scatter: {amplitude: 0.5}, start: [-150, -9], seed: 3}}}"),
+    ({"outline": SQUARE, "base_rest": True, "base_worn": (topple.Wear.ROUNDED, "0.1"), "base_noise": ("0.05", 2),
+      "base_self_affine": {"length": 200, "step": "0.5", "hurst": "0.8", "by": "z2", "roughness": "0.3", "seed": 9,
+                           "longest": 50, "start_x": -80, "start_y": -20}},
+     f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{place: rest, profile: {{self_affine: {{length: 200, step: 0.5,"
+     " hurst: 0.8, z2: 0.3, longest: 50, start: [-80, -20], seed: 9}, noise: {deviation: 0.05, seed: 2},"
+     " worn: {rounded: 0.1}}}"),
+    ({"outline": SMALL, "base_rest": True, "base_jrc_profile": 7, "base_scaled": ("rms_height", 2)},
+     f"block: {{outline: {[list(p) for p in SMALL]}}}\n"
+     "base: {place: rest, profile: {jrc_profile: 7, scaled: {rms_height: 2}}}"),
     ({"outline": SQUARE, "base_profile": [(-100, 0), (200, 0)], "mean_plane": [(0, 0), (100, 5)]},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 0], [200, 0]]}}\n"
      "frame: {mean_plane: [[0, 0], [100, 5]]}"),
     ({"outline": SQUARE, "frame": topple.Along.BASE, "friction_patton": (25, 5)},
      f"block: {{outline: {SQUARE_TEXT}}}\nframe: base\n"
      "friction: {law: patton, basic_angle_deg: 25, roughness_angle_deg: 5}"),
+    ({"outline": SQUARE, "friction_angle_deg": 30, "friction_facets": [(1, 1, 20)]},
+     f"block: {{outline: {SQUARE_TEXT}}}\nfriction_angle_deg: 30\nfriction: {{facets: [{{facet: 1, angle_deg: 20}}]}}"),
+    ({"outline": SQUARE, "friction_angle_deg": 30, "friction_between": [{"x0": -10, "x1": 500, "angle_deg": "20.5"}]},
+     f"block: {{outline: {SQUARE_TEXT}}}\nfriction_angle_deg: 30\n"
+     "friction: {facets: [{x: [-10, 500], angle_deg: 20.5}]}"),
 ]
 LAWS = [
     ({"friction_barton": (28, 6, 80)}, "{law: barton, residual_angle_deg: 28, jrc: 6, jcs_mpa: 80}"),
@@ -101,12 +127,14 @@ class Scenes(unittest.TestCase):
             "tp_exact_of", "tp_exact_text", "tp_coordinates_of", "tp_coordinates_text",  # structs made by cffi
             "tp_numbers_of", "tp_numbers_each", "tp_outlines_of", "tp_outlines_ragged",  # likewise
             "tp_solve_outline", "tp_report_json",  # said by Scene.solve, tp_report_json_pivots
+            "tp_sweep",  # said by tp_sweep_write
             "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
             "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name",  # for programs and terminals
             "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
             "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",
             "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",
-            "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name",  # Word
+            "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name", "tp_settling_end_name",  # Word
+            "tp_study_outcome_name", "tp_study_quantity_name",
         }
         for name in dir(lib):
             if name.startswith("tp_") and not re.search(r"_options_(default|init)$", name) and name not in needless:

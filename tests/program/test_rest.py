@@ -13,32 +13,10 @@ import unittest
 
 import rest_oracle
 from harness import main, run, solve
+from rest_case import random_block, random_profile, text
 
 SEED = 16
 SCENES = 160
-
-
-def random_block(draw):
-    """A star with up to nine corners: some of them notches."""
-    count = draw.randint(3, 9)
-    angles = sorted(draw.sample(range(0, 360, 7), count))
-    if max(b - a for a, b in zip(angles, angles[1:] + [angles[0] + 360])) > 170:
-        return random_block(draw)
-    reach = [3 * draw.uniform(0.4, 1) for _ in angles]
-    return [(round(r * math.cos(math.radians(a)), 3), round(5 + r * math.sin(math.radians(a)), 3))
-            for r, a in zip(reach, angles)]
-
-
-def random_profile(draw):
-    x, points = -draw.uniform(2, 12), []
-    while x < 12:
-        points.append((round(x, 3), round(draw.uniform(-0.6, 0.6), 3)))
-        x += draw.choice([0.3, 1, 2.5]) * draw.uniform(0.5, 1.5)
-    return points
-
-
-def text(points):
-    return "[" + ", ".join(f"[{x!r}, {y!r}]" for x, y in points) + "]"
 
 
 class Rest(unittest.TestCase):
@@ -126,6 +104,20 @@ class Rest(unittest.TestCase):
                 self.near(own, small, 1, "turned_deg")
                 self.near(own, small, 1e-3, "moved_x_m", "moved_y_m", "margin_right_m")
 
+    def test_far_scales(self):
+        """In lengths whose products no double holds a block rests as in metres; it rolled off its base once."""
+        draw = random.Random(SEED + 5)
+        for number in range(8):
+            block, profile = random_block(draw), [(-20.0, 0.0)] + random_profile(draw) + [(20.0, 0.0)]
+            own = self.rested(block, profile)["rest"]
+            for power in ("e150", "e-150", "e290", "e-290"):
+                with self.subTest(number=number, power=power):
+                    scaled = [[(float(f"{x}{power}"), float(f"{y}{power}")) for x, y in line]
+                              for line in (block, profile)]
+                    rest = self.rested(*scaled)["rest"]
+                    self.assertEqual(rest["turns"], own["turns"])
+                    self.near(own, rest, 1, "turned_deg")
+
     def near(self, own, other, factor, *keys, tolerance=0.0):
         for key in keys:
             bound = own[key]["error"] + other[key]["error"] + tolerance + 1e-15 * abs(own[key]["value"])
@@ -151,19 +143,36 @@ class Rest(unittest.TestCase):
                 continue
             done += 1
             with self.subTest(block=block, profile=profile):
-                r = self.rested(block, profile)["rest"]
-                x, y = rest_oracle.centroid(block)
-                placed = [(px + r["moved_x_m"]["value"], py + r["moved_y_m"]["value"]) for px, py in
-                          rest_oracle.turned(block, (x, y), math.radians(r["turned_deg"]["value"]))]
-                g = rest_oracle.centroid(placed)
-                bottom = [(profile[-1][0], -99.0), (profile[0][0], -99.0)]
-                rock = profile + bottom
-                self.assertLess(rest_oracle.deepest(placed, rock), 1e-12)
-                points = rest_oracle.contacts(placed, profile, rock, 1e-11)
-                self.assertGreaterEqual(len(points), 2)
-                for about in points:
-                    way = -1 if g[0] > about[0] else 1
-                    self.assertGreater(rest_oracle.deepest(rest_oracle.turned(placed, about, way * 1e-5), rock), 1e-9)
+                self.check_energy(block, profile)
+
+    def check_energy(self, block, profile):
+        r = self.rested(block, profile)["rest"]
+        x, y = rest_oracle.centroid(block)
+        placed = [(px + r["moved_x_m"]["value"], py + r["moved_y_m"]["value"]) for px, py in
+                  rest_oracle.turned(block, (x, y), math.radians(r["turned_deg"]["value"]))]
+        g = rest_oracle.centroid(placed)
+        bottom = [(profile[-1][0], -99.0), (profile[0][0], -99.0)]
+        rock = profile + bottom
+        self.assertLess(rest_oracle.deepest(placed, rock), 1e-12)
+        points = rest_oracle.contacts(placed, profile, rock, 1e-11)
+        self.assertGreaterEqual(len(points), 2)
+        for about in points:
+            way = -1 if g[0] > about[0] else 1
+            self.assertGreater(rest_oracle.deepest(rest_oracle.turned(placed, about, way * 1e-5), rock), 1e-9)
+
+    def test_fine_profile(self):
+        """A block of many vertices on a profile of many points, most of which the search passes over: nothing overlaps
+        at rest, and no small turn lets the centroid down."""
+        draw = random.Random(SEED + 4)
+        for points in (300, 1000, 1000, 3000):
+            block = [(round(3 * (1 + 0.1 * draw.random()) * math.cos(2 * math.pi * k / 50), 4),
+                      round(5 + 2 * (1 + 0.1 * draw.random()) * math.sin(2 * math.pi * k / 50), 4)) for k in range(50)]
+            height, profile = 0.0, []
+            for k in range(points):
+                height = 0.9 * height + draw.uniform(-0.1, 0.1)
+                profile.append((round(-10 + 20 * k / points, 5), round(height, 5)))
+            with self.subTest(points=points):
+                self.check_energy(block, profile)
 
     def test_flat_on_flat(self):
         """A face comes to lie on a level base along all of its length, at whatever angle it began: exactly, though the
@@ -213,6 +222,9 @@ class Rest(unittest.TestCase):
         ground = [(-5.0, 0.0), (5.0, 0.0)]
         self.assertIn("falls beside its base", self.refused([(x + 20, y) for x, y in block], ground))
         self.assertIn("rolls off its base", self.refused([(x + 4.5, y) for x, y in block], ground))
+        # it turns about the end of the ground until its bottom lies against that, upright, and falls down along it
+        self.assertIn("after 1 turn, turned by -90° in all with its centroid in (5.66666667, -0.5) m, it goes over (5, -1.5) m",
+                      self.refused([(x + 4.5, y) for x, y in block], ground))
         self.assertIn("balances on (1, 0)", self.refused([(1.0, 1.0), (2.0, 3.0), (0.0, 3.0)], ground))
         self.write(block, ground, more="block_is: wrong\n")
         self.path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\n"

@@ -28,6 +28,8 @@ LOADED = ("rounded:", "ellipse:", "loads:", "arcs:")
 SCENES = {
     "within": "block: {outline: [[0, 0.01], [2, -0.01], [2, 3], [0, 3]]}\nbase: {profile: [[-1, 0], [3, 0]]}\n"
               "contact: {within: 0.02}\n",
+    "joint": "block: {teeth: {count: 4, width: 30, height: 120, depth: 5, left_end: valley}}\n"
+             "joint: {matching: 0.6, closure: 0.3}\n",
     "barton": "block: {slab: {width: 1, height: 2}, unit_weight_kn_m3: 26}\n"
               "friction: {law: barton, residual_angle_deg: 24, jrc: 8, jcs_mpa: 50}\ntilt: {angle_deg: 20}\n",
     "rolls": "block: {slab: {width: 10, height: 20}, rounded: {corners: [{at: left_end, radius: 2}]}}\n"
@@ -94,7 +96,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "profile", "solve", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "profile", "solve", "study", "sweep", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -135,6 +137,7 @@ class Schema(unittest.TestCase):
                 self.prints("solve", "--json", "scene.yaml", folder=folder)
 
     def test_2_find(self):
+        self.prints("solve", "--json", "--set", "a=40", "--set", "b=2*a+1/3", E)
         found = [self.prints("solve", "--json", "--find", key, "--for", target, scene)["find"] for key, target, scene in (
             ("a", "critical_angle=20", E), ("friction_angle_deg", "limit_fos=1.3", E), ("block.teeth.count", "sliding_angle=89", E),
             ("loads.seismic.horizontal", "fos=1", ROOT / "examples" / "block_seismic.yaml"))]
@@ -187,6 +190,11 @@ class Schema(unittest.TestCase):
         self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150")
         self.prints("chart", "--json", "map", slab, "--x", "block.slab.width=10:150", "--y", "block.slab.height=10:150")
 
+    def test_2_sweep(self):
+        """With points that are wrong, and at more digits than a double has."""
+        self.prints("sweep", "--json", "--x", "friction_angle_deg=20:90:10", "--set", "b=2*a+1/3", E, statuses=(3,))
+        self.prints("sweep", "--json", "--digits", "20", "--x", "friction_angle_deg=20,30", "--y", "c=0,5", E)
+
     def test_2_profile(self):
         joint = ROOT / "examples" / "joint_profile.csv"
         for words in ((), ("--all",), ("--step", "0.5", "--detrend", "line", "--mirror"), ("--step", "30")):
@@ -197,6 +205,31 @@ class Schema(unittest.TestCase):
             self.prints("profile", "--json", "flat.csv", folder=folder)
             (pathlib.Path(folder) / "steep.csv").write_text("".join(f"{k},{k}\n" for k in range(20)))
             self.prints("profile", "--json", "steep.csv", folder=folder)
+
+    def test_2_study(self):
+        for name in ("slab", "block_above_road"):
+            self.prints("study", "--json", ROOT / "examples" / "studies" / f"{name}_study.yaml")
+        with tempfile.TemporaryDirectory() as folder:  # a scene without a tilt, some samples of which there is none
+            (pathlib.Path(folder) / "scene.yaml").write_text(
+                "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 1}}\nfriction_angle_deg: 30\n"
+                "tilt: {towards: left}\n")
+            (pathlib.Path(folder) / "study.yaml").write_text(
+                "topple_study: 1\nscene: scene.yaml\nvary: {block.slab.height: {list: [-1, 0.1, 1, 2, 1e-200]}}\n")
+            (pathlib.Path(folder) / "analyses.yaml").write_text(
+                "topple_study: 1\nscene: tilted.yaml\nsamples: 20\nsensitivity: {samples: 20}\n\n"
+                "reliability: {quantity: fos, importance: {samples: 20}, subset: {samples: 100}}\n"
+                "vary: {friction_angle_deg: {uniform: {low: 20, high: 30}}}\n")
+            (pathlib.Path(folder) / "tilted.yaml").write_text(
+                "topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\n"
+                "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 22}\n")
+            self.prints("study", "--json", "analyses.yaml", folder=folder)
+            (pathlib.Path(folder) / "never.yaml").write_text(  # no design point
+                "topple_study: 1\nscene: tilted.yaml\nsamples: 20\n\n"
+                "reliability: {quantity: limit_deg, importance: {samples: 20}, subset: {samples: 100}}\n"
+                "vary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n")
+            self.prints("study", "--json", "never.yaml", folder=folder)
+            found = self.prints("study", "--json", "study.yaml", folder=folder)
+            self.assertEqual([own["sample"] for own in found["invalid"]], [0])
 
     def test_3_strange_keys_are_found(self):
         """The schema refuses a key that it does not know, one that is missing, and another kind of value, wherever

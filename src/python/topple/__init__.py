@@ -13,13 +13,15 @@ of fields say. What fails raises a `ToppleError`. docs/python.md tells more."""
 
 from ._library import ffi as _ffi, lib as _lib
 from .accuracy import Accuracy, AccuracyRun, AccuracyValue, accuracy_of_scene, accuracy_sweep
+from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
 from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts,
                      critical_angles, moments, outline_moments, verdicts)
-from .builder import Along, BaseBound, LeftEnd, Towards, UndersideEnd
+from .builder import Along, Towards, UndersideEnd
 from .case import Case, Factor, GoverningFos, LoadResult, Pivot, Sliding, Toe
-from .chart import Chart, chart_fos, chart_map, chart_mechanisms, chart_ranges
-from .contact import (Account, Block, Contact, Effect, Element, Fos, Frame, Note, Rest, Teeth,
-                      Within)
+from .chart import (Chart, chart_fos, chart_map, chart_mechanisms, chart_ranges, chart_study,
+                    chart_study_scatter)
+from .contact import (Account, Block, Contact, Effect, Element, FacetFriction, Fos, Frame,
+                      Joint, Note, Rest, Setting, Teeth, Within)
 from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot,
                          DerivedReaction, DerivedRounding, DerivedRow)
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family
@@ -29,16 +31,20 @@ from .find import Found, FoundInterval, find
 from .formula import Fraction
 from .limit import (Limit, Motion, MotionContact, MotionRange, MotionResistance, Onset, Reaction,
                     Window)
+from .poses import Basin, Poses, PoseVerdict, RestingPose
 from .profile import (Profile, ProfileDensity, ProfileEstimate, ProfileFacing, ProfileJrc,
                       ProfileLag, profile_of_file, profile_of_points, profile_of_scene)
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
+from .study import (StudyBad, StudyIndex, StudyQuantile, StudyRank, StudyRare, StudyReliability,
+                    StudyResult, StudyShare, StudySpread, StudyStep, StudyTilt, StudyVariable, study)
+from .sweep import Sweep, sweep, write_sweep
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Design, Direction,
                     ElementKind, FindTarget, FosDefinition, FosState, JrcState, Level, LimitKind,
                     LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
                     ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,
-                    Rolls, Verdict)
+                     Rolls, SettlingEnd, StudyEnd, StudyOutcome, StudyQuantity, Verdict)
 
 __version__ = _ffi.string(_lib.TP_VERSION).decode()

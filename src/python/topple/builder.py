@@ -10,18 +10,10 @@ of shape (n, 2) or n pairs of numbers. What is given is copied. `set` replaces w
 
 from __future__ import annotations
 
-from typing import Any
-
 from ._library import lib
-from .given import Number, Points, c_number, c_points, c_text
+from .base_builder import BaseBuilder, LeftEnd
+from .given import Number, Points, c_number, c_text
 from .words import Word, number_of
-
-
-class LeftEnd(Word):
-    """What a toothed underside begins with on the left."""
-
-    VALLEY = "valley"
-    PEAK = "peak"
 
 
 class UndersideEnd(Word):
@@ -29,14 +21,6 @@ class UndersideEnd(Word):
 
     LEFT_END = "left_end"
     RIGHT_END = "right_end"
-
-
-class BaseBound(Word):
-    """The side of a coordinate on which all vertices of a mated base lie."""
-
-    BELOW = "below"
-    LEFT_OF = "left of"
-    RIGHT_OF = "right of"
 
 
 class Towards(Word):
@@ -54,19 +38,8 @@ class Along(Word):
     WORLD = "world"
 
 
-class Builder:
+class Builder(BaseBuilder):
     """A scene in memory that is changed call by call."""
-
-    def _change(self, call, *arguments: Any) -> None:
-        raise NotImplementedError
-
-    def _change_numbers(self, call, *values: Number) -> None:
-        self._change(call, *[c_number(value) for value in values])
-
-    def _change_points(self, call, points: Points, *more: Any) -> None:
-        coordinates, held = c_points(points)
-        self._change(call, coordinates, *more)
-        del held
 
     def set_title(self, title: str) -> None:
         """The title of reports."""
@@ -142,38 +115,6 @@ class Builder:
         """The unit weight of the block; loads need one."""
         self._change_numbers(lib.tp_scene_set_unit_weight_kn_m3, unit_weight_kn_m3)
 
-    # The base: mated with the underside, or a profile; the last one set is taken.
-
-    def set_base_mated(self, whole: bool = False) -> None:
-        """Mated with the underside, from its leftmost to its rightmost vertex where `whole`."""
-        self._change(lib.tp_scene_set_base_mated, whole)
-
-    def set_base_profile(self, profile: Points) -> None:
-        """A profile from left to right, shape (n, 2)."""
-        self._change_points(lib.tp_scene_set_base_profile, profile)
-
-    def set_base_beyond(self, left: Number, right: Number) -> None:
-        """By how much a mated base goes on past the block."""
-        self._change_numbers(lib.tp_scene_set_base_beyond, left, right)
-
-    def set_base_between(self, two_vertices: Points) -> None:
-        """A mated base whose contact ends in two vertices, the left one first, shape (2, 2)."""
-        self._change_points(lib.tp_scene_set_base_between, two_vertices)
-
-    def set_base_bound(self, bound: BaseBound | str, value: Number) -> None:
-        """A mated base whose vertices lie all 'below' a height, or 'left of' or 'right of' an
-        abscissa."""
-        self._change(lib.tp_scene_set_base_bound, number_of(BaseBound, bound), c_number(value))
-
-    def set_base_rest(self, rests: bool) -> None:
-        """Set the block down on the profile, where its coordinates put it, until it rests; else it
-        lies as they say."""
-        self._change(lib.tp_scene_set_base_rest, rests)
-
-    def set_contact_within(self, within: Number) -> None:
-        """What of the block lies closer than that to the profile is moved there, to touch it."""
-        self._change_numbers(lib.tp_scene_set_contact_within, within)
-
     # Friction of the contact; the last one set is taken.
 
     def set_friction_angle_deg(self, angle_deg: Number) -> None:
@@ -199,6 +140,15 @@ class Builder:
         """Barton's law by the roughness angle."""
         self._change_numbers(lib.tp_scene_set_friction_barton_roughness, residual_angle_deg,
                              roughness_angle_deg, jcs_mpa)
+
+    def add_friction_facets(self, first: int, last: int, angle_deg: Number) -> None:
+        """A friction angle of their own for facets of the base: from one number to another, counted
+        from 1 from left to right."""
+        self._change(lib.tp_scene_add_friction_facets, first, last, c_number(angle_deg))
+
+    def add_friction_between(self, x0: Number, x1: Number, angle_deg: Number) -> None:
+        """The same for all facets between two abscissas."""
+        self._change_numbers(lib.tp_scene_add_friction_between, x0, x1, angle_deg)
 
     def set_tilt_towards(self, towards: Towards | str) -> None:
         """The directions of tilt that are looked at: 'left', 'right' or 'both'."""

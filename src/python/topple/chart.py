@@ -11,8 +11,10 @@ from ._library import ffi, lib
 from .errors import BadInput, checked
 from .given import c_path, c_text
 from .options import options_of
+from .record import struct_of
 from .report import drawn, written
 from .scene import Scene
+from .study import StudyResult
 
 
 class Chart:
@@ -85,6 +87,17 @@ def chart_mechanisms(friction_deg: float | None = None, roughness_angle_deg: flo
 def chart_ranges() -> Chart:
     """Critical angles about peak and valley against A / y, for the ranges of Fig. 14."""
     return made(lib.tp_chart_ranges)
+
+
+def chart_study(result: StudyResult) -> Chart:
+    """What a study came to: probability against tilt, distribution, rank correlations,
+    convergence."""
+    return made(lib.tp_chart_study, struct_of(result))
+
+
+def chart_study_scatter(result: StudyResult) -> Chart:
+    """The angle at which its samples let go, against each number that varies."""
+    return made(lib.tp_chart_study_scatter, struct_of(result))
 
 
 def chart_map(scene: Scene, x: tuple[str, float, float],

@@ -8,8 +8,23 @@ from __future__ import annotations
 import dataclasses
 
 from ._library import lib
-from .record import Bounded, Record, field, text
+from .record import Bounded, Record, field, record, text
 from .words import ContactEnd, Direction, ElementKind, FosState, Level, NoteKind, PivotKind
+
+
+@dataclasses.dataclass(frozen=True)
+class Setting(Record):
+    """A number that was set in the scene: its key, the formula, and what it says."""
+
+    key: str
+    formula: str
+    unit: str | None  #: of a length: that of the scene; None: the key names it, or there is none
+    value: Bounded
+
+
+def settings_of(c, owner) -> tuple[Setting, ...]:
+    """The settings of a list."""
+    return tuple([record(Setting, own, owner) for own in c.settings.items[0:c.settings.count]])
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,6 +53,17 @@ class Fos(Record):
         if self.value is None:
             raise ValueError(f"the factor of safety is no number: {self.state}")
         return self.value.value
+
+
+@dataclasses.dataclass(frozen=True)
+class FacetFriction(Record):
+    """Facets of the base with a friction angle of their own, from one number to another, counted from
+    1 from left to right."""
+
+    first: int
+    last: int
+    touching: int  #: how many facets and single points of the contact are of them
+    angle_deg: Bounded
 
 
 @dataclasses.dataclass(frozen=True)
@@ -77,6 +103,7 @@ class Contact(Record):
     """Where a block touches its base."""
 
     mated: bool
+    shifted: bool  #: it was mated, before the block was shifted along it
     beyond_stated: bool  #: False: the scene does not say how far the base goes on; taken as 0
     beyond_left_m: Bounded
     beyond_right_m: Bounded
@@ -95,6 +122,8 @@ class Contact(Record):
     corner_points: int  #: of these: a corner on a corner
     length_m: Bounded  #: along the facets
     nominal_length_m: Bounded  #: projected on the mean plane
+    #: on a profile: that length over that of the underside
+    contact_ratio: Bounded | None = field(when="has_contact_ratio")
     weight_per_contact_area_pa: Bounded | None = field(when=_presses)
     weight_per_nominal_area_pa: Bounded | None = field(when=_presses)
 
@@ -111,6 +140,24 @@ class Rest(Record):
     #: along x from the outermost contacts to the weight's line; below 0: wedged in
     margin_left_m: Bounded
     margin_right_m: Bounded
+
+
+@dataclasses.dataclass(frozen=True)
+class Joint(Record):
+    """How open the joint is of a block that was shifted along its mated base. Gaps are along y, and
+    lengths along x, of the part of the underside that lies above the base."""
+
+    shift_m: Bounded  #: to the right above 0
+    above_base_m: Bounded  #: how much of the underside that is
+    largest_gap_m: Bounded
+    mean_gap_m: Bounded  #: the area of the gap over that length
+    closure_m: Bounded | None = field(when="has_closure")  #: gaps up to this count as closed
+    matching: Bounded | None = field(when="has_closure")  #: so much of all of the underside is
+    #: the most of it that the scene asks for; the last shift that was looked at before this one,
+    #: and what is closed there
+    matching_sought: Bounded | None = field(when="has_matching_sought")
+    shift_before_m: Bounded | None = field(when="has_matching_sought")
+    matching_before: Bounded | None = field(when="has_matching_sought")
 
 
 @dataclasses.dataclass(frozen=True)

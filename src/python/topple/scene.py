@@ -52,12 +52,18 @@ class Scene(Builder):
                  rounding_keeps_mass: bool | None = None, repair: bool | None = None,
                  thickness: Number | None = None, unit_weight_kn_m3: Number | None = None,
                  base_mated: bool | None = None, base_profile: Points | None = None,
+                 base_teeth: Given | None = None, base_self_affine: Given | None = None,
+                 base_jrc_profile: int | None = None, base_noise: Given | None = None,
+                 base_scaled: Given | None = None, base_worn: Given | None = None,
                  base_beyond: Given | None = None, base_between: Points | None = None,
                  base_bound: Given | None = None, base_rest: bool | None = None,
-                 contact_within: Number | None = None,
+                 base_poses: bool | None = None, contact_within: Number | None = None,
+                 joint_shift: Number | None = None, joint_matching: Given | None = None,
+                 joint_closure: Number | None = None,
                  friction_angle_deg: Number | None = None, friction_patton: Given | None = None,
                  friction_barton: Given | None = None, friction_barton_test: Given | None = None,
                  friction_barton_roughness: Given | None = None,
+                 friction_facets: Iterable[Given] = (), friction_between: Iterable[Given] = (),
                  tilt_towards: Towards | str | None = None, tilt_angle_deg: Number | None = None,
                  frame: Along | str | None = None, mean_plane: Points | None = None,
                  seismic_horizontal: Number | None = None, seismic_vertical: Number | None = None,
@@ -155,6 +161,16 @@ class Scene(Builder):
                   ffi.new("tp_exact[]", values), len(keys))
         return self._made(receives)
 
+    def with_settings(self, *settings: str) -> Scene:
+        """Another scene by settings KEY=FORMULA, as `topple solve --set` takes them: each number is
+        what its formula says as if it stood there in the file. Its solution has them in `settings`:
+        scene.with_settings("a=40", "b=2*a+1/3")."""
+        receives = ffi.new(RECEIVES_SCENE)
+        texts = [c_text(setting) for setting in settings]
+        self._use(lib.tp_scene_with_settings, receives, self._c,
+                  ffi.new("const char *[]", texts), len(texts))
+        return self._made(receives)
+
     def solve(self, *, digits: int | None = None, elements: bool | None = None,
               limit: bool | None = None, strength_reduction: bool | None = None,
               motion_ranges: bool | None = None, level: Level | str | None = None,
@@ -228,11 +244,21 @@ SET = {
     "unit_weight_kn_m3": Scene.set_unit_weight_kn_m3,
     "base_mated": Scene.set_base_mated,
     "base_profile": Scene.set_base_profile,
+    "base_teeth": _spread(Scene.set_base_teeth),
+    "base_self_affine": _spread(Scene.set_base_self_affine),
+    "base_jrc_profile": Scene.set_base_jrc_profile,
+    "base_noise": _spread(Scene.set_base_noise),
+    "base_scaled": _spread(Scene.set_base_scaled),
+    "base_worn": _spread(Scene.set_base_worn),
     "base_beyond": _spread(Scene.set_base_beyond),
     "base_between": Scene.set_base_between,
     "base_bound": _spread(Scene.set_base_bound),
     "base_rest": Scene.set_base_rest,
+    "base_poses": Scene.set_base_poses,
     "contact_within": Scene.set_contact_within,
+    "joint_shift": Scene.set_joint_shift,
+    "joint_matching": _spread(Scene.set_joint_matching),
+    "joint_closure": Scene.set_joint_closure,
     "friction_angle_deg": Scene.set_friction_angle_deg,
     "friction_patton": _spread(Scene.set_friction_patton),
     "friction_barton": _spread(Scene.set_friction_barton),
@@ -255,6 +281,8 @@ ADD = {
     "arcs_bulge": _spread(Scene.add_arc_bulge),
     "rounded_ends": _spread(Scene.add_rounded_end),
     "rounded_vertices": _spread(Scene.add_rounded_vertex),
+    "friction_facets": _spread(Scene.add_friction_facets),
+    "friction_between": _spread(Scene.add_friction_between),
     "pressures": _spread(Scene.add_pressure),
     "surcharges": _spread(Scene.add_surcharge),
     "anchors": _spread(Scene.add_anchor),

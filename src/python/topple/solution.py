@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Iterable
 
 from ._library import ffi, lib
 from .case import Case
-from .contact import Block, Contact, Effect, Frame, Note, Rest, Teeth, Within, notes_of
+from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, Setting,
+                      Teeth, Within, notes_of, settings_of)
 from .errors import DependencyFailed
 from .given import c_path
 from .record import Bounded, Record, field, record, struct_of
+from .poses import Poses
 from .report import drawn, written
 from .words import Design, Direction, Level, Mechanism, PivotsListed, number_of
 
@@ -38,11 +40,15 @@ class Solution(Record):
     friction_angle_deg: Bounded | None = field(when="has_friction")
     friction_is_residual: bool  #: Barton's law: the angle at a stress is above it
     friction_is_patton: bool  #: Patton's law: phi_b + i of the scene
+    #: facets that have a friction of their own, in the order of the scene
+    friction_facets: tuple[FacetFriction, ...] = field(count="friction_facet_count")
     block: Block
     teeth: Teeth | None = field(when=lambda c: c.teeth.known)
     frame: Frame
     contact: Contact
     rest: Rest | None = field(when=lambda c: c.rest.known)
+    poses: Poses | None = field(when=lambda c: c.poses.known)
+    joint: Joint | None = field(when=lambda c: c.joint.known)
     within: Within | None = field(when=lambda c: c.within.known)
     loaded: bool  #: the scene calls for loads besides the weight
     cases: tuple[Case, ...] = field(read=_cases)
@@ -55,6 +61,7 @@ class Solution(Record):
     open_number: bool
     #: 0: every decision is proven; else some rest on what so many bits do not tell from zero
     zero_bits: int
+    settings: tuple[Setting, ...] = field(read=settings_of)  #: what was set in the scene
 
     def __repr__(self) -> str:
         return "<topple.Solution " + "; ".join(_told(self, case) for case in self.cases) + ">"

@@ -65,6 +65,16 @@ class Mechanism(Word):
     UNDECIDED = "undecided"
 
 
+class SettlingEnd(Word):
+    """What becomes of a block that is set down."""
+
+    COMES_TO_REST = "comes to rest"
+    ROLLS_OFF_LEFT = "rolls off to the left"
+    ROLLS_OFF_RIGHT = "rolls off to the right"
+    BALANCES = "balances"  #: its centroid lies exactly over the only point that could stop it
+    UNDECIDED = "undecided"
+
+
 class FosState(Word):
     """Why a factor of safety is a number, or is none."""
 
@@ -234,11 +244,12 @@ class ProfileResampling(Word):
 
 
 class ProfileDetrend(Word):
-    """The line that is taken off the heights of a profile."""
+    """The line that is taken off the heights of a profile, or that it is turned onto."""
 
     NONE = "none"
     LINE = "line"  #: of least squares
     ENDS = "ends"  #: through both ends
+    TURN = "turn"  #: onto the mean plane
 
 
 class ProfileWindow(Word):
@@ -273,3 +284,35 @@ class JrcState(Word):
     OTHER_LENGTH = "meant for other lengths"
     OFF_SCALE = "beyond the profiles that it was fitted to"
     NO_NUMBER = "no number"
+
+
+class StudyOutcome(Word):
+    """What becomes of a sample of a study."""
+
+    STANDS = "stands"
+    SLIDES = "slides"
+    TOPPLES = "topples"
+    SLIDES_AND_TOPPLES = "slides and topples"
+    LEAVES_BASE = "leaves its base"  #: every contact opens
+    INTERLOCKED = "interlocked"  #: stands at every tilt
+    MAY_MOVE = "may move"  #: history decides
+    UNDECIDED = "undecided"
+    INVALID = "invalid"  #: the numbers make no scene
+
+
+class StudyQuantity(Word):
+    """A number that a sample of a study has."""
+
+    MOMENTS_DEG = "moments_deg"  #: the critical angle of toppling by moments
+    ONSET_DEG = "onset_deg"  #: certain to stand below
+    LIMIT_DEG = "limit_deg"  #: certain to move beyond
+    FOS = "fos"  #: the governing factor of safety at the scene's tilt
+
+
+class StudyEnd(Word):
+    """Why a study ended."""
+
+    COMPLETE = "complete"
+    CERTAIN = "certain"  #: every interval is as narrow as was asked
+    INTERRUPTED = "interrupted"
+    SHARD = "shard"  #: all samples of its shard

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* topple study STUDY */
+
+#include "cli/cli.h"
+#include "cli/study_run.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct arguments {
+  const char *study;
+  const char **shards; /* of --merge: the files after the study */
+  size_t shard_count;
+  bool json, merge;
+  const char *figure, *scatter; /* files to draw into; NULL: none */
+  tp_chart_format figure_format, scatter_format;
+  tp_study_options options;
+} arguments;
+
+enum { KEY_CSV = 256, KEY_THREADS, KEY_SHARD, KEY_MERGE, KEY_RESTART, KEY_FIGURE, KEY_SCATTER };
+
+static const struct argp_option options[] = {
+    {"json", 'j', NULL, 0, "Print the summary as JSON", 0},
+    {"csv", KEY_CSV, "FILE", 0,
+     "Write a row for each sample; where the study was interrupted go on", 0},
+    {"restart", KEY_RESTART, NULL, 0, "With --csv: begin anew, whatever is in FILE", 0},
+    {"figure", KEY_FIGURE, "FILE", 0,
+     "Draw probability against tilt, distribution, what it depends on, and convergence into FILE, "
+     ".svg, .pdf or .png, or write their numbers into a .csv",
+     0},
+    {"scatter", KEY_SCATTER, "FILE", 0, "Draw each sample's angle against what varies, likewise",
+     0},
+    {"threads", KEY_THREADS, "N", 0, "So many threads, the same bytes by any number", 0},
+    {"shard", KEY_SHARD, "I/N", 0, "The I-th of N parts of the study alone, with --csv", 0},
+    {"merge", KEY_MERGE, NULL, 0, "Put the files of all shards together", 0},
+    {0}};
+
+/* ---- words -------------------------------------------------------------------------------------
+ */
+
+static size_t read_count(const char **text, size_t most) {
+  char *end = NULL;
+  errno = 0;
+  if (**text < '0' || **text > '9') return 0;
+  const unsigned long long count = strtoull(*text, &end, 10);
+  *text = end;
+  return errno == 0 && count <= most ? (size_t)count : 0;
+}
+
+static void read_threads(arguments *a, const char *text, struct argp_state *state) {
+  const char *at = text;
+  a->options.threads = read_count(&at, 1024);
+  if (a->options.threads == 0 || *at != '\0') {
+    tp_cli_refuse(state, "--threads takes a number from 1 to 1024, not '%s'", text);
+  }
+}
+
+static void read_shard(arguments *a, const char *text, struct argp_state *state) {
+  enum { MOST = 1000000 };
+  const char *at = text;
+  a->options.shard = read_count(&at, MOST);
+  const bool parted = *at == '/';
+  if (parted) at++;
+  a->options.shards = parted ? read_count(&at, MOST) : 0;
+  if (a->options.shard == 0 || a->options.shards < a->options.shard || *at != '\0') {
+    tp_cli_refuse(state, "--shard takes a part and of how many, as 2/5, not '%s'", text);
+  }
+}
+
+static void read_figure(const char **file, tp_chart_format *format, const char *path,
+                        const char *option, struct argp_state *state) {
+  if (!tp_chart_format_read(format, path)) {
+    tp_cli_refuse(state, "%s takes a file that ends in .svg, .pdf, .png or .csv, not '%s'", option,
+                  path);
+  }
+  *file = path;
+}
+
+/* The study, and then the files of shards. */
+static error_t take_file(arguments *a, const char *file) {
+  if (a->study == NULL) {
+    a->study = file;
+    return 0;
+  }
+  const char **grown = realloc(a->shards, (a->shard_count + 1) * sizeof *grown);
+  if (grown == NULL) return ENOMEM;
+  a->shards = grown;
+  a->shards[a->shard_count++] = file;
+  return 0;
+}
+
+static void check(const arguments *a, struct argp_state *state) {
+  if (a->study == NULL) tp_cli_refuse(state, "give a study, for example examples/study_slab.yaml");
+  if (a->merge && a->shard_count == 0) {
+    tp_cli_refuse(state, "--merge takes the study, and then the files of its shards");
+  }
+  if (!a->merge && a->shard_count > 0) {
+    tp_cli_refuse(state, "one study at a time; '%s' is one too many", a->shards[0]);
+  }
+  if (a->options.shards > 1 && a->merge) tp_cli_refuse(state, "one of --shard and --merge");
+  if (a->options.shards > 1 && a->options.rows == NULL) {
+    tp_cli_refuse(state, "a shard is of use by its rows alone; say --csv FILE");
+  }
+  const char *const files[] = {a->options.rows, a->figure, a->scatter};
+  for (int k = 0; k < 3; k++) {
+    const char *other = files[(k + 1) % 3];
+    if (files[k] != NULL && other != NULL && strcmp(files[k], other) == 0) {
+      tp_cli_refuse(state, "--csv, --figure and --scatter take different files");
+    }
+  }
+  if (a->options.restart && a->options.rows == NULL) {
+    tp_cli_refuse(state, "--restart goes with --csv");
+  }
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+  arguments *a = state->input;
+  switch (key) {
+  case 'j':
+    a->json = true;
+    return 0;
+  case KEY_CSV:
+    a->options.rows = argument;
+    return 0;
+  case KEY_RESTART:
+    a->options.restart = true;
+    return 0;
+  case KEY_FIGURE:
+    read_figure(&a->figure, &a->figure_format, argument, "--figure", state);
+    return 0;
+  case KEY_SCATTER:
+    read_figure(&a->scatter, &a->scatter_format, argument, "--scatter", state);
+    return 0;
+  case KEY_THREADS:
+    read_threads(a, argument, state);
+    return 0;
+  case KEY_SHARD:
+    read_shard(a, argument, state);
+    return 0;
+  case KEY_MERGE:
+    a->merge = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    return take_file(a, argument);
+  case ARGP_KEY_END:
+    check(a, state);
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "STUDY\n--merge STUDY FILE...",
+    .doc = "How probable is it that a block stands, slides or topples?\v"
+           "STUDY names a scene and what varies in it: docs/study.md. Interrupted, as by Ctrl-C, "
+           "it sums up what is known, and with --csv goes on when it is run again."};
+
+/* ---- the work ----------------------------------------------------------------------------------
+ */
+
+/* One process reads the study, and runs or merges it. */
+static tp_status run(tp_study_result **result, const arguments *a, tp_message *message) {
+  tp_study *study = NULL;
+  tp_status status = tp_study_read(&study, a->study, message);
+  if (status == TP_OK) {
+    status = a->merge
+                 ? tp_study_merge(result, study, a->shards, a->shard_count, &a->options, message)
+                 : tp_cli_study_run(result, study, &a->options, message);
+  }
+  tp_study_free(study);
+  return status;
+}
+
+/* Whoever shares a study out by --shard, or merges it, does so under mpirun as well. */
+static tp_status run_by_ranks(tp_study_result **result, const arguments *a, tp_message *message) {
+  tp_ranks ranks = {.count = 1};
+  if (!a->merge && a->options.shards == 1) {
+    const tp_status status = tp_cli_ranks_begin(&ranks, message);
+    if (status != TP_OK) return ranks.rank == 0 ? status : TP_OK; /* one complains */
+  }
+  if (ranks.count == 1) return run(result, a, message);
+  const tp_status status = tp_cli_study_by_ranks(result, &ranks, a->study, &a->options, message);
+  tp_cli_ranks_end(&ranks);
+  return status;
+}
+
+typedef tp_status chart_of(tp_chart **chart, const tp_study_result *result, tp_message *message);
+
+static tp_status draw(chart_of *make, const tp_study_result *result, const char *path,
+                      tp_chart_format format, tp_message *message) {
+  tp_chart *chart = NULL;
+  tp_status status = make(&chart, result, message);
+  if (status == TP_OK) status = tp_report_chart_file(chart, path, format, message);
+  tp_chart_free(chart);
+  return status;
+}
+
+static tp_status tell(const tp_study_result *result, const arguments *a, int *ended,
+                      tp_message *message) {
+  char *report = NULL;
+  tp_status status =
+      a->json ? tp_report_study_json(&report, result) : tp_report_study(&report, result);
+  status = tp_cli_print_report(status, report, ended);
+  if (status == TP_OK && *ended == 0 && a->figure != NULL) {
+    status = draw(tp_chart_study, result, a->figure, a->figure_format, message);
+  }
+  if (status == TP_OK && *ended == 0 && a->scatter != NULL) {
+    status = draw(tp_chart_study_scatter, result, a->scatter, a->scatter_format, message);
+  }
+  return status;
+}
+
+static tp_status study_and_tell(const void *words, int *ended, tp_message *message) {
+  const arguments *a = words;
+  tp_study_result *result = NULL;
+  tp_status status = run_by_ranks(&result, a, message);
+  if (status == TP_OK && result != NULL) status = tell(result, a, ended, message);
+  tp_study_result_free(result);
+  free(a->shards);
+  return status;
+}
+
+int tp_cli_study(int argc, char **argv) {
+  arguments a = {.options = tp_study_options_default()};
+  const int status = tp_cli_run(&parser, &a, study_and_tell, argc, argv);
+  /* ends by the signal, as the shell and scripts expect */
+  const int interrupted = tp_cli_study_signal();
+  if (interrupted != 0) {
+    (void)signal(interrupted, SIG_DFL);
+    (void)raise(interrupted);
+  }
+  return status;
+}

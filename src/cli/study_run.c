@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A study by one process: signals, and how far it is. */
+
+#include "cli/study_run.h"
+
+#include "cli/words.h"
+
+#include <signal.h>
+#include <time.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t interrupted; /* the signal, or 0 */
+
+static void note_signal(int number) {
+  interrupted = number;
+}
+
+int tp_cli_study_signal(void) {
+  return interrupted;
+}
+
+void tp_cli_study_catch(void) {
+  static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+  struct sigaction action = {.sa_handler = note_signal, .sa_flags = SA_RESETHAND | SA_RESTART};
+  struct sigaction before;
+  sigemptyset(&action.sa_mask);
+  for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+    if (sigaction(numbers[k], NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
+      (void)sigaction(numbers[k], &action, NULL);
+    }
+  }
+}
+
+static bool is_interrupted(void *context) {
+  (void)context;
+  return interrupted != 0;
+}
+
+/* When it began, and with how many. */
+typedef struct clock_line {
+  double began, told;
+  size_t first;
+  bool begun;
+} clock_line;
+
+static double seconds_now(void) {
+  struct timespec now;
+  (void)clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Twice a second, over the line before. */
+static void tell_progress(void *context, size_t done, size_t of) {
+  clock_line *line = context;
+  const double now = seconds_now();
+  if (!line->begun) {
+    *line = (clock_line){now, now, done, true};
+    return;
+  }
+  if (now - line->told < 0.5) return;
+  line->told = now;
+  tp_cli_tell_progress(done, of, (double)(done - line->first) / (now - line->began));
+}
+
+tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
+                           const tp_study_options *options, tp_message *message) {
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  clock_line line = {.begun = false};
+  tp_study_options own = *options;
+  own.context = &line;
+  own.stop = is_interrupted;
+  own.progress = terminal ? tell_progress : NULL;
+  tp_cli_study_catch();
+  const tp_status status = tp_study_run(result, study, &own, message);
+  if (terminal) tp_cli_clear_progress();
+  return status;
+}

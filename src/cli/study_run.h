@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* topple study as it runs: one process, or the ranks of mpirun. */
+
+#ifndef TP_CLI_STUDY_RUN_H
+#define TP_CLI_STUDY_RUN_H
+
+#include "cli/ranks.h"
+
+/* The signal that interrupted the study, or 0. The first one is caught, a second one ends the
+ * program at once. */
+int tp_cli_study_signal(void);
+void tp_cli_study_catch(void);
+
+/* Samples, by one process: interrupted by a signal, with its progress on a terminal. */
+TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
+                                       const tp_study_options *options, tp_message *message);
+
+/* The same by all ranks, each a shard, which the first merges. `*result` is NULL where this rank
+ * has nothing to tell, as every one but the first. Of those that fail one has the status, so that
+ * it is told once. */
+TP_MUST_USE tp_status tp_cli_study_by_ranks(tp_study_result **result, tp_ranks *ranks,
+                                            const char *path, const tp_study_options *options,
+                                            tp_message *message);
+
+#endif

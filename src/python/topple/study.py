@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Studies: a scene solved many times, as some of its numbers vary."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import TYPE_CHECKING, Sequence
+
+from ._library import ffi, lib
+from .errors import checked
+from .given import NULL, c_path
+from .options import options_of
+from .record import Record, field, record, struct_of
+from .report import written
+from .words import StudyEnd, StudyOutcome, StudyQuantity
+
+if TYPE_CHECKING:
+    import numpy
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyShare(Record):
+    """A share of the samples, with Wilson's interval of 95 % for the probability."""
+
+    count: int
+    share: float
+    low: float
+    high: float
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyTilt(Record):
+    """What becomes of the samples at a tilt."""
+
+    of_scene: bool  #: at the scene's; where it has none, what happens first as it is tilted
+    tilt_varies: bool
+    tilt_deg: float | None = field(when="has_tilt")  #: where it varies, that of the scene file
+    outcomes: tuple[StudyShare, ...]  #: in the order of `StudyOutcome`
+    stands: StudyShare  #: certain to stand: stands and interlocked
+    moves: StudyShare  #: certain to move: slides, topples, both, leaves its base
+
+    def __getitem__(self, outcome: StudyOutcome | str) -> StudyShare:
+        return self.outcomes[list(StudyOutcome).index(StudyOutcome(outcome))]
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyQuantile(Record):
+    """A quantile, with a range that holds it with 95 % certainty; infinite where the samples do not
+    tell."""
+
+    probability: float
+    value: float
+    low: float
+    high: float
+
+
+@dataclasses.dataclass(frozen=True)
+class StudySpread(Record):
+    """How a quantity is distributed."""
+
+    count: int  #: of the samples kept that have it
+    quantiles: tuple[StudyQuantile, ...] | None = field(when="count")
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyRank(Record):
+    """Spearman's rank correlation, with its interval of 95 %; None where it has none."""
+
+    value: float | None = field(when="known")
+    low: float | None = field(when="known")
+    high: float | None = field(when="known")
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyIndex(Record):
+    """Sobol' indices, with their intervals of 95 %; None where there are none."""
+
+    first: float | None = field(when="known")
+    first_low: float | None = field(when="known")
+    first_high: float | None = field(when="known")
+    total: float | None = field(when="known")
+    total_low: float | None = field(when="known")
+    total_high: float | None = field(when="known")
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyRare(Record):
+    """A probability by samples drawn where it fails; None where it has no answer, which `why` tells,
+    and where it was not asked for."""
+
+    asked: bool
+    probability: float | None = field(when="known")
+    low: float | None = field(when="known")
+    high: float | None = field(when="known")
+    variation: float | None = field(when="known")  #: its deviation over itself
+    calls: int | None = field(when="known")  #: scenes solved for it
+    why: str | None
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyReliability(Record):
+    """Reliability of first order; None all where the study does not ask for it."""
+
+    quantity: StudyQuantity | None = field(when="known")
+    converged: bool | None = field(when="known")
+    state: str | None = field(when="known")  #: how the search for the design point ended
+    beta: float | None = field(when="known")
+    probability: float | None = field(when="known")
+    calls: int | None = field(when="known")  #: scenes solved for it
+    importance: StudyRare  #: by samples around the design point
+    subset: StudyRare  #: by subset simulation
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyVariable(Record):
+    """A number that varies."""
+
+    key: str
+    kind: str  #: normal, list and so on
+    least: float
+    greatest: float
+    ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
+    indices: tuple[StudyIndex, ...]  #: likewise
+    design_value: float  #: where reliability is known: at the design point,
+    importance: float  #: and its share of the variance there
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyStep(Record):
+    """The probability to move as samples came in."""
+
+    samples: int
+    moves: StudyShare
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyBad(Record):
+    """A sample whose numbers make no scene."""
+
+    sample: int
+    settings: str  #: KEY=VALUE KEY=VALUE
+    why: str
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyResult(Record):
+    """A study summed up. Quantiles, ranks, ranges and columns are of the first `kept` samples."""
+
+    title: str | None
+    scene: str
+    method: str
+    seed: int
+    planned: int
+    samples: int
+    kept: int
+    end: StudyEnd
+    shard: int
+    shards: int
+    half_width: float  #: asked of every interval; 0: none was
+    open: int  #: samples with a number less certain than to 9 digits
+    tilts: tuple[StudyTilt, ...] = field(count="tilt_count")
+    variables: tuple[StudyVariable, ...] = field(count="variable_count")
+    spreads: tuple[StudySpread, ...]  #: in the order of `StudyQuantity`
+    sensitivity_samples: int  #: of Sobol' indices; 0: none were asked for
+    reliability: StudyReliability
+    steps: tuple[StudyStep, ...] = field(count="step_count")
+    bad: tuple[StudyBad, ...] = field(count="bad_count")
+    #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`
+    columns: dict = field(read=lambda c, owner: _columns(c))
+
+    def spread(self, quantity: StudyQuantity | str) -> StudySpread:
+        """Of one quantity."""
+        return self.spreads[list(StudyQuantity).index(StudyQuantity(quantity))]
+
+    def report(self) -> str:
+        """The summary, as `topple study` prints it."""
+        return written(lib.tp_report_study, struct_of(self))
+
+    def to_json(self) -> str:
+        """JSON (docs/schema/study.json)."""
+        return written(lib.tp_report_study_json, struct_of(self))
+
+
+def _columns(c) -> dict[str, numpy.ndarray]:
+    """All columns by their names."""
+    import numpy
+
+    words = numpy.array(list(StudyOutcome), dtype=object)
+    columns = {}
+    for k in range(c.column_count if c.kept else 0):
+        own = c.columns[k]
+        values = numpy.frombuffer(ffi.buffer(own.values, 8 * c.kept), dtype="f8").copy()
+        is_outcome = k >= c.variable_count + len(StudyQuantity)
+        name = ffi.string(own.header).decode("utf-8", "replace")
+        columns[name] = words[values.astype(int)] if is_outcome else values
+    return columns
+
+
+def study(path: str | os.PathLike, *, rows: str | os.PathLike | None = None, restart: bool = False,
+          threads: int = 0, shard: tuple[int, int] = (1, 1),
+          merge: Sequence[str | os.PathLike] = ()) -> StudyResult:
+    """Run the study in a file (docs/study.md). `rows` is a CSV file for a row of each sample, by
+    which an interrupted study goes on, unless `restart`; `shard` a part, as in (2, 5); `merge` the
+    files of all shards, which are put together instead. `columns` of the result are NumPy arrays."""
+    receives, result = ffi.new("tp_study **"), ffi.new("tp_study_result **")
+    checked(lib.tp_study_read, receives, c_path(path))
+    own = ffi.gc(receives[0], lib.tp_study_free)
+    name = NULL if rows is None else c_path(rows)
+    options = options_of("study", rows=name, restart=restart, threads=threads, shard=shard[0],
+                         shards=shard[1])
+    if merge:
+        files = [c_path(file) for file in merge]
+        checked(lib.tp_study_merge, result, own, ffi.new("char *[]", files), len(files), options)
+    else:
+        checked(lib.tp_study_run, result, own, options)
+    owner = ffi.gc(result[0], lib.tp_study_result_free)
+    return record(StudyResult, owner[0], owner)

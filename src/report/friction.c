@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/friction.h"
+
+#include "report/parts_json.h"
+
+/* As many as are read; JSON has all. */
+enum { LISTED = 10 };
+
+static void add_facets(tp_page *p, const tp_facet_friction_result *f) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(&p->text, "         %s° on facet%s %zu", tp_page_degrees(n, f->angle_deg),
+              f->first == f->last ? "" : "s", f->first);
+  if (f->first != f->last) tp_text_add(&p->text, " to %zu", f->last);
+  if (f->touching == 0) tp_text_add(&p->text, ", which the block does not touch");
+  tp_text_add(&p->text, "\n");
+}
+
+void tp_page_add_friction(tp_page *p) {
+  const tp_solution *s = p->solution;
+  const size_t count = s->friction_facet_count;
+  char n[TP_NUMBER_SIZE];
+  if (count == 0) return;
+  tp_text_add(&p->text, "Friction %s°, but on facets of the base, counted from the left:\n",
+              tp_page_degrees(n, s->friction_angle_deg));
+  for (size_t k = 0; k < count && k < LISTED; k++) add_facets(p, s->friction_facets + k);
+  if (count > LISTED) tp_text_add(&p->text, "         and %zu more like these\n", count - LISTED);
+}
+
+void tp_json_friction(tp_json *j, const tp_solution *s) {
+  if (s->friction_facet_count == 0) return;
+  tp_json_array(j, "friction_facets", TP_JSON_BLOCK);
+  for (size_t k = 0; k < s->friction_facet_count; k++) {
+    const tp_facet_friction_result *f = s->friction_facets + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_count(j, "first", f->first);
+    tp_json_count(j, "last", f->last);
+    tp_json_bounded(j, "angle_deg", f->angle_deg);
+    tp_json_count(j, "touching", f->touching);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}

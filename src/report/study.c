@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The summary of a study as a page. A probability has four decimals, its interval beside it. */
+
+#include "host.h"
+#include "output/encode.h"
+#include "report/study_words.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LABEL = 30 };
+
+/* ---- head --------------------------------------------------------------------------------------
+ */
+
+static void add_end(tp_text *t, const tp_study_result *r) {
+  switch (r->end) {
+  case TP_STUDY_CERTAIN:
+    tp_text_add(t, "; stopped, as every interval is within +-%.4g", r->half_width);
+    break;
+  case TP_STUDY_INTERRUPTED:
+    tp_text_add(t, "; interrupted");
+    break;
+  case TP_STUDY_SHARD:
+    tp_text_add(t, "; shard %zu of %zu", r->shard, r->shards);
+    break;
+  default:
+    break;
+  }
+}
+
+static void add_head(tp_text *t, const tp_study_result *r) {
+  if (r->title != NULL) {
+    tp_encode_plain(t, r->title);
+    tp_text_add(t, "\n\n");
+  }
+  tp_text_add(t, "Study of ");
+  tp_encode_plain(t, r->scene);
+  tp_text_add(t, "\n%zu of %zu samples", r->samples, r->planned);
+  if (strcmp(r->method, "none") != 0) tp_text_add(t, ", %s, seed %zu", r->method, r->seed);
+  add_end(t, r);
+  tp_text_add(t, "\n\nWhat varies\n");
+  for (size_t k = 0; k < r->variable_count; k++) {
+    const tp_study_variable *v = r->variables + k;
+    tp_text_add(t, "  ");
+    tp_encode_column(t, v->key, LABEL);
+    tp_text_add(t, " %-12s", v->kind);
+    if (r->kept > 0) tp_text_add(t, " %.6g to %.6g", v->least, v->greatest);
+    tp_text_add(t, "\n");
+  }
+}
+
+/* ---- probabilities -----------------------------------------------------------------------------
+ */
+
+static void add_share(tp_text *t, const char *label, const tp_study_share *share) {
+  tp_text_add(t, "  %-*s %12zu   %.4f   %.4f to %.4f\n", LABEL, label, share->count, share->share,
+              share->low, share->high);
+}
+
+/* What did not happen is listed where one would look for it. */
+static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
+  if (tilt->tilt_varies) {
+    tp_text_add(t, "\nAt the scene's tilt, which varies");
+  } else if (tilt->has_tilt) {
+    tp_text_add(t, "\nAt the scene's tilt, %.6g°", tilt->tilt_deg);
+  } else {
+    tp_text_add(t, "\nWhat happens first as the table is tilted");
+  }
+  tp_text_add(t, "\n  %-*s %12s   %-8s %s\n", LABEL, "", "samples", "share", "95 %");
+  for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
+    const bool always =
+        k <= TP_STUDY_SLIDES_AND_TOPPLES || k == TP_STUDY_MAY_MOVE || k == TP_STUDY_UNDECIDED;
+    if (!always && tilt->outcomes[k].count == 0) continue;
+    const char *label = k == TP_STUDY_MAY_MOVE ? "may move: history decides"
+                                               : tp_study_outcome_name((tp_study_outcome)k);
+    add_share(t, label, tilt->outcomes + k);
+  }
+  add_share(t, "certain to stand", &tilt->stands);
+  add_share(t, "certain to move", &tilt->moves);
+}
+
+static void add_tilts(tp_text *t, const tp_study_result *r) {
+  add_own_tilt(t, r->tilts);
+  if (r->tilt_count == 1) return;
+  tp_text_add(t, "\nBy tilt\n  %8s  %-25s %-25s %8s\n", "tilt", "certain to stand",
+              "certain to move", "neither");
+  for (size_t k = 1; k < r->tilt_count; k++) {
+    const tp_study_tilt *tilt = r->tilts + k;
+    const size_t neither = r->samples - tilt->stands.count - tilt->moves.count;
+    tp_text_add(t, "  %7.4g°  %.4f %.4f to %.4f   %.4f %.4f to %.4f %8zu\n", tilt->tilt_deg,
+                tilt->stands.share, tilt->stands.low, tilt->stands.high, tilt->moves.share,
+                tilt->moves.low, tilt->moves.high, neither);
+  }
+}
+
+/* Words between blanks, over lines of a terminal. */
+static void add_lines(tp_text *t, const char *words) {
+  enum { WIDTH = 76 };
+  char plain[1024];
+  tp_plain_text(plain, sizeof plain, words);
+  size_t used = 0;
+  for (const char *word = plain; *word != '\0';) {
+    const size_t length = strcspn(word, " ");
+    if (used > 0 && used + 1 + length > WIDTH) used = 0;
+    tp_text_add(t, "%s%.*s", used > 0 ? " " : "\n  ", (int)length, word);
+    used += length + (used > 0 ? 1 : 0);
+    word += length;
+    word += strspn(word, " ");
+  }
+}
+
+/* ---- numbers -----------------------------------------------------------------------------------
+ */
+
+static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
+  char own[TP_NUMBER_SIZE];
+  if (isinf(value)) {
+    tp_text_add(t, " %7s", value > 0 ? "always" : "never");
+  } else {
+    tp_text_add(t, " %7s",
+                tp_text_fixed(own, (tp_bounded){value, 0, NULL}, quantity == TP_STUDY_FOS ? 3 : 2));
+  }
+}
+
+static void add_spreads(tp_text *t, const tp_study_result *r) {
+  bool infinite = false;
+  if (r->kept == 0) return;
+  tp_text_add(t, "\n%-22s", "Quantiles");
+  for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
+    tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
+  }
+  tp_text_add(t, "\n");
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    const tp_study_spread *spread = r->spreads + q;
+    if (spread->count == 0) continue;
+    tp_text_add(t, "%-22s", tp_study_quantity_words((tp_study_quantity)q));
+    for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
+      add_number(t, spread->quantiles[k].value, (tp_study_quantity)q);
+      infinite = infinite || isinf(spread->quantiles[k].value);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (infinite) {
+    tp_text_add(t, "always: it holds at every tilt, or nothing overturns it; never: at none.\n");
+  }
+}
+
+static void add_ranks(tp_text *t, const tp_study_result *r) {
+  bool any = false;
+  for (size_t k = 0; k < r->variable_count; k++) {
+    for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->variables[k].ranks[q].known;
+  }
+  if (!any) return;
+  tp_text_add(t, "\n%-*s %10s %10s %10s %10s\n", LABEL + 2, "Rank correlation with", "moments",
+              "onset", "limit", "factor");
+  for (size_t k = 0; k < r->variable_count; k++) {
+    const tp_study_variable *v = r->variables + k;
+    tp_text_add(t, "  ");
+    tp_encode_column(t, v->key, LABEL);
+    for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+      if (v->ranks[q].known) {
+        tp_text_add(t, " %10.3f", v->ranks[q].value);
+      } else {
+        tp_text_add(t, " %10s", "-");
+      }
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+/* For the critical angle by moments, and both limits; not where none is known. */
+static void add_indices(tp_text *t, const tp_study_result *r) {
+  static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset", "limit", "factor"};
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (!r->variables[0].indices[q].known) continue;
+    tp_text_add(t, "\nSobol' indices, %-15s %20s %20s\n", labels[q], "first order", "total");
+    for (size_t k = 0; k < r->variable_count; k++) {
+      const tp_study_index *own = r->variables[k].indices + q;
+      tp_text_add(t, "  ");
+      tp_encode_column(t, r->variables[k].key, LABEL);
+      tp_text_add(t, " %6.3f %6.3f to %5.3f %6.3f %6.3f to %5.3f\n", own->first, own->first_low,
+                  own->first_high, own->total, own->total_low, own->total_high);
+    }
+  }
+}
+
+static void add_rare(tp_text *t, const char *label, const tp_study_rare *own) {
+  if (!own->asked) return;
+  if (own->known) {
+    tp_text_add(t, "  by %s: %.3g (%.3g to %.3g), %zu scenes solved\n", label, own->probability,
+                own->low, own->high, own->calls);
+  } else {
+    tp_text_add(t, "  by %s: no answer:", label);
+    add_lines(t, own->why);
+    tp_text_add(t, "\n");
+  }
+}
+
+static void add_reliability(tp_text *t, const tp_study_result *r) {
+  const tp_study_reliability *own = &r->reliability;
+  if (!own->known) return;
+  const tp_study_quantity quantity = own->quantity;
+  tp_text_add(t, "\nReliability of first order: %s not above %s\n",
+              tp_study_quantity_name(quantity), quantity == TP_STUDY_FOS ? "1" : "the tilt");
+  tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->calls);
+  if (own->converged) {
+    tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
+  }
+  add_rare(t, "samples around the design point", &own->importance);
+  add_rare(t, "subset simulation", &own->subset);
+  if (!own->converged) return;
+  tp_text_add(t, "  %-*s %14s %11s\n", LABEL, "", "design point", "importance");
+  for (size_t k = 0; k < r->variable_count; k++) {
+    tp_text_add(t, "  ");
+    tp_encode_column(t, r->variables[k].key, LABEL);
+    tp_text_add(t, " %14.6g %11.3f\n", r->variables[k].design_value, r->variables[k].importance);
+  }
+}
+
+static void add_steps(tp_text *t, const tp_study_result *r) {
+  if (r->step_count < 2) return;
+  tp_text_add(t, "\nCertain to move, as samples came in\n");
+  for (size_t k = 0; k < r->step_count; k++) {
+    const tp_study_step *step = r->steps + k;
+    tp_text_add(t, "  %12zu   %.4f   %.4f to %.4f\n", step->samples, step->moves.share,
+                step->moves.low, step->moves.high);
+  }
+}
+
+/* ---- what to look at ---------------------------------------------------------------------------
+ */
+
+static void add_bad(tp_text *t, const tp_study_result *r) {
+  for (size_t k = 0; k < r->bad_count; k++) {
+    tp_text_add(t, "%sInvalid sample %zu", k == 0 ? "\n" : "", r->bad[k].sample);
+    add_lines(t, r->bad[k].settings);
+    add_lines(t, r->bad[k].why);
+    tp_text_add(t, "\n");
+  }
+}
+
+static void add_foot(tp_text *t, const tp_study_result *r) {
+  tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each by itself.\n");
+  if (r->open > 0) {
+    tp_text_add(t, "%zu samples have a number that is less certain than to 9 digits.\n", r->open);
+  }
+  if (r->kept < r->samples) {
+    tp_text_add(t, "Ranges, quantiles and ranks are of the first %zu samples.\n", r->kept);
+  }
+}
+
+tp_status tp_report_study(char **text, const tp_study_result *result) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, result);
+  tp_text t = {0};
+  add_head(&t, result);
+  if (result->samples > 0) {
+    add_tilts(&t, result);
+    add_spreads(&t, result);
+    add_ranks(&t, result);
+    add_indices(&t, result);
+    add_reliability(&t, result);
+    add_steps(&t, result);
+    add_bad(&t, result);
+    add_foot(&t, result);
+  }
+  return tp_text_finish(&t, text);
+}

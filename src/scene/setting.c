@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "scene/setting.h"
+
+#include <string.h>
+
+size_t tp_setting_key_length(const char *setting) {
+  return strcspn(setting, "=");
+}
+
+tp_status tp_setting_evaluate(fmpq_t value, const char *setting, const tp_parameters *parameters,
+                              tp_message *message) {
+  const char *formula = setting + tp_setting_key_length(setting) + 1;
+  return tp_expression_evaluate(value, formula, (tp_place){setting, 0, 0}, parameters, message);
+}

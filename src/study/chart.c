@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The charts of a study. */
+
+#include "host.h"
+#include "study/chart_panels.h"
+
+static const char *const keys[] = {"panel_of", "of", NULL};
+static const char *const notes[] = {"low", "high", NULL};
+
+static tp_chart *begin(const char *kind, const tp_study_result *result) {
+  tp_chart *own = tp_chart_new(kind, keys, "x", "y", notes);
+  if (own == NULL) return NULL;
+  if (result->title != NULL) tp_chart_set_title(own, result->title);
+  own->columns = 2;
+  own->rows_are_named = true;
+  own->panel_width_mm = 66;
+  own->panel_height_mm = 50;
+  return own;
+}
+
+static tp_status fail_empty(tp_message *message) {
+  return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
+                 "no sample of the study has an angle at which it lets go: there is nothing to "
+                 "draw");
+}
+
+tp_status tp_chart_study(tp_chart **chart, const tp_study_result *result, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, result);
+  const tp_study_view view = tp_study_view_of(result);
+  if (view.finite == 0) return fail_empty(message);
+  tp_chart *own = begin("study", result);
+  if (own == NULL) return tp_fail_memory(message, "the chart");
+  own->failed |= !tp_study_add_fragility(own, &view);
+  own->failed |= !tp_study_add_distribution(own, &view);
+  tp_study_add_ranks(own, &view);
+  own->failed |= !tp_study_add_steps(own, &view);
+  return tp_chart_finish(own, chart, message);
+}
+
+tp_status tp_chart_study_scatter(tp_chart **chart, const tp_study_result *result,
+                                 tp_message *message) {
+  TP_GUARD_HOST;
+  enum { MOST_PANELS = 8 };
+  TP_REFUSE_NULL(message, chart);
+  TP_REFUSE_NULL(message, result);
+  const tp_study_view view = tp_study_view_of(result);
+  if (view.finite == 0) return fail_empty(message);
+  tp_chart *own = begin("study_scatter", result);
+  if (own == NULL) return tp_fail_memory(message, "the chart");
+  size_t count = result->variable_count < MOST_PANELS ? result->variable_count : MOST_PANELS;
+  if (count == 1) own->columns = 1;
+  for (size_t k = 0; k < count; k++) tp_study_add_scatter(own, &view, k);
+  for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
+    if (result->tilts[0].outcomes[k].count == 0 || k == TP_STUDY_INVALID) continue;
+    tp_chart_add_legend(own, tp_study_outcome_name((tp_study_outcome)k),
+                        tp_study_chart_points((tp_study_outcome)k));
+  }
+  return tp_chart_finish(own, chart, message);
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "study/hash.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+uint64_t tp_hash_bytes(uint64_t hash, const void *bytes, size_t length) {
+  const unsigned char *byte = bytes;
+  for (size_t k = 0; k < length; k++) hash = (hash ^ byte[k]) * UINT64_C(0x100000001b3);
+  return hash;
+}
+
+tp_status tp_hash_file(uint64_t *hash, const char *path, tp_message *message) {
+  unsigned char bytes[1 << 14];
+  uint64_t total = 0;
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
+                   strerror(errno));
+  }
+  size_t count = 0;
+  while ((count = fread(bytes, 1, sizeof bytes, file)) > 0) {
+    *hash = tp_hash_bytes(*hash, bytes, count);
+    total += count;
+  }
+  const bool failed = ferror(file) != 0;
+  const int why = errno;
+  fclose(file);
+  if (failed) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be read: %s",
+                   strerror(why));
+  }
+  *hash = tp_hash_bytes(*hash, &total, sizeof total);
+  return TP_OK;
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#define _GNU_SOURCE /* asprintf */
+#include "study/progress.h"
+
+#include "output/file.h"
+#include "output/text.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+char *tp_progress_path(const char *rows) {
+  char *path = NULL;
+  return asprintf(&path, "%s.progress", rows) >= 0 ? path : NULL;
+}
+
+static bool read_count(uint64_t *count, const tp_node *root, const char *key, int base) {
+  const tp_node *node = tp_node_get(root, key);
+  if (node == NULL || node->kind != TP_NODE_SCALAR) return false;
+  char *end = NULL;
+  errno = 0;
+  *count = strtoull(node->text, &end, base);
+  return end != node->text && *end == '\0' && errno == 0;
+}
+
+static tp_status take(tp_progress *progress, const tp_node *root, const char *path,
+                      const tp_study *study, tp_message *message) {
+  uint64_t hash = 0, shard = 0, shards = 0;
+  const tp_node *version = tp_node_get(root, "topple");
+  const tp_place place = {path, 0, 0};
+  if (!read_count(&hash, root, "study", 16) || !read_count(&shard, root, "shard", 10) ||
+      !read_count(&shards, root, "shards", 10) ||
+      !read_count(&progress->chunks, root, "chunks", 10) ||
+      !read_count(&progress->bytes, root, "bytes", 10) || version == NULL ||
+      version->kind != TP_NODE_SCALAR) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "this is not what a study says of its progress; name another file for the rows");
+  }
+  if (hash != study->hash) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "these rows are of another study, or the study, its scene or a file that they "
+                   "name has changed since; restart, or name another file");
+  }
+  if (strcmp(version->text, TP_VERSION) != 0) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "these rows are by another version of this program; restart, or name another "
+                   "file");
+  }
+  progress->shard = (size_t)shard;
+  progress->shards = (size_t)shards;
+  return TP_OK;
+}
+
+tp_status tp_progress_read(tp_progress *progress, bool *there, const char *rows,
+                           const tp_study *study, tp_message *message) {
+  char *path = tp_progress_path(rows);
+  if (path == NULL) return tp_fail_memory(message, "the progress of a study");
+  tp_node *root = NULL;
+  *there = access(path, F_OK) == 0;
+  tp_status status = *there ? tp_node_read(&root, path, message) : TP_OK;
+  if (status == TP_OK && *there) status = take(progress, root, path, study, message);
+  tp_node_free(root);
+  free(path);
+  return status;
+}
+
+tp_status tp_progress_write(const tp_progress *progress, const char *rows, const tp_study *study,
+                            tp_message *message) {
+  char text[400];
+  char *path = tp_progress_path(rows);
+  if (path == NULL) return tp_fail_memory(message, "the progress of a study");
+  const int length = snprintf(text, sizeof text,
+                              "# How far the rows beside this file are. The study goes on from "
+                              "here; shards are merged by it.\n"
+                              "topple: %s\nstudy: %016" PRIx64 "\nshard: %zu\nshards: %zu\n"
+                              "chunks: %" PRIu64 "\nbytes: %" PRIu64 "\n",
+                              TP_VERSION, study->hash, progress->shard, progress->shards,
+                              progress->chunks, progress->bytes);
+  const tp_status status = tp_file_write(path, text, (size_t)length, (tp_file_sources){0}, message);
+  free(path);
+  return status;
+}

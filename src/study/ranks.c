@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "study/ranks.h"
+
+#include "statistics/rank_correlation.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEWEST = 4 };
+
+/* Room for the samples that have a quantity: two columns, and their ranks. */
+typedef struct pairs {
+  double *values, *x, *y;
+} pairs;
+
+static bool is_constant(const double *values, size_t count) {
+  for (size_t k = 1; k < count; k++) {
+    if (values[k] != values[0]) return false;
+  }
+  return true;
+}
+
+/* Those of a column whose quantity is a number. */
+static size_t pick(double *picked, const double *column, const double *quantity, size_t kept) {
+  size_t count = 0;
+  for (size_t k = 0; k < kept; k++) {
+    if (!isnan(quantity[k])) picked[count++] = column[k];
+  }
+  return count;
+}
+
+/* Of all variables with one quantity, whose ranks are taken once. */
+static tp_status rank_quantity(tp_study_variable *variables, const tp_tally *tally, size_t q,
+                               const pairs *p, tp_message *message) {
+  const size_t kept = (size_t)tally->kept, inputs = tally->study->variable_count;
+  const double *quantity = tally->columns[inputs + q];
+  const size_t count = pick(p->values, quantity, quantity, kept);
+  if (count < FEWEST || is_constant(p->values, count)) return TP_OK;
+  tp_status status = tp_ranks(p->y, p->values, count, message);
+  for (size_t k = 0; k < inputs && status == TP_OK; k++) {
+    (void)pick(p->values, tally->columns[k], quantity, kept);
+    if (is_constant(p->values, count)) continue;
+    status = tp_ranks(p->x, p->values, count, message);
+    if (status != TP_OK) break;
+    const tp_estimate own = tp_rank_correlation(p->x, p->y, count, 0.95);
+    variables[k].ranks[q] = (tp_study_rank){true, own.value, own.low, own.high};
+  }
+  return status;
+}
+
+tp_status tp_tally_ranks(tp_study_variable *variables, const tp_tally *tally, tp_message *message) {
+  const size_t kept = (size_t)tally->kept;
+  double *all = calloc(3 * kept + 1, sizeof *all);
+  if (all == NULL) return tp_fail_memory(message, "rank correlations");
+  const pairs p = {all, all + kept, all + 2 * kept};
+  tp_status status = TP_OK;
+  for (size_t q = 0; q < TP_STUDY_QUANTITIES && status == TP_OK; q++) {
+    status = rank_quantity(variables, tally, q, &p, message);
+  }
+  free(all);
+  return status;
+}

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Reliability of first order (statistics/form.h) at the scene's tilt: it fails where an angle at
+ * which it lets go is not above the tilt, or its factor of safety not above 1. */
+
+#include "generate/random.h"
+#include "statistics/form.h"
+#include "statistics/importance_sampling.h"
+#include "statistics/subset_simulation.h"
+#include "study/analyses.h"
+#include "study/points.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Its seeds; the design of Sobol' indices has others, and cells are numbered from 0. */
+enum { SEED_OF_IMPORTANCE = (1 << 20) + 2, SEED_OF_SUBSET };
+
+/* Where a number is infinite: beyond what it can be otherwise, and still a number. */
+static const double beyond = 1000;
+
+typedef struct margin {
+  const tp_study *study;
+  const tp_study_options *options;
+  bool stopped;
+} margin;
+
+static double margin_of(const tp_study *study, const double *numbers) {
+  const double q = numbers[study->relied];
+  if (isnan(q)) return NAN;
+  const double held = study->relied == TP_STUDY_FOS ? 1 : numbers[TP_POINT_TILT];
+  return (isinf(q) ? copysign(beyond, q) : q) - held;
+}
+
+/* A study that is stopped ends the search, as if it were undecided. */
+static tp_status margins(double *g, void *context, const double *x, size_t count,
+                         tp_message *message) {
+  margin *own = context;
+  const tp_study *study = own->study;
+  double *numbers = calloc(count * TP_POINT_NUMBERS, sizeof *numbers);
+  if (numbers == NULL) return tp_fail_memory(message, "a reliability");
+  tp_status status =
+      tp_study_solve_points(numbers, study, x, count, own->options, &own->stopped, message);
+  for (size_t k = 0; k < count; k++) g[k] = margin_of(study, numbers + k * TP_POINT_NUMBERS);
+  if (status == TP_OK && own->stopped) {
+    status = tp_fail(message, TP_UNDECIDED, (tp_place){0}, "the study was stopped");
+  }
+  free(numbers);
+  return status;
+}
+
+static void take(tp_study_result *result, const tp_study *study, const tp_form *form) {
+  result->reliability = (tp_study_reliability){.known = true,
+                                               .quantity = study->relied,
+                                               .converged = form->state == TP_FORM_CONVERGED,
+                                               .state = tp_form_state_text(form->state),
+                                               .beta = form->beta,
+                                               .probability = form->probability,
+                                               .calls = form->calls};
+  for (size_t k = 0; k < study->variable_count; k++) {
+    result->variables[k].design_value = form->point[k];
+    result->variables[k].importance = form->importance[k];
+  }
+}
+
+/* ---- rare events -------------------------------------------------------------------------------
+ */
+
+/* What was found; without an answer it tells why. */
+static tp_status end_rare(tp_study_rare *rare, tp_status status, tp_estimate probability,
+                          double variation, uint64_t calls, const tp_message *why,
+                          tp_message *message) {
+  *rare = (tp_study_rare){.asked = true, .known = status == TP_OK};
+  if (status == TP_OK) {
+    rare->probability = probability.value;
+    rare->low = probability.low;
+    rare->high = probability.high;
+    rare->variation = variation;
+    rare->calls = calls;
+    return TP_OK;
+  }
+  if (status != TP_UNDECIDED && status != TP_NO_ANSWER) {
+    if (message != NULL) *message = *why;
+    return status;
+  }
+  rare->why = strdup(why->text);
+  return rare->why != NULL ? TP_OK : tp_fail_memory(message, "a reliability");
+}
+
+/* Around the design point: without one there is nothing to sample around. */
+static tp_status sample_importance(tp_study_rare *rare, const tp_reliability *problem,
+                                   const tp_form *form, const tp_study *study,
+                                   tp_message *message) {
+  tp_importance own = {.calls = 0};
+  tp_message why = {""};
+  tp_status status = TP_OK;
+  if (form->state == TP_FORM_CONVERGED) {
+    status = tp_importance_sample(&own, problem, form->scores, study->importance,
+                                  tp_random_bits(tp_random_mix(study->seed), SEED_OF_IMPORTANCE),
+                                  0.95, &why);
+  } else {
+    status = tp_fail(&why, TP_NO_ANSWER, (tp_place){0}, "there is no design point");
+  }
+  return end_rare(rare, status, own.probability, own.variation, own.calls, &why, message);
+}
+
+static tp_status sample_subset(tp_study_rare *rare, const tp_reliability *problem,
+                               const tp_study *study, tp_message *message) {
+  tp_subsets own = {.calls = 0};
+  tp_message why = {""};
+  const tp_status status =
+      tp_subset_simulate(&own, problem, (size_t)study->subset,
+                         tp_random_bits(tp_random_mix(study->seed), SEED_OF_SUBSET), 0.95, &why);
+  return end_rare(rare, status, own.probability, own.variation, own.calls, &why, message);
+}
+
+/* ---- all of it ---------------------------------------------------------------------------------
+ */
+
+static tp_status find(tp_study_result *result, const tp_study *study, const tp_reliability *problem,
+                      tp_message *message) {
+  const tp_form_options options = tp_form_options_default();
+  tp_form form = {.dimensions = 0};
+  tp_status status = tp_form_find(&form, problem, &options, message);
+  if (status != TP_OK) return status;
+  take(result, study, &form);
+  if (study->importance > 0) {
+    status = sample_importance(&result->reliability.importance, problem, &form, study, message);
+  }
+  if (status == TP_OK && study->subset > 0) {
+    status = sample_subset(&result->reliability.subset, problem, study, message);
+  }
+  tp_form_clear(&form);
+  return status;
+}
+
+tp_status tp_study_rely(tp_study_result *result, const tp_study *study,
+                        const tp_study_options *options, bool *stopped, tp_message *message) {
+  *stopped = false;
+  if (!study->relies) return TP_OK;
+  margin own = {.study = study, .options = options};
+  tp_distribution *variables = calloc(study->variable_count, sizeof *variables);
+  if (variables == NULL) return tp_fail_memory(message, "a reliability");
+  for (size_t k = 0; k < study->variable_count; k++) {
+    variables[k] = study->variables[k].distribution;
+  }
+  const tp_reliability problem = {.dimensions = study->variable_count,
+                                  .variables = variables,
+                                  .correlation = study->correlation,
+                                  .limit_state = margins,
+                                  .context = &own};
+  tp_status status = find(result, study, &problem, message);
+  *stopped = own.stopped;
+  if (own.stopped) {
+    free(result->reliability.importance.why);
+    free(result->reliability.subset.why);
+    result->reliability = (tp_study_reliability){.known = false};
+    status = status == TP_UNDECIDED ? TP_OK : status;
+  }
+  free(variables);
+  return status;
+}

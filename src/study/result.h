@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The result of a study, of its tally and of how it ended. */
+
+#ifndef TP_STUDY_RESULT_H
+#define TP_STUDY_RESULT_H
+
+#include "study/tally.h"
+
+/* Of a study that is whole, with the analyses that it asks for besides. */
+TP_MUST_USE tp_status tp_study_sum_up(tp_study_result **result, tp_tally *tally, tp_study_end end,
+                                      const tp_study_options *options, tp_message *message);
+
+#endif

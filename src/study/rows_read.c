@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Rows read back, line by line, as far as the progress beside them tells. */
+
+#define _GNU_SOURCE /* getline */
+#include "study/rows.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct reading {
+  const char *path;
+  const tp_study *study;
+  uint64_t bytes_left;
+  int line;
+  tp_rows_take *take;
+  void *context;
+  tp_message *message;
+} reading;
+
+static tp_status fail_line(const reading *r) {
+  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, r->line, 0},
+                 "this is no row of the study; the file was changed since it was written");
+}
+
+/* The header is what this study would write. */
+static tp_status check_header(const reading *r, const char *line) {
+  tp_text text = {0};
+  tp_study_write_header(&text, r->study);
+  const bool failed = text.failed;
+  const bool same = !failed && strcmp(line, text.data) == 0;
+  tp_text_drop(&text);
+  return failed ? tp_fail_memory(r->message, "the rows") : same ? TP_OK : fail_line(r);
+}
+
+static tp_status take_line(const reading *r, tp_study_row *row, char *line, size_t length,
+                           bool *enough) {
+  bool no_memory = false;
+  if (r->line == 1) return check_header(r, line);
+  if (length == 0 || line[length - 1] != '\n') return fail_line(r);
+  line[length - 1] = '\0';
+  row->line = line;
+  const bool read = tp_study_read_row(row, &no_memory, r->study, line);
+  tp_status status = no_memory ? tp_fail_memory(r->message, "the rows")
+                     : read    ? TP_OK
+                               : fail_line(r);
+  if (status == TP_OK) status = r->take(r->context, row, enough, r->message);
+  free(row->why);
+  row->why = NULL;
+  return status;
+}
+
+static tp_status read_lines(reading *r, tp_study_row *row, FILE *file) {
+  char *line = NULL;
+  size_t room = 0;
+  bool enough = false;
+  tp_status status = TP_OK;
+  while (status == TP_OK && !enough && r->bytes_left > 0) {
+    errno = 0;
+    const ssize_t length = getline(&line, &room, file);
+    r->line++;
+    if (length < 0 && errno == ENOMEM) {
+      status = tp_fail_memory(r->message, "the rows");
+    } else if (length < 0 || (uint64_t)length > r->bytes_left) {
+      status = fail_line(r);
+    } else {
+      r->bytes_left -= (uint64_t)length;
+      status = take_line(r, row, line, (size_t)length, &enough);
+    }
+  }
+  free(line);
+  return status;
+}
+
+tp_status tp_rows_read(const char *path, const tp_study *study, const tp_progress *progress,
+                       tp_rows_take *take, void *context, tp_message *message) {
+  reading r = {path, study, progress->bytes, 0, take, context, message};
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
+                   strerror(errno));
+  }
+  tp_study_row row = {.values = calloc(study->variable_count, sizeof *row.values),
+                      .at = calloc(study->tilt_count + 1, sizeof *row.at)};
+  const tp_status status = row.values != NULL && row.at != NULL
+                               ? read_lines(&r, &row, file)
+                               : tp_fail_memory(message, "the rows");
+  free(row.values);
+  free(row.at);
+  fclose(file);
+  return status;
+}

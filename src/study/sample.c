@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "study/sample.h"
+
+#include "number/ratio.h"
+#include "stability/tilts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static tp_study_outcome outcome_of(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_STANDS:
+    return TP_STUDY_STANDS;
+  case TP_SLIDES:
+    return TP_STUDY_SLIDES;
+  case TP_TOPPLES:
+    return TP_STUDY_TOPPLES;
+  case TP_SLIDES_AND_TOPPLES:
+    return TP_STUDY_SLIDES_AND_TOPPLES;
+  case TP_LEAVES_BASE:
+    return TP_STUDY_LEAVES_BASE;
+  case TP_INTERLOCKED:
+    return TP_STUDY_INTERLOCKED;
+  case TP_MAY_MOVE:
+    return TP_STUDY_MAY_MOVE;
+  default:
+    return TP_STUDY_UNDECIDED;
+  }
+}
+
+/* ---- results as numbers ------------------------------------------------------------------------
+ */
+
+static double moments_of(const tp_case *c) {
+  if (!c->has_governing) return NAN;
+  const tp_pivot *pivot = c->pivots + c->governing;
+  return pivot->never ? INFINITY : pivot->always ? -INFINITY : pivot->critical_angle_deg.value;
+}
+
+static double onset_of(const tp_onset *onset) {
+  return onset->kind == TP_ONSET_AT_ANGLE  ? onset->critical_angle_deg.value
+         : onset->kind == TP_ONSET_NEVER   ? INFINITY
+         : onset->kind == TP_ONSET_NOWHERE ? -INFINITY
+                                           : NAN;
+}
+
+static double limit_of(const tp_limit *limit) {
+  return limit->kind == TP_LIMIT_AT_ANGLE      ? limit->critical_angle_deg.value
+         : limit->kind == TP_LIMIT_INTERLOCKED ? INFINITY
+         : limit->kind == TP_LIMIT_NOWHERE     ? -INFINITY
+                                               : NAN;
+}
+
+/* A factor that is but an upper bound, since another is undecided, is none. */
+static double fos_of(const tp_governing_fos *g) {
+  switch (g->fos.state) {
+  case TP_FOS_NUMBER:
+    return g->complete || !g->sliding_judged ? g->fos.value.value : NAN;
+  case TP_FOS_NO_OVERTURNING:
+    return INFINITY;
+  case TP_FOS_UNDEFINED:
+    return -INFINITY;
+  default:
+    return NAN;
+  }
+}
+
+static void take_case(tp_study_row *row, const tp_solution *solution) {
+  const tp_case *c = solution->cases;
+  const tp_governing_fos *g = &c->governing_fos;
+  row->quantities[TP_STUDY_MOMENTS_DEG] = moments_of(c);
+  row->quantities[TP_STUDY_ONSET_DEG] = onset_of(&c->onset);
+  row->quantities[TP_STUDY_LIMIT_DEG] = limit_of(&c->limit);
+  row->quantities[TP_STUDY_FOS] = fos_of(g);
+  if (c->has_governing) {
+    row->pivot_x_m = c->pivots[c->governing].x_m.value;
+    row->pivot_y_m = c->pivots[c->governing].y_m.value;
+  }
+  if (solution->has_tilt_angle) row->tilt_deg = solution->tilt_angle_deg.value;
+  row->first = tp_study_outcome_name(outcome_of(c->first));
+  if (c->limit.kind != TP_LIMIT_NOT_ASKED) {
+    row->limit_mechanism = c->limit.kind == TP_LIMIT_NOWHERE
+                               ? "holds nowhere"
+                               : tp_study_outcome_name(outcome_of(c->limit.mechanism));
+  }
+  if (g->has_factor)
+    row->fos_mechanism = tp_study_outcome_name(outcome_of(g->factors[g->factor].mechanism));
+}
+
+/* ---- scenes ------------------------------------------------------------------------------------
+ */
+
+/* Nothing is known of it yet, at any tilt. */
+static void clear(tp_study_row *row, size_t tilts, tp_study_outcome outcome) {
+  for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) row->quantities[k] = NAN;
+  for (size_t k = 0; k <= tilts; k++) row->at[k] = (tp_study_at){outcome, NAN};
+  row->pivot_x_m = row->pivot_y_m = row->tilt_deg = NAN;
+  row->first = row->limit_mechanism = row->fos_mechanism = "";
+  row->open = false;
+  row->why = NULL;
+}
+
+/* Room for the numbers of a scene: the variables, and the tilt; and for the further tilts. */
+typedef struct numbers {
+  tp_scene_key *keys;
+  fmpq *values;
+  size_t count;
+  fmpq *degrees;
+  tp_solution **solutions;
+  size_t tilts;
+} numbers;
+
+static bool put_number(fmpq_t value, double number) {
+  char text[TP_SHORTEST_SIZE];
+  const char *problem = NULL;
+  tp_study_shortest(text, number);
+  return tp_ratio_read_field(value, text, strlen(text), &problem);
+}
+
+/* To be ended also on failure. */
+static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_message *message) {
+  const size_t count = study->variable_count + 1;
+  *n = (numbers){.keys = calloc(count, sizeof *n->keys),
+                 .values = calloc(count, sizeof *n->values),
+                 .degrees = calloc(tilts + 1, sizeof *n->degrees),
+                 .solutions = calloc(tilts + 1, sizeof(tp_solution *))};
+  if (n->keys == NULL || n->values == NULL || n->degrees == NULL || n->solutions == NULL) {
+    return tp_fail_memory(message, "a sample");
+  }
+  n->count = count;
+  n->tilts = tilts;
+  for (size_t k = 0; k < count; k++) fmpq_init(n->values + k);
+  for (size_t k = 0; k < tilts; k++) fmpq_init(n->degrees + k);
+  for (size_t k = 0; k < study->variable_count; k++) n->keys[k] = study->variables[k].key;
+  n->keys[count - 1] = study->tilt_key;
+  for (size_t k = 0; k < tilts; k++) {
+    if (put_number(n->degrees + k, study->tilts[k])) continue;
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "a tilt is no number");
+  }
+  return TP_OK;
+}
+
+static void end(numbers *n) {
+  for (size_t k = 0; k < n->count; k++) fmpq_clear(n->values + k);
+  for (size_t k = 0; k < n->tilts; k++) fmpq_clear(n->degrees + k);
+  for (size_t k = 0; k < n->tilts; k++) tp_solution_free(n->solutions[k]);
+  free(n->solutions);
+  free(n->degrees);
+  free(n->values);
+  free(n->keys);
+}
+
+/* The scene with the first `count` of the numbers, solved; with its further tilts where `tilts` is
+ * not NULL. */
+static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_study *study,
+                       const numbers *n, size_t count, tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_solve_options options = tp_solve_options_default();
+  options.pivots = TP_PIVOTS_GOVERNING;
+  options.threads = 1;
+  tp_status status = tp_scene_vary(&scene, study->scene, n->keys, n->values, count, message);
+  if (status == TP_OK) {
+    scene->base.all_poses = false; /* a study takes each at the position that it draws */
+    status = tilts != NULL ? tp_solve_tilts(solution, tilts, scene, &options, message)
+                           : tp_solve(solution, scene, &options, message);
+  }
+  tp_scene_free(scene);
+  return status;
+}
+
+/* An invalid row, by the first reason. */
+static tp_status refuse(tp_study_row *row, const char *why, tp_message *message) {
+  if (row->why == NULL) row->why = strdup(why);
+  return row->why != NULL ? TP_OK : tp_fail_memory(message, "a sample");
+}
+
+/* What of a status is the sample's own makes the row; the rest is a failure. */
+static tp_status take_status(tp_study_row *row, tp_study_at *at, tp_status status,
+                             const tp_message *why, tp_message *message) {
+  if (status == TP_UNDECIDED) {
+    at->outcome = TP_STUDY_UNDECIDED;
+    return TP_OK;
+  }
+  if (status == TP_BAD_INPUT || status == TP_NO_ANSWER) return refuse(row, why->text, message);
+  if (message != NULL) *message = *why;
+  return status;
+}
+
+static void take_tilt(tp_study_row *row, size_t k, const tp_solution *solution) {
+  row->at[k].outcome = outcome_of(solution->cases[0].mechanism);
+  row->at[k].fos = fos_of(&solution->cases[0].governing_fos);
+  row->open = row->open || tp_solution_is_undecided(solution);
+}
+
+/* At the scene's own tilt, and what that tells of the further ones. Upright there are loads that
+ * are refused, so that a scene for itself has to be asked. */
+static tp_status solve_own(tp_study_row *row, const tp_study *study, numbers *n,
+                           tp_message *message) {
+  tp_solution *solution = NULL;
+  tp_message why = {""};
+  tp_tilts tilts = {n->tilts, n->degrees, n->solutions};
+  if (n->tilts > 0 && fmpq_cmp_si(n->degrees + n->tilts - 1, 90) == 0) tilts.count--;
+  const tp_status status = solve(&solution, &tilts, study, n, n->count - 1, &why);
+  if (status != TP_OK) return take_status(row, row->at, status, &why, message);
+  take_tilt(row, 0, solution);
+  take_case(row, solution);
+  tp_solution_free(solution);
+  return TP_OK;
+}
+
+/* At the k-th tilt of the study. */
+static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, size_t k,
+                          tp_message *message) {
+  tp_message why = {""};
+  if (n->solutions[k] == NULL) {
+    fmpq_set(n->values + n->count - 1, n->degrees + k);
+    const tp_status status = solve(n->solutions + k, NULL, study, n, n->count, &why);
+    if (status != TP_OK) return take_status(row, row->at + k + 1, status, &why, message);
+  }
+  take_tilt(row, k + 1, n->solutions[k]);
+  return TP_OK;
+}
+
+tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
+                         tp_message *message) {
+  numbers n;
+  clear(row, tilts, TP_STUDY_INVALID);
+  tp_status status = start(&n, study, tilts, message);
+  for (size_t k = 0; k < study->variable_count && status == TP_OK && row->why == NULL; k++) {
+    if (!put_number(n.values + k, row->values[k])) {
+      status = refuse(row, "a number is outside of the range that a scene takes", message);
+    }
+  }
+  if (status == TP_OK && row->why == NULL) status = solve_own(row, study, &n, message);
+  /* what makes no scene at its own tilt makes none at another */
+  const bool makes_scene = row->at[0].outcome != TP_STUDY_INVALID;
+  for (size_t k = 0; k < tilts && status == TP_OK && makes_scene; k++) {
+    status = solve_at(row, study, &n, k, message);
+  }
+  end(&n);
+  return status;
+}

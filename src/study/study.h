@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A study as its file says it: a scene, the numbers that vary, and how they are drawn.
+ *
+ * Lists, grids and columns are crossed: each combination is a cell. All columns go together, row by
+ * row. What is drawn is drawn anew in each cell, by a seed of its own; sample s is draw s / cells
+ * of cell s % cells, so that the first samples hold all cells alike. Without anything drawn each
+ * cell is one sample. */
+
+#ifndef TP_STUDY_H
+#define TP_STUDY_H
+
+#include "sampling/distribution.h"
+#include "sampling/draws.h"
+#include "scene/vary.h"
+#include "topple_study.h"
+
+/* Most that a study may have: what it holds in memory for each is bounded by these. */
+enum { TP_STUDY_VARIABLES = 200, TP_STUDY_TILTS = 200, TP_STUDY_LISTED = 1000000 };
+/* So many columns and steps of the convergence are kept, of no more samples. */
+enum { TP_STUDY_KEPT = 1 << 18 };
+#define TP_STUDY_SAMPLES (UINT64_C(1) << 40)
+
+typedef enum tp_variable_source {
+  TP_VARIABLE_DRAWN,
+  TP_VARIABLE_LISTED,
+  TP_VARIABLE_COLUMN
+} tp_variable_source;
+
+typedef struct tp_variable {
+  const tp_node *node; /* of the study, whose key names the number */
+  tp_scene_key key;
+  tp_variable_source source;
+  const char *kind;             /* in words */
+  tp_distribution distribution; /* drawn, */
+  size_t dimension;             /* and as which */
+  double *values;               /* listed, of a column, or of an empirical distribution */
+  size_t count;
+  char *file; /* that the numbers are read from, or NULL */
+} tp_variable;
+
+struct tp_study {
+  char *path;
+  tp_node *root;
+  char *scene_path;
+  tp_scene *scene;
+  size_t variable_count, drawn, tilt_count;
+  tp_variable *variables;
+  const char **drawn_names; /* of the drawn ones, by their dimension */
+  double *correlation;      /* of the drawn ones; NULL: independent */
+  tp_draw_method method;
+  uint64_t seed;
+  uint64_t cells, rows; /* rows: of the columns; 0: there are none */
+  uint64_t samples;     /* of all cells */
+  size_t chunk;
+  bool tilt_varies; /* the scene's own */
+  double *tilts;
+  tp_scene_key tilt_key;       /* where there are tilts */
+  double half_width;           /* wanted; 0: none */
+  uint64_t sensitivity;        /* samples of Sobol' indices; 0: none are asked for */
+  bool relies;                 /* reliability is asked for, */
+  tp_study_quantity relied;    /* of that, */
+  uint64_t importance, subset; /* with samples of rare events; 0: none */
+  uint64_t hash;               /* of the study, its scene and all files that they name */
+};
+
+/* The number of a variable in a cell, and that of one that is drawn. */
+double tp_variable_listed(const tp_study *study, size_t variable, uint64_t cell);
+double tp_variable_drawn(const tp_variable *variable, const double *scores);
+
+/* The numbers of `count` samples from `first` on, one sample after another. */
+TP_MUST_USE tp_status tp_study_draw(double *values, const tp_study *study, uint64_t first,
+                                    size_t count, tp_message *message);
+
+/* Chunks of the study, and the samples of one. */
+uint64_t tp_study_chunks(const tp_study *study);
+size_t tp_study_chunk_size(const tp_study *study, uint64_t chunk);
+
+#endif

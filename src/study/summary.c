@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The tally made a result: shares of outcomes, quantiles, rank correlations. */
+
+#include "statistics/quantiles.h"
+#include "study/ranks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double probabilities[TP_STUDY_QUANTILES] = {0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+
+static const double confidence = 0.95;
+
+/* ---- tilts -------------------------------------------------------------------------------------
+ */
+
+static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
+  const tp_study *study = tally->study;
+  const tp_outcome_counts *counts = tally->tilts + k;
+  const tp_quantity *own = &study->scene->tilt_angle_deg;
+  tilt->of_scene = k == 0;
+  tilt->has_tilt = k > 0 || own->given;
+  tilt->tilt_varies = k == 0 && study->tilt_varies;
+  if (tilt->has_tilt) tilt->tilt_deg = k > 0 ? study->tilts[k - 1] : fmpq_get_d(own->value);
+  for (int j = 0; j < TP_STUDY_OUTCOMES; j++) {
+    tilt->outcomes[j] = tp_tally_share(counts->of[j], tally->samples);
+  }
+  tilt->stands = tp_tally_share(tp_tally_stands(counts), tally->samples);
+  tilt->moves = tp_tally_share(tp_tally_moves(counts), tally->samples);
+}
+
+static bool fill_tilts(tp_study_result *result, const tp_tally *tally) {
+  result->tilt_count = tally->study->tilt_count + 1;
+  result->tilts = calloc(result->tilt_count, sizeof *result->tilts);
+  for (size_t k = 0; result->tilts != NULL && k < result->tilt_count; k++) {
+    fill_tilt(result->tilts + k, tally, k);
+  }
+  return result->tilts != NULL;
+}
+
+/* ---- quantiles ---------------------------------------------------------------------------------
+ */
+
+/* Between numbers that are infinite there is no line: then the lower one. */
+static double quantile_between(double value, const double *sorted, size_t count, double p) {
+  return isnan(value) ? sorted[(size_t)(p * (double)(count - 1))] : value;
+}
+
+static bool fill_spread(tp_study_spread *spread, const double *column, size_t kept) {
+  double *sorted = calloc(kept + 1, sizeof *sorted);
+  if (sorted == NULL) return false;
+  for (size_t k = 0; k < kept; k++) {
+    if (!isnan(column[k])) sorted[spread->count++] = column[k];
+  }
+  tp_column_sort(sorted, spread->count);
+  for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->count > 0; k++) {
+    const double p = probabilities[k];
+    const tp_estimate own = tp_column_quantile(sorted, spread->count, p, confidence);
+    spread->quantiles[k] = (tp_study_quantile){
+        p, quantile_between(own.value, sorted, spread->count, p), own.low, own.high};
+  }
+  free(sorted);
+  return true;
+}
+
+/* ---- variables, columns ------------------------------------------------------------------------
+ */
+
+static bool fill_variable(tp_study_variable *variable, const tp_tally *tally, size_t k) {
+  const tp_variable *own = tally->study->variables + k;
+  const double *inputs = tally->columns[k];
+  variable->key = strdup(own->node->key);
+  variable->kind = own->kind;
+  for (long j = 0; j < tally->kept; j++) {
+    if (j == 0 || inputs[j] < variable->least) variable->least = inputs[j];
+    if (j == 0 || inputs[j] > variable->greatest) variable->greatest = inputs[j];
+  }
+  return variable->key != NULL;
+}
+
+static bool fill_variables(tp_study_result *result, const tp_tally *tally) {
+  const size_t count = tally->study->variable_count;
+  result->variables = calloc(count, sizeof *result->variables);
+  result->variable_count = result->variables != NULL ? count : 0;
+  bool filled = result->variables != NULL;
+  for (size_t k = 0; k < count && filled; k++) {
+    filled = fill_variable(result->variables + k, tally, k);
+  }
+  return filled;
+}
+
+static char *column_name(const tp_study *study, size_t k) {
+  char tilt[TP_SHORTEST_SIZE];
+  tp_text text = {0};
+  char *name = NULL;
+  const size_t quantities = study->variable_count, outcomes = quantities + TP_STUDY_QUANTITIES;
+  if (k < quantities) return strdup(study->variables[k].node->key);
+  if (k < outcomes) return strdup(tp_study_quantity_name((tp_study_quantity)(k - quantities)));
+  if (k == outcomes) return strdup("outcome");
+  tp_text_add(&text, "outcome_at_%s_deg", tp_study_shortest(tilt, study->tilts[k - outcomes - 1]));
+  return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
+}
+
+/* They go over to the result. */
+static bool fill_columns(tp_study_result *result, tp_tally *tally) {
+  bool filled = true;
+  result->columns = calloc(tally->column_count, sizeof *result->columns);
+  if (result->columns == NULL) return false;
+  result->column_count = tally->column_count;
+  for (size_t k = 0; k < tally->column_count; k++) {
+    result->columns[k] = (tp_study_column){column_name(tally->study, k), tally->columns[k]};
+    tally->columns[k] = NULL;
+    filled = filled && result->columns[k].header != NULL;
+  }
+  return filled;
+}
+
+static bool fill(tp_study_result *result, tp_tally *tally) {
+  const tp_study *study = tally->study;
+  bool filled = tp_tally_end_steps(tally) && fill_tilts(result, tally);
+  for (size_t q = 0; q < TP_STUDY_QUANTITIES && filled; q++) {
+    filled = fill_spread(result->spreads + q, tally->columns[study->variable_count + q],
+                         (size_t)tally->kept);
+  }
+  filled = filled && fill_variables(result, tally);
+  result->samples = tally->samples;
+  result->kept = (size_t)tally->kept;
+  result->open = tally->open;
+  result->steps = tally->steps;
+  result->step_count = (size_t)tally->step_count;
+  result->bad = tally->bad;
+  result->bad_count = tally->bad_count;
+  tally->steps = NULL;
+  tally->bad = NULL;
+  return filled;
+}
+
+tp_status tp_tally_finish(tp_study_result *result, tp_tally *tally, tp_message *message) {
+  if (!fill(result, tally)) return tp_fail_memory(message, "the summary of a study");
+  const tp_status status = tp_tally_ranks(result->variables, tally, message);
+  if (status != TP_OK) return status;
+  return fill_columns(result, tally) ? TP_OK : tp_fail_memory(message, "the summary of a study");
+}
+
+void tp_study_result_free(tp_study_result *result) {
+  if (result == NULL) return;
+  for (size_t k = 0; k < result->variable_count; k++) free(result->variables[k].key);
+  for (size_t k = 0; k < result->column_count; k++) {
+    free(result->columns[k].header);
+    free(result->columns[k].values);
+  }
+  for (size_t k = 0; k < result->bad_count; k++) {
+    free(result->bad[k].settings);
+    free(result->bad[k].why);
+  }
+  free(result->variables);
+  free(result->columns);
+  free(result->bad);
+  free(result->tilts);
+  free(result->steps);
+  free(result->reliability.importance.why);
+  free(result->reliability.subset.why);
+  free(result->title);
+  free(result->scene);
+  free(result);
+}

@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A study: one scene solved many times, with some of its numbers drawn at random, listed or taken
+ * from a table, as a study file says (docs/study.md). Included by topple.h.
+ *
+ * Every sample is what tp_solve says of the scene with the sample's numbers, each a decimal that
+ * the scene takes exactly. What is undecided, what history decides, and a sample of which there is
+ * no scene are counted as such; none is left out. */
+
+#ifndef TOPPLE_STUDY_H
+#define TOPPLE_STUDY_H
+
+#include "topple_scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A study that was read, with its scene. Opaque. */
+typedef struct tp_study tp_study;
+
+/* Read the study in `path`, to be freed by tp_study_free. The files that it names are looked for
+ * beside it. */
+TP_MUST_USE tp_status tp_study_read(tp_study **study, const char *path, tp_message *message);
+
+/* Free it with all that it holds; NULL is allowed. */
+void tp_study_free(tp_study *study);
+
+/* What becomes of a sample. */
+typedef enum tp_study_outcome {
+  TP_STUDY_STANDS,
+  TP_STUDY_SLIDES,
+  TP_STUDY_TOPPLES,
+  TP_STUDY_SLIDES_AND_TOPPLES,
+  TP_STUDY_LEAVES_BASE, /* every contact opens */
+  TP_STUDY_INTERLOCKED, /* stands at every tilt */
+  TP_STUDY_MAY_MOVE,    /* some forces would hold it, but a motion can begin: history decides */
+  TP_STUDY_UNDECIDED,   /* at the precision allowed */
+  TP_STUDY_INVALID      /* the numbers make no scene that can be solved */
+} tp_study_outcome;
+
+/* How many there are. */
+enum { TP_STUDY_OUTCOMES = TP_STUDY_INVALID + 1 };
+
+/* stands, slides, topples, slides and topples, leaves its base, interlocked, may move, undecided or
+ * invalid. */
+const char *tp_study_outcome_name(tp_study_outcome outcome);
+
+/* A share of the samples, with Wilson's interval of 95 %. */
+typedef struct tp_study_share {
+  size_t count;     /* of the samples */
+  double share;     /* count over all samples */
+  double low, high; /* of the probability */
+} tp_study_share;
+
+/* What becomes of the samples at a tilt. Its shares of outcomes add up to 1. */
+typedef struct tp_study_tilt {
+  bool of_scene;    /* at the scene's tilt; where it has none, what happens first as it is tilted */
+  bool has_tilt;    /* false: the scene has none */
+  bool tilt_varies; /* it is the scene's, and has no one value */
+  double tilt_deg;  /* the tilt; where it varies, that of the scene file */
+  tp_study_share outcomes[TP_STUDY_OUTCOMES]; /* by what becomes of them */
+  tp_study_share stands;                      /* certain to stand: stands and interlocked */
+  tp_study_share moves; /* certain to move: slides, topples, both, leaves its base */
+} tp_study_tilt;
+
+/* The numbers that a sample has; in rows and columns infinity where it holds at every tilt, or
+ * nothing overturns, minus infinity where it holds at none, NaN where there is no number. */
+typedef enum tp_study_quantity {
+  TP_STUDY_MOMENTS_DEG, /* the critical angle of toppling by moments */
+  TP_STUDY_ONSET_DEG,   /* the onset of motion: certain to stand below */
+  TP_STUDY_LIMIT_DEG,   /* the static limit: certain to move beyond */
+  TP_STUDY_FOS          /* the governing factor of safety at the scene's tilt */
+} tp_study_quantity;
+
+/* How many there are, and how many quantiles each has. */
+enum { TP_STUDY_QUANTITIES = TP_STUDY_FOS + 1, TP_STUDY_QUANTILES = 7 };
+
+/* moments_deg, onset_deg, limit_deg or fos. */
+const char *tp_study_quantity_name(tp_study_quantity quantity);
+
+/* A quantile, with a range that holds it with 95 % certainty whatever the distribution. */
+typedef struct tp_study_quantile {
+  double probability;      /* 0.01, 0.05, 0.25, 0.5, 0.75, 0.95 or 0.99 */
+  double value, low, high; /* may be infinite; `low` minus infinity, `high` infinity where the
+                              samples are too few to tell */
+} tp_study_quantile;
+
+/* How a quantity is distributed. */
+typedef struct tp_study_spread {
+  size_t count; /* of the samples kept that have it; 0: no quantiles */
+  tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* by rising probability */
+} tp_study_spread;
+
+/* Spearman's rank correlation of a number that varies with a quantity. */
+typedef struct tp_study_rank {
+  bool known;              /* three samples at least, and neither is the same for all */
+  double value, low, high; /* -1 to 1, with its interval of 95 % */
+} tp_study_rank;
+
+/* Sobol' indices of a number for a quantity: the share of its variance that the number has by
+ * itself, and with all in which it takes part, with their intervals of 95 %. */
+typedef struct tp_study_index {
+  bool known;                          /* they were asked for, and every point has the quantity */
+  double first, first_low, first_high; /* by itself */
+  double total, total_low, total_high; /* with all in which it takes part */
+} tp_study_index;
+
+/* A probability by samples drawn where it fails: around the design point (importance), or step by
+ * step towards where it fails (subset). */
+typedef struct tp_study_rare {
+  bool asked;                    /* for this one, */
+  bool known;                    /* and it has an answer */
+  double probability, low, high; /* with its interval of 95 % */
+  double variation;              /* its deviation over itself */
+  size_t calls;                  /* scenes solved for it */
+  char *why;                     /* where it is not known: plain; else NULL */
+} tp_study_rare;
+
+/* Reliability of first order at the scene's tilt: the design point is the most likely one at which
+ * an angle is the tilt, or a factor of safety 1. */
+typedef struct tp_study_reliability {
+  bool known;                       /* it was asked for */
+  tp_study_quantity quantity;       /* of which */
+  bool converged;                   /* else what is here is where the search stopped, */
+  const char *state;                /* and why, in words; a static string */
+  double beta;                      /* the index: the distance of the design point in deviations */
+  double probability;               /* of first order, Phi(-beta), that the quantity is not above */
+  size_t calls;                     /* scenes solved for it */
+  tp_study_rare importance, subset; /* sampling of rare events, where asked for */
+} tp_study_reliability;
+
+/* A number that varies. */
+typedef struct tp_study_variable {
+  TP_OUTSIDE char *key;                        /* the scene's */
+  const char *kind;                            /* normal, list and so on; a static string */
+  double least, greatest;                      /* of the samples kept */
+  tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
+  tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
+  double design_value; /* where reliability is known: at the design point, */
+  double importance;   /* and its share of the variance there, as if all were independent */
+} tp_study_variable;
+
+/* The estimate as samples came in. */
+typedef struct tp_study_step {
+  size_t samples;       /* the first so many */
+  tp_study_share moves; /* as in the first tilt */
+} tp_study_step;
+
+/* A sample of which there is no scene. */
+typedef struct tp_study_bad {
+  size_t sample;             /* its number, from 0 */
+  TP_OUTSIDE char *settings; /* its numbers: KEY=VALUE KEY=VALUE */
+  char *why;                 /* plain */
+} tp_study_bad;
+
+/* Why a study ended. */
+typedef enum tp_study_end {
+  TP_STUDY_COMPLETE,    /* all samples */
+  TP_STUDY_CERTAIN,     /* every interval is as narrow as was asked */
+  TP_STUDY_INTERRUPTED, /* options.stop said so */
+  TP_STUDY_SHARD        /* all samples of its shard */
+} tp_study_end;
+
+/* A number of the samples, one value each; of an outcome its number in tp_study_outcome. */
+typedef struct tp_study_column {
+  TP_OUTSIDE char *header; /* as in the header of the rows */
+  double *values;          /* `kept` of them */
+} tp_study_column;
+
+/* A study summed up. Quantiles, ranks, ranges and columns are of the first `kept` samples, 262 144
+ * at most, all else is of all. */
+typedef struct tp_study_result {
+  TP_OUTSIDE char *title;  /* of the study, else of the scene, or NULL */
+  TP_OUTSIDE char *scene;  /* the file */
+  const char *method;      /* monte carlo, latin hypercube, sobol, or none: nothing is drawn */
+  size_t seed;             /* of the draws */
+  size_t planned, samples; /* of the study, and done */
+  size_t kept;             /* as told above */
+  tp_study_end end;        /* why no more */
+  size_t shard, shards;    /* of several, from 1; 1 of 1 */
+  double half_width;       /* asked of every interval; 0: none was asked for */
+  size_t open; /* solved samples with a number less certain than to 9 digits, or a limit or factor
+                  undecided */
+  size_t tilt_count;                            /* 1 at least */
+  tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
+  size_t variable_count;                        /* of the numbers that vary */
+  tp_study_variable *variables;                 /* as the study lists them */
+  tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
+  size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
+  tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
+  size_t step_count;                /* of the steps */
+  tp_study_step *steps;             /* at each power of two from 16 on, and at the end */
+  size_t bad_count;                 /* of the first invalid samples, 5 at most */
+  tp_study_bad *bad;                /* these */
+  size_t column_count;              /* of the columns */
+  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt */
+} tp_study_result;
+
+/* How a study is run. */
+typedef struct tp_study_options {
+  size_t size;          /* of this struct, as `…_default()` has it */
+  size_t threads;       /* 0: as many as the process may run on; the same bytes by any number */
+  size_t shard, shards; /* the part of the study, from 1, and of how many; 1 of 1 */
+  const char *rows;     /* a CSV file for a row of each sample, or NULL. Beside it a file of that
+                           name and .progress tells how far it is: a study that was interrupted goes
+                           on from there */
+  bool restart;         /* do not go on, begin anew */
+  void *context;        /* of the calls below */
+  bool (*stop)(void *context); /* asked in any thread before each sample, or NULL: true ends it */
+  void (*progress)(void *context, size_t done, size_t of); /* told by the thread that runs it after
+                                                              each chunk, or NULL */
+} tp_study_options;
+
+/* All of it, by as many threads as there are, without rows. `size` is that of the struct as the
+ * caller knows it. */
+void tp_study_options_init(tp_study_options *options, size_t size);
+static inline tp_study_options tp_study_options_default(void) {
+  tp_study_options options;
+  tp_study_options_init(&options, sizeof options);
+  return options;
+}
+
+/* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
+ * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
+ * scene has changed since. */
+TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
+                                   const tp_study_options *options, tp_message *message);
+
+/* The `count` files of rows of all shards of the study, in any order, as one study: the same result
+ * and rows as of one run. Of the options `rows` alone is taken. */
+TP_MUST_USE tp_status tp_study_merge(tp_study_result **result, const tp_study *study,
+                                     const char *const *shards, size_t count,
+                                     const tp_study_options *options, tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
+void tp_study_result_free(tp_study_result *result);
+
+/* The result as `topple study` prints it, and as JSON (docs/schema). `*text` is allocated with
+ * malloc and is the caller's to free. */
+TP_MUST_USE tp_status tp_report_study(char **text, const tp_study_result *result);
+TP_MUST_USE tp_status tp_report_study_json(char **text, const tp_study_result *result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

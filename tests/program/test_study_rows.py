@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The rows of a study: those of a sample beside `topple solve`, and the same bytes by any number of threads, in shards,
+after kills, on a disk that was full, and where the study stops by itself."""
+
+import json
+import random
+import resource
+import signal
+import subprocess
+import time
+
+from harness import PROGRAM, main, run
+from study_case import STUDIES, StudyCase
+
+
+class Rows(StudyCase):
+    def test_rows_are_what_solve_says(self):
+        """Every 50th sample, its numbers put into the scene file: every number and word, at each tilt."""
+        folder = self.folder
+        (folder / "road.yaml").write_text((STUDIES / "block_above_road.yaml").read_text())
+        text = (STUDIES / "block_above_road_study.yaml").read_text()
+        (folder / "study.yaml").write_text(text.replace("block_above_road.yaml", "road.yaml"))
+        self.study("study.yaml", "--csv", "rows.csv")
+        rows = self.rows()
+        self.assertEqual([int(row["sample"]) for row in rows], list(range(1000)))
+        for row in rows[::50]:
+            scene = (folder / "road.yaml").read_text()
+            for key, old in (("friction_angle_deg", "friction_angle_deg: 36"), ("block.unit_weight_kn_m3", "kn_m3: 26.2"),
+                             ("loads.water.height", "height: 0.8"), ("loads.seismic.horizontal", "horizontal: 0.04")):
+                self.assertEqual(scene.count(old), 1)
+                scene = scene.replace(old, f"{old.split(':')[0]}: {row[key]}")
+            for tilt, outcome, fos in (("22", "outcome", "fos"), ("26", "outcome_at_26_deg", "fos_at_26_deg")):
+                (folder / "one.yaml").write_text(scene.replace("angle_deg: 22", f"angle_deg: {tilt}"))
+                one = json.loads(run("solve", "--json", "one.yaml", folder=folder)[1])["cases"][0]
+                self.assertEqual(row[outcome], one["mechanism"])
+                self.assertEqual(float(row[fos]), one["governing_fos"]["fos"]["value"])
+            pivot = one["pivots"][one["toppling"]["pivot"]]
+            self.assertEqual(float(row["moments_deg"]), one["toppling"]["critical_angle_deg"]["value"])
+            self.assertEqual(float(row["pivot_x_m"]), pivot["x_m"]["value"])
+            self.assertEqual(float(row["onset_deg"]), one["onset"]["critical_angle_deg"]["value"])
+            self.assertEqual(float(row["limit_deg"]), one["limit"]["critical_angle_deg"]["value"])
+            self.assertEqual((row["limit_mechanism"], row["first"], row["status"]),
+                             (one["limit"]["mechanism"], one["first"]["mechanism"], "certain"))
+
+    def test_any_layout_gives_the_same_bytes(self):
+        """1, 2 and 7 threads; 1, 2, 3 and 5 shards in any order, merged; more shards than chunks."""
+        self.write("samples: 230\nsampling: {chunk: 20}\nvary:\n  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n"
+                   "  block.slab.height: {list: [1, 2]}\ntilts_deg: [28, 30]\n")
+        whole = self.study("study.yaml", "--csv", "rows.csv", "--threads", "1")
+        rows = (self.folder / "rows.csv").read_bytes()
+        for threads in (2, 7):
+            self.assertEqual(self.study("study.yaml", "--csv", f"{threads}.csv", "--threads", threads), whole)
+            self.assertEqual((self.folder / f"{threads}.csv").read_bytes(), rows)
+        rng = random.Random(1)
+        for shards in (2, 3, 5, 40):
+            names = [f"part{shards}_{k}.csv" for k in range(1, shards + 1)]
+            for k, name in enumerate(names, 1):
+                self.study("study.yaml", "--shard", f"{k}/{shards}", "--csv", name)
+            rng.shuffle(names)
+            self.assertEqual(self.study("study.yaml", "--merge", *names, "--csv", f"merged{shards}.csv"), whole)
+            self.assertEqual((self.folder / f"merged{shards}.csv").read_bytes(), rows)
+            self.assertEqual(self.study("study.yaml", "--merge", *names), whole)
+
+    def test_killed(self):
+        """50 times at random: nothing is lost, nothing counted twice."""
+        self.write("samples: 3000\nsampling: {chunk: 10}\nvary:\n  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n"
+                   "  block.slab.height: {uniform: {low: 1, high: 4}}\n")
+        began = time.monotonic()
+        whole = self.study("study.yaml", "--csv", "rows.csv", "--threads", "2")
+        seconds = time.monotonic() - began
+        rng, kills = random.Random(3), 0
+        killed, rows = self.folder / "killed.csv", self.folder / "rows.csv"
+        while kills < 50:
+            with subprocess.Popen([PROGRAM, "study", "study.yaml", "--csv", "killed.csv"], cwd=self.folder,
+                                  stdout=subprocess.DEVNULL) as process:
+                time.sleep(rng.uniform(0, seconds / 25))
+                process.send_signal(signal.SIGKILL if kills % 3 else signal.SIGTERM)
+            kills += process.returncode != 0
+            if process.returncode == 0:  # it was through before: once more from the beginning
+                self.assertEqual(killed.read_bytes(), rows.read_bytes())
+                killed.unlink()
+                (self.folder / "killed.csv.progress").unlink()
+        self.assertEqual(self.study("study.yaml", "--csv", "killed.csv"), whole)
+        self.assertEqual((self.folder / "killed.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
+        self.assertEqual(self.study("study.yaml", "--csv", "killed.csv"), whole)  # it is all there
+        with open(self.folder / "killed.csv", "ab") as rows:
+            rows.write(b"17,half a ro")
+        self.assertEqual(self.study("study.yaml", "--csv", "killed.csv"), whole)
+
+    def test_interrupted(self):
+        """Ctrl-C: what is known is told, and the program ends by the signal."""
+        self.write("samples: 1000000\nvary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}}\n")
+        with subprocess.Popen([PROGRAM, "study", "study.yaml", "--csv", "rows.csv"], cwd=self.folder,
+                              stdout=subprocess.PIPE, encoding="utf-8",
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:
+            progress = self.folder / "rows.csv.progress"
+            while not progress.exists() or "chunks: 0\n" in progress.read_text():
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            out = process.stdout.read()
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        samples = len(self.rows())
+        self.assertIn(f"{samples} of 1000000 samples, latin_hypercube, seed 1; interrupted", out)
+
+    def test_disk_full(self):
+        """Rows that cannot be written: status 5, or the signal of the system; then it goes on."""
+        self.write("samples: 500\nvary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}}\n")
+        whole = self.study("study.yaml", "--csv", "rows.csv")
+        self.assertIn("cannot be written", self.study("study.yaml", "--csv", "/dev/full", status=5))
+        self.assertIn("cannot be written", self.study("study.yaml", "--csv", "none/rows.csv", status=5))
+
+        def little_room():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+
+        done = subprocess.run([PROGRAM, "study", "study.yaml", "--csv", "full.csv"], cwd=self.folder,
+                              capture_output=True, encoding="utf-8", preexec_fn=little_room)
+        self.assertEqual((done.returncode, done.stdout), (5, ""))
+        self.assertIn("goes on from it", done.stderr)
+        self.assertEqual(self.study("study.yaml", "--csv", "full.csv"), whole)
+        self.assertEqual((self.folder / "full.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
+
+    def test_until(self):
+        """It stops at the end of a chunk, where one run and merged shards stop alike."""
+        text = "samples: 5000\nvary: {friction_angle_deg: {normal: {mean: 25, deviation: 2}}}\n"
+        self.write(text + "until: {half_width: 0.04}\n")
+        whole = self.summary("study.yaml", "--csv", "rows.csv")
+        self.assertEqual((whole["end"], whole["samples"] % 100), ("certain", 0))
+        for own in whole["tilts"][0]["outcomes"]:
+            self.assertLessEqual(own["high"] - own["low"], 0.08)
+        # Wilson's half-width at a share of a half, about z / (2 sqrt(n + z^2)): 597 samples
+        self.assertEqual(whole["samples"], 600)
+        for k in (1, 2):
+            self.study("study.yaml", "--csv", f"{k}.csv", "--shard", f"{k}/2")
+        self.assertEqual(self.summary("study.yaml", "--merge", "1.csv", "2.csv", "--csv", "merged.csv"), whole)
+        self.assertEqual((self.folder / "merged.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The worked studies as anybody can run them: each program says that its closed formulas agree with the library, and its page
+quotes what it prints, row by row. The numbers on the pages are rounded; what they are of is the same on every machine."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from harness import ROOT, main
+
+
+class WorkedStudies(unittest.TestCase):
+    def setUp(self):
+        if not os.environ.get("TOPPLE_PYTHON"):
+            self.skipTest("the Python package is not built")
+
+    def run_study(self, name, *arguments):
+        """Runs a program of examples/python; its rows stand on the page of the same name."""
+        package = pathlib.Path(os.environ["TOPPLE_BUILD"]) / "src" / "python"
+        run = subprocess.run([sys.executable, ROOT / "examples" / "studies" / f"{name}.py", *arguments],
+                             capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(package)})
+        self.assertEqual(run.returncode, 0, run.stdout[-300:] + run.stderr)
+        page = (ROOT / "docs" / f"{name}.md").read_text().splitlines()
+        rows = [line for line in run.stdout.splitlines() if line.startswith("|")]
+        for row in rows:
+            self.assertIn(row, page)
+        return rows
+
+    def test_irregular_bases(self):
+        with tempfile.TemporaryDirectory() as folder:
+            figure = pathlib.Path(folder) / "figure.svg"
+            self.assertGreater(len(self.run_study("irregular_bases", "20", figure)), 40)
+            self.assertIn("JRC 20", figure.read_text())
+
+    def test_tilt_test_scatter(self):
+        self.assertEqual(len(self.run_study("tilt_test_scatter")), 12)
+
+
+if __name__ == "__main__":
+    main()

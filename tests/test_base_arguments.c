@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the calls that give a scene its base, given and made by rule, and its loads refuse: each
+ * names itself and the argument, says what is wrong, and leaves the scene as it was. */
+
+#include "refused_scene.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
+#define T(text) tp_exact_text(text)
+
+START_TEST(profiles) {
+  static const double line[] = {-1, 0, 5, 0};
+  char *text = UNTOUCHED(char);
+  REFUSED(tp_scene_profile_csv(NULL, scene, &message), "'text' must not be NULL");
+  REFUSED(tp_scene_profile_csv(&text, NULL, &message), "'scene' must not be NULL");
+  REFUSED(tp_scene_profile_csv(&text, scene, &message), "the base has no profile of its own");
+  REFUSED(tp_scene_write_profile(NULL, "x.csv", &message), "'scene' must not be NULL");
+  REFUSED(tp_scene_write_profile(scene, NULL, &message), "'path' must not be NULL");
+  REFUSED(tp_scene_write_profile(scene, "x.csv", &message), "the base has no profile of its own");
+  ck_assert_ptr_eq(text, UNTOUCHED(char));
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(line, 2), &message));
+  ck_assert_int_eq(tp_scene_write_profile(scene, "/dev/null/x.csv", &message), TP_SYSTEM_FAILED);
+  DO(tp_scene_profile_csv(&text, scene, &message));
+  ck_assert_str_eq(text, "x,y\n-1,0\n5,0\n");
+  free(text);
+}
+END_TEST
+
+START_TEST(bases) {
+  char *before = solve();
+  const double leftwards[] = {4, 0, 0, 0};
+  REFUSED(tp_scene_set_base_beyond(scene, E(-1), E(0), &message), "cannot end inside the block");
+  REFUSED(tp_scene_set_base_between(scene, SQUARE, &message), "in two vertices");
+  REFUSED(tp_scene_set_base_bound(scene, (tp_base_bound)3, E(0), &message), "'bound'");
+  REFUSED(tp_scene_set_base_profile(scene, tp_coordinates_of(NULL, 3), &message), "'profile'");
+  REFUSED(tp_scene_set_mean_plane(scene, SQUARE, &message), "by two points on it, not by 4");
+  REFUSED(tp_scene_set_mean_plane(scene, tp_coordinates_of(leftwards, 2), &message),
+          "from left to right");
+  char *after = solve();
+  ck_assert_str_eq(before, after);
+  free(before);
+  free(after);
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(square, 2), &message));
+  REFUSED(tp_scene_set_base_beyond(scene, E(1), E(0), &message), "belongs to a mated base");
+  REFUSED(tp_scene_set_base_bound(scene, TP_BASE_BELOW, E(0), &message), "belongs to a mated base");
+  DO(tp_scene_set_base_mated(scene, true, &message));
+  REFUSED(tp_scene_set_base_between(scene, tp_coordinates_of(square, 2), &message),
+          "drop one of them");
+}
+END_TEST
+
+START_TEST(loads) {
+  char *before = solve();
+  REFUSED(tp_scene_set_water(scene, E(-1), E(10), false, false, &message), "height must not be");
+  REFUSED(tp_scene_set_water(scene, E(1), E(-10), false, false, &message), "unit_weight_kn_m3");
+  REFUSED(tp_scene_set_seismic_horizontal(scene, E(NAN), &message), "coefficient");
+  REFUSED(tp_scene_add_pressure(scene, E(0), E(0), E(0), E(1), E(1), E(-1), &message), "last_kpa");
+  REFUSED(tp_scene_add_surcharge(scene, E(0), E(0), E(0), E(1), E(-1), &message), "kpa");
+  REFUSED(tp_scene_add_anchor(scene, E(0), E(0), E(0), E(-1), false, &message), "force_kn");
+  REFUSED(tp_scene_set_bond_kpa(scene, E(-1), &message), "bond_kpa must not be negative");
+  REFUSED(tp_scene_set_cohesion_kpa(scene, E(-1), &message), "cohesion_kpa must not be negative");
+  char *after = solve();
+  ck_assert_str_eq(before, after);
+  free(before);
+  free(after);
+}
+END_TEST
+
+static char *csv_of(void) {
+  char *text = NULL;
+  DO(tp_scene_profile_csv(&text, scene, &message));
+  return text;
+}
+
+START_TEST(teeth) {
+  char *before = solve();
+  tp_base_teeth_options o = tp_base_teeth_options_default();
+#define TEETH tp_scene_set_base_teeth(scene, &o, &message)
+  REFUSED(tp_scene_set_base_teeth(scene, NULL, &message), "'options' must not be NULL");
+  REFUSED(TEETH, "tp_scene_set_base_teeth: count must be a whole number of teeth, at least 1");
+  o.count = 4;
+  REFUSED(TEETH, "wavelength must be above zero, not 0");
+  o.wavelength = E(NAN);
+  REFUSED(TEETH, "wavelength must be a finite number, not nan");
+  o.wavelength = T("1/3");
+  REFUSED(TEETH, "amplitude must be above zero, not 0");
+  o.amplitude = E(1);
+  o.skew = E(1);
+  REFUSED(TEETH, "skew must lie between -0.9 and 0.9; it is 1");
+  o.skew = E(0.5);
+  o.skew_scatter = E(0.5);
+  REFUSED(TEETH, "together at most 0.9");
+  o.skew_scatter = E(0);
+  o.wavelength_scatter = E(0.95);
+  REFUSED(TEETH, "wavelength must lie between 0 and 0.9");
+  o.wavelength_scatter = E(0);
+  o.amplitude_scatter = T("x");
+  REFUSED(TEETH, "amplitude_scatter: 'x'");
+  o.amplitude_scatter = E(0);
+  o.start_y = E(INFINITY);
+  REFUSED(TEETH, "start_y must be a finite number");
+  o.start_y = E(0);
+  o.seed = -1;
+  REFUSED(TEETH, "seed must not be negative");
+  o.seed = 0;
+  o.left_end = (tp_left_end)2;
+  REFUSED(TEETH, "left_end must be valley or peak");
+  o.left_end = TP_LEFT_END_PEAK;
+  o.size++;
+  REFUSED(TEETH, "the size of 'options'");
+  o.size = 0;
+  REFUSED(TEETH, "the size of 'options'");
+  char *after = solve();
+  ck_assert_str_eq(before, after);
+  free(before);
+  free(after);
+  o.size = sizeof o;
+  DO(TEETH);
+}
+END_TEST
+
+START_TEST(self_affine) {
+  char *before = solve();
+  tp_base_self_affine_options o = tp_base_self_affine_options_default();
+#define ROUGH tp_scene_set_base_self_affine(scene, &o, &message)
+  REFUSED(tp_scene_set_base_self_affine(scene, NULL, &message), "'options' must not be NULL");
+  REFUSED(ROUGH, "tp_scene_set_base_self_affine: length must be above zero, not 0");
+  o.length = E(40);
+  REFUSED(ROUGH, "step must be above zero");
+  o.step = T("0.3");
+  REFUSED(ROUGH, "a whole number of steps, from 8 to 4194303; it is 400/3");
+  o.step = E(0.5);
+  REFUSED(ROUGH, "hurst must lie strictly between 0 and 1; it is 0");
+  o.hurst = E(0.75);
+  REFUSED(ROUGH, "rms_height must be above zero");
+  o.by = TP_ROUGHNESS_JRC;
+  o.roughness = E(21);
+  REFUSED(ROUGH, "jrc must lie between 0 and 20; it is 21");
+  o.roughness = E(8);
+  o.by = (tp_roughness_by)3;
+  REFUSED(ROUGH, "'by' must be the RMS height, Z2 or JRC");
+  o.by = TP_ROUGHNESS_JRC;
+  o.shortest = E(0.75);
+  REFUSED(ROUGH, "wavelengths go from 'shortest'");
+  o.shortest = E(20);
+  o.longest = E(20.125);
+  REFUSED(ROUGH, "no wave of the profile's period");
+  o.shortest = o.longest = E(0);
+  o.seed = LLONG_MIN;
+  REFUSED(ROUGH, "seed must not be negative");
+  o.size = 3;
+  REFUSED(ROUGH, "the size of 'options'");
+  REFUSED(tp_scene_set_base_jrc_profile(scene, 0, &message), "1 to 10; it is 0");
+  REFUSED(tp_scene_set_base_jrc_profile(scene, 11, &message),
+          "tp_scene_set_base_jrc_profile: jrc_profile is the number of a standard profile");
+  char *after = solve();
+  ck_assert_str_eq(before, after);
+  free(before);
+  free(after);
+}
+END_TEST
+
+/* What changes a profile needs one, and leaves it as it was where it cannot. */
+START_TEST(changes) {
+  static const double line[] = {-1, 0, 2, 1, 5, 0}, level[] = {-1, 0, 5, 0},
+                      back[] = {0, 0, 3, 1, 2, 2};
+#define NOISE(deviation, seed) tp_scene_set_base_noise(scene, deviation, seed, &message)
+#define SCALED(by, value) tp_scene_set_base_scaled(scene, by, value, &message)
+#define WORN(wear, depth) tp_scene_set_base_worn(scene, wear, depth, &message)
+  REFUSED(NOISE(E(1), 1), "tp_scene_set_base_noise: noise is of a base profile");
+  REFUSED(SCALED(TP_ROUGHNESS_Z2, E(1)), "set its profile first");
+  REFUSED(WORN(TP_WEAR_CUT, E(1)), "set its profile first");
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(line, 3), &message));
+  char *before = csv_of();
+  REFUSED(NOISE(E(0), 1), "deviation must be above zero");
+  REFUSED(NOISE(E(1), -1), "seed must not be negative");
+  REFUSED(SCALED(TP_ROUGHNESS_RMS_HEIGHT, E(0)), "rms_height must be above zero");
+  REFUSED(SCALED(TP_ROUGHNESS_Z2, E(0)), "z2 must lie between 0.000001 and 1000");
+  REFUSED(SCALED(TP_ROUGHNESS_JRC, E(-1)), "jrc must lie between 0 and 20");
+  REFUSED(SCALED((tp_roughness_by)-1, E(1)), "'by' must be");
+  REFUSED(WORN(TP_WEAR_CUT, E(1)), "'cut' takes off all of the roughness");
+  REFUSED(WORN(TP_WEAR_ROUNDED, E(0)), "rounded must be above zero");
+  REFUSED(WORN((tp_wear)3, E(1)), "'wear' must be cut, rounded or abraded");
+  char *after = csv_of();
+  ck_assert_str_eq(before, after);
+  free(before);
+  free(after);
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(level, 2), &message));
+  REFUSED(SCALED(TP_ROUGHNESS_Z2, E(1)), "the profile is level");
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(back, 3), &message));
+  REFUSED(SCALED(TP_ROUGHNESS_JRC, E(1)), "folds back or steps upright");
+  DO(tp_scene_set_base_profile(scene, tp_coordinates_of(line, 1), &message));
+  REFUSED(NOISE(E(1), 1), "a base profile needs at least two points");
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("base_arguments");
+  TCase *tests = tcase_create("bases");
+  tcase_add_checked_fixture(tests, set_up, tear_down);
+  tcase_add_test(tests, profiles);
+  tcase_add_test(tests, bases);
+  tcase_add_test(tests, loads);
+  tcase_add_test(tests, teeth);
+  tcase_add_test(tests, self_affine);
+  tcase_add_test(tests, changes);
+  suite_add_tcase(suite, tests);
+  return run_suite(suite);
+}
