@@ -22,11 +22,16 @@ static void clear_order(tp_element_order *order, long count) {
   clear_array(order->moment12, count + 1);
 }
 
+static void element_clear(tp_exact_element *e) {
+  fmpz_clear(&e->weight2);
+  fmpz_clear(&e->x6);
+  fmpz_clear(&e->y6);
+  memset(e, 0, sizeof *e);
+}
+
 void tp_elements_clear(tp_elements *elements) {
   for (long k = 0; elements->items != NULL && k < elements->count; k++) {
-    fmpz_clear(&elements->items[k].weight2);
-    fmpz_clear(&elements->items[k].x6);
-    fmpz_clear(&elements->items[k].y6);
+    element_clear(elements->items + k);
   }
   free(elements->items);
   clear_order(&elements->along_x, elements->count);
@@ -101,7 +106,11 @@ static void set_given(tp_elements *elements, const tp_section *section, const tp
                           corner + 2 * (valley_left ? k : k + 1)}; /* above the valley */
     tp_exact_element *e = elements->items + elements->count;
     set_triangle(e, lattice, ends, density);
-    if (!fmpz_is_zero(&e->weight2)) elements->count++;
+    if (fmpz_is_zero(&e->weight2)) {
+      element_clear(e);
+    } else {
+      elements->count++;
+    }
   }
 }
 
