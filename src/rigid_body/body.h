@@ -12,26 +12,7 @@
 #define TP_RIGID_BODY_H
 
 #include "load/wrench.h"
-#include "stability/problem.h"
-
-typedef struct tp_xy {
-  double x, y;
-} tp_xy;
-
-/* A straight edge, or an arc, of a boundary with the rock on its left. */
-typedef struct tp_edge {
-  tp_xy from, to;
-  bool arc, inwards; /* inwards: the centre lies outside of the rock */
-  tp_xy centre;      /* of an arc */
-  double radius;     /* of an arc, else 0 */
-  long number; /* of the outline: of the vertex it begins in, from 1; of the base: of its facet
-                  of the profile from 1, 0 for what closes the rock (end faces and below) */
-} tp_edge;
-
-typedef struct tp_boundary {
-  long count; /* closed: the last edge ends where the first begins */
-  tp_edge *edges;
-} tp_boundary;
+#include "rigid_body/boundary.h"
 
 /* A contact that is closed at the start, found exactly (base/contact.h): an end of a facet, with
  * the direction of the facet and its normal into the block. */

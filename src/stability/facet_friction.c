@@ -16,10 +16,11 @@ void tp_facet_friction_clear(tp_facet_friction *f) {
   free(f->firsts);
   free(f->lasts);
   free(f->touching);
+  free(f->entry_of);
   memset(f, 0, sizeof *f);
 }
 
-/* What is sought, and what each facet of the base has: the entry of the scene, or -1. */
+/* What is sought, and where. */
 typedef struct search {
   tp_facet_friction *found;
   const tp_scene *scene;
@@ -27,7 +28,6 @@ typedef struct search {
   const tp_lattice *lattice;
   const tp_contact *contact;
   tp_facets_counted counted;
-  long *entry_of; /* by these */
   tp_message *message;
 } search;
 
@@ -36,11 +36,11 @@ typedef struct search {
 
 static tp_status claim(search *s, long facet, long entry) {
   const tp_facet_friction_description *own = s->scene->friction.facets + entry;
-  if (s->entry_of[facet] >= 0) {
+  if (s->found->entry_of[facet] >= 0) {
     return tp_fail(s->message, TP_BAD_INPUT, own->place,
                    "facet %ld of the base is given a friction angle twice", facet + 1);
   }
-  s->entry_of[facet] = entry;
+  s->found->entry_of[facet] = entry;
   if (s->found->firsts[entry] == 0) s->found->firsts[entry] = facet + 1;
   s->found->lasts[entry] = facet + 1;
   return TP_OK;
@@ -132,10 +132,9 @@ static long index_of(const tp_facet_friction *f, const fmpq *angle) {
   return own != NULL ? own - f->angles + 1 : 0;
 }
 
-/* The entry of an edge of the base, -1: none, the scene's friction. */
-static long entry_of_edge(const search *s, long edge) {
-  const long facet = edge - s->counted.first;
-  return facet >= 0 && facet < s->counted.count ? s->entry_of[facet] : -1;
+long tp_facet_friction_entry(const tp_facet_friction *f, long edge) {
+  const long facet = edge - f->counted.first;
+  return facet >= 0 && facet < f->counted.count ? f->entry_of[facet] : -1;
 }
 
 static const fmpq *angle_of(const search *s, long entry) {
@@ -163,8 +162,8 @@ static long other_edge(const search *s, const tp_facet *facet) {
 
 static void settle_facet(search *s, long k) {
   const tp_facet *facet = s->contact->facets + k;
-  long entry = entry_of_edge(s, facet->base_edge);
-  const long beside = entry_of_edge(s, other_edge(s, facet));
+  long entry = tp_facet_friction_entry(s->found, facet->base_edge);
+  const long beside = tp_facet_friction_entry(s->found, other_edge(s, facet));
   if (fmpq_cmp(angle_of(s, beside), angle_of(s, entry)) < 0) entry = beside;
   if (entry < 0) return;
   s->found->of_facet[k] = index_of(s->found, angle_of(s, entry));
@@ -173,7 +172,7 @@ static void settle_facet(search *s, long k) {
 
 static tp_status find(search *s) {
   tp_status status = TP_OK;
-  for (long k = 0; k < s->counted.count; k++) s->entry_of[k] = -1;
+  for (long k = 0; k < s->counted.count; k++) s->found->entry_of[k] = -1;
   for (long entry = 0; entry < s->found->entry_count && status == TP_OK; entry++) {
     status = s->scene->friction.facets[entry].x0.given ? claim_between(s, entry)
                                                        : claim_numbers(s, entry);
@@ -224,16 +223,15 @@ tp_status tp_facet_friction_init(tp_facet_friction *f, const tp_scene *scene, co
   f->lasts = calloc(entries, sizeof *f->lasts);
   f->touching = calloc(entries, sizeof *f->touching);
   f->of_facet = calloc((size_t)contact->facet_count + 1, sizeof *f->of_facet);
-  s.entry_of = calloc((size_t)counted.count + 1, sizeof *s.entry_of);
+  f->counted = counted;
+  f->entry_of = calloc((size_t)counted.count + 1, sizeof *f->entry_of);
   const bool room = f->angles != NULL && f->firsts != NULL && f->lasts != NULL &&
-                    f->touching != NULL && f->of_facet != NULL && s.entry_of != NULL;
+                    f->touching != NULL && f->of_facet != NULL && f->entry_of != NULL;
   if (!room) {
-    free(s.entry_of);
     tp_facet_friction_clear(f);
     return tp_fail_memory(message, "the friction of facets");
   }
   tp_status status = find(&s);
-  free(s.entry_of);
   if (status == TP_OK) status = note_untouched(&solution->notes, f, scene, message);
   status = tp_effects_entered(
       status, message,

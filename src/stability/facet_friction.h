@@ -16,6 +16,13 @@
 #include "base/contact.h"
 #include "scene/scene.h"
 
+/* Which edges of a base are counted as its facets: those of its profile, or of the underside that
+ * it is, or was before a shift along it, `mated` with. `turned`: from the frame of the world. */
+typedef struct tp_facets_counted {
+  long first, count;
+  bool mated, turned;
+} tp_facets_counted;
+
 typedef struct tp_facet_friction {
   long count;          /* of angles besides the scene's, no two of them the same */
   const fmpq **angles; /* borrowed of the scene, rising */
@@ -24,14 +31,9 @@ typedef struct tp_facet_friction {
   long entry_count;
   long *firsts, *lasts; /* by entry of the scene: the numbers of its facets of the base, from 1 */
   long *touching;       /* and how many facets of the contact they are */
+  tp_facets_counted counted;
+  long *entry_of; /* by facet that is counted: the entry of the scene that it is of, or -1 */
 } tp_facet_friction;
-
-/* Which edges of a base are counted as its facets: those of its profile, or of the underside that
- * it is, or was before a shift along it, `mated` with. `turned`: from the frame of the world. */
-typedef struct tp_facets_counted {
-  long first, count;
-  bool mated, turned;
-} tp_facets_counted;
 
 /* Facets that are not there, lie within an entry in part, or in two of them, are bad input; so are
  * abscissas of a scene that was turned. What ran is noted in
@@ -42,5 +44,8 @@ TP_MUST_USE tp_status tp_facet_friction_init(tp_facet_friction *friction, const 
                                              const tp_contact *contact, tp_facets_counted counted,
                                              tp_solution *solution, tp_message *message);
 void tp_facet_friction_clear(tp_facet_friction *friction);
+
+/* The entry of an edge of the base's ring, -1: none, the scene's friction. */
+long tp_facet_friction_entry(const tp_facet_friction *friction, long edge);
 
 #endif
