@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* One step of a smooth differential equation, by extrapolation of the modified midpoint rule (Gragg,
- * SIAM J. Numer. Anal. 2 (1965); Hairer, Norsett and Wanner, Solving Ordinary Differential Equations
- * I, section II.9): of 2, 4, 6, ... substeps, until two columns of the table agree within the
- * tolerance.
+/* One step of a smooth differential equation, by extrapolation of the modified midpoint rule
+ * (Gragg, SIAM J. Numer. Anal. 2 (1965); Hairer, Norsett and Wanner, Solving Ordinary Differential
+ * Equations I, section II.9): of 2, 4, 6, ... substeps, until two columns of the table agree within
+ * the tolerance.
  *
- * The steppers of the GNU Scientific Library, which the tests compare it with, ask for memory and end
- * the process where there is none (docs/architecture.md: the library never does); this one needs
- * none, and takes the order that the tolerance asks for. */
+ * The steppers of the GNU Scientific Library, which the tests compare it with, ask for memory and
+ * end the process where there is none (docs/architecture.md: the library never does); this one
+ * needs none, and takes the order that the tolerance asks for. */
 
 #ifndef TP_RIGID_CONTACT_EXTRAPOLATION_H
 #define TP_RIGID_CONTACT_EXTRAPOLATION_H

@@ -34,10 +34,13 @@ typedef struct met {
   double radius;
 } met;
 
-static met meet(const tp_round_corner *corner, double direction, double *margin) {
-  if (corner->radius == 0) return (met){corner->centre, 0};
+static met meet(const tp_round_corner *corner, double direction, tp_gap *gap) {
   const double own = tp_normal_range_margin(corner->range, direction);
-  *margin = fmin(*margin, own);
+  if (corner->radius == 0) {
+    gap->cone_margin = fmin(gap->cone_margin, own);
+    return (met){corner->centre, 0};
+  }
+  gap->arc_margin = fmin(gap->arc_margin, own);
   if (own >= 0) return (met){corner->centre, corner->radius};
   const double end = tp_normal_range_nearest(corner->range, direction);
   return (met){plus(corner->centre, corner->radius, (tp_xy){cos(end), sin(end)}), 0};
@@ -62,7 +65,7 @@ static double within(const tp_contact_face *face, tp_xy foot) {
 static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
                                const tp_contact_face *face, const turned *block) {
   const tp_xy n = face->normal;
-  const met own = meet(corner, atan2(-n.y, -n.x) - block->angle, &gap->arc_margin);
+  const met own = meet(corner, atan2(-n.y, -n.x) - block->angle, gap);
   const tp_xy d = turn(block, own.centre), c = plus(block->centroid, 1, d);
   gap->normal = n;
   gap->width = dot(plus(c, -1, face->from), n) - own.radius;
@@ -76,7 +79,7 @@ static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
 static void straight_on_corner(tp_gap *gap, const tp_contact_face *face,
                                const tp_round_corner *corner, const turned *block) {
   const tp_xy out = turn(block, face->normal), n = {-out.x, -out.y};
-  const met own = meet(corner, atan2(n.y, n.x), &gap->arc_margin);
+  const met own = meet(corner, atan2(n.y, n.x), gap);
   const tp_xy d = plus(own.centre, -1, block->centroid);
   const tp_xy from_face = plus(d, -1, turn(block, face->from));
   const double w = block->turning;
@@ -105,16 +108,16 @@ static void arc_on_arc(tp_gap *gap, const arcs *a, const turned *block) {
   const double length = hypot(apart.x, apart.y);
   const tp_xy e = {apart.x / length, apart.y / length};
   const double w = block->turning;
-  const double sum = inside ? fabs(a->base_radius - a->block_radius)
-                            : a->base_radius + a->block_radius;
+  const double sum =
+      inside ? fabs(a->base_radius - a->block_radius) : a->base_radius + a->block_radius;
   gap->width = sign * (length - sum);
   gap->normal = (tp_xy){sign * e.x, sign * e.y};
   gap->at = plus(c, a->hollow_block ? a->block_radius : -a->block_radius, gap->normal);
   set_rows(gap, block);
   const tp_xy u = {block->velocity.x - w * d.y, block->velocity.y + w * d.x};
   const double apart_speed = dot(e, u);
-  gap->across_rate = sign * (dot(u, u) - apart_speed * apart_speed) / length -
-                     w * w * dot(d, gap->normal);
+  gap->across_rate =
+      sign * (dot(u, u) - apart_speed * apart_speed) / length - w * w * dot(d, gap->normal);
   gap->along_rate = cross(e, u) / length * dot(gap->normal, u) - w * w * dot(d, gap->tangent);
 }
 
@@ -122,7 +125,7 @@ static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
                              const tp_contact_face *face, const turned *block) {
   tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
   tp_xy out = plus(c, -1, face->centre);
-  const met own = meet(corner, atan2(out.y, out.x) - block->angle, &gap->arc_margin);
+  const met own = meet(corner, atan2(out.y, out.x) - block->angle, gap);
   c = plus(block->centroid, 1, turn(block, own.centre));
   out = plus(c, -1, face->centre);
   gap->margin = tp_normal_range_margin(face->range, atan2(out.y, out.x)) * face->radius;
@@ -138,7 +141,7 @@ static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
                              const tp_round_corner *corner, const turned *block) {
   const tp_xy c = plus(block->centroid, 1, turn(block, face->centre));
   tp_xy out = plus(corner->centre, -1, c);
-  const met own = meet(corner, atan2(out.y, out.x), &gap->arc_margin);
+  const met own = meet(corner, atan2(out.y, out.x), gap);
   out = plus(own.centre, -1, c);
   gap->margin =
       tp_normal_range_margin(face->range, atan2(out.y, out.x) - block->angle) * face->radius;
@@ -151,13 +154,13 @@ static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
 }
 
 /* Where both end sharp they do not face each other. */
-static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner, const tp_round_corner *base,
-                             const turned *block) {
+static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
+                             const tp_round_corner *base, const turned *block) {
   const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
   tp_xy out = plus(c, -1, base->centre);
-  const met under = meet(base, atan2(out.y, out.x), &gap->arc_margin);
+  const met under = meet(base, atan2(out.y, out.x), gap);
   out = plus(c, -1, under.centre);
-  const met own = meet(corner, atan2(-out.y, -out.x) - block->angle, &gap->arc_margin);
+  const met own = meet(corner, atan2(-out.y, -out.x) - block->angle, gap);
   gap->margin = own.radius + under.radius > 0 ? INFINITY : -1;
   const arcs a = {.block = own.centre,
                   .base = under.centre,
@@ -174,7 +177,7 @@ tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_s
                         .centroid = {state->place[0], state->place[1]},
                         .velocity = {state->speed[0], state->speed[1]},
                         .turning = state->speed[2]};
-  tp_gap gap = {.margin = INFINITY, .arc_margin = INFINITY};
+  tp_gap gap = {.margin = INFINITY, .cone_margin = INFINITY, .arc_margin = INFINITY};
   const bool own_face = pair->kind == TP_FACE_ON_CORNER, face = pair->kind == TP_CORNER_ON_FACE;
   const tp_round_corner *corner = own_face ? NULL : shapes->block.corners + pair->block;
   const tp_round_corner *under = face ? NULL : shapes->base.corners + pair->base;
@@ -191,6 +194,15 @@ tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_s
   gap.base_edges[0] = face ? on->edge : under->before;
   gap.base_edges[1] = face ? on->edge : under->behind;
   return gap;
+}
+
+bool tp_gap_faces(const tp_gap *gap) {
+  const double slack = TP_FACE_SLACK;
+  return gap->margin >= -slack && (gap->margin > slack || gap->cone_margin >= -slack);
+}
+
+bool tp_pair_is(const tp_pair *a, const tp_pair *b) {
+  return a->kind == b->kind && a->block == b->block && a->base == b->base;
 }
 
 double tp_gap_speed(const double row[3], const double speed[3]) {

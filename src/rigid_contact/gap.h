@@ -30,7 +30,11 @@ typedef struct tp_motion_state {
   double place[3], speed[3];
 } tp_motion_state;
 
-typedef enum tp_pair_kind { TP_CORNER_ON_FACE, TP_FACE_ON_CORNER, TP_CORNER_ON_CORNER } tp_pair_kind;
+typedef enum tp_pair_kind {
+  TP_CORNER_ON_FACE,
+  TP_FACE_ON_CORNER,
+  TP_CORNER_ON_CORNER
+} tp_pair_kind;
 
 /* What may touch: a part of the block on a part of the base. */
 typedef struct tp_pair {
@@ -39,11 +43,16 @@ typedef struct tp_pair {
   bool touching;    /* closed when last judged: it counts as closing anew only below a tolerance */
 } tp_pair;
 
+bool tp_pair_is(const tp_pair *a, const tp_pair *b);
+
 typedef struct tp_gap {
   double width;  /* below 0: the parts lie in each other, where they do face each other */
   double margin; /* by how much the contact lies within both parts; below 0: they do not face each
                     other */
-  double arc_margin; /* the same of the normals of rounded corners, radians; INFINITY: none */
+  double cone_margin; /* by how much the normal lies between those of a sharp corner's edges,
+                         radians; INFINITY: no sharp corner. Below 0 at the end of a face the two
+                         pass each other. */
+  double arc_margin;  /* the same of the normals of rounded corners, radians; INFINITY: none */
   tp_xy normal, tangent, at; /* `at` from the base's origin */
   double across[3], along[3];
   double across_rate, along_rate;
@@ -55,6 +64,13 @@ typedef struct tp_shapes {
 } tp_shapes;
 
 tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_state *state);
+
+/* How far beyond the end of a face a contact may lie: more than what a closed gap in a flat notch
+ * moves it (over the extent). */
+#define TP_FACE_SLACK 1e-9
+
+/* Do the parts face each other where the gap is zero? */
+bool tp_gap_faces(const tp_gap *gap);
 
 /* How fast the gap changes, and how fast the block's point slips. */
 double tp_gap_speed(const double row[3], const double speed[3]);

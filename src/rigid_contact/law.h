@@ -2,8 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Newton's law with contacts that open or press, and Coulomb friction: the modes of
- * docs/mechanics.md section 6a in doubles, with given velocities too. Asked for is x (accelerations,
- * or velocities after an impact) with
+ * docs/mechanics.md section 6a in doubles, with given velocities too. Asked for is x
+ * (accelerations, or velocities after an impact) with
  *
  *   M x = M x_free + sum lambda e,   lambda >= 0,   across . x >= least at every contact,
  *
@@ -12,9 +12,9 @@
  * slip, 0 where it sticks.
  *
  * Every solution is a sum of such with three edges or fewer whose wrenches are independent
- * (Caratheodory). So each set of up to three edges is tried: as many equations, across . x = least of
- * its contacts and along . x = rest of one with both edges, give its multipliers; then the signs are
- * judged. A set whose equations depend on each other has no solution of its own. */
+ * (Caratheodory). So each set of up to three edges is tried: as many equations, across . x = least
+ * of its contacts and along . x = rest of one with both edges, give its multipliers; then the signs
+ * are judged. A set whose equations depend on each other has no solution of its own. */
 
 #ifndef TP_RIGID_CONTACT_LAW_H
 #define TP_RIGID_CONTACT_LAW_H
@@ -72,8 +72,8 @@ typedef bool (*tp_law_found)(void *context, const tp_law_solution *solution);
 void tp_law_enumerate(const tp_law *law, const long *listed, long listed_count, int most,
                       tp_law_found found, void *context);
 
-/* Solutions with edges of as few contacts as serve: the list grows by the contact that those found so
- * far violate most, until one violates none. Told of all that the last list gives. */
+/* Solutions with edges of as few contacts as serve: the list grows by the contact that those found
+ * so far violate most, until one violates none. Told of all that the last list gives. */
 void tp_law_search(const tp_law *law, tp_law_found found, void *context);
 
 #endif

@@ -128,8 +128,8 @@ static void drop(least_squares *of, double held[3], int k) {
   }
 }
 
-/* The multipliers `held` go towards the least squares until one of them vanishes, which is left out,
- * as often as it takes. */
+/* The multipliers `held` go towards the least squares until one of them vanishes, which is left
+ * out, as often as it takes. */
 static bool settle(least_squares *of, double held[3]) {
   for (;;) {
     double wanted[3], share = 1;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A block at rest: which motions can begin (docs/mechanics.md section 6a, in doubles), and can forces
- * of its contacts hold it? Both can be so: then the forces that its history has left there decide. */
+/* A block at rest: which motions can begin (docs/mechanics.md section 6a, in doubles), and can
+ * forces of its contacts hold it? Both can be so: then the forces that its history has left there
+ * decide. */
 
 #ifndef TP_RIGID_CONTACT_REST_H
 #define TP_RIGID_CONTACT_REST_H

@@ -88,9 +88,11 @@ static void add_corner(tp_shape *shape, const tp_boundary *boundary, long behind
   const tp_xy in = course(boundary->edges + before, true);
   const tp_xy out = course(boundary->edges + behind, false);
   const double cross = in.x * out.y - in.y * out.x, dot = in.x * out.x + in.y * out.y;
-  if (atan2(cross, dot) < least_corner) return;
+  const double turns = atan2(cross, dot);
+  if (turns < least_corner) return;
   shape->corners[shape->corner_count++] =
       (tp_round_corner){.centre = over(boundary->edges[behind].from, extent),
+                        .range = {.first = atan2(-in.x, in.y), .sweep = turns},
                         .before = before,
                         .behind = behind};
 }

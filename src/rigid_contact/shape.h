@@ -20,12 +20,12 @@ typedef struct tp_normal_range {
 typedef struct tp_round_corner {
   tp_xy centre;
   double radius;         /* 0: sharp */
-  tp_normal_range range; /* of a rounded one */
+  tp_normal_range range; /* between the normals of its edges */
   long before, behind;   /* its edges; the same of an arc */
 } tp_round_corner;
 
 typedef struct tp_contact_face {
-  bool hollow; /* an arc whose centre lies outside of the rock; else straight */
+  bool hollow;               /* an arc whose centre lies outside of the rock; else straight */
   tp_xy from, along, normal; /* of a straight one: unit vectors, the normal out of the rock */
   double length;
   tp_xy centre; /* of a hollow one */

@@ -35,8 +35,8 @@ bool tp_smooth_at(tp_smooth_moment *moment, tp_smooth *smooth, double time,
   moment->friction_power = 0;
   for (int k = 0; k < s->count; k++) {
     const tp_law_contact *own = moment->contacts + s->edges[k].contact;
-    moment->friction_power += s->factors[k] * s->edges[k].side * own->friction *
-                              tp_gap_speed(own->along, state->speed);
+    moment->friction_power +=
+        s->factors[k] * s->edges[k].side * own->friction * tp_gap_speed(own->along, state->speed);
   }
   return true;
 }

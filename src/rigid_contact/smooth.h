@@ -49,11 +49,12 @@ void tp_smooth_numbers(double numbers[TP_MOTION_NUMBERS], const tp_motion_state 
 bool tp_smooth_rates(double *rates, void *context, double time, const double *numbers);
 
 /* What rounding and the error of a step have moved the contacts that press out of place, or given
- * them as speed, is taken back by the least motion that does; it is what is told, over the extent. */
+ * them as speed, is taken back by the least motion that does; it is what is told, over the extent.
+ */
 double tp_smooth_project(tp_motion_state *state, const tp_smooth *smooth);
 
-/* The least kinetic energy that takes its speed from each row: speeds that are left are 0. Rows that
- * depend on others are left out. */
+/* The least kinetic energy that takes its speed from each row: speeds that are left are 0. Rows
+ * that depend on others are left out. */
 void tp_smooth_stop(double speed[3], const tp_contact_system *system, const double (*rows)[3],
                     int count);
 

@@ -78,33 +78,28 @@ static bool list_face(tp_contact_system *s, const tp_motion_state *at, long base
 static bool list_all(tp_contact_system *s, const tp_motion_state *at) {
   s->pair_count = 0;
   s->listed_at = *at;
-  for (long k = 0; k < s->shapes.base.corner_count; k++) {
-    if (!list_corner(s, at, k)) return false;
-  }
   for (long k = 0; k < s->shapes.base.face_count; k++) {
     if (!list_face(s, at, k)) return false;
   }
+  for (long k = 0; k < s->shapes.base.corner_count; k++) {
+    if (!list_corner(s, at, k)) return false;
+  }
   return true;
-}
-
-static bool is_same(const tp_pair *a, const tp_pair *b) {
-  return a->kind == b->kind && a->block == b->block && a->base == b->base;
 }
 
 static void take_over(tp_contact_system *s, const tp_pair *old, long old_count) {
   for (long k = 0; k < old_count; k++) {
     if (!old[k].touching) continue;
     for (long j = 0; j < s->pair_count; j++) {
-      if (is_same(s->pairs + j, old + k)) s->pairs[j].touching = true;
+      if (tp_pair_is(s->pairs + j, old + k)) s->pairs[j].touching = true;
     }
   }
 }
 
 bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) {
   const tp_motion_state *at = &s->listed_at;
-  const double moved =
-      hypot(state->place[0] - at->place[0], state->place[1] - at->place[1]) +
-      fabs(state->place[2] - at->place[2]);
+  const double moved = hypot(state->place[0] - at->place[0], state->place[1] - at->place[1]) +
+                       fabs(state->place[2] - at->place[2]);
   if (moved < listed_reach / 2) return true;
   tp_pair *old = s->pairs;
   const long old_count = s->pair_count;
@@ -117,20 +112,22 @@ bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) 
 }
 
 bool tp_contact_system_init(tp_contact_system *s, const tp_rigid_body *body, const tp_drive *drive,
-                            const tp_motion_state *start) {
+                            const tp_body_state *start) {
   const double extent = body->extent_m;
-  *s = (tp_contact_system){.body = body,
-                           .drive = drive,
-                           .time_unit_s = sqrt(extent / TP_GRAVITY_M_S2),
-                           .base_left = INFINITY,
-                           .base_right = -INFINITY,
-                           .inertia = {1, 1, body->inertia_kg_m2 / body->mass_kg / extent / extent}};
+  *s =
+      (tp_contact_system){.body = body,
+                          .drive = drive,
+                          .time_unit_s = sqrt(extent / TP_GRAVITY_M_S2),
+                          .base_left = INFINITY,
+                          .base_right = -INFINITY,
+                          .inertia = {1, 1, body->inertia_kg_m2 / body->mass_kg / extent / extent}};
   for (long k = 0; k < body->base.count; k++) {
     s->base_left = fmin(s->base_left, body->base.edges[k].from.x / extent);
     s->base_right = fmax(s->base_right, body->base.edges[k].from.x / extent);
   }
+  const tp_motion_state at = tp_motion_of(s, start);
   const bool done = tp_shape_init(&s->shapes.block, &body->outline, extent) &&
-                    tp_shape_init(&s->shapes.base, &body->base, extent) && list_all(s, start);
+                    tp_shape_init(&s->shapes.base, &body->base, extent) && list_all(s, &at);
   if (!done) tp_contact_system_clear(s);
   return done;
 }

@@ -31,11 +31,11 @@ typedef struct tp_contact_system {
 
 /* False when memory is exhausted: then it is cleared. */
 TP_MUST_USE bool tp_contact_system_init(tp_contact_system *system, const tp_rigid_body *body,
-                                        const tp_drive *drive, const tp_motion_state *start);
+                                        const tp_drive *drive, const tp_body_state *start);
 void tp_contact_system_clear(tp_contact_system *system);
 
-/* Lists the pairs anew where the block has moved so far that others could close; which of them touch
- * stays as it was. False when memory is exhausted. */
+/* Lists the pairs anew where the block has moved so far that others could close; which of them
+ * touch stays as it was. False when memory is exhausted. */
 TP_MUST_USE bool tp_contact_system_list(tp_contact_system *system, const tp_motion_state *state);
 
 tp_motion_state tp_motion_of(const tp_contact_system *system, const tp_body_state *state);
@@ -47,7 +47,8 @@ void tp_contact_system_free(double free[3], const tp_contact_system *system, dou
 double tp_motion_energy(const tp_contact_system *system, const double speed[3]);
 
 /* tan(phi) at a contact, and the facet of the base that it lies on: where a corner of the base
- * touches, of the edge whose normal is nearer to that of the contact; of two as near, the less rough.
+ * touches, of the edge whose normal is nearer to that of the contact; of two as near, the less
+ * rough.
  */
 double tp_contact_friction(long *facet, const tp_contact_system *system, const tp_gap *gap);
 
