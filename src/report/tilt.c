@@ -145,13 +145,39 @@ static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_test *te
   tp_text_add(t, "\n");
 }
 
+/* How many events from one on are of the same contact, to and fro: told as one line if several. */
+static size_t chatter_length(const tp_tilt_case *c, size_t first) {
+  const tp_tilt_event *e = c->events + first;
+  const bool across = e->kind == TP_EVENT_OPENS || e->kind == TP_EVENT_CLOSES,
+             along = e->kind == TP_EVENT_SLIPS || e->kind == TP_EVENT_STICKS;
+  size_t k = first + 1;
+  for (; k < c->event_count && (across || along); k++) {
+    const tp_tilt_event *other = c->events + k;
+    const bool other_across = other->kind == TP_EVENT_OPENS || other->kind == TP_EVENT_CLOSES,
+               other_along = other->kind == TP_EVENT_SLIPS || other->kind == TP_EVENT_STICKS;
+    if (other->facet != e->facet || across != other_across || along != other_along) break;
+  }
+  return k - first;
+}
+
 static void add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  enum { SEVERAL = 6 };
+  size_t k = 0;
   if (c->event_count == 0) return;
   tp_text_add(t, "\n  What happened (facets of the base from left to right)\n");
-  const size_t told = c->event_count < MOST_EVENTS ? c->event_count : MOST_EVENTS;
-  for (size_t k = 0; k < told; k++) add_event(t, c->events + k, test);
-  if (told < c->event_count) {
-    tp_text_add(t, "  and %zu more (--json tells them)\n", c->event_count - told);
+  for (size_t lines = 0; k < c->event_count && lines < MOST_EVENTS; lines++) {
+    const size_t length = chatter_length(c, k);
+    add_event(t, c->events + k, test);
+    if (length < SEVERAL) {
+      k++;
+      continue;
+    }
+    tp_text_add(t, "             and so on to and fro, %zu times in all, until it\n", length);
+    add_event(t, c->events + k + length - 1, test);
+    k += length;
+  }
+  if (k < c->event_count) {
+    tp_text_add(t, "  and %zu more (--json tells them)\n", c->event_count - k);
   }
 }
 

@@ -34,7 +34,19 @@ tp_mechanism tp_tilting_mechanism(tp_xy *centre, bool *has_centre, const tp_rigi
 /* ---- to the end --------------------------------------------------------------------------------
  */
 
-/* What was added behind `from` happened `later`. */
+/* That the block lets go, and what its contacts do as it does, is in the history of a ramp already:
+ * of the events behind `from` those of that moment are left out, and that it lets go. */
+static void drop_told(tp_history *history, size_t from) {
+  size_t kept = from;
+  for (size_t k = from; k < history->event_count; k++) {
+    const tp_tilt_event event = history->events[k];
+    if (event.time_s == 0 || event.kind == TP_EVENT_COLLAPSES) continue;
+    history->events[kept++] = event;
+  }
+  history->event_count = kept;
+}
+
+/* What was added behind these happened `later`. */
 static void shift_times(tp_history *history, size_t events, size_t moments, double later) {
   for (size_t k = events; k < history->event_count; k++) history->events[k].time_s += later;
   for (size_t k = moments; k < history->moment_count; k++) history->moments[k].time_s += later;
@@ -69,6 +81,7 @@ tp_status tp_tilting_follow(tp_tilting *tilting) {
   tp_run_end end = TP_RUN_UNDECIDED;
   const tp_status status = tp_tilting_run(&end, &last, tilting, &run);
   if (status != TP_OK) return status;
+  if (ramp) drop_told(&tilting->history, events);
   shift_times(&tilting->history, events, moments, later);
   tp_tilt_case *own = tilting->own;
   own->end = end == TP_RUN_UNDECIDED && tp_tilting_stopped(tilting) ? TP_TILT_STOPPED : ends[end];

@@ -28,10 +28,6 @@ void tp_tilt_result_take(tp_tilt_case *own, tp_history *history, const tp_rigid_
   own->reaction_count = history->reaction_count;
   own->reactions = history->reactions;
   *history = (tp_history){.event_count = 0};
-  for (size_t k = 0; k < own->event_count; k++) {
-    own->events[k].x_m += body->origin.x;
-    own->events[k].y_m += body->origin.y;
-  }
   own->centroid_x_m = body->origin.x;
   own->centroid_y_m = body->origin.y;
   own->energy_scale_j = body->mass_kg * TP_GRAVITY_M_S2 * body->extent_m;
@@ -93,11 +89,9 @@ void tp_tilt_result_window(tp_tilt_case *own, const tp_case *statics) {
   own->limit_deg = own->has_limit ? statics->limit.critical_angle_deg.value : 0;
 }
 
-/* 1e-9 degrees are for rounding, where the bracket is narrower. */
-void tp_tilt_result_place(tp_tilt_case *own) {
-  const double rounding = 1e-9;
+void tp_tilt_result_place(tp_tilt_case *own, double tolerance_deg) {
   if (!own->has_onset || !own->has_limit || !own->has_bracket) return;
-  own->place = own->most_deg < own->onset_deg - rounding    ? TP_PLACE_BELOW
-               : own->least_deg > own->limit_deg + rounding ? TP_PLACE_BEYOND
-                                                            : TP_PLACE_WITHIN;
+  own->place = own->most_deg < own->onset_deg - tolerance_deg    ? TP_PLACE_BELOW
+               : own->least_deg > own->limit_deg + tolerance_deg ? TP_PLACE_BEYOND
+                                                                 : TP_PLACE_WITHIN;
 }

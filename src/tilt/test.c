@@ -56,6 +56,7 @@ typedef struct stage {
   const tp_problem *problem;
   const tp_tilt_options *options;
   tp_base_shaking *shaking; /* NULL: none */
+  tp_place place;           /* that calls for the test */
   tp_message *message;
 } stage;
 
@@ -74,9 +75,14 @@ static tp_status run_dynamics(tp_tilting *tilting, double least_deg, double most
           : tp_tilting_bracket(tilting, tp_tilting_look, least_deg, most_deg, s->until_deg);
   if (status != TP_OK || !own->has_bracket) return status;
   tp_xy centre = {0, 0};
+  /* rigid contacts are let go at rest */
+  if (s->engine == TP_TILT_RIGID &&
+      !tp_tilt_engines_begin(&tilting->moves_off, tilting, own->most_deg)) {
+    tilting->moves_off = (tp_body_state){.turned = 0};
+  }
   own->mechanism =
       tp_tilting_mechanism(&centre, &own->has_centre, tilting->body, &tilting->moves_off);
-  own->has_mechanism = true;
+  own->has_mechanism = own->mechanism != TP_MECHANISM_UNDECIDED;
   own->centre_x_m = centre.x + tilting->body->origin.x;
   own->centre_y_m = centre.y + tilting->body->origin.y;
   return own->end == TP_TILT_STANDS ? tp_tilting_follow(tilting) : TP_OK;
@@ -94,13 +100,20 @@ static tp_status run_case(tp_tilting *tilting, const stage *g) {
   const tp_tilt_settings *s = tilting->settings;
   const double least = own->has_onset ? own->onset_deg - 0.5 * s->tolerance_deg : 0,
                most = own->has_limit ? own->limit_deg + 0.5 * s->tolerance_deg : 0;
-  tp_tilt_engine_settings engines;
+  tp_tilt_engines engines;
   if (s->engine == TP_TILT_PATH) return tp_tilting_path(tilting, least, most);
-  tilting->engine = tp_tilt_dynamics_of(&engines, s);
-  const tp_status status =
-      s->protocol == TP_TILT_RELEASE ? run_release(tilting, g) : run_dynamics(tilting, least, most);
+  tp_status status =
+      tp_tilt_dynamics_of(&tilting->engine, &engines, s, tilting->body, g->place, g->message);
+  if (status == TP_OK) {
+    status = s->protocol == TP_TILT_RELEASE ? run_release(tilting, g)
+                                            : run_dynamics(tilting, least, most);
+  }
   tilting->engine = (tp_tilt_dynamics){NULL, NULL};
-  return status;
+  if (status != TP_OK) return status;
+  status = tp_tilt_engines_notes(&g->test->notes, &engines, g->place, g->message);
+  if (status != TP_OK || tilting->why.text[0] == '\0') return status;
+  return tp_notes_add(&g->test->notes, g->message, TP_CAUTION, g->place, "a run is undecided: %s",
+                      tilting->why.text);
 }
 
 static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const stage *g) {
@@ -121,7 +134,7 @@ static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const
   status = run_case(&tilting, g);
   if (status == TP_OK) {
     tp_tilt_result_take(own, &tilting.history, &body);
-    tp_tilt_result_place(own);
+    tp_tilt_result_place(own, g->test->settings.tolerance_deg);
     if (!tp_tilt_result_draw(own, &body)) status = tp_fail_memory(g->message, "the drawing");
   }
   tp_history_clear(&tilting.history);
@@ -189,7 +202,9 @@ static tp_status fill(tp_tilt_test *test, const tp_scene *scene, const tp_tilt_o
       status = describe(test, scene, &problem, shaken ? &shaking : NULL, message);
     }
     if (status == TP_OK) status = tp_solve_problem(statics, &problem, &solve, message);
-    const stage g = {test, &problem, options, shaken ? &shaking : NULL, message};
+    const tp_place place =
+        scene->tilt_test.place.file != NULL ? scene->tilt_test.place : scene->shaking_place;
+    const stage g = {test, &problem, options, shaken ? &shaking : NULL, place, message};
     if (status == TP_OK) status = test_problem(&g, statics);
     tp_base_shaking_clear(&shaking);
     tp_problem_clear(&problem);

@@ -34,13 +34,12 @@ tp_status tp_tilting_run(tp_run_end *end, tp_body_state *last, tp_tilting *tilti
   own.stop = tilting->options->stop;
   own.context = tilting->options->context;
   const double began = tp_clock_now();
-  *end = tilting->engine.run(last, &own, tilting->engine.settings, &message);
+  *end = tilting->engine.run(last, &own, tilting->engine.engine, &message);
   tilting->own->seconds += tp_clock_now() - began;
   tilting->own->runs++;
   if (*end == TP_RUN_NO_MEMORY) return tp_fail_memory(tilting->message, "the simulation");
-  if (message.text[0] == '\0') return TP_OK;
-  if (tilting->message != NULL) *tilting->message = message;
-  return TP_BAD_INPUT;
+  if (*end == TP_RUN_UNDECIDED) tilting->why = message;
+  return TP_OK;
 }
 
 static tp_tilt_verdict verdict_of(tp_run_end end, const tp_tilting *tilting) {

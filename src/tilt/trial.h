@@ -11,9 +11,8 @@
 
 /* An engine of dynamics with its settings. */
 typedef struct tp_tilt_dynamics {
-  tp_run_end (*run)(tp_body_state *last, const tp_run *run, const void *settings,
-                    tp_message *message);
-  const void *settings;
+  tp_run_end (*run)(tp_body_state *last, const tp_run *run, void *engine, tp_message *message);
+  void *engine;
 } tp_tilt_dynamics;
 
 /* A test of one direction under way. */
@@ -27,6 +26,7 @@ typedef struct tp_tilting {
   tp_tilt_case *own;             /* what is found */
   tp_history history;            /* that is told */
   tp_body_state moves_off;       /* as it let go at the least tilt so far */
+  tp_message why;                /* the last run that was undecided was so; empty: none was */
   tp_message *message;
 } tp_tilting;
 
