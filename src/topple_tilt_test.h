@@ -136,7 +136,7 @@ const char *tp_tilt_event_name(tp_tilt_event_kind kind);
 /* Where a simulated angle lies against the tilts of statics (topple_onset.h, topple_limit.h). */
 typedef enum tp_tilt_place {
   TP_PLACE_UNKNOWN, /* one of them is not known */
-  TP_PLACE_WITHIN,  /* not below the onset nor beyond the limit, but for the width of the bracket
+  TP_PLACE_WITHIN,  /* not below the onset nor beyond the limit, but for the tolerance
                      */
   TP_PLACE_BELOW,   /* below the onset, where the block is certain to stand from rest */
   TP_PLACE_BEYOND   /* beyond the limit, where it is certain to move */
