@@ -53,6 +53,8 @@
 #include "topple_solve.h"
 #include "topple_study.h"
 #include "topple_sweep.h"
+#include "topple_tilt.h"
+#include "topple_tilt_test.h"
 #include "topple_verify.h"
 
 #endif

@@ -46,6 +46,10 @@ typedef struct tp_run {
   double moments_every_s; /* of the history; 0: at events alone */
   bool until_collapse;    /* end as soon as the block is sure to be in motion for good */
   tp_history *history;    /* NULL: none is kept */
+  /* Asked now and then, some 100 times a second at most: true ends the run, as TP_RUN_UNDECIDED
+   * with what is known by then. NULL: nothing does. */
+  bool (*stop)(void *context);
+  void *context;
 } tp_run;
 
 #endif

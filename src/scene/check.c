@@ -3,6 +3,8 @@
 
 #include "scene/check.h"
 
+#include "scene/check_tilt_test.h"
+
 #include "number/ratio.h"
 #include "outside.h"
 
@@ -282,5 +284,5 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
   if (status == TP_OK && scene->friction.facet_count > 0) {
     status = tp_check_facet_friction(scene, scene->friction.facets[0].place, message);
   }
-  return status;
+  return status == TP_OK ? tp_check_simulation(scene, message) : status;
 }

@@ -7,6 +7,8 @@
 
 #define IN_SCENE(member) offsetof(tp_scene, member)
 #define IN_RULE(member) offsetof(tp_scene, base.rule.member.value)
+#define IN_TEST(member) offsetof(tp_scene, tilt_test.member.value)
+#define IN_SHAKING(axis, member) offsetof(tp_scene, shaking[axis].member.value)
 #define OFFSETS(array)                                                                             \
   { array, sizeof(array) / sizeof(array)[0] }
 
@@ -70,10 +72,29 @@ static const size_t numbers[] = {IN_SCENE(metres_per_unit),
                                  IN_SCENE(friction.roughness_angle_deg.value),
                                  IN_SCENE(friction.test_angle_deg.value),
                                  IN_SCENE(friction.test_stress_kpa.value),
-                                 IN_SCENE(tilt_angle_deg.value)};
-static const size_t lines[] = {IN_SCENE(block.outline), IN_SCENE(base.between),
-                               IN_SCENE(base.profile), IN_SCENE(base.rule.measured),
-                               IN_SCENE(mean_plane)};
+                                 IN_SCENE(tilt_angle_deg.value),
+                                 IN_TEST(speed_deg_min),
+                                 IN_TEST(until_deg),
+                                 IN_TEST(tolerance_deg),
+                                 IN_TEST(duration_s),
+                                 IN_TEST(normal_stiffness_gpa_m),
+                                 IN_TEST(shear_stiffness_gpa_m),
+                                 IN_TEST(damping),
+                                 IN_TEST(rounding),
+                                 IN_TEST(time_step_s),
+                                 IN_TEST(restitution),
+                                 IN_SHAKING(0, peak_g),
+                                 IN_SHAKING(0, frequency_hz),
+                                 IN_SHAKING(0, scale),
+                                 IN_SHAKING(0, column),
+                                 IN_SHAKING(1, peak_g),
+                                 IN_SHAKING(1, frequency_hz),
+                                 IN_SHAKING(1, scale),
+                                 IN_SHAKING(1, column)};
+static const size_t lines[] = {IN_SCENE(block.outline),    IN_SCENE(base.between),
+                               IN_SCENE(base.profile),     IN_SCENE(base.rule.measured),
+                               IN_SCENE(mean_plane),       IN_SCENE(shaking[0].record),
+                               IN_SCENE(shaking[1].record)};
 
 const tp_offsets tp_scene_numbers = OFFSETS(numbers), tp_scene_lines = OFFSETS(lines);
 

@@ -15,6 +15,7 @@
 #include "scene/node.h"
 #include "scene/profile_rule.h"
 #include "scene/scene_file.h"
+#include "scene/tilt_test.h"
 
 #include <flint/fmpq.h>
 
@@ -196,8 +197,11 @@ struct tp_scene {
   bool towards_left, towards_right;
   tp_place tilt_place;
   tp_quantity tilt_angle_deg; /* 0 <= value <= 90 */
-  tp_scene_file *file;        /* NULL: built in memory */
-  const tp_node *source;      /* the nodes of the file, for what is derived with symbols */
+  tp_tilt_test_description tilt_test;
+  tp_place shaking_place; /* no file: its base does not shake */
+  tp_shaking_component shaking[TP_SHAKING_AXES];
+  tp_scene_file *file;   /* NULL: built in memory */
+  const tp_node *source; /* the nodes of the file, for what is derived with symbols */
   long override_count;
   tp_override *overrides;
   tp_notes notes; /* on what was read */

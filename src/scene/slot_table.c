@@ -56,6 +56,22 @@ static bool is_plain_angle(const tp_scene *scene) {
   return !scene->friction.load_dependent && !scene->friction.basic_angle_deg.given;
 }
 
+static bool is_half_sine_across(const tp_scene *scene) {
+  return scene->shaking[TP_SHAKING_HORIZONTAL].form == TP_SHAKING_HALF_SINE;
+}
+
+static bool is_full_sine_across(const tp_scene *scene) {
+  return scene->shaking[TP_SHAKING_HORIZONTAL].form == TP_SHAKING_FULL_SINE;
+}
+
+static bool is_half_sine_upright(const tp_scene *scene) {
+  return scene->shaking[TP_SHAKING_VERTICAL].form == TP_SHAKING_HALF_SINE;
+}
+
+static bool is_full_sine_upright(const tp_scene *scene) {
+  return scene->shaking[TP_SHAKING_VERTICAL].form == TP_SHAKING_FULL_SINE;
+}
+
 /* ---- what follows ------------------------------------------------------------------------------
  */
 
@@ -164,6 +180,11 @@ static tp_status settle_surcharge(tp_scene *scene, void *holder, tp_message *mes
 #define FACETS(key, member, rule)                                                                  \
   OF_ITEM(key, FRICTIONS, tp_facet_friction_description, member, rule, settle_facets)
 
+/* Of the tilt test; of the shaking along one axis. */
+#define OF_TEST(member, rule) OF_SCENE("tilt_test." #member, tilt_test.member, rule, NULL, NULL)
+#define OF_PULSE(way, axis, member, rule, has)                                                     \
+  OF_SCENE("shaking." way "." #member, shaking[axis].member, rule, has, NULL)
+
 static const tp_slot_row rows[] = {
     POINTS("block.outline.#.#", block.outline, is_outline, settle_outline),
     OF_FORM("block.slab.width", block.teeth.width, ABOVE_ZERO, is_slab, NULL),
@@ -269,7 +290,27 @@ static const tp_slot_row rows[] = {
     ANCHOR("loads.anchors.#.at.1", x, ANY),
     ANCHOR("loads.anchors.#.at.2", y, ANY),
     ANCHOR("loads.anchors.#.direction_deg", direction_deg, ANY),
-    ANCHOR("loads.anchors.#.force_kn", force_kn, NOT_NEGATIVE)};
+    ANCHOR("loads.anchors.#.force_kn", force_kn, NOT_NEGATIVE),
+    OF_TEST(speed_deg_min, ABOVE_ZERO),
+    OF_TEST(until_deg, ANGLE_TO_90),
+    OF_TEST(tolerance_deg, ABOVE_ZERO),
+    OF_TEST(duration_s, ABOVE_ZERO),
+    OF_TEST(normal_stiffness_gpa_m, ABOVE_ZERO),
+    OF_TEST(shear_stiffness_gpa_m, ABOVE_ZERO),
+    OF_TEST(damping, SHARE),
+    OF_TEST(rounding, ABOVE_ZERO),
+    OF_TEST(time_step_s, ABOVE_ZERO),
+    OF_TEST(restitution, SHARE),
+    OF_PULSE("horizontal.half_sine", 0, peak_g, ANY, is_half_sine_across),
+    OF_PULSE("horizontal.half_sine", 0, frequency_hz, ABOVE_ZERO, is_half_sine_across),
+    OF_PULSE("horizontal.full_sine", 0, peak_g, ANY, is_full_sine_across),
+    OF_PULSE("horizontal.full_sine", 0, frequency_hz, ABOVE_ZERO, is_full_sine_across),
+    OF_PULSE("horizontal.record", 0, scale, ANY, NULL),
+    OF_PULSE("vertical.half_sine", 1, peak_g, ANY, is_half_sine_upright),
+    OF_PULSE("vertical.half_sine", 1, frequency_hz, ABOVE_ZERO, is_half_sine_upright),
+    OF_PULSE("vertical.full_sine", 1, peak_g, ANY, is_full_sine_upright),
+    OF_PULSE("vertical.full_sine", 1, frequency_hz, ABOVE_ZERO, is_full_sine_upright),
+    OF_PULSE("vertical.record", 1, scale, ANY, NULL)};
 
 _Static_assert(sizeof rows / sizeof rows[0] == TP_SLOT_ROWS, "a row a key");
 const tp_slot_row *const tp_slot_rows = rows;

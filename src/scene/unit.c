@@ -26,9 +26,11 @@ static bool ends_in(const char *word, size_t length, const char *ending) {
 
 /* Of no dimension, or in a unit of its own. */
 static bool is_other(const char *word, size_t length) {
-  static const char *const others[] = {"count", "jrc",        "bulge",    "seed",     "hurst", "z2",
-                                       "skew",  "horizontal", "vertical", "matching", "facet"};
-  static const char *const endings[] = {"_deg", "_kpa", "_mpa", "_kn", "_kn_m3"};
+  static const char *const others[] = {"count", "jrc",     "bulge",      "seed",     "hurst",
+                                       "z2",    "skew",    "horizontal", "vertical", "matching",
+                                       "facet", "damping", "restitution"};
+  static const char *const endings[] = {"_deg",   "_kpa",     "_mpa",   "_kn",
+                                        "_kn_m3", "_deg_min", "_gpa_m", "_s"};
   bool is = strncmp(word, "kpa", 3) == 0 && length == 3;
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     is = is || (length == strlen(others[k]) && strncmp(word, others[k], length) == 0);
@@ -40,8 +42,8 @@ static bool is_other(const char *word, size_t length) {
 }
 
 bool tp_key_is_length(const char *key) {
-  static const char *const begins[] = {"block.", "base.",  "contact.",        "frame.",
-                                       "loads.", "joint.", "friction.facets."};
+  static const char *const begins[] = {"block.", "base.",  "contact.",         "frame.",
+                                       "loads.", "joint.", "friction.facets.", "tilt_test."};
   const char *word = NULL;
   const size_t length = last_word(&word, key);
   for (size_t k = 0; k < sizeof begins / sizeof begins[0]; k++) {

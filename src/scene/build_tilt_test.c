@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A scene in memory: its simulated tilt test. */
+
+#include "host.h"
+#include "scene/build.h"
+
+/* A scene that has a number of a test calls for one. */
+static tp_status set_number(tp_scene *scene, const char *call, tp_given given, size_t offset,
+                            tp_message *message) {
+  const tp_status status = tp_build_set(scene, call, given, offset, message);
+  if (status == TP_OK && scene->tilt_test.place.file == NULL) {
+    scene->tilt_test.place = (tp_place){call, 0, 0};
+  }
+  return status;
+}
+
+tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine, tp_tilt_protocol protocol,
+                                 bool set_down, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  tp_build build;
+  const tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status != TP_OK) return status;
+  if ((int)engine < TP_TILT_PATH || (int)engine > TP_TILT_SPRINGS) {
+    return tp_fail(message, TP_BAD_INPUT, build.place, "'engine' must be one of tp_tilt_engine");
+  }
+  if ((int)protocol < TP_TILT_RAMP || (int)protocol > TP_TILT_RELEASE) {
+    return tp_fail(message, TP_BAD_INPUT, build.place,
+                   "'protocol' must be one of tp_tilt_protocol");
+  }
+  tp_tilt_test_description *test = &scene->tilt_test;
+  test->place = test->engine_place = test->protocol_place = test->start_place = build.place;
+  test->engine = engine;
+  test->protocol = protocol;
+  test->set_down = set_down;
+  return TP_OK;
+}
+
+/* A call of one number, which has the name of its member. */
+#define SET(member, rule)                                                                          \
+  tp_status tp_scene_set_tilt_test_##member(tp_scene *scene, tp_exact member,                      \
+                                            tp_message *message) {                                 \
+    TP_GUARD_HOST;                                                                                 \
+    TP_REFUSE_NULL(message, scene);                                                                \
+    return set_number(scene, __func__, (tp_given){#member, member, rule},                          \
+                      offsetof(tp_scene, tilt_test.member), message);                              \
+  }
+
+SET(speed_deg_min, TP_RULE_ABOVE_ZERO)
+SET(until_deg, TP_RULE_ANGLE_TO_90)
+SET(tolerance_deg, TP_RULE_ABOVE_ZERO)
+SET(duration_s, TP_RULE_ABOVE_ZERO)
+SET(damping, TP_RULE_SHARE)
+SET(rounding, TP_RULE_ABOVE_ZERO)
+SET(time_step_s, TP_RULE_ABOVE_ZERO)
+SET(restitution, TP_RULE_SHARE)
+
+tp_status tp_scene_set_tilt_test_stiffness_gpa_m(tp_scene *scene, tp_exact normal_gpa_m,
+                                                 tp_exact shear_gpa_m, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  const tp_given given[] = {{"normal_gpa_m", normal_gpa_m, TP_RULE_ABOVE_ZERO},
+                            {"shear_gpa_m", shear_gpa_m, TP_RULE_ABOVE_ZERO}};
+  tp_build build;
+  tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status == TP_OK) status = tp_build_read(&build, given, 2);
+  if (status == TP_OK) {
+    tp_tilt_test_description *test = &scene->tilt_test;
+    tp_build_put(&build, &test->normal_stiffness_gpa_m, 0);
+    tp_build_put(&build, &test->shear_stiffness_gpa_m, 1);
+    if (test->place.file == NULL) test->place = build.place;
+  }
+  tp_build_end(&build);
+  return status;
+}

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "scene/record.h"
+
+#include "number/ratio.h"
+#include "scene/record_source.h"
+
+#include <errno.h>
+#include <string.h>
+#include <strings.h>
+
+/* ---- lines -------------------------------------------------------------------------------------
+ */
+
+tp_status tp_record_fail(const tp_record_source *source, size_t column, const char *what) {
+  return tp_fail(source->message, TP_BAD_INPUT,
+                 (tp_place){source->path, source->number, (int)column + 1}, "%s", what);
+}
+
+tp_status tp_record_next(tp_record_source *source, bool *more) {
+  *more = fgets(source->line, sizeof source->line, source->file) != NULL;
+  if (!*more) {
+    return ferror(source->file) == 0
+               ? TP_OK
+               : tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, 0, 0},
+                         "cannot be read: %s", strerror(errno));
+  }
+  source->number++;
+  source->length = strlen(source->line);
+  if (source->length + 1 == sizeof source->line && source->line[source->length - 1] != '\n') {
+    return tp_record_fail(source, 0,
+                          "a line longer than 8191 bytes; is this an accelerogram, in CSV or as "
+                          "PEER's .at2?");
+  }
+  while (source->length > 0 && strchr("\r\n", source->line[source->length - 1]) != NULL) {
+    source->line[--source->length] = '\0';
+  }
+  return TP_OK;
+}
+
+tp_status tp_record_value(fmpq_t value, const tp_record_source *source, size_t at, size_t length) {
+  const char *problem = NULL;
+  if (tp_ratio_read_field(value, source->line + at, length, &problem)) return TP_OK;
+  char word[16] = "", what[160];
+  strncat(word, source->line + at, length < 15 ? length : 15);
+  if (tp_ratio_is_not_finite(word)) {
+    snprintf(what, sizeof what, "'%s' is not a finite number", word);
+  } else {
+    snprintf(what, sizeof what,
+             "what stands here %s; an accelerogram holds numbers alone below "
+             "its header",
+             problem);
+  }
+  return tp_record_fail(source, at, what);
+}
+
+tp_status tp_record_append(tp_polyline *record, const tp_record_source *source, const fmpq_t time,
+                           const fmpq_t acceleration, size_t at) {
+  const tp_mark mark = {source->number, (int)at + 1};
+  if (record->count == TP_RECORD_MOST) {
+    return tp_record_fail(source, at, "more than 10 million samples");
+  }
+  return tp_polyline_append(record, time, acceleration, mark)
+             ? TP_OK
+             : tp_fail_memory(source->message, "an accelerogram");
+}
+
+/* ---- steps -------------------------------------------------------------------------------------
+ */
+
+/* Times that are printed with few digits stray from an even step by their rounding. */
+static const double evenly = 0.25, gap = 1.5;
+
+static double step_at(const tp_polyline *record, long k) {
+  fmpq_t step;
+  fmpq_init(step);
+  fmpq_sub(step, record->x + k, record->x + k - 1);
+  const double value = fmpq_get_d(step);
+  fmpq_clear(step);
+  return value;
+}
+
+tp_status tp_record_check(const tp_polyline *record, tp_place place, tp_message *message) {
+  if (record->count < 2) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "an accelerogram needs two samples at least; this one has %ld", record->count);
+  }
+  const double first = step_at(record, 1);
+  for (long k = 1; k < record->count; k++) {
+    const double step = step_at(record, k), time = fmpq_get_d(record->x + k - 1);
+    const tp_place at = tp_polyline_place(record, k);
+    if (!(step > 0)) {
+      return tp_fail(message, TP_BAD_INPUT, at,
+                     "time does not go on: a step of %.6g s after %.6g s", step, time);
+    }
+    if (step > gap * first) {
+      return tp_fail(message, TP_BAD_INPUT, at,
+                     "a gap in the accelerogram: %.6g s without a sample after %.6g s, where its "
+                     "first step is %.6g s; fill it, or cut the record there",
+                     step, time, first);
+    }
+    if (step < (1 - evenly) * first || step > (1 + evenly) * first) {
+      return tp_fail(message, TP_BAD_INPUT, at,
+                     "an uneven step: %.6g s after %.6g s, where the first one is %.6g s; resample "
+                     "the accelerogram at even steps",
+                     step, time, first);
+    }
+  }
+  return TP_OK;
+}
+
+/* ---- the file ----------------------------------------------------------------------------------
+ */
+
+void tp_record_begin_at_zero(tp_polyline *record) {
+  fmpq_t first;
+  fmpq_init(first);
+  if (record->count > 0) fmpq_set(first, record->x);
+  for (long k = 0; k < record->count && !fmpq_is_zero(first); k++) {
+    fmpq_sub(record->x + k, record->x + k, first);
+  }
+  fmpq_clear(first);
+}
+
+static tp_status read_as(tp_polyline *record, tp_record_source *source, long column) {
+  const char *ending = strrchr(source->path, '.');
+  if (ending == NULL || strcasecmp(ending, ".at2") != 0) {
+    return tp_record_read_csv(record, source, column > 0 ? column : 2);
+  }
+  if (column > 0) {
+    return tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, 0, 0},
+                   "an .at2 has no columns to choose from: drop 'column'");
+  }
+  return tp_record_read_at2(record, source);
+}
+
+tp_status tp_record_read(tp_polyline *record, const char *path, long column, tp_message *message) {
+  tp_record_source source = {.path = path, .file = fopen(path, "rb"), .message = message};
+  *record = (tp_polyline){.file = path};
+  if (source.file == NULL) {
+    if (errno == ENOMEM) return tp_fail_memory(message, "an accelerogram");
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
+                   strerror(errno));
+  }
+  tp_status status = read_as(record, &source, column);
+  fclose(source.file);
+  tp_record_begin_at_zero(record);
+  if (status == TP_OK) status = tp_record_check(record, (tp_place){path, 0, 0}, message);
+  if (status != TP_OK) tp_polyline_clear(record);
+  return status;
+}
