@@ -98,19 +98,7 @@ static void locate(tp_spring_contact *own, const tp_meeting *meeting, const tp_b
   own->lever = tp_xy_minus(meeting->at, state->moved);
 }
 
-/* Both springs, Coulomb's limit, and what friction took: the mean of its force times the slip. */
-static void load(tp_spring_contact *own, tp_spring_forces *forces, const tp_spring_contacts *c,
-                 double sheared_more) {
-  const double shear = c->shear_pa_m * own->area, overlap = -own->now.gap;
-  own->normal_n = c->normal_pa_m * own->area * overlap;
-  const double before = own->sheared, trial = before + sheared_more;
-  const double most = own->friction * own->normal_n / shear;
-  own->sheared = fmax(-most, fmin(trial, most));
-  const double slip = trial - own->sheared;
-  own->shear_n = -shear * own->sheared;
-  own->slipped += fabs(slip);
-  forces->taken += shear * (before + own->sheared) / 2 * slip;
-  forces->held += (own->normal_n * overlap - own->shear_n * own->sheared) / 2;
+static void add_force(tp_spring_forces *forces, const tp_spring_contact *own) {
   const tp_xy force = {own->normal_n * own->now.normal.x + own->shear_n * own->tangent.x,
                        own->normal_n * own->now.normal.y + own->shear_n * own->tangent.y};
   forces->sum.x_n += force.x;
@@ -118,15 +106,37 @@ static void load(tp_spring_contact *own, tp_spring_forces *forces, const tp_spri
   forces->sum.moment_nm += tp_xy_cross(own->lever, force);
 }
 
+/* Both springs, Coulomb's limit, and what friction took: the mean of its force times the slip. */
+static void load(tp_spring_contact *own, tp_spring_forces *forces, const tp_spring_contacts *c,
+                 double closer, double sheared_more) {
+  const double normal = c->normal_pa_m * own->area, shear = c->shear_pa_m * own->area;
+  const double overlap = -own->now.gap, resisted = c->normal_dashpot * closer;
+  own->normal_n = fmax(0, normal * (overlap + resisted));
+  const double before = own->sheared, trial = before + sheared_more;
+  const double most = own->friction * own->normal_n / shear;
+  own->sheared = fmax(-most, fmin(trial, most));
+  const double slip = trial - own->sheared;
+  const double resisted_shear = c->shear_dashpot * (own->sheared - before);
+  own->shear_n = -shear * fmax(-most, fmin(own->sheared + resisted_shear, most));
+  own->slipped += fabs(slip);
+  forces->taken_by_friction += shear * (before + own->sheared) / 2 * slip;
+  forces->taken_by_dashpots += normal * resisted * closer;
+  forces->taken_by_dashpots += shear * resisted_shear * (own->sheared - before);
+  forces->held += (normal * overlap * overlap + shear * own->sheared * own->sheared) / 2;
+  add_force(forces, own);
+}
+
 /* The block's displacement along a contact that goes on, at the middle of the step. */
 static void shear_on(tp_spring_contact *own, tp_spring_forces *forces, const tp_spring_contacts *c,
                      const tp_meeting *meeting, const tp_body_state *state, tp_xy displaced,
                      double turned) {
   const tp_xy tangent = own->tangent, lever = own->lever;
+  const double gap = own->now.gap;
   locate(own, meeting, state);
   const tp_xy middle = {(tangent.x + own->tangent.x) / 2, (tangent.y + own->tangent.y) / 2};
   const tp_xy arm = {(lever.x + own->lever.x) / 2, (lever.y + own->lever.y) / 2};
-  load(own, forces, c, tp_xy_dot(displaced, middle) + turned * tp_xy_cross(arm, middle));
+  load(own, forces, c, gap - own->now.gap,
+       tp_xy_dot(displaced, middle) + turned * tp_xy_cross(arm, middle));
 }
 
 /* ---- contacts that end and begin
@@ -204,7 +214,7 @@ static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_bod
   for (long k = 0; k < c->fresh_count && done; k++) {
     if (is_there_already(c, c->fresh + k)) continue;
     tp_spring_contact own = begin(c, c->fresh + k, state);
-    load(&own, forces, c, 0);
+    load(&own, forces, c, 0, 0);
     tp_spring_contact *items = tp_grow(c->items, c->count, &c->room, sizeof *items);
     done = items != NULL;
     if (!done) break;

@@ -8,7 +8,8 @@
  * the block and of the base that meet there have in common, as distinct elements take it, when it
  * closes; from then on it keeps it, so that its springs hold energy. A contact in a point stands
  * for a hundredth of the block's extent. Normal force k_n A times the overlap; shear force k_s A
- * times the shear displacement since it closed, at most tan(phi) times the normal force. */
+ * times the shear displacement since it closed, at most tan(phi) times the normal force. Where they
+ * are asked for, dashpots beside both springs resist their rates; the limits hold for the sums. */
 
 #ifndef TP_SPRING_CONTACTS_H
 #define TP_SPRING_CONTACTS_H
@@ -48,15 +49,17 @@ typedef struct tp_spring_contacts {
   double normal_pa_m, shear_pa_m, thickness_m, extent_m;
   double grace_m;   /* by which a contact may run past the end of a feature before it goes over */
   double deepest_m; /* no overlap is */
-  double least_area_m2; /* of a contact in a point */
-  bool changed;         /* contacts closed or opened in the last step */
+  double least_area_m2;                 /* of a contact in a point */
+  double normal_dashpot, shear_dashpot; /* resist a step's displacement by so many springs */
+  bool changed;                         /* contacts closed or opened in the last step */
 } tp_spring_contacts;
 
 /* Forces of all contacts on the block, and energies in joule. */
 typedef struct tp_spring_forces {
   tp_body_force sum;
-  double held;  /* in springs */
-  double taken; /* by friction in this step */
+  double held;              /* in springs */
+  double taken_by_friction; /* in this step, as the next */
+  double taken_by_dashpots;
 } tp_spring_forces;
 
 /* Stiffness of the springs of a square metre, and the radius of corners. */

@@ -12,7 +12,11 @@
 /* A shear force of so much of Coulomb's limit is at it; a contact that has not slipped in so many
  * observations sticks. */
 static const double at_limit = 0.999;
-enum { STUCK_OBSERVATIONS = 4 };
+enum { STUCK_OBSERVATIONS = 4, MISSING_OBSERVATIONS = 8 };
+
+/* Of the weight over the number of contacts: what bears less does not close. */
+static const double least_share = 0.01;
+enum { LEAST_CONTACTS = 2 };
 
 void tp_spring_record_clear(tp_spring_record *r) {
   free(r->known);
@@ -73,26 +77,30 @@ static tp_tilt_event event_at(const tp_spring_record *r, const tp_stepper *s,
                          .y_m = origin.y + at.y};
 }
 
+/* Events stand in the order of their times; some are known only after a while. */
+static bool insert_event(const tp_spring_record *r, tp_tilt_event event) {
+  tp_history *h = r->run->history;
+  if (!tp_history_event(h, event)) return false;
+  size_t place = h->event_count - 1;
+  for (; place > 0 && h->events[place - 1].time_s > event.time_s; place--) {
+    h->events[place] = h->events[place - 1];
+  }
+  h->events[place] = event;
+  return true;
+}
+
 static bool add_event(const tp_spring_record *r, const tp_stepper *s, tp_tilt_event_kind kind,
-                      tp_xy at, long facet, double speed) {
-  tp_tilt_event event = event_at(r, s, kind, s->time_s, at);
-  event.facet = facet;
+                      double time_s, const tp_known_contact *contact, double speed) {
+  tp_tilt_event event = event_at(r, s, kind, time_s, contact->at);
+  event.facet = contact->facet;
   event.speed_m_s = speed;
-  return tp_history_event(r->run->history, event);
+  return insert_event(r, event);
 }
 
 bool tp_spring_record_block(tp_spring_record *r, const tp_stepper *s, tp_tilt_event_kind kind,
                             double since_s) {
-  tp_history *h = r->run->history;
-  if (h == NULL) return true;
-  const tp_tilt_event event = event_at(r, s, kind, since_s, s->state.moved);
-  if (!tp_history_event(h, event)) return false;
-  size_t place = h->event_count - 1; /* events stand in the order of their times */
-  for (; place > 0 && h->events[place - 1].time_s > since_s; place--) {
-    h->events[place] = h->events[place - 1];
-  }
-  h->events[place] = event;
-  return add_moment(r, s);
+  if (r->run->history == NULL) return true;
+  return insert_event(r, event_at(r, s, kind, since_s, s->state.moved)) && add_moment(r, s);
 }
 
 /* ---- contacts
@@ -126,28 +134,31 @@ static bool observe_slip(tp_spring_record *r, const tp_stepper *s, tp_known_cont
   *told = true;
   const double elapsed = s->time_s - r->last_observed_s;
   const double speed = known->slips && elapsed > 0 ? contact->slipped / elapsed : 0;
-  return add_event(r, s, known->slips ? TP_EVENT_SLIPS : TP_EVENT_STICKS, contact->now.at,
-                   contact->facet, speed);
+  return add_event(r, s, known->slips ? TP_EVENT_SLIPS : TP_EVENT_STICKS, s->time_s, known, speed);
+}
+
+static double least_force(const tp_spring_record *r) {
+  const tp_rigid_body *body = r->run->body;
+  const long contacts = body->closed_count > LEAST_CONTACTS ? body->closed_count : LEAST_CONTACTS;
+  return least_share * body->mass_kg * TP_GRAVITY_M_S2 / (double)contacts;
 }
 
 static bool observe_contact(tp_spring_record *r, const tp_stepper *s, tp_spring_contact *contact,
                             bool tell, bool *told) {
   tp_known_contact *known = find_known(r, contact->story);
-  if (known == NULL) {
-    known = add_known(r, contact);
-    if (known == NULL) return false;
-    if (tell) {
-      *told = true;
-      if (!add_event(r, s, TP_EVENT_CLOSES, contact->now.at, contact->facet,
-                     contact->closing_m_s)) {
-        return false;
-      }
-    }
-  }
+  const bool closes = known == NULL;
+  if (closes && contact->normal_n < least_force(r)) return true;
+  if (closes) known = add_known(r, contact);
+  if (known == NULL) return false;
   known->seen = true;
   known->at = contact->now.at;
   known->facet = contact->facet;
-  const bool done = observe_slip(r, s, known, contact, tell, told);
+  bool done = true;
+  if (closes && tell) {
+    *told = true;
+    done = add_event(r, s, TP_EVENT_CLOSES, s->time_s, known, contact->closing_m_s);
+  }
+  done = done && observe_slip(r, s, known, contact, tell, told);
   contact->slipped = 0;
   return done;
 }
@@ -157,12 +168,14 @@ static bool drop_unseen(tp_spring_record *r, const tp_stepper *s, bool *told) {
   bool done = true;
   for (long k = 0; k < r->count; k++) {
     tp_known_contact own = r->known[k];
-    if (own.seen) {
-      own.seen = false;
+    if (own.missing == 0 && !own.seen) own.opened_s = s->time_s;
+    own.missing = own.seen ? 0 : own.missing + 1;
+    own.seen = false;
+    if (own.missing < MISSING_OBSERVATIONS) {
       r->known[kept++] = own;
     } else if (done) {
       *told = true;
-      done = add_event(r, s, TP_EVENT_OPENS, own.at, own.facet, 0);
+      done = add_event(r, s, TP_EVENT_OPENS, own.opened_s, &own, 0);
     }
   }
   r->count = kept;

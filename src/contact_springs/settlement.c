@@ -9,9 +9,9 @@
 
 /* Over so many periods of the shear springs the loads grow; for so many times sqrt(extent / g) it
  * may take to come to rest then. */
-enum { PERIODS_OF_GROWTH = 10, LONGEST = 30 };
+enum { PERIODS_OF_GROWTH = 10, LONGEST = 30, PERIODS_OF_DASHPOTS = 5 };
 
-static const double settling_damping = 0.8, most_moved_share = 1e-3;
+static const double settling_damping = 0.8, critical_share = 0.5, most_moved_share = 1e-3;
 
 /* Of the block on its shear springs, all contacts of the start closed; 0: there are none. */
 static double shear_period(const tp_stepper *s) {
@@ -75,6 +75,16 @@ static void let_settle(tp_stepper *s, bool *settled, bool *failed, const tp_body
   s->damping = damping;
 }
 
+/* 2 z / omega over the length of a step, omega by its bound: step = share 2 / omega. */
+static void set_dashpots(tp_spring_contacts *c, double share) {
+  c->normal_dashpot = critical_share / share;
+  c->shear_dashpot = c->normal_dashpot * sqrt(c->normal_pa_m / c->shear_pa_m);
+}
+
+bool tp_stepper_is_past_letting_go(const tp_stepper *s) {
+  return s->time_s > PERIODS_OF_DASHPOTS * shear_period(s);
+}
+
 tp_settlement tp_stepper_settle(tp_stepper *s, const tp_body_state *start, double share) {
   const bool at_rest = start->speed.x == 0 && start->speed.y == 0 && start->turning == 0;
   bool settled = false, failed = false;
@@ -87,6 +97,7 @@ tp_settlement tp_stepper_settle(tp_stepper *s, const tp_body_state *start, doubl
   s->steady = false;
   if (!settled) {
     tp_stepper_place(s, start);
+    set_dashpots(&s->contacts, share);
     return TP_SETTLEMENT_NONE;
   }
   s->state.speed = (tp_xy){0, 0};

@@ -8,7 +8,9 @@
  * waits until the block is quiet (watch.h). That is the elastic settlement: no contact has carried
  * much more than it does in the end. Where the block accelerates for good instead, or has moved by
  * more than a thousandth of its extent, it has no equilibrium there: it is let go as it is placed,
- * its springs without force.
+ * its springs without force, and through the first five periods of the shear springs dashpots
+ * beside them, of half the critical damping, keep it from bouncing; they resist no motion but that
+ * of the springs.
  */
 
 #ifndef TP_SETTLEMENT_H
@@ -26,5 +28,8 @@ typedef enum tp_settlement {
  * stable step. The stepper is ready to be evaluated at time 0. */
 TP_MUST_USE tp_settlement tp_stepper_settle(tp_stepper *stepper, const tp_body_state *start,
                                             double share);
+
+/* Have the dashpots of a block that was let go had their time? */
+bool tp_stepper_is_past_letting_go(const tp_stepper *stepper);
 
 #endif

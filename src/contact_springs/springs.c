@@ -196,6 +196,9 @@ static tp_run_end go(running *r, tp_message *message) {
   double observed = 0;
   while (s->time_s < r->run->longest_s) {
     observed += r->observed_every_s;
+    if (s->contacts.normal_dashpot > 0 && tp_stepper_is_past_letting_go(s)) {
+      s->contacts.normal_dashpot = s->contacts.shear_dashpot = 0;
+    }
     if (!step_until(r, fmin(observed, r->run->longest_s), &news, &end, message)) return end;
     if (!tp_spring_record_observe(&r->record, s)) return TP_RUN_NO_MEMORY;
     if (take_news(r, news, &end)) return end;

@@ -70,7 +70,8 @@ bool tp_stepper_evaluate(tp_stepper *s) {
   e->taken_by_damping -=
       (power(damped_before, s->displaced, s->turned) + power(s->damped, s->displaced, s->turned)) /
       2;
-  e->taken_by_friction += springs.taken;
+  e->taken_by_damping += springs.taken_by_dashpots;
+  e->taken_by_friction += springs.taken_by_friction;
   e->held = springs.held;
   return true;
 }

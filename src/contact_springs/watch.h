@@ -6,9 +6,10 @@
  * far faster, so that they drop out.
  *
  * It collapses where through sixteen windows one after the other the kinetic energy grew and the
- * unbalanced force did not fall; no displacement counts. It is quiet where the unbalanced force and
- * the kinetic energy are as good as none, next to the weight and the weight times the extent,
- * through four: it rests, where its drive is steady. While the base is shaken neither is told. */
+ * unbalanced force neither fell nor turned; no displacement counts. It is quiet where the
+ * unbalanced force and the kinetic energy are as good as none, next to the weight and the weight
+ * times the extent, through four: it rests, where its drive is steady. While the base is shaken
+ * neither is told. */
 
 #ifndef TP_WATCH_H
 #define TP_WATCH_H
@@ -23,8 +24,9 @@ typedef struct tp_watch_window {
 typedef struct tp_watch {
   double weight_n, extent_m, window_s, window_end_s;
   tp_watch_window window;
-  double last_force, last_kinetic; /* means of the window before: over weight, weight x extent */
-  long growing, resting;           /* windows in a row */
+  tp_body_force last_force; /* means of the window before: over weight and weight x extent */
+  double last_kinetic;
+  long growing, resting; /* windows in a row */
 } tp_watch;
 
 typedef enum tp_watch_news { TP_WATCH_NOTHING, TP_WATCH_COLLAPSES, TP_WATCH_QUIET } tp_watch_news;
