@@ -13,8 +13,9 @@
 
 #include <math.h>
 
-/* Steps of the tilt: half a degree at the most, so that what a facet does for so long is seen. */
-static const double longest_step = 8.7e-3;
+/* Steps of the tilt: some half a degree at the most, so that what a facet does for so long is seen.
+ */
+static const double longest_step = 1e-2;
 
 /* Steps grow again. */
 static const double growth = 2;

@@ -13,8 +13,9 @@ typedef struct tp_path_state {
   tp_path_pose pose;
   double imbalance;
   tp_facet_state *facets;
-  double *slips; /* of the facets, as the next step takes them */
-  tp_three rate; /* of the pose by the tilt, in its frame */
+  double *slips;       /* of the facets, as the next step takes them */
+  tp_path_lines lines; /* of the frame of the pose */
+  tp_three rate;       /* of the pose by the tilt, in its frame */
 } tp_path_state;
 
 /* Without displacement, the stresses those locked in. */
