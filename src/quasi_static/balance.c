@@ -9,7 +9,7 @@
 #include <math.h>
 
 /* A shear force within this share of Coulomb's limit is at it: that of a facet that slips is
- * computed anew from its own slip, and comes out with the rounding of some ten operations. */
+ * computed anew from its own strain, and comes out with the rounding of some ten operations. */
 static const double at_limit = 1e-12;
 
 static double sizes(const tp_three *a, const tp_three *b) {
@@ -38,9 +38,9 @@ typedef struct facet_at {
   const tp_facet_lines *lines;
   double closure_from, closure_to;
   tp_facet_stress stress;
-  double force, limit; /* normal; of the shear force */
-  double shear, trial; /* along the facet; the force that it would make, */
-  double doubt;        /* and what rounding may make of that */
+  double force, limit;  /* normal; of the shear force */
+  double strain, trial; /* of the shear springs without slip; the force that it would make, */
+  double doubt;         /* and what rounding may make of that */
 } facet_at;
 
 static facet_at place_facet(const tp_joint_facet *facet, const tp_facet_lines *lines,
@@ -51,7 +51,6 @@ static facet_at place_facet(const tp_joint_facet *facet, const tp_facet_lines *l
   at.stress = tp_facet_stress_of(facet->length, facet->in_a_point, at.closure_from, at.closure_to);
   at.force = at.stress.force_from + at.stress.force_to;
   at.limit = facet->friction * at.force;
-  at.shear = tp_three_product(&lines->tangent, moved);
   return at;
 }
 
@@ -64,7 +63,7 @@ static tp_facet_shear shear_of(const facet_at *at) {
 
 /* Adds the shear force and minus its derivative. */
 static double add_shear(tp_imbalance *sum, const facet_at *at, tp_facet_shear shear,
-                        const tp_joint_facet *facet, double ratio, double slip) {
+                        const tp_joint_facet *facet, double ratio) {
   const tp_facet_stress *s = &at->stress;
   if (shear == TP_FACET_OPEN) return 0;
   if (shear == TP_FACET_STICKS) {
@@ -72,8 +71,7 @@ static double add_shear(tp_imbalance *sum, const facet_at *at, tp_facet_shear sh
         combined(s->closed_by_from, &at->lines->from, s->closed_by_to, &at->lines->to);
     add_outer(&sum->stiffness, ratio * facet->length * s->closed, &at->lines->tangent,
               &at->lines->tangent);
-    add_outer(&sum->stiffness, -ratio * facet->length * (at->shear - slip), &at->lines->tangent,
-              &closes);
+    add_outer(&sum->stiffness, -ratio * facet->length * at->strain, &at->lines->tangent, &closes);
     add(&sum->force, at->trial, &at->lines->tangent);
     return at->trial;
   }
@@ -89,13 +87,14 @@ static void add_facet(tp_imbalance *sum, tp_facet_state *state, const tp_balance
                       const tp_path_pose *pose) {
   const tp_joint_facet *facet = b->model->facets + k;
   const tp_facet_lines *lines = b->lines->facets + k;
-  const double ratio = b->model->shear_ratio, slip = b->slips[k];
+  const double ratio = b->model->shear_ratio;
   facet_at at = place_facet(facet, lines, &pose->moved);
   const tp_facet_stress *s = &at.stress;
   const double closed_length = facet->length * s->closed;
-  at.trial = -ratio * closed_length * (at.shear - slip);
-  at.doubt =
-      DBL_EPSILON * ratio * closed_length * (sizes(&lines->tangent, &pose->moved) + fabs(slip));
+  at.strain = b->strains[k] + tp_three_product(&lines->tangent, &pose->since);
+  at.trial = -ratio * closed_length * at.strain;
+  at.doubt = DBL_EPSILON * ratio * closed_length *
+             (sizes(&lines->tangent, &pose->since) + fabs(b->strains[k]));
   const tp_facet_shear shear = shear_of(&at);
   add_outer(&sum->stiffness, s->stiffness_from, &lines->from, &lines->from);
   add_outer(&sum->stiffness, s->stiffness_between, &lines->from, &lines->to);
@@ -103,23 +102,23 @@ static void add_facet(tp_imbalance *sum, tp_facet_state *state, const tp_balance
   add_outer(&sum->stiffness, s->stiffness_to, &lines->to, &lines->to);
   add(&sum->force, s->force_from, &lines->from);
   add(&sum->force, s->force_to, &lines->to);
-  const double shear_force = add_shear(sum, &at, shear, facet, ratio, slip);
+  const double shear_force = add_shear(sum, &at, shear, facet, ratio);
   sum->rounding += DBL_EPSILON *
                    ((s->stiffness_from + s->stiffness_between) * sizes(&lines->from, &pose->moved) +
                     (s->stiffness_between + s->stiffness_to) * sizes(&lines->to, &pose->moved));
   if (shear == TP_FACET_STICKS) sum->rounding += at.doubt;
   if (state == NULL) return;
-  *state = (tp_facet_state){.from_closed = at.closure_from > 0,
-                            .to_closed = at.closure_to > 0 && !facet->in_a_point,
-                            .shear = shear,
-                            .force_from = s->force_from,
-                            .force_to = s->force_to,
-                            .shear_force = shear_force,
-                            .closed = s->closed,
-                            .slip = shear == TP_FACET_STICKS ? slip
-                                    : shear == TP_FACET_OPEN
-                                        ? at.shear
-                                        : at.shear + shear_force / (ratio * closed_length)};
+  *state =
+      (tp_facet_state){.from_closed = at.closure_from > 0,
+                       .to_closed = at.closure_to > 0 && !facet->in_a_point,
+                       .shear = shear,
+                       .force_from = s->force_from,
+                       .force_to = s->force_to,
+                       .shear_force = shear_force,
+                       .closed = s->closed,
+                       .strain = shear == TP_FACET_STICKS ? at.strain
+                                 : shear == TP_FACET_OPEN ? 0
+                                                          : -shear_force / (ratio * closed_length)};
 }
 
 static bool same(const tp_xy *a, const tp_xy *b) {

@@ -3,12 +3,11 @@
 
 /* The balance of a block on the springs of its contact at one tilt, found by Newton's method.
  *
- * Of facet i with closures a, b at its ends and relative shear d along its tangent t: normal forces
- * A, B at the ends (facet_stress.h), shear force T = -r l (d - s), r = k_s / k_n, l its closed
- * length, s the shear without stress; where |T| would be above tan(phi) (A + B) the facet slips: T
- * is that, and s follows. s is the one thing that the past leaves behind. So in a step of any
- * length in which no facet turns from slip to stick the state at its end is exact.
- */
+ * Of a facet with closures a, b at its ends and the strain e of its shear springs along its
+ * tangent: normal forces A, B at the ends (facet_stress.h), shear force T = -r l e, r = k_s / k_n,
+ * l the closed length. Where |T| would be above tan(phi) (A + B) the facet slips: T is that, and e
+ * follows; else e goes with the block. e is the one thing that the past leaves behind, so in a step
+ * of any length in which no facet turns from slip to stick the state at its end is exact. */
 
 #ifndef TP_BALANCE_H
 #define TP_BALANCE_H
@@ -28,7 +27,7 @@ typedef struct tp_facet_state {
   double force_from, force_to; /* normal, at the two ends */
   double shear_force;          /* along the tangent */
   double closed;               /* the share of the length that is closed */
-  double slip;                 /* s */
+  double strain;               /* of the shear springs, e */
 } tp_facet_state;
 
 /* How the ends of a facet move along its normal, and it along its tangent, with the coordinates of
@@ -51,7 +50,7 @@ typedef struct tp_balance {
   const tp_path_model *model;
   const tp_path_lines *lines; /* of the frame of all poses */
   tp_three load;              /* about the centroid */
-  const double *slips;        /* s of each facet before */
+  const double *strains;      /* e of each facet before the step */
   /* A drag in proportion to mass against the motion since the last step in time, of this length, in
    * units in which a force of one weight moves the block by one unit; 0: none. */
   double over_time;

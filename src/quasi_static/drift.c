@@ -43,7 +43,7 @@ static bool is_steady(const tp_three *now, const tp_three *before, const tp_thre
 /* Without the drag, which is known only as well as a small motion beside a large displacement. */
 static bool is_at_rest(const tp_path_state *state, const drift *d, const tp_path_model *model) {
   const tp_balance balance = {
-      .model = model, .lines = &state->lines, .load = d->load, .slips = state->slips};
+      .model = model, .lines = &state->lines, .load = d->load, .strains = state->strains};
   tp_imbalance at;
   tp_balance_at(&at, &balance, &state->pose, NULL);
   return tp_three_size(&at.force) <= at_rest + at.rounding;
@@ -77,7 +77,7 @@ static bool advance(tp_path_state *state, drift *d, const tp_path_model *model) 
   const tp_balance balance = {.model = model,
                               .lines = &state->lines,
                               .load = d->load,
-                              .slips = state->slips,
+                              .strains = state->strains,
                               .over_time = d->time};
   tp_path_pose next = tp_path_pose_in(&state->pose, &frame);
   if (!solve_step(&next, &balance, d)) {

@@ -26,21 +26,21 @@ bool tp_path_state_init(tp_path_state *state, const tp_path_model *model, double
   *state =
       (tp_path_state){.tilt = tilt, .pose = {.frame = tp_path_frame_at(model->facets[0].from)}};
   state->facets = calloc((size_t)model->count, sizeof *state->facets);
-  state->slips = calloc((size_t)model->count, sizeof *state->slips);
+  state->strains = calloc((size_t)model->count, sizeof *state->strains);
   state->lines.facets = calloc((size_t)model->count, sizeof *state->lines.facets);
-  if (state->facets == NULL || state->slips == NULL || state->lines.facets == NULL) {
+  if (state->facets == NULL || state->strains == NULL || state->lines.facets == NULL) {
     tp_path_state_clear(state);
     return false;
   }
   for (long k = 0; k < model->count; k++) {
-    state->slips[k] = model->facets[k].locked_shear / model->shear_ratio;
+    state->strains[k] = -model->facets[k].locked_shear / model->shear_ratio;
   }
   return true;
 }
 
 void tp_path_state_clear(tp_path_state *state) {
   free(state->facets);
-  free(state->slips);
+  free(state->strains);
   free(state->lines.facets);
   memset(state, 0, sizeof *state);
 }
@@ -48,11 +48,17 @@ void tp_path_state_clear(tp_path_state *state) {
 void tp_path_state_copy(tp_path_state *to, const tp_path_state *from, const tp_path_model *model) {
   const tp_path_state own = *to;
   memcpy(own.facets, from->facets, (size_t)model->count * sizeof *own.facets);
-  memcpy(own.slips, from->slips, (size_t)model->count * sizeof *own.slips);
+  memcpy(own.strains, from->strains, (size_t)model->count * sizeof *own.strains);
   *to = *from;
   to->facets = own.facets;
-  to->slips = own.slips;
+  to->strains = own.strains;
   to->lines = own.lines;
+}
+
+/* A contact in a point is closed in part, but wholly in its point. */
+static double closed_share(const tp_path_state *state, const tp_path_model *model, long k) {
+  const double closed = state->facets[k].closed;
+  return model->facets[k].in_a_point ? closed * 0.99 : closed;
 }
 
 /* The facet that is closed the least, of those in part: where `beside` is given, at another point
@@ -60,8 +66,8 @@ void tp_path_state_copy(tp_path_state *to, const tp_path_state *from, const tp_p
 static long least_closed(const tp_path_state *state, const tp_path_model *model, long beside) {
   long least = -1;
   for (long k = 0; k < model->count; k++) {
-    const double closed = state->facets[k].closed;
-    if (!(closed > 0 && closed < (least < 0 ? 1 : state->facets[least].closed))) continue;
+    const double closed = closed_share(state, model, k);
+    if (!(closed > 0 && closed < (least < 0 ? 1 : closed_share(state, model, least)))) continue;
     if (beside >= 0) {
       const tp_xy to = tp_xy_minus(closed_end(state, model, k), closed_end(state, model, beside));
       const tp_xy normal = model->facets[k].normal;
@@ -120,7 +126,8 @@ void tp_path_state_take(tp_path_state *state, const tp_path_pose *pose, const tp
   tp_imbalance at;
   state->pose = *pose;
   tp_balance_at(&at, balance, pose, state->facets);
-  for (long k = 0; k < balance->model->count; k++) state->slips[k] = state->facets[k].slip;
+  state->pose.since = (tp_three){{0}};
+  for (long k = 0; k < balance->model->count; k++) state->strains[k] = state->facets[k].strain;
 }
 
 static double speed(const tp_path_state *state, const tp_path_frame *frame) {
@@ -144,14 +151,17 @@ bool tp_path_state_solve(tp_path_state *to, const tp_path_state *from, const tp_
   const tp_path_frame frame = tp_path_state_frame(from, model);
   tp_path_pose pose = tp_path_pose_in(&from->pose, &frame);
   tp_path_lines_set(&to->lines, model, &frame);
-  const tp_balance balance = {
-      .model = model, .lines = &to->lines, .load = tp_path_load(model, tilt), .slips = from->slips};
+  const tp_balance balance = {.model = model,
+                              .lines = &to->lines,
+                              .load = tp_path_load(model, tilt),
+                              .strains = from->strains};
   to->tilt = tilt;
   if (!tp_balance_solve(&pose, &to->imbalance, &balance)) return false;
   to->pose = pose;
   if (!set_rate(to, &balance)) return false;
   if (near && !is_near(from, to)) return false;
-  for (long k = 0; k < model->count; k++) to->slips[k] = to->facets[k].slip;
+  to->pose.since = (tp_three){{0}};
+  for (long k = 0; k < model->count; k++) to->strains[k] = to->facets[k].strain;
   return true;
 }
 
