@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Tilts closer than this are one, degrees: twice the tolerance of the path, and what an imbalance of
- * 1e-11 of the weight turns. */
+/* Tilts closer than this are one, degrees: twice the tolerance of the path, and what an imbalance
+ * of 1e-11 of the weight turns. */
 static const double beside = 3e-6;
 
 static const double last_deg = 80;
@@ -26,8 +26,8 @@ typedef struct run {
   tp_path_result path;
 } run;
 
-/* False where the scene, its problem or its body is refused: laws of friction that the body does not
- * know, contacts without restraint. */
+/* False where the scene, its problem or its body is refused: laws of friction that the body does
+ * not know, contacts without restraint. */
 static bool prepare(run *r, const char *text, tp_direction towards, double ratio) {
   tp_message message;
   tp_scene *scene = NULL;
