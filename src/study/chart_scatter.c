@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { MOST_DRAWN = 3000 };
 
@@ -31,11 +32,24 @@ static void add_points(tp_chart *chart, const tp_study_view *v, const double *va
   }
 }
 
+/* "block.slab.height (m)"; the unit is not said twice where the key ends in it, as
+ * friction_angle_deg. */
+static void write_label(char *label, size_t size, const tp_study_variable *own,
+                        const char *header) {
+  const int shown = (int)tp_whole_characters(own->key, 60);
+  const bool said = strcmp(own->key, header) == 0;
+  if (own->unit == NULL || said) {
+    snprintf(label, size, "%.*s", shown, own->key);
+  } else {
+    snprintf(label, size, "%.*s (%.8s)", shown, own->key, own->unit);
+  }
+}
+
 void tp_study_add_scatter(tp_chart *chart, const tp_study_view *v, size_t variable) {
   const tp_study_variable *own = v->result->variables + variable;
   const double *values = v->result->columns[variable].values;
   char label[96], title[64];
-  snprintf(label, sizeof label, "%.*s", (int)tp_whole_characters(own->key, 60), own->key);
+  write_label(label, sizeof label, own, v->result->columns[variable].header);
   snprintf(title, sizeof title, stride(v) > 1 ? "One of %zu samples" : "Each sample", stride(v));
   tp_chart_add_panel(chart, title,
                      (tp_panel_axis){.label = label,

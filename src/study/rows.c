@@ -2,6 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "study/rows.h"
+#include "study/row_csv.h"
 
 #include <errno.h>
 #include <fcntl.h>
