@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Rows as lines of CSV, written and read back. A number is the shortest decimal that the double has,
- * `inf` and `-inf` where there is no number since it holds at every or at no tilt, and an empty
- * field where there is none for another reason; so that what is read back is what was written. */
+/* Rows as lines of CSV, written and read back. A number is the shortest decimal that the double
+ * has, `inf` and `-inf` where there is no number since it holds at every or at no tilt, and an
+ * empty field where there is none for another reason; so that what is read back is what was
+ * written. */
 
 #ifndef TP_STUDY_ROW_CSV_H
 #define TP_STUDY_ROW_CSV_H
