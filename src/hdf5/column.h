@@ -2,8 +2,8 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A column of the rows as a data set: numbers as doubles (NaN: none), words as texts of fixed
- * length, any text by its length. Rows are gathered in blocks, of which each is a chunk of the file,
- * deflated; so memory does not grow with the rows. */
+ * length, any text by its length. Rows are gathered in blocks, of which each is a chunk of the
+ * file, deflated; so memory does not grow with the rows. */
 
 #ifndef TP_HDF5_COLUMN_H
 #define TP_HDF5_COLUMN_H

@@ -35,17 +35,19 @@ static herr_t note_failure(hid_t stack, void *context) {
 }
 
 tp_status tp_hdf5_fail(const tp_hdf5_file *file, tp_message *message) {
-  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){file->path, 0, 0},
-                 "cannot be written: %s; the rows stay in '%.300s', and the same command makes this "
-                 "file of them",
-                 file->reason[0] != '\0' ? file->reason : "memory is exhausted", file->csv);
+  return tp_fail(
+      message, TP_SYSTEM_FAILED, (tp_place){file->path, 0, 0},
+      "cannot be written: %s; the rows stay in '%.300s', and the same command makes this "
+      "file of them",
+      file->reason[0] != '\0' ? file->reason : "memory is exhausted", file->csv);
 }
 
 static tp_status fail_system(const tp_hdf5_file *file, int why, tp_message *message) {
-  return tp_fail(message, TP_SYSTEM_FAILED, (tp_place){file->path, 0, 0},
-                 "cannot be written: %s; the rows stay in '%.300s', and the same command makes this "
-                 "file of them",
-                 strerror(why), file->csv);
+  return tp_fail(
+      message, TP_SYSTEM_FAILED, (tp_place){file->path, 0, 0},
+      "cannot be written: %s; the rows stay in '%.300s', and the same command makes this "
+      "file of them",
+      strerror(why), file->csv);
 }
 
 /* ---- the file ----------------------------------------------------------------------------------
@@ -116,8 +118,8 @@ static bool note(hid_t object, const char *name, hid_t type, const void *value) 
 
 bool tp_hdf5_note_text(hid_t object, const char *name, const char *text) {
   const hid_t type = H5Tcopy(H5T_C_S1);
-  const bool noted = H5Tset_size(type, H5T_VARIABLE) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0 &&
-                     note(object, name, type, &text);
+  const bool noted = H5Tset_size(type, H5T_VARIABLE) >= 0 &&
+                     H5Tset_cset(type, H5T_CSET_UTF8) >= 0 && note(object, name, type, &text);
   if (type >= 0) (void)H5Tclose(type);
   return noted;
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "host.h"
 #include "hdf5/column.h"
 #include "hdf5/hdf5.h"
 #include "hdf5/texts.h"
+#include "host.h"
 #include "study/rows.h"
 #include "study/sources.h"
 
@@ -121,7 +121,8 @@ tp_status tp_hdf5_write(const char *path, const tp_study *study, const char *csv
   tp_status status = tp_progress_read(&progress, &there, csv, study, message);
   if (status != TP_OK) return status;
   if (!there || progress.shards != 1) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){csv, 0, 0}, "these are no rows of a whole study");
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){csv, 0, 0},
+                   "these are no rows of a whole study");
   }
   const uint64_t most = progress.chunks * study->chunk;
   writing w = {.study = study, .stop = stop, .rows = most < study->samples ? most : study->samples};

@@ -13,6 +13,7 @@ typedef enum own_field {
   OUTCOME,
   FOS,
   FOS_MECHANISM,
+  FOS_DEFINITION,
   FIRST,
   MOMENTS,
   PIVOT_X,
@@ -39,6 +40,7 @@ static const own_column own_columns[] = {
     [OUTCOME] = {"outcome", NULL, TP_FIELD_WORDS},
     [FOS] = {"fos", NULL, TP_FIELD_NUMBER},
     [FOS_MECHANISM] = {"fos_mechanism", NULL, TP_FIELD_WORDS},
+    [FOS_DEFINITION] = {"fos_definition", NULL, TP_FIELD_WORDS},
     [FIRST] = {"first", NULL, TP_FIELD_WORDS},
     [MOMENTS] = {"moments_deg", "deg", TP_FIELD_NUMBER},
     [PIVOT_X] = {"pivot_x_m", "m", TP_FIELD_NUMBER},
@@ -118,6 +120,11 @@ static const char *status_of(const tp_study_row *row) {
   return invalid ? tp_study_outcome_name(TP_STUDY_INVALID) : row->open ? "open" : "certain";
 }
 
+static const char *definition_of(const tp_study_row *row) {
+  return row->fos_definition < 0 ? ""
+                                 : tp_fos_definition_name((tp_fos_definition)row->fos_definition);
+}
+
 static tp_study_value number(double own) {
   return (tp_study_value){.number = own};
 }
@@ -139,6 +146,8 @@ tp_study_value tp_study_field_value(const tp_study *study, const tp_study_row *r
     return number(row->quantities[TP_STUDY_FOS]);
   case FOS_MECHANISM:
     return words(row->fos_mechanism);
+  case FOS_DEFINITION:
+    return words(definition_of(row));
   case FIRST:
     return words(row->first);
   case MOMENTS:

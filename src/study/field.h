@@ -18,7 +18,7 @@ typedef enum tp_study_field_kind {
   TP_FIELD_TEXT    /* any plain text */
 } tp_study_field_kind;
 
-enum { TP_FIELD_WORDS_SIZE = 24 };
+enum { TP_FIELD_WORDS_SIZE = 32 };
 
 /* What a row has in a field, by its kind. */
 typedef struct tp_study_value {

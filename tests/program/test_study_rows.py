@@ -58,7 +58,8 @@ class Rows(StudyCase):
         summary = self.summary("study.yaml", "--csv", "rows.csv", "--scatter", "scatter.svg")
         self.assertEqual([own["unit"] for own in summary["variables"]], [units[key][1] for key in keys])
         header = (self.folder / "rows.csv").read_text().splitlines()[0].split(",")
-        self.assertEqual(header, ["sample", *(units[key][0] for key in keys), "outcome", "fos", "fos_mechanism", "first",
+        self.assertEqual(header, ["sample", *(units[key][0] for key in keys), "outcome", "fos", "fos_mechanism",
+                                  "fos_definition", "first",
                                   "moments_deg", "pivot_x_m", "pivot_y_m", "onset_deg", "limit_deg", "limit_mechanism",
                                   "status", "why"])
         drawn = (self.folder / "scatter.svg").read_text()
