@@ -163,6 +163,7 @@ typedef struct tp_study_design {
 typedef struct tp_study_variable {
   TP_OUTSIDE char *key;                        /* the scene's */
   const char *kind;                            /* normal, list and so on; a static string */
+  const char *unit;                            /* deg, m, kPa and so on, or NULL; likewise */
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */

@@ -192,6 +192,7 @@ static void add_variable(tp_json *j, const tp_study_result *r, const tp_study_va
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "key", own->key);
   tp_json_string(j, "kind", own->kind);
+  tp_json_string(j, "unit", own->unit);
   if (r->kept > 0) {
     tp_json_double(j, "least", own->least);
     tp_json_double(j, "greatest", own->greatest);

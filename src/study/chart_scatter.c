@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { MOST_DRAWN = 3000 };
 
@@ -79,12 +80,25 @@ static void name_panel(char *title, size_t size, const tp_study_view *v, size_t 
   }
 }
 
+/* "block.slab.height (m)"; the unit is not said twice where the key ends in it, as
+ * friction_angle_deg. */
+static void write_label(char *label, size_t size, const tp_study_variable *own,
+                        const char *header) {
+  const int shown = (int)tp_whole_characters(own->key, 60);
+  const bool said = strcmp(own->key, header) == 0;
+  if (own->unit == NULL || said) {
+    snprintf(label, size, "%.*s", shown, own->key);
+  } else {
+    snprintf(label, size, "%.*s (%.8s)", shown, own->key, own->unit);
+  }
+}
+
 void tp_study_add_scatter(tp_chart *chart, const tp_study_view *v, size_t variable) {
   const tp_study_variable *own = v->result->variables + variable;
   const double *values = v->result->columns[variable].values;
   const tp_chart_range x = range_of(v, variable), y = tp_study_range(v->least, v->greatest);
   char label[96], title[64];
-  snprintf(label, sizeof label, "%.*s", (int)tp_whole_characters(own->key, 60), own->key);
+  write_label(label, sizeof label, own, v->result->columns[variable].header);
   name_panel(title, sizeof title, v, variable);
   tp_chart_add_panel(chart, title, (tp_panel_axis){.label = label, .plain = true, .range = x},
                      (tp_panel_axis){.label = tp_study_angle_label(v), .range = y});

@@ -5,6 +5,7 @@
 
 #include "number/ratio.h"
 #include "stability/tilts.h"
+#include "study/shortest.h"
 
 #include <math.h>
 #include <stdlib.h>

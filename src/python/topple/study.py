@@ -147,6 +147,7 @@ class StudyVariable(Record):
 
     key: str
     kind: str  #: normal, list and so on
+    unit: str | None  #: deg, m, kPa and so on
     least: float
     greatest: float
     ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
