@@ -57,7 +57,7 @@ class Factors(Told):
         fallen = [row for row in rows if row["outcome"] == "topples"]
         row = max(fallen, key=lambda one: float(one["limit_deg"]))
         keys = ("friction_angle_deg", "block.unit_weight_kn_m3", "loads.water.height", "loads.seismic.horizontal")
-        words = [word for key in keys for word in ("--set", f"{key}={row[key]}")]
+        words = [word for key in keys for word in ("--set", f"{key}={row.get(key, row.get(key + '_m'))}")]
         _, out, _ = run("solve", "--json", *words, STUDIES / "block_above_road.yaml")
         case = json.loads(out)["cases"][0]
         governing = case["governing_fos"]
