@@ -4,7 +4,9 @@
 /* The tally made a result: shares of outcomes, quantiles, rank correlations. */
 
 #include "statistics/quantiles.h"
+#include "study/field.h"
 #include "study/ranks.h"
+#include "study/shortest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -91,6 +93,7 @@ static bool fill_variable(tp_study_variable *variable, const tp_tally *tally, si
   const double *inputs = tally->columns[k];
   variable->key = strdup(own->node->key);
   variable->kind = own->kind;
+  variable->unit = tp_study_field_unit(tally->study, tp_study_field_of_variable(k));
   for (long j = 0; j < tally->kept; j++) {
     if (j == 0 || inputs[j] < variable->least) variable->least = inputs[j];
     if (j == 0 || inputs[j] > variable->greatest) variable->greatest = inputs[j];
@@ -114,7 +117,10 @@ static char *column_name(const tp_study *study, size_t k) {
   tp_text text = {0};
   char *name = NULL;
   const size_t quantities = study->variable_count, outcomes = quantities + TP_STUDY_QUANTITIES;
-  if (k < quantities) return strdup(study->variables[k].node->key);
+  if (k < quantities) {
+    tp_study_field_name(&text, study, tp_study_field_of_variable(k));
+    return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
+  }
   if (k < outcomes) return strdup(tp_study_quantity_name((tp_study_quantity)(k - quantities)));
   if (k == outcomes) return strdup("outcome");
   if (k == outcomes + study->tilt_count + 1) return strdup("fos_definition");
@@ -174,6 +180,8 @@ void tp_study_result_free(tp_study_result *result) {
     free(result->bad[k].settings);
     free(result->bad[k].why);
   }
+  for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
+  free(result->designs);
   free(result->variables);
   free(result->columns);
   free(result->bad);

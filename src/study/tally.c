@@ -5,6 +5,7 @@
 
 #include "grow.h"
 #include "statistics/proportion.h"
+#include "study/row_csv.h"
 
 #include <math.h>
 #include <stdlib.h>
