@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A block at rest: which motions can begin (docs/mechanics.md section 6a, in doubles), and can
+ * forces of its contacts hold it? Both can be so: then the forces that its history has left there
+ * decide. */
+
+#ifndef TP_RIGID_CONTACT_REST_H
+#define TP_RIGID_CONTACT_REST_H
+
+#include "rigid_contact/law.h"
+
+#include "topple_basics.h"
+
+/* Told of each motion that can begin, x its acceleration; false ends the search. Of a law at rest:
+ * `least` and `rest` 0, no slip given. False when memory is exhausted.
+ *
+ * Three independent equations leave no motion from rest, so sets of up to two edges are tried, of
+ * those contacts that stay closed in some motion that the others allow: n contacts cost O(n^2). */
+TP_MUST_USE bool tp_rest_motions(const tp_law *law, tp_law_found found, void *context);
+
+/* Forces that hold the block, at most three of them not zero: lambda of both edges of each contact,
+ * n - t tan(phi) first, in `factors` of twice the contacts. False where none do, within 1e-9 of the
+ * loads. By non-negative least squares (Lawson and Hanson, Solving Least Squares Problems, 1974,
+ * chapter 23). */
+bool tp_rest_forces(double *factors, const tp_law *law);
+
+#endif
