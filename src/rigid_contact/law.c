@@ -7,7 +7,6 @@
 
 const double tp_law_tolerance = 1e-11;
 
-/* Contacts on the list of a search: more than a plane body can press at once but for ties. */
 enum { MOST_LISTED = 24 };
 
 /* Equations that are dependent but for this share of their largest coefficient give nothing. */
@@ -212,4 +211,11 @@ void tp_law_search(const tp_law *law, tp_law_found found, void *context) {
     if (own.worst < 0) return;
     listed[count++] = own.worst;
   }
+}
+
+void tp_law_search_all(const tp_law *law, tp_law_found found, void *context) {
+  long listed[MOST_LISTED], count = 0;
+  for (; count < law->count && count < MOST_LISTED; count++) listed[count] = count;
+  search_round own = {.law = law, .found = found, .context = context};
+  tp_law_enumerate(law, listed, count, TP_LAW_EDGES, look, &own);
 }

@@ -76,4 +76,8 @@ void tp_law_enumerate(const tp_law *law, const long *listed, long listed_count, 
  * so far violate most, until one violates none. Told of all that the last list gives. */
 void tp_law_search(const tp_law *law, tp_law_found found, void *context);
 
+/* All solutions with edges of the first 24 contacts: more than these do not press on a plane body
+ * but for ties. */
+void tp_law_search_all(const tp_law *law, tp_law_found found, void *context);
+
 #endif

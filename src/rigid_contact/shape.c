@@ -23,12 +23,6 @@ double tp_normal_range_margin(tp_normal_range range, double direction) {
   return fmax(range.sweep - d, d - whole_turn);
 }
 
-double tp_normal_range_nearest(tp_normal_range range, double direction) {
-  const double d = from_first(range, direction);
-  if (d <= range.sweep) return direction;
-  return d - range.sweep < whole_turn - d ? range.first + range.sweep : range.first;
-}
-
 static tp_xy minus(tp_xy a, tp_xy b) {
   return (tp_xy){a.x - b.x, a.y - b.y};
 }

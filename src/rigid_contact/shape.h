@@ -48,7 +48,4 @@ void tp_shape_clear(tp_shape *shape);
  * is nearer; 0 or positive within: the distance to the nearer end. */
 double tp_normal_range_margin(tp_normal_range range, double direction);
 
-/* The direction of the range that is nearest. */
-double tp_normal_range_nearest(tp_normal_range range, double direction);
-
 #endif

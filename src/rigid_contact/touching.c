@@ -9,9 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far a closed contact may lie in the rock: what it takes to be found to press. */
-static const double deepest = 100 * TP_CLOSED_GAP;
-
 /* Rows that differ by no more are those of one contact, seen from both sides. */
 static const double alike_rows = 1e-12;
 
@@ -79,7 +76,8 @@ bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_mot
     tp_pair *pair = system->pairs + k;
     tp_touching_contact own = {.pair = *pair, .gap = tp_gap_at(&system->shapes, pair, state)};
     const double width = own.gap.width;
-    pair->touching = width >= -deepest && width <= 2 * TP_CLOSED_GAP && tp_gap_faces(&own.gap);
+    pair->touching =
+        width >= -TP_DEEPEST_GAP && width <= 2 * TP_CLOSED_GAP && tp_gap_faces(&own.gap);
     if (!pair->touching) continue;
     own.friction = tp_contact_friction(&own.facet, system, &own.gap);
     own.approach = tp_gap_speed(own.gap.across, state->speed);
@@ -87,6 +85,14 @@ bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_mot
     if (!add(t, &own)) return false;
   }
   return true;
+}
+
+void tp_touching_open(tp_contact_system *system, const tp_motion_state *state) {
+  for (long k = 0; k < system->pair_count; k++) {
+    tp_pair *pair = system->pairs + k;
+    if (!pair->touching) continue;
+    pair->touching = tp_gap_at(&system->shapes, pair, state).width <= 2 * TP_CLOSED_GAP;
+  }
 }
 
 bool tp_touching_closes(const tp_touching *t) {

@@ -35,6 +35,9 @@ void tp_touching_clear(tp_touching *touching);
 TP_MUST_USE bool tp_touching_collect(tp_touching *touching, tp_contact_system *system,
                                      const tp_motion_state *state);
 
+/* Pairs that touched and have opened since touch no more: they close anew at a gap of zero. */
+void tp_touching_open(tp_contact_system *system, const tp_motion_state *state);
+
 /* Does one of them close with a speed? */
 bool tp_touching_closes(const tp_touching *touching);
 
