@@ -4,11 +4,11 @@
 /* topple study STUDY */
 
 #include "cli/cli.h"
+#include "cli/signals.h"
 #include "cli/study_run.h"
 
 #include <argp.h>
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -232,11 +232,6 @@ static tp_status study_and_tell(const void *words, int *ended, tp_message *messa
 int tp_cli_study(int argc, char **argv) {
   arguments a = {.options = tp_study_options_default()};
   const int status = tp_cli_run(&parser, &a, study_and_tell, argc, argv);
-  /* ends by the signal, as the shell and scripts expect */
-  const int interrupted = tp_cli_study_signal();
-  if (interrupted != 0) {
-    (void)signal(interrupted, SIG_DFL);
-    (void)raise(interrupted);
-  }
+  tp_cli_end_by_signal();
   return status;
 }

@@ -8,6 +8,8 @@
 
 #include "cli/study_run.h"
 
+#include "cli/signals.h"
+
 #include "cli/cli.h"
 
 #include <errno.h>
@@ -52,7 +54,7 @@ static tp_status agree(ranked *r, tp_status status, tp_message *message) {
     tp_cli_complain("out of memory");
     _exit(TP_EXIT_SYSTEM); /* mpirun ends the others, that wait */
   }
-  const outcome own = {.status = status, .interrupted = tp_cli_study_signal() != 0};
+  const outcome own = {.status = status, .interrupted = tp_cli_signal() != 0};
   r->ranks->calls->gather(r->ranks, all, &own, sizeof own);
   int failed = 0;
   while (failed < r->ranks->count && all[failed].status == TP_OK) failed++;
@@ -160,7 +162,7 @@ static void remove_parts(const ranked *r) {
 /* Asked in any thread. */
 static bool is_stopped(void *context) {
   const ranked *r = context;
-  return tp_cli_study_signal() != 0 || atomic_load(&r->stopped);
+  return tp_cli_signal() != 0 || atomic_load(&r->stopped);
 }
 
 /* Asked by the thread that calls MPI. */
@@ -181,7 +183,7 @@ static tp_status run_part(tp_study_result **result, ranked *r, tp_message *messa
   own.stop = is_stopped;
   own.progress = listen;
   const tp_status status = tp_study_run(result, r->study, &own, message);
-  if (status != TP_OK || tp_cli_study_signal() != 0) r->ranks->calls->tell_stop(r->ranks);
+  if (status != TP_OK || tp_cli_signal() != 0) r->ranks->calls->tell_stop(r->ranks);
   return status;
 }
 
@@ -233,7 +235,7 @@ static tp_status run_parts(tp_study_result **result, ranked *r, tp_message *mess
 static tp_status run(tp_study_result **result, ranked *r, tp_message *message) {
   tp_status status = share_plan(r, message);
   if (!is_fine(r, status)) return status;
-  tp_cli_study_catch();
+  tp_cli_catch_signals();
   status = r->plan.alone ? run_alone(result, r, message) : run_parts(result, r, message);
   return r->failed ? status : agree(r, status, message);
 }

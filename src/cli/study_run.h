@@ -8,11 +8,6 @@
 
 #include "cli/ranks.h"
 
-/* The signal that interrupted the study, or 0. The first one is caught, a second one ends the
- * program at once. */
-int tp_cli_study_signal(void);
-void tp_cli_study_catch(void);
-
 /* Samples, by one process: interrupted by a signal, with its progress on a terminal. */
 TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
                                        const tp_study_options *options, tp_message *message);

@@ -32,6 +32,11 @@ void tp_cli_tell_progress(size_t done, size_t of, double rate) {
           (double)(of - done) / rate);
 }
 
+void tp_cli_tell_bracket(size_t runs, double least_deg, double most_deg) {
+  fprintf(stderr, "\r%zu runs, stands at %.6f, lets go at %.6f degrees   ", runs, least_deg,
+          most_deg);
+}
+
 void tp_cli_clear_progress(void) {
   fprintf(stderr, "\r%70s\r", "");
 }

@@ -15,6 +15,8 @@ void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2
 
 /* How far work is, over the line before, in numbers alone: so many done, at a rate a second. */
 void tp_cli_tell_progress(size_t done, size_t of, double rate);
+/* Of a tilt test: the bracket after so many runs. */
+void tp_cli_tell_bracket(size_t runs, double least_deg, double most_deg);
 /* Clears that line. */
 void tp_cli_clear_progress(void);
 

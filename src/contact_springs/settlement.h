@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The start of a run: the block set down on its springs, so that no drop shocks it.
+ *
+ * The weight and all loads grow from nothing at the table's angle at time 0, smoothly over ten
+ * periods of the shear springs, with strong local damping and Coulomb's limit in force; then it
+ * waits until the block is quiet (watch.h). That is the elastic settlement: no contact has carried
+ * much more than it does in the end. Where the block accelerates for good instead, or has moved by
+ * more than a thousandth of its extent, it has no equilibrium there: it is let go as it is placed,
+ * its springs without force, and through the first five periods of the shear springs dashpots
+ * beside them, of half the critical damping, keep it from bouncing; they resist no motion but that
+ * of the springs.
+ */
+
+#ifndef TP_SETTLEMENT_H
+#define TP_SETTLEMENT_H
+
+#include "contact_springs/stepper.h"
+
+typedef enum tp_settlement {
+  TP_SETTLEMENT_REACHED,
+  TP_SETTLEMENT_NONE,
+  TP_SETTLEMENT_NO_MEMORY
+} tp_settlement;
+
+/* From the state where the run starts, at rest or not: one that moves is let go. `share`: of the
+ * stable step. The stepper is ready to be evaluated at time 0. */
+TP_MUST_USE tp_settlement tp_stepper_settle(tp_stepper *stepper, const tp_body_state *start,
+                                            double share);
+
+/* Have the dashpots of a block that was let go had their time? */
+bool tp_stepper_is_past_letting_go(const tp_stepper *stepper);
+
+#endif

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "contact_springs/watch.h"
+
+#include <math.h>
+
+enum { WINDOWS = 16, GROWING_WINDOWS = 16, RESTING_WINDOWS = 4 };
+
+/* Shares of the weight, and of the weight times the extent. */
+static const double no_force = 1e-7, no_energy = 1e-14;
+
+/* Of the force of the window before along its direction: a force that keeps so much has neither
+ * fallen nor turned. */
+static const double kept_force = 0.8;
+
+/* By so much at least kinetic energy grows in each window: far less than by a steady force from
+ * rest, so that what slides already counts. */
+static const double growth = 1 + 1e-4;
+
+void tp_watch_init(tp_watch *w, const tp_rigid_body *body, double time_s) {
+  *w = (tp_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
+                  .extent_m = body->extent_m,
+                  .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS};
+  w->window_end_s = time_s + w->window_s;
+}
+
+static double product(tp_body_force f, tp_body_force g) {
+  return f.x_n * g.x_n + f.y_n * g.y_n + f.moment_nm * g.moment_nm;
+}
+
+static tp_watch_news judge(tp_watch *w, tp_body_force force, double kinetic,
+                           const tp_stepper *stepper) {
+  const double size = sqrt(product(force, force));
+  const bool kept =
+      product(force, w->last_force) >= kept_force * product(w->last_force, w->last_force);
+  const bool grows = size > no_force && kept && kinetic > growth * w->last_kinetic;
+  const bool none = size < no_force && kinetic < no_energy;
+  w->growing = grows ? w->growing + 1 : 0;
+  w->resting = none ? w->resting + 1 : 0;
+  w->last_force = force;
+  w->last_kinetic = kinetic;
+  if (stepper->drive->shaking != NULL && !stepper->steady) return TP_WATCH_NOTHING;
+  if (w->resting >= RESTING_WINDOWS) return TP_WATCH_QUIET;
+  return w->growing >= GROWING_WINDOWS ? TP_WATCH_COLLAPSES : TP_WATCH_NOTHING;
+}
+
+tp_watch_news tp_watch_step(tp_watch *w, const tp_stepper *s) {
+  tp_watch_window *own = &w->window;
+  own->steps++;
+  own->x_n += s->net.x_n;
+  own->y_n += s->net.y_n;
+  own->moment_nm += s->net.moment_nm;
+  own->kinetic += s->energies.kinetic;
+  if (s->time_s < w->window_end_s) return TP_WATCH_NOTHING;
+  const double all = (double)own->steps * w->weight_n;
+  const tp_body_force force = {own->x_n / all, own->y_n / all,
+                               own->moment_nm / (all * w->extent_m)};
+  const double kinetic = fabs(own->kinetic) / (all * w->extent_m);
+  *own = (tp_watch_window){0};
+  w->window_end_s += w->window_s;
+  return judge(w, force, kinetic, s);
+}
+
+double tp_watch_delay_s(const tp_watch *w) {
+  return GROWING_WINDOWS * w->window_s;
+}
