@@ -198,8 +198,8 @@ typedef struct tp_tilt_shaking {
 /* The result of a test. */
 typedef struct tp_tilt_test {
   TP_OUTSIDE char *title;     /* of the scene; NULL: none */
-  const char *length_unit;   /* of the scene; a static string */
-  double metres_per_unit;    /* of it */
+  const char *length_unit;    /* of the scene; a static string */
+  double metres_per_unit;     /* of it */
   tp_tilt_settings settings;  /* by which it was run */
   tp_tilt_shaking shaking[2]; /* horizontal, vertical */
   size_t case_count;          /* of the cases */

@@ -3,6 +3,9 @@
 
 #include "study/rows.h"
 
+#include "study/row_csv.h"
+#include "study/sources.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -39,22 +42,8 @@ static tp_status append(tp_rows *rows, const tp_text *text, tp_message *message)
 /* ---- begin, or go on ---------------------------------------------------------------------------
  */
 
-static bool is_file(const struct stat *own, const char *path) {
-  struct stat other;
-  return path != NULL && stat(path, &other) == 0 && own->st_dev == other.st_dev &&
-         own->st_ino == other.st_ino;
-}
-
 static tp_status check_sources(const tp_rows *rows, const struct stat *own, tp_message *message) {
-  const tp_study *study = rows->study;
-  bool read_here = is_file(own, study->path);
-  for (size_t k = 0; k < tp_scene_source_count(study->scene); k++) {
-    read_here = read_here || is_file(own, tp_scene_source(study->scene, k));
-  }
-  for (size_t k = 0; k < study->variable_count; k++) {
-    read_here = read_here || is_file(own, study->variables[k].file);
-  }
-  if (!read_here) return TP_OK;
+  if (!tp_study_reads(rows->study, own)) return TP_OK;
   return tp_fail(message, TP_BAD_INPUT, (tp_place){rows->path, 0, 0},
                  "this is a file that the study reads, and would be lost; write to another name");
 }

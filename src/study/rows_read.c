@@ -4,6 +4,7 @@
 /* Rows read back, line by line, as far as the progress beside them tells. */
 
 #define _GNU_SOURCE /* getline */
+#include "study/row_csv.h"
 #include "study/rows.h"
 
 #include <errno.h>

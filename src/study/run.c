@@ -9,6 +9,7 @@
 #include "host.h"
 #include "options.h"
 #include "study/result.h"
+#include "study/row_csv.h"
 #include "study/rows.h"
 #include "study/sample.h"
 

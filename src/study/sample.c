@@ -5,6 +5,7 @@
 
 #include "number/ratio.h"
 #include "stability/tilts.h"
+#include "study/shortest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -86,8 +87,10 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
                                ? "holds nowhere"
                                : tp_study_outcome_name(outcome_of(c->limit.mechanism));
   }
-  if (g->has_factor)
+  if (g->has_factor) {
     row->fos_mechanism = tp_study_outcome_name(outcome_of(g->factors[g->factor].mechanism));
+    row->fos_definition = (int)g->factors[g->factor].definition;
+  }
 }
 
 /* ---- scenes ------------------------------------------------------------------------------------
@@ -99,6 +102,7 @@ static void clear(tp_study_row *row, size_t tilts, tp_study_outcome outcome) {
   for (size_t k = 0; k <= tilts; k++) row->at[k] = (tp_study_at){outcome, NAN};
   row->pivot_x_m = row->pivot_y_m = row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
+  row->fos_definition = -1;
   row->open = false;
   row->why = NULL;
 }
@@ -241,5 +245,21 @@ tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
     status = solve_at(row, study, &n, k, message);
   }
   end(&n);
+  return status;
+}
+
+tp_status tp_study_solve_with(tp_study_row *row, const tp_study *study, const tp_scene_key *key,
+                              double value, tp_message *message) {
+  fmpq number;
+  tp_scene_key own = *key;
+  numbers n = {
+      .keys = &own, .values = &number, .count = 2}; /* one, and the tilt, which is not set */
+  clear(row, 0, TP_STUDY_INVALID);
+  fmpq_init(&number);
+  const tp_status status =
+      put_number(&number, value)
+          ? solve_own(row, study, &n, message)
+          : refuse(row, "a number is outside of the range that a scene takes", message);
+  fmpq_clear(&number);
   return status;
 }

@@ -79,8 +79,8 @@ tp_status tp_tilting_bracket(tp_tilting *tilting, tp_tilt_look *by, double least
   return status;
 }
 
-/* The tilt at which a run let go, by its history, which ends there: that it is sure to move for good
- * is noticed later, and the motion is simulated anew from there. */
+/* The tilt at which a run let go, by its history, which ends there: that it is sure to move for
+ * good is noticed later, and the motion is simulated anew from there. */
 static double cut_at_collapse(tp_history *history, double otherwise) {
   size_t k = history->event_count;
   while (k > 0 && history->events[k - 1].kind != TP_EVENT_COLLAPSES) k--;
@@ -106,7 +106,8 @@ tp_status tp_tilting_ramp(tp_tilting *tilting) {
   tp_status status = tp_tilting_try(&verdict, &last, tilting, until, &tilting->history);
   if (status != TP_OK) return status;
   if (verdict == TP_VERDICT_MOVES) tilting->moves_off = last;
-  learn(&s, verdict, verdict == TP_VERDICT_MOVES ? cut_at_collapse(&tilting->history, until) : until);
+  learn(&s, verdict,
+        verdict == TP_VERDICT_MOVES ? cut_at_collapse(&tilting->history, until) : until);
   /* tables that stop ever farther before it, until one holds */
   double back = 0.9 * tolerance;
   while (status == TP_OK && s.moves && !s.stands && !s.ended && s.most_deg > 0) {

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "study/shortest.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value) {
+  for (int digits = 15; digits <= 17; digits++) {
+    snprintf(out, TP_SHORTEST_SIZE, "%.*g", digits, value);
+    if (strtod(out, NULL) == value) break;
+  }
+  return out;
+}
