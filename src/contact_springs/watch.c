@@ -18,10 +18,10 @@ static const double kept_force = 0.8;
  * rest, so that what slides already counts. */
 static const double growth = 1 + 1e-4;
 
-void tp_watch_init(tp_watch *w, const tp_rigid_body *body, double time_s) {
-  *w = (tp_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
-                  .extent_m = body->extent_m,
-                  .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS};
+void tp_spring_watch_init(tp_spring_watch *w, const tp_rigid_body *body, double time_s) {
+  *w = (tp_spring_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
+                         .extent_m = body->extent_m,
+                         .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS};
   w->window_end_s = time_s + w->window_s;
 }
 
@@ -29,8 +29,8 @@ static double product(tp_body_force f, tp_body_force g) {
   return f.x_n * g.x_n + f.y_n * g.y_n + f.moment_nm * g.moment_nm;
 }
 
-static tp_watch_news judge(tp_watch *w, tp_body_force force, double kinetic,
-                           const tp_stepper *stepper) {
+static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, double kinetic,
+                                  const tp_stepper *stepper) {
   const double size = sqrt(product(force, force));
   const bool kept =
       product(force, w->last_force) >= kept_force * product(w->last_force, w->last_force);
@@ -45,8 +45,8 @@ static tp_watch_news judge(tp_watch *w, tp_body_force force, double kinetic,
   return w->growing >= GROWING_WINDOWS ? TP_WATCH_COLLAPSES : TP_WATCH_NOTHING;
 }
 
-tp_watch_news tp_watch_step(tp_watch *w, const tp_stepper *s) {
-  tp_watch_window *own = &w->window;
+tp_spring_watch_news tp_spring_watch_step(tp_spring_watch *w, const tp_stepper *s) {
+  tp_spring_watch_window *own = &w->window;
   own->steps++;
   own->x_n += s->net.x_n;
   own->y_n += s->net.y_n;
@@ -57,11 +57,11 @@ tp_watch_news tp_watch_step(tp_watch *w, const tp_stepper *s) {
   const tp_body_force force = {own->x_n / all, own->y_n / all,
                                own->moment_nm / (all * w->extent_m)};
   const double kinetic = fabs(own->kinetic) / (all * w->extent_m);
-  *own = (tp_watch_window){0};
+  *own = (tp_spring_watch_window){0};
   w->window_end_s += w->window_s;
   return judge(w, force, kinetic, s);
 }
 
-double tp_watch_delay_s(const tp_watch *w) {
+double tp_spring_watch_delay_s(const tp_spring_watch *w) {
   return GROWING_WINDOWS * w->window_s;
 }
