@@ -152,7 +152,8 @@ static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
   arc_on_arc(gap, &a, block);
 }
 
-tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_state *state) {
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+                 const tp_motion_state *state) {
   const double angle = state->place[2];
   const turned block = {.sine = sin(angle),
                         .cosine = cos(angle),

@@ -59,11 +59,12 @@ typedef struct tp_gap {
   long base_edges[2]; /* at the contact: before and behind it along the base; equal on a face */
 } tp_gap;
 
-typedef struct tp_shapes {
-  tp_shape block, base;
-} tp_shapes;
+typedef struct tp_contact_shapes {
+  tp_contact_shape block, base;
+} tp_contact_shapes;
 
-tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_state *state);
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+                 const tp_motion_state *state);
 
 /* How far beyond the end of a face, or of an arc, a contact may lie: more than what a closed gap in
  * a flat notch moves it (over the extent; radians). */

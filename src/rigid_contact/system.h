@@ -25,7 +25,7 @@ typedef struct tp_contact_system {
   const tp_drive *drive;
   double time_unit_s;
   double inertia[3]; /* 1, 1, the radius of gyration squared */
-  tp_shapes shapes;
+  tp_contact_shapes shapes;
   double base_left, base_right;
   long pair_count, pair_room;
   tp_pair *pairs; /* that can close before the block has moved by the reach from where it was */
