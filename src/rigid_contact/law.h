@@ -57,13 +57,10 @@ bool tp_law_solve(tp_law_solution *solution, const tp_law *law);
 
 /* Signs are judged within this share of the numbers they come from. */
 extern const double tp_law_tolerance;
-double tp_law_scale(const tp_law *law);
+double tp_law_slack(const tp_law *law);
 
-/* Is a solution of the equations one of the law, as far as its own edges tell? */
-bool tp_law_edges_hold(const tp_law_solution *solution, const tp_law *law);
-
-/* The contact that it violates most; -1: none. */
-long tp_law_worst(const tp_law_solution *solution, const tp_law *law);
+/* The contact that a solution violates most, and by more than the slack; -1: none. */
+long tp_law_worst(const tp_law_solution *solution, const tp_law *law, double slack);
 
 /* Told of each solution; false ends the search. */
 typedef bool (*tp_law_found)(void *context, const tp_law_solution *solution);

@@ -104,7 +104,9 @@ tp_resolved tp_resolve_rest(tp_dynamics *d) {
   const tp_law law = tp_touching_accelerations(&d->touching, &d->system, d->time);
   candidates of = {0};
   bool held = false;
-  if (!tp_rest_motions(&law, keep, &of)) return TP_RESOLVED_NO_MEMORY;
+  tp_touching *t = &d->touching;
+  if (t->can_stay_count < 0) t->can_stay_count = tp_rest_list(t->can_stay, &law);
+  tp_rest_motions(&law, t->can_stay, t->can_stay_count, keep, &of);
   if (of.count == 0) return TP_RESOLVED_RESTS;
   if (!is_held(&held, &law)) return TP_RESOLVED_NO_MEMORY;
   if (held && d->settings->window == TP_WINDOW_STANDS) return TP_RESOLVED_RESTS;

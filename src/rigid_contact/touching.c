@@ -22,6 +22,7 @@ void tp_touching_clear(tp_touching *t) {
   free(t->items);
   free(t->law);
   free(t->of_law);
+  free(t->can_stay);
   *t = (tp_touching){0};
 }
 
@@ -46,7 +47,9 @@ static bool make_room(tp_touching *t) {
   if (law != NULL) t->law = law;
   long *of_law = realloc(t->of_law, sizeof *of_law * (size_t)t->room);
   if (of_law != NULL) t->of_law = of_law;
-  if (law != NULL && of_law != NULL) return true;
+  long *can_stay = realloc(t->can_stay, sizeof *can_stay * (size_t)t->room);
+  if (can_stay != NULL) t->can_stay = can_stay;
+  if (law != NULL && of_law != NULL && can_stay != NULL) return true;
   t->room = room; /* all that every array is sure to have */
   return false;
 }
@@ -72,6 +75,7 @@ static bool add(tp_touching *t, const tp_touching_contact *own) {
 
 bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_motion_state *state) {
   t->count = 0;
+  t->can_stay_count = -1;
   for (long k = 0; k < system->pair_count; k++) {
     tp_pair *pair = system->pairs + k;
     tp_touching_contact own = {.pair = *pair, .gap = tp_gap_at(&system->shapes, pair, state)};

@@ -26,6 +26,8 @@ typedef struct tp_touching {
   tp_law_contact *law; /* by contact; of those that are closed in a law: */
   long *of_law;        /* which they are */
   long law_count;
+  long *can_stay;      /* those of a law at rest that can stay closed (rest.h); */
+  long can_stay_count; /* -1: not asked yet */
 } tp_touching;
 
 void tp_touching_clear(tp_touching *touching);
