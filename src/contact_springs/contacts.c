@@ -193,7 +193,8 @@ static tp_spring_contact begin(tp_spring_contacts *c, const tp_fresh_contact *fr
     own.area = before->area;
     own.sheared = before->sheared;
     own.slipped = before->slipped;
-    before->state = TP_CONTACT_OPENED; /* it has its heir */
+    before->sheared = 0; /* it has its heir */
+    before->state = TP_CONTACT_OPENED;
   } else {
     own.area = c->thickness_m * tp_tributary_length(&c->of_block, fresh->pair.of_block, &c->of_base,
                                                     fresh->pair.of_base, &placing,
@@ -205,6 +206,12 @@ static tp_spring_contact begin(tp_spring_contacts *c, const tp_fresh_contact *fr
   const tp_xy velocity = tp_xy_plus(state->speed, state->turning, tp_xy_left(own.lever));
   own.closing_m_s = fmax(0, -tp_xy_dot(velocity, own.now.normal));
   return own;
+}
+
+/* As its normal force goes, Coulomb's limit lets the shear spring of a contact go slack: friction
+ * takes what that held. */
+static double let_go(const tp_spring_contacts *c, const tp_spring_contact *own) {
+  return c->shear_pa_m * own->area * own->sheared * own->sheared / 2;
 }
 
 /* Take in what is fresh, leave out what has ended. */
@@ -225,6 +232,7 @@ static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_bod
   long kept = 0;
   for (long k = 0; k < c->count; k++) {
     if (k < old && c->items[k].state != TP_CONTACT_HOLDS) {
+      forces->taken_by_friction += let_go(c, c->items + k);
       c->changed = true;
       continue;
     }

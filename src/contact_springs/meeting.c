@@ -19,7 +19,7 @@ static tp_xy negative(tp_xy v) {
 }
 
 static bool stands_above(double along, const tp_feature *piece, double grace) {
-  return along >= -grace && along <= piece->length + grace;
+  return along >= -(grace + piece->before) && along <= piece->length + piece->behind + grace;
 }
 
 static bool disc_on_straight(tp_meeting *m, const tp_feature *disc, const tp_feature *piece,

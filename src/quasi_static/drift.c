@@ -7,7 +7,8 @@
 
 /* Time is in units in which springs give way in some 1. Steps grow twofold, then fourfold and so
  * on, until one finds no balance and is cut to a quarter. */
-static const double first_step = 0.1, least_step = 1e-9, most_growth = 16;
+static const double first_step = 0.1, least_step = 1e-9, least_growth = 1.5, growth_grows = 1.25,
+                    most_growth = 16, cut = 0.25;
 
 /* At rest with forces out of balance below this share of the weight; a steady motion has more: its
  * tilt is beyond a limit by the tolerance of a path, 1e-10 at least. */
@@ -41,7 +42,8 @@ static bool is_steady(const tp_three *now, const tp_three *before, const tp_thre
 
 /* Without the drag, which is known only as well as a small motion beside a large displacement. */
 static bool is_at_rest(const tp_path_state *state, const drift *d, const tp_path_model *model) {
-  const tp_balance balance = {.model = model, .load = d->load, .slips = state->slips};
+  const tp_balance balance = {
+      .model = model, .lines = &state->lines, .load = d->load, .strains = state->strains};
   tp_imbalance at;
   tp_balance_at(&at, &balance, &state->pose, NULL);
   return tp_three_size(&at.force) <= at_rest + at.rounding;
@@ -70,13 +72,17 @@ static bool is_off(const tp_path_state *state, const tp_path_model *model, const
 
 /* One step, with which `time` grows or is cut; false: it was. */
 static bool advance(tp_path_state *state, drift *d, const tp_path_model *model) {
-  const tp_balance balance = {
-      .model = model, .load = d->load, .slips = state->slips, .over_time = d->time};
   const tp_path_frame frame = tp_path_state_frame(state, model);
+  tp_path_lines_set(&state->lines, model, &frame);
+  const tp_balance balance = {.model = model,
+                              .lines = &state->lines,
+                              .load = d->load,
+                              .strains = state->strains,
+                              .over_time = d->time};
   tp_path_pose next = tp_path_pose_in(&state->pose, &frame);
   if (!solve_step(&next, &balance, d)) {
-    d->time /= 4;
-    d->growth = 2;
+    d->time *= cut;
+    d->growth = least_growth;
     return false;
   }
   d->last_velocity = d->velocity;
@@ -85,14 +91,14 @@ static bool advance(tp_path_state *state, drift *d, const tp_path_model *model) 
   for (int k = 0; k < 3; k++) d->velocity.of[k] /= d->time;
   d->last_time = d->time;
   d->time *= d->growth;
-  d->growth = fmin(2 * d->growth, most_growth);
+  d->growth = fmin(growth_grows * d->growth, most_growth);
   tp_path_state_take(state, &next, &balance);
   return true;
 }
 
 tp_drift_end tp_path_drift(tp_path_state *to, tp_path_motion *motion, const tp_path_state *from,
                            const tp_path_model *model, double tilt) {
-  drift d = {.load = tp_path_load(model, tilt), .time = first_step, .growth = 2};
+  drift d = {.load = tp_path_load(model, tilt), .time = first_step, .growth = least_growth};
   tp_path_state_copy(to, from, model);
   to->tilt = tilt;
   for (int k = 0; k < MOST_STEPS && d.time > least_step; k++) {
@@ -101,7 +107,7 @@ tp_drift_end tp_path_drift(tp_path_state *to, tp_path_motion *motion, const tp_p
       return tp_path_state_solve(to, to, model, tilt, false) ? TP_DRIFT_RESTS : TP_DRIFT_UNDECIDED;
     }
     if (is_off(to, model, &d.velocity, &d.last_velocity, d.last_time) &&
-        tp_path_motion_of(motion, to, model, &d.velocity)) {
+        (tp_path_motion_of(motion, to, model, &d.velocity) || model->moves > 0)) {
       return TP_DRIFT_MOVES_OFF;
     }
   }

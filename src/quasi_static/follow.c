@@ -13,14 +13,15 @@
 
 #include <math.h>
 
-/* Steps of the tilt: half a degree at the most, so that what a facet does for so long is seen. */
-static const double longest_step = 8.7e-3;
+/* Steps of the tilt: some half a degree at the most, so that what a facet does for so long is seen.
+ */
+static const double longest_step = 1e-2;
 
 /* Steps grow again. */
 static const double growth = 2;
 
-/* Where a drift at the least tilt without an equilibrium stays undecided, at tilts beyond it: so
- * many times the distance, as often as this. */
+/* Where a drift stays undecided, at tilts beyond it: farther by so many times, as often as this. */
+static const double widening = 4;
 enum { MOST_WIDER = 8 };
 
 typedef struct follower {
@@ -73,23 +74,38 @@ static void foresee(follower *f) {
   }
 }
 
+/* Let go at `tilt`, where no equilibrium is near, or the first beyond it where what happens is sure:
+ * exactly at a limit nothing is. True: the block rests elsewhere, in `next`; else the path has
+ * ended. */
+static bool let_go(follower *f, double tilt) {
+  tp_path_result *result = f->result;
+  double beyond = fmax(tilt - f->now.tilt, f->settings->tolerance);
+  result->collapses_at = tilt;
+  for (int k = 0; k <= MOST_WIDER; k++) {
+    const tp_drift_end end = tp_path_drift(&f->next, &result->motion, &f->now, f->model, tilt);
+    if (end == TP_DRIFT_RESTS) return true;
+    if (end == TP_DRIFT_MOVES_OFF) {
+      result->end = TP_RUN_MOVES;
+      result->collapses_at = tilt;
+      f->memory = f->memory && tp_path_record_collapse(f->history, tilt, f->model);
+      return false;
+    }
+    tilt += beyond;
+    beyond *= widening;
+  }
+  result->end = TP_RUN_UNDECIDED;
+  return false;
+}
+
 /* The first angle: placed there without stress but what is locked in, and loaded at once. Loads in
  * proportion lead to states in proportion, so one step is exact. */
 static bool start(follower *f) {
   const double tilt = f->settings->from_angle;
   f->result->stands_to = tilt;
   f->result->solves++;
-  f->result->stood = true;
-  if (!tp_path_state_solve(&f->next, &f->now, f->model, tilt, false)) {
-    const tp_drift_end end = tp_path_drift(&f->next, &f->result->motion, &f->now, f->model, tilt);
-    f->result->stood = end == TP_DRIFT_RESTS;
-    if (end != TP_DRIFT_RESTS) {
-      f->result->end = end == TP_DRIFT_MOVES_OFF ? TP_RUN_MOVES : TP_RUN_UNDECIDED;
-      f->result->collapses_at = tilt;
-      f->memory = f->memory && tp_path_record_collapse(f->history, tilt, f->model);
-      return false;
-    }
-  }
+  f->result->stood = tp_path_state_solve(&f->next, &f->now, f->model, tilt, false) ||
+                     (let_go(f, tilt) && f->next.tilt == tilt);
+  if (f->result->end != TP_RUN_STANDS) return false;
   foresee(f);
   record_events(f, NULL, &f->next);
   accept(f);
@@ -97,31 +113,15 @@ static bool start(follower *f) {
   return f->memory;
 }
 
-/* The end of the path, found without an equilibrium near at `tilt`: collapse, unless the block
- * comes to rest elsewhere. */
+/* The block comes to rest elsewhere at a tilt without an equilibrium near, or the path ends. */
 static void give_way(follower *f, double tilt) {
-  tp_path_result *result = f->result;
-  double wider = tilt - f->now.tilt;
-  for (int k = 0; k < MOST_WIDER; k++, wider *= growth) {
-    const double at = f->now.tilt + wider;
-    const tp_drift_end end = tp_path_drift(&f->next, &result->motion, &f->now, f->model, at);
-    if (end == TP_DRIFT_UNDECIDED) continue;
-    if (end == TP_DRIFT_RESTS) {
-      if (result->jumps++ == 0) result->first_jump = at;
-      foresee(f);
-      record_events(f, &f->now, &f->next);
-      accept(f);
-      record_moment(f);
-      f->step = wider;
-      return;
-    }
-    result->end = TP_RUN_MOVES;
-    result->collapses_at = at;
-    f->memory = f->memory && tp_path_record_collapse(f->history, at, f->model);
-    return;
-  }
-  result->end = TP_RUN_UNDECIDED;
-  result->collapses_at = tilt;
+  if (!let_go(f, tilt)) return;
+  if (f->result->jumps++ == 0) f->result->first_jump = f->next.tilt;
+  foresee(f);
+  record_events(f, &f->now, &f->next);
+  f->step = f->next.tilt - f->now.tilt;
+  accept(f);
+  record_moment(f);
 }
 
 /* The next angle of the history, or the last one. */

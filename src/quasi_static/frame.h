@@ -22,8 +22,8 @@ typedef struct tp_path_frame {
 typedef struct tp_path_pose {
   tp_path_frame frame;
   tp_three moved;
-  tp_three since; /* the part of it since the last step in time: of a large displacement it would be
-                     lost as a difference */
+  tp_three since; /* the part of it in the step in hand: of a large displacement it would be lost as
+                     a difference */
 } tp_path_pose;
 
 /* How the displacement of a point along a direction depends on the coordinates; and how a force at

@@ -26,31 +26,39 @@ bool tp_path_state_init(tp_path_state *state, const tp_path_model *model, double
   *state =
       (tp_path_state){.tilt = tilt, .pose = {.frame = tp_path_frame_at(model->facets[0].from)}};
   state->facets = calloc((size_t)model->count, sizeof *state->facets);
-  state->slips = calloc((size_t)model->count, sizeof *state->slips);
-  if (state->facets == NULL || state->slips == NULL) {
+  state->strains = calloc((size_t)model->count, sizeof *state->strains);
+  state->lines.facets = calloc((size_t)model->count, sizeof *state->lines.facets);
+  if (state->facets == NULL || state->strains == NULL || state->lines.facets == NULL) {
     tp_path_state_clear(state);
     return false;
   }
   for (long k = 0; k < model->count; k++) {
-    state->slips[k] = model->facets[k].locked_shear / model->shear_ratio;
+    state->strains[k] = -model->facets[k].locked_shear / model->shear_ratio;
   }
   return true;
 }
 
 void tp_path_state_clear(tp_path_state *state) {
   free(state->facets);
-  free(state->slips);
+  free(state->strains);
+  free(state->lines.facets);
   memset(state, 0, sizeof *state);
 }
 
 void tp_path_state_copy(tp_path_state *to, const tp_path_state *from, const tp_path_model *model) {
-  tp_facet_state *facets = to->facets;
-  double *slips = to->slips;
-  memcpy(facets, from->facets, (size_t)model->count * sizeof *facets);
-  memcpy(slips, from->slips, (size_t)model->count * sizeof *slips);
+  const tp_path_state own = *to;
+  memcpy(own.facets, from->facets, (size_t)model->count * sizeof *own.facets);
+  memcpy(own.strains, from->strains, (size_t)model->count * sizeof *own.strains);
   *to = *from;
-  to->facets = facets;
-  to->slips = slips;
+  to->facets = own.facets;
+  to->strains = own.strains;
+  to->lines = own.lines;
+}
+
+/* A contact in a point is closed in part, but wholly in its point. */
+static double closed_share(const tp_path_state *state, const tp_path_model *model, long k) {
+  const double closed = state->facets[k].closed;
+  return model->facets[k].in_a_point ? closed * 0.99 : closed;
 }
 
 /* The facet that is closed the least, of those in part: where `beside` is given, at another point
@@ -58,8 +66,8 @@ void tp_path_state_copy(tp_path_state *to, const tp_path_state *from, const tp_p
 static long least_closed(const tp_path_state *state, const tp_path_model *model, long beside) {
   long least = -1;
   for (long k = 0; k < model->count; k++) {
-    const double closed = state->facets[k].closed;
-    if (!(closed > 0 && closed < (least < 0 ? 1 : state->facets[least].closed))) continue;
+    const double closed = closed_share(state, model, k);
+    if (!(closed > 0 && closed < (least < 0 ? 1 : closed_share(state, model, least)))) continue;
     if (beside >= 0) {
       const tp_xy to = tp_xy_minus(closed_end(state, model, k), closed_end(state, model, beside));
       const tp_xy normal = model->facets[k].normal;
@@ -106,7 +114,10 @@ static bool set_rate(tp_path_state *state, const tp_balance *balance) {
   tp_balance_at(&at, balance, &state->pose, state->facets);
   if (!tp_matrix_is_positive(&at.stiffness)) return false;
   const tp_three load = tp_path_load_rate(balance->model, state->tilt);
-  tp_three rate = tp_path_along(&state->pose.frame, (tp_xy){load.of[0], load.of[1]}, (tp_xy){0, 0});
+  tp_three rate;
+  for (int k = 0; k < 3; k++) {
+    rate.of[k] = load.of[0] * state->lines.x.of[k] + load.of[1] * state->lines.y.of[k];
+  }
   rate.of[2] += load.of[2];
   return tp_matrix_solve(&state->rate, &at.stiffness, &rate);
 }
@@ -115,7 +126,8 @@ void tp_path_state_take(tp_path_state *state, const tp_path_pose *pose, const tp
   tp_imbalance at;
   state->pose = *pose;
   tp_balance_at(&at, balance, pose, state->facets);
-  for (long k = 0; k < balance->model->count; k++) state->slips[k] = state->facets[k].slip;
+  state->pose.since = (tp_three){{0}};
+  for (long k = 0; k < balance->model->count; k++) state->strains[k] = state->facets[k].strain;
 }
 
 static double speed(const tp_path_state *state, const tp_path_frame *frame) {
@@ -136,16 +148,20 @@ static bool is_near(const tp_path_state *from, const tp_path_state *to) {
 
 bool tp_path_state_solve(tp_path_state *to, const tp_path_state *from, const tp_path_model *model,
                          double tilt, bool near) {
-  const tp_balance balance = {
-      .model = model, .load = tp_path_load(model, tilt), .slips = from->slips};
   const tp_path_frame frame = tp_path_state_frame(from, model);
   tp_path_pose pose = tp_path_pose_in(&from->pose, &frame);
+  tp_path_lines_set(&to->lines, model, &frame);
+  const tp_balance balance = {.model = model,
+                              .lines = &to->lines,
+                              .load = tp_path_load(model, tilt),
+                              .strains = from->strains};
   to->tilt = tilt;
   if (!tp_balance_solve(&pose, &to->imbalance, &balance)) return false;
   to->pose = pose;
   if (!set_rate(to, &balance)) return false;
   if (near && !is_near(from, to)) return false;
-  for (long k = 0; k < model->count; k++) to->slips[k] = to->facets[k].slip;
+  to->pose.since = (tp_three){{0}};
+  for (long k = 0; k < model->count; k++) to->strains[k] = to->facets[k].strain;
   return true;
 }
 
@@ -154,16 +170,13 @@ bool tp_path_state_solve(tp_path_state *to, const tp_path_state *from, const tp_
 bool tp_path_slip_goes_on(const tp_path_state *state, const tp_path_model *model, long k) {
   const tp_joint_facet *facet = model->facets + k;
   const tp_facet_state *at = state->facets + k;
-  const tp_path_frame *frame = &state->pose.frame;
-  const tp_three from = tp_path_along(frame, facet->normal, facet->from),
-                 to = tp_path_along(frame, facet->normal, facet->to),
-                 tangent = tp_path_along(frame, facet->tangent, facet->from);
+  const tp_facet_lines *lines = state->lines.facets + k;
   double closing = 0;
-  if (at->from_closed) closing -= tp_three_product(&from, &state->rate);
-  if (at->to_closed && !facet->in_a_point) closing -= tp_three_product(&to, &state->rate);
+  if (at->from_closed) closing -= tp_three_product(&lines->from, &state->rate);
+  if (at->to_closed && !facet->in_a_point) closing -= tp_three_product(&lines->to, &state->rate);
   const double stress_rate = facet->in_a_point ? closing : closing / 2;
   const double sign = at->shear == TP_FACET_SLIPS_ALONG ? 1 : -1;
-  const double shear_rate = sign * tp_three_product(&tangent, &state->rate);
+  const double shear_rate = sign * tp_three_product(&lines->tangent, &state->rate);
   const double elastic = facet->friction * stress_rate / model->shear_ratio;
   const double scale = fabs(shear_rate) + fabs(elastic);
   return shear_rate - elastic >= -1e-9 * scale;

@@ -13,8 +13,9 @@ typedef struct tp_path_state {
   tp_path_pose pose;
   double imbalance;
   tp_facet_state *facets;
-  double *slips; /* of the facets, as the next step takes them */
-  tp_three rate; /* of the pose by the tilt, in its frame */
+  double *strains;     /* of the facets' shear springs, as the next step takes them */
+  tp_path_lines lines; /* of the frame of the pose */
+  tp_three rate;       /* of the pose by the tilt, in its frame */
 } tp_path_state;
 
 /* Without displacement, the stresses those locked in. */
@@ -25,7 +26,7 @@ void tp_path_state_copy(tp_path_state *to, const tp_path_state *from, const tp_p
 /* A good frame for what comes next: where the two facets are that are the least closed. */
 tp_path_frame tp_path_state_frame(const tp_path_state *state, const tp_path_model *model);
 
-/* What the facets do at a pose, taken over with their slips. */
+/* What the facets do at a pose, taken over with their strains. */
 void tp_path_state_take(tp_path_state *state, const tp_path_pose *pose, const tp_balance *balance);
 
 /* The equilibrium at a tilt, near the one before; false: none is found. `near`: it must lie
