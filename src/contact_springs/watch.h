@@ -40,7 +40,11 @@ typedef struct tp_spring_watch {
   double begun_s;       /* when what is told began */
 } tp_spring_watch;
 
-typedef enum tp_spring_watch_news { TP_WATCH_NOTHING, TP_WATCH_COLLAPSES, TP_WATCH_QUIET } tp_spring_watch_news;
+typedef enum tp_spring_watch_news {
+  TP_WATCH_NOTHING,
+  TP_WATCH_COLLAPSES,
+  TP_WATCH_QUIET
+} tp_spring_watch_news;
 
 void tp_spring_watch_init(tp_spring_watch *watch, const tp_stepper *stepper);
 
