@@ -142,6 +142,23 @@ typedef struct tp_study_reliability {
   tp_study_rare importance, subset; /* sampling of rare events, where asked for */
 } tp_study_reliability;
 
+/* The design value of one number: put into the scene, with all other numbers as they stand there,
+ * it gives what samples have with the probability wanted; so one solve stands where so many samples
+ * do. */
+typedef struct tp_study_design {
+  size_t variable;            /* which of the variables */
+  double probability;         /* wanted: */
+  tp_study_quantity quantity; /* that this is not above `quantity_value` */
+  bool known;                 /* there is one */
+  double value, low, high; /* the number, with its interval of 95 %; an end may be infinite, where
+                              the samples, or the range, do not reach it */
+  bool low_is_safe;        /* of the interval, else the high one: there is less of the quantity */
+  double quantity_value;   /* of the scene with it */
+  double scene_value;      /* the number as it stands in the scene */
+  size_t calls;            /* scenes solved for it */
+  char *why;               /* where it is not known: plain; else NULL */
+} tp_study_design;
+
 /* A number that varies. */
 typedef struct tp_study_variable {
   TP_OUTSIDE char *key;                        /* the scene's */
@@ -203,6 +220,8 @@ typedef struct tp_study_result {
   tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
+  size_t design_count;              /* of the design values asked for; as reliability */
+  tp_study_design *designs;         /* as the study lists them */
   size_t step_count;                /* of the steps */
   tp_study_step *steps;             /* at each power of two from 16 on, and at the end */
   size_t bad_count;                 /* of the first invalid samples, 5 at most */

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LABEL = 30 };
+enum { LABEL = TP_STUDY_LABEL };
 
 /* ---- head --------------------------------------------------------------------------------------
  */
@@ -93,22 +93,6 @@ static void add_tilts(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "  %7.4g°  %.4f %.4f to %.4f   %.4f %.4f to %.4f %8zu\n", tilt->tilt_deg,
                 tilt->stands.share, tilt->stands.low, tilt->stands.high, tilt->moves.share,
                 tilt->moves.low, tilt->moves.high, neither);
-  }
-}
-
-/* Words between blanks, over lines of a terminal. */
-static void add_lines(tp_text *t, const char *words) {
-  enum { WIDTH = 76 };
-  char plain[1024];
-  tp_plain_text(plain, sizeof plain, words);
-  size_t used = 0;
-  for (const char *word = plain; *word != '\0';) {
-    const size_t length = strcspn(word, " ");
-    if (used > 0 && used + 1 + length > WIDTH) used = 0;
-    tp_text_add(t, "%s%.*s", used > 0 ? " " : "\n  ", (int)length, word);
-    used += length + (used > 0 ? 1 : 0);
-    word += length;
-    word += strspn(word, " ");
   }
 }
 
@@ -205,55 +189,6 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
   }
 }
 
-/* For the critical angle by moments, and both limits; not where none is known. */
-static void add_indices(tp_text *t, const tp_study_result *r) {
-  static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset", "limit", "factor"};
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (!r->variables[0].indices[q].known) continue;
-    tp_text_add(t, "\nSobol' indices, %-15s %20s %20s\n", labels[q], "first order", "total");
-    for (size_t k = 0; k < r->variable_count; k++) {
-      const tp_study_index *own = r->variables[k].indices + q;
-      tp_text_add(t, "  ");
-      tp_encode_column(t, r->variables[k].key, LABEL);
-      tp_text_add(t, " %6.3f %6.3f to %5.3f %6.3f %6.3f to %5.3f\n", own->first, own->first_low,
-                  own->first_high, own->total, own->total_low, own->total_high);
-    }
-  }
-}
-
-static void add_rare(tp_text *t, const char *label, const tp_study_rare *own) {
-  if (!own->asked) return;
-  if (own->known) {
-    tp_text_add(t, "  by %s: %.3g (%.3g to %.3g), %zu scenes solved\n", label, own->probability,
-                own->low, own->high, own->calls);
-  } else {
-    tp_text_add(t, "  by %s: no answer:", label);
-    add_lines(t, own->why);
-    tp_text_add(t, "\n");
-  }
-}
-
-static void add_reliability(tp_text *t, const tp_study_result *r) {
-  const tp_study_reliability *own = &r->reliability;
-  if (!own->known) return;
-  const tp_study_quantity quantity = own->quantity;
-  tp_text_add(t, "\nReliability of first order: %s not above %s\n",
-              tp_study_quantity_name(quantity), quantity == TP_STUDY_FOS ? "1" : "the tilt");
-  tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->calls);
-  if (own->converged) {
-    tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
-  }
-  add_rare(t, "samples around the design point", &own->importance);
-  add_rare(t, "subset simulation", &own->subset);
-  if (!own->converged) return;
-  tp_text_add(t, "  %-*s %14s %11s\n", LABEL, "", "design point", "importance");
-  for (size_t k = 0; k < r->variable_count; k++) {
-    tp_text_add(t, "  ");
-    tp_encode_column(t, r->variables[k].key, LABEL);
-    tp_text_add(t, " %14.6g %11.3f\n", r->variables[k].design_value, r->variables[k].importance);
-  }
-}
-
 static void add_steps(tp_text *t, const tp_study_result *r) {
   if (r->step_count < 2) return;
   tp_text_add(t, "\nCertain to move, as samples came in\n");
@@ -270,8 +205,8 @@ static void add_steps(tp_text *t, const tp_study_result *r) {
 static void add_bad(tp_text *t, const tp_study_result *r) {
   for (size_t k = 0; k < r->bad_count; k++) {
     tp_text_add(t, "%sInvalid sample %zu", k == 0 ? "\n" : "", r->bad[k].sample);
-    add_lines(t, r->bad[k].settings);
-    add_lines(t, r->bad[k].why);
+    tp_study_add_lines(t, r->bad[k].settings);
+    tp_study_add_lines(t, r->bad[k].why);
     tp_text_add(t, "\n");
   }
 }
@@ -297,8 +232,7 @@ tp_status tp_report_study(char **text, const tp_study_result *result) {
     add_spreads(&t, result);
     add_factors(&t, result);
     add_ranks(&t, result);
-    add_indices(&t, result);
-    add_reliability(&t, result);
+    tp_study_add_analyses(&t, result);
     add_steps(&t, result);
     add_bad(&t, result);
     add_foot(&t, result);

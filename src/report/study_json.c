@@ -161,6 +161,33 @@ static void add_reliability(tp_json *j, const tp_study_reliability *own) {
   tp_json_close(j);
 }
 
+static void add_design(tp_json *j, const tp_study_result *r, const tp_study_design *own) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_string(j, "key", r->variables[own->variable].key);
+  tp_json_double(j, "probability", own->probability);
+  tp_json_string(j, "quantity", tp_study_quantity_name(own->quantity));
+  tp_json_double(j, "scene_value", own->scene_value);
+  tp_json_truth(j, "known", own->known);
+  if (own->known) {
+    tp_json_double(j, "value", own->value);
+    tp_json_double(j, "low", own->low);
+    tp_json_double(j, "high", own->high);
+    tp_json_string(j, "safe", own->low_is_safe ? "low" : "high");
+    add_number(j, "quantity_value", own->quantity_value);
+  } else {
+    tp_json_string(j, "why", own->why);
+  }
+  tp_json_count(j, "scenes", own->calls);
+  tp_json_close(j);
+}
+
+static void add_designs(tp_json *j, const tp_study_result *r) {
+  if (r->design_count == 0) return;
+  tp_json_array(j, "design_values", TP_JSON_BLOCK);
+  for (size_t k = 0; k < r->design_count; k++) add_design(j, r, r->designs + k);
+  tp_json_close(j);
+}
+
 static void add_variable(tp_json *j, const tp_study_result *r, const tp_study_variable *own) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "key", own->key);
@@ -239,6 +266,7 @@ tp_status tp_report_study_json(char **text, const tp_study_result *result) {
     tp_json_count(&j, "sensitivity_samples", result->sensitivity_samples);
   }
   add_reliability(&j, &result->reliability);
+  add_designs(&j, result);
   add_steps(&j, result);
   add_bad(&j, result);
   tp_json_close(&j);

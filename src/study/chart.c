@@ -59,5 +59,8 @@ tp_status tp_chart_study_scatter(tp_chart **chart, const tp_study_result *result
     tp_chart_add_legend(own, tp_study_outcome_name((tp_study_outcome)k),
                         tp_study_chart_points((tp_study_outcome)k));
   }
+  bool known = false;
+  for (size_t k = 0; k < result->design_count; k++) known = known || result->designs[k].known;
+  if (known) tp_chart_add_legend(own, "design value", tp_study_design_line);
   return tp_chart_finish(own, chart, message);
 }

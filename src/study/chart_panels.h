@@ -34,6 +34,9 @@ void tp_study_tilt_name(char *text, size_t size, const tp_study_view *view, cons
 tp_chart_style tp_study_region(tp_study_outcome outcome);
 tp_chart_style tp_study_chart_points(tp_study_outcome outcome);
 
+/* A design value. */
+extern const tp_chart_style tp_study_design_line;
+
 /* The range of the numbers, a little wider; of one number alone wider all the same. */
 tp_chart_range tp_study_range(double least, double greatest);
 

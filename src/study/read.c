@@ -16,9 +16,10 @@
 enum { CHUNK = 100 };
 
 static tp_status read_version(const tp_study_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {"topple_study", "title",       "scene",       "samples",
-                                     "sampling",     "vary",        "tilts_deg",   "until",
-                                     "correlations", "sensitivity", "reliability", NULL};
+  static const char *const keys[] = {
+      "topple_study", "title",         "scene", "samples",      "sampling",
+      "vary",         "tilts_deg",     "until", "correlations", "sensitivity",
+      "reliability",  "design_values", NULL};
   const tp_node *node = tp_node_get(root, "topple_study");
   if (node == NULL) {
     return tp_study_fail(reader, root, "this is no study: 'topple_study: 1' is missing");
@@ -226,7 +227,8 @@ static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_study_read_plan(reader, root);
   if (status == TP_OK) status = read_tilts(reader, root);
   if (status == TP_OK) status = read_until(reader, root);
-  return status == TP_OK ? tp_study_read_analyses(reader, root) : status;
+  if (status == TP_OK) status = tp_study_read_analyses(reader, root);
+  return status == TP_OK ? tp_study_read_designs(reader, root) : status;
 }
 
 tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
@@ -261,6 +263,7 @@ void tp_study_free(tp_study *study) {
   free((void *)study->drawn_names);
   free(study->correlation);
   free(study->tilts);
+  free(study->designs);
   tp_scene_free(study->scene);
   free(study->scene_path);
   tp_node_free(study->root);

@@ -247,3 +247,19 @@ tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
   end(&n);
   return status;
 }
+
+tp_status tp_study_solve_with(tp_study_row *row, const tp_study *study, const tp_scene_key *key,
+                              double value, tp_message *message) {
+  fmpq number;
+  tp_scene_key own = *key;
+  numbers n = {
+      .keys = &own, .values = &number, .count = 2}; /* one, and the tilt, which is not set */
+  clear(row, 0, TP_STUDY_INVALID);
+  fmpq_init(&number);
+  const tp_status status =
+      put_number(&number, value)
+          ? solve_own(row, study, &n, message)
+          : refuse(row, "a number is outside of the range that a scene takes", message);
+  fmpq_clear(&number);
+  return status;
+}

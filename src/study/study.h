@@ -40,6 +40,15 @@ typedef struct tp_variable {
   char *file; /* that the numbers are read from, or NULL */
 } tp_variable;
 
+/* A design value that is asked for. */
+typedef struct tp_wanted_design {
+  size_t variable;
+  double probability;
+  tp_study_quantity quantity;
+  bool ranged; /* it is looked for there; else in the range of the samples */
+  double from, to;
+} tp_wanted_design;
+
 struct tp_study {
   char *path;
   tp_node *root;
@@ -62,7 +71,9 @@ struct tp_study {
   bool relies;                 /* reliability is asked for, */
   tp_study_quantity relied;    /* of that, */
   uint64_t importance, subset; /* with samples of rare events; 0: none */
-  uint64_t hash;               /* of the study, its scene and all files that they name */
+  size_t design_count;
+  tp_wanted_design *designs;
+  uint64_t hash; /* of the study, its scene and all files that they name */
 };
 
 /* The number of a variable in a cell, and that of one that is drawn. */

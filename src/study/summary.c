@@ -180,6 +180,8 @@ void tp_study_result_free(tp_study_result *result) {
     free(result->bad[k].settings);
     free(result->bad[k].why);
   }
+  for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
+  free(result->designs);
   free(result->variables);
   free(result->columns);
   free(result->bad);

@@ -226,6 +226,7 @@ class Schema(unittest.TestCase):
             (pathlib.Path(folder) / "never.yaml").write_text(  # no design point
                 "topple_study: 1\nscene: tilted.yaml\nsamples: 20\n\n"
                 "reliability: {quantity: limit_deg, importance: {samples: 20}, subset: {samples: 100}}\n"
+                "design_values: [{of: block.unit_weight_kn_m3, probability: 0.2}]\n"
                 "vary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n")
             self.prints("study", "--json", "never.yaml", folder=folder)
             found = self.prints("study", "--json", "study.yaml", folder=folder)

@@ -124,6 +124,24 @@ class StudyReliability(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class StudyDesign(Record):
+    """The design value of one number: with it, and all others as they stand in the scene, the quantity
+    is what samples have with the probability wanted; None where there is none, which `why` tells."""
+
+    variable: int  #: which of the variables
+    probability: float
+    quantity: StudyQuantity
+    value: float | None = field(when="known")
+    low: float | None = field(when="known")
+    high: float | None = field(when="known")
+    low_is_safe: bool | None = field(when="known")  #: else the high end of the interval
+    quantity_value: float | None = field(when="known")  #: of the scene with it
+    scene_value: float  #: the number as it stands in the scene
+    calls: int  #: scenes solved for it
+    why: str | None
+
+
+@dataclasses.dataclass(frozen=True)
 class StudyVariable(Record):
     """A number that varies."""
 
@@ -177,6 +195,7 @@ class StudyResult(Record):
     factors: tuple[StudyFactor, ...]  #: in the order of `FosDefinition`
     sensitivity_samples: int  #: of Sobol' indices; 0: none were asked for
     reliability: StudyReliability
+    designs: tuple[StudyDesign, ...] = field(count="design_count")
     steps: tuple[StudyStep, ...] = field(count="step_count")
     bad: tuple[StudyBad, ...] = field(count="bad_count")
     #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
