@@ -110,8 +110,9 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
 }
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
-  bool infinite = false;
-  if (r->kept == 0) return;
+  bool infinite = false, any = false;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->spreads[q].count > 0;
+  if (!any) return;
   tp_text_add(t, "\n%-22s", "Quantiles");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
     tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);

@@ -206,6 +206,23 @@ class Rows(StudyCase):
         self.assertEqual(self.study("study.yaml", "--csv", "full.csv"), whole)
         self.assertEqual((self.folder / "full.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
 
+    def test_ended_at_once(self):
+        """With the header, or some of it, and no word of progress: as a run leaves it that was killed, or found the disk full,
+        before its first chunk. It begins; by one byte more it is a file of somebody else."""
+        self.write("samples: 100\nvary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}}\n")
+        whole = self.study("study.yaml", "--rows", "rows.csv")
+        rows = (self.folder / "rows.csv").read_bytes()
+        header = rows[:rows.index(b"\n") + 1]
+        for begun in (b"", header[:1], header[:30], header):
+            (self.folder / "begun.csv").write_bytes(begun)
+            self.assertEqual(self.study("study.yaml", "--rows", "begun.csv"), whole)
+            self.assertEqual((self.folder / "begun.csv").read_bytes(), rows)
+            (self.folder / "begun.csv.progress").unlink()
+        for other in (header + b"0", b"x", header[:-1] + b"x\n", header[1:]):
+            (self.folder / "begun.csv").write_bytes(other)
+            self.assertIn("not the rows of a study", self.study("study.yaml", "--rows", "begun.csv", status=3))
+            self.assertEqual((self.folder / "begun.csv").read_bytes(), other)
+
     def test_until(self):
         """It stops at the end of a chunk, where one run and merged shards stop alike."""
         text = "samples: 5000\nvary: {friction_angle_deg: {normal: {mean: 25, deviation: 2}}}\n"
