@@ -43,6 +43,42 @@ class Rows(StudyCase):
             self.assertEqual((row["limit_mechanism"], row["first"], row["status"]),
                              (one["limit"]["mechanism"], one["first"]["mechanism"], "certain"))
 
+    def test_every_thousandth(self):
+        """Of 8000 samples of each way to draw, with numbers that make no scene among them: `solve --set` with the numbers of
+        the row says the same of it, number by number, or refuses it in the same words."""
+        number = {"inf": float("inf"), "-inf": float("-inf")}
+        invalid = 0
+        for method in ("monte_carlo", "latin_hypercube", "sobol"):
+            self.write(f"samples: 8000\nsampling: {{method: {method}, seed: 5}}\nvary:\n"
+                       "  friction_angle_deg: {lognormal: {mean: 30, deviation: 6}}\n"
+                       "  block.slab.width: {normal: {mean: 1, deviation: 0.6}}\n"
+                       "  block.slab.height: {uniform: {low: 1, high: 4}}\n")
+            self.study("study.yaml", "--rows", "rows.csv", "--restart")
+            rows = self.rows()
+            for row in rows[::1000] + [next(row for row in rows if row["status"] == "invalid")]:
+                words = [word for key, column in (("friction_angle_deg", "friction_angle_deg"), ("block.slab.width", "block.slab.width_m"),
+                                                  ("block.slab.height", "block.slab.height_m"))
+                         for word in ("--set", f"{key}={row[column]}")]
+                status, out, err = run("solve", "--json", "slab.yaml", *words, folder=self.folder)
+                if row["status"] == "invalid":
+                    said = row["why"].split(": ", 1)[1]  # behind the place in the file, which for a setting is its key
+                    self.assertIn("must be above zero", said)
+                    self.assertEqual((status, err.split(": ", 2)[2]), (3, said + "\n"))
+                    invalid += 1
+                    continue
+                one = json.loads(out)["cases"][0]
+                pivot = one["pivots"][one["toppling"]["pivot"]]
+                governing = one["governing_fos"]
+                for column, said in (("moments_deg", one["toppling"]["critical_angle_deg"]), ("pivot_x_m", pivot["x_m"]),
+                                     ("pivot_y_m", pivot["y_m"]), ("onset_deg", one["onset"]["critical_angle_deg"]),
+                                     ("limit_deg", one["limit"]["critical_angle_deg"]), ("fos", governing["fos"])):
+                    self.assertEqual(number.get(row[column]) or float(row[column]), said["value"], (row, column))
+                self.assertEqual([row[column] for column in ("outcome", "fos_mechanism", "fos_definition", "first",
+                                                             "limit_mechanism", "status")],
+                                 [one["mechanism"], governing["mechanism"], governing["definition"], one["first"]["mechanism"],
+                                  one["limit"]["mechanism"], "certain"])
+        self.assertGreaterEqual(invalid, 3)
+
     def test_header(self):
         """Every column says its unit: a length that of the scene, of a parameter too where it is lengths alone; the
         summary has them apart, and the axes of the scatter say them once."""
