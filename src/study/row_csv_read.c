@@ -107,6 +107,14 @@ static bool read_status(tp_study_row *row, const char **at) {
   return (invalid ? told : row->open || certain) && skip(at);
 }
 
+static bool read_measures(tp_study_row *row, const tp_study *study, const char **at) {
+  bool read = true;
+  for (size_t k = 0; k < study->measure_count && read; k++) {
+    read = read_number(row->measures + k, at);
+  }
+  return read;
+}
+
 bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study,
                        const char *line) {
   const char *at = line;
@@ -124,7 +132,8 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
          read_words(&row->first, &at) && read_number(q + TP_STUDY_MOMENTS_DEG, &at) &&
          read_number(&row->pivot_x_m, &at) && read_number(&row->pivot_y_m, &at) &&
          read_number(q + TP_STUDY_ONSET_DEG, &at) && read_number(q + TP_STUDY_LIMIT_DEG, &at) &&
-         read_words(&row->limit_mechanism, &at) && read_tilts(row, study, &at);
+         read_words(&row->limit_mechanism, &at) && read_tilts(row, study, &at) &&
+         read_measures(row, study, &at);
   if (!read) return false;
   row->at[0].fos = q[TP_STUDY_FOS];
   if (!read_status(row, &at)) return false;

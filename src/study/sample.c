@@ -100,13 +100,6 @@ typedef struct numbers {
   size_t tilts;
 } numbers;
 
-static bool put_number(fmpq_t value, double number) {
-  char text[TP_SHORTEST_SIZE];
-  const char *problem = NULL;
-  tp_study_shortest(text, number);
-  return tp_ratio_read_field(value, text, strlen(text), &problem);
-}
-
 /* To be ended also on failure. */
 static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_message *message) {
   const size_t count = study->variable_count + 1;
@@ -124,7 +117,7 @@ static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_messa
   for (size_t k = 0; k < study->variable_count; k++) n->keys[k] = study->variables[k].key;
   n->keys[count - 1] = study->tilt_key;
   for (size_t k = 0; k < tilts; k++) {
-    if (put_number(n->degrees + k, study->tilts[k])) continue;
+    if (tp_study_exact(n->degrees + k, study->tilts[k])) continue;
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "a tilt is no number");
   }
   return TP_OK;
@@ -217,7 +210,7 @@ tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
   clear(row, tilts, TP_STUDY_INVALID);
   tp_status status = start(&n, study, tilts, message);
   for (size_t k = 0; k < study->variable_count && status == TP_OK && row->why == NULL; k++) {
-    if (!put_number(n.values + k, row->values[k])) {
+    if (!tp_study_exact(n.values + k, row->values[k])) {
       status = refuse(row, "a number is outside of the range that a scene takes", message);
     }
   }
@@ -240,7 +233,7 @@ tp_status tp_study_solve_with(tp_study_row *row, const tp_study *study, const tp
   clear(row, 0, TP_STUDY_INVALID);
   fmpq_init(&number);
   const tp_status status =
-      put_number(&number, value)
+      tp_study_exact(&number, value)
           ? solve_own(row, study, &n, message)
           : refuse(row, "a number is outside of the range that a scene takes", message);
   fmpq_clear(&number);
