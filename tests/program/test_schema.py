@@ -207,7 +207,7 @@ class Schema(unittest.TestCase):
             self.prints("profile", "--json", "steep.csv", folder=folder)
 
     def test_2_study(self):
-        for name in ("slab", "block_above_road"):
+        for name in ("slab", "block_above_road", "rough_base"):
             self.prints("study", "--json", ROOT / "examples" / "studies" / f"{name}_study.yaml")
         with tempfile.TemporaryDirectory() as folder:  # a scene without a tilt, some samples of which there is none
             (pathlib.Path(folder) / "scene.yaml").write_text(
