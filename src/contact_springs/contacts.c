@@ -106,18 +106,23 @@ static void add_force(tp_spring_forces *forces, const tp_spring_contact *own) {
   forces->sum.moment_nm += tp_xy_cross(own->lever, force);
 }
 
+static double within(double value, double most) {
+  return value > most ? most : value < -most ? -most : value;
+}
+
 /* Both springs, Coulomb's limit, and what friction took: the mean of its force times the slip. */
 static void load(tp_spring_contact *own, tp_spring_forces *forces, const tp_spring_contacts *c,
                  double closer, double sheared_more) {
   const double normal = c->normal_pa_m * own->area, shear = c->shear_pa_m * own->area;
   const double overlap = -own->now.gap, resisted = c->normal_dashpot * closer;
-  own->normal_n = fmax(0, normal * (overlap + resisted));
+  const double pressed = normal * (overlap + resisted);
+  own->normal_n = pressed > 0 ? pressed : 0;
   const double before = own->sheared, trial = before + sheared_more;
   const double most = own->friction * own->normal_n / shear;
-  own->sheared = fmax(-most, fmin(trial, most));
+  own->sheared = within(trial, most);
   const double slip = trial - own->sheared;
   const double resisted_shear = c->shear_dashpot * (own->sheared - before);
-  own->shear_n = -shear * fmax(-most, fmin(own->sheared + resisted_shear, most));
+  own->shear_n = -shear * within(own->sheared + resisted_shear, most);
   own->slipped += fabs(slip);
   forces->taken_by_friction += shear * (before + own->sheared) / 2 * slip;
   forces->taken_by_dashpots += normal * resisted * closer;
@@ -193,7 +198,8 @@ static tp_spring_contact begin(tp_spring_contacts *c, const tp_fresh_contact *fr
     own.area = before->area;
     own.sheared = before->sheared;
     own.slipped = before->slipped;
-    before->state = TP_CONTACT_OPENED; /* it has its heir */
+    before->sheared = 0; /* it has its heir */
+    before->state = TP_CONTACT_OPENED;
   } else {
     own.area = c->thickness_m * tp_tributary_length(&c->of_block, fresh->pair.of_block, &c->of_base,
                                                     fresh->pair.of_base, &placing,
@@ -205,6 +211,12 @@ static tp_spring_contact begin(tp_spring_contacts *c, const tp_fresh_contact *fr
   const tp_xy velocity = tp_xy_plus(state->speed, state->turning, tp_xy_left(own.lever));
   own.closing_m_s = fmax(0, -tp_xy_dot(velocity, own.now.normal));
   return own;
+}
+
+/* As its normal force goes, Coulomb's limit lets the shear spring of a contact go slack: friction
+ * takes what that held. */
+static double let_go(const tp_spring_contacts *c, const tp_spring_contact *own) {
+  return c->shear_pa_m * own->area * own->sheared * own->sheared / 2;
 }
 
 /* Take in what is fresh, leave out what has ended. */
@@ -225,6 +237,7 @@ static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_bod
   long kept = 0;
   for (long k = 0; k < c->count; k++) {
     if (k < old && c->items[k].state != TP_CONTACT_HOLDS) {
+      forces->taken_by_friction += let_go(c, c->items + k);
       c->changed = true;
       continue;
     }

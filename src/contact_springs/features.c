@@ -48,11 +48,15 @@ static tp_xy direction_at(const tp_edge *edge, bool end) {
   return edge->inwards ? scaled(left, -1) : left;
 }
 
+/* A concave corner that turns by less than this sine is passed from edge to edge. */
+static const double least_notch = 0.01;
+
 /* How a vertex turns, and what rounding takes of the edges at it. */
 typedef struct corner {
   tp_xy in, out; /* directions of the boundary before and behind it */
   bool convex;
   double radius, taken; /* taken: of both edges, from the vertex to the tangent points */
+  double added;         /* to both, of a notch: a disc of the radius is clear of the one there */
 } corner;
 
 static double edge_length(const tp_edge *edge) {
@@ -66,7 +70,12 @@ static corner corner_between(const tp_edge *before, const tp_edge *after, double
   corner c = {.in = direction_at(before, true), .out = direction_at(after, false)};
   const double sine = tp_xy_cross(c.in, c.out), cosine = tp_xy_dot(c.in, c.out);
   c.convex = sine > smooth_turn || (cosine < 0 && sine > 0);
-  if (!c.convex) return c;
+  if (!c.convex) {
+    enum { CLEAR_RADII = 4 };
+    const double size = cosine < 0 ? 1 : -sine;
+    c.added = size > least_notch ? CLEAR_RADII * radius / size : 0;
+    return c;
+  }
   const double half_tangent = sine / (1 + cosine); /* of half the turn */
   const double most = fmin(edge_length(before), edge_length(after)) / LEAST_SHARE;
   c.taken = fmin(radius * half_tangent, most);
@@ -87,6 +96,8 @@ static tp_feature straight(const tp_edge *edge, const corner *begin, const corne
                       .tangent = tangent,
                       .normal = outwards(tangent),
                       .length = edge_length(edge) - first - last,
+                      .before = begin->added,
+                      .behind = end->added,
                       .facet = edge->number};
 }
 
@@ -111,7 +122,8 @@ static tp_feature rounded(const tp_edge *before, const tp_edge *after, const cor
                       .last = outwards(c->out),
                       .slack_first = before->arc ? 0 : slack_beside_straight,
                       .slack_last = after->arc ? 0 : slack_beside_straight,
-                      .facet = before->number};
+                      /* at an end of the base that of its profile's, not the end face's */
+                      .facet = before->number != 0 ? before->number : after->number};
 }
 
 bool tp_features_init(tp_features *features, const tp_boundary *boundary, double radius_m,

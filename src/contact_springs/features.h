@@ -5,7 +5,9 @@
  *
  * Every convex corner is rounded by a small radius: it is a disc that both its edges are tangents
  * of, and the edges end where they touch it. An arc outwards is a disc too, as far as it reaches;
- * an arc inwards is a hollow. Concave corners touch nothing. A disc meets a straight piece where
+ * an arc inwards is a hollow. Concave corners touch nothing; the
+ * edges in one go on into the rock there, so that a disc which presses into both does not leave one
+ * of them with a leap. A disc meets a straight piece where
  * its centre stands above that, and another disc where each lies within the reach of the other, so
  * that a contact that runs along a boundary goes from feature to feature without a leap. */
 
@@ -22,14 +24,14 @@ typedef enum tp_feature_kind {
 
 typedef struct tp_feature {
   tp_feature_kind kind;
-  tp_xy from, tangent, normal; /* of a straight piece; the normal points out of the rock */
-  double length;
+  tp_xy from, tangent, normal;   /* of a straight piece; the normal points out of the rock */
+  double length, before, behind; /* it reaches farther by these in concave corners */
   tp_xy centre;
   double radius;
   tp_xy first, last; /* directions from the centre between which it reaches, counter-clockwise */
   double slack_first, slack_last; /* sines by which it reaches farther beside a straight piece */
   double friction;                /* tan(phi); of a disc the lesser one of its edges */
-  long facet;                     /* of the base, from 1; of a disc that of the edge before it */
+  long facet;                     /* of the base, from 1; of a disc that of an edge beside it */
 } tp_feature;
 
 typedef struct tp_features {

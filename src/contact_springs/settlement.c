@@ -32,33 +32,34 @@ static double smooth(double x) {
 static bool step(tp_stepper *s, double share, bool *failed) {
   *failed = !tp_stepper_evaluate(s);
   if (*failed) return false;
-  s->step_s = share * tp_stepper_stable_step(s);
+  if (s->contacts.changed) s->step_s = share * tp_stepper_stable_step(s);
   tp_stepper_advance(s);
   return true;
-}
-
-/* Grow the loads, then wait until the block is quiet. */
-static bool comes_to_rest(tp_stepper *s, double growth_s, double share, bool *failed) {
-  while (s->time_s < growth_s) {
-    s->load_share = smooth(s->time_s / growth_s);
-    if (!step(s, share, failed)) return false;
-  }
-  s->load_share = 1;
-  tp_spring_watch watch;
-  tp_spring_watch_init(&watch, s->body, s->time_s);
-  const double longest = s->time_s + LONGEST * sqrt(s->body->extent_m / TP_GRAVITY_M_S2);
-  tp_spring_watch_news news = TP_WATCH_NOTHING;
-  while (news == TP_WATCH_NOTHING && s->time_s < longest) {
-    if (!step(s, share, failed)) return false;
-    news = tp_spring_watch_step(&watch, s);
-  }
-  return news == TP_WATCH_QUIET;
 }
 
 static bool has_moved(const tp_stepper *s, const tp_body_state *start) {
   const tp_xy moved = tp_xy_minus(s->state.moved, start->moved);
   const double turned = fabs(s->state.turned - start->turned) * s->body->extent_m;
-  return hypot(moved.x, moved.y) + turned > most_moved_share * s->body->extent_m;
+  return fabs(moved.x) + fabs(moved.y) + turned > most_moved_share * s->body->extent_m;
+}
+
+/* Grow the loads, then wait until the block is quiet. */
+static bool comes_to_rest(tp_stepper *s, const tp_body_state *start, double growth_s, double share,
+                          bool *failed) {
+  while (s->time_s < growth_s) {
+    s->load_share = smooth(s->time_s / growth_s);
+    if (!step(s, share, failed) || has_moved(s, start)) return false;
+  }
+  s->load_share = 1;
+  tp_spring_watch watch;
+  tp_spring_watch_init(&watch, s);
+  const double longest = s->time_s + LONGEST * sqrt(s->body->extent_m / TP_GRAVITY_M_S2);
+  tp_spring_watch_news news = TP_WATCH_NOTHING;
+  while (news == TP_WATCH_NOTHING && s->time_s < longest) {
+    if (!step(s, share, failed) || has_moved(s, start)) return false;
+    news = tp_spring_watch_step(&watch, s);
+  }
+  return news == TP_WATCH_QUIET;
 }
 
 static void let_settle(tp_stepper *s, bool *settled, bool *failed, const tp_body_state *start,
@@ -69,8 +70,9 @@ static void let_settle(tp_stepper *s, bool *settled, bool *failed, const tp_body
   *settled = false;
   if (period == 0) return;
   s->drive = &held;
+  s->step_s = share * tp_stepper_stable_step(s);
   s->damping = settling_damping;
-  *settled = comes_to_rest(s, PERIODS_OF_GROWTH * period, share, failed) && !has_moved(s, start);
+  *settled = comes_to_rest(s, start, PERIODS_OF_GROWTH * period, share, failed);
   s->drive = drive;
   s->damping = damping;
 }

@@ -11,7 +11,7 @@
 
 /* Of the longest stable step: where none is given, and the most that may be given, as the bound is
  * sharp for a single contact. */
-static const double share_chosen = 0.2;
+static const double share_chosen = 0.1;
 
 /* Rounded corners are points of the block: the radius is below this share of its extent. */
 static const double most_rounding_share = 0.01;
@@ -157,8 +157,7 @@ static bool take_news(running *r, tp_spring_watch_news news, tp_run_end *end) {
   bool done = true, ends = false;
   if (news == TP_WATCH_COLLAPSES && !r->collapsed) {
     r->collapsed = r->ever_collapsed = true;
-    done = tp_spring_record_block(&r->record, s, TP_EVENT_COLLAPSES,
-                                  s->time_s - tp_spring_watch_delay_s(&r->watch));
+    done = tp_spring_record_block(&r->record, s, TP_EVENT_COLLAPSES, fmax(0, r->watch.begun_s));
     if (r->run->until_collapse) *end = TP_RUN_MOVES, ends = true;
   }
   if (news == TP_WATCH_QUIET) {
@@ -218,7 +217,7 @@ static bool begin(running *r) {
   s->step_s = r->settings->time_step_s;
   if (s->step_s == 0) s->step_s = share_chosen * tp_stepper_stable_step(s);
   tp_stepper_put_back(s);
-  tp_spring_watch_init(&r->watch, r->run->body, 0);
+  tp_spring_watch_init(&r->watch, s);
   r->observed_every_s = r->watch.window_s / OBSERVATIONS;
   return tp_spring_record_init(&r->record, r->run, s);
 }

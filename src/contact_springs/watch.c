@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-enum { WINDOWS = 16, GROWING_WINDOWS = 16, RESTING_WINDOWS = 4 };
+enum { WINDOWS = 16, GROWING_WINDOWS = 16, RESTING_WINDOWS = 4, DRIFTING_TIMES = 2 };
 
 /* Shares of the weight, and of the weight times the extent. */
 static const double no_force = 1e-7, no_energy = 1e-14;
@@ -18,11 +18,47 @@ static const double kept_force = 0.8;
  * rest, so that what slides already counts. */
 static const double growth = 1 + 1e-4;
 
-void tp_spring_watch_init(tp_spring_watch *w, const tp_rigid_body *body, double time_s) {
+/* What moves on keeps so much of its displacement; of the extent, and of what the springs give for
+ * each radian of tilt, it is at least so much. */
+static const double kept_drift = 0.95, least_drift = 1e-7, least_gives = 100;
+
+static tp_drift place_of(const tp_stepper *s) {
+  return (tp_drift){s->state.moved.x, s->state.moved.y, s->state.turned * s->body->extent_m};
+}
+
+/* All contacts of the start sheared by the weight. */
+static double give(const tp_stepper *s) {
+  double area = s->contacts.least_area_m2;
+  for (long k = 0; k < s->body->closed_count; k++) {
+    area += s->body->closed[k].share_m * s->body->thickness_m;
+  }
+  return s->body->mass_kg * TP_GRAVITY_M_S2 / (area * s->contacts.shear_pa_m);
+}
+
+void tp_spring_watch_init(tp_spring_watch *w, const tp_stepper *s) {
+  const tp_rigid_body *body = s->body;
   *w = (tp_spring_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
                          .extent_m = body->extent_m,
-                         .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS};
-  w->window_end_s = time_s + w->window_s;
+                         .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
+                         .from = place_of(s),
+                         .angle = tp_drive_angle(s->drive, s->time_s),
+                         .give_m = give(s)};
+  w->window_end_s = s->time_s + w->window_s;
+}
+
+/* After sixteen windows: did it move on as in the sixteen before? */
+static void judge_drift(tp_spring_watch *w, const tp_stepper *s) {
+  const tp_drift at = place_of(s), last = w->last_drift;
+  const tp_drift now = {at.x - w->from.x, at.y - w->from.y, at.turned - w->from.turned};
+  const double angle = tp_drive_angle(s->drive, s->time_s);
+  const double least = least_drift * w->extent_m + least_gives * w->give_m * fabs(angle - w->angle);
+  const double along = now.x * last.x + now.y * last.y + now.turned * last.turned;
+  const double square = last.x * last.x + last.y * last.y + last.turned * last.turned;
+  const bool moves_on = square > least * least && along >= kept_drift * square;
+  w->drifting = moves_on ? w->drifting + 1 : 0;
+  w->from = at;
+  w->last_drift = now;
+  w->angle = angle;
 }
 
 static double product(tp_body_force f, tp_body_force g) {
@@ -40,9 +76,14 @@ static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, doubl
   w->resting = none ? w->resting + 1 : 0;
   w->last_force = force;
   w->last_kinetic = kinetic;
+  if (++w->windows % WINDOWS == 0) judge_drift(w, stepper);
   if (stepper->drive->shaking != NULL && !stepper->steady) return TP_WATCH_NOTHING;
   if (w->resting >= RESTING_WINDOWS) return TP_WATCH_QUIET;
-  return w->growing >= GROWING_WINDOWS ? TP_WATCH_COLLAPSES : TP_WATCH_NOTHING;
+  const bool grew = w->growing >= GROWING_WINDOWS;
+  if (!grew && w->drifting < DRIFTING_TIMES) return TP_WATCH_NOTHING;
+  const double windows = grew ? GROWING_WINDOWS : (DRIFTING_TIMES + 1) * WINDOWS;
+  w->begun_s = stepper->time_s - windows * w->window_s;
+  return TP_WATCH_COLLAPSES;
 }
 
 tp_spring_watch_news tp_spring_watch_step(tp_spring_watch *w, const tp_stepper *s) {
@@ -60,8 +101,4 @@ tp_spring_watch_news tp_spring_watch_step(tp_spring_watch *w, const tp_stepper *
   *own = (tp_spring_watch_window){0};
   w->window_end_s += w->window_s;
   return judge(w, force, kinetic, s);
-}
-
-double tp_spring_watch_delay_s(const tp_spring_watch *w) {
-  return GROWING_WINDOWS * w->window_s;
 }

@@ -6,10 +6,12 @@
  * far faster, so that they drop out.
  *
  * It collapses where through sixteen windows one after the other the kinetic energy grew and the
- * unbalanced force neither fell nor turned; no displacement counts. It is quiet where the
+ * unbalanced force neither fell nor turned; or where in three times sixteen windows it moved on in
+ * one direction by no less each time, as a block does that slides under strong damping, and by more
+ * than springs give as the table tilts. No displacement alone counts. It is quiet where the
  * unbalanced force and the kinetic energy are as good as none, next to the weight and the weight
- * times the extent, through four: it rests, where its drive is steady. While the base is shaken
- * neither is told. */
+ * times the extent, through four windows: it rests, where its drive is steady. While the base is
+ * shaken neither is told. */
 
 #ifndef TP_SPRING_WATCH_H
 #define TP_SPRING_WATCH_H
@@ -21,12 +23,21 @@ typedef struct tp_spring_watch_window {
   double x_n, y_n, moment_nm, kinetic; /* sums over its steps */
 } tp_spring_watch_window;
 
+/* A displacement of the block: its turn times the extent, m. */
+typedef struct tp_drift {
+  double x, y, turned;
+} tp_drift;
+
 typedef struct tp_spring_watch {
   double weight_n, extent_m, window_s, window_end_s;
   tp_spring_watch_window window;
   tp_body_force last_force; /* means of the window before: over weight and weight x extent */
   double last_kinetic;
-  long growing, resting; /* windows in a row */
+  long growing, resting;  /* windows in a row */
+  long windows, drifting; /* all windows; sixteens of them in which it moved on */
+  tp_drift from, last_drift;
+  double angle, give_m; /* of the table then; how far springs give under the weight, about */
+  double begun_s;       /* when what is told began */
 } tp_spring_watch;
 
 typedef enum tp_spring_watch_news {
@@ -35,12 +46,9 @@ typedef enum tp_spring_watch_news {
   TP_WATCH_QUIET
 } tp_spring_watch_news;
 
-void tp_spring_watch_init(tp_spring_watch *watch, const tp_rigid_body *body, double time_s);
+void tp_spring_watch_init(tp_spring_watch *watch, const tp_stepper *stepper);
 
 /* After each step; news only at the end of a window. */
 tp_spring_watch_news tp_spring_watch_step(tp_spring_watch *watch, const tp_stepper *stepper);
-
-/* How long a collapse has gone on when it is told. */
-double tp_spring_watch_delay_s(const tp_spring_watch *watch);
 
 #endif

@@ -28,22 +28,10 @@ static tp_xy turn(const turned *block, tp_xy a) {
   return (tp_xy){block->cosine * a.x - block->sine * a.y, block->sine * a.x + block->cosine * a.y};
 }
 
-/* A rounded corner met in a direction: where its normals end it is sharp there. */
-typedef struct met {
-  tp_xy centre; /* as seen from its own body */
-  double radius;
-} met;
-
-static met meet(const tp_round_corner *corner, double direction, tp_gap *gap) {
-  const double own = tp_normal_range_margin(corner->range, direction);
-  if (corner->radius == 0) {
-    gap->cone_margin = fmin(gap->cone_margin, own);
-    return (met){corner->centre, 0};
-  }
-  gap->arc_margin = fmin(gap->arc_margin, own);
-  if (own >= 0) return (met){corner->centre, corner->radius};
-  const double end = tp_normal_range_nearest(corner->range, direction);
-  return (met){plus(corner->centre, corner->radius, (tp_xy){cos(end), sin(end)}), 0};
+/* By how much a direction, as its body sees it, lies between the normals of a corner. */
+static void meet(tp_gap *gap, const tp_round_corner *corner, double direction) {
+  double *margin = corner->radius == 0 ? &gap->cone_margin : &gap->arc_margin;
+  *margin = fmin(*margin, tp_normal_range_margin(corner->range, direction));
 }
 
 static void set_rows(tp_gap *gap, const turned *block) {
@@ -65,11 +53,11 @@ static double within(const tp_contact_face *face, tp_xy foot) {
 static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
                                const tp_contact_face *face, const turned *block) {
   const tp_xy n = face->normal;
-  const met own = meet(corner, atan2(-n.y, -n.x) - block->angle, gap);
-  const tp_xy d = turn(block, own.centre), c = plus(block->centroid, 1, d);
+  const tp_xy d = turn(block, corner->centre), c = plus(block->centroid, 1, d);
   gap->normal = n;
-  gap->width = dot(plus(c, -1, face->from), n) - own.radius;
-  gap->at = plus(c, -own.radius, n);
+  meet(gap, corner, atan2(-n.y, -n.x) - block->angle);
+  gap->width = dot(plus(c, -1, face->from), n) - corner->radius;
+  gap->at = plus(c, -corner->radius, n);
   gap->margin = within(face, gap->at);
   set_rows(gap, block);
   gap->across_rate = -block->turning * block->turning * dot(d, n);
@@ -79,13 +67,13 @@ static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
 static void straight_on_corner(tp_gap *gap, const tp_contact_face *face,
                                const tp_round_corner *corner, const turned *block) {
   const tp_xy out = turn(block, face->normal), n = {-out.x, -out.y};
-  const met own = meet(corner, atan2(n.y, n.x), gap);
-  const tp_xy d = plus(own.centre, -1, block->centroid);
+  const tp_xy d = plus(corner->centre, -1, block->centroid);
   const tp_xy from_face = plus(d, -1, turn(block, face->from));
   const double w = block->turning;
   gap->normal = n;
-  gap->width = dot(from_face, out) - own.radius;
-  gap->at = plus(own.centre, own.radius, n);
+  meet(gap, corner, atan2(n.y, n.x));
+  gap->width = dot(from_face, out) - corner->radius;
+  gap->at = plus(corner->centre, corner->radius, n);
   const double foot = dot(from_face, turn(block, face->along));
   gap->margin = fmin(foot, face->length - foot);
   set_rows(gap, block);
@@ -123,15 +111,14 @@ static void arc_on_arc(tp_gap *gap, const arcs *a, const turned *block) {
 
 static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
                              const tp_contact_face *face, const turned *block) {
-  tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
-  tp_xy out = plus(c, -1, face->centre);
-  const met own = meet(corner, atan2(out.y, out.x) - block->angle, gap);
-  c = plus(block->centroid, 1, turn(block, own.centre));
-  out = plus(c, -1, face->centre);
-  gap->margin = tp_normal_range_margin(face->range, atan2(out.y, out.x)) * face->radius;
-  const arcs a = {.block = own.centre,
+  const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
+  const tp_xy out = plus(c, -1, face->centre);
+  const double direction = atan2(out.y, out.x);
+  meet(gap, corner, direction - block->angle);
+  gap->margin = tp_normal_range_margin(face->range, direction) * face->radius;
+  const arcs a = {.block = corner->centre,
                   .base = face->centre,
-                  .block_radius = own.radius,
+                  .block_radius = corner->radius,
                   .base_radius = face->radius,
                   .hollow_base = true};
   arc_on_arc(gap, &a, block);
@@ -140,36 +127,33 @@ static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
 static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
                              const tp_round_corner *corner, const turned *block) {
   const tp_xy c = plus(block->centroid, 1, turn(block, face->centre));
-  tp_xy out = plus(corner->centre, -1, c);
-  const met own = meet(corner, atan2(out.y, out.x), gap);
-  out = plus(own.centre, -1, c);
-  gap->margin =
-      tp_normal_range_margin(face->range, atan2(out.y, out.x) - block->angle) * face->radius;
+  const tp_xy out = plus(corner->centre, -1, c);
+  const double direction = atan2(out.y, out.x);
+  meet(gap, corner, direction);
+  gap->margin = tp_normal_range_margin(face->range, direction - block->angle) * face->radius;
   const arcs a = {.block = face->centre,
-                  .base = own.centre,
+                  .base = corner->centre,
                   .block_radius = face->radius,
-                  .base_radius = own.radius,
+                  .base_radius = corner->radius,
                   .hollow_block = true};
   arc_on_arc(gap, &a, block);
 }
 
-/* Where both end sharp they do not face each other. */
 static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
                              const tp_round_corner *base, const turned *block) {
   const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
-  tp_xy out = plus(c, -1, base->centre);
-  const met under = meet(base, atan2(out.y, out.x), gap);
-  out = plus(c, -1, under.centre);
-  const met own = meet(corner, atan2(-out.y, -out.x) - block->angle, gap);
-  gap->margin = own.radius + under.radius > 0 ? INFINITY : -1;
-  const arcs a = {.block = own.centre,
-                  .base = under.centre,
-                  .block_radius = own.radius,
-                  .base_radius = under.radius};
+  const tp_xy out = plus(c, -1, base->centre);
+  meet(gap, base, atan2(out.y, out.x));
+  meet(gap, corner, atan2(-out.y, -out.x) - block->angle);
+  const arcs a = {.block = corner->centre,
+                  .base = base->centre,
+                  .block_radius = corner->radius,
+                  .base_radius = base->radius};
   arc_on_arc(gap, &a, block);
 }
 
-tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_state *state) {
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+                 const tp_motion_state *state) {
   const double angle = state->place[2];
   const turned block = {.sine = sin(angle),
                         .cosine = cos(angle),
@@ -197,8 +181,8 @@ tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_s
 }
 
 bool tp_gap_faces(const tp_gap *gap) {
-  const double slack = TP_FACE_SLACK;
-  return gap->margin >= -slack && (gap->margin > slack || gap->cone_margin >= -slack);
+  const double within = fmin(gap->margin, gap->arc_margin);
+  return within >= -TP_FACE_SLACK && (within > TP_FACE_SLACK || gap->cone_margin >= -TP_FACE_SLACK);
 }
 
 bool tp_pair_is(const tp_pair *a, const tp_pair *b) {

@@ -49,24 +49,25 @@ typedef struct tp_gap {
   double width;  /* below 0: the parts lie in each other, where they do face each other */
   double margin; /* by how much the contact lies within both parts; below 0: they do not face each
                     other */
+  double arc_margin;  /* the same of the normals of rounded corners, radians; INFINITY: none */
   double cone_margin; /* by how much the normal lies between those of a sharp corner's edges,
                          radians; INFINITY: no sharp corner. Below 0 at the end of a face the two
                          pass each other. */
-  double arc_margin;  /* the same of the normals of rounded corners, radians; INFINITY: none */
   tp_xy normal, tangent, at; /* `at` from the base's origin */
   double across[3], along[3];
   double across_rate, along_rate;
   long base_edges[2]; /* at the contact: before and behind it along the base; equal on a face */
 } tp_gap;
 
-typedef struct tp_shapes {
-  tp_shape block, base;
-} tp_shapes;
+typedef struct tp_contact_shapes {
+  tp_contact_shape block, base;
+} tp_contact_shapes;
 
-tp_gap tp_gap_at(const tp_shapes *shapes, const tp_pair *pair, const tp_motion_state *state);
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+                 const tp_motion_state *state);
 
-/* How far beyond the end of a face a contact may lie: more than what a closed gap in a flat notch
- * moves it (over the extent). */
+/* How far beyond the end of a face, or of an arc, a contact may lie: more than what a closed gap in
+ * a flat notch moves it (over the extent; radians). */
 #define TP_FACE_SLACK 1e-9
 
 /* Do the parts face each other where the gap is zero? */

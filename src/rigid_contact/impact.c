@@ -13,15 +13,16 @@ static const double energy_rounding = 1e-12;
 
 typedef struct search {
   const tp_contact_system *system;
-  bool any;
+  bool jam, any;
   double most, energy; /* that may be left, and that is */
   double speed[3];
 } search;
 
-static bool keep_most(void *context, const tp_law_solution *solution) {
+static bool keep_one(void *context, const tp_law_solution *solution) {
   search *own = context;
   const double energy = tp_motion_energy(own->system, solution->x);
-  if (energy > own->most || (own->any && energy <= own->energy)) return true;
+  if (energy > own->most) return true;
+  if (own->any && (own->jam ? energy >= own->energy : energy <= own->energy)) return true;
   own->any = true;
   own->energy = energy;
   memcpy(own->speed, solution->x, sizeof own->speed);
@@ -29,11 +30,11 @@ static bool keep_most(void *context, const tp_law_solution *solution) {
 }
 
 static bool try(tp_impact *impact, tp_touching *touching, const tp_contact_system *system,
-                const tp_motion_state *state, double restitution) {
+                const tp_motion_state *state, double restitution, bool jam) {
   const double before = tp_motion_energy(system, state->speed);
   const tp_law law = tp_touching_impact(touching, system, state, restitution);
-  search of = {.system = system, .most = before * (1 + energy_rounding)};
-  tp_law_search(&law, keep_most, &of);
+  search of = {.system = system, .jam = jam, .most = before * (1 + energy_rounding)};
+  (jam ? tp_law_search_all : tp_law_search)(&law, keep_one, &of);
   if (!of.any) return false;
   memcpy(impact->speed, of.speed, sizeof impact->speed);
   impact->energy_lost = before - of.energy;
@@ -43,12 +44,17 @@ static bool try(tp_impact *impact, tp_touching *touching, const tp_contact_syste
 
 bool tp_impact_find(tp_impact *impact, tp_touching *touching, const tp_contact_system *system,
                     const tp_motion_state *state, double restitution) {
-  if (try(impact, touching, system, state, restitution)) return true;
+  if (try(impact, touching, system, state, restitution, false)) return true;
   double low = 0, high = restitution;
-  if (!try(impact, touching, system, state, 0)) return false;
+  if (!try(impact, touching, system, state, 0, false)) return false;
   for (int k = 0; k < HALVINGS; k++) {
     const double middle = (low + high) / 2;
-    *(try(impact, touching, system, state, middle) ? &low : &high) = middle;
+    *(try(impact, touching, system, state, middle, false) ? &low : &high) = middle;
   }
   return true;
+}
+
+bool tp_impact_jam(tp_impact *impact, tp_touching *touching, const tp_contact_system *system,
+                   const tp_motion_state *state) {
+  return try(impact, touching, system, state, 0, true);
 }

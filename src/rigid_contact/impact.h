@@ -26,4 +26,9 @@ typedef struct tp_impact {
 bool tp_impact_find(tp_impact *impact, tp_touching *touching, const tp_contact_system *system,
                     const tp_motion_state *state, double restitution);
 
+/* Without any approach: where no forces go with a slip (Painleve), impulses stop it. Of several
+ * solutions, one of which is that nothing happens, the one that keeps least energy. */
+bool tp_impact_jam(tp_impact *impact, tp_touching *touching, const tp_contact_system *system,
+                   const tp_motion_state *state);
+
 #endif

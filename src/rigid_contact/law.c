@@ -7,7 +7,6 @@
 
 const double tp_law_tolerance = 1e-11;
 
-/* Contacts on the list of a search: more than a plane body can press at once but for ties. */
 enum { MOST_LISTED = 24 };
 
 /* Equations that are dependent but for this share of their largest coefficient give nothing. */
@@ -17,13 +16,13 @@ static double times(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-double tp_law_scale(const tp_law *law) {
+double tp_law_slack(const tp_law *law) {
   double scale = 0;
   for (int e = 0; e < 3; e++) scale = fmax(scale, fabs(law->free[e]));
   for (long c = 0; c < law->count; c++) {
     scale = fmax(scale, fmax(fabs(law->contacts[c].least), fabs(law->contacts[c].rest)));
   }
-  return scale;
+  return tp_law_tolerance * scale;
 }
 
 /* M^-1 e */
@@ -88,8 +87,8 @@ bool tp_law_solve(tp_law_solution *s, const tp_law *law) {
   return true;
 }
 
-bool tp_law_edges_hold(const tp_law_solution *s, const tp_law *law) {
-  const double slack = tp_law_tolerance * tp_law_scale(law);
+/* Is a solution of the equations one of the law, as far as its own edges tell? */
+static bool edges_hold(const tp_law_solution *s, const tp_law *law, double slack) {
   for (int k = 0; k < s->count; k++) {
     const tp_law_contact *own = law->contacts + s->edges[k].contact;
     if (!(s->factors[k] >= -slack)) return false;
@@ -99,8 +98,8 @@ bool tp_law_edges_hold(const tp_law_solution *s, const tp_law *law) {
   return true;
 }
 
-long tp_law_worst(const tp_law_solution *s, const tp_law *law) {
-  double deepest = -tp_law_tolerance * tp_law_scale(law);
+long tp_law_worst(const tp_law_solution *s, const tp_law *law, double slack) {
+  double deepest = -slack;
   long worst = -1;
   for (long c = 0; c < law->count; c++) {
     const double own = times(law->contacts[c].across, s->x) - law->contacts[c].least;
@@ -117,6 +116,7 @@ typedef struct enumeration {
   const long *listed;
   long listed_count;
   int most;
+  double slack;
   tp_law_found found;
   void *context;
   tp_law_solution tried;
@@ -131,7 +131,7 @@ static bool serves(const tp_law_contact *own, int side) {
 /* Sets with edges behind the one given, told in the order of their numbers. */
 static bool extend(enumeration *of, long from) {
   tp_law_solution own = of->tried;
-  if (tp_law_solve(&own, of->law) && tp_law_edges_hold(&own, of->law) &&
+  if (tp_law_solve(&own, of->law) && edges_hold(&own, of->law, of->slack) &&
       !of->found(of->context, &own)) {
     return false;
   }
@@ -154,6 +154,7 @@ void tp_law_enumerate(const tp_law *law, const long *listed, long listed_count, 
                     .listed = listed,
                     .listed_count = listed_count,
                     .most = most,
+                    .slack = tp_law_slack(law),
                     .found = found,
                     .context = context};
   (void)extend(&of, 0);
@@ -166,19 +167,18 @@ typedef struct search_round {
   long listed_count;
   tp_law_found found;
   void *context;
+  double slack;
   bool any;
   long worst;
 } search_round;
 
 static bool look(void *context, const tp_law_solution *solution) {
   search_round *own = context;
-  const tp_law all = *own->law;
-  const double slack = tp_law_tolerance * tp_law_scale(&all);
   for (long k = 0; k < own->listed_count; k++) {
-    const tp_law_contact *contact = all.contacts + own->listed[k];
-    if (times(contact->across, solution->x) - contact->least < -slack) return true;
+    const tp_law_contact *contact = own->law->contacts + own->listed[k];
+    if (times(contact->across, solution->x) - contact->least < -own->slack) return true;
   }
-  const long worst = tp_law_worst(solution, &all);
+  const long worst = tp_law_worst(solution, own->law, own->slack);
   if (worst < 0) {
     own->any = true;
     return own->found(own->context, solution);
@@ -200,6 +200,7 @@ void tp_law_search(const tp_law *law, tp_law_found found, void *context) {
     search_round own = {.law = law,
                         .listed = listed,
                         .listed_count = count,
+                        .slack = tp_law_slack(law),
                         .found = found,
                         .context = context,
                         .worst = -1};
@@ -212,4 +213,11 @@ void tp_law_search(const tp_law *law, tp_law_found found, void *context) {
     if (own.worst < 0) return;
     listed[count++] = own.worst;
   }
+}
+
+void tp_law_search_all(const tp_law *law, tp_law_found found, void *context) {
+  long listed[MOST_LISTED], count = 0;
+  for (; count < law->count && count < MOST_LISTED; count++) listed[count] = count;
+  search_round own = {.law = law, .slack = tp_law_slack(law), .found = found, .context = context};
+  tp_law_enumerate(law, listed, count, TP_LAW_EDGES, look, &own);
 }

@@ -57,13 +57,10 @@ bool tp_law_solve(tp_law_solution *solution, const tp_law *law);
 
 /* Signs are judged within this share of the numbers they come from. */
 extern const double tp_law_tolerance;
-double tp_law_scale(const tp_law *law);
+double tp_law_slack(const tp_law *law);
 
-/* Is a solution of the equations one of the law, as far as its own edges tell? */
-bool tp_law_edges_hold(const tp_law_solution *solution, const tp_law *law);
-
-/* The contact that it violates most; -1: none. */
-long tp_law_worst(const tp_law_solution *solution, const tp_law *law);
+/* The contact that a solution violates most, and by more than the slack; -1: none. */
+long tp_law_worst(const tp_law_solution *solution, const tp_law *law, double slack);
 
 /* Told of each solution; false ends the search. */
 typedef bool (*tp_law_found)(void *context, const tp_law_solution *solution);
@@ -75,5 +72,9 @@ void tp_law_enumerate(const tp_law *law, const long *listed, long listed_count, 
 /* Solutions with edges of as few contacts as serve: the list grows by the contact that those found
  * so far violate most, until one violates none. Told of all that the last list gives. */
 void tp_law_search(const tp_law *law, tp_law_found found, void *context);
+
+/* All solutions with edges of the first 24 contacts: more than these do not press on a plane body
+ * but for ties. */
+void tp_law_search_all(const tp_law *law, tp_law_found found, void *context);
 
 #endif

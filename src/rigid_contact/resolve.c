@@ -70,17 +70,18 @@ static void set_mode(tp_dynamics *d, const tp_law *law, const tp_law_solution *m
   tp_touching_set_smooth(&d->smooth, &d->touching, law, mode);
 }
 
-static const tp_law_solution *choose(tp_dynamics *d, const candidates *of, const tp_law *law) {
+/* The one that violates least when it is followed, and by how much. */
+static const tp_law_solution *choose(double *violation, tp_dynamics *d, const candidates *of,
+                                     const tp_law *law) {
   const tp_law_solution *best = NULL;
-  double best_violation = 0;
+  *violation = -INFINITY;
   for (int k = 0; k < of->count; k++) {
-    if (of->count == 1) return of->items;
     tp_touching_set_smooth(&d->smooth, &d->touching, law, of->items + k);
-    double violation = violation_of(d, &d->smooth, law, &d->touching);
-    if (violation > -followed_slack) violation = 0;
-    if (best != NULL && violation <= best_violation) continue;
+    double own = violation_of(d, &d->smooth, law, &d->touching);
+    if (own > -followed_slack) own = 0;
+    if (best != NULL && own <= *violation) continue;
     best = of->items + k;
-    best_violation = violation;
+    *violation = own;
   }
   return best;
 }
@@ -103,7 +104,9 @@ tp_resolved tp_resolve_rest(tp_dynamics *d) {
   const tp_law law = tp_touching_accelerations(&d->touching, &d->system, d->time);
   candidates of = {0};
   bool held = false;
-  if (!tp_rest_motions(&law, keep, &of)) return TP_RESOLVED_NO_MEMORY;
+  tp_touching *t = &d->touching;
+  if (t->can_stay_count < 0) t->can_stay_count = tp_rest_list(t->can_stay, &law);
+  tp_rest_motions(&law, t->can_stay, t->can_stay_count, keep, &of);
   if (of.count == 0) return TP_RESOLVED_RESTS;
   if (!is_held(&held, &law)) return TP_RESOLVED_NO_MEMORY;
   if (held && d->settings->window == TP_WINDOW_STANDS) return TP_RESOLVED_RESTS;
@@ -133,20 +136,30 @@ static tp_resolved collect(tp_dynamics *d) {
                                                                   : TP_RESOLVED_NO_MEMORY;
 }
 
-/* An approach from a fall no higher than the least bounce is stopped. */
-static double restitution_of(const tp_dynamics *d) {
-  double fastest = 0;
-  for (long k = 0; k < d->touching.count; k++) {
-    fastest = fmax(fastest, -d->touching.items[k].approach);
-  }
-  return fastest * fastest / 2 > d->settings->least_bounce ? d->settings->restitution : 0;
+/* From higher than the least bounce; what is not, is stopped, and not told. */
+static bool is_fall(const tp_dynamics *d, double approach) {
+  return approach < 0 && approach * approach / 2 > d->settings->least_bounce;
 }
 
-static bool tell_closing(tp_dynamics *d) {
+static double restitution_of(const tp_dynamics *d) {
+  for (long k = 0; k < d->touching.count; k++) {
+    if (is_fall(d, d->touching.items[k].approach)) return d->settings->restitution;
+  }
+  return 0;
+}
+
+/* A closing that would bounce no higher than the least bounce ends bounces that accumulate. */
+static bool tell_closing(tp_dynamics *d, double restitution) {
+  const bool ends = restitution < d->settings->restitution;
   for (long k = 0; k < d->touching.count; k++) {
     const tp_touching_contact *own = d->touching.items + k;
     if (own->approach >= -2 * TP_NO_SPEED) continue;
-    if (!tp_record_event(d, TP_EVENT_CLOSES, own, -own->approach)) return false;
+    if (is_fall(d, own->approach) && !tp_record_event(d, TP_EVENT_CLOSES, own, -own->approach)) {
+      return false;
+    }
+    if (!ends) continue;
+    d->account.accumulated++;
+    if (!tp_record_event(d, TP_EVENT_ACCUMULATES, own, 0)) return false;
   }
   return true;
 }
@@ -159,17 +172,22 @@ static tp_resolved no_mode(const tp_dynamics *d, const char *what) {
   return TP_RESOLVED_NOT;
 }
 
-static tp_resolved strike(tp_dynamics *d, double restitution) {
+static tp_resolved take(tp_dynamics *d, const tp_impact *impact) {
+  d->account.impacts++;
+  d->lost += impact->energy_lost;
+  memcpy(d->state.speed, impact->speed, sizeof impact->speed);
+  return collect(d);
+}
+
+static tp_resolved strike(tp_dynamics *d) {
   tp_impact impact;
-  if (!tell_closing(d)) return TP_RESOLVED_NO_MEMORY;
+  const double restitution = restitution_of(d);
+  if (!tell_closing(d, restitution)) return TP_RESOLVED_NO_MEMORY;
   if (!tp_impact_find(&impact, &d->touching, &d->system, &d->state, restitution)) {
     return no_mode(d, "impact");
   }
-  d->account.impacts++;
   if (impact.restitution < restitution) d->account.lowered_restitution = true;
-  d->lost += impact.energy_lost;
-  memcpy(d->state.speed, impact.speed, sizeof impact.speed);
-  return collect(d);
+  return take(d, &impact);
 }
 
 /* ---- contacts that leave by less than the least bounce ---- */
@@ -188,9 +206,10 @@ static int find_returning(double (*rows)[3], tp_dynamics *d, const tp_law_soluti
   return count;
 }
 
-/* Takes their speeds from them, and those of contacts that press, by the least loss of energy. */
+/* Takes their speeds from them by the least loss of energy that lets what presses and sticks do so.
+ */
 static tp_resolved close_returning(bool *any, tp_dynamics *d, const tp_law_solution *mode) {
-  double returning[TP_LAW_EDGES][3], rows[2 * TP_LAW_EDGES][3];
+  double returning[TP_LAW_EDGES][3], rows[3 * TP_LAW_EDGES][3];
   const int count = find_returning(returning, d, mode);
   *any = count > 0;
   if (count == 0) return TP_RESOLVED_MOVES;
@@ -198,38 +217,45 @@ static tp_resolved close_returning(bool *any, tp_dynamics *d, const tp_law_solut
   for (int k = 0; k < d->smooth.count; k++) {
     const tp_gap gap = tp_gap_at(&d->system.shapes, &d->smooth.pressing[k].pair, &d->state);
     memcpy(rows[row_count++], gap.across, sizeof gap.across);
+    if (d->smooth.pressing[k].sticks) memcpy(rows[row_count++], gap.along, sizeof gap.along);
   }
   memcpy(rows + row_count, returning, sizeof rows[0] * (size_t)count);
   d->lost += tp_motion_energy(&d->system, d->state.speed);
   tp_smooth_stop(d->state.speed, &d->system, (const double(*)[3])rows, row_count + count);
   d->lost -= tp_motion_energy(&d->system, d->state.speed);
-  d->account.accumulated += count;
+  *any = false;
   for (long k = 0; k < d->touching.count; k++) {
     const tp_touching_contact *own = d->touching.items + k;
     if (own->approach <= 2 * TP_NO_SPEED) continue;
     if (fabs(tp_gap_speed(own->gap.across, d->state.speed)) > 2 * TP_NO_SPEED) continue;
+    *any = true;
+    d->account.accumulated++;
     if (!tp_record_event(d, TP_EVENT_ACCUMULATES, own, 0)) return TP_RESOLVED_NO_MEMORY;
   }
-  return collect(d);
+  return *any ? collect(d) : TP_RESOLVED_MOVES;
 }
 
 /* ---- all of it ---- */
 
-/* A mode for the contacts as they are, or none: then it has struck once more, without approach. */
+/* A mode for the contacts as they are; `*mode` NULL: there is none, and impulses have stopped the
+ * slip that has none (Painleve). */
 static tp_resolved find_mode(const tp_law_solution **mode, candidates *of, tp_law *law,
                              tp_dynamics *d) {
-  for (int tried = 0; tried < 2; tried++) {
-    *law = tp_touching_accelerations(&d->touching, &d->system, d->time);
-    of->count = 0;
-    tp_law_search(law, keep, of);
-    *mode = choose(d, of, law);
-    if (*mode != NULL) return TP_RESOLVED_MOVES;
-    /* Painleve: forces without bound stop the slip at once. */
-    d->account.paradox = true;
-    const tp_resolved struck = strike(d, 0);
-    if (struck != TP_RESOLVED_MOVES) return struck;
-  }
-  return no_mode(d, "motion");
+  tp_impact impact;
+  *law = tp_touching_accelerations(&d->touching, &d->system, d->time);
+  of->count = 0;
+  tp_law_search(law, keep, of);
+  double violation;
+  *mode = choose(&violation, d, of, law);
+  if (*mode != NULL && violation == 0) return TP_RESOLVED_MOVES;
+  /* None of few contacts goes on: all that there are. */
+  of->count = 0;
+  tp_law_search_all(law, keep, of);
+  *mode = choose(&violation, d, of, law);
+  if (*mode != NULL) return TP_RESOLVED_MOVES;
+  d->account.paradox = true;
+  if (!tp_impact_jam(&impact, &d->touching, &d->system, &d->state)) return no_mode(d, "motion");
+  return take(d, &impact);
 }
 
 static tp_resolved told(tp_dynamics *d) {
@@ -240,7 +266,7 @@ tp_resolved tp_resolve(tp_dynamics *d) {
   tp_resolved done = collect(d);
   for (int round = 0; round < MOST_IMPACTS && done == TP_RESOLVED_MOVES; round++) {
     if (tp_touching_closes(&d->touching)) {
-      done = strike(d, restitution_of(d));
+      done = strike(d);
       continue;
     }
     if (is_slow(d->state.speed)) {
@@ -255,7 +281,7 @@ tp_resolved tp_resolve(tp_dynamics *d) {
     const tp_law_solution *mode;
     bool any;
     done = find_mode(&mode, &of, &law, d);
-    if (done != TP_RESOLVED_MOVES) return done;
+    if (done != TP_RESOLVED_MOVES || mode == NULL) continue;
     set_mode(d, &law, mode);
     done = close_returning(&any, d, mode);
     if (done != TP_RESOLVED_MOVES || any) continue;

@@ -4,7 +4,6 @@
 #include "rigid_contact/rest.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Two rays of a plane with all between them, at most half a turn counter-clockwise. */
 typedef struct sector {
@@ -63,6 +62,7 @@ static bool can_stay(const tp_law *law, long contact) {
 
 typedef struct motions {
   const tp_law *law;
+  double slack;
   tp_law_found found;
   void *context;
 } motions;
@@ -71,22 +71,22 @@ static bool look(void *context, const tp_law_solution *solution) {
   const motions *own = context;
   double size = 0;
   for (int e = 0; e < 3; e++) size = fmax(size, fabs(solution->x[e]));
-  if (!(size > tp_law_tolerance * tp_law_scale(own->law))) return true;
-  if (tp_law_worst(solution, own->law) >= 0) return true;
+  if (!(size > own->slack) || tp_law_worst(solution, own->law, own->slack) >= 0) return true;
   return own->found(own->context, solution);
 }
 
-bool tp_rest_motions(const tp_law *law, tp_law_found found, void *context) {
-  long *listed = malloc(sizeof *listed * (size_t)(law->count + 1));
-  if (listed == NULL) return false;
+long tp_rest_list(long *listed, const tp_law *law) {
   long count = 0;
   for (long c = 0; c < law->count; c++) {
     if (can_stay(law, c)) listed[count++] = c;
   }
-  motions own = {law, found, context};
-  tp_law_enumerate(law, listed, count, 2, look, &own);
-  free(listed);
-  return true;
+  return count;
+}
+
+void tp_rest_motions(const tp_law *law, const long *listed, long listed_count, tp_law_found found,
+                     void *context) {
+  motions own = {law, tp_law_slack(law), found, context};
+  tp_law_enumerate(law, listed, listed_count, 2, look, &own);
 }
 
 /* Least squares of up to three columns, which are kept independent: their multipliers from the
@@ -178,10 +178,10 @@ bool tp_rest_forces(double *factors, const tp_law *law) {
   const long most = 100 + 4 * law->count;
   double target[3], residual[3], held[3] = {0};
   for (int e = 0; e < 3; e++) residual[e] = target[e] = -law->inertia[e] * law->free[e];
-  const double size = sqrt(times(target, target)), slack = 1e-9 * size;
+  const double size = sqrt(times(target, target)), slack = 10 * tp_law_tolerance * size;
   least_squares of = {.target = target};
   for (long round = 0; round < most && sqrt(times(residual, residual)) > slack; round++) {
-    const long next = of.count == 3 ? -1 : choose(&of, law, residual, 1e-12 * size);
+    const long next = of.count == 3 ? -1 : choose(&of, law, residual, 1e-14 * size);
     if (next < 0) break;
     set_column(of.columns[of.count], law, next);
     of.chosen[of.count] = next;

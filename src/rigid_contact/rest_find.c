@@ -43,7 +43,9 @@ static bool find(tp_rigid_contact_rest *rest, tp_touching *touching, tp_contact_
   if (factors == NULL) return false;
   rest->held = tp_rest_forces(factors, &law);
   free(factors);
-  return tp_rest_motions(&law, tell, &own);
+  const long count = tp_rest_list(touching->can_stay, &law);
+  tp_rest_motions(&law, touching->can_stay, count, tell, &own);
+  return true;
 }
 
 bool tp_rigid_contact_rest_find(tp_rigid_contact_rest *rest, const tp_run *run) {

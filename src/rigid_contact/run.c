@@ -21,6 +21,9 @@ enum { MOST_AT_ONCE = 40 };
  * this, or shaking that is over in a shorter time, can be missed. */
 static const double look_tilt = 0.05 / 57.29577951308232, look_time = 0.02;
 
+/* A quarter of a turn, but for so little that a block which lies on its side has made it. */
+static const double overturned_turn = 1.5707963267948966 - 1e-6;
+
 tp_rigid_contact_settings tp_rigid_contact_settings_default(void) {
   return (tp_rigid_contact_settings){.tolerance = 1e-13,
                                      .least_bounce = 1e-9,
@@ -108,24 +111,24 @@ static tp_resolved find_begin(tp_dynamics *d, double moves_at) {
   return TP_RESOLVED_MOVES;
 }
 
-/* There the acceleration is nothing but rounding, which tells no mode: the mode is that of so much
- * later that it is told, or of the last time tried; what moves until then is not seen in any
- * number. `later` is that time. */
+/* Where the acceleration is nothing but rounding it tells no mode: the mode is that of so much
+ * later that it is told, or of the last time tried; how it moves until then is not seen in any
+ * number. */
 static tp_resolved choose_begin(double *later, tp_dynamics *d) {
   const double begin = d->time, told = 1e-6, first = 1e-7, last = 1e-2;
-  double size = 0;
-  tp_resolved now = TP_RESOLVED_RESTS;
+  tp_resolved now = tp_resolve_rest(d);
   *later = begin;
-  for (double after = first; after <= last && size < told; after *= 10) {
+  for (double after = first; now == TP_RESOLVED_MOVES && after <= last; after *= 10) {
+    const double *x = d->solution.x;
+    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) >= told) break;
     d->time = begin + after;
     now = tp_resolve_rest(d);
-    if (now != TP_RESOLVED_MOVES) break;
-    *later = d->time;
-    const double *x = d->solution.x;
-    size = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
+    if (now == TP_RESOLVED_MOVES) *later = d->time;
   }
-  d->time = *later;
-  if (now != TP_RESOLVED_NO_MEMORY && size < told) now = tp_resolve_rest(d);
+  if (now == TP_RESOLVED_RESTS) {
+    d->time = *later;
+    now = tp_resolve_rest(d);
+  }
   d->time = begin;
   return now;
 }
@@ -140,6 +143,7 @@ static bool begin_motion(progress *p) {
   d->resting = false;
   d->moved = true;
   p->step = first_step;
+  d->account.in_window = d->account.in_window || d->held;
   if (tilted && !tp_record_event(d, TP_EVENT_COLLAPSES, NULL, 0)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
@@ -176,7 +180,6 @@ static bool has_left(const tp_dynamics *d) {
 static bool come_to_rest(progress *p) {
   tp_dynamics *d = p->d;
   d->resting = true;
-  if (!d->moved) return true;
   if (!tp_record_phases(d, false) || !tp_record_event(d, TP_EVENT_RESTS, NULL, 0)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
@@ -219,7 +222,7 @@ static bool move(progress *p) {
                     .time = d->time,
                     .step = fmin(p->step, due - d->time),
                     .tolerance = d->settings->tolerance,
-                    .overturn = d->overturned ? -INFINITY : 1.5707963267948966};
+                    .overturn = d->overturned ? -INFINITY : overturned_turn};
   tp_smooth_numbers(watch.numbers, &d->state, d->work);
   const bool is_due = watch.step == due - d->time;
   const tp_watch_end end = tp_watch_step(&watch);
@@ -230,6 +233,7 @@ static bool move(progress *p) {
   d->time = is_due && end.step == watch.step ? due : end.time;
   d->state = tp_smooth_state(end.numbers);
   d->work = end.numbers[6];
+  tp_touching_open(&d->system, &d->state);
   const double drift = tp_smooth_project(&d->state, &d->smooth);
   d->account.largest_drift = fmax(d->account.largest_drift, drift);
   (void)tp_energy_balance(d);
@@ -260,15 +264,25 @@ static void advance(progress *p) {
   }
 }
 
+/* From rest. */
+static bool begin_at_rest(progress *p) {
+  tp_dynamics *d = p->d;
+  d->resting = true;
+  if (!tp_touching_collect(&d->touching, &d->system, &d->state) || !tp_record_phases(d, false)) {
+    return over(p, TP_RUN_NO_MEMORY);
+  }
+  const tp_resolved now = tp_resolve_rest(d);
+  if (now == TP_RESOLVED_MOVES) return begin_motion(p);
+  if (now == TP_RESOLVED_NO_MEMORY || !tp_record_moment(d)) return over(p, TP_RUN_NO_MEMORY);
+  return true;
+}
+
 static bool begin(progress *p) {
   tp_dynamics *d = p->d;
   d->first_energy = tp_motion_energy(&d->system, d->state.speed);
-  const bool moves = d->first_energy > 0;
-  d->moved = moves;
-  if (!tp_touching_collect(&d->touching, &d->system, &d->state)) return over(p, TP_RUN_NO_MEMORY);
-  if (!moves && !tp_record_phases(d, false)) return over(p, TP_RUN_NO_MEMORY);
+  d->moved = d->first_energy > 0;
+  if (!d->moved) return begin_at_rest(p);
   if (!go_on(p)) return false;
-  if (!d->resting && !moves) return begin_motion(p);
   return tp_record_moment(d) ? true : over(p, TP_RUN_NO_MEMORY);
 }
 

@@ -23,12 +23,6 @@ double tp_normal_range_margin(tp_normal_range range, double direction) {
   return fmax(range.sweep - d, d - whole_turn);
 }
 
-double tp_normal_range_nearest(tp_normal_range range, double direction) {
-  const double d = from_first(range, direction);
-  if (d <= range.sweep) return direction;
-  return d - range.sweep < whole_turn - d ? range.first + range.sweep : range.first;
-}
-
 static tp_xy minus(tp_xy a, tp_xy b) {
   return (tp_xy){a.x - b.x, a.y - b.y};
 }
@@ -59,7 +53,7 @@ static tp_xy over(tp_xy point, double extent) {
   return (tp_xy){point.x / extent, point.y / extent};
 }
 
-static void add_edge(tp_shape *shape, const tp_edge *edge, long number, double extent) {
+static void add_edge(tp_contact_shape *shape, const tp_edge *edge, long number, double extent) {
   if (edge->arc && !edge->inwards) {
     shape->corners[shape->corner_count++] = (tp_round_corner){.centre = over(edge->centre, extent),
                                                               .radius = edge->radius / extent,
@@ -83,7 +77,8 @@ static void add_edge(tp_shape *shape, const tp_edge *edge, long number, double e
   face->length = hypot(whole.x, whole.y) / extent;
 }
 
-static void add_corner(tp_shape *shape, const tp_boundary *boundary, long behind, double extent) {
+static void add_corner(tp_contact_shape *shape, const tp_boundary *boundary, long behind,
+                       double extent) {
   const long before = behind > 0 ? behind - 1 : boundary->count - 1;
   const tp_xy in = course(boundary->edges + before, true);
   const tp_xy out = course(boundary->edges + behind, false);
@@ -97,12 +92,12 @@ static void add_corner(tp_shape *shape, const tp_boundary *boundary, long behind
                         .behind = behind};
 }
 
-bool tp_shape_init(tp_shape *shape, const tp_boundary *boundary, double extent_m) {
+bool tp_contact_shape_init(tp_contact_shape *shape, const tp_boundary *boundary, double extent_m) {
   const size_t count = boundary->count > 0 ? (size_t)boundary->count : 1;
-  *shape = (tp_shape){.corners = calloc(2 * count, sizeof *shape->corners),
-                      .faces = calloc(count, sizeof *shape->faces)};
+  *shape = (tp_contact_shape){.corners = calloc(2 * count, sizeof *shape->corners),
+                              .faces = calloc(count, sizeof *shape->faces)};
   if (shape->corners == NULL || shape->faces == NULL) {
-    tp_shape_clear(shape);
+    tp_contact_shape_clear(shape);
     return false;
   }
   for (long k = 0; k < boundary->count; k++) {
@@ -112,8 +107,8 @@ bool tp_shape_init(tp_shape *shape, const tp_boundary *boundary, double extent_m
   return true;
 }
 
-void tp_shape_clear(tp_shape *shape) {
+void tp_contact_shape_clear(tp_contact_shape *shape) {
   free(shape->corners);
   free(shape->faces);
-  *shape = (tp_shape){0};
+  *shape = (tp_contact_shape){0};
 }

@@ -34,21 +34,19 @@ typedef struct tp_contact_face {
   long edge;
 } tp_contact_face;
 
-typedef struct tp_shape {
+typedef struct tp_contact_shape {
   long corner_count, face_count;
   tp_round_corner *corners;
   tp_contact_face *faces;
-} tp_shape;
+} tp_contact_shape;
 
 /* Of a boundary; false when memory is exhausted, and the shape is then cleared. */
-TP_MUST_USE bool tp_shape_init(tp_shape *shape, const tp_boundary *boundary, double extent_m);
-void tp_shape_clear(tp_shape *shape);
+TP_MUST_USE bool tp_contact_shape_init(tp_contact_shape *shape, const tp_boundary *boundary,
+                                       double extent_m);
+void tp_contact_shape_clear(tp_contact_shape *shape);
 
 /* Where a direction lies to a range: within it, or by how much outside (negative) of the end that
  * is nearer; 0 or positive within: the distance to the nearer end. */
 double tp_normal_range_margin(tp_normal_range range, double direction);
-
-/* The direction of the range that is nearest. */
-double tp_normal_range_nearest(tp_normal_range range, double direction);
 
 #endif

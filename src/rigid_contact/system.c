@@ -126,15 +126,15 @@ bool tp_contact_system_init(tp_contact_system *s, const tp_rigid_body *body, con
     s->base_right = fmax(s->base_right, body->base.edges[k].from.x / extent);
   }
   const tp_motion_state at = tp_motion_of(s, start);
-  const bool done = tp_shape_init(&s->shapes.block, &body->outline, extent) &&
-                    tp_shape_init(&s->shapes.base, &body->base, extent) && list_all(s, &at);
+  const bool done = tp_contact_shape_init(&s->shapes.block, &body->outline, extent) &&
+                    tp_contact_shape_init(&s->shapes.base, &body->base, extent) && list_all(s, &at);
   if (!done) tp_contact_system_clear(s);
   return done;
 }
 
 void tp_contact_system_clear(tp_contact_system *s) {
-  tp_shape_clear(&s->shapes.block);
-  tp_shape_clear(&s->shapes.base);
+  tp_contact_shape_clear(&s->shapes.block);
+  tp_contact_shape_clear(&s->shapes.base);
   free(s->pairs);
   *s = (tp_contact_system){0};
 }

@@ -12,7 +12,10 @@
 
 /* A gap no wider than this is closed: far above the rounding of places (1e-16), far below what
  * anything else of a scene means. The height of such a fall is its part of the energy. */
-#define TP_CLOSED_GAP 1e-11
+#define TP_CLOSED_GAP 1e-12
+
+/* How far a closed contact may lie in the rock: some times what it takes to be found to press. */
+#define TP_DEEPEST_GAP 1e-10
 
 /* A speed no larger than this is none. */
 #define TP_NO_SPEED 1e-10
@@ -22,7 +25,7 @@ typedef struct tp_contact_system {
   const tp_drive *drive;
   double time_unit_s;
   double inertia[3]; /* 1, 1, the radius of gyration squared */
-  tp_shapes shapes;
+  tp_contact_shapes shapes;
   double base_left, base_right;
   long pair_count, pair_room;
   tp_pair *pairs; /* that can close before the block has moved by the reach from where it was */

@@ -9,9 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far a closed contact may lie in the rock: what it takes to be found to press. */
-static const double deepest = 100 * TP_CLOSED_GAP;
-
 /* Rows that differ by no more are those of one contact, seen from both sides. */
 static const double alike_rows = 1e-12;
 
@@ -25,6 +22,7 @@ void tp_touching_clear(tp_touching *t) {
   free(t->items);
   free(t->law);
   free(t->of_law);
+  free(t->can_stay);
   *t = (tp_touching){0};
 }
 
@@ -49,7 +47,9 @@ static bool make_room(tp_touching *t) {
   if (law != NULL) t->law = law;
   long *of_law = realloc(t->of_law, sizeof *of_law * (size_t)t->room);
   if (of_law != NULL) t->of_law = of_law;
-  if (law != NULL && of_law != NULL) return true;
+  long *can_stay = realloc(t->can_stay, sizeof *can_stay * (size_t)t->room);
+  if (can_stay != NULL) t->can_stay = can_stay;
+  if (law != NULL && of_law != NULL && can_stay != NULL) return true;
   t->room = room; /* all that every array is sure to have */
   return false;
 }
@@ -75,11 +75,13 @@ static bool add(tp_touching *t, const tp_touching_contact *own) {
 
 bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_motion_state *state) {
   t->count = 0;
+  t->can_stay_count = -1;
   for (long k = 0; k < system->pair_count; k++) {
     tp_pair *pair = system->pairs + k;
     tp_touching_contact own = {.pair = *pair, .gap = tp_gap_at(&system->shapes, pair, state)};
     const double width = own.gap.width;
-    pair->touching = width >= -deepest && width <= 2 * TP_CLOSED_GAP && tp_gap_faces(&own.gap);
+    pair->touching =
+        width >= -TP_DEEPEST_GAP && width <= 2 * TP_CLOSED_GAP && tp_gap_faces(&own.gap);
     if (!pair->touching) continue;
     own.friction = tp_contact_friction(&own.facet, system, &own.gap);
     own.approach = tp_gap_speed(own.gap.across, state->speed);
@@ -87,6 +89,14 @@ bool tp_touching_collect(tp_touching *t, tp_contact_system *system, const tp_mot
     if (!add(t, &own)) return false;
   }
   return true;
+}
+
+void tp_touching_open(tp_contact_system *system, const tp_motion_state *state) {
+  for (long k = 0; k < system->pair_count; k++) {
+    tp_pair *pair = system->pairs + k;
+    if (!pair->touching) continue;
+    pair->touching = tp_gap_at(&system->shapes, pair, state).width <= 2 * TP_CLOSED_GAP;
+  }
 }
 
 bool tp_touching_closes(const tp_touching *t) {

@@ -26,6 +26,8 @@ typedef struct tp_touching {
   tp_law_contact *law; /* by contact; of those that are closed in a law: */
   long *of_law;        /* which they are */
   long law_count;
+  long *can_stay;      /* those of a law at rest that can stay closed (rest.h); */
+  long can_stay_count; /* -1: not asked yet */
 } tp_touching;
 
 void tp_touching_clear(tp_touching *touching);
@@ -34,6 +36,9 @@ void tp_touching_clear(tp_touching *touching);
  * False when memory is exhausted. */
 TP_MUST_USE bool tp_touching_collect(tp_touching *touching, tp_contact_system *system,
                                      const tp_motion_state *state);
+
+/* Pairs that touched and have opened since touch no more: they close anew at a gap of zero. */
+void tp_touching_open(tp_contact_system *system, const tp_motion_state *state);
 
 /* Does one of them close with a speed? */
 bool tp_touching_closes(const tp_touching *touching);

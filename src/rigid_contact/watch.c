@@ -14,14 +14,14 @@ enum { LOOKS = 8, MOST_SAMPLES = 100 };
  * law were judged by (law.h). */
 static const double force_slack = 2e-11;
 
-/* Near the end of an arc, where the block begins to roll on it (radians). */
-static const double arc_slack = 1e-9;
+/* Of a gap that is as it was. */
+static const double gap_rounding = 1e-15;
 
 /* One number that is watched. */
 typedef struct watched {
   tp_watched what;
   long number;
-  double begin; /* of an arc: its sign at the begin */
+  double slack; /* of a gap */
 } watched;
 
 /* ---- the state along a step ---- */
@@ -54,13 +54,11 @@ static double value_of(const tp_watch *w, const watched *own, double time,
   tp_smooth_moment moment;
   if (own->what == TP_WATCH_OVERTURN) return w->overturn - fabs(state->place[2]);
   if (own->what == TP_WATCH_GAP) {
-    const tp_pair *pair = w->system->pairs + own->number;
-    return tp_gap_at(&w->system->shapes, pair, state).width + (pair->touching ? TP_CLOSED_GAP : 0);
+    return tp_gap_at(&w->system->shapes, w->system->pairs + own->number, state).width + own->slack;
   }
   if (own->what == TP_WATCH_MARGIN || own->what == TP_WATCH_ARC) {
     const tp_gap gap = tp_gap_at(&w->system->shapes, &w->smooth->pressing[own->number].pair, state);
-    return own->what == TP_WATCH_MARGIN ? gap.margin + TP_FACE_SLACK
-                                        : copysign(1, own->begin) * gap.arc_margin;
+    return (own->what == TP_WATCH_MARGIN ? gap.margin : gap.arc_margin) + TP_FACE_SLACK;
   }
   if (!tp_smooth_at(&moment, w->smooth, time, state)) return -1;
   if (own->what == TP_WATCH_SLIP) {
@@ -117,7 +115,7 @@ static gap_look look_at_gap(const looking *of, double share) {
   const tp_motion_state state = at_share(of, share);
   const tp_pair *pair = of->watch->system->pairs + of->own->number;
   const tp_gap gap = tp_gap_at(&of->watch->system->shapes, pair, &state);
-  return (gap_look){gap.width + (pair->touching ? TP_CLOSED_GAP : 0),
+  return (gap_look){gap.width + of->own->slack,
                     tp_gap_speed(gap.across, state.speed) * of->watch->step / LOOKS};
 }
 
@@ -216,7 +214,8 @@ static bool presses(const tp_smooth *smooth, const tp_pair *pair) {
   return false;
 }
 
-/* Those that can close in this step: a gap changes by no more than the block moves. */
+/* Those that can close in this step: a gap changes by no more than the block moves. One that
+ * touches closes where it is deeper than before by what is closed. */
 static void consider_pairs(looking *of, const tp_motion_state *begin) {
   const tp_watch *w = of->watch;
   double moves = TP_CLOSED_GAP;
@@ -227,9 +226,12 @@ static void consider_pairs(looking *of, const tp_motion_state *begin) {
   for (long p = 0; p < w->system->pair_count; p++) {
     const tp_pair *pair = w->system->pairs + p;
     if (presses(w->smooth, pair)) continue;
-    const double width = tp_gap_at(&w->system->shapes, pair, begin).width;
-    if (width < (pair->touching ? -TP_CLOSED_GAP : 0) || width > moves) continue;
-    consider(of, &(watched){.what = TP_WATCH_GAP, .number = p});
+    const tp_gap gap = tp_gap_at(&w->system->shapes, pair, begin);
+    if (gap.width > moves || gap.width < (pair->touching ? -TP_DEEPEST_GAP : 0)) continue;
+    const bool leaves = tp_gap_speed(gap.across, begin->speed) > 2 * TP_NO_SPEED;
+    const double more = leaves ? gap_rounding : TP_CLOSED_GAP;
+    const double slack = pair->touching ? more + fmax(0, -gap.width) : 0;
+    consider(of, &(watched){TP_WATCH_GAP, p, slack});
   }
 }
 
@@ -238,11 +240,10 @@ static void consider_all(looking *of) {
   const tp_motion_state begin = tp_smooth_state(w->numbers);
   for (int k = 0; k < w->smooth->count; k++) {
     const tp_pressing *own = w->smooth->pressing + k;
-    const double arc = tp_gap_at(&w->system->shapes, &own->pair, &begin).arc_margin;
     consider(of, &(watched){TP_WATCH_FORCE, k, 0});
     if (!own->sticks && !own->pinned) consider(of, &(watched){TP_WATCH_SLIP, k, 0});
     consider(of, &(watched){TP_WATCH_MARGIN, k, 0});
-    if (fabs(arc) > arc_slack && isfinite(arc)) consider(of, &(watched){TP_WATCH_ARC, k, arc});
+    consider(of, &(watched){TP_WATCH_ARC, k, 0});
   }
   if (w->overturn > 0) consider(of, &(watched){TP_WATCH_OVERTURN, 0, 0});
   consider_pairs(of, &begin);

@@ -57,6 +57,7 @@ typedef struct stage {
   const tp_tilt_options *options;
   tp_base_shaking *shaking; /* NULL: none */
   tp_place place;           /* that calls for the test */
+  tp_place of_step;         /* for the time step of springs */
   tp_message *message;
 } stage;
 
@@ -98,12 +99,12 @@ static tp_status run_release(tp_tilting *tilting, const stage *g) {
 static tp_status run_case(tp_tilting *tilting, const stage *g) {
   tp_tilt_case *own = tilting->own;
   const tp_tilt_settings *s = tilting->settings;
-  const double least = own->has_onset ? own->onset_deg - 0.5 * s->tolerance_deg : 0,
-               most = own->has_limit ? own->limit_deg + 0.5 * s->tolerance_deg : 0;
+  const double least = own->has_onset ? own->onset_deg - 0.4 * s->tolerance_deg : 0,
+               most = own->has_limit ? own->limit_deg + 0.4 * s->tolerance_deg : 0;
   tp_tilt_engines engines;
   if (s->engine == TP_TILT_PATH) return tp_tilting_path(tilting, least, most);
   tp_status status =
-      tp_tilt_dynamics_of(&tilting->engine, &engines, s, tilting->body, g->place, g->message);
+      tp_tilt_dynamics_of(&tilting->engine, &engines, s, tilting->body, g->of_step, g->message);
   if (status == TP_OK) {
     status = s->protocol == TP_TILT_RELEASE ? run_release(tilting, g)
                                             : run_dynamics(tilting, least, most);
@@ -202,9 +203,15 @@ static tp_status fill(tp_tilt_test *test, const tp_scene *scene, const tp_tilt_o
       status = describe(test, scene, &problem, shaken ? &shaking : NULL, message);
     }
     if (status == TP_OK) status = tp_solve_problem(statics, &problem, &solve, message);
-    const tp_place place =
-        scene->tilt_test.place.file != NULL ? scene->tilt_test.place : scene->shaking_place;
-    const stage g = {test, &problem, options, shaken ? &shaking : NULL, place, message};
+    const tp_tilt_test_description *asked = &scene->tilt_test;
+    const tp_place place = asked->place.file != NULL ? asked->place : scene->shaking_place;
+    const stage g = {.test = test,
+                     .problem = &problem,
+                     .options = options,
+                     .shaking = shaken ? &shaking : NULL,
+                     .place = place,
+                     .of_step = asked->time_step_s.given ? asked->time_step_s.place : place,
+                     .message = message};
     if (status == TP_OK) status = test_problem(&g, statics);
     tp_base_shaking_clear(&shaking);
     tp_problem_clear(&problem);
