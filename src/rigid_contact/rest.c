@@ -178,10 +178,10 @@ bool tp_rest_forces(double *factors, const tp_law *law) {
   const long most = 100 + 4 * law->count;
   double target[3], residual[3], held[3] = {0};
   for (int e = 0; e < 3; e++) residual[e] = target[e] = -law->inertia[e] * law->free[e];
-  const double size = sqrt(times(target, target)), slack = 1e-9 * size;
+  const double size = sqrt(times(target, target)), slack = 10 * tp_law_tolerance * size;
   least_squares of = {.target = target};
   for (long round = 0; round < most && sqrt(times(residual, residual)) > slack; round++) {
-    const long next = of.count == 3 ? -1 : choose(&of, law, residual, 1e-12 * size);
+    const long next = of.count == 3 ? -1 : choose(&of, law, residual, 1e-14 * size);
     if (next < 0) break;
     set_column(of.columns[of.count], law, next);
     of.chosen[of.count] = next;

@@ -143,6 +143,7 @@ static bool begin_motion(progress *p) {
   d->resting = false;
   d->moved = true;
   p->step = first_step;
+  d->account.in_window = d->account.in_window || d->held;
   if (tilted && !tp_record_event(d, TP_EVENT_COLLAPSES, NULL, 0)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
@@ -179,7 +180,6 @@ static bool has_left(const tp_dynamics *d) {
 static bool come_to_rest(progress *p) {
   tp_dynamics *d = p->d;
   d->resting = true;
-  if (!d->moved) return true;
   if (!tp_record_phases(d, false) || !tp_record_event(d, TP_EVENT_RESTS, NULL, 0)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
@@ -264,15 +264,25 @@ static void advance(progress *p) {
   }
 }
 
+/* From rest. */
+static bool begin_at_rest(progress *p) {
+  tp_dynamics *d = p->d;
+  d->resting = true;
+  if (!tp_touching_collect(&d->touching, &d->system, &d->state) || !tp_record_phases(d, false)) {
+    return over(p, TP_RUN_NO_MEMORY);
+  }
+  const tp_resolved now = tp_resolve_rest(d);
+  if (now == TP_RESOLVED_MOVES) return begin_motion(p);
+  if (now == TP_RESOLVED_NO_MEMORY || !tp_record_moment(d)) return over(p, TP_RUN_NO_MEMORY);
+  return true;
+}
+
 static bool begin(progress *p) {
   tp_dynamics *d = p->d;
   d->first_energy = tp_motion_energy(&d->system, d->state.speed);
-  const bool moves = d->first_energy > 0;
-  d->moved = moves;
-  if (!tp_touching_collect(&d->touching, &d->system, &d->state)) return over(p, TP_RUN_NO_MEMORY);
-  if (!moves && !tp_record_phases(d, false)) return over(p, TP_RUN_NO_MEMORY);
+  d->moved = d->first_energy > 0;
+  if (!d->moved) return begin_at_rest(p);
   if (!go_on(p)) return false;
-  if (!d->resting && !moves) return begin_motion(p);
   return tp_record_moment(d) ? true : over(p, TP_RUN_NO_MEMORY);
 }
 

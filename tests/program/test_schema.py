@@ -220,7 +220,7 @@ class Schema(unittest.TestCase):
         self.prints("tilt", "--json", "--overturning", ROOT / "examples" / "shaken_boulder.yaml")
 
     def test_2_study(self):
-        for name in ("slab", "block_above_road"):
+        for name in ("slab", "block_above_road", "rough_base"):
             self.prints("study", "--json", ROOT / "examples" / "studies" / f"{name}_study.yaml")
         with tempfile.TemporaryDirectory() as folder:  # a scene without a tilt, some samples of which there is none
             (pathlib.Path(folder) / "scene.yaml").write_text(
