@@ -21,9 +21,9 @@ void tp_rest_motions(const tp_law *law, const long *listed, long listed_count, t
                      void *context);
 
 /* Forces that hold the block, at most three of them not zero: lambda of both edges of each contact,
- * n - t tan(phi) first, in `factors` of twice the contacts. False where none do, within 1e-10 of the
- * loads. By non-negative least squares (Lawson and Hanson, Solving Least Squares Problems, 1974,
- * chapter 23). */
+ * n - t tan(phi) first, in `factors` of twice the contacts. False where none do, within 1e-10 of
+ * the loads. By non-negative least squares (Lawson and Hanson, Solving Least Squares Problems,
+ * 1974, chapter 23). */
 bool tp_rest_forces(double *factors, const tp_law *law);
 
 #endif

@@ -228,6 +228,7 @@ static bool move(progress *p) {
   const tp_watch_end end = tp_watch_step(&watch);
   if (end.what == TP_WATCH_FAILED) return undecided(p, "the steps become too short");
   if (end.columns <= 6) p->step = fmin(p->step * 1.5, longest_step);
+  if (end.what == TP_WATCH_NOTHING && end.step < watch.step) p->step = end.step;
   if (end.columns >= 8) p->step = fmax(end.step * 0.7, first_step / 100);
   d->account.steps++;
   d->time = is_due && end.step == watch.step ? due : end.time;

@@ -14,8 +14,11 @@ enum { LOOKS = 8, MOST_SAMPLES = 100 };
  * law were judged by (law.h). */
 static const double force_slack = 2e-11;
 
-/* Of a gap that is as it was. */
-static const double gap_rounding = 1e-15;
+/* Of a gap that is as it was, up to some hundred times the extent from where the block began. */
+static const double gap_rounding = 1e-13;
+
+/* A contact goes on a little farther than where it would not be taken for one (gap.h). */
+static const double end_slack = 1.1 * TP_FACE_SLACK;
 
 /* One number that is watched. */
 typedef struct watched {
@@ -58,7 +61,7 @@ static double value_of(const tp_watch *w, const watched *own, double time,
   }
   if (own->what == TP_WATCH_MARGIN || own->what == TP_WATCH_ARC) {
     const tp_gap gap = tp_gap_at(&w->system->shapes, &w->smooth->pressing[own->number].pair, state);
-    return (own->what == TP_WATCH_MARGIN ? gap.margin : gap.arc_margin) + TP_FACE_SLACK;
+    return (own->what == TP_WATCH_MARGIN ? gap.margin : gap.arc_margin) + end_slack;
   }
   if (!tp_smooth_at(&moment, w->smooth, time, state)) return -1;
   if (own->what == TP_WATCH_SLIP) {
@@ -258,7 +261,8 @@ tp_watch_end tp_watch_step(const tp_watch *watch) {
     const tp_step_answer answer = tp_extrapolate(to, tp_smooth_rates, own.smooth, own.time,
                                                  own.numbers, own.step, own.tolerance);
     end.columns = answer.columns;
-    if (!answer.reached) continue;
+    const tp_motion_state at = tp_smooth_state(to);
+    if (!answer.reached || !tp_contact_system_covers(own.system, &at)) continue;
     if (!tp_smooth_rates(from_rates, own.smooth, own.time, own.numbers)) return end;
     if (!tp_smooth_rates(to_rates, own.smooth, own.time + own.step, to)) return end;
     end.what = TP_WATCH_NOTHING;
