@@ -171,6 +171,16 @@ typedef struct tp_study_variable {
   double importance;   /* and its share of the variance there, as if all were independent */
 } tp_study_variable;
 
+/* A number of roughness of the base of a sample, or an angle of Eqs. (15) and (16). */
+typedef struct tp_study_measure {
+  const char *name;       /* amplitude, rms_height, z2, effective_angle_deg, jrc; last peak_deg,
+                             Eq. (15), and valley_deg, Eq. (16); a static string */
+  const char *unit;       /* mm, deg and so on; NULL: none */
+  size_t count;           /* of the samples kept that have it */
+  double least, greatest; /* of these */
+  tp_study_rank ranks[TP_STUDY_QUANTITIES]; /* with each quantity */
+} tp_study_measure;
+
 /* The estimate as samples came in. */
 typedef struct tp_study_step {
   size_t samples;       /* the first so many */
@@ -220,15 +230,20 @@ typedef struct tp_study_result {
   tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
-  size_t design_count;              /* of the design values asked for; as reliability */
-  tp_study_design *designs;         /* as the study lists them */
-  size_t step_count;                /* of the steps */
-  tp_study_step *steps;             /* at each power of two from 16 on, and at the end */
-  size_t bad_count;                 /* of the first invalid samples, 5 at most */
-  tp_study_bad *bad;                /* these */
-  size_t column_count;              /* of the columns */
-  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt, and
-                               tp_fos_definition of the factor that governs, NaN: none */
+  size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */
+  tp_study_measure *measures;       /* in the order of the rows */
+  size_t bracketed, within; /* samples kept that have both angles of Eqs. (15) and (16), and of
+                               these those whose critical angle by moments lies between */
+  size_t design_count;      /* of the design values asked for; as reliability */
+  tp_study_design *designs; /* as the study lists them */
+  size_t step_count;        /* of the steps */
+  tp_study_step *steps;     /* at each power of two from 16 on, and at the end */
+  size_t bad_count;         /* of the first invalid samples, 5 at most */
+  tp_study_bad *bad;        /* these */
+  size_t column_count;      /* of the columns */
+  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt,
+                               tp_fos_definition of the factor that governs (NaN: none), and what is
+                               measured of the base */
 } tp_study_result;
 
 /* How a study is run. */

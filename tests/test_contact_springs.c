@@ -60,7 +60,7 @@ static void check_block(const paper_block *block, bool goes_on) {
   ck_assert_msg(fabs(limit - onset) < 1e-9, "%s: history matters", block->name);
   const tp_spring_settings springs = paper_springs();
   const double angle = springs_let_go(&s.body, limit - 5, limit + 5, &springs);
-  ck_assert_msg(fabs(angle - limit) < 0.06, "%s%s: %.3f, not %.3f", block->name,
+  ck_assert_msg(fabs(angle - limit) < 0.05, "%s%s: %.3f, not %.3f", block->name,
                 goes_on ? " on a long base" : "", angle, limit);
   body_stage_clear(&s);
 }

@@ -106,18 +106,23 @@ static void add_force(tp_spring_forces *forces, const tp_spring_contact *own) {
   forces->sum.moment_nm += tp_xy_cross(own->lever, force);
 }
 
+static double within(double value, double most) {
+  return value > most ? most : value < -most ? -most : value;
+}
+
 /* Both springs, Coulomb's limit, and what friction took: the mean of its force times the slip. */
 static void load(tp_spring_contact *own, tp_spring_forces *forces, const tp_spring_contacts *c,
                  double closer, double sheared_more) {
   const double normal = c->normal_pa_m * own->area, shear = c->shear_pa_m * own->area;
   const double overlap = -own->now.gap, resisted = c->normal_dashpot * closer;
-  own->normal_n = fmax(0, normal * (overlap + resisted));
+  const double pressed = normal * (overlap + resisted);
+  own->normal_n = pressed > 0 ? pressed : 0;
   const double before = own->sheared, trial = before + sheared_more;
   const double most = own->friction * own->normal_n / shear;
-  own->sheared = fmax(-most, fmin(trial, most));
+  own->sheared = within(trial, most);
   const double slip = trial - own->sheared;
   const double resisted_shear = c->shear_dashpot * (own->sheared - before);
-  own->shear_n = -shear * fmax(-most, fmin(own->sheared + resisted_shear, most));
+  own->shear_n = -shear * within(own->sheared + resisted_shear, most);
   own->slipped += fabs(slip);
   forces->taken_by_friction += shear * (before + own->sheared) / 2 * slip;
   forces->taken_by_dashpots += normal * resisted * closer;

@@ -53,9 +53,11 @@ static bool disc_on_disc(tp_meeting *m, const tp_feature *of_block, const tp_fea
                          const tp_placing *p, double grace, double below) {
   const tp_xy centre = tp_xy_plus(p->moved, 1, tp_placing_turn(p, of_block->centre));
   const tp_xy v = tp_xy_minus(centre, of_base->centre);
-  const double apart = hypot(v.x, v.y);
+  const double square = tp_xy_dot(v, v), reach = of_block->radius + of_base->radius + below;
+  m->gap = below; /* at least, and most pairs are */
+  if (!(square < reach * reach) || !(square > 0)) return false;
+  const double apart = sqrt(square);
   m->gap = apart - of_block->radius - of_base->radius;
-  if (!(m->gap < below) || !(apart > 0)) return false;
   m->normal = (tp_xy){v.x / apart, v.y / apart};
   const double slack = grace / apart;
   if (!tp_feature_reaches(of_base, m->normal, slack)) return false;

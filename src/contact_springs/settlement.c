@@ -32,7 +32,7 @@ static double smooth(double x) {
 static bool step(tp_stepper *s, double share, bool *failed) {
   *failed = !tp_stepper_evaluate(s);
   if (*failed) return false;
-  s->step_s = share * tp_stepper_stable_step(s);
+  if (s->contacts.changed) s->step_s = share * tp_stepper_stable_step(s);
   tp_stepper_advance(s);
   return true;
 }
@@ -40,7 +40,7 @@ static bool step(tp_stepper *s, double share, bool *failed) {
 static bool has_moved(const tp_stepper *s, const tp_body_state *start) {
   const tp_xy moved = tp_xy_minus(s->state.moved, start->moved);
   const double turned = fabs(s->state.turned - start->turned) * s->body->extent_m;
-  return hypot(moved.x, moved.y) + turned > most_moved_share * s->body->extent_m;
+  return fabs(moved.x) + fabs(moved.y) + turned > most_moved_share * s->body->extent_m;
 }
 
 /* Grow the loads, then wait until the block is quiet. */
@@ -70,6 +70,7 @@ static void let_settle(tp_stepper *s, bool *settled, bool *failed, const tp_body
   *settled = false;
   if (period == 0) return;
   s->drive = &held;
+  s->step_s = share * tp_stepper_stable_step(s);
   s->damping = settling_damping;
   *settled = comes_to_rest(s, start, PERIODS_OF_GROWTH * period, share, failed);
   s->drive = drive;

@@ -38,11 +38,11 @@ static double give(const tp_stepper *s) {
 void tp_spring_watch_init(tp_spring_watch *w, const tp_stepper *s) {
   const tp_rigid_body *body = s->body;
   *w = (tp_spring_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
-                  .extent_m = body->extent_m,
-                  .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
-                  .from = place_of(s),
-                  .angle = tp_drive_angle(s->drive, s->time_s),
-                  .give_m = give(s)};
+                         .extent_m = body->extent_m,
+                         .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
+                         .from = place_of(s),
+                         .angle = tp_drive_angle(s->drive, s->time_s),
+                         .give_m = give(s)};
   w->window_end_s = s->time_s + w->window_s;
 }
 
@@ -66,7 +66,7 @@ static double product(tp_body_force f, tp_body_force g) {
 }
 
 static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, double kinetic,
-                           const tp_stepper *stepper) {
+                                  const tp_stepper *stepper) {
   const double size = sqrt(product(force, force));
   const bool kept =
       product(force, w->last_force) >= kept_force * product(w->last_force, w->last_force);

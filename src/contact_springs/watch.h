@@ -13,8 +13,8 @@
  * times the extent, through four windows: it rests, where its drive is steady. While the base is
  * shaken neither is told. */
 
-#ifndef TP_WATCH_H
-#define TP_WATCH_H
+#ifndef TP_SPRING_WATCH_H
+#define TP_SPRING_WATCH_H
 
 #include "contact_springs/stepper.h"
 
@@ -40,7 +40,11 @@ typedef struct tp_spring_watch {
   double begun_s;       /* when what is told began */
 } tp_spring_watch;
 
-typedef enum tp_spring_watch_news { TP_WATCH_NOTHING, TP_WATCH_COLLAPSES, TP_WATCH_QUIET } tp_spring_watch_news;
+typedef enum tp_spring_watch_news {
+  TP_WATCH_NOTHING,
+  TP_WATCH_COLLAPSES,
+  TP_WATCH_QUIET
+} tp_spring_watch_news;
 
 void tp_spring_watch_init(tp_spring_watch *watch, const tp_stepper *stepper);
 

@@ -74,9 +74,9 @@ static void foresee(follower *f) {
   }
 }
 
-/* Let go at `tilt`, where no equilibrium is near, or the first beyond it where what happens is sure:
- * exactly at a limit nothing is. True: the block rests elsewhere, in `next`; else the path has
- * ended. */
+/* Let go at `tilt`, where no equilibrium is near, or the first beyond it where what happens is
+ * sure: exactly at a limit nothing is. True: the block rests elsewhere, in `next`; else the path
+ * has ended. */
 static bool let_go(follower *f, double tilt) {
   tp_path_result *result = f->result;
   double beyond = fmax(tilt - f->now.tilt, f->settings->tolerance);

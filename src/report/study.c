@@ -31,6 +31,35 @@ static void add_end(tp_text *t, const tp_study_result *r) {
   }
 }
 
+static void add_range(tp_text *t, double least, double greatest, const char *unit) {
+  tp_text_add(t, " %.6g to %.6g", least, greatest);
+  if (unit != NULL) tp_text_add(t, " %s", strcmp(unit, "deg") == 0 ? "°" : unit);
+}
+
+/* Of the base of each sample, where the study asks. */
+static void add_measures(tp_text *t, const tp_study_result *r) {
+  if (r->measure_count == 0) return;
+  tp_text_add(t, "\nMeasured of the base\n");
+  for (size_t k = 0; k < r->measure_count; k++) {
+    const tp_study_measure *own = r->measures + k;
+    tp_text_add(t, "  %-*s %-12s", LABEL, own->name,
+                k + 2 == r->measure_count   ? "Eq. (15)"
+                : k + 1 == r->measure_count ? "Eq. (16)"
+                                            : "");
+    if (own->count == 0) {
+      tp_text_add(t, " -");
+    } else {
+      add_range(t, own->least, own->greatest, own->unit);
+    }
+    if (own->count > 0 && own->count < r->kept) {
+      tp_text_add(t, ", of %zu samples", own->count);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (r->bracketed == 0) return;
+  tp_text_add(t, "  Critical angles between these two: %zu of %zu\n", r->within, r->bracketed);
+}
+
 static void add_head(tp_text *t, const tp_study_result *r) {
   if (r->title != NULL) {
     tp_encode_plain(t, r->title);
@@ -47,9 +76,10 @@ static void add_head(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "  ");
     tp_encode_column(t, v->key, LABEL);
     tp_text_add(t, " %-12s", v->kind);
-    if (r->kept > 0) tp_text_add(t, " %.6g to %.6g", v->least, v->greatest);
+    if (r->kept > 0) add_range(t, v->least, v->greatest, v->unit);
     tp_text_add(t, "\n");
   }
+  add_measures(t, r);
 }
 
 /* ---- probabilities -----------------------------------------------------------------------------
@@ -110,8 +140,9 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
 }
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
-  bool infinite = false;
-  if (r->kept == 0) return;
+  bool infinite = false, any = false;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->spreads[q].count > 0;
+  if (!any) return;
   tp_text_add(t, "\n%-22s", "Quantiles");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
     tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
@@ -166,6 +197,18 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
               "below, and tells that the block fails, not by how much. The angles tell that.\n");
 }
 
+static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (ranks[q].known) {
+      tp_text_add(t, " %10.3f", ranks[q].value);
+    } else {
+      tp_text_add(t, " %10s", "-");
+    }
+  }
+  tp_text_add(t, "\n");
+}
+
+/* Of what varies, and of what is measured but for the two bounds. */
 static void add_ranks(tp_text *t, const tp_study_result *r) {
   bool any = false;
   for (size_t k = 0; k < r->variable_count; k++) {
@@ -178,14 +221,11 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
     const tp_study_variable *v = r->variables + k;
     tp_text_add(t, "  ");
     tp_encode_column(t, v->key, LABEL);
-    for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-      if (v->ranks[q].known) {
-        tp_text_add(t, " %10.3f", v->ranks[q].value);
-      } else {
-        tp_text_add(t, " %10s", "-");
-      }
-    }
-    tp_text_add(t, "\n");
+    add_rank_row(t, v->ranks);
+  }
+  for (size_t k = 0; k + 2 < r->measure_count; k++) {
+    tp_text_add(t, "  %-*s", LABEL, r->measures[k].name);
+    add_rank_row(t, r->measures[k].ranks);
   }
 }
 

@@ -188,6 +188,14 @@ static void add_designs(tp_json *j, const tp_study_result *r) {
   tp_json_close(j);
 }
 
+static void add_ranks(tp_json *j, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {
+  tp_json_array(j, "rank_correlations", TP_JSON_BLOCK);
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (ranks[q].known) add_rank(j, ranks + q, (tp_study_quantity)q);
+  }
+  tp_json_close(j);
+}
+
 static void add_variable(tp_json *j, const tp_study_result *r, const tp_study_variable *own) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "key", own->key);
@@ -197,13 +205,28 @@ static void add_variable(tp_json *j, const tp_study_result *r, const tp_study_va
     tp_json_double(j, "least", own->least);
     tp_json_double(j, "greatest", own->greatest);
   }
-  tp_json_array(j, "rank_correlations", TP_JSON_BLOCK);
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (own->ranks[q].known) add_rank(j, own->ranks + q, (tp_study_quantity)q);
-  }
-  tp_json_close(j);
+  add_ranks(j, own->ranks);
   add_analyses(j, r, own);
   tp_json_close(j);
+}
+
+static void add_measures(tp_json *j, const tp_study_result *r) {
+  if (r->measure_count == 0) return;
+  tp_json_array(j, "roughness", TP_JSON_BLOCK);
+  for (size_t k = 0; k < r->measure_count; k++) {
+    const tp_study_measure *own = r->measures + k;
+    tp_json_object(j, NULL, TP_JSON_BLOCK);
+    tp_json_string(j, "name", own->name);
+    tp_json_string(j, "unit", own->unit);
+    tp_json_count(j, "samples", own->count);
+    tp_json_double(j, "least", own->least);
+    tp_json_double(j, "greatest", own->greatest);
+    add_ranks(j, own->ranks);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+  tp_json_count(j, "bracketed", r->bracketed);
+  tp_json_count(j, "within", r->within);
 }
 
 static void add_head(tp_json *j, const tp_study_result *r) {
@@ -255,6 +278,7 @@ tp_status tp_report_study_json(char **text, const tp_study_result *result) {
     add_variable(&j, result, result->variables + k);
   }
   tp_json_close(&j);
+  add_measures(&j, result);
   tp_json_array(&j, "tilts", TP_JSON_BLOCK);
   for (size_t k = 0; k < result->tilt_count; k++) add_tilt(&j, result->tilts + k);
   tp_json_close(&j);

@@ -126,11 +126,14 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
 /* ---- what happened -----------------------------------------------------------------------------
  */
 
+static bool is_of_contact(const tp_tilt_event *e) {
+  return e->kind < TP_EVENT_COLLAPSES || e->kind == TP_EVENT_ACCUMULATES;
+}
+
 static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_test *test) {
-  const bool whole = e->kind >= TP_EVENT_COLLAPSES && e->kind != TP_EVENT_ACCUMULATES;
   tp_text_add(t, "  %9.4f° ", e->angle_deg);
   if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
-  if (whole) {
+  if (!is_of_contact(e)) {
     tp_text_add(t, "the block %s", tp_tilt_event_name(e->kind));
   } else if (e->facet > 0) {
     tp_text_add(t, "facet %ld %s at (%.5g, %.5g)", e->facet, tp_tilt_event_name(e->kind),
@@ -145,18 +148,12 @@ static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_test *te
   tp_text_add(t, "\n");
 }
 
-/* How many events from one on are of the same contact, to and fro: told as one line if several. */
+/* How many events from one on are of the same facet: several are told as one, to and fro. */
 static size_t chatter_length(const tp_tilt_case *c, size_t first) {
   const tp_tilt_event *e = c->events + first;
-  const bool across = e->kind == TP_EVENT_OPENS || e->kind == TP_EVENT_CLOSES,
-             along = e->kind == TP_EVENT_SLIPS || e->kind == TP_EVENT_STICKS;
   size_t k = first + 1;
-  for (; k < c->event_count && (across || along); k++) {
-    const tp_tilt_event *other = c->events + k;
-    const bool other_across = other->kind == TP_EVENT_OPENS || other->kind == TP_EVENT_CLOSES,
-               other_along = other->kind == TP_EVENT_SLIPS || other->kind == TP_EVENT_STICKS;
-    if (other->facet != e->facet || across != other_across || along != other_along) break;
-  }
+  if (!is_of_contact(e)) return 1;
+  while (k < c->event_count && c->events[k].facet == e->facet && is_of_contact(c->events + k)) k++;
   return k - first;
 }
 
@@ -198,15 +195,15 @@ static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test)
   }
   tp_text_add(t, ", at %.4g s;\n  run-out %.4g %s down-dip, turned by %.4g°.\n", c->ended_s,
               length(test, c->run_out_m), test->length_unit, c->turned_deg);
-  tp_text_add(t,
-              "  Kinetic energy at most %.3g J; energy balanced within %.1e of weight times\n"
-              "  extent.\n",
-              c->kinetic_energy_j,
-              c->energy_scale_j > 0 ? c->energy_balance_j / c->energy_scale_j : 0.0);
+  const double balance = c->energy_scale_j > 0 ? c->energy_balance_j / c->energy_scale_j : 0;
+  tp_text_add(t, "  Kinetic energy at most %.3g J; energy balanced within %.1e of\n",
+              c->kinetic_energy_j, balance);
+  tp_text_add(t, "  weight times extent.\n");
 }
 
 static void add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (!c->has_overturning) return;
+  if (!c->converged) tp_text_add(t, "\n  A run was not decided: the search ended early.");
   tp_text_add(t, "\n  The least shaking that overturns it is %.4g to %.4g times this one",
               c->overturning_least, c->overturning_most);
   if (test->shaking[0].given) {

@@ -175,6 +175,7 @@ tp_status tp_report_tilt_json(char **text, const tp_tilt_test *test) {
   for (size_t k = 0; k < test->case_count; k++) json_case(&j, test->cases + k, test);
   tp_json_close(&j);
   tp_json_notes(&j, &test->notes);
+  tp_json_close(&j);
   return tp_json_finish(&j, text);
 }
 

@@ -4,11 +4,13 @@
 #include "study/field.h"
 
 #include "scene/unit.h"
+#include "study/roughness.h"
 #include "study/shortest.h"
 
 #include <string.h>
 
-/* Those of every study, after the sample and its numbers; then two at each tilt; then the last. */
+/* Those of every study, after the sample and its numbers; then two at each tilt, and what is
+ * measured of the base; then the last. */
 typedef enum own_field {
   OUTCOME,
   FOS,
@@ -28,7 +30,8 @@ typedef enum own_field {
   SAMPLE,
   VARIABLE,
   TILT_OUTCOME,
-  TILT_FOS
+  TILT_FOS,
+  MEASURE
 } own_field;
 
 typedef struct own_column {
@@ -54,6 +57,7 @@ static const own_column own_columns[] = {
     [VARIABLE] = {NULL, NULL, TP_FIELD_NUMBER},
     [TILT_OUTCOME] = {"outcome", NULL, TP_FIELD_WORDS},
     [TILT_FOS] = {"fos", NULL, TP_FIELD_NUMBER},
+    [MEASURE] = {NULL, NULL, TP_FIELD_NUMBER},
 };
 
 /* Which field it is, and of which variable or tilt. */
@@ -72,15 +76,24 @@ static own_field find(size_t *of, const tp_study *study, size_t field) {
     *of = left / 2;
     return left % 2 == 0 ? TILT_OUTCOME : TILT_FOS;
   }
-  return left - 2 * study->tilt_count == 0 ? STATUS : WHY;
+  left -= 2 * study->tilt_count;
+  if (left < study->measure_count) {
+    *of = left;
+    return MEASURE;
+  }
+  return left == study->measure_count ? STATUS : WHY;
 }
 
 size_t tp_study_field_count(const tp_study *study) {
-  return 1 + study->variable_count + OWN_FIELDS + 2 * study->tilt_count;
+  return 1 + study->variable_count + OWN_FIELDS + 2 * study->tilt_count + study->measure_count;
 }
 
 size_t tp_study_field_of_variable(size_t variable) {
   return 1 + variable;
+}
+
+size_t tp_study_field_of_measure(const tp_study *study, size_t measure) {
+  return 1 + study->variable_count + BEFORE_TILTS + 2 * study->tilt_count + measure;
 }
 
 tp_study_field_kind tp_study_field_kind_of(const tp_study *study, size_t field) {
@@ -102,6 +115,13 @@ void tp_study_field_name(tp_text *text, const tp_study *study, size_t field) {
     add_variable(text, study, study->variables[of].node->key);
     return;
   }
+  if (own == MEASURE) {
+    tp_text_add(text, "%s", tp_study_measure_name(study->measures[of]));
+    if (tp_study_measure_is_length(study->measures[of])) {
+      tp_text_add(text, "_%s", study->scene->length_unit);
+    }
+    return;
+  }
   tp_text_add(text, "%s", own_columns[own].name);
   if (own == TILT_OUTCOME || own == TILT_FOS) {
     tp_text_add(text, "_at_%s_deg", tp_study_shortest(tilt, study->tilts[of]));
@@ -111,6 +131,7 @@ void tp_study_field_name(tp_text *text, const tp_study *study, size_t field) {
 const char *tp_study_field_unit(const tp_study *study, size_t field) {
   size_t of = 0;
   const own_field own = find(&of, study, field);
+  if (own == MEASURE) return tp_study_measure_unit(study, of);
   return own == VARIABLE ? tp_key_unit(study->scene, study->variables[of].node->key)
                          : own_columns[own].unit;
 }
@@ -166,6 +187,8 @@ tp_study_value tp_study_field_value(const tp_study *study, const tp_study_row *r
     return words(tp_study_outcome_name(row->at[of + 1].outcome));
   case TILT_FOS:
     return number(row->at[of + 1].fos);
+  case MEASURE:
+    return number(row->measures[of]);
   case STATUS:
     return words(status_of(row));
   default:

@@ -28,8 +28,9 @@ typedef struct tp_study_value {
 } tp_study_value;
 
 size_t tp_study_field_count(const tp_study *study);
-/* That of the k-th number that varies. */
+/* That of the k-th number that varies, or that is measured of the base. */
 size_t tp_study_field_of_variable(size_t variable);
+size_t tp_study_field_of_measure(const tp_study *study, size_t measure);
 tp_study_field_kind tp_study_field_kind_of(const tp_study *study, size_t field);
 
 /* Its name, with the unit of a length in it, as block.slab.height_mm; and the unit, NULL where it

@@ -8,6 +8,7 @@
 #include "study/analyses.h"
 #include "study/hash.h"
 #include "study/plan.h"
+#include "study/roughness.h"
 #include "study/variable.h"
 
 #include <stdlib.h>
@@ -16,10 +17,10 @@
 enum { CHUNK = 100 };
 
 static tp_status read_version(const tp_study_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {
-      "topple_study", "title",         "scene", "samples",      "sampling",
-      "vary",         "tilts_deg",     "until", "correlations", "sensitivity",
-      "reliability",  "design_values", NULL};
+  static const char *const keys[] = {"topple_study", "title",       "scene",       "samples",
+                                     "sampling",     "vary",        "tilts_deg",   "until",
+                                     "correlations", "sensitivity", "reliability", "design_values",
+                                     "roughness",    NULL};
   const tp_node *node = tp_node_get(root, "topple_study");
   if (node == NULL) {
     return tp_study_fail(reader, root, "this is no study: 'topple_study: 1' is missing");
@@ -228,7 +229,8 @@ static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_tilts(reader, root);
   if (status == TP_OK) status = read_until(reader, root);
   if (status == TP_OK) status = tp_study_read_analyses(reader, root);
-  return status == TP_OK ? tp_study_read_designs(reader, root) : status;
+  if (status == TP_OK) status = tp_study_read_designs(reader, root);
+  return status == TP_OK ? tp_study_read_roughness(reader, root) : status;
 }
 
 tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {

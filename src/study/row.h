@@ -22,6 +22,7 @@ typedef struct tp_study_row {
   double pivot_x_m, pivot_y_m;
   double tilt_deg; /* of the scene; NaN: none. Not written, nor read back */
   const char *first, *limit_mechanism, *fos_mechanism; /* in words */
+  double measures[TP_MEASURES];                        /* as the study lists them; NaN: none */
   int fos_definition; /* tp_fos_definition of the factor that governs; -1: there is none */
   bool open;
   char *why;        /* of an invalid one, owned; else NULL */

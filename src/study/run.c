@@ -9,6 +9,7 @@
 #include "host.h"
 #include "options.h"
 #include "study/result.h"
+#include "study/roughness.h"
 #include "study/row_csv.h"
 #include "study/rows.h"
 #include "study/sample.h"
@@ -73,7 +74,9 @@ static tp_status solve_one(tp_workspace *workspace, const void *task, size_t blo
     atomic_store(&r->stopped, true);
   }
   if (atomic_load(&r->stopped)) return TP_OK;
-  return tp_study_solve(r->chunk + block, r->study, r->study->tilt_count, message);
+  const tp_status status =
+      tp_study_solve(r->chunk + block, r->study, r->study->tilt_count, message);
+  return status == TP_OK ? tp_study_measure_roughness(r->chunk + block, r->study, message) : status;
 }
 
 static tp_status keep_chunk(run *r, size_t count, tp_message *message) {

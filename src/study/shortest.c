@@ -3,8 +3,11 @@
 
 #include "study/shortest.h"
 
+#include "number/ratio.h"
+
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value) {
   for (int digits = 15; digits <= 17; digits++) {
@@ -12,4 +15,11 @@ const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value) {
     if (strtod(out, NULL) == value) break;
   }
   return out;
+}
+
+bool tp_study_exact(fmpq_t number, double value) {
+  char text[TP_SHORTEST_SIZE];
+  const char *problem = NULL;
+  tp_study_shortest(text, value);
+  return tp_ratio_read_field(number, text, strlen(text), &problem);
 }

@@ -100,7 +100,8 @@ typedef struct overturning {
   double factor; /* that the shaking has now */
 } overturning;
 
-static tp_status overturns(bool *does, overturning *o, double factor) {
+/* A run that is not decided says nothing: it spares no block, and ends the search. */
+static tp_status look(tp_tilt_verdict *verdict, overturning *o, double factor) {
   tp_tilting *tilting = o->tilting;
   const double angle = tp_tilt_radians(tilting->settings->release_deg);
   const tp_drive drive = {.angle = angle, .final_angle = angle, .shaking = tilting->shaking};
@@ -112,22 +113,25 @@ static tp_status overturns(bool *does, overturning *o, double factor) {
   o->scale(o->shaking, factor / o->factor);
   o->factor = factor;
   const tp_status status = tp_tilting_run(&end, &last, tilting, &run);
-  *does = end == TP_RUN_OVERTURNED;
+  *verdict = end == TP_RUN_OVERTURNED      ? TP_VERDICT_MOVES
+             : end != TP_RUN_UNDECIDED     ? TP_VERDICT_STANDS
+             : tp_tilting_stopped(tilting) ? TP_VERDICT_STOPPED
+                                           : TP_VERDICT_OPEN;
+  tilting->own->converged = *verdict == TP_VERDICT_STANDS || *verdict == TP_VERDICT_MOVES;
   return status;
 }
 
 /* Between a factor that spares it and one that does not. */
 static tp_status narrow_factor(overturning *o, double spares, double overturned) {
   tp_status status = TP_OK;
-  while (status == TP_OK && overturned - spares > 1e-3 * spares &&
-         !tp_tilting_stopped(o->tilting)) {
+  while (status == TP_OK && overturned - spares > 1e-3 * overturned) {
     const double middle = 0.5 * (spares + overturned);
-    bool does = false;
-    status = overturns(&does, o, middle);
-    if (status != TP_OK) break;
-    *(does ? &overturned : &spares) = middle;
+    tp_tilt_verdict verdict = TP_VERDICT_OPEN;
+    status = look(&verdict, o, middle);
+    if (status != TP_OK || !o->tilting->own->converged) break;
+    *(verdict == TP_VERDICT_MOVES ? &overturned : &spares) = middle;
   }
-  o->tilting->own->has_overturning = true;
+  o->tilting->own->has_overturning = status == TP_OK;
   o->tilting->own->overturning_least = spares;
   o->tilting->own->overturning_most = overturned;
   return status;
@@ -139,11 +143,12 @@ tp_status tp_tilting_overturning(tp_tilting *tilting, void (*scale)(void *, doub
   overturning o = {tilting, scale, shaking, 1};
   double spares = 0;
   tp_status status = TP_OK;
-  for (int k = FIRST; k <= LAST && status == TP_OK && !tp_tilting_stopped(tilting); k++) {
+  for (int k = FIRST; k <= LAST && status == TP_OK; k++) {
     const double factor = exp2(0.25 * k);
-    bool does = false;
-    status = overturns(&does, &o, factor);
-    if (status == TP_OK && does) {
+    tp_tilt_verdict verdict = TP_VERDICT_OPEN;
+    status = look(&verdict, &o, factor);
+    if (status != TP_OK || !tilting->own->converged) break;
+    if (verdict == TP_VERDICT_MOVES) {
       status = narrow_factor(&o, spares, factor);
       break;
     }

@@ -57,7 +57,7 @@ static tp_status ramp(tp_tilting *tilting) {
   const tp_status status = run(&result, tilting, 0, until, &tilting->history);
   if (status != TP_OK) return status;
   own->end = end_of(&result, tilting);
-  own->least_deg = tp_tilt_degrees(result.stands_to);
+  own->least_deg = own->end == TP_TILT_STANDS ? until : tp_tilt_degrees(result.stands_to);
   own->most_deg = own->end == TP_TILT_COLLAPSES ? tp_tilt_degrees(result.collapses_at) : until;
   own->has_bracket = own->end == TP_TILT_COLLAPSES;
   own->converged =

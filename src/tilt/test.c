@@ -99,8 +99,8 @@ static tp_status run_release(tp_tilting *tilting, const stage *g) {
 static tp_status run_case(tp_tilting *tilting, const stage *g) {
   tp_tilt_case *own = tilting->own;
   const tp_tilt_settings *s = tilting->settings;
-  const double least = own->has_onset ? own->onset_deg - 0.5 * s->tolerance_deg : 0,
-               most = own->has_limit ? own->limit_deg + 0.5 * s->tolerance_deg : 0;
+  const double least = own->has_onset ? own->onset_deg - 0.4 * s->tolerance_deg : 0,
+               most = own->has_limit ? own->limit_deg + 0.4 * s->tolerance_deg : 0;
   tp_tilt_engines engines;
   if (s->engine == TP_TILT_PATH) return tp_tilting_path(tilting, least, most);
   tp_status status =

@@ -189,7 +189,7 @@ MIRRORS = {
     "tp_study_spread": "StudySpread", "tp_study_rank": "StudyRank", "tp_study_variable": "StudyVariable",
     "tp_study_step": "StudyStep", "tp_study_index": "StudyIndex", "tp_study_reliability": "StudyReliability",
     "tp_study_rare": "StudyRare", "tp_study_factor": "StudyFactor", "tp_study_design": "StudyDesign",
-    "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
+    "tp_study_measure": "StudyMeasure", "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
     "tp_tilt_event": "TiltEvent", "tp_tilt_moment": "TiltMoment", "tp_tilt_reaction": "TiltReaction",
     "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
     "tp_tilt_case": "TiltCase", "tp_tilt_test": "TiltTest",

@@ -77,6 +77,7 @@ class Refused(StudyCase):
                 ("samples: 10\nvary: {block.slab.height: {list: [1]}}", "leave 'samples' out"),
                 (vary.replace("samples: 10\n", ""), "'samples' is missing"),
                 (vary.replace("10", "0"), "a whole number from 1"),
+                (vary.replace("10", "ten"), r"study.yaml:3:10: unknown name 'ten'; a number stands here"),
                 (vary + "sampling: {method: latin}", "did you mean 'latin_hypercube'"),
                 (vary + "sampling: {sede: 1}", "did you mean 'seed'"),
                 (vary + "tilts_deg: [10, 10]", "rises"),
