@@ -272,7 +272,7 @@ static inline tp_study_options tp_study_options_default(void) {
 
 /* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
  * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
- * scene has changed since. */
+ * scene has changed since, or ends in .h5. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
                                    const tp_study_options *options, tp_message *message);
 
