@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A mode can begin where its cone of loads holds the weight (motion/bounds.h), over cos(tilt)
+ * w = (-t, -1, 0) with t = tan(tilt). The cone is the union of the simple ones of three of its
+ * generators each, so that its tilts, an interval, reach from the least lower to the largest upper
+ * end of theirs. With generators g_0, g_1, g_2 and D = g_0 . g_1 x g_2 the factor of g_0 in w is
+ * (g_1 x g_2) . w / D, a linear function of t. Every sign is that of a double beyond its bound. */
+
+#include "case_filter/onset_filter.h"
+
+enum { GENERATORS = 2 + TP_PLAN_EDGES };
+
+/* Keep where rise t <= level, both times `sign`. False where open. */
+static bool keep(tp_near_interval *own, tp_near rise, tp_near level, int sign) {
+  if (tp_near_is_zero(rise)) {
+    const int side = sign * tp_near_sign(level);
+    own->empty = own->empty || side < 0;
+    return side != 0;
+  }
+  const int side = sign * tp_near_sign(rise);
+  if (side == 0) return false;
+  const tp_near end = tp_near_div(level, rise);
+  if (side > 0) {
+    own->high = own->has_high ? tp_near_lesser(own->high, end) : end;
+    own->has_high = true;
+  } else {
+    own->low = own->has_low ? tp_near_larger(own->low, end) : end;
+    own->has_low = true;
+  }
+  return true;
+}
+
+/* Where the ends are told apart at all. */
+static bool settle(tp_near_interval *own) {
+  if (own->empty || !own->has_low || !own->has_high) return true;
+  const int order = tp_near_sign(tp_near_sub(own->high, own->low));
+  own->empty = order < 0;
+  return order != 0;
+}
+
+static bool span_triple(tp_near_interval *own, tp_near g[GENERATORS][3],
+                        const signed char of[3]) {
+  *own = (tp_near_interval){.empty = false};
+  int sign = 0;
+  for (int k = 0; k < 3 && !own->empty; k++) {
+    tp_near c[3];
+    tp_near_vector_cross(c, g[of[(k + 1) % 3]], g[of[(k + 2) % 3]]);
+    if (k == 0) sign = tp_near_sign(tp_near_vector_dot(c, g[of[0]]));
+    /* (c . w) D >= 0: -c_x t - c_y has the sign of D */
+    if (sign == 0 || !keep(own, c[0], tp_near_neg(c[1]), sign)) return false;
+  }
+  return settle(own);
+}
+
+static void unite(tp_near_interval *sum, const tp_near_interval *own) {
+  if (own->empty) return;
+  if (sum->empty) {
+    *sum = *own;
+    return;
+  }
+  sum->has_low = sum->has_low && own->has_low;
+  sum->has_high = sum->has_high && own->has_high;
+  if (sum->has_low) sum->low = tp_near_lesser(sum->low, own->low);
+  if (sum->has_high) sum->high = tp_near_larger(sum->high, own->high);
+}
+
+static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_shape *shape,
+                      tp_near edges[][2][3]) {
+  tp_near g[GENERATORS][3];
+  for (int k = 0; k < mode->ray_count; k++) {
+    for (int e = 0; e < 3; e++) g[k][e] = shape->inertia[mode->rays[k]][e];
+  }
+  for (int k = 0; k < mode->edge_count; k++) {
+    const tp_plan_edge *edge = mode->edges + k;
+    for (int e = 0; e < 3; e++) {
+      g[mode->ray_count + k][e] = tp_near_neg(edges[edge->point][edge->against][e]);
+    }
+  }
+  own->all = own->with_rays = (tp_near_interval){.empty = true};
+  for (int k = 0; k < mode->triple_count; k++) {
+    tp_near_interval triple;
+    if (!span_triple(&triple, g, mode->triples[k].of)) return false;
+    unite(&own->all, &triple);
+    if (mode->triples[k].all_rays) unite(&own->with_rays, &triple);
+  }
+  return true;
+}
+
+/* Where all points open under the weight: h . (-t, -1, 0) >= 0 of each. */
+static bool find_leaving(tp_near_interval *own, const tp_contact_plan *plan,
+                         const tp_shape *shape) {
+  *own = (tp_near_interval){.empty = !plan->opens_all};
+  for (int k = 0; k < plan->point_count && !own->empty; k++) {
+    const tp_plan_point *point = plan->points + k;
+    bool seen = false; /* a facet parallel to one before it says the same */
+    for (int before = 0; before < k; before++) {
+      seen = seen || (plan->points[before].axis == point->axis &&
+                      plan->points[before].along == point->along);
+    }
+    const tp_shape_point *p = shape->points + k;
+    if (!seen && !keep(own, tp_near_neg(p->ty), tp_near_neg(p->tx), 1)) return false;
+  }
+  return settle(own);
+}
+
+/* An interval takes part in the onset: the least of what begins above level ground. False where it
+ * holds level ground, or may. */
+static bool take(tp_onset_filter *found, const tp_near_interval *own) {
+  if (own->empty || (own->has_high && tp_near_sign(own->high) < 0)) return true;
+  if (!own->has_low || tp_near_sign(own->low) <= 0) return false;
+  found->tangent = found->never ? own->low : tp_near_lesser(found->tangent, own->low);
+  found->never = false;
+  return true;
+}
+
+bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
+                          const tp_shape *shape, tp_near friction) {
+  tp_near edges[TP_PLAN_POINTS][2][3];
+  for (long k = 0; k < plan->point_count; k++) {
+    tp_shape_edge(edges[k][0], shape, (tp_plan_edge){k, false}, friction);
+    tp_shape_edge(edges[k][1], shape, (tp_plan_edge){k, true}, friction);
+  }
+  found->plan = plan;
+  found->never = true;
+  if (!find_leaving(&found->leaves, plan, shape) || !take(found, &found->leaves)) return false;
+  for (int k = 0; k < plan->mode_count; k++) {
+    tp_mode_interval *own = found->modes + k;
+    if (!find_mode(own, plan->modes + k, shape, edges) || !take(found, &own->all)) return false;
+  }
+  return true;
+}
+
+/* 1 within, strictly, -1 without, 0 open. */
+static int side_of(const tp_near_interval *own, tp_near tangent) {
+  if (own->empty) return -1;
+  const int low = own->has_low ? tp_near_sign(tp_near_sub(tangent, own->low)) : 1;
+  const int high = own->has_high ? tp_near_sign(tp_near_sub(own->high, tangent)) : 1;
+  return low < 0 || high < 0 ? -1 : low > 0 && high > 0 ? 1 : 0;
+}
+
+bool tp_onset_filter_look(bool *moves, unsigned *beginnings, const tp_onset_filter *found,
+                          tp_near tangent) {
+  *beginnings = 0;
+  const int leaves = side_of(&found->leaves, tangent);
+  *moves = leaves > 0;
+  if (leaves > 0) *beginnings |= 1U << TP_LEAVES_BASE;
+  bool told = leaves != 0;
+  for (int k = 0; k < found->plan->mode_count && told; k++) {
+    const int side = side_of(&found->modes[k].all, tangent);
+    const int start = side > 0 ? side_of(&found->modes[k].with_rays, tangent) : -1;
+    told = side != 0 && start != 0;
+    *moves = *moves || side > 0;
+    if (start > 0) *beginnings |= 1U << found->plan->modes[k].mechanism;
+  }
+  return told;
+}
