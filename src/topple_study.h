@@ -11,6 +11,7 @@
 #ifndef TOPPLE_STUDY_H
 #define TOPPLE_STUDY_H
 
+#include "topple_governing.h"
 #include "topple_scene.h"
 
 #ifdef __cplusplus
@@ -93,6 +94,16 @@ typedef struct tp_study_spread {
   tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* by rising probability */
 } tp_study_spread;
 
+/* The factors of safety of samples that one definition governs at the scene's tilt. Each tells in
+ * its own way how far a block is from 1, so that they are no one distribution: just beyond toppling
+ * the one by moments is little below 1, and strength reduction, where it governs, far below. */
+typedef struct tp_study_factor {
+  tp_fos_definition definition; /* by which the factor that governs is reckoned */
+  tp_study_share governs;       /* of all samples */
+  size_t below;                 /* of these, with a factor below 1 */
+  tp_study_spread spread;       /* of the factors of the samples kept */
+} tp_study_factor;
+
 /* Spearman's rank correlation of a number that varies with a quantity. */
 typedef struct tp_study_rank {
   bool known;              /* three samples at least, and neither is the same for all */
@@ -163,7 +174,7 @@ typedef enum tp_study_end {
   TP_STUDY_SHARD        /* all samples of its shard */
 } tp_study_end;
 
-/* A number of the samples, one value each; of an outcome its number in tp_study_outcome. */
+/* A number of the samples, one value each; of what has a name its number in the list of these. */
 typedef struct tp_study_column {
   TP_OUTSIDE char *header; /* as in the header of the rows */
   double *values;          /* `kept` of them */
@@ -188,6 +199,7 @@ typedef struct tp_study_result {
   size_t variable_count;                        /* of the numbers that vary */
   tp_study_variable *variables;                 /* as the study lists them */
   tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
+  tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
   size_t step_count;                /* of the steps */
@@ -195,7 +207,8 @@ typedef struct tp_study_result {
   size_t bad_count;                 /* of the first invalid samples, 5 at most */
   tp_study_bad *bad;                /* these */
   size_t column_count;              /* of the columns */
-  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt */
+  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt, and
+                               tp_fos_definition of the factor that governs, NaN: none */
 } tp_study_result;
 
 /* How a study is run. */

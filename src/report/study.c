@@ -148,6 +148,40 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
   }
 }
 
+/* The factor of each definition by itself, where more than one governs. */
+static void add_factors(tp_text *t, const tp_study_result *r) {
+  enum { LABEL_OF_FACTORS = 29 };
+  static const size_t shown[] = {1, 3, 5}; /* of the quantiles */
+  const tp_study_quantile *heads = NULL;
+  int governing = 0;
+  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+    governing += r->factors[k].governs.count > 0;
+    if (r->factors[k].spread.count > 0) heads = r->factors[k].spread.quantiles;
+  }
+  if (governing < 2 || heads == NULL) return;
+  tp_text_add(t, "\n%-*s %10s %9s", LABEL_OF_FACTORS + 2, "What governs the factor", "samples",
+              "below 1");
+  for (size_t j = 0; j < sizeof shown / sizeof shown[0]; j++) {
+    tp_text_add(t, " %5.0f %%", 100 * heads[shown[j]].probability);
+  }
+  tp_text_add(t, "\n");
+  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+    const tp_study_factor *own = r->factors + k;
+    if (own->governs.count == 0) continue;
+    tp_text_add(t, "  %-*s %10zu %9zu", LABEL_OF_FACTORS, tp_fos_definition_name(own->definition),
+                own->governs.count, own->below);
+    for (size_t j = 0; j < sizeof shown / sizeof shown[0] && own->spread.count > 0; j++) {
+      add_number(t, own->spread.quantiles[shown[j]].value, TP_STUDY_FOS);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (r->factors[TP_FOS_BY_REDUCTION].below == 0) return;
+  tp_text_add(t,
+              "Below 1 strength reduction tells which share of the friction needed is there. No\n"
+              "rock has what would hold a block that topples: there it leaps from 1 to far\n"
+              "below, and tells that the block fails, not by how much. The angles tell that.\n");
+}
+
 static void add_ranks(tp_text *t, const tp_study_result *r) {
   bool any = false;
   for (size_t k = 0; k < r->variable_count; k++) {
@@ -261,6 +295,7 @@ tp_status tp_report_study(char **text, const tp_study_result *result) {
   if (result->samples > 0) {
     add_tilts(&t, result);
     add_spreads(&t, result);
+    add_factors(&t, result);
     add_ranks(&t, result);
     add_indices(&t, result);
     add_reliability(&t, result);

@@ -64,16 +64,34 @@ static void add_quantile(tp_json *j, const tp_study_quantile *own) {
   tp_json_close(j);
 }
 
-static void add_spread(tp_json *j, const tp_study_result *r, tp_study_quantity quantity) {
-  const tp_study_spread *spread = r->spreads + quantity;
-  tp_json_object(j, NULL, TP_JSON_BLOCK);
-  tp_json_string(j, "quantity", tp_study_quantity_name(quantity));
+static void add_quantiles(tp_json *j, const tp_study_spread *spread) {
   tp_json_count(j, "samples", spread->count);
   tp_json_array(j, "quantiles", TP_JSON_BLOCK);
   for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->count > 0; k++) {
     add_quantile(j, spread->quantiles + k);
   }
   tp_json_close(j);
+}
+
+static void add_spread(tp_json *j, const tp_study_result *r, tp_study_quantity quantity) {
+  const tp_study_spread *spread = r->spreads + quantity;
+  tp_json_object(j, NULL, TP_JSON_BLOCK);
+  tp_json_string(j, "quantity", tp_study_quantity_name(quantity));
+  add_quantiles(j, spread);
+  tp_json_close(j);
+}
+
+static void add_factors(tp_json *j, const tp_study_result *r) {
+  tp_json_array(j, "governing_factors", TP_JSON_BLOCK);
+  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+    const tp_study_factor *own = r->factors + k;
+    tp_json_object(j, NULL, TP_JSON_BLOCK);
+    tp_json_string(j, "definition", tp_fos_definition_name(own->definition));
+    add_share(j, "governs", &own->governs);
+    tp_json_count(j, "below_1", own->below);
+    add_quantiles(j, &own->spread);
+    tp_json_close(j);
+  }
   tp_json_close(j);
 }
 
@@ -215,6 +233,7 @@ tp_status tp_report_study_json(char **text, const tp_study_result *result) {
   tp_json_array(&j, "quantities", TP_JSON_BLOCK);
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) add_spread(&j, result, (tp_study_quantity)q);
   tp_json_close(&j);
+  add_factors(&j, result);
   if (result->sensitivity_samples > 0) {
     tp_json_count(&j, "sensitivity_samples", result->sensitivity_samples);
   }

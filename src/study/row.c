@@ -37,13 +37,19 @@ void tp_study_write_header(tp_text *text, const tp_study *study) {
     tp_encode_csv(text, study->variables[k].node->key);
     tp_text_add(text, ",");
   }
-  tp_text_add(text, "outcome,fos,fos_mechanism,first,moments_deg,pivot_x_m,pivot_y_m,onset_deg,"
-                    "limit_deg,limit_mechanism,");
+  tp_text_add(text,
+              "outcome,fos,fos_mechanism,fos_definition,first,moments_deg,pivot_x_m,pivot_y_m,"
+              "onset_deg,limit_deg,limit_mechanism,");
   for (size_t k = 0; k < study->tilt_count; k++) {
     tp_study_shortest(tilt, study->tilts[k]);
     tp_text_add(text, "outcome_at_%s_deg,fos_at_%s_deg,", tilt, tilt);
   }
   tp_text_add(text, "status,why\n");
+}
+
+static const char *definition_name(const tp_study_row *row) {
+  return row->fos_definition < 0 ? ""
+                                 : tp_fos_definition_name((tp_fos_definition)row->fos_definition);
 }
 
 void tp_study_write_row(tp_text *text, const tp_study *study, const tp_study_row *row) {
@@ -52,7 +58,7 @@ void tp_study_write_row(tp_text *text, const tp_study *study, const tp_study_row
   for (size_t k = 0; k < study->variable_count; k++) add_number(text, row->values[k]);
   tp_text_add(text, "%s,", tp_study_outcome_name(own));
   add_number(text, row->quantities[TP_STUDY_FOS]);
-  tp_text_add(text, "%s,%s,", row->fos_mechanism, row->first);
+  tp_text_add(text, "%s,%s,%s,", row->fos_mechanism, definition_name(row), row->first);
   add_number(text, row->quantities[TP_STUDY_MOMENTS_DEG]);
   add_number(text, row->pivot_x_m);
   add_number(text, row->pivot_y_m);

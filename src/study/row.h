@@ -26,6 +26,7 @@ typedef struct tp_study_row {
   double pivot_x_m, pivot_y_m;
   double tilt_deg; /* of the scene; NaN: none. Not written, nor read back */
   const char *first, *limit_mechanism, *fos_mechanism; /* in words; not read back */
+  int fos_definition; /* tp_fos_definition of the factor that governs; -1: there is none */
   bool open;
   char *why;        /* of an invalid one, owned; else NULL */
   const char *line; /* of one that was read: the text */

@@ -29,6 +29,17 @@ static bool read_number(double *value, const char **at) {
   return skip(at);
 }
 
+/* Nothing, or the name of a definition. */
+static bool read_definition(int *definition, const char **at) {
+  *definition = -1;
+  for (int k = 0; k < TP_FACTORS_MAX && **at != ','; k++) {
+    const char *name = tp_fos_definition_name((tp_fos_definition)k);
+    const size_t length = strlen(name);
+    if (strncmp(*at, name, length) == 0 && (*at)[length] == ',') *definition = k;
+  }
+  return (**at == ',' || *definition >= 0) && skip(at);
+}
+
 static bool read_outcome(tp_study_outcome *outcome, const char **at) {
   for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
     const char *name = tp_study_outcome_name((tp_study_outcome)k);
@@ -86,10 +97,10 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
     read = read_number(row->values + k, &at);
   }
   read = read && read_outcome(&row->at[0].outcome, &at) && read_number(q + TP_STUDY_FOS, &at) &&
-         skip(&at) && skip(&at) && read_number(q + TP_STUDY_MOMENTS_DEG, &at) &&
-         read_number(&row->pivot_x_m, &at) && read_number(&row->pivot_y_m, &at) &&
-         read_number(q + TP_STUDY_ONSET_DEG, &at) && read_number(q + TP_STUDY_LIMIT_DEG, &at) &&
-         skip(&at) && read_tilts(row, study, &at);
+         skip(&at) && read_definition(&row->fos_definition, &at) && skip(&at) &&
+         read_number(q + TP_STUDY_MOMENTS_DEG, &at) && read_number(&row->pivot_x_m, &at) &&
+         read_number(&row->pivot_y_m, &at) && read_number(q + TP_STUDY_ONSET_DEG, &at) &&
+         read_number(q + TP_STUDY_LIMIT_DEG, &at) && skip(&at) && read_tilts(row, study, &at);
   if (!read) return false;
   row->at[0].fos = q[TP_STUDY_FOS];
   row->open = strncmp(at, "open,", 5) == 0;

@@ -86,8 +86,10 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
                                ? "holds nowhere"
                                : tp_study_outcome_name(outcome_of(c->limit.mechanism));
   }
-  if (g->has_factor)
+  if (g->has_factor) {
     row->fos_mechanism = tp_study_outcome_name(outcome_of(g->factors[g->factor].mechanism));
+    row->fos_definition = (int)g->factors[g->factor].definition;
+  }
 }
 
 /* ---- scenes ------------------------------------------------------------------------------------
@@ -99,6 +101,7 @@ static void clear(tp_study_row *row, size_t tilts, tp_study_outcome outcome) {
   for (size_t k = 0; k <= tilts; k++) row->at[k] = (tp_study_at){outcome, NAN};
   row->pivot_x_m = row->pivot_y_m = row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
+  row->fos_definition = -1;
   row->open = false;
   row->why = NULL;
 }

@@ -49,11 +49,14 @@ static double quantile_between(double value, const double *sorted, size_t count,
   return isnan(value) ? sorted[(size_t)(p * (double)(count - 1))] : value;
 }
 
-static bool fill_spread(tp_study_spread *spread, const double *column, size_t kept) {
+/* Of a column; `group` NULL, or of those that have `member` in it. */
+static bool fill_spread(tp_study_spread *spread, const double *column, size_t kept,
+                        const double *group, double member) {
   double *sorted = calloc(kept + 1, sizeof *sorted);
   if (sorted == NULL) return false;
   for (size_t k = 0; k < kept; k++) {
-    if (!isnan(column[k])) sorted[spread->count++] = column[k];
+    if (isnan(column[k]) || (group != NULL && group[k] != member)) continue;
+    sorted[spread->count++] = column[k];
   }
   tp_column_sort(sorted, spread->count);
   for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->count > 0; k++) {
@@ -64,6 +67,20 @@ static bool fill_spread(tp_study_spread *spread, const double *column, size_t ke
   }
   free(sorted);
   return true;
+}
+
+static bool fill_factors(tp_study_result *result, const tp_tally *tally) {
+  const double *factors = tally->columns[tally->study->variable_count + TP_STUDY_FOS];
+  const double *definitions = tally->columns[tally->column_count - 1];
+  bool filled = true;
+  for (int k = 0; k < TP_FACTORS_MAX && filled; k++) {
+    tp_study_factor *own = result->factors + k;
+    own->definition = (tp_fos_definition)k;
+    own->governs = tp_tally_share(tally->definitions[k], tally->samples);
+    own->below = tally->below[k];
+    filled = fill_spread(&own->spread, factors, (size_t)tally->kept, definitions, k);
+  }
+  return filled;
 }
 
 /* ---- variables, columns ------------------------------------------------------------------------
@@ -100,6 +117,7 @@ static char *column_name(const tp_study *study, size_t k) {
   if (k < quantities) return strdup(study->variables[k].node->key);
   if (k < outcomes) return strdup(tp_study_quantity_name((tp_study_quantity)(k - quantities)));
   if (k == outcomes) return strdup("outcome");
+  if (k == outcomes + study->tilt_count + 1) return strdup("fos_definition");
   tp_text_add(&text, "outcome_at_%s_deg", tp_study_shortest(tilt, study->tilts[k - outcomes - 1]));
   return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
 }
@@ -123,9 +141,9 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
   bool filled = tp_tally_end_steps(tally) && fill_tilts(result, tally);
   for (size_t q = 0; q < TP_STUDY_QUANTITIES && filled; q++) {
     filled = fill_spread(result->spreads + q, tally->columns[study->variable_count + q],
-                         (size_t)tally->kept);
+                         (size_t)tally->kept, NULL, 0);
   }
-  filled = filled && fill_variables(result, tally);
+  filled = filled && fill_factors(result, tally) && fill_variables(result, tally);
   result->samples = tally->samples;
   result->kept = (size_t)tally->kept;
   result->open = tally->open;

@@ -6,6 +6,7 @@
 #include "grow.h"
 #include "statistics/proportion.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,7 @@ enum { FIRST_STEP = 16 };
 tp_status tp_tally_init(tp_tally *tally, const tp_study *study, tp_message *message) {
   const size_t tilts = study->tilt_count + 1;
   *tally = (tp_tally){.study = study,
-                      .column_count = study->variable_count + TP_STUDY_QUANTITIES + tilts};
+                      .column_count = study->variable_count + TP_STUDY_QUANTITIES + tilts + 1};
   tally->tilts = calloc(tilts, sizeof *tally->tilts);
   tally->columns = calloc(tally->column_count, sizeof *tally->columns);
   tally->bad = calloc(TP_STUDY_BAD, sizeof *tally->bad);
@@ -99,6 +100,7 @@ static bool keep(tp_tally *tally, const tp_study_row *row) {
   for (size_t k = 0; k < tally->study->variable_count; k++) (*column++)[at] = row->values[k];
   for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) (*column++)[at] = row->quantities[k];
   for (size_t k = 0; k <= tally->study->tilt_count; k++) (*column++)[at] = row->at[k].outcome;
+  (*column)[at] = row->fos_definition < 0 ? (double)NAN : (double)row->fos_definition;
   return true;
 }
 
@@ -134,10 +136,18 @@ bool tp_tally_end_steps(tp_tally *tally) {
   return tally->samples == 0 || note_step(tally);
 }
 
+static void count_factor(tp_tally *tally, const tp_study_row *row) {
+  const int definition = row->fos_definition;
+  if (definition < 0) return;
+  tally->definitions[definition]++;
+  tally->below[definition] += row->quantities[TP_STUDY_FOS] < 1;
+}
+
 tp_status tp_tally_add(tp_tally *tally, const tp_study_row *row, tp_message *message) {
   tally->samples++;
   tally->open += row->open;
   for (size_t k = 0; k <= tally->study->tilt_count; k++) tally->tilts[k].of[row->at[k].outcome]++;
+  count_factor(tally, row);
   const bool step = tally->samples >= FIRST_STEP && is_power_of_two(tally->samples);
   const bool taken = keep(tally, row) && note_bad(tally, row) && (!step || note_step(tally));
   return taken ? TP_OK : tp_fail_memory(message, "the summary of a study");

@@ -20,9 +20,10 @@ typedef struct tp_tally {
   uint64_t samples;
   size_t open;
   tp_outcome_counts *tilts; /* the scene's, and those of the study */
+  size_t definitions[TP_FACTORS_MAX], below[TP_FACTORS_MAX]; /* factors by each, and below 1 */
   size_t column_count;
   long kept, room;
-  double **columns; /* the variables, the quantities, outcomes at each tilt */
+  double **columns; /* the variables, the quantities, outcomes at each tilt, the definition */
   long step_count, step_room;
   tp_study_step *steps;
   size_t bad_count;

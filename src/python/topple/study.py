@@ -14,7 +14,7 @@ from .given import NULL, c_path
 from .options import options_of
 from .record import Record, field, record, struct_of
 from .report import written
-from .words import StudyEnd, StudyOutcome, StudyQuantity
+from .words import FosDefinition, StudyEnd, StudyOutcome, StudyQuantity
 
 if TYPE_CHECKING:
     import numpy
@@ -62,6 +62,16 @@ class StudySpread(Record):
 
     count: int  #: of the samples kept that have it
     quantiles: tuple[StudyQuantile, ...] | None = field(when="count")
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyFactor(Record):
+    """The factors of safety of samples that one definition governs."""
+
+    definition: FosDefinition
+    governs: StudyShare  #: of all samples
+    below: int  #: of these, with a factor below 1
+    spread: StudySpread  #: of the factors of the samples kept
 
 
 @dataclasses.dataclass(frozen=True)
@@ -163,11 +173,13 @@ class StudyResult(Record):
     tilts: tuple[StudyTilt, ...] = field(count="tilt_count")
     variables: tuple[StudyVariable, ...] = field(count="variable_count")
     spreads: tuple[StudySpread, ...]  #: in the order of `StudyQuantity`
+    factors: tuple[StudyFactor, ...]  #: in the order of `FosDefinition`
     sensitivity_samples: int  #: of Sobol' indices; 0: none were asked for
     reliability: StudyReliability
     steps: tuple[StudyStep, ...] = field(count="step_count")
     bad: tuple[StudyBad, ...] = field(count="bad_count")
-    #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`
+    #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
+    #: definitions `FosDefinition` or None
     columns: dict = field(read=lambda c, owner: _columns(c))
 
     def spread(self, quantity: StudyQuantity | str) -> StudySpread:
@@ -187,14 +199,20 @@ def _columns(c) -> dict[str, numpy.ndarray]:
     """All columns by their names."""
     import numpy
 
-    words = numpy.array(list(StudyOutcome), dtype=object)
+    outcomes = numpy.array(list(StudyOutcome), dtype=object)
+    definitions = numpy.array([*FosDefinition, None], dtype=object)  # the last where there is none
     columns = {}
     for k in range(c.column_count if c.kept else 0):
         own = c.columns[k]
         values = numpy.frombuffer(ffi.buffer(own.values, 8 * c.kept), dtype="f8").copy()
-        is_outcome = k >= c.variable_count + len(StudyQuantity)
         name = ffi.string(own.header).decode("utf-8", "replace")
-        columns[name] = words[values.astype(int)] if is_outcome else values
+        outcome = c.variable_count + len(StudyQuantity)
+        if outcome <= k <= outcome + c.tilt_count - 1:
+            columns[name] = outcomes[values.astype(int)]
+        elif k == outcome + c.tilt_count:
+            columns[name] = definitions[numpy.where(numpy.isnan(values), -1, values).astype(int)]
+        else:
+            columns[name] = values
     return columns
 
 
