@@ -62,6 +62,7 @@ typedef struct tp_case_told_at {
   tp_fos_state state; /* of the factor that governs: a number, or nothing overturns */
   tp_near fos;
   tp_mechanism fos_mechanism;
+  tp_fos_definition fos_definition;
 } tp_case_told_at;
 
 /* At a tilt above 0 and below 90 degrees; false where doubles do not tell. */

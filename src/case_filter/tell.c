@@ -98,21 +98,29 @@ typedef struct least {
   bool any, number;
   tp_near fos;
   tp_mechanism mechanism;
+  tp_fos_definition definition;
 } least;
 
-/* A factor against a mechanism, a number or beyond all. Of numbers that are not told apart, the
- * mechanisms have to be the same. */
-static bool take(least *l, tp_fos_state state, tp_near fos, tp_mechanism mechanism) {
+static void name(least *l, tp_fos_definition definition, tp_mechanism mechanism) {
+  l->definition = definition;
+  l->mechanism = mechanism;
+}
+
+/* A factor against a mechanism, a number or beyond all. Of numbers that are not told apart the first
+ * is named; their mechanisms have to be the same. */
+static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition definition,
+                 tp_mechanism mechanism) {
   if (state != TP_FOS_NUMBER) {
-    if (!l->any) l->mechanism = mechanism;
+    if (!l->any) name(l, definition, mechanism);
     l->any = true;
     return true;
   }
   if (tp_near_sign(fos) <= 0) return false;
   const int order = l->number ? tp_near_sign(tp_near_sub(fos, l->fos)) : -1;
   if (order == 0 && mechanism != l->mechanism) return false;
-  if (order < 0) l->mechanism = mechanism;
-  if (order <= 0) l->fos = l->number ? tp_near_lesser(l->fos, fos) : fos;
+  if (order < 0) name(l, definition, mechanism);
+  if (order < 0) l->fos = fos;
+  if (order == 0) l->fos = tp_near_lesser(l->fos, fos);
   l->any = l->number = true;
   return true;
 }
@@ -125,7 +133,7 @@ static bool take_reduction(least *l, const tp_case_told *told, tp_near tangent) 
   if (tp_limit_filter_reduce(&found, plan, shape, tangent)) {
     const tp_near factor = tp_near_div(told->friction, found.value);
     const bool within = factor.value > 2 / most_factor && factor.value < most_factor / 2;
-    return within && take(l, TP_FOS_NUMBER, factor, found.mechanism);
+    return within && take(l, TP_FOS_NUMBER, factor, TP_FOS_BY_REDUCTION, found.mechanism);
   }
   tp_edge_set edges;
   const tp_near many = {most_factor, 0};
@@ -135,7 +143,8 @@ static bool take_reduction(least *l, const tp_case_told *told, tp_near tangent) 
   }
   tp_edge_set_init(&edges, plan, shape, tp_near_div(told->friction, many));
   return tp_limit_filter_holds(&edges, tangent) &&
-         take(l, TP_FOS_NO_OVERTURNING, (tp_near){0, 0}, TP_MECHANISM_UNDECIDED);
+         take(l, TP_FOS_NO_OVERTURNING, (tp_near){0, 0}, TP_FOS_BY_REDUCTION,
+              TP_MECHANISM_UNDECIDED);
 }
 
 static bool tell_factor(tp_case_told_at *at, const tp_case_told *told, tp_near tangent) {
@@ -143,16 +152,18 @@ static bool tell_factor(tp_case_told_at *at, const tp_case_told *told, tp_near t
   tp_near x, y;
   tp_sliding_told sliding;
   set_arms(&x, &y, told->filter, told->pivot);
-  bool done = take(&l, TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent)), TP_TOPPLES) &&
+  bool done = take(&l, TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent)),
+                   TP_FOS_BY_MOMENTS, TP_TOPPLES) &&
               tp_sliding_filter(&sliding, told, tangent);
   if (done && sliding.counts) {
-    done = take(&l, sliding.shear, sliding.by_shear, TP_SLIDES) &&
-           (sliding.is_level || take(&l, sliding.rough, sliding.by_roughness, TP_SLIDES));
+    done = take(&l, sliding.shear, sliding.by_shear, TP_FOS_BY_SHEAR, TP_SLIDES) &&
+           (sliding.is_level || take(&l, sliding.rough, sliding.by_roughness, TP_FOS_BY_ROUGHNESS, TP_SLIDES));
   }
   done = done && take_reduction(&l, told, tangent);
   at->state = l.number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
   at->fos = l.fos;
   at->fos_mechanism = l.mechanism;
+  at->fos_definition = l.definition;
   return done;
 }
 

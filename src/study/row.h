@@ -37,6 +37,13 @@ enum { TP_SHORTEST_SIZE = 32 };
 /* The shortest of the decimals of up to 17 digits that name the double. */
 const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value);
 
+/* The number with so many significant digits as a row shows of what is computed. */
+enum { TP_ROW_DIGITS = 10 };
+double tp_study_rounded(double value);
+
+/* What is computed of a row that way, all that is told of it. */
+void tp_study_round_row(tp_study_row *row, size_t tilts);
+
 /* The names of the columns, and a row. */
 void tp_study_write_header(tp_text *text, const tp_study *study);
 void tp_study_write_row(tp_text *text, const tp_study *study, const tp_study_row *row);

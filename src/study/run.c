@@ -72,7 +72,10 @@ static tp_status solve_one(tp_workspace *workspace, const void *task, size_t blo
     atomic_store(&r->stopped, true);
   }
   if (atomic_load(&r->stopped)) return TP_OK;
-  return tp_study_solve(r->chunk + block, r->study, r->study->tilt_count, message);
+  tp_study_row *row = r->chunk + block;
+  const tp_status status = tp_study_solve(row, r->study, r->study->tilt_count, message);
+  if (status == TP_OK) tp_study_round_row(row, r->study->tilt_count);
+  return status;
 }
 
 static tp_status keep_chunk(run *r, size_t count, tp_message *message) {

@@ -5,6 +5,7 @@
 
 #include "number/ratio.h"
 #include "stability/tilts.h"
+#include "study/sample_filter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -229,6 +230,7 @@ static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, 
 
 tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
                          tp_message *message) {
+  if (tp_sample_filter_tell(row, study, tilts)) return TP_OK;
   numbers n;
   clear(row, tilts, TP_STUDY_INVALID);
   tp_status status = start(&n, study, tilts, message);

@@ -122,3 +122,65 @@ static tp_study_outcome outcome_of(tp_mechanism mechanism) {
     return TP_STUDY_MAY_MOVE;
   }
 }
+
+/* A number as a row shows it, where all of its digits are certain: that of solve, which is as close
+ * to the truth as this, has the same. */
+static bool take_number(double *number, tp_near told) {
+  static const double apart = 2.5e-13; /* of itself: between what is told here and by a solve */
+  const double error = told.error + apart * fabs(told.value);
+  *number = told.value;
+  return tp_study_rounded(told.value - error) == tp_study_rounded(told.value + error);
+}
+
+static bool take_case(tp_study_row *row, const tp_case_told *told) {
+  double *q = row->quantities;
+  row->pivot_x_m = told->pivot->x_m.value;
+  row->pivot_y_m = told->pivot->y_m.value;
+  row->first = row->limit_mechanism = tp_study_outcome_name(outcome_of(told->limit));
+  q[TP_STUDY_ONSET_DEG] = INFINITY;
+  return take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg) &&
+         take_number(q + TP_STUDY_LIMIT_DEG, told->limit_deg) &&
+         (told->never || take_number(q + TP_STUDY_ONSET_DEG, told->onset_deg));
+}
+
+static bool take_at(tp_study_at *at, tp_case_told_at *of, const tp_case_told *told,
+                    tp_near tilt_deg) {
+  if (!tp_case_filter_tell_at(of, told, tilt_deg)) return false;
+  *at = (tp_study_at){outcome_of(of->mechanism), INFINITY};
+  return of->state != TP_FOS_NUMBER || take_number(&at->fos, of->fos);
+}
+
+/* At the scene's own tilt; of a scene without one what happens first stands for it. */
+static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_deg, bool has_tilt) {
+  tp_case_told_at own;
+  row->tilt_deg = NAN;
+  row->fos_mechanism = "";
+  row->fos_definition = -1;
+  row->quantities[TP_STUDY_FOS] = NAN;
+  row->at[0] = (tp_study_at){outcome_of(told->limit), NAN};
+  if (!has_tilt) return true;
+  if (!take_at(row->at, &own, told, tilt_deg)) return false;
+  row->tilt_deg = tilt_deg.value;
+  row->quantities[TP_STUDY_FOS] = row->at[0].fos;
+  row->fos_mechanism = tp_study_outcome_name(outcome_of(own.fos_mechanism));
+  row->fos_definition = (int)own.fos_definition;
+  return true;
+}
+
+bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilts) {
+  const tp_sample_filter *f = study->filter;
+  tp_near friction_deg, tilt_deg;
+  tp_case_told told;
+  if (f == NULL || !take_values(&friction_deg, &tilt_deg, f, row, study->variable_count) ||
+      !tp_case_filter_tell(&told, f->of, friction_deg) || !take_case(row, &told) ||
+      !take_own(row, &told, tilt_deg, f->has_tilt)) {
+    return false;
+  }
+  for (size_t k = 0; k < tilts; k++) {
+    tp_case_told_at at;
+    if (!take_at(row->at + k + 1, &at, &told, near_of(study->tilts[k]))) return false;
+  }
+  row->open = false;
+  row->why = NULL;
+  return true;
+}

@@ -40,6 +40,8 @@ typedef struct tp_variable {
   char *file; /* that the numbers are read from, or NULL */
 } tp_variable;
 
+typedef struct tp_sample_filter tp_sample_filter;
+
 struct tp_study {
   char *path;
   tp_node *root;
@@ -62,6 +64,7 @@ struct tp_study {
   bool relies;                 /* reliability is asked for, */
   tp_study_quantity relied;    /* of that, */
   uint64_t importance, subset; /* with samples of rare events; 0: none */
+  tp_sample_filter *filter;    /* tells samples in doubles; NULL: none */
   uint64_t hash;               /* of the study, its scene and all files that they name */
 };
 
