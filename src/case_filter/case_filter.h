@@ -14,6 +14,7 @@
 
 #include "case_filter/limit_filter.h"
 #include "case_filter/onset_filter.h"
+#include "case_filter/outline_map.h"
 
 /* A point of the contact: candidate pivot. */
 typedef struct tp_filter_pivot {
@@ -31,30 +32,37 @@ typedef struct tp_filter_facet {
 typedef struct tp_case_filter {
   tp_contact_plan plan;
   tp_shape shape; /* of the scene as it is */
+  bool varies;    /* the block does, by this map: */
+  tp_outline_map map;
   int pivot_count, facet_count;
   tp_filter_pivot pivots[TP_PLAN_POINTS];
   tp_filter_facet facets[TP_PLAN_POINTS];
 } tp_case_filter;
 
-/* Of a scene that tilts one way; `*filter` stays NULL where it is none for a filter. What of the
- * scene is no block on a base is told by a solve of it, not here. */
+/* Of a scene that tilts one way, in which the block varies with the numbers at so many keys, beside
+ * friction and tilt; `*filter` stays NULL where it is none for a filter. What of the scene is no
+ * block on a base is told by a solve of it, not here. */
 TP_MUST_USE tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene,
+                                         const tp_scene_key *keys, size_t count,
                                          tp_message *message);
 
 /* At any tilt. */
 typedef struct tp_case_told {
   const tp_case_filter *filter;
-  tp_near friction_deg, friction; /* phi, tan(phi) */
+  const tp_shape *shape; /* the filter's, or this: */
+  tp_shape own;
+  tp_near friction; /* tan(phi) */
+  tp_near pivot_x_m, pivot_y_m;
   tp_near moments_deg, limit_deg, limit_tangent, onset_deg;
   const tp_filter_pivot *pivot; /* that governs */
   tp_mechanism limit;
-  bool never, stands_level; /* no motion can begin; forces hold it on level ground */
+  bool never; /* no motion can begin at any tilt */
   tp_onset_filter onset;
 } tp_case_told;
 
-/* False where doubles do not tell. */
+/* With the friction angle and the numbers at the keys. False where doubles do not tell. */
 TP_MUST_USE bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *filter,
-                                     tp_near friction_deg);
+                                     tp_near friction_deg, const tp_near *variables);
 
 /* At one. */
 typedef struct tp_case_told_at {

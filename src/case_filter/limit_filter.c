@@ -142,7 +142,7 @@ static bool bears(const tp_edge_set *set, const int of[3], const tp_near b[3]) {
   return true;
 }
 
-bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent) {
+static bool holds(const tp_edge_set *set, tp_near tangent) {
   const int count = set->plan->edge_count;
   const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
   for (int i = 0; i < count; i++) {
@@ -153,6 +153,15 @@ bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent) {
     }
   }
   return false;
+}
+
+/* Where b lies on a plane of two edges, as by symmetry, three do not tell; but the tilts that hold
+ * are an interval, so that one on either side tells of all between. */
+bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent) {
+  static const double aside = 0x1p-10;
+  if (holds(set, tangent)) return true;
+  return tangent.error < aside / 2 && holds(set, (tp_near){tangent.value - aside, 0}) &&
+         holds(set, (tp_near){tangent.value + aside, 0});
 }
 
 bool tp_limit_filter_is_lost(const tp_edge_set *set, tp_near tangent) {

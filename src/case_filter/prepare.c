@@ -4,12 +4,9 @@
 #include "case_filter/case_filter.h"
 
 #include "number/ball.h"
-#include "stability/effects.h"
 #include "stability/friction.h"
-#include "stability/limit_asked.h"
 #include "stability/onset_question.h"
 #include "stability/solution.h"
-#include "stability/stages.h"
 
 #include <stdlib.h>
 
@@ -107,7 +104,8 @@ static bool is_ordinary(const tp_case_filter *f, const tp_problem *problem) {
 }
 
 /* `*fits` is false where it is none for a filter. */
-static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e, tp_message *message) {
+static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
+                         const tp_scene_key *keys, size_t count, tp_message *message) {
   const tp_problem *problem = e->problem;
   const tp_direction towards = problem->scene->towards_left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
   tp_status status = tp_contact_plan_init(&f->plan, fits, e, towards, message);
@@ -119,11 +117,13 @@ static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e, 
   set_pivots(f, e, towards);
   set_facets(f, problem, towards);
   *fits = is_ordinary(f, problem) && tp_shape_complete(&f->shape, &f->plan);
-  return TP_OK;
+  f->varies = count > 0;
+  if (!*fits || !f->varies) return TP_OK;
+  return tp_outline_map_init(&f->map, fits, problem, towards, &f->plan, keys, count, message);
 }
 
 static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *scene,
-                               tp_message *message) {
+                               const tp_scene_key *keys, size_t count, tp_message *message) {
   tp_solve_options options = tp_solve_options_default();
   options.threads = 1;
   tp_problem problem;
@@ -135,7 +135,7 @@ static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *sc
     tp_evaluation e;
     tp_evaluation_init(&e, &problem, (tp_rung){TP_LEVEL_BALL, BITS}, &options);
     if (!tp_problem_is_enclosed(&problem) && !tp_friction_is_load_dependent(&e)) {
-      status = prepare(f, fits, &e, message);
+      status = prepare(f, fits, &e, keys, count, message);
     }
     tp_evaluation_clear(&e);
     tp_problem_clear(&problem);
@@ -148,13 +148,14 @@ static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *sc
   return status;
 }
 
-tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene, tp_message *message) {
+tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene,
+                             const tp_scene_key *keys, size_t count, tp_message *message) {
   *filter = NULL;
   if (!is_plain(scene)) return TP_OK;
   tp_case_filter *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(message, "the filter");
   bool fits = false;
-  const tp_status status = prepare_scene(own, &fits, scene, message);
+  const tp_status status = prepare_scene(own, &fits, scene, keys, count, message);
   if (status == TP_OK && fits) {
     *filter = own;
   } else {

@@ -24,8 +24,8 @@ static tp_near tangent_of(tp_near degrees) {
  */
 
 /* The arms of the weight about a pivot: x / y is the tangent of the critical angle. */
-static void set_arms(tp_near *x, tp_near *y, const tp_case_filter *f, const tp_filter_pivot *pivot) {
-  const tp_shape_point *p = f->shape.points + pivot->point;
+static void set_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot) {
+  const tp_shape_point *p = shape->points + pivot->point;
   *x = tp_near_neg(p->x);
   *y = tp_near_neg(p->y);
 }
@@ -39,7 +39,7 @@ static bool find_pivot(tp_case_told *told) {
   for (int k = 0; k < f->pivot_count; k++) {
     tp_near x, y;
     if (!f->pivots[k].admissible) continue;
-    set_arms(&x, &y, f, f->pivots + k);
+    set_arms(&x, &y, told->shape, f->pivots + k);
     if (tp_near_sign(x) <= 0 || tp_near_sign(y) <= 0) return false;
     const tp_near tangent = tp_near_div(x, y);
     const int order = told->pivot == NULL ? -1 : tp_near_sign(tp_near_sub(tangent, least));
@@ -55,17 +55,45 @@ static bool find_pivot(tp_case_told *told) {
 /* ---- at any tilt -------------------------------------------------------------------------------
  */
 
-bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f, tp_near friction_deg) {
+/* The shape of a block that varies, and where its pivots lie. */
+static bool take_shape(tp_case_told *told, tp_near_outline *outline, const tp_near *variables) {
+  const tp_case_filter *f = told->filter;
+  told->shape = f->varies ? &told->own : &f->shape;
+  return !f->varies || (tp_outline_map_shape(&told->own, outline, &f->map, &f->plan, variables) &&
+                        tp_shape_complete(&told->own, &f->plan));
+}
+
+static tp_near coordinate(const tp_case_filter *f, tp_near own, bool varies, tp_bounded given) {
+  const double unit = f->map.metres_per_unit;
+  if (!varies) return (tp_near){given.value, given.error};
+  return tp_near_mul(own, (tp_near){unit, unit * DBL_EPSILON});
+}
+
+static void place_pivot(tp_case_told *told, const tp_near_outline *outline) {
+  const tp_case_filter *f = told->filter;
+  const int at = f->varies ? f->map.points[told->pivot->point].vertex : 0;
+  const bool x = f->varies && f->map.x[at].varies, y = f->varies && f->map.y[at].varies;
+  told->pivot_x_m = coordinate(f, outline->x[at], x, told->pivot->x_m);
+  told->pivot_y_m = coordinate(f, outline->y[at], y, told->pivot->y_m);
+}
+
+bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *f, tp_near friction_deg,
+                         const tp_near *variables) {
   static const tp_near level = {0, 0};
+  tp_near_outline outline;
+  outline.x[0] = outline.y[0] = level;
   told->filter = f;
-  told->friction_deg = friction_deg;
   told->friction = tangent_of(friction_deg);
-  if (tp_near_sign(told->friction) <= 0 || !find_pivot(told)) return false;
+  if (tp_near_sign(told->friction) <= 0 || !take_shape(told, &outline, variables) ||
+      !find_pivot(told)) {
+    return false;
+  }
+  place_pivot(told, &outline);
   tp_edge_set edges;
   tp_limit_filter limit;
-  tp_edge_set_init(&edges, &f->plan, &f->shape, told->friction);
+  tp_edge_set_init(&edges, &f->plan, told->shape, told->friction);
   if (!tp_limit_filter_find(&limit, &edges) || !tp_limit_filter_holds(&edges, level) ||
-      !tp_onset_filter_find(&told->onset, &f->plan, &f->shape, told->friction)) {
+      !tp_onset_filter_find(&told->onset, &f->plan, told->shape, told->friction)) {
     return false;
   }
   told->limit = limit.mechanism;
@@ -128,7 +156,7 @@ static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition de
 /* By strength reduction. No strength holds a block that topples by its moments: then these tell. */
 static bool take_reduction(least *l, const tp_case_told *told, tp_near tangent) {
   const tp_contact_plan *plan = &told->filter->plan;
-  const tp_shape *shape = &told->filter->shape;
+  const tp_shape *shape = told->shape;
   tp_limit_filter found;
   if (tp_limit_filter_reduce(&found, plan, shape, tangent)) {
     const tp_near factor = tp_near_div(told->friction, found.value);
@@ -151,7 +179,7 @@ static bool tell_factor(tp_case_told_at *at, const tp_case_told *told, tp_near t
   least l = {.any = false};
   tp_near x, y;
   tp_sliding_told sliding;
-  set_arms(&x, &y, told->filter, told->pivot);
+  set_arms(&x, &y, told->shape, told->pivot);
   bool done = take(&l, TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent)),
                    TP_FOS_BY_MOMENTS, TP_TOPPLES) &&
               tp_sliding_filter(&sliding, told, tangent);

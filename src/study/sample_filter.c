@@ -9,7 +9,12 @@
 #include <stdlib.h>
 
 /* What a number that varies is. */
-typedef enum tp_sample_part { TP_SAMPLE_FRICTION, TP_SAMPLE_TILT, TP_SAMPLE_WEIGHT } tp_sample_part;
+typedef enum tp_sample_part {
+  TP_SAMPLE_FRICTION,
+  TP_SAMPLE_TILT,
+  TP_SAMPLE_WEIGHT,
+  TP_SAMPLE_BLOCK
+} tp_sample_part;
 
 struct tp_sample_filter {
   tp_case_filter *of;
@@ -28,18 +33,12 @@ static bool is_key(const tp_scene_key *key, const tp_study *study, const char *t
          tp_scene_key_same(key, &other);
 }
 
-static bool find_part(tp_sample_part *part, const tp_scene_key *key, const tp_study *study) {
-  if (is_key(key, study, "friction_angle_deg")) {
-    *part = TP_SAMPLE_FRICTION;
-  } else if (is_key(key, study, "tilt.angle_deg")) {
-    *part = TP_SAMPLE_TILT;
-  } else if (is_key(key, study, "block.unit_weight_kn_m3") ||
-             is_key(key, study, "block.thickness")) {
-    *part = TP_SAMPLE_WEIGHT;
-  } else {
-    return false;
-  }
-  return true;
+static tp_sample_part part_of(const tp_scene_key *key, const tp_study *study) {
+  if (is_key(key, study, "friction_angle_deg")) return TP_SAMPLE_FRICTION;
+  if (is_key(key, study, "tilt.angle_deg")) return TP_SAMPLE_TILT;
+  const bool weight =
+      is_key(key, study, "block.unit_weight_kn_m3") || is_key(key, study, "block.thickness");
+  return weight ? TP_SAMPLE_WEIGHT : TP_SAMPLE_BLOCK;
 }
 
 /* A double is the decimal that names it to half a unit of its last place. */
@@ -49,36 +48,55 @@ static tp_near near_of(double number) {
                                : fabs(number) * DBL_EPSILON + DBL_MIN};
 }
 
+/* Cut off: within one unit of its last place. */
 static tp_near near_of_rational(const fmpq_t value) {
-  return near_of(fmpq_get_d(value)); /* truncated: within one unit */
+  const double number = fmpq_get_d(value);
+  if (fmpz_is_one(fmpq_denref(value))) return near_of(number);
+  return (tp_near){number, fabs(number) * DBL_EPSILON + DBL_MIN};
 }
 
-tp_status tp_sample_filter_new(tp_sample_filter **filter, const tp_study *study,
-                               tp_message *message) {
-  const tp_scene *scene = study->scene;
-  *filter = NULL;
-  tp_sample_part *parts = calloc(study->variable_count + 1, sizeof *parts);
+/* With room for all that varies. */
+static tp_sample_filter *allocate(size_t variables) {
   tp_sample_filter *own = calloc(1, sizeof *own);
-  if (parts == NULL || own == NULL) {
-    free(parts);
-    free(own);
-    return tp_fail_memory(message, "the study");
+  tp_sample_part *parts = calloc(variables + 1, sizeof *parts);
+  if (own != NULL && parts != NULL) {
+    own->parts = parts;
+    return own;
   }
-  own->parts = parts;
-  bool all = true;
-  for (size_t k = 0; k < study->variable_count && all; k++) {
-    all = find_part(parts + k, &study->variables[k].key, study);
-  }
-  const tp_status status = all ? tp_case_filter_new(&own->of, scene, message) : TP_OK;
-  if (own->of == NULL) {
-    tp_sample_filter_free(own);
-    return status;
+  free(own);
+  free(parts);
+  return NULL;
+}
+
+static tp_status find(tp_sample_filter *own, const tp_study *study, tp_message *message) {
+  const tp_scene *scene = study->scene;
+  tp_scene_key keys[TP_AFFINE_VARIABLES];
+  size_t count = 0;
+  for (size_t k = 0; k < study->variable_count; k++) {
+    const tp_scene_key *key = &study->variables[k].key;
+    own->parts[k] = part_of(key, study);
+    if (own->parts[k] != TP_SAMPLE_BLOCK) continue;
+    if (count == TP_AFFINE_VARIABLES) return TP_OK;
+    keys[count++] = *key;
   }
   own->has_tilt = scene->tilt_angle_deg.given;
   own->friction_deg = near_of_rational(scene->friction_angle_deg.value);
   own->tilt_deg = near_of_rational(scene->tilt_angle_deg.value);
-  *filter = own;
-  return TP_OK;
+  return tp_case_filter_new(&own->of, scene, keys, count, message);
+}
+
+tp_status tp_sample_filter_new(tp_sample_filter **filter, const tp_study *study,
+                               tp_message *message) {
+  *filter = NULL;
+  tp_sample_filter *own = allocate(study->variable_count);
+  if (own == NULL) return tp_fail_memory(message, "the study");
+  const tp_status status = find(own, study, message);
+  if (own->of != NULL) {
+    *filter = own;
+  } else {
+    tp_sample_filter_free(own);
+  }
+  return status;
 }
 
 void tp_sample_filter_free(tp_sample_filter *filter) {
@@ -91,19 +109,28 @@ void tp_sample_filter_free(tp_sample_filter *filter) {
 /* ---- a row -------------------------------------------------------------------------------------
  */
 
-/* The numbers of a sample; false where one is none that every scene takes. */
-static bool take_values(tp_near *friction_deg, tp_near *tilt_deg, const tp_sample_filter *f,
-                        const tp_study_row *row, size_t count) {
+/* The numbers of a sample. */
+typedef struct numbers {
+  tp_near friction_deg, tilt_deg;
+  tp_near variables[TP_AFFINE_VARIABLES];
+} numbers;
+
+/* False where one is none that every scene takes. */
+static bool take_values(numbers *n, const tp_sample_filter *f, const tp_study_row *row,
+                        size_t count) {
   static const double least = 1e-6, most = 1e6;
-  *friction_deg = f->friction_deg;
-  *tilt_deg = f->tilt_deg;
+  size_t next = 0;
+  n->friction_deg = f->friction_deg;
+  n->tilt_deg = f->tilt_deg;
   for (size_t k = 0; k < count; k++) {
-    const double value = row->values[k];
-    if (!(value >= least && value <= most)) return false;
-    if (f->parts[k] == TP_SAMPLE_FRICTION) *friction_deg = near_of(value);
-    if (f->parts[k] == TP_SAMPLE_TILT) *tilt_deg = near_of(value);
+    const double value = row->values[k], size = fabs(value);
+    const bool is_block = f->parts[k] == TP_SAMPLE_BLOCK;
+    if (!((value >= least || (is_block && size >= least)) && size <= most)) return false;
+    if (f->parts[k] == TP_SAMPLE_FRICTION) n->friction_deg = near_of(value);
+    if (f->parts[k] == TP_SAMPLE_TILT) n->tilt_deg = near_of(value);
+    if (is_block) n->variables[next++] = near_of(value);
   }
-  return friction_deg->value < 89 && tilt_deg->value < 89;
+  return n->friction_deg.value < 89 && n->tilt_deg.value < 89;
 }
 
 static tp_study_outcome outcome_of(tp_mechanism mechanism) {
@@ -134,11 +161,11 @@ static bool take_number(double *number, tp_near told) {
 
 static bool take_case(tp_study_row *row, const tp_case_told *told) {
   double *q = row->quantities;
-  row->pivot_x_m = told->pivot->x_m.value;
-  row->pivot_y_m = told->pivot->y_m.value;
   row->first = row->limit_mechanism = tp_study_outcome_name(outcome_of(told->limit));
   q[TP_STUDY_ONSET_DEG] = INFINITY;
-  return take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg) &&
+  return take_number(&row->pivot_x_m, told->pivot_x_m) &&
+         take_number(&row->pivot_y_m, told->pivot_y_m) &&
+         take_number(q + TP_STUDY_MOMENTS_DEG, told->moments_deg) &&
          take_number(q + TP_STUDY_LIMIT_DEG, told->limit_deg) &&
          (told->never || take_number(q + TP_STUDY_ONSET_DEG, told->onset_deg));
 }
@@ -169,11 +196,12 @@ static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_d
 
 bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilts) {
   const tp_sample_filter *f = study->filter;
-  tp_near friction_deg, tilt_deg;
+  numbers n;
   tp_case_told told;
-  if (f == NULL || !take_values(&friction_deg, &tilt_deg, f, row, study->variable_count) ||
-      !tp_case_filter_tell(&told, f->of, friction_deg) || !take_case(row, &told) ||
-      !take_own(row, &told, tilt_deg, f->has_tilt)) {
+  if (getenv("TOPPLE_NOFILTER")) return false;
+  if (f == NULL || !take_values(&n, f, row, study->variable_count) ||
+      !tp_case_filter_tell(&told, f->of, n.friction_deg, n.variables) || !take_case(row, &told) ||
+      !take_own(row, &told, n.tilt_deg, f->has_tilt)) {
     return false;
   }
   for (size_t k = 0; k < tilts; k++) {
