@@ -20,8 +20,7 @@ static void set_points(planning *p) {
   for (int k = 0; k < p->plan->point_count; k++) {
     const tp_cone_point *own = n->cones->points + k;
     const tp_contact_family *family = n->families + n->family_of[k];
-    p->plan->points[k] =
-        (tp_plan_point){own->site, own->facet, family->axis, family->sense > 0};
+    p->plan->points[k] = (tp_plan_point){own->site, own->facet, family->axis, family->sense > 0};
   }
 }
 
@@ -172,8 +171,8 @@ static bool are_flat(const tp_contact_plan *plan, const tp_plan_mode *mode, cons
     const tp_plan_point *a = plan->points + first->point, *b = plan->points + own->point;
     site = site && a->site == b->site;
     /* where facets of one axis point to either side, one's edge against t is the other's along */
-    direction = direction && a->axis == b->axis &&
-                (a->along == b->along && first->against == own->against);
+    direction =
+        direction && a->axis == b->axis && (a->along == b->along && first->against == own->against);
   }
   return site || direction;
 }
@@ -185,9 +184,8 @@ static bool set_triples(tp_plan_mode *mode, const tp_contact_plan *plan) {
       for (int k = j + 1; k < count; k++) {
         if (i >= rays && are_flat(plan, mode, (int[3]){i, j, k})) continue;
         if (mode->triple_count == TP_PLAN_TRIPLES) return false;
-        mode->triples[mode->triple_count++] =
-            (tp_plan_triple){{(signed char)i, (signed char)j, (signed char)k},
-                             i == 0 && (rays < 2 || j == 1)};
+        mode->triples[mode->triple_count++] = (tp_plan_triple){
+            {(signed char)i, (signed char)j, (signed char)k}, i == 0 && (rays < 2 || j == 1)};
       }
     }
   }

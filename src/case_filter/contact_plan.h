@@ -37,7 +37,7 @@ typedef enum tp_ray_kind {
 typedef struct tp_plan_ray {
   tp_ray_kind kind;
   long point, other;
-  int sense;                        /* 1, or -1: the other way */
+  int sense;                         /* 1, or -1: the other way */
   signed char opens[TP_PLAN_POINTS]; /* each point: 1, or 0: it stays on its facet, */
   signed char slips[TP_PLAN_POINTS]; /* and there it slips along it, -1 back, 0 sticks */
 } tp_plan_ray;

@@ -210,8 +210,7 @@ static bool set_parallel_root(tp_near *root, const tp_near n[3], const tp_near t
 /* sqrt is rounded correctly; its derivative 1 / (2 sqrt) falls. */
 static tp_near square_root(tp_near a) {
   const double value = sqrt(a.value), least = sqrt(a.value - a.error);
-  return tp_near_of(value, a.error / (value + least) * (1 + 4 * DBL_EPSILON) +
-                               value * DBL_EPSILON);
+  return tp_near_of(value, a.error / (value + least) * (1 + 4 * DBL_EPSILON) + value * DBL_EPSILON);
 }
 
 /* Of a f^2 + 2 h f + c with |h| well above zero: the root that does not cancel, and c over it. */

@@ -45,8 +45,7 @@ static inline tp_near tp_near_lesser(tp_near a, tp_near b) {
   const double low = fmin(a.value - a.error, b.value - b.error);
   const double high = fmin(a.value + a.error, b.value + b.error);
   const double value = low + (high - low) / 2;
-  return tp_near_of(value,
-                    (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
+  return tp_near_of(value, (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
 }
 
 static inline tp_near tp_near_larger(tp_near a, tp_near b) {

@@ -39,8 +39,7 @@ static bool settle(tp_near_interval *own) {
   return order != 0;
 }
 
-static bool span_triple(tp_near_interval *own, tp_near g[GENERATORS][3],
-                        const signed char of[3]) {
+static bool span_triple(tp_near_interval *own, tp_near g[GENERATORS][3], const signed char of[3]) {
   *own = (tp_near_interval){.empty = false};
   int sign = 0;
   for (int k = 0; k < 3 && !own->empty; k++) {

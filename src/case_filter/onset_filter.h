@@ -14,8 +14,8 @@ typedef struct tp_near_interval {
   tp_near low, high;
 } tp_near_interval;
 
-/* Where the loads lie in the mode's cone, and where its motion takes part with all of its rays: both
- * sets are convex. */
+/* Where the loads lie in the mode's cone, and where its motion takes part with all of its rays:
+ * both sets are convex. */
 typedef struct tp_mode_interval {
   tp_near_interval all, with_rays;
 } tp_mode_interval;

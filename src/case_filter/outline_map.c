@@ -275,13 +275,14 @@ static void add_turns(mapping *m, int i, int j) {
   }
 }
 
-/* Which pivots are admissible (stability/admissible.c): of each contact point against each facet. */
+/* Which pivots are admissible (stability/admissible.c): of each contact point against each facet.
+ */
 static void add_admissible(mapping *m, tp_direction towards) {
   for (int k = 0; k < m->plan->point_count; k++) {
     const tp_map_point *f = m->map->points + k;
     const bool second = k > 0 && m->plan->points[k - 1].facet == m->plan->points[k].facet;
-    const bool last = k + 1 == m->plan->point_count ||
-                      m->plan->points[k + 1].facet != m->plan->points[k].facet;
+    const bool last =
+        k + 1 == m->plan->point_count || m->plan->points[k + 1].facet != m->plan->points[k].facet;
     if ((towards == TP_TOWARDS_LEFT ? second : !last) || f->from < 0) continue;
     for (int p = 0; p < m->plan->point_count; p++) {
       const int of[4] = {m->map->points[p].vertex, f->vertex, f->from, f->to};

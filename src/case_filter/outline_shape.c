@@ -45,8 +45,8 @@ static tp_near signed_value(const tp_near_outline *o, const tp_map_sign *s) {
   return along(o, a, b, s->of[2], s->of[3]);
 }
 
-/* Area, first and second moments about the first vertex (block/ring_sums.h), of an outline that runs
- * counter-clockwise. */
+/* Area, first and second moments about the first vertex (block/ring_sums.h), of an outline that
+ * runs counter-clockwise. */
 static void set_sums(tp_near sums[TP_XY24], const tp_near_outline *o, int count) {
   for (int s = 0; s < TP_XY24; s++) sums[s] = (tp_near){0, 0};
   for (int k = 1; k + 1 < count; k++) { /* the edges at the first vertex give nothing */
@@ -73,8 +73,8 @@ static bool set_centroid(tp_near *x, tp_near *y, tp_near *gyration, const tp_nea
   const tp_near thrice = tp_near_mul(sums[TP_A2], (tp_near){3, 0});
   *x = tp_near_div(sums[TP_X6], thrice);
   *y = tp_near_div(sums[TP_Y6], thrice);
-  const tp_near polar = tp_near_div(tp_near_add(sums[TP_XX12], sums[TP_YY12]),
-                                    tp_near_mul(thrice, (tp_near){2, 0}));
+  const tp_near polar =
+      tp_near_div(tp_near_add(sums[TP_XX12], sums[TP_YY12]), tp_near_mul(thrice, (tp_near){2, 0}));
   *gyration = tp_near_sub(polar, tp_near_add(tp_near_mul(*x, *x), tp_near_mul(*y, *y)));
   return tp_near_sign(*gyration) > 0;
 }

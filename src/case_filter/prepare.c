@@ -90,10 +90,11 @@ static bool is_ordinary(const tp_case_filter *f, const tp_problem *problem) {
   for (int k = 0; k < f->facet_count; k++) {
     const long point = f->facets[k].point, facet = f->plan.points[point].facet;
     if (facet < 0 || tp_near_sign(f->shape.points[point].tx) <= 0) return false;
-    has_length = has_length ||
-                 problem->contact.facets[facet].q0 != problem->contact.facets[facet].q1;
+    has_length =
+        has_length || problem->contact.facets[facet].q0 != problem->contact.facets[facet].q1;
   }
-  for (long k = 0; k < problem->contact.point_count; k++) { /* one without a plan's point: a corner */
+  for (long k = 0; k < problem->contact.point_count;
+       k++) { /* one without a plan's point: a corner */
     bool found = !problem->admissible[0][k] && !problem->admissible[1][k];
     for (int p = 0; p < f->pivot_count && !found; p++) {
       found = f->plan.points[f->pivots[p].point].site == k;

@@ -2,12 +2,12 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* Is the cone K of another scene the one of the plan? Each ray r of the plan is made anew: a slide
- * along its facet, a turn about its point, or what two normal lines h have in common. Where h . r is
- * above zero for each point that the plan has it leave, and zero by what the ray is made of for the
- * others, r is a ray of the new K, and two rays of one face still share that face's line. The faces
- * of a cone in space are a closed ring, so that there are no others; where K has a line in it, its
- * rays are slides and turns, whose signs tell the same. With the signs of all slips the modes are
- * those of the plan, too. */
+ * along its facet, a turn about its point, or what two normal lines h have in common. Where h . r
+ * is above zero for each point that the plan has it leave, and zero by what the ray is made of for
+ * the others, r is a ray of the new K, and two rays of one face still share that face's line. The
+ * faces of a cone in space are a closed ring, so that there are no others; where K has a line in
+ * it, its rays are slides and turns, whose signs tell the same. With the signs of all slips the
+ * modes are those of the plan, too. */
 
 #include "case_filter/shape.h"
 

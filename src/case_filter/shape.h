@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The contact of a case in doubles with bounds (number/near.h), about the block's centroid, down-dip
- * towards -x; any one unit of length. What is zero by the plan is so exactly. */
+/* The contact of a case in doubles with bounds (number/near.h), about the block's centroid,
+ * down-dip towards -x; any one unit of length. What is zero by the plan is so exactly. */
 
 #ifndef TP_SHAPE_H
 #define TP_SHAPE_H

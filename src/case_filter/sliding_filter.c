@@ -14,8 +14,8 @@ static int compare(const tp_case_told *told, int facet, int other) {
   const long a = f->facets[facet].point, b = f->facets[other].point;
   if (plan->points[a].axis == plan->points[b].axis) return 0; /* all runs are positive */
   const tp_shape_point *p = told->shape->points + a, *q = told->shape->points + b;
-  const int sign = tp_near_sign(
-      tp_near_minus(tp_near_times(q->ty, p->tx), tp_near_times(p->ty, q->tx)));
+  const int sign =
+      tp_near_sign(tp_near_minus(tp_near_times(q->ty, p->tx), tp_near_times(p->ty, q->tx)));
   return sign != 0 ? sign : 2;
 }
 
@@ -61,8 +61,8 @@ static int opens(const tp_case_told *told, int facet) {
     const long at = f->facets[k].point;
     if (f->plan.points[at].axis == f->plan.points[f->facets[facet].point].axis) continue;
     const tp_shape_point *p = told->shape->points + at;
-    const int sign = tp_near_sign(
-        tp_near_minus(tp_near_times(own->tx, p->ty), tp_near_times(own->ty, p->tx)));
+    const int sign =
+        tp_near_sign(tp_near_minus(tp_near_times(own->tx, p->ty), tp_near_times(own->ty, p->tx)));
     if (sign <= 0) return sign < 0 ? 0 : 2;
   }
   return 1;

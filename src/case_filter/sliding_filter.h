@@ -17,7 +17,6 @@ typedef struct tp_sliding_told {
 } tp_sliding_told;
 
 /* False where doubles do not tell, or where no friction would do. */
-bool tp_sliding_filter(tp_sliding_told *sliding, const tp_case_told *told,
-                       tp_near tilt_tangent);
+bool tp_sliding_filter(tp_sliding_told *sliding, const tp_case_told *told, tp_near tilt_tangent);
 
 #endif

@@ -134,8 +134,8 @@ static void name(least *l, tp_fos_definition definition, tp_mechanism mechanism)
   l->mechanism = mechanism;
 }
 
-/* A factor against a mechanism, a number or beyond all. Of numbers that are not told apart the first
- * is named; their mechanisms have to be the same. */
+/* A factor against a mechanism, a number or beyond all. Of numbers that are not told apart the
+ * first is named; their mechanisms have to be the same. */
 static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition definition,
                  tp_mechanism mechanism) {
   if (state != TP_FOS_NUMBER) {
@@ -180,12 +180,13 @@ static bool tell_factor(tp_case_told_at *at, const tp_case_told *told, tp_near t
   tp_near x, y;
   tp_sliding_told sliding;
   set_arms(&x, &y, told->shape, told->pivot);
-  bool done = take(&l, TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent)),
-                   TP_FOS_BY_MOMENTS, TP_TOPPLES) &&
+  bool done = take(&l, TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent)), TP_FOS_BY_MOMENTS,
+                   TP_TOPPLES) &&
               tp_sliding_filter(&sliding, told, tangent);
   if (done && sliding.counts) {
     done = take(&l, sliding.shear, sliding.by_shear, TP_FOS_BY_SHEAR, TP_SLIDES) &&
-           (sliding.is_level || take(&l, sliding.rough, sliding.by_roughness, TP_FOS_BY_ROUGHNESS, TP_SLIDES));
+           (sliding.is_level ||
+            take(&l, sliding.rough, sliding.by_roughness, TP_FOS_BY_ROUGHNESS, TP_SLIDES));
   }
   done = done && take_reduction(&l, told, tangent);
   at->state = l.number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;

@@ -23,7 +23,8 @@ static tp_near series(tp_near square, int first) {
 }
 
 void tp_near_sin_cos(tp_near *sine, tp_near *cosine, tp_near degrees) {
-  static const tp_near radian = {0.017453292519943295, 4e-18}; /* pi / 180 = 0.0174532925199432958 */
+  static const tp_near radian = {0.017453292519943295,
+                                 4e-18}; /* pi / 180 = 0.0174532925199432958 */
   const double size = fabs(degrees.value);
   if (!(size <= 90) || !(degrees.error < 1)) {
     *sine = *cosine = (tp_near){0, INFINITY};

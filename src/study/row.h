@@ -18,6 +18,14 @@ typedef struct tp_study_at {
   double fos;
 } tp_study_at;
 
+/* What told a sample. Of a row that was read it is not known, but can be found again
+ * (sample_filter.h). */
+typedef enum tp_study_teller {
+  TP_TOLD_UNKNOWN,
+  TP_TOLD_BY_DOUBLES,
+  TP_TOLD_BY_LADDER
+} tp_study_teller;
+
 typedef struct tp_study_row {
   uint64_t sample;
   double *values;  /* of the variables; the caller's, as `at` is */
@@ -28,6 +36,8 @@ typedef struct tp_study_row {
   const char *first, *limit_mechanism, *fos_mechanism; /* in words; not read back */
   int fos_definition; /* tp_fos_definition of the factor that governs; -1: there is none */
   bool open;
+  tp_study_teller told_by;
+  double seconds;   /* of computing, where it is told by one of both */
   char *why;        /* of an invalid one, owned; else NULL */
   const char *line; /* of one that was read: the text */
 } tp_study_row;

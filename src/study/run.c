@@ -6,6 +6,7 @@
  * comes out depends neither on the threads nor on where a run was interrupted. */
 
 #include "batch/share.h"
+#include "clock.h"
 #include "host.h"
 #include "options.h"
 #include "study/result.h"
@@ -73,8 +74,10 @@ static tp_status solve_one(tp_workspace *workspace, const void *task, size_t blo
   }
   if (atomic_load(&r->stopped)) return TP_OK;
   tp_study_row *row = r->chunk + block;
+  const double began = tp_clock_now();
   const tp_status status = tp_study_solve(row, r->study, r->study->tilt_count, message);
   if (status == TP_OK) tp_study_round_row(row, r->study->tilt_count);
+  row->seconds = tp_clock_now() - began;
   return status;
 }
 
