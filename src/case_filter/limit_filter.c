@@ -238,15 +238,13 @@ static int find_frictions(tp_near roots[2], const tp_edge_set *set, int i, int j
                    determinant(ni, nj, b));
 }
 
+/* Down-dip: what would be lost up-dip is left to the ladder. */
 static bool is_reduced(const tp_edge_set *set, int i, int j, tp_near tangent) {
   tp_near v[3];
   set_twist(v, set, i, j);
-  bool may = may_span(v, set, i, j);
-  if (!may) {
-    turn_round(v);
-    may = may_span(v, set, i, j);
-  }
-  return may && spans(v, set, i, j) && presses(set, i, j, tangent);
+  if (v[0].value > 0) turn_round(v);
+  return may_span(v, set, i, j) && tp_near_sign(v[0]) < 0 && spans(v, set, i, j) &&
+         presses(set, i, j, tangent);
 }
 
 bool tp_limit_filter_reduce(tp_limit_filter *found, const tp_contact_plan *plan,

@@ -31,12 +31,13 @@ static bool keep(tp_near_interval *own, tp_near rise, tp_near level, int sign) {
   return true;
 }
 
-/* Where the ends are told apart at all. */
-static bool settle(tp_near_interval *own) {
-  if (own->empty || !own->has_low || !own->has_high) return true;
+/* Two planes that share a generator meet the loads at one tilt where these lie along it: weight
+ * along a facet that slides. */
+static void settle(tp_near_interval *own) {
+  if (own->empty || !own->has_low || !own->has_high) return;
   const int order = tp_near_sign(tp_near_sub(own->high, own->low));
   own->empty = order < 0;
-  return order != 0;
+  own->perhaps = order == 0;
 }
 
 static bool span_triple(tp_near_interval *own, tp_near g[GENERATORS][3], const signed char of[3]) {
@@ -49,7 +50,8 @@ static bool span_triple(tp_near_interval *own, tp_near g[GENERATORS][3], const s
     /* (c . w) D >= 0: -c_x t - c_y has the sign of D */
     if (sign == 0 || !keep(own, c[0], tp_near_neg(c[1]), sign)) return false;
   }
-  return settle(own);
+  settle(own);
+  return true;
 }
 
 static void unite(tp_near_interval *sum, const tp_near_interval *own) {
@@ -64,6 +66,30 @@ static void unite(tp_near_interval *sum, const tp_near_interval *own) {
   if (sum->has_high) sum->high = tp_near_larger(sum->high, own->high);
 }
 
+/* An end that may be another one as well. */
+static tp_near or_else(tp_near own, tp_near other) {
+  const double low = fmin(own.value - own.error, other.value - other.error);
+  const double high = fmax(own.value + own.error, other.value + other.error);
+  const double value = low + (high - low) / 2;
+  return tp_near_of(value,
+                    (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
+}
+
+/* All of a mode: an interval, of which what may be in it or not is no more than an end. */
+static void add_perhaps(tp_near_interval *sum, const tp_near_interval *perhaps) {
+  if (perhaps->empty) return;
+  if (sum->empty) {
+    *sum = *perhaps;
+    return;
+  }
+  if (sum->has_low && tp_near_sign(tp_near_sub(perhaps->low, sum->low)) <= 0) {
+    sum->low = or_else(sum->low, perhaps->low);
+  }
+  if (sum->has_high && tp_near_sign(tp_near_sub(sum->high, perhaps->high)) <= 0) {
+    sum->high = or_else(sum->high, perhaps->high);
+  }
+}
+
 static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_shape *shape,
                       tp_near edges[][2][3]) {
   tp_near g[GENERATORS][3];
@@ -76,13 +102,18 @@ static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_
       g[mode->ray_count + k][e] = tp_near_neg(edges[edge->point][edge->against][e]);
     }
   }
-  own->all = own->with_rays = (tp_near_interval){.empty = true};
+  const tp_near_interval none = {.empty = true};
+  tp_near_interval perhaps = none, perhaps_with_rays = none;
+  own->all = own->with_rays = none;
   for (int k = 0; k < mode->triple_count; k++) {
     tp_near_interval triple;
     if (!span_triple(&triple, g, mode->triples[k].of)) return false;
-    unite(&own->all, &triple);
-    if (mode->triples[k].all_rays) unite(&own->with_rays, &triple);
+    unite(triple.perhaps ? &perhaps : &own->all, &triple);
+    if (!mode->triples[k].all_rays) continue;
+    unite(triple.perhaps ? &perhaps_with_rays : &own->with_rays, &triple);
   }
+  add_perhaps(&own->all, &perhaps);
+  add_perhaps(&own->with_rays, &perhaps_with_rays);
   return true;
 }
 
@@ -100,7 +131,8 @@ static bool find_leaving(tp_near_interval *own, const tp_contact_plan *plan,
     const tp_shape_point *p = shape->points + k;
     if (!seen && !keep(own, tp_near_neg(p->ty), tp_near_neg(p->tx), 1)) return false;
   }
-  return settle(own);
+  settle(own);
+  return true;
 }
 
 /* An interval takes part in the onset: the least of what begins above level ground. False where it
@@ -108,6 +140,11 @@ static bool find_leaving(tp_near_interval *own, const tp_contact_plan *plan,
 static bool take(tp_onset_filter *found, const tp_near_interval *own) {
   if (own->empty || (own->has_high && tp_near_sign(own->high) < 0)) return true;
   if (!own->has_low || tp_near_sign(own->low) <= 0) return false;
+  if (own->perhaps) {
+    found->perhaps = found->has_perhaps ? tp_near_lesser(found->perhaps, own->low) : own->low;
+    found->has_perhaps = true;
+    return true;
+  }
   found->tangent = found->never ? own->low : tp_near_lesser(found->tangent, own->low);
   found->never = false;
   return true;
@@ -122,12 +159,14 @@ bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
   }
   found->plan = plan;
   found->never = true;
+  found->has_perhaps = false;
   if (!find_leaving(&found->leaves, plan, shape) || !take(found, &found->leaves)) return false;
   for (int k = 0; k < plan->mode_count; k++) {
     tp_mode_interval *own = found->modes + k;
     if (!find_mode(own, plan->modes + k, shape, edges) || !take(found, &own->all)) return false;
   }
-  return true;
+  return !found->has_perhaps ||
+         (!found->never && tp_near_sign(tp_near_sub(found->perhaps, found->tangent)) > 0);
 }
 
 /* 1 within, strictly, -1 without, 0 open. */
@@ -135,7 +174,7 @@ static int side_of(const tp_near_interval *own, tp_near tangent) {
   if (own->empty) return -1;
   const int low = own->has_low ? tp_near_sign(tp_near_sub(tangent, own->low)) : 1;
   const int high = own->has_high ? tp_near_sign(tp_near_sub(own->high, tangent)) : 1;
-  return low < 0 || high < 0 ? -1 : low > 0 && high > 0 ? 1 : 0;
+  return low < 0 || high < 0 ? -1 : low > 0 && high > 0 && !own->perhaps ? 1 : 0;
 }
 
 bool tp_onset_filter_look(bool *moves, unsigned *beginnings, const tp_onset_filter *found,

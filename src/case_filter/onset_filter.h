@@ -8,9 +8,10 @@
 
 #include "case_filter/shape.h"
 
-/* Of a set of tangents t of the tilt, an interval; or none. */
+/* Of a set of tangents t of the tilt, an interval; or none. One whose ends are not told apart is a
+ * single tilt at most, or none: `perhaps`. */
 typedef struct tp_near_interval {
-  bool empty, has_low, has_high;
+  bool empty, perhaps, has_low, has_high;
   tp_near low, high;
 } tp_near_interval;
 
@@ -26,6 +27,8 @@ typedef struct tp_onset_filter {
   tp_mode_interval modes[TP_PLAN_MODES];
   bool never;      /* no motion can begin at any tilt up to 90 degrees */
   tp_near tangent; /* else of the onset */
+  bool has_perhaps; /* something may begin, or not, */
+  tp_near perhaps;  /* from here on */
 } tp_onset_filter;
 
 /* False where doubles do not tell, or where a motion can begin on level ground. */
