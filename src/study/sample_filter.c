@@ -198,7 +198,6 @@ bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilt
   const tp_sample_filter *f = study->filter;
   numbers n;
   tp_case_told told;
-  if (getenv("TOPPLE_NOFILTER")) return false;
   if (f == NULL || !take_values(&n, f, row, study->variable_count) ||
       !tp_case_filter_tell(&told, f->of, n.friction_deg, n.variables) || !take_case(row, &told) ||
       !take_own(row, &told, n.tilt_deg, f->has_tilt)) {
