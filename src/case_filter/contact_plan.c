@@ -194,6 +194,7 @@ static bool set_triples(tp_plan_mode *mode, const tp_contact_plan *plan) {
 
 static tp_motion_outcome take_mode(void *context, const tp_mode *mode) {
   planning *p = context;
+  const tp_normals *n = p->normals;
   tp_contact_plan *plan = p->plan;
   if (mode->ray_count == 0) {
     plan->opens_all = true;
@@ -207,6 +208,7 @@ static tp_motion_outcome take_mode(void *context, const tp_mode *mode) {
   *own = (tp_plan_mode){.mechanism = mode->mechanism,
                         .ray_count = mode->ray_count,
                         .rays = {mode->rays[0], mode->rays[1]}};
+  if (mode->ray_count == 2) own->line = n->order[n->items[mode->normal].first];
   p->fits = take_edges(own, p, mode) && set_triples(own, plan);
   return TP_MOTION_PROVEN;
 }

@@ -58,6 +58,7 @@ typedef struct tp_plan_mode {
   tp_mechanism mechanism;
   int ray_count;
   long rays[2];
+  long line; /* of two rays: a point on the normal line that both keep */
   int edge_count;
   tp_plan_edge edges[TP_PLAN_EDGES];
   int triple_count;

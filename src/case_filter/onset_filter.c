@@ -4,8 +4,8 @@
 /* A mode can begin where its cone of loads holds the weight (motion/bounds.h), over cos(tilt)
  * w = (-t, -1, 0) with t = tan(tilt). The cone is the union of the simple ones of three of its
  * generators each, so that its tilts, an interval, reach from the least lower to the largest upper
- * end of theirs. With generators g_0, g_1, g_2 and D = g_0 . g_1 x g_2 the factor of g_0 in w is
- * (g_1 x g_2) . w / D, a linear function of t. Every sign is that of a double beyond its bound. */
+ * end of theirs. With h across g_1 and g_2 the factor of g_0 in w is (h . w) / (h . g_0), a linear
+ * function of t. Every sign is that of a double beyond its bound. */
 
 #include "case_filter/onset_filter.h"
 
@@ -40,15 +40,50 @@ static void settle(tp_near_interval *own) {
   own->perhaps = order == 0;
 }
 
-static bool span_triple(tp_near_interval *own, tp_near g[GENERATORS][3], const signed char of[3]) {
+/* What spans the cone of a mode: rays, then edges turned round. */
+typedef struct cone {
+  const tp_plan_mode *mode;
+  tp_near of[GENERATORS][3];
+  tp_near across[3]; /* to both rays: M^-1 h of their normal line, times k^2 */
+} cone;
+
+static void set_cone(cone *c, const tp_plan_mode *mode, const tp_shape *shape,
+                     tp_near edges[][2][3]) {
+  c->mode = mode;
+  for (int k = 0; k < mode->ray_count; k++) {
+    for (int e = 0; e < 3; e++) c->of[k][e] = shape->inertia[mode->rays[k]][e];
+  }
+  for (int k = 0; k < mode->edge_count; k++) {
+    const tp_plan_edge *edge = mode->edges + k;
+    for (int e = 0; e < 3; e++) {
+      c->of[mode->ray_count + k][e] = tp_near_neg(edges[edge->point][edge->against][e]);
+    }
+  }
+  if (mode->ray_count < 2) return;
+  const tp_shape_point *p = shape->points + mode->line;
+  c->across[0] = tp_near_times(tp_near_neg(p->ty), shape->gyration);
+  c->across[1] = tp_near_times(p->tx, shape->gyration);
+  c->across[2] = p->along;
+}
+
+/* The normal of the plane of two generators; of two rays from their normal line, which is exact
+ * where its facet is level. */
+static void set_plane(tp_near plane[3], const cone *c, int i, int j) {
+  if (c->mode->ray_count == 2 && i + j == 1) {
+    for (int e = 0; e < 3; e++) plane[e] = c->across[e];
+  } else {
+    tp_near_vector_cross(plane, c->of[i], c->of[j]);
+  }
+}
+
+/* The factor of each: (h . w) (h . g) >= 0, h the plane of the other two and w = (-t, -1, 0). */
+static bool span_triple(tp_near_interval *own, const cone *c, const signed char of[3]) {
   *own = (tp_near_interval){.empty = false};
-  int sign = 0;
   for (int k = 0; k < 3 && !own->empty; k++) {
-    tp_near c[3];
-    tp_near_vector_cross(c, g[of[(k + 1) % 3]], g[of[(k + 2) % 3]]);
-    if (k == 0) sign = tp_near_sign(tp_near_vector_dot(c, g[of[0]]));
-    /* (c . w) D >= 0: -c_x t - c_y has the sign of D */
-    if (sign == 0 || !keep(own, c[0], tp_near_neg(c[1]), sign)) return false;
+    tp_near h[3];
+    set_plane(h, c, of[(k + 1) % 3], of[(k + 2) % 3]);
+    const int sign = tp_near_sign(tp_near_vector_dot(h, c->of[of[k]]));
+    if (sign == 0 || !keep(own, h[0], tp_near_neg(h[1]), sign)) return false;
   }
   settle(own);
   return true;
@@ -71,8 +106,7 @@ static tp_near or_else(tp_near own, tp_near other) {
   const double low = fmin(own.value - own.error, other.value - other.error);
   const double high = fmax(own.value + own.error, other.value + other.error);
   const double value = low + (high - low) / 2;
-  return tp_near_of(value,
-                    (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
+  return tp_near_of(value, (high - low) / 2 + (fabs(value) + fabs(low) + fabs(high)) * DBL_EPSILON);
 }
 
 /* All of a mode: an interval, of which what may be in it or not is no more than an end. */
@@ -92,22 +126,14 @@ static void add_perhaps(tp_near_interval *sum, const tp_near_interval *perhaps) 
 
 static bool find_mode(tp_mode_interval *own, const tp_plan_mode *mode, const tp_shape *shape,
                       tp_near edges[][2][3]) {
-  tp_near g[GENERATORS][3];
-  for (int k = 0; k < mode->ray_count; k++) {
-    for (int e = 0; e < 3; e++) g[k][e] = shape->inertia[mode->rays[k]][e];
-  }
-  for (int k = 0; k < mode->edge_count; k++) {
-    const tp_plan_edge *edge = mode->edges + k;
-    for (int e = 0; e < 3; e++) {
-      g[mode->ray_count + k][e] = tp_near_neg(edges[edge->point][edge->against][e]);
-    }
-  }
+  cone c;
+  set_cone(&c, mode, shape, edges);
   const tp_near_interval none = {.empty = true};
   tp_near_interval perhaps = none, perhaps_with_rays = none;
   own->all = own->with_rays = none;
   for (int k = 0; k < mode->triple_count; k++) {
     tp_near_interval triple;
-    if (!span_triple(&triple, g, mode->triples[k].of)) return false;
+    if (!span_triple(&triple, &c, mode->triples[k].of)) return false;
     unite(triple.perhaps ? &perhaps : &own->all, &triple);
     if (!mode->triples[k].all_rays) continue;
     unite(triple.perhaps ? &perhaps_with_rays : &own->with_rays, &triple);

@@ -25,8 +25,8 @@ typedef struct tp_onset_filter {
   const tp_contact_plan *plan;
   tp_near_interval leaves;
   tp_mode_interval modes[TP_PLAN_MODES];
-  bool never;      /* no motion can begin at any tilt up to 90 degrees */
-  tp_near tangent; /* else of the onset */
+  bool never;       /* no motion can begin at any tilt up to 90 degrees */
+  tp_near tangent;  /* else of the onset */
   bool has_perhaps; /* something may begin, or not, */
   tp_near perhaps;  /* from here on */
 } tp_onset_filter;
