@@ -238,6 +238,35 @@ static int find_frictions(tp_near roots[2], const tp_edge_set *set, int i, int j
                    determinant(ni, nj, b));
 }
 
+/* By values alone, whether the edges with that friction span a face: most pairs do not. */
+static bool may_reduce(const tp_edge_set *set, int i, int j, double friction) {
+  const tp_contact_plan *plan = set->plan;
+  double e[2 * TP_PLAN_POINTS][3], v[3];
+  for (int k = 0; k < plan->edge_count; k++) {
+    const tp_shape_point *p = set->shape->points + plan->edges[k].point;
+    const double along = plan->edges[k].against ? -friction : friction;
+    e[k][0] = along * p->tx.value - p->ty.value;
+    e[k][1] = along * p->ty.value + p->tx.value;
+    e[k][2] = p->along.value + along * p->about.value;
+  }
+  if (are_parallel(plan, i, j)) {
+    v[0] = e[i][1];
+    v[1] = -e[i][0];
+    v[2] = 0;
+  } else {
+    for (int row = 0; row < 3; row++) {
+      const int next = (row + 1) % 3, last = (row + 2) % 3;
+      v[row] = e[i][next] * e[j][last] - e[i][last] * e[j][next];
+    }
+  }
+  const double sense = v[0] > 0 ? -1 : 1;
+  for (int k = 0; k < plan->edge_count; k++) {
+    const double work = sense * (v[0] * e[k][0] + v[1] * e[k][1] + v[2] * e[k][2]);
+    if (work <= 0 && !is_tight(plan, i, j, k)) return false;
+  }
+  return true;
+}
+
 /* Down-dip: what would be lost up-dip is left to the ladder. */
 static bool is_reduced(const tp_edge_set *set, int i, int j, tp_near tangent) {
   tp_near v[3];
@@ -256,7 +285,7 @@ bool tp_limit_filter_reduce(tp_limit_filter *found, const tp_contact_plan *plan,
       tp_near roots[2];
       const int count = share_site(plan, i, j) ? 0 : find_frictions(roots, &set, i, j, b);
       for (int r = 0; r < count; r++) {
-        if (tp_near_sign(roots[r]) <= 0) continue;
+        if (tp_near_sign(roots[r]) <= 0 || !may_reduce(&set, i, j, roots[r].value)) continue;
         tp_edge_set_init(&set, plan, shape, roots[r]);
         if (!is_reduced(&set, i, j, tangent)) continue;
         *found = (tp_limit_filter){roots[r], mechanism_of(plan, i, j)};

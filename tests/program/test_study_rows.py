@@ -11,7 +11,7 @@ import subprocess
 import time
 
 from harness import PROGRAM, main, run
-from study_case import STUDIES, StudyCase
+from study_case import STUDIES, StudyCase, shown
 
 
 class Rows(StudyCase):
@@ -34,12 +34,12 @@ class Rows(StudyCase):
                 (folder / "one.yaml").write_text(scene.replace("angle_deg: 22", f"angle_deg: {tilt}"))
                 one = json.loads(run("solve", "--json", "one.yaml", folder=folder)[1])["cases"][0]
                 self.assertEqual(row[outcome], one["mechanism"])
-                self.assertEqual(float(row[fos]), one["governing_fos"]["fos"]["value"])
+                self.assertEqual(float(row[fos]), shown(one["governing_fos"]["fos"]))
             pivot = one["pivots"][one["toppling"]["pivot"]]
-            self.assertEqual(float(row["moments_deg"]), one["toppling"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["pivot_x_m"]), pivot["x_m"]["value"])
-            self.assertEqual(float(row["onset_deg"]), one["onset"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["limit_deg"]), one["limit"]["critical_angle_deg"]["value"])
+            self.assertEqual(float(row["moments_deg"]), shown(one["toppling"]["critical_angle_deg"]))
+            self.assertEqual(float(row["pivot_x_m"]), shown(pivot["x_m"]))
+            self.assertEqual(float(row["onset_deg"]), shown(one["onset"]["critical_angle_deg"]))
+            self.assertEqual(float(row["limit_deg"]), shown(one["limit"]["critical_angle_deg"]))
             self.assertEqual((row["limit_mechanism"], row["first"], row["status"]),
                              (one["limit"]["mechanism"], one["first"]["mechanism"], "certain"))
 
