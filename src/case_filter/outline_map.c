@@ -195,7 +195,7 @@ static void add_sign(mapping *m, tp_map_sign_kind kind, const int of[4], int sig
   if (!m->fits) return;
   tp_map_sign *own = map->signs + map->sign_count++;
   *own = (tp_map_sign){.kind = kind, .sign = (signed char)sign};
-  for (int k = 0; k < 4; k++) own->of[k] = (signed char)of[k];
+  for (int k = 0; k < 4; k++) own->of[k] = (unsigned char)of[k];
 }
 
 /* Of two points: one that does not depend on what varies needs no look. */

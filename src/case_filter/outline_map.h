@@ -32,7 +32,8 @@ typedef enum tp_map_sign_kind {
 
 typedef struct tp_map_sign {
   tp_map_sign_kind kind;
-  signed char of[4], sign;
+  unsigned char of[4];
+  signed char sign;
 } tp_map_sign;
 
 /* c_0 + sum c_k v_k */
