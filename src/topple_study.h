@@ -142,16 +142,44 @@ typedef struct tp_study_reliability {
   tp_study_rare importance, subset; /* sampling of rare events, where asked for */
 } tp_study_reliability;
 
+/* The design value of one number: put into the scene, with all other numbers as they stand there,
+ * it gives what samples have with the probability wanted; so one solve stands where so many samples
+ * do. */
+typedef struct tp_study_design {
+  size_t variable;            /* which of the variables */
+  double probability;         /* wanted: */
+  tp_study_quantity quantity; /* that this is not above `quantity_value` */
+  bool known;                 /* there is one */
+  double value, low, high; /* the number, with its interval of 95 %; an end may be infinite, where
+                              the samples, or the range, do not reach it */
+  bool low_is_safe;        /* of the interval, else the high one: there is less of the quantity */
+  double quantity_value;   /* of the scene with it */
+  double scene_value;      /* the number as it stands in the scene */
+  size_t calls;            /* scenes solved for it */
+  char *why;               /* where it is not known: plain; else NULL */
+} tp_study_design;
+
 /* A number that varies. */
 typedef struct tp_study_variable {
   TP_OUTSIDE char *key;                        /* the scene's */
   const char *kind;                            /* normal, list and so on; a static string */
+  const char *unit;                            /* deg, m, kPa and so on, or NULL; likewise */
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
   double design_value; /* where reliability is known: at the design point, */
   double importance;   /* and its share of the variance there, as if all were independent */
 } tp_study_variable;
+
+/* A number of roughness of the base of a sample, or an angle of Eqs. (15) and (16). */
+typedef struct tp_study_measure {
+  const char *name;       /* amplitude, rms_height, z2, effective_angle_deg, jrc; last peak_deg,
+                             Eq. (15), and valley_deg, Eq. (16); a static string */
+  const char *unit;       /* mm, deg and so on; NULL: none */
+  size_t count;           /* of the samples kept that have it */
+  double least, greatest; /* of these */
+  tp_study_rank ranks[TP_STUDY_QUANTITIES]; /* with each quantity */
+} tp_study_measure;
 
 /* The estimate as samples came in. */
 typedef struct tp_study_step {
@@ -204,13 +232,20 @@ typedef struct tp_study_result {
   tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
-  size_t step_count;                /* of the steps */
-  tp_study_step *steps;             /* at each power of two from 16 on, and at the end */
-  size_t bad_count;                 /* of the first invalid samples, 5 at most */
-  tp_study_bad *bad;                /* these */
-  size_t column_count;              /* of the columns */
-  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt, and
-                               tp_fos_definition of the factor that governs, NaN: none */
+  size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */
+  tp_study_measure *measures;       /* in the order of the rows */
+  size_t bracketed, within; /* samples kept that have both angles of Eqs. (15) and (16), and of
+                               these those whose critical angle by moments lies between */
+  size_t design_count;      /* of the design values asked for; as reliability */
+  tp_study_design *designs; /* as the study lists them */
+  size_t step_count;        /* of the steps */
+  tp_study_step *steps;     /* at each power of two from 16 on, and at the end */
+  size_t bad_count;         /* of the first invalid samples, 5 at most */
+  tp_study_bad *bad;        /* these */
+  size_t column_count;      /* of the columns */
+  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt,
+                               tp_fos_definition of the factor that governs (NaN: none), and what is
+                               measured of the base */
 } tp_study_result;
 
 /* How a study is run. */

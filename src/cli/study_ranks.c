@@ -7,6 +7,7 @@
  * the others, which stop after their chunk; then all know how each ended. */
 
 #include "cli/study_run.h"
+#include "cli/study_signal.h"
 
 #include "cli/cli.h"
 
@@ -37,6 +38,7 @@ typedef struct ranked {
   tp_ranks *ranks;
   const tp_study *study;
   const tp_study_options *options;
+  const tp_study_file *rows;
   plan plan;
   atomic_bool stopped;
   bool failed, interrupted; /* this rank or another */
@@ -235,14 +237,22 @@ static tp_status run(tp_study_result **result, ranked *r, tp_message *message) {
   if (!is_fine(r, status)) return status;
   tp_cli_study_catch();
   status = r->plan.alone ? run_alone(result, r, message) : run_parts(result, r, message);
+  if (r->ranks->rank == 0 && is_fine(r, status)) {
+    status = tp_cli_study_file_write(r->rows, r->study, *result, message);
+  }
   return r->failed ? status : agree(r, status, message);
 }
 
 tp_status tp_cli_study_by_ranks(tp_study_result **result, tp_ranks *ranks, const char *path,
-                                const tp_study_options *options, tp_message *message) {
+                                const tp_study_options *options, const tp_study_file *rows,
+                                tp_message *message) {
   tp_study *study = NULL;
-  ranked r = {.ranks = ranks, .options = options};
-  tp_status status = agree(&r, tp_study_read(&study, path, message), message);
+  ranked r = {.ranks = ranks, .options = options, .rows = rows};
+  tp_status status = tp_study_read(&study, path, message);
+  if (status == TP_OK && ranks->rank == 0) {
+    status = tp_cli_study_file_check(rows, study, options->restart, message);
+  }
+  status = agree(&r, status, message);
   r.study = study;
   if (is_fine(&r, status)) status = run(result, &r, message);
   tp_study_free(study);

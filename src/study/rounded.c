@@ -7,6 +7,7 @@
  * of two doubles, so that its rounding is that of the decimal. */
 
 #include "study/row.h"
+#include "study/shortest.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -37,11 +38,16 @@ double tp_study_rounded(double value) {
   return copysign(whole / powers[power], value);
 }
 
-void tp_study_round_row(tp_study_row *row, size_t tilts) {
+void tp_study_round_row(tp_study_row *row, const tp_study *study) {
   for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) {
     row->quantities[k] = tp_study_rounded(row->quantities[k]);
   }
-  for (size_t k = 0; k <= tilts; k++) row->at[k].fos = tp_study_rounded(row->at[k].fos);
+  for (size_t k = 0; k <= study->tilt_count; k++) {
+    row->at[k].fos = tp_study_rounded(row->at[k].fos);
+  }
+  for (size_t k = 0; k < study->measure_count; k++) {
+    row->measures[k] = tp_study_rounded(row->measures[k]);
+  }
   row->pivot_x_m = tp_study_rounded(row->pivot_x_m);
   row->pivot_y_m = tp_study_rounded(row->pivot_y_m);
 }

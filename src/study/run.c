@@ -10,6 +10,8 @@
 #include "host.h"
 #include "options.h"
 #include "study/result.h"
+#include "study/roughness.h"
+#include "study/row_csv.h"
 #include "study/rows.h"
 #include "study/sample.h"
 
@@ -75,9 +77,10 @@ static tp_status solve_one(tp_workspace *workspace, const void *task, size_t blo
   if (atomic_load(&r->stopped)) return TP_OK;
   tp_study_row *row = r->chunk + block;
   const double began = tp_clock_now();
-  const tp_status status = tp_study_solve(row, r->study, r->study->tilt_count, message);
-  if (status == TP_OK) tp_study_round_row(row, r->study->tilt_count);
+  tp_status status = tp_study_solve(row, r->study, r->study->tilt_count, message);
   row->seconds = tp_clock_now() - began;
+  if (status == TP_OK) status = tp_study_measure_roughness(row, r->study, message);
+  if (status == TP_OK) tp_study_round_row(row, r->study);
   return status;
 }
 

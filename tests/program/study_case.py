@@ -12,6 +12,8 @@ import unittest
 from harness import ROOT, run
 
 STUDIES = ROOT / "examples" / "studies"
+# Of the block above a road: the columns of rows whose names have a unit, by their keys.
+ROAD_COLUMNS = {"loads.water.height": "loads.water.height_m"}
 SLAB = """topple: 1
 length_unit: m
 block:

@@ -207,7 +207,7 @@ class Schema(unittest.TestCase):
             self.prints("profile", "--json", "steep.csv", folder=folder)
 
     def test_2_study(self):
-        for name in ("slab", "block_above_road"):
+        for name in ("slab", "block_above_road", "rough_base"):
             self.prints("study", "--json", ROOT / "examples" / "studies" / f"{name}_study.yaml")
         with tempfile.TemporaryDirectory() as folder:  # a scene without a tilt, some samples of which there is none
             (pathlib.Path(folder) / "scene.yaml").write_text(
@@ -226,6 +226,7 @@ class Schema(unittest.TestCase):
             (pathlib.Path(folder) / "never.yaml").write_text(  # no design point
                 "topple_study: 1\nscene: tilted.yaml\nsamples: 20\n\n"
                 "reliability: {quantity: limit_deg, importance: {samples: 20}, subset: {samples: 100}}\n"
+                "design_values: [{of: block.unit_weight_kn_m3, probability: 0.2}]\n"
                 "vary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n")
             self.prints("study", "--json", "never.yaml", folder=folder)
             found = self.prints("study", "--json", "study.yaml", folder=folder)

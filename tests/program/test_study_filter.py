@@ -35,13 +35,14 @@ class Filter(StudyCase):
         (self.folder / "scene.yaml").write_text(scene)
         (self.folder / "study.yaml").write_text(f"topple_study: 1\nscene: scene.yaml\nsamples: {samples}\nvary:\n{vary}"
                                                 f"tilts_deg: {tilts}\n")
-        summary = self.summary("study.yaml", "--csv", "rows.csv", "--restart")
+        summary = self.summary("study.yaml", "--rows", "rows.csv", "--restart")
         rows = self.rows()
         self.assertEqual(summary["open"], 0)
         self.assertGreaterEqual(summary["by_doubles"], least * samples)
         keys = [line.split(":")[0].strip() for line in vary.splitlines()]
+        columns = list(rows[0])[1:1 + len(keys)]  # with the unit of what is a length
         for row in rows[::step]:
-            settings = [word for key in keys for word in ("--set", f"{key}={row[key]}")]
+            settings = [word for key, column in zip(keys, columns) for word in ("--set", f"{key}={row[column]}")]
             own = None
             for tilt in tilts:
                 status, out, err = run("solve", "--json", "scene.yaml", *settings, "--set", f"tilt.angle_deg={tilt}",
@@ -91,7 +92,7 @@ class Filter(StudyCase):
                                                "base: {mated: true}\nfriction_angle_deg: 45\n"
                                                "tilt: {towards: left, angle_deg: 20}\n")
         self.write("vary:\n  friction_angle_deg: {list: [44, 45, 46]}\n")
-        summary = self.summary("study.yaml", "--csv", "rows.csv")
+        summary = self.summary("study.yaml", "--rows", "rows.csv")
         self.assertEqual((summary["samples"], summary["by_doubles"]), (3, 2))
         self.assertEqual([row["first"] for row in self.rows()], ["slides", "slides and topples", "topples"])
 
@@ -101,7 +102,7 @@ class Filter(StudyCase):
         whole = self.study("study.yaml")
         self.assertRegex(whole, r"\n29\d samples were told by doubles with proven bounds, \d by the ladder\.\n")
         for part in ("1/2", "2/2"):
-            self.study("study.yaml", "--shard", part, "--csv", f"part{part[0]}.csv")
+            self.study("study.yaml", "--shard", part, "--rows", f"part{part[0]}.csv")
         self.assertEqual(self.study("study.yaml", "--merge", "part1.csv", "part2.csv"), whole)
 
 

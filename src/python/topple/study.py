@@ -124,11 +124,42 @@ class StudyReliability(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class StudyMeasure(Record):
+    """A number of roughness of the base of each sample, or an angle of Eqs. (15) and (16)."""
+
+    name: str  #: amplitude, rms_height, z2, effective_angle_deg, jrc, peak_deg or valley_deg
+    unit: str | None
+    count: int  #: of the samples kept that have it
+    least: float | None = field(when="count")  #: of these
+    greatest: float | None = field(when="count")
+    ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyDesign(Record):
+    """The design value of one number: with it, and all others as they stand in the scene, the quantity
+    is what samples have with the probability wanted; None where there is none, which `why` tells."""
+
+    variable: int  #: which of the variables
+    probability: float
+    quantity: StudyQuantity
+    value: float | None = field(when="known")
+    low: float | None = field(when="known")
+    high: float | None = field(when="known")
+    low_is_safe: bool | None = field(when="known")  #: else the high end of the interval
+    quantity_value: float | None = field(when="known")  #: of the scene with it
+    scene_value: float  #: the number as it stands in the scene
+    calls: int  #: scenes solved for it
+    why: str | None
+
+
+@dataclasses.dataclass(frozen=True)
 class StudyVariable(Record):
     """A number that varies."""
 
     key: str
     kind: str  #: normal, list and so on
+    unit: str | None  #: deg, m, kPa and so on
     least: float
     greatest: float
     ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
@@ -179,6 +210,10 @@ class StudyResult(Record):
     factors: tuple[StudyFactor, ...]  #: in the order of `FosDefinition`
     sensitivity_samples: int  #: of Sobol' indices; 0: none were asked for
     reliability: StudyReliability
+    measures: tuple[StudyMeasure, ...] = field(count="measure_count")
+    bracketed: int  #: samples kept with both angles of Eqs. (15) and (16); of these
+    within: int  #: those whose critical angle by moments lies between
+    designs: tuple[StudyDesign, ...] = field(count="design_count")
     steps: tuple[StudyStep, ...] = field(count="step_count")
     bad: tuple[StudyBad, ...] = field(count="bad_count")
     #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
