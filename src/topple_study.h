@@ -11,6 +11,7 @@
 #ifndef TOPPLE_STUDY_H
 #define TOPPLE_STUDY_H
 
+#include "topple_governing.h"
 #include "topple_scene.h"
 
 #ifdef __cplusplus
@@ -93,6 +94,16 @@ typedef struct tp_study_spread {
   tp_study_quantile quantiles[TP_STUDY_QUANTILES]; /* by rising probability */
 } tp_study_spread;
 
+/* The factors of safety of samples that one definition governs at the scene's tilt. Each tells in
+ * its own way how far a block is from 1, so that they are no one distribution: just beyond toppling
+ * the one by moments is little below 1, and strength reduction, where it governs, far below. */
+typedef struct tp_study_factor {
+  tp_fos_definition definition; /* by which the factor that governs is reckoned */
+  tp_study_share governs;       /* of all samples */
+  size_t below;                 /* of these, with a factor below 1 */
+  tp_study_spread spread;       /* of the factors of the samples kept */
+} tp_study_factor;
+
 /* Spearman's rank correlation of a number that varies with a quantity. */
 typedef struct tp_study_rank {
   bool known;              /* three samples at least, and neither is the same for all */
@@ -131,16 +142,44 @@ typedef struct tp_study_reliability {
   tp_study_rare importance, subset; /* sampling of rare events, where asked for */
 } tp_study_reliability;
 
+/* The design value of one number: put into the scene, with all other numbers as they stand there,
+ * it gives what samples have with the probability wanted; so one solve stands where so many samples
+ * do. */
+typedef struct tp_study_design {
+  size_t variable;            /* which of the variables */
+  double probability;         /* wanted: */
+  tp_study_quantity quantity; /* that this is not above `quantity_value` */
+  bool known;                 /* there is one */
+  double value, low, high; /* the number, with its interval of 95 %; an end may be infinite, where
+                              the samples, or the range, do not reach it */
+  bool low_is_safe;        /* of the interval, else the high one: there is less of the quantity */
+  double quantity_value;   /* of the scene with it */
+  double scene_value;      /* the number as it stands in the scene */
+  size_t calls;            /* scenes solved for it */
+  char *why;               /* where it is not known: plain; else NULL */
+} tp_study_design;
+
 /* A number that varies. */
 typedef struct tp_study_variable {
   TP_OUTSIDE char *key;                        /* the scene's */
   const char *kind;                            /* normal, list and so on; a static string */
+  const char *unit;                            /* deg, m, kPa and so on, or NULL; likewise */
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
   double design_value; /* where reliability is known: at the design point, */
   double importance;   /* and its share of the variance there, as if all were independent */
 } tp_study_variable;
+
+/* A number of roughness of the base of a sample, or an angle of Eqs. (15) and (16). */
+typedef struct tp_study_measure {
+  const char *name;       /* amplitude, rms_height, z2, effective_angle_deg, jrc; last peak_deg,
+                             Eq. (15), and valley_deg, Eq. (16); a static string */
+  const char *unit;       /* mm, deg and so on; NULL: none */
+  size_t count;           /* of the samples kept that have it */
+  double least, greatest; /* of these */
+  tp_study_rank ranks[TP_STUDY_QUANTITIES]; /* with each quantity */
+} tp_study_measure;
 
 /* The estimate as samples came in. */
 typedef struct tp_study_step {
@@ -163,7 +202,7 @@ typedef enum tp_study_end {
   TP_STUDY_SHARD        /* all samples of its shard */
 } tp_study_end;
 
-/* A number of the samples, one value each; of an outcome its number in tp_study_outcome. */
+/* A number of the samples, one value each; of what has a name its number in the list of these. */
 typedef struct tp_study_column {
   TP_OUTSIDE char *header; /* as in the header of the rows */
   double *values;          /* `kept` of them */
@@ -183,19 +222,30 @@ typedef struct tp_study_result {
   double half_width;       /* asked of every interval; 0: none was asked for */
   size_t open; /* solved samples with a number less certain than to 9 digits, or a limit or factor
                   undecided */
+  size_t by_doubles; /* samples told by doubles with proven bounds; the ladder told the others */
+  double doubles_seconds, ladder_seconds;       /* of computing, of those solved in this run */
   size_t tilt_count;                            /* 1 at least */
   tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
   size_t variable_count;                        /* of the numbers that vary */
   tp_study_variable *variables;                 /* as the study lists them */
   tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
+  tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
-  size_t step_count;                /* of the steps */
-  tp_study_step *steps;             /* at each power of two from 16 on, and at the end */
-  size_t bad_count;                 /* of the first invalid samples, 5 at most */
-  tp_study_bad *bad;                /* these */
-  size_t column_count;              /* of the columns */
-  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt */
+  size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */
+  tp_study_measure *measures;       /* in the order of the rows */
+  size_t bracketed, within; /* samples kept that have both angles of Eqs. (15) and (16), and of
+                               these those whose critical angle by moments lies between */
+  size_t design_count;      /* of the design values asked for; as reliability */
+  tp_study_design *designs; /* as the study lists them */
+  size_t step_count;        /* of the steps */
+  tp_study_step *steps;     /* at each power of two from 16 on, and at the end */
+  size_t bad_count;         /* of the first invalid samples, 5 at most */
+  tp_study_bad *bad;        /* these */
+  size_t column_count;      /* of the columns */
+  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt,
+                               tp_fos_definition of the factor that governs (NaN: none), and what is
+                               measured of the base */
 } tp_study_result;
 
 /* How a study is run. */
@@ -224,7 +274,7 @@ static inline tp_study_options tp_study_options_default(void) {
 
 /* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
  * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
- * scene has changed since. */
+ * scene has changed since, or ends in .h5. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
                                    const tp_study_options *options, tp_message *message);
 

@@ -70,6 +70,167 @@ TP_MUST_USE tp_status tp_scene_set_shaking_record(tp_scene *scene, tp_shaking_ax
                                                   tp_coordinates record, tp_exact scale,
                                                   tp_message *message);
 
+/* ---- the test that is run ----------------------------------------------------------------------
+ */
+
+/* What is asked of a test beyond what the scene says. */
+typedef struct tp_tilt_options {
+  size_t size;      /* of this struct, as `…_default()` has it */
+  size_t moments;   /* of the history of the motion, some so many at most, 2 to 1 000 000 */
+  bool overturning; /* of a block whose base shakes: the least shaking that overturns it, as a
+                       factor on that of the scene, bracketed */
+  bool (*stop)(void *context); /* asked now and then, or NULL: true ends the test with what is known
+                                  by then */
+  void (*progress)(void *context, size_t runs, double least_deg, double most_deg); /* after each
+                                  run, or NULL: how many there were, and the bracket by then */
+  void *context;                                                                   /* of both */
+} tp_tilt_options;
+
+/* The defaults: 400 moments; nothing stops it. `size` is that of the struct as the caller knows it.
+ */
+void tp_tilt_options_init(tp_tilt_options *options, size_t size);
+static inline tp_tilt_options tp_tilt_options_default(void) {
+  tp_tilt_options options;
+  tp_tilt_options_init(&options, sizeof options);
+  return options;
+}
+
+/* The settings of a test, given or by default; those of other engines are 0. */
+typedef struct tp_tilt_settings {
+  tp_tilt_engine engine;     /* by which it is simulated */
+  tp_tilt_protocol protocol; /* how the table is moved */
+  bool set_down;             /* at each angle; else placed level and tilted */
+  double speed_deg_min;      /* of the table */
+  double until_deg;          /* of the table, at most */
+  double release_deg;        /* where the block is let go */
+  double tolerance_deg;      /* wanted width of the bracket */
+  double duration_s;         /* of a run at a steady tilt, at most */
+  double normal_stiffness_pa_m, shear_stiffness_pa_m; /* of the contact */
+  bool stiffness_given; /* by the scene; else the paper's 1000 and 10 GPa/m */
+  double damping;       /* of springs, local */
+  double rounding_m;    /* of corners */
+  double time_step_s;   /* 0: the method's own choice */
+  double restitution;   /* of impacts */
+} tp_tilt_settings;
+
+/* How the block ended. */
+typedef enum tp_tilt_end {
+  TP_TILT_STANDS,     /* where it began, up to the last tilt */
+  TP_TILT_COLLAPSES,  /* no equilibrium is left: what follows is not simulated (path) */
+  TP_TILT_RESTS,      /* it moved, and rests again */
+  TP_TILT_MOVES,      /* it was still in motion when the run ended */
+  TP_TILT_OVERTURNED, /* by more than a quarter of a turn */
+  TP_TILT_LEFT_BASE,  /* no part of it is above the base any more */
+  TP_TILT_OPEN,       /* the bound on steps or events was reached before any of these was sure */
+  TP_TILT_STOPPED     /* options.stop said so */
+} tp_tilt_end;
+
+/* As one word or a few: "stands", "still moves". */
+const char *tp_tilt_end_name(tp_tilt_end end);
+
+/* And of an engine ("path", "dynamics by events", "dynamics by springs"), a protocol, an event. */
+const char *tp_tilt_engine_name(tp_tilt_engine engine);
+const char *tp_tilt_protocol_name(tp_tilt_protocol protocol);
+const char *tp_tilt_event_name(tp_tilt_event_kind kind);
+
+/* Where a simulated angle lies against the tilts of statics (topple_onset.h, topple_limit.h). */
+typedef enum tp_tilt_place {
+  TP_PLACE_UNKNOWN, /* one of them is not known */
+  TP_PLACE_WITHIN,  /* not below the onset nor beyond the limit, but for the tolerance
+                     */
+  TP_PLACE_BELOW,   /* below the onset, where the block is certain to stand from rest */
+  TP_PLACE_BEYOND   /* beyond the limit, where it is certain to move */
+} tp_tilt_place;
+
+/* A vertex, in metres in the frame of the base. */
+typedef struct tp_tilt_point {
+  double x_m, y_m; /* the coordinates */
+} tp_tilt_point;
+
+/* One direction of tilt. Simulated numbers: no bound is proven, what was reached is told. */
+typedef struct tp_tilt_case {
+  tp_direction towards;   /* which */
+  bool has_bracket;       /* it stands at one tilt, and lets go at another: */
+  double least_deg;       /* it stands there; of one that never lets go the last tilt tried */
+  double most_deg;        /* it lets go there */
+  bool converged;         /* the bracket is as narrow as was asked */
+  bool has_mechanism;     /* and it lets go so: */
+  tp_mechanism mechanism; /* by the velocity with which it moves off */
+  bool has_centre;        /* of rotation */
+  double centre_x_m, centre_y_m; /* where it is */
+  bool has_onset, has_limit;     /* statics knows: */
+  double onset_deg, limit_deg;   /* alpha_s, certain to stand up to it; alpha_w, certain to move
+                                    beyond */
+  tp_tilt_place place;           /* of the bracket against these */
+  tp_tilt_end end;               /* how it ended */
+  double ended_s, ended_deg;     /* when, and at which tilt */
+  double run_out_m;              /* of the centroid along the base, down-dip */
+  double turned_deg;             /* counter-clockwise */
+  double kinetic_energy_j;       /* the greatest */
+  double energy_balance_j;       /* the largest of moments, in absolute value */
+  double energy_scale_j;         /* weight times extent, for comparison */
+  bool has_overturning;          /* the least shaking that overturns it, on that of the scene, */
+  double overturning_least, overturning_most; /* is between these factors: spared by the first */
+  size_t event_count;                         /* of the events */
+  tp_tilt_event *events;             /* in their order; lengths in the frame of the scene's base */
+  size_t moment_count;               /* of the moments */
+  tp_tilt_moment *moments;           /* in their order */
+  size_t reaction_count;             /* of the reactions */
+  tp_tilt_reaction *reactions;       /* by moment, then by facet */
+  size_t outline_count;              /* of the block's outline where it began, arcs by chords */
+  tp_tilt_point *outline;            /* counter-clockwise */
+  size_t base_count;                 /* of the ring of the base */
+  tp_tilt_point *base;               /* counter-clockwise */
+  double centroid_x_m, centroid_y_m; /* of the block where it began */
+  size_t runs;                       /* of the engine */
+  double seconds;                    /* that they took */
+} tp_tilt_case;
+
+/* The shaking of the base along one axis. */
+typedef struct tp_tilt_shaking {
+  bool given;               /* by the scene */
+  double peak_m_s2;         /* PGA */
+  double velocity_m_s;      /* PGV */
+  double last_velocity_m_s; /* what its baseline leaves at the end */
+  double duration_s;        /* of the shaking */
+} tp_tilt_shaking;
+
+/* The result of a test. */
+typedef struct tp_tilt_test {
+  TP_OUTSIDE char *title;     /* of the scene; NULL: none */
+  const char *length_unit;    /* of the scene; a static string */
+  double metres_per_unit;     /* of it */
+  tp_tilt_settings settings;  /* by which it was run */
+  tp_tilt_shaking shaking[2]; /* horizontal, vertical */
+  size_t case_count;          /* of the cases */
+  tp_tilt_case *cases;        /* a direction each */
+  tp_notes notes;             /* beside the answer */
+} tp_tilt_test;
+
+/* Run the test that the scene calls for by tilt_test or shaking; bad input where it calls for none.
+ * `*test` is the caller's, to be freed by tp_tilt_test_free. TP_NO_ANSWER where the block does not
+ * fit its base. The same scene gives the same numbers each time, but for seconds. */
+TP_MUST_USE tp_status tp_tilt_test_run(tp_tilt_test **test, const tp_scene *scene,
+                                       const tp_tilt_options *options, tp_message *message);
+
+/* Free it with all that it points to; NULL is allowed. */
+void tp_tilt_test_free(tp_tilt_test *test);
+
+/* Reports, as `topple tilt` prints them: the page; JSON (docs/schema); the moments as CSV. Of each
+ * `*text` is allocated with malloc and is the caller's to free; UTF-8, ended by a line end. */
+TP_MUST_USE tp_status tp_report_tilt(char **text, const tp_tilt_test *test);
+TP_MUST_USE tp_status tp_report_tilt_json(char **text, const tp_tilt_test *test);
+TP_MUST_USE tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test);
+
+/* Drawings of the block on its table, as SVG: some frames side by side, and one that moves. */
+TP_MUST_USE tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test);
+TP_MUST_USE tp_status tp_report_tilt_animation(char **text, const tp_tilt_test *test);
+
+/* The same into the file `path`, which must end in .svg and appears whole or not at all: frames, or
+ * where `moving` the one that moves. TP_SYSTEM_FAILED where it cannot be written. */
+TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
+                                          tp_message *message);
+
 #ifdef __cplusplus
 }
 #endif

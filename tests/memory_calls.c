@@ -9,6 +9,7 @@
 #include "memory_profiles.h"
 #include "memory_samples.h"
 #include "memory_studies.h"
+#include "memory_tilt.h"
 
 #include "topple.h"
 
@@ -256,6 +257,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"build profiles", build_profiles, 100},
                                     {"run a study", run_study, 200},
                                     {"merge a study", merge_study, 200},
+                                    {"simulate a tilt test", simulate_tilt_test, 60},
                                     {"draw samples", draw_samples, 200},
                                     {"measure sensitivity", measure_sensitivity, 200},
                                     {"find reliability", find_reliability, 200},

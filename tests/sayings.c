@@ -227,6 +227,7 @@ const saying all_sayings[] = {{"block E", say_block_e},
                               {"blocks", say_blocks},
                               {"varied", say_varied},
                               {"studies", say_studies},
+                              {"tilt tests", say_tilts},
                               {"names", say_names}};
 const size_t all_sayings_count = sizeof all_sayings / sizeof all_sayings[0];
 

@@ -57,6 +57,8 @@ void say_blocks(sayings *s);
 void say_varied(sayings *s);
 /* Studies. */
 void say_studies(sayings *s);
+/* Simulated tilt tests. */
+void say_tilts(sayings *s);
 /* Roughness. */
 void say_profiles(sayings *s);
 /* Names of enumerations, and calls on texts. */

@@ -44,6 +44,19 @@ static void say_enumerations(sayings *s) {
   }
 }
 
+static void say_tilt_names(sayings *s) {
+  for (int k = 0; k <= TP_TILT_STOPPED + 1; k++) note_text(s, tp_tilt_end_name((tp_tilt_end)k));
+  for (int k = 0; k <= TP_TILT_SPRINGS + 1; k++) {
+    note_text(s, tp_tilt_engine_name((tp_tilt_engine)k));
+  }
+  for (int k = 0; k <= TP_TILT_RELEASE + 1; k++) {
+    note_text(s, tp_tilt_protocol_name((tp_tilt_protocol)k));
+  }
+  for (int k = 0; k <= TP_EVENT_ACCUMULATES + 1; k++) {
+    note_text(s, tp_tilt_event_name((tp_tilt_event_kind)k));
+  }
+}
+
 static void say_defaults(sayings *s) {
   const tp_find_options find = tp_find_options_default();
   const tp_chart_map_options map = tp_chart_map_options_default();
@@ -57,6 +70,7 @@ void say_names(sayings *s) {
                                       "chart.SVG", "x.pdf", "a.b/c",     ""};
   char plain[40];
   say_enumerations(s);
+  say_tilt_names(s);
   say_defaults(s);
   for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
     tp_level level = TP_LEVEL_DOUBLE;

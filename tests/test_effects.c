@@ -12,6 +12,7 @@
 #include "block/ellipse.h"
 #include "clock.h"
 #include "load/loads.h"
+#include "shaking/shaking.h"
 #include "stability/facet_friction.h"
 #include "stability/stages.h"
 
@@ -34,6 +35,8 @@ enum {
   ELEMENTS,
   SLIDING,
   FACETS,
+  SIMULATION,
+  SHAKING,
   EFFECTS
 };
 
@@ -78,6 +81,11 @@ COUNTED(FACETS, tp_status, tp_facet_friction_init,
         (tp_facet_friction * f, const tp_scene *s, const tp_base *b, const tp_lattice *l,
          const tp_contact *c, tp_facets_counted counted, tp_solution *own, tp_message *m),
         (f, s, b, l, c, counted, own, m))
+
+COUNTED(SIMULATION, tp_status, tp_rigid_body_init,
+        (tp_rigid_body * b, const tp_problem *p, tp_direction d, tp_message *m), (b, p, d, m))
+COUNTED(SHAKING, tp_status, tp_base_shaking_init,
+        (tp_base_shaking * b, const tp_scene *s, tp_message *m), (b, s, m))
 
 /* Solve a scene written to a file, and count. */
 static void solve(const char *block, const char *rest) {
@@ -142,6 +150,34 @@ START_TEST(uplift) {
 }
 END_TEST
 
+#define PATH "tilt_test: {engine: path}\n"
+#define SHAKES                                                                                     \
+  "tilt_test: {engine: dynamics, duration_s: 0.01}\n"                                              \
+  "shaking: {horizontal: {half_sine: {peak_g: 0.1, frequency_hz: 200}}}\n"
+
+/* `solve` enters no simulation, and a test that nothing shakes no shaking. */
+START_TEST(simulations) {
+  static const char *const scenes[] = {PATH, SHAKES};
+  for (int k = 0; k < 2; k++) {
+    char text[500];
+    tp_scene *scene = NULL;
+    tp_tilt_test *test = NULL;
+    tp_message message = {""};
+    const tp_tilt_options options = tp_tilt_options_default();
+    snprintf(text, sizeof text, "friction_angle_deg: 30\n%s", scenes[k]);
+    solve(SLAB, text);
+    ck_assert(calls[SIMULATION] == 0 && calls[SHAKING] == 0);
+    snprintf(text, sizeof text,
+             "topple: 1\nlength_unit: m\nblock: {%s}\nfriction_angle_deg: 30\n%s", SLAB, scenes[k]);
+    ck_assert_msg(tp_scene_read_text(&scene, text, "scene", &message) == TP_OK, "%s", message.text);
+    ck_assert_msg(tp_tilt_test_run(&test, scene, &options, &message) == TP_OK, "%s", message.text);
+    ck_assert(calls[SIMULATION] > 0 && (calls[SHAKING] > 0) == (k == 1));
+    tp_tilt_test_free(test);
+    tp_scene_free(scene);
+  }
+}
+END_TEST
+
 /* What an effect took within another one counts once: the moments of a block with rounded corners
  * held the rounding too, and of two loads the second held the first, so that the effects added up
  * to more than all took. Hundreds of anchors tell. */
@@ -186,6 +222,7 @@ int main(void) {
   TCase *tests = tcase_create("calls");
   tcase_add_test(tests, only_what_is_called_for);
   tcase_add_test(tests, uplift);
+  tcase_add_test(tests, simulations);
   tcase_add_test(tests, time_counts_once);
   suite_add_tcase(suite, tests);
   return run_suite(suite);

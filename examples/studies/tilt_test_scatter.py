@@ -74,7 +74,7 @@ def by_outline(toe, count, a, b, c):
 def largest_difference(study, toe, count, c):
     columns = study.columns
     formula = [by_outline(toe, count, a, b, c)
-               for a, b in zip(columns["parameters.a"], columns["parameters.b"])]
+               for a, b in zip(columns["parameters.a_mm"], columns["parameters.b_mm"])]
     return np.max(np.abs(columns["moments_deg"] - formula))
 
 

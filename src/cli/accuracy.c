@@ -3,7 +3,7 @@
 
 /* topple accuracy SCENE, or --sweep */
 
-#include "cli/cli.h"
+#include "cli/settings.h"
 
 #include <argp.h>
 #include <stdlib.h>
@@ -15,15 +15,20 @@ typedef struct arguments {
   size_t least, most;
   const char *output; /* NULL: the page */
   tp_chart_format format;
+  tp_cli_settings settings;
 } arguments;
 
-enum { KEY_SWEEP = 256 };
+enum { KEY_SWEEP = 256, KEY_SET };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the measurements as JSON", 0},
     {"output", 'o', "FILE", 0, "Write a figure, or a table where FILE ends in .csv", 0},
     {"sweep", KEY_SWEEP, "FROM:TO", OPTION_ARG_OPTIONAL,
      "Measure rough blocks of FROM to TO vertices (10:10000000 unless given) instead of a scene",
+     0},
+    {"set", KEY_SET, "KEY=VALUE", 0,
+     "Measure with this number at KEY, as friction_angle_deg=30: a number or a formula; may be "
+     "given several times",
      0},
     {0}};
 
@@ -58,12 +63,19 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_SWEEP:
     read_sweep(a, argument, state);
     return 0;
+  case KEY_SET:
+    tp_cli_take_setting(&a->settings, argument, state);
+    return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
     return 0;
   case ARGP_KEY_END:
     if (a->sweep == (a->scene != NULL)) {
       tp_cli_refuse(state, "give a scene, for example examples/block_a_worn.yaml, or --sweep");
+    }
+    if (a->sweep && a->settings.count > 0) {
+      tp_cli_refuse(state,
+                    "--set changes a scene, and --sweep measures blocks of its own; not both");
     }
     if (a->json && a->output != NULL) tp_cli_refuse(state, "--json or --output, not both");
     return 0;
@@ -86,7 +98,7 @@ static const struct argp parser = {
 static tp_status measure(tp_accuracy **accuracy, const arguments *a, tp_message *message) {
   if (a->sweep) return tp_accuracy_sweep(accuracy, a->least, a->most, message);
   tp_scene *scene = NULL;
-  tp_status status = tp_scene_read(&scene, a->scene, message);
+  tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   if (status == TP_OK) status = tp_accuracy_of_scene(accuracy, scene, message);
   tp_scene_free(scene);
   return status;

@@ -9,7 +9,7 @@
 static tp_status compute_map(tp_chart **chart, const tp_chart_arguments *a, tp_message *message) {
   tp_scene *scene = NULL;
   tp_chart_map_options map = a->map;
-  tp_status status = tp_scene_read(&scene, a->scene, message);
+  tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   map.scene = scene;
   if (status == TP_OK) status = tp_chart_map(chart, &map, message);
   tp_scene_free(scene);

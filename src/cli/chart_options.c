@@ -11,7 +11,15 @@
 
 const char *const tp_chart_kinds[TP_CHART_KINDS] = {"fos", "mechanisms", "ranges", "map"};
 
-enum { KEY_SLENDERNESS = 256, KEY_AMPLITUDE, KEY_COUNTS, KEY_TILT, KEY_FRICTION, KEY_ROUGHNESS };
+enum {
+  KEY_SLENDERNESS = 256,
+  KEY_AMPLITUDE,
+  KEY_COUNTS,
+  KEY_TILT,
+  KEY_FRICTION,
+  KEY_ROUGHNESS,
+  KEY_SET
+};
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "Write FILE: .svg, .pdf, .png, or .csv", 0},
@@ -28,6 +36,8 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Of map:", 3},
     {"x", 'x', "KEY=FROM:TO", 0, "A number of the scene, as block.slab.width, or tilt", 3},
     {"y", 'y', "KEY=FROM:TO", 0, "The same upwards (tilt=0:90)", 3},
+    {"set", KEY_SET, "KEY=VALUE", 0,
+     "With this number at KEY throughout: a number or a formula; may be given several times", 3},
     {0}};
 
 /* A decimal or a quotient of two, up to the first character that belongs to none. */
@@ -185,6 +195,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case 'y':
     a->given |= map;
     read_axis(&a->map.y, a->keys[1], argument, state);
+    return 0;
+  case KEY_SET:
+    a->given |= map;
+    tp_cli_take_setting(&a->settings, argument, state);
     return 0;
   case ARGP_KEY_ARG:
     read_argument(a, argument, state);

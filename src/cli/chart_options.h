@@ -6,9 +6,7 @@
 #ifndef TP_CHART_OPTIONS_H
 #define TP_CHART_OPTIONS_H
 
-#include "topple.h"
-
-#include <argp.h>
+#include "cli/settings.h"
 
 typedef enum tp_chart_kind {
   TP_CHART_KIND_FOS,
@@ -36,6 +34,7 @@ typedef struct tp_chart_arguments {
   const char *scene;               /* the path of the map's scene */
   tp_chart_map_options map;        /* but for that */
   char keys[2][TP_CHART_KEY_SIZE]; /* of the map's axes */
+  tp_cli_settings settings;        /* of the map's scene */
 } tp_chart_arguments;
 
 extern const struct argp tp_chart_parser;

@@ -3,7 +3,7 @@
 
 /* topple derive SCENE */
 
-#include "cli/cli.h"
+#include "cli/settings.h"
 
 #include <argp.h>
 #include <string.h>
@@ -12,9 +12,10 @@ typedef struct arguments {
   const char *scene;
   bool json, for_all_counts;
   tp_derive_options derive;
+  tp_cli_settings settings;
 } arguments;
 
-enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL, KEY_UNCHECKED };
+enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL, KEY_UNCHECKED, KEY_SET };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the formulas as JSON", 0},
@@ -26,6 +27,11 @@ static const struct argp_option options[] = {
     {"unchecked", KEY_UNCHECKED, NULL, 0, "Do not look at both sides of its conditions in numbers",
      0},
     {"for-all", KEY_FOR_ALL, "count", 0, "One formula for every number of teeth", 0},
+    {"set", KEY_SET, "KEY=VALUE", 0,
+     "Derive with this number at KEY, as a=30, or with a formula in other parameters, as b=4*a; "
+     "may "
+     "be given several times",
+     0},
     {0}};
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -57,6 +63,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
       tp_cli_refuse(state, "--for-all takes 'count', the number of teeth; not '%s'", argument);
     }
     a->for_all_counts = true;
+    return 0;
+  case KEY_SET:
+    tp_cli_take_setting(&a->settings, argument, state);
     return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
@@ -111,7 +120,7 @@ static tp_status derive(const void *words, int *ended, tp_message *message) {
   const arguments *a = words;
   tp_scene *scene = NULL;
   char *report = NULL;
-  tp_status status = tp_scene_read(&scene, a->scene, message);
+  tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   if (status == TP_OK) {
     status = a->for_all_counts ? report_family(&report, scene, a, message)
                                : report_formulas(&report, scene, a, message);

@@ -17,12 +17,17 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 typedef tp_status (*draw_function)(const char *path, const tp_scene *scene,
                                    const tp_solution *solution, tp_figure_consent consent,
                                    tp_message *message);
+
+/* For how long the process that draws may say nothing. A figure of 10^6 vertices takes seconds; but
+ * where memory runs out Fontconfig can also wait for ever. */
+enum { SILENCE_S = 120 };
 
 /* What the process that draws has to tell: that all is ready, and it waits for a byte as consent;
  * or what it came to. */
@@ -47,16 +52,20 @@ static tp_status draw_here(const char *path, const tp_scene *scene, const tp_sol
   return TP_DEPENDENCY_FAILED;
 }
 
-/* True when all of it came; it is less than what a socket takes at once. */
-static bool receive(void *told, size_t size, int from) {
+/* What came from the other process: all that was waited for, its end, nothing for too long. */
+typedef enum hearing { HEARD, ENDED, SILENT } hearing;
+
+/* It is less than what a socket takes at once. */
+static hearing receive(void *told, size_t size, int from) {
   size_t got = 0;
   while (got < size) {
     const ssize_t more = read(from, (char *)told + got, size - got);
     if (more < 0 && errno == EINTR) continue;
-    if (more <= 0) break;
+    if (more < 0 && errno == EAGAIN) return SILENT;
+    if (more <= 0) return ENDED;
     got += (size_t)more;
   }
-  return got == size;
+  return HEARD;
 }
 
 /* Without a signal where nobody is there to take it. */
@@ -69,7 +78,7 @@ static bool ask_parent(void *context) {
   const int other = *(const int *)context;
   const outcome asking = {.asks = true};
   char consent = 0;
-  return tell(other, &asking, sizeof asking) && receive(&consent, 1, other);
+  return tell(other, &asking, sizeof asking) && receive(&consent, 1, other) == HEARD;
 }
 
 static tp_status fail(tp_message *message, tp_status status, const char *what) {
@@ -77,30 +86,36 @@ static tp_status fail(tp_message *message, tp_status status, const char *what) {
   return status;
 }
 
-/* Its last word; true when it came. Consent is asked for once, here where the figure needs none. */
-static bool converse(outcome *told, int other, tp_figure_consent consent) {
-  bool complete = receive(told, sizeof *told, other), asked = false;
-  while (complete && told->asks) {
+/* Its last word, if it came. Consent is asked for once, here where the figure needs none. */
+static hearing converse(outcome *told, int other, tp_figure_consent consent) {
+  hearing heard = receive(told, sizeof *told, other);
+  bool asked = false;
+  while (heard == HEARD && told->asks) {
     const char yes = 1;
     asked = true;
     if (!consent.give(consent.context) || !tell(other, &yes, sizeof yes)) {
       shutdown(other, SHUT_WR);
     }
-    complete = receive(told, sizeof *told, other);
+    heard = receive(told, sizeof *told, other);
   }
-  if (complete && !asked && told->status == TP_OK) (void)consent.give(consent.context);
-  return complete;
+  if (heard == HEARD && !asked && told->status == TP_OK) (void)consent.give(consent.context);
+  return heard;
 }
 
 /* What the other process came to. */
 static tp_status await(pid_t process, int other, tp_figure_consent consent, tp_message *message) {
   outcome told = {.status = TP_OK};
-  const bool complete = converse(&told, other, consent);
+  const hearing heard = converse(&told, other, consent);
   int ended = 0;
+  if (heard == SILENT) kill(process, SIGKILL);
   while (waitpid(process, &ended, 0) < 0) {
     if (errno != EINTR) return fail(message, TP_SYSTEM_FAILED, strerror(errno));
   }
-  if (complete && WIFEXITED(ended) && WEXITSTATUS(ended) == 0) {
+  if (heard == SILENT) {
+    return fail(message, TP_DEPENDENCY_FAILED,
+                "Cairo or Fontconfig hung, as they do where memory is short");
+  }
+  if (heard == HEARD && WIFEXITED(ended) && WEXITSTATUS(ended) == 0) {
     *message = told.message;
     return told.status;
   }
@@ -131,6 +146,8 @@ tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution
   }
   const int why = errno;
   close(ends[1]);
+  const struct timeval silence = {.tv_sec = SILENCE_S};
+  setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &silence, sizeof silence);
   const tp_status status = process > 0 ? await(process, ends[0], consent, message)
                                        : fail(message, TP_SYSTEM_FAILED, strerror(why));
   close(ends[0]);

@@ -25,6 +25,8 @@ static const struct command {
     {"chart", "Factors of safety and mechanism maps as figures", tp_cli_chart},
     {"profile", "How rough is a base or a measured profile, and which JRC follows?",
      tp_cli_profile},
+    {"tilt", "A simulated tilt test, or the shaking of the base: how it lets go, and after",
+     tp_cli_tilt},
     {"study", "How probable is each verdict, where numbers of a scene vary?", tp_cli_study},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };

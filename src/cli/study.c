@@ -4,11 +4,12 @@
 /* topple study STUDY */
 
 #include "cli/cli.h"
+#include "cli/signals.h"
+#include "cli/study_rows.h"
 #include "cli/study_run.h"
 
 #include <argp.h>
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,16 +21,21 @@ typedef struct arguments {
   bool json, merge;
   const char *figure, *scatter; /* files to draw into; NULL: none */
   tp_chart_format figure_format, scatter_format;
+  tp_study_file rows; /* where it is HDF5, options.rows is the CSV of it */
   tp_study_options options;
 } arguments;
 
-enum { KEY_CSV = 256, KEY_THREADS, KEY_SHARD, KEY_MERGE, KEY_RESTART, KEY_FIGURE, KEY_SCATTER };
+enum { KEY_ROWS = 256, KEY_THREADS, KEY_SHARD, KEY_MERGE, KEY_RESTART, KEY_FIGURE, KEY_SCATTER };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the summary as JSON", 0},
-    {"csv", KEY_CSV, "FILE", 0,
-     "Write a row for each sample; where the study was interrupted go on", 0},
-    {"restart", KEY_RESTART, NULL, 0, "With --csv: begin anew, whatever is in FILE", 0},
+    {"rows", KEY_ROWS, "FILE", 0,
+     "Write a row for each sample into FILE; where the study was interrupted go on. CSV; HDF5 "
+     "where "
+     "FILE ends in .h5 or .hdf5",
+     0},
+    {"csv", KEY_ROWS, NULL, OPTION_ALIAS, NULL, 0},
+    {"restart", KEY_RESTART, NULL, 0, "With --rows: begin anew, whatever is in FILE", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw probability against tilt, distribution, what it depends on, and convergence into FILE, "
      ".svg, .pdf or .png, or write their numbers into a .csv",
@@ -37,7 +43,7 @@ static const struct argp_option options[] = {
     {"scatter", KEY_SCATTER, "FILE", 0, "Draw each sample's angle against what varies, likewise",
      0},
     {"threads", KEY_THREADS, "N", 0, "So many threads, the same bytes by any number", 0},
-    {"shard", KEY_SHARD, "I/N", 0, "The I-th of N parts of the study alone, with --csv", 0},
+    {"shard", KEY_SHARD, "I/N", 0, "The I-th of N parts of the study alone, with --rows", 0},
     {"merge", KEY_MERGE, NULL, 0, "Put the files of all shards together", 0},
     {0}};
 
@@ -105,17 +111,20 @@ static void check(const arguments *a, struct argp_state *state) {
   }
   if (a->options.shards > 1 && a->merge) tp_cli_refuse(state, "one of --shard and --merge");
   if (a->options.shards > 1 && a->options.rows == NULL) {
-    tp_cli_refuse(state, "a shard is of use by its rows alone; say --csv FILE");
+    tp_cli_refuse(state, "a shard is of use by its rows alone; say --rows FILE");
+  }
+  if (a->options.shards > 1 && a->rows.hdf5 != NULL) {
+    tp_cli_refuse(state, "a shard is of CSV, as '%s.csv'; --merge makes HDF5 of all", a->rows.hdf5);
   }
   const char *const files[] = {a->options.rows, a->figure, a->scatter};
   for (int k = 0; k < 3; k++) {
     const char *other = files[(k + 1) % 3];
     if (files[k] != NULL && other != NULL && strcmp(files[k], other) == 0) {
-      tp_cli_refuse(state, "--csv, --figure and --scatter take different files");
+      tp_cli_refuse(state, "--rows, --figure and --scatter take different files");
     }
   }
   if (a->options.restart && a->options.rows == NULL) {
-    tp_cli_refuse(state, "--restart goes with --csv");
+    tp_cli_refuse(state, "--restart goes with --rows");
   }
 }
 
@@ -125,8 +134,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case 'j':
     a->json = true;
     return 0;
-  case KEY_CSV:
-    a->options.rows = argument;
+  case KEY_ROWS:
+    free(a->rows.csv);
+    if (!tp_cli_study_file_name(&a->rows, argument)) return ENOMEM;
+    a->options.rows = a->rows.hdf5 != NULL ? a->rows.csv : argument;
     return 0;
   case KEY_RESTART:
     a->options.restart = true;
@@ -162,7 +173,7 @@ static const struct argp parser = {
     .args_doc = "STUDY\n--merge STUDY FILE...",
     .doc = "How probable is it that a block stands, slides or topples?\v"
            "STUDY names a scene and what varies in it: docs/study.md. Interrupted, as by Ctrl-C, "
-           "it sums up what is known, and with --csv goes on when it is run again."};
+           "it sums up what is known, and with --rows goes on when it is run again."};
 
 /* ---- the work ----------------------------------------------------------------------------------
  */
@@ -172,10 +183,14 @@ static tp_status run(tp_study_result **result, const arguments *a, tp_message *m
   tp_study *study = NULL;
   tp_status status = tp_study_read(&study, a->study, message);
   if (status == TP_OK) {
+    status = tp_cli_study_file_check(&a->rows, study, a->options.restart, message);
+  }
+  if (status == TP_OK) {
     status = a->merge
                  ? tp_study_merge(result, study, a->shards, a->shard_count, &a->options, message)
                  : tp_cli_study_run(result, study, &a->options, message);
   }
+  if (status == TP_OK) status = tp_cli_study_file_write(&a->rows, study, *result, message);
   tp_study_free(study);
   return status;
 }
@@ -188,7 +203,8 @@ static tp_status run_by_ranks(tp_study_result **result, const arguments *a, tp_m
     if (status != TP_OK) return ranks.rank == 0 ? status : TP_OK; /* one complains */
   }
   if (ranks.count == 1) return run(result, a, message);
-  const tp_status status = tp_cli_study_by_ranks(result, &ranks, a->study, &a->options, message);
+  const tp_status status =
+      tp_cli_study_by_ranks(result, &ranks, a->study, &a->options, &a->rows, message);
   tp_cli_ranks_end(&ranks);
   return status;
 }
@@ -226,17 +242,13 @@ static tp_status study_and_tell(const void *words, int *ended, tp_message *messa
   if (status == TP_OK && result != NULL) status = tell(result, a, ended, message);
   tp_study_result_free(result);
   free(a->shards);
+  free(a->rows.csv);
   return status;
 }
 
 int tp_cli_study(int argc, char **argv) {
   arguments a = {.options = tp_study_options_default()};
   const int status = tp_cli_run(&parser, &a, study_and_tell, argc, argv);
-  /* ends by the signal, as the shell and scripts expect */
-  const int interrupted = tp_cli_study_signal();
-  if (interrupted != 0) {
-    (void)signal(interrupted, SIG_DFL);
-    (void)raise(interrupted);
-  }
+  tp_cli_end_by_signal();
   return status;
 }

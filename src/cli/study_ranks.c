@@ -8,6 +8,8 @@
 
 #include "cli/study_run.h"
 
+#include "cli/signals.h"
+
 #include "cli/cli.h"
 
 #include <errno.h>
@@ -37,6 +39,7 @@ typedef struct ranked {
   tp_ranks *ranks;
   const tp_study *study;
   const tp_study_options *options;
+  const tp_study_file *rows;
   plan plan;
   atomic_bool stopped;
   bool failed, interrupted; /* this rank or another */
@@ -52,7 +55,7 @@ static tp_status agree(ranked *r, tp_status status, tp_message *message) {
     tp_cli_complain("out of memory");
     _exit(TP_EXIT_SYSTEM); /* mpirun ends the others, that wait */
   }
-  const outcome own = {.status = status, .interrupted = tp_cli_study_signal() != 0};
+  const outcome own = {.status = status, .interrupted = tp_cli_signal() != 0};
   r->ranks->calls->gather(r->ranks, all, &own, sizeof own);
   int failed = 0;
   while (failed < r->ranks->count && all[failed].status == TP_OK) failed++;
@@ -160,7 +163,7 @@ static void remove_parts(const ranked *r) {
 /* Asked in any thread. */
 static bool is_stopped(void *context) {
   const ranked *r = context;
-  return tp_cli_study_signal() != 0 || atomic_load(&r->stopped);
+  return tp_cli_signal() != 0 || atomic_load(&r->stopped);
 }
 
 /* Asked by the thread that calls MPI. */
@@ -181,7 +184,7 @@ static tp_status run_part(tp_study_result **result, ranked *r, tp_message *messa
   own.stop = is_stopped;
   own.progress = listen;
   const tp_status status = tp_study_run(result, r->study, &own, message);
-  if (status != TP_OK || tp_cli_study_signal() != 0) r->ranks->calls->tell_stop(r->ranks);
+  if (status != TP_OK || tp_cli_signal() != 0) r->ranks->calls->tell_stop(r->ranks);
   return status;
 }
 
@@ -233,16 +236,24 @@ static tp_status run_parts(tp_study_result **result, ranked *r, tp_message *mess
 static tp_status run(tp_study_result **result, ranked *r, tp_message *message) {
   tp_status status = share_plan(r, message);
   if (!is_fine(r, status)) return status;
-  tp_cli_study_catch();
+  tp_cli_catch_signals();
   status = r->plan.alone ? run_alone(result, r, message) : run_parts(result, r, message);
+  if (r->ranks->rank == 0 && is_fine(r, status)) {
+    status = tp_cli_study_file_write(r->rows, r->study, *result, message);
+  }
   return r->failed ? status : agree(r, status, message);
 }
 
 tp_status tp_cli_study_by_ranks(tp_study_result **result, tp_ranks *ranks, const char *path,
-                                const tp_study_options *options, tp_message *message) {
+                                const tp_study_options *options, const tp_study_file *rows,
+                                tp_message *message) {
   tp_study *study = NULL;
-  ranked r = {.ranks = ranks, .options = options};
-  tp_status status = agree(&r, tp_study_read(&study, path, message), message);
+  ranked r = {.ranks = ranks, .options = options, .rows = rows};
+  tp_status status = tp_study_read(&study, path, message);
+  if (status == TP_OK && ranks->rank == 0) {
+    status = tp_cli_study_file_check(rows, study, options->restart, message);
+  }
+  status = agree(&r, status, message);
   r.study = study;
   if (is_fine(&r, status)) status = run(result, &r, message);
   tp_study_free(study);

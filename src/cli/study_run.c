@@ -1,42 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A study by one process: signals, and how far it is. */
+/* A study by one process, and how far it is. */
 
 #include "cli/study_run.h"
 
+#include "cli/signals.h"
 #include "cli/words.h"
 
-#include <signal.h>
 #include <time.h>
 #include <unistd.h>
-
-static volatile sig_atomic_t interrupted; /* the signal, or 0 */
-
-static void note_signal(int number) {
-  interrupted = number;
-}
-
-int tp_cli_study_signal(void) {
-  return interrupted;
-}
-
-void tp_cli_study_catch(void) {
-  static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-  struct sigaction action = {.sa_handler = note_signal, .sa_flags = SA_RESETHAND | SA_RESTART};
-  struct sigaction before;
-  sigemptyset(&action.sa_mask);
-  for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
-    if (sigaction(numbers[k], NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
-      (void)sigaction(numbers[k], &action, NULL);
-    }
-  }
-}
-
-static bool is_interrupted(void *context) {
-  (void)context;
-  return interrupted != 0;
-}
 
 /* When it began, and with how many. */
 typedef struct clock_line {
@@ -70,10 +43,13 @@ tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
   clock_line line = {.begun = false};
   tp_study_options own = *options;
   own.context = &line;
-  own.stop = is_interrupted;
+  own.stop = tp_cli_is_interrupted;
   own.progress = terminal ? tell_progress : NULL;
-  tp_cli_study_catch();
+  tp_cli_catch_signals();
   const tp_status status = tp_study_run(result, study, &own, message);
   if (terminal) tp_cli_clear_progress();
+  if (terminal && status == TP_OK) {
+    tp_cli_tell_cost((*result)->doubles_seconds, (*result)->ladder_seconds);
+  }
   return status;
 }

@@ -7,11 +7,7 @@
 #define TP_CLI_STUDY_RUN_H
 
 #include "cli/ranks.h"
-
-/* The signal that interrupted the study, or 0. The first one is caught, a second one ends the
- * program at once. */
-int tp_cli_study_signal(void);
-void tp_cli_study_catch(void);
+#include "cli/study_rows.h"
 
 /* Samples, by one process: interrupted by a signal, with its progress on a terminal. */
 TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
@@ -22,6 +18,6 @@ TP_MUST_USE tp_status tp_cli_study_run(tp_study_result **result, const tp_study 
  * it is told once. */
 TP_MUST_USE tp_status tp_cli_study_by_ranks(tp_study_result **result, tp_ranks *ranks,
                                             const char *path, const tp_study_options *options,
-                                            tp_message *message);
+                                            const tp_study_file *rows, tp_message *message);
 
 #endif

@@ -32,8 +32,18 @@ void tp_cli_tell_progress(size_t done, size_t of, double rate) {
           (double)(of - done) / rate);
 }
 
+void tp_cli_tell_bracket(size_t runs, double least_deg, double most_deg) {
+  fprintf(stderr, "\r%zu runs, stands at %.6f, lets go at %.6f degrees   ", runs, least_deg,
+          most_deg);
+}
+
 void tp_cli_clear_progress(void) {
   fprintf(stderr, "\r%70s\r", "");
+}
+
+void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds) {
+  fprintf(stderr, "%.3g s of computing by doubles with proven bounds, %.3g s by the ladder\n",
+          doubles_seconds, ladder_seconds);
 }
 
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...) {

@@ -51,13 +51,13 @@ static bool comes_to_rest(tp_stepper *s, const tp_body_state *start, double grow
     if (!step(s, share, failed) || has_moved(s, start)) return false;
   }
   s->load_share = 1;
-  tp_watch watch;
-  tp_watch_init(&watch, s);
+  tp_spring_watch watch;
+  tp_spring_watch_init(&watch, s);
   const double longest = s->time_s + LONGEST * sqrt(s->body->extent_m / TP_GRAVITY_M_S2);
-  tp_watch_news news = TP_WATCH_NOTHING;
+  tp_spring_watch_news news = TP_WATCH_NOTHING;
   while (news == TP_WATCH_NOTHING && s->time_s < longest) {
     if (!step(s, share, failed) || has_moved(s, start)) return false;
-    news = tp_watch_step(&watch, s);
+    news = tp_spring_watch_step(&watch, s);
   }
   return news == TP_WATCH_QUIET;
 }

@@ -76,7 +76,7 @@ typedef struct running {
   const tp_run *run;
   const tp_spring_settings *settings;
   tp_stepper stepper;
-  tp_watch watch;
+  tp_spring_watch watch;
   tp_spring_record record;
   bool collapsed, ever_collapsed, overturned;
   double observed_every_s;
@@ -124,7 +124,7 @@ static bool fit_step(running *r, tp_message *message) {
 
 /* Steps up to a time; false when memory is exhausted or the step does not fit, which `*end` says.
  */
-static bool step_until(running *r, double time_s, tp_watch_news *news, tp_run_end *end,
+static bool step_until(running *r, double time_s, tp_spring_watch_news *news, tp_run_end *end,
                        tp_message *message) {
   tp_stepper *s = &r->stepper;
   *news = TP_WATCH_NOTHING;
@@ -139,7 +139,7 @@ static bool step_until(running *r, double time_s, tp_watch_news *news, tp_run_en
     }
     tp_stepper_advance(s);
     r->unasked++;
-    const tp_watch_news own = tp_watch_step(&r->watch, s);
+    const tp_spring_watch_news own = tp_spring_watch_step(&r->watch, s);
     if (own != TP_WATCH_NOTHING) *news = own;
   }
   return true;
@@ -152,7 +152,7 @@ static bool asked_to_stop(running *r) {
 }
 
 /* What the watch tells, and what the whole block does: true where the run ends. */
-static bool take_news(running *r, tp_watch_news news, tp_run_end *end) {
+static bool take_news(running *r, tp_spring_watch_news news, tp_run_end *end) {
   const tp_stepper *s = &r->stepper;
   bool done = true, ends = false;
   if (news == TP_WATCH_COLLAPSES && !r->collapsed) {
@@ -191,7 +191,7 @@ static tp_run_end end_of_time(const running *r) {
 static tp_run_end go(running *r, tp_message *message) {
   tp_stepper *s = &r->stepper;
   tp_run_end end = TP_RUN_UNDECIDED;
-  tp_watch_news news;
+  tp_spring_watch_news news;
   double observed = 0;
   while (s->time_s < r->run->longest_s) {
     observed += r->observed_every_s;
@@ -217,7 +217,7 @@ static bool begin(running *r) {
   s->step_s = r->settings->time_step_s;
   if (s->step_s == 0) s->step_s = share_chosen * tp_stepper_stable_step(s);
   tp_stepper_put_back(s);
-  tp_watch_init(&r->watch, s);
+  tp_spring_watch_init(&r->watch, s);
   r->observed_every_s = r->watch.window_s / OBSERVATIONS;
   return tp_spring_record_init(&r->record, r->run, s);
 }

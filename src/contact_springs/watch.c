@@ -38,17 +38,17 @@ static double give(const tp_stepper *s) {
   return s->body->mass_kg * TP_GRAVITY_M_S2 / (area * s->contacts.shear_pa_m);
 }
 
-void tp_watch_init(tp_watch *w, const tp_stepper *s) {
+void tp_spring_watch_init(tp_spring_watch *w, const tp_stepper *s) {
   const tp_rigid_body *body = s->body;
-  *w = (tp_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
-                  .extent_m = body->extent_m,
-                  .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
-                  .from = place_of(s),
-                  .give_m = give(s)};
+  *w = (tp_spring_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
+                         .extent_m = body->extent_m,
+                         .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
+                         .from = place_of(s),
+                         .give_m = give(s)};
   w->window_end_s = s->time_s + w->window_s;
 }
 
-static double slowest(const tp_watch *w, const tp_stepper *s) {
+static double slowest(const tp_spring_watch *w, const tp_stepper *s) {
   const double before = tp_drive_angle(s->drive, s->time_s - w->window_s);
   const double rate = fabs(tp_drive_angle(s->drive, s->time_s) - before) / w->window_s;
   const double of_extent = least_speed * sqrt(w->extent_m * TP_GRAVITY_M_S2);
@@ -56,7 +56,7 @@ static double slowest(const tp_watch *w, const tp_stepper *s) {
 }
 
 /* After sixteen windows: did it move on as in the sixteen before? */
-static void judge_drift(tp_watch *w, const tp_stepper *s) {
+static void judge_drift(tp_spring_watch *w, const tp_stepper *s) {
   const tp_drift at = place_of(s), last = w->last_drift;
   const tp_drift now = {at.x - w->from.x, at.y - w->from.y, at.turned - w->from.turned};
   const double least = slowest(w, s) * WINDOWS * w->window_s;
@@ -72,8 +72,8 @@ static double product(tp_body_force f, tp_body_force g) {
   return f.x_n * g.x_n + f.y_n * g.y_n + f.moment_nm * g.moment_nm;
 }
 
-static tp_watch_news judge(tp_watch *w, tp_body_force force, double kinetic,
-                           const tp_stepper *stepper) {
+static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, double kinetic,
+                                  const tp_stepper *stepper) {
   const double size = sqrt(product(force, force));
   const bool kept =
       product(force, w->last_force) >= kept_force * product(w->last_force, w->last_force);
@@ -95,8 +95,8 @@ static tp_watch_news judge(tp_watch *w, tp_body_force force, double kinetic,
   return TP_WATCH_COLLAPSES;
 }
 
-tp_watch_news tp_watch_step(tp_watch *w, const tp_stepper *s) {
-  tp_watch_window *own = &w->window;
+tp_spring_watch_news tp_spring_watch_step(tp_spring_watch *w, const tp_stepper *s) {
+  tp_spring_watch_window *own = &w->window;
   own->steps++;
   own->x_n += s->net.x_n;
   own->y_n += s->net.y_n;
@@ -107,7 +107,7 @@ tp_watch_news tp_watch_step(tp_watch *w, const tp_stepper *s) {
   const tp_body_force force = {own->x_n / all, own->y_n / all,
                                own->moment_nm / (all * w->extent_m)};
   const double kinetic = fabs(own->kinetic) / (all * w->extent_m);
-  *own = (tp_watch_window){0};
+  *own = (tp_spring_watch_window){0};
   w->window_end_s += w->window_s;
   return judge(w, force, kinetic, s);
 }

@@ -13,24 +13,24 @@
  * times the extent, through four windows: it rests, where its drive is steady. While the base is
  * shaken neither is told. */
 
-#ifndef TP_WATCH_H
-#define TP_WATCH_H
+#ifndef TP_SPRING_WATCH_H
+#define TP_SPRING_WATCH_H
 
 #include "contact_springs/stepper.h"
 
-typedef struct tp_watch_window {
+typedef struct tp_spring_watch_window {
   long steps;
   double x_n, y_n, moment_nm, kinetic; /* sums over its steps */
-} tp_watch_window;
+} tp_spring_watch_window;
 
 /* A displacement of the block: its turn times the extent, m. */
 typedef struct tp_drift {
   double x, y, turned;
 } tp_drift;
 
-typedef struct tp_watch {
+typedef struct tp_spring_watch {
   double weight_n, extent_m, window_s, window_end_s;
-  tp_watch_window window;
+  tp_spring_watch_window window;
   tp_body_force last_force; /* means of the window before: over weight and weight x extent */
   double last_kinetic;
   long growing, resting;  /* windows in a row */
@@ -38,13 +38,17 @@ typedef struct tp_watch {
   tp_drift from, last_drift;
   double give_m;  /* how far springs give under the weight, about */
   double begun_s; /* when what is told began */
-} tp_watch;
+} tp_spring_watch;
 
-typedef enum tp_watch_news { TP_WATCH_NOTHING, TP_WATCH_COLLAPSES, TP_WATCH_QUIET } tp_watch_news;
+typedef enum tp_spring_watch_news {
+  TP_WATCH_NOTHING,
+  TP_WATCH_COLLAPSES,
+  TP_WATCH_QUIET
+} tp_spring_watch_news;
 
-void tp_watch_init(tp_watch *watch, const tp_stepper *stepper);
+void tp_spring_watch_init(tp_spring_watch *watch, const tp_stepper *stepper);
 
 /* After each step; news only at the end of a window. */
-tp_watch_news tp_watch_step(tp_watch *watch, const tp_stepper *stepper);
+tp_spring_watch_news tp_spring_watch_step(tp_spring_watch *watch, const tp_stepper *stepper);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include "derive/field.h"
 
+#include "scene/setting.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -123,20 +125,24 @@ static const tp_algebra field_algebra = {
 tp_status tp_field_read(fmpz_mpoly_q_t value, const tp_field *field, const tp_node *node,
                         const tp_scene *scene, tp_message *message) {
   const tp_override *own = tp_scene_override(scene, node);
-  if (own != NULL) {
+  if (own != NULL && own->setting == NULL) {
     fmpz_mpoly_q_set_fmpq(value, own->value, field->ring);
     return TP_OK;
   }
-  tp_place place = tp_node_place(node, scene->path);
-  place.column += node->text_offset;
+  const tp_place at =
+      own != NULL ? (tp_place){own->setting, 0, 0} : tp_node_place(node, scene->path);
+  const char *text =
+      own != NULL ? own->setting + tp_setting_key_length(own->setting) + 1 : node->text;
+  tp_place place = at;
+  if (own == NULL) place.column += node->text_offset;
   tp_parameters known = *field->parameters;
   known.count = field->known; /* an expression may use those before it */
   const tp_status status =
-      tp_expression_evaluate_in(value, &field_algebra, field, node->text, place, &known, message);
+      tp_expression_evaluate_in(value, &field_algebra, field, text, place, &known, message);
   const slong terms = fmpz_mpoly_length(fmpz_mpoly_q_numref(value), field->ring) +
                       fmpz_mpoly_length(fmpz_mpoly_q_denref(value), field->ring);
   if (status == TP_OK && terms > TP_FIELD_COORDINATE_TERMS + 1) {
-    return tp_fail(message, TP_BAD_INPUT, tp_node_place(node, scene->path),
+    return tp_fail(message, TP_BAD_INPUT, at,
                    "more than %d terms in one number; formulas are derived for shorter ones",
                    TP_FIELD_COORDINATE_TERMS);
   }

@@ -4,6 +4,7 @@
 #include "derive/made_profile.h"
 
 #include "outside.h"
+#include "scene/setting.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -27,6 +28,13 @@ static bool is_number(const tp_node *node) {
   return strcmp(key, "measured") != 0 && strcmp(key, "left_end") != 0;
 }
 
+/* What stands at a number, or was set in its place; of one given by value no name. */
+static const char *text_of(const tp_scene *scene, const tp_node *node) {
+  const tp_override *own = tp_scene_override(scene, node);
+  if (own == NULL) return node->text;
+  return own->setting != NULL ? own->setting + tp_setting_key_length(own->setting) : "";
+}
+
 tp_status tp_made_profile_check(const tp_scene *scene, const tp_node *profile,
                                 tp_message *message) {
   const tp_parameters *names = &scene->parameters;
@@ -37,7 +45,7 @@ tp_status tp_made_profile_check(const tp_scene *scene, const tp_node *profile,
       continue;
     }
     for (long k = 0; k < names->count && is_number(n); k++) {
-      if (!stands_in(names->names[k], n->text)) continue;
+      if (!stands_in(names->names[k], text_of(scene, n))) continue;
       return tp_fail(message, TP_NO_ANSWER, tp_node_place(n, scene->path),
                      "derive takes a profile made by rule by its numbers, and '%s' stands for any: "
                      "write the number here, or give the profile as points",

@@ -168,13 +168,15 @@ bool tp_ratio_is_not_finite(const char *text) {
   return false;
 }
 
-/* The decimal text of value if it is exact with at most 15 decimals. */
+/* The decimal text of value if it is exact with as many decimals as 64 bits take. */
 static bool decimal_text(char *text, size_t size, const fmpq_t value) {
+  enum { MOST_DECIMALS = 19 };
   fmpz_t scaled, ten;
   fmpz_init(scaled);
   fmpz_init_set_ui(ten, 1);
   bool found = false;
-  for (int decimals = 0; decimals <= 15 && !found; decimals++, fmpz_mul_ui(ten, ten, 10)) {
+  for (int decimals = 0; decimals <= MOST_DECIMALS && !found;
+       decimals++, fmpz_mul_ui(ten, ten, 10)) {
     if (!fmpz_divisible(ten, fmpq_denref(value))) continue;
     fmpz_mul(scaled, ten, fmpq_numref(value));
     fmpz_divexact(scaled, scaled, fmpq_denref(value));

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LABEL = 30 };
+enum { LABEL = TP_STUDY_LABEL };
 
 /* ---- head --------------------------------------------------------------------------------------
  */
@@ -31,6 +31,35 @@ static void add_end(tp_text *t, const tp_study_result *r) {
   }
 }
 
+static void add_range(tp_text *t, double least, double greatest, const char *unit) {
+  tp_text_add(t, " %.6g to %.6g", least, greatest);
+  if (unit != NULL) tp_text_add(t, " %s", strcmp(unit, "deg") == 0 ? "°" : unit);
+}
+
+/* Of the base of each sample, where the study asks. */
+static void add_measures(tp_text *t, const tp_study_result *r) {
+  if (r->measure_count == 0) return;
+  tp_text_add(t, "\nMeasured of the base\n");
+  for (size_t k = 0; k < r->measure_count; k++) {
+    const tp_study_measure *own = r->measures + k;
+    tp_text_add(t, "  %-*s %-12s", LABEL, own->name,
+                k + 2 == r->measure_count   ? "Eq. (15)"
+                : k + 1 == r->measure_count ? "Eq. (16)"
+                                            : "");
+    if (own->count == 0) {
+      tp_text_add(t, " -");
+    } else {
+      add_range(t, own->least, own->greatest, own->unit);
+    }
+    if (own->count > 0 && own->count < r->kept) {
+      tp_text_add(t, ", of %zu samples", own->count);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (r->bracketed == 0) return;
+  tp_text_add(t, "  Critical angles between these two: %zu of %zu\n", r->within, r->bracketed);
+}
+
 static void add_head(tp_text *t, const tp_study_result *r) {
   if (r->title != NULL) {
     tp_encode_plain(t, r->title);
@@ -47,9 +76,10 @@ static void add_head(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, "  ");
     tp_encode_column(t, v->key, LABEL);
     tp_text_add(t, " %-12s", v->kind);
-    if (r->kept > 0) tp_text_add(t, " %.6g to %.6g", v->least, v->greatest);
+    if (r->kept > 0) add_range(t, v->least, v->greatest, v->unit);
     tp_text_add(t, "\n");
   }
+  add_measures(t, r);
 }
 
 /* ---- probabilities -----------------------------------------------------------------------------
@@ -96,22 +126,6 @@ static void add_tilts(tp_text *t, const tp_study_result *r) {
   }
 }
 
-/* Words between blanks, over lines of a terminal. */
-static void add_lines(tp_text *t, const char *words) {
-  enum { WIDTH = 76 };
-  char plain[1024];
-  tp_plain_text(plain, sizeof plain, words);
-  size_t used = 0;
-  for (const char *word = plain; *word != '\0';) {
-    const size_t length = strcspn(word, " ");
-    if (used > 0 && used + 1 + length > WIDTH) used = 0;
-    tp_text_add(t, "%s%.*s", used > 0 ? " " : "\n  ", (int)length, word);
-    used += length + (used > 0 ? 1 : 0);
-    word += length;
-    word += strspn(word, " ");
-  }
-}
-
 /* ---- numbers -----------------------------------------------------------------------------------
  */
 
@@ -126,8 +140,9 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
 }
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
-  bool infinite = false;
-  if (r->kept == 0) return;
+  bool infinite = false, any = false;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->spreads[q].count > 0;
+  if (!any) return;
   tp_text_add(t, "\n%-22s", "Quantiles");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
     tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
@@ -148,6 +163,52 @@ static void add_spreads(tp_text *t, const tp_study_result *r) {
   }
 }
 
+/* The factor of each definition by itself, where more than one governs. */
+static void add_factors(tp_text *t, const tp_study_result *r) {
+  enum { LABEL_OF_FACTORS = 29 };
+  static const size_t shown[] = {1, 3, 5}; /* of the quantiles */
+  const tp_study_quantile *heads = NULL;
+  int governing = 0;
+  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+    governing += r->factors[k].governs.count > 0;
+    if (r->factors[k].spread.count > 0) heads = r->factors[k].spread.quantiles;
+  }
+  if (governing < 2 || heads == NULL) return;
+  tp_text_add(t, "\n%-*s %10s %9s", LABEL_OF_FACTORS + 2, "What governs the factor", "samples",
+              "below 1");
+  for (size_t j = 0; j < sizeof shown / sizeof shown[0]; j++) {
+    tp_text_add(t, " %5.0f %%", 100 * heads[shown[j]].probability);
+  }
+  tp_text_add(t, "\n");
+  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+    const tp_study_factor *own = r->factors + k;
+    if (own->governs.count == 0) continue;
+    tp_text_add(t, "  %-*s %10zu %9zu", LABEL_OF_FACTORS, tp_fos_definition_name(own->definition),
+                own->governs.count, own->below);
+    for (size_t j = 0; j < sizeof shown / sizeof shown[0] && own->spread.count > 0; j++) {
+      add_number(t, own->spread.quantiles[shown[j]].value, TP_STUDY_FOS);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (r->factors[TP_FOS_BY_REDUCTION].below == 0) return;
+  tp_text_add(t,
+              "Below 1 strength reduction tells which share of the friction needed is there. No\n"
+              "rock has what would hold a block that topples: there it leaps from 1 to far\n"
+              "below, and tells that the block fails, not by how much. The angles tell that.\n");
+}
+
+static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (ranks[q].known) {
+      tp_text_add(t, " %10.3f", ranks[q].value);
+    } else {
+      tp_text_add(t, " %10s", "-");
+    }
+  }
+  tp_text_add(t, "\n");
+}
+
+/* Of what varies, and of what is measured but for the two bounds. */
 static void add_ranks(tp_text *t, const tp_study_result *r) {
   bool any = false;
   for (size_t k = 0; k < r->variable_count; k++) {
@@ -160,63 +221,11 @@ static void add_ranks(tp_text *t, const tp_study_result *r) {
     const tp_study_variable *v = r->variables + k;
     tp_text_add(t, "  ");
     tp_encode_column(t, v->key, LABEL);
-    for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-      if (v->ranks[q].known) {
-        tp_text_add(t, " %10.3f", v->ranks[q].value);
-      } else {
-        tp_text_add(t, " %10s", "-");
-      }
-    }
-    tp_text_add(t, "\n");
+    add_rank_row(t, v->ranks);
   }
-}
-
-/* For the critical angle by moments, and both limits; not where none is known. */
-static void add_indices(tp_text *t, const tp_study_result *r) {
-  static const char *const labels[TP_STUDY_QUANTITIES] = {"moments", "onset", "limit", "factor"};
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (!r->variables[0].indices[q].known) continue;
-    tp_text_add(t, "\nSobol' indices, %-15s %20s %20s\n", labels[q], "first order", "total");
-    for (size_t k = 0; k < r->variable_count; k++) {
-      const tp_study_index *own = r->variables[k].indices + q;
-      tp_text_add(t, "  ");
-      tp_encode_column(t, r->variables[k].key, LABEL);
-      tp_text_add(t, " %6.3f %6.3f to %5.3f %6.3f %6.3f to %5.3f\n", own->first, own->first_low,
-                  own->first_high, own->total, own->total_low, own->total_high);
-    }
-  }
-}
-
-static void add_rare(tp_text *t, const char *label, const tp_study_rare *own) {
-  if (!own->asked) return;
-  if (own->known) {
-    tp_text_add(t, "  by %s: %.3g (%.3g to %.3g), %zu scenes solved\n", label, own->probability,
-                own->low, own->high, own->calls);
-  } else {
-    tp_text_add(t, "  by %s: no answer:", label);
-    add_lines(t, own->why);
-    tp_text_add(t, "\n");
-  }
-}
-
-static void add_reliability(tp_text *t, const tp_study_result *r) {
-  const tp_study_reliability *own = &r->reliability;
-  if (!own->known) return;
-  const tp_study_quantity quantity = own->quantity;
-  tp_text_add(t, "\nReliability of first order: %s not above %s\n",
-              tp_study_quantity_name(quantity), quantity == TP_STUDY_FOS ? "1" : "the tilt");
-  tp_text_add(t, "  %s; %zu scenes solved\n", own->state, own->calls);
-  if (own->converged) {
-    tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
-  }
-  add_rare(t, "samples around the design point", &own->importance);
-  add_rare(t, "subset simulation", &own->subset);
-  if (!own->converged) return;
-  tp_text_add(t, "  %-*s %14s %11s\n", LABEL, "", "design point", "importance");
-  for (size_t k = 0; k < r->variable_count; k++) {
-    tp_text_add(t, "  ");
-    tp_encode_column(t, r->variables[k].key, LABEL);
-    tp_text_add(t, " %14.6g %11.3f\n", r->variables[k].design_value, r->variables[k].importance);
+  for (size_t k = 0; k + 2 < r->measure_count; k++) {
+    tp_text_add(t, "  %-*s", LABEL, r->measures[k].name);
+    add_rank_row(t, r->measures[k].ranks);
   }
 }
 
@@ -236,10 +245,17 @@ static void add_steps(tp_text *t, const tp_study_result *r) {
 static void add_bad(tp_text *t, const tp_study_result *r) {
   for (size_t k = 0; k < r->bad_count; k++) {
     tp_text_add(t, "%sInvalid sample %zu", k == 0 ? "\n" : "", r->bad[k].sample);
-    add_lines(t, r->bad[k].settings);
-    add_lines(t, r->bad[k].why);
+    tp_study_add_lines(t, r->bad[k].settings);
+    tp_study_add_lines(t, r->bad[k].why);
     tp_text_add(t, "\n");
   }
+}
+
+/* What accuracy costs, in bulk. */
+static void add_tellers(tp_text *t, const tp_study_result *r) {
+  if (r->by_doubles == 0) return;
+  tp_text_add(t, "%zu samples were told by doubles with proven bounds, %zu by the ladder.\n",
+              r->by_doubles, r->samples - r->by_doubles);
 }
 
 static void add_foot(tp_text *t, const tp_study_result *r) {
@@ -247,6 +263,7 @@ static void add_foot(tp_text *t, const tp_study_result *r) {
   if (r->open > 0) {
     tp_text_add(t, "%zu samples have a number that is less certain than to 9 digits.\n", r->open);
   }
+  add_tellers(t, r);
   if (r->kept < r->samples) {
     tp_text_add(t, "Ranges, quantiles and ranks are of the first %zu samples.\n", r->kept);
   }
@@ -261,9 +278,9 @@ tp_status tp_report_study(char **text, const tp_study_result *result) {
   if (result->samples > 0) {
     add_tilts(&t, result);
     add_spreads(&t, result);
+    add_factors(&t, result);
     add_ranks(&t, result);
-    add_indices(&t, result);
-    add_reliability(&t, result);
+    tp_study_add_analyses(&t, result);
     add_steps(&t, result);
     add_bad(&t, result);
     add_foot(&t, result);

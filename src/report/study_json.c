@@ -64,16 +64,34 @@ static void add_quantile(tp_json *j, const tp_study_quantile *own) {
   tp_json_close(j);
 }
 
-static void add_spread(tp_json *j, const tp_study_result *r, tp_study_quantity quantity) {
-  const tp_study_spread *spread = r->spreads + quantity;
-  tp_json_object(j, NULL, TP_JSON_BLOCK);
-  tp_json_string(j, "quantity", tp_study_quantity_name(quantity));
+static void add_quantiles(tp_json *j, const tp_study_spread *spread) {
   tp_json_count(j, "samples", spread->count);
   tp_json_array(j, "quantiles", TP_JSON_BLOCK);
   for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->count > 0; k++) {
     add_quantile(j, spread->quantiles + k);
   }
   tp_json_close(j);
+}
+
+static void add_spread(tp_json *j, const tp_study_result *r, tp_study_quantity quantity) {
+  const tp_study_spread *spread = r->spreads + quantity;
+  tp_json_object(j, NULL, TP_JSON_BLOCK);
+  tp_json_string(j, "quantity", tp_study_quantity_name(quantity));
+  add_quantiles(j, spread);
+  tp_json_close(j);
+}
+
+static void add_factors(tp_json *j, const tp_study_result *r) {
+  tp_json_array(j, "governing_factors", TP_JSON_BLOCK);
+  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+    const tp_study_factor *own = r->factors + k;
+    tp_json_object(j, NULL, TP_JSON_BLOCK);
+    tp_json_string(j, "definition", tp_fos_definition_name(own->definition));
+    add_share(j, "governs", &own->governs);
+    tp_json_count(j, "below_1", own->below);
+    add_quantiles(j, &own->spread);
+    tp_json_close(j);
+  }
   tp_json_close(j);
 }
 
@@ -143,21 +161,72 @@ static void add_reliability(tp_json *j, const tp_study_reliability *own) {
   tp_json_close(j);
 }
 
+static void add_design(tp_json *j, const tp_study_result *r, const tp_study_design *own) {
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_string(j, "key", r->variables[own->variable].key);
+  tp_json_double(j, "probability", own->probability);
+  tp_json_string(j, "quantity", tp_study_quantity_name(own->quantity));
+  tp_json_double(j, "scene_value", own->scene_value);
+  tp_json_truth(j, "known", own->known);
+  if (own->known) {
+    tp_json_double(j, "value", own->value);
+    tp_json_double(j, "low", own->low);
+    tp_json_double(j, "high", own->high);
+    tp_json_string(j, "safe", own->low_is_safe ? "low" : "high");
+    add_number(j, "quantity_value", own->quantity_value);
+  } else {
+    tp_json_string(j, "why", own->why);
+  }
+  tp_json_count(j, "scenes", own->calls);
+  tp_json_close(j);
+}
+
+static void add_designs(tp_json *j, const tp_study_result *r) {
+  if (r->design_count == 0) return;
+  tp_json_array(j, "design_values", TP_JSON_BLOCK);
+  for (size_t k = 0; k < r->design_count; k++) add_design(j, r, r->designs + k);
+  tp_json_close(j);
+}
+
+static void add_ranks(tp_json *j, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {
+  tp_json_array(j, "rank_correlations", TP_JSON_BLOCK);
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (ranks[q].known) add_rank(j, ranks + q, (tp_study_quantity)q);
+  }
+  tp_json_close(j);
+}
+
 static void add_variable(tp_json *j, const tp_study_result *r, const tp_study_variable *own) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "key", own->key);
   tp_json_string(j, "kind", own->kind);
+  tp_json_string(j, "unit", own->unit);
   if (r->kept > 0) {
     tp_json_double(j, "least", own->least);
     tp_json_double(j, "greatest", own->greatest);
   }
-  tp_json_array(j, "rank_correlations", TP_JSON_BLOCK);
-  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
-    if (own->ranks[q].known) add_rank(j, own->ranks + q, (tp_study_quantity)q);
-  }
-  tp_json_close(j);
+  add_ranks(j, own->ranks);
   add_analyses(j, r, own);
   tp_json_close(j);
+}
+
+static void add_measures(tp_json *j, const tp_study_result *r) {
+  if (r->measure_count == 0) return;
+  tp_json_array(j, "roughness", TP_JSON_BLOCK);
+  for (size_t k = 0; k < r->measure_count; k++) {
+    const tp_study_measure *own = r->measures + k;
+    tp_json_object(j, NULL, TP_JSON_BLOCK);
+    tp_json_string(j, "name", own->name);
+    tp_json_string(j, "unit", own->unit);
+    tp_json_count(j, "samples", own->count);
+    tp_json_double(j, "least", own->least);
+    tp_json_double(j, "greatest", own->greatest);
+    add_ranks(j, own->ranks);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+  tp_json_count(j, "bracketed", r->bracketed);
+  tp_json_count(j, "within", r->within);
 }
 
 static void add_head(tp_json *j, const tp_study_result *r) {
@@ -172,6 +241,7 @@ static void add_head(tp_json *j, const tp_study_result *r) {
   tp_json_count(j, "shard", r->shard);
   tp_json_count(j, "shards", r->shards);
   tp_json_count(j, "open", r->open);
+  tp_json_count(j, "by_doubles", r->by_doubles);
 }
 
 static void add_bad(tp_json *j, const tp_study_result *r) {
@@ -209,16 +279,19 @@ tp_status tp_report_study_json(char **text, const tp_study_result *result) {
     add_variable(&j, result, result->variables + k);
   }
   tp_json_close(&j);
+  add_measures(&j, result);
   tp_json_array(&j, "tilts", TP_JSON_BLOCK);
   for (size_t k = 0; k < result->tilt_count; k++) add_tilt(&j, result->tilts + k);
   tp_json_close(&j);
   tp_json_array(&j, "quantities", TP_JSON_BLOCK);
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) add_spread(&j, result, (tp_study_quantity)q);
   tp_json_close(&j);
+  add_factors(&j, result);
   if (result->sensitivity_samples > 0) {
     tp_json_count(&j, "sensitivity_samples", result->sensitivity_samples);
   }
   add_reliability(&j, &result->reliability);
+  add_designs(&j, result);
   add_steps(&j, result);
   add_bad(&j, result);
   tp_json_close(&j);

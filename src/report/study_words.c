@@ -3,6 +3,8 @@
 
 #include "report/study_words.h"
 
+#include <string.h>
+
 const char *tp_study_quantity_words(tp_study_quantity quantity) {
   static const char *const words[TP_STUDY_QUANTITIES] = {
       "critical angle °", "certain to stand to °", "static limit °", "factor of safety"};
@@ -12,4 +14,19 @@ const char *tp_study_quantity_words(tp_study_quantity quantity) {
 const char *tp_study_end_name(tp_study_end end) {
   static const char *const names[] = {"complete", "certain", "interrupted", "shard"};
   return names[end];
+}
+
+void tp_study_add_lines(tp_text *t, const char *words) {
+  enum { WIDTH = 76 };
+  char plain[1024];
+  tp_plain_text(plain, sizeof plain, words);
+  size_t used = 0;
+  for (const char *word = plain; *word != '\0';) {
+    const size_t length = strcspn(word, " ");
+    if (used > 0 && used + 1 + length > WIDTH) used = 0;
+    tp_text_add(t, "%s%.*s", used > 0 ? " " : "\n  ", (int)length, word);
+    used += length + (used > 0 ? 1 : 0);
+    word += length;
+    word += strspn(word, " ");
+  }
 }

@@ -6,12 +6,22 @@
 #ifndef TP_REPORT_STUDY_WORDS_H
 #define TP_REPORT_STUDY_WORDS_H
 
+#include "output/text.h"
 #include "topple.h"
+
+/* Room for a key on the page. */
+enum { TP_STUDY_LABEL = 30 };
 
 /* As on the page: critical angle, and so on. */
 const char *tp_study_quantity_words(tp_study_quantity quantity);
 
 /* complete, certain, interrupted or shard. */
 const char *tp_study_end_name(tp_study_end end);
+
+/* Words between blanks, over lines of a terminal. */
+void tp_study_add_lines(tp_text *text, const char *words);
+
+/* Sobol' indices, reliability and design values, of those that were asked for. */
+void tp_study_add_analyses(tp_text *text, const tp_study_result *result);
 
 #endif

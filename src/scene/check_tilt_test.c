@@ -21,6 +21,11 @@ tp_tilt_protocol tp_scene_tilt_protocol(const tp_scene *scene) {
   return tp_scene_is_shaken(scene) ? TP_TILT_RELEASE : TP_TILT_RAMP;
 }
 
+bool tp_scene_tilt_set_down(const tp_scene *scene) {
+  if (scene->tilt_test.start_place.file != NULL) return scene->tilt_test.set_down;
+  return tp_scene_tilt_protocol(scene) != TP_TILT_RAMP;
+}
+
 /* A setting that only some engines have. */
 static tp_status check_own(const tp_quantity *quantity, bool own, const char *key,
                            const char *whose, tp_message *message) {
@@ -29,8 +34,10 @@ static tp_status check_own(const tp_quantity *quantity, bool own, const char *ke
                  "'%s' belongs to %s; leave it out, or choose that", key, whose);
 }
 
-static tp_status check_settings(const tp_tilt_test_description *t, tp_tilt_engine engine,
+static tp_status check_settings(const tp_scene *scene, tp_tilt_engine engine,
                                 tp_tilt_protocol protocol, tp_message *message) {
+  const tp_tilt_test_description *t = &scene->tilt_test;
+  const bool ramps = !tp_scene_tilt_set_down(scene);
   const bool springs = engine == TP_TILT_SPRINGS, rigid = engine == TP_TILT_RIGID;
   static const char of_springs[] = "'engine: dynamics' by 'method: springs'",
                     of_rigid[] = "'engine: dynamics' by 'method: events'";
@@ -46,9 +53,9 @@ static tp_status check_settings(const tp_tilt_test_description *t, tp_tilt_engin
               "contacts that are springs: 'engine: path' or 'method: springs'"},
              {&t->shear_stiffness_gpa_m, !rigid, "shear_stiffness_gpa_m",
               "contacts that are springs: 'engine: path' or 'method: springs'"},
-             {&t->speed_deg_min, protocol == TP_TILT_RAMP && engine != TP_TILT_PATH,
-              "speed_deg_min",
-              "a ramp in time, 'engine: dynamics' with 'protocol: ramp'; the path is quasi-static"},
+             {&t->speed_deg_min, ramps && engine != TP_TILT_PATH, "speed_deg_min",
+              "a table that moves in time, 'engine: dynamics' with 'start: level'; the path is "
+              "quasi-static"},
              {&t->until_deg, protocol != TP_TILT_RELEASE, "until_deg",
               "a table that is tilted, 'protocol: ramp' or 'steps'"},
              {&t->duration_s, engine != TP_TILT_PATH, "duration_s", "'engine: dynamics'"}};
@@ -97,15 +104,20 @@ static tp_status check_protocol(const tp_scene *scene, tp_tilt_engine engine,
                      "…}'");
     }
   }
-  if (protocol == TP_TILT_STEPS && engine == TP_TILT_PATH && !t->set_down) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "the path finds its collapse by its events; steps, a fresh start at each angle, "
-                   "go with 'engine: dynamics', or with 'start: set_down'");
+  const bool set_down = tp_scene_tilt_set_down(scene);
+  if (protocol == TP_TILT_STEPS && engine == TP_TILT_PATH && !set_down) {
+    return tp_fail(message, TP_BAD_INPUT, t->start_place,
+                   "the path of a block that is placed level is one ramp to all angles: say "
+                   "'protocol: ramp', or 'start: set_down'");
   }
-  if (protocol == TP_TILT_RAMP && t->set_down) {
+  if (protocol == TP_TILT_RAMP && set_down) {
     return tp_fail(message, TP_BAD_INPUT, t->start_place,
                    "a ramp starts level; a block that is set down at each angle goes with "
                    "'protocol: steps'");
+  }
+  if (protocol == TP_TILT_RELEASE && !set_down) {
+    return tp_fail(message, TP_BAD_INPUT, t->start_place,
+                   "a release begins at its tilt, where the block is set down; leave 'start' out");
   }
   return TP_OK;
 }
@@ -116,6 +128,6 @@ tp_status tp_check_simulation(const tp_scene *scene, tp_message *message) {
   const tp_tilt_protocol protocol = tp_scene_tilt_protocol(scene);
   tp_status status = check_protocol(scene, engine, protocol, message);
   if (status == TP_OK) status = check_stiffness(&scene->tilt_test, engine, message);
-  if (status == TP_OK) status = check_settings(&scene->tilt_test, engine, protocol, message);
+  if (status == TP_OK) status = check_settings(scene, engine, protocol, message);
   return status;
 }

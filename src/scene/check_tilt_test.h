@@ -16,6 +16,8 @@ bool tp_scene_is_shaken(const tp_scene *scene);
  * release. */
 tp_tilt_engine tp_scene_tilt_engine(const tp_scene *scene);
 tp_tilt_protocol tp_scene_tilt_protocol(const tp_scene *scene);
+/* As given; else level for a ramp, and set down at the angle for steps and a release. */
+bool tp_scene_tilt_set_down(const tp_scene *scene);
 
 /* Settings of another engine, springs without their stiffness, a protocol that the engine has not:
  * told at their place. */

@@ -17,8 +17,8 @@ typedef struct tp_tilt_test_description {
   tp_place engine_place; /* no file: not given */
   tp_tilt_protocol protocol;
   tp_place protocol_place;
-  bool set_down; /* at each angle; else it is placed level, and tilted */
-  tp_place start_place;
+  bool set_down;        /* at each angle; else it is placed level, and tilted */
+  tp_place start_place; /* no file: not given */
   tp_quantity speed_deg_min, until_deg, tolerance_deg, duration_s;
   tp_quantity normal_stiffness_gpa_m, shear_stiffness_gpa_m;
   tp_quantity damping, rounding, time_step_s; /* of springs */

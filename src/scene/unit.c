@@ -24,19 +24,31 @@ static bool ends_in(const char *word, size_t length, const char *ending) {
   return length >= own && strncmp(word + length - own, ending, own) == 0;
 }
 
+/* The unit that a word ends in. */
+static const char *own_unit(const char *word, size_t length) {
+  static const struct {
+    const char *ending, *unit;
+  } units[] = {{"_deg", "deg"},         {"_kpa", "kPa"},     {"kpa", "kPa"},
+               {"_mpa", "MPa"},         {"_kn_m3", "kN/m3"}, {"_kn", "kN"},
+               {"_deg_min", "deg/min"}, {"_gpa_m", "GPa/m"}, {"_s", "s"}};
+  for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
+    const bool whole = units[k].ending[0] != '_'; /* the word itself */
+    if (whole ? length == strlen(units[k].ending) && strncmp(word, units[k].ending, length) == 0
+              : ends_in(word, length, units[k].ending)) {
+      return units[k].unit;
+    }
+  }
+  return NULL;
+}
+
 /* Of no dimension, or in a unit of its own. */
 static bool is_other(const char *word, size_t length) {
   static const char *const others[] = {"count", "jrc",     "bulge",      "seed",     "hurst",
                                        "z2",    "skew",    "horizontal", "vertical", "matching",
                                        "facet", "damping", "restitution"};
-  static const char *const endings[] = {"_deg",   "_kpa",     "_mpa",   "_kn",
-                                        "_kn_m3", "_deg_min", "_gpa_m", "_s"};
-  bool is = strncmp(word, "kpa", 3) == 0 && length == 3;
+  bool is = own_unit(word, length) != NULL;
   for (size_t k = 0; k < sizeof others / sizeof others[0]; k++) {
     is = is || (length == strlen(others[k]) && strncmp(word, others[k], length) == 0);
-  }
-  for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++) {
-    is = is || ends_in(word, length, endings[k]);
   }
   return is;
 }
@@ -92,4 +104,11 @@ const char *tp_scene_unit(const tp_scene *scene, const char *key) {
   if (strchr(name, '.') != NULL) return tp_key_is_length(key) ? scene->length_unit : NULL;
   tp_parameter_uses(scene, name, look_at, &own);
   return own.lengths && !own.others ? scene->length_unit : NULL;
+}
+
+const char *tp_key_unit(const tp_scene *scene, const char *key) {
+  const char *unit = tp_scene_unit(scene, key), *word = NULL;
+  if (unit != NULL) return unit;
+  const size_t length = last_word(&word, key);
+  return own_unit(word, length);
 }

@@ -40,12 +40,19 @@ double tp_base_acceleration_at(const tp_base_acceleration *axis, double time_s) 
   return (1 - share) * axis->value_m_s2[k] + share * axis->value_m_s2[k + 1];
 }
 
+/* A kink that is nearer than this share of the step between samples, or of the pulse, is passed: an
+ * integrator that came to it but for rounding would be asked for a step of nothing. */
+static const double passed = 1e-9;
+
 double tp_base_acceleration_next_kink(const tp_base_acceleration *axis, double time_s) {
   if (axis->form == TP_SHAKING_NONE) return INFINITY;
   if (time_s < 0) return 0;
-  if (axis->form != TP_SHAKING_RECORD) return time_s < pulse_end(axis) ? pulse_end(axis) : INFINITY;
-  if (time_s >= axis->time_s[axis->count - 1]) return INFINITY;
-  return axis->time_s[sample_before(axis, time_s) + 1];
+  if (axis->form != TP_SHAKING_RECORD) {
+    const double end = pulse_end(axis);
+    return time_s < (1 - passed) * end ? end : INFINITY;
+  }
+  const double last = axis->time_s[axis->count - 1], near = time_s + passed * axis->time_s[1];
+  return near < last ? axis->time_s[sample_before(axis, near) + 1] : INFINITY;
 }
 
 static tp_shaking_peaks pulse_peaks(const tp_base_acceleration *axis) {

@@ -7,6 +7,7 @@
 #include "host.h"
 #include "notes.h"
 #include "options.h"
+#include "scene/check_tilt_test.h"
 #include "scene/settings.h"
 #include "stability/cautions.h"
 #include "stability/poses.h"
@@ -26,10 +27,19 @@ void tp_solve_options_init(tp_solve_options *options, size_t size) {
   tp_options_fill(options, size, &defaults);
 }
 
+/* Statics that knew nothing of an earthquake would make the block look safer than it is. */
+static tp_status note_shaking(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  if (!tp_scene_is_shaken(scene)) return TP_OK;
+  return tp_notes_add(
+      notes, message, TP_CAUTION, scene->shaking_place,
+      "the shaking of the base is not in these numbers: 'topple tilt' simulates it");
+}
+
 static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *scene,
                       const tp_solve_options *options, tp_message *message) {
   tp_problem problem;
   tp_status status = tp_scene_notes(&solution->notes, scene, message);
+  if (status == TP_OK) status = note_shaking(&solution->notes, scene, message);
   if (status == TP_OK) status = tp_scene_settings(&solution->settings, scene, message);
   if (status == TP_OK) status = tp_problem_init(&problem, scene, options, solution, message);
   if (status != TP_OK) return status;

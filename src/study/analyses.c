@@ -51,12 +51,13 @@ static tp_status read_sensitivity(const tp_study_reader *reader, const tp_node *
                              RESULTS_MOST / (study->drawn + 2));
 }
 
-static tp_status read_quantity(const tp_study_reader *reader, const tp_node *node) {
+tp_status tp_study_read_quantity(const tp_study_reader *reader, tp_study_quantity *quantity,
+                                 const tp_node *node) {
   const char *known[TP_STUDY_QUANTITIES + 1] = {NULL};
   for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
     known[q] = tp_study_quantity_name((tp_study_quantity)q);
     if (node->kind != TP_NODE_SCALAR || strcmp(node->text, known[q]) != 0) continue;
-    reader->study->relied = (tp_study_quantity)q;
+    *quantity = (tp_study_quantity)q;
     return TP_OK;
   }
   const char *nearest = node->kind == TP_NODE_SCALAR ? tp_nearest(node->text, known) : NULL;
@@ -107,7 +108,7 @@ static tp_status read_reliability(const tp_study_reader *reader, const tp_node *
                          "'quantity' is missing here, for example 'reliability: "
                          "{quantity: limit_deg}'");
   }
-  if (status == TP_OK) status = read_quantity(reader, quantity);
+  if (status == TP_OK) status = tp_study_read_quantity(reader, &study->relied, quantity);
   if (status == TP_OK) status = check_drawn(reader, node);
   if (status == TP_OK && !study->scene->tilt_angle_deg.given) {
     return tp_study_fail(reader, node,

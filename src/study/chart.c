@@ -51,13 +51,26 @@ tp_status tp_chart_study_scatter(tp_chart **chart, const tp_study_result *result
   if (view.finite == 0) return fail_empty(message);
   tp_chart *own = begin("study_scatter", result);
   if (own == NULL) return tp_fail_memory(message, "the chart");
-  size_t count = result->variable_count < MOST_PANELS ? result->variable_count : MOST_PANELS;
-  if (count == 1) own->columns = 1;
+  /* of what is measured the two bounds have no panel of their own */
+  const size_t measures = result->measure_count > 0 ? result->measure_count - 2 : 0;
+  const size_t room = MOST_PANELS - measures;
+  const size_t count = result->variable_count < room ? result->variable_count : room;
+  if (count + measures == 1) own->columns = 1;
   for (size_t k = 0; k < count; k++) tp_study_add_scatter(own, &view, k);
+  const tp_study_view moments = tp_study_view_of_moments(result);
+  bool curves = false, points = false;
+  for (size_t k = 0; k < measures; k++) {
+    own->failed |= !tp_study_add_roughness(own, &moments, k, &curves, &points);
+  }
   for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
     if (result->tilts[0].outcomes[k].count == 0 || k == TP_STUDY_INVALID) continue;
     tp_chart_add_legend(own, tp_study_outcome_name((tp_study_outcome)k),
                         tp_study_chart_points((tp_study_outcome)k));
   }
+  bool known = false;
+  for (size_t k = 0; k < result->design_count; k++) known = known || result->designs[k].known;
+  if (known) tp_chart_add_legend(own, "design value", tp_study_design_line);
+  if (curves) tp_chart_add_legend(own, "Eqs. (15), (16)", tp_study_bound_line);
+  if (points) tp_chart_add_legend(own, "of each sample", tp_study_bound_points);
   return tp_chart_finish(own, chart, message);
 }

@@ -22,6 +22,8 @@ typedef struct tp_study_view {
 } tp_study_view;
 
 tp_study_view tp_study_view_of(const tp_study_result *result);
+/* The same of the critical angle by moments. */
+tp_study_view tp_study_view_of_moments(const tp_study_result *result);
 
 /* "Static limit (°)" */
 const char *tp_study_angle_label(const tp_study_view *view);
@@ -33,6 +35,9 @@ void tp_study_tilt_name(char *text, size_t size, const tp_study_view *view, cons
 /* How an outcome is told apart from others: regions, and points. */
 tp_chart_style tp_study_region(tp_study_outcome outcome);
 tp_chart_style tp_study_chart_points(tp_study_outcome outcome);
+
+/* A design value; the angles of Eqs. (15) and (16). */
+extern const tp_chart_style tp_study_design_line, tp_study_bound_line, tp_study_bound_points;
 
 /* The range of the numbers, a little wider; of one number alone wider all the same. */
 tp_chart_range tp_study_range(double least, double greatest);
@@ -49,5 +54,8 @@ TP_MUST_USE bool tp_study_add_distribution(tp_chart *chart, const tp_study_view 
 void tp_study_add_ranks(tp_chart *chart, const tp_study_view *view);
 TP_MUST_USE bool tp_study_add_steps(tp_chart *chart, const tp_study_view *view);
 void tp_study_add_scatter(tp_chart *chart, const tp_study_view *view, size_t variable);
+/* Of the critical angle by moments; are the angles of Eqs. (15) and (16) curves or points? */
+TP_MUST_USE bool tp_study_add_roughness(tp_chart *chart, const tp_study_view *moments,
+                                        size_t measure, bool *has_curves, bool *has_points);
 
 #endif

@@ -33,6 +33,12 @@ tp_study_view tp_study_view_of(const tp_study_result *result) {
   return v;
 }
 
+tp_study_view tp_study_view_of_moments(const tp_study_result *result) {
+  tp_study_view v = tp_study_view_of(result);
+  if (v.kept > 0) look_at(&v, TP_STUDY_MOMENTS_DEG);
+  return v;
+}
+
 const char *tp_study_angle_label(const tp_study_view *view) {
   return view->quantity == TP_STUDY_LIMIT_DEG ? "Static limit (°)"
                                               : "Critical angle by moments (°)";

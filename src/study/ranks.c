@@ -31,8 +31,22 @@ static size_t pick(double *picked, const double *column, const double *quantity,
   return count;
 }
 
-/* Of all variables with one quantity, whose ranks are taken once. */
-static tp_status rank_quantity(tp_study_variable *variables, const tp_tally *tally, size_t q,
+/* Of the values that were picked, with the quantity whose ranks there are. */
+static tp_status rank_column(tp_study_rank *rank, const pairs *p, size_t count,
+                             tp_message *message) {
+  for (size_t k = 0; k < count; k++) {
+    if (isnan(p->values[k])) return TP_OK;
+  }
+  if (is_constant(p->values, count)) return TP_OK;
+  const tp_status status = tp_ranks(p->x, p->values, count, message);
+  if (status != TP_OK) return status;
+  const tp_estimate own = tp_rank_correlation(p->x, p->y, count, 0.95);
+  *rank = (tp_study_rank){true, own.value, own.low, own.high};
+  return TP_OK;
+}
+
+/* Of all variables and measures with one quantity, whose ranks are taken once. */
+static tp_status rank_quantity(tp_study_result *result, const tp_tally *tally, size_t q,
                                const pairs *p, tp_message *message) {
   const size_t kept = (size_t)tally->kept, inputs = tally->study->variable_count;
   const double *quantity = tally->columns[inputs + q];
@@ -41,23 +55,23 @@ static tp_status rank_quantity(tp_study_variable *variables, const tp_tally *tal
   tp_status status = tp_ranks(p->y, p->values, count, message);
   for (size_t k = 0; k < inputs && status == TP_OK; k++) {
     (void)pick(p->values, tally->columns[k], quantity, kept);
-    if (is_constant(p->values, count)) continue;
-    status = tp_ranks(p->x, p->values, count, message);
-    if (status != TP_OK) break;
-    const tp_estimate own = tp_rank_correlation(p->x, p->y, count, 0.95);
-    variables[k].ranks[q] = (tp_study_rank){true, own.value, own.low, own.high};
+    status = rank_column(result->variables[k].ranks + q, p, count, message);
+  }
+  for (size_t k = 0; k < tally->study->measure_count && status == TP_OK; k++) {
+    (void)pick(p->values, tally->columns[tp_tally_measures(tally->study) + k], quantity, kept);
+    status = rank_column(result->measures[k].ranks + q, p, count, message);
   }
   return status;
 }
 
-tp_status tp_tally_ranks(tp_study_variable *variables, const tp_tally *tally, tp_message *message) {
+tp_status tp_tally_ranks(tp_study_result *result, const tp_tally *tally, tp_message *message) {
   const size_t kept = (size_t)tally->kept;
   double *all = calloc(3 * kept + 1, sizeof *all);
   if (all == NULL) return tp_fail_memory(message, "rank correlations");
   const pairs p = {all, all + kept, all + 2 * kept};
   tp_status status = TP_OK;
   for (size_t q = 0; q < TP_STUDY_QUANTITIES && status == TP_OK; q++) {
-    status = rank_quantity(variables, tally, q, &p, message);
+    status = rank_quantity(result, tally, q, &p, message);
   }
   free(all);
   return status;

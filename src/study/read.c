@@ -8,6 +8,8 @@
 #include "study/analyses.h"
 #include "study/hash.h"
 #include "study/plan.h"
+#include "study/roughness.h"
+#include "study/sample_filter.h"
 #include "study/variable.h"
 
 #include <stdlib.h>
@@ -18,7 +20,8 @@ enum { CHUNK = 100 };
 static tp_status read_version(const tp_study_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"topple_study", "title",       "scene",       "samples",
                                      "sampling",     "vary",        "tilts_deg",   "until",
-                                     "correlations", "sensitivity", "reliability", NULL};
+                                     "correlations", "sensitivity", "reliability", "design_values",
+                                     "roughness",    NULL};
   const tp_node *node = tp_node_get(root, "topple_study");
   if (node == NULL) {
     return tp_study_fail(reader, root, "this is no study: 'topple_study: 1' is missing");
@@ -226,7 +229,11 @@ static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_study_read_plan(reader, root);
   if (status == TP_OK) status = read_tilts(reader, root);
   if (status == TP_OK) status = read_until(reader, root);
-  return status == TP_OK ? tp_study_read_analyses(reader, root) : status;
+  if (status == TP_OK) status = tp_study_read_analyses(reader, root);
+  if (status == TP_OK) status = tp_study_read_designs(reader, root);
+  if (status == TP_OK) status = tp_study_read_roughness(reader, root);
+  if (status != TP_OK) return status;
+  return tp_sample_filter_new(&reader->study->filter, reader->study, reader->message);
 }
 
 tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
@@ -261,6 +268,8 @@ void tp_study_free(tp_study *study) {
   free((void *)study->drawn_names);
   free(study->correlation);
   free(study->tilts);
+  tp_sample_filter_free(study->filter);
+  free(study->designs);
   tp_scene_free(study->scene);
   free(study->scene_path);
   tp_node_free(study->root);

@@ -30,6 +30,9 @@ static tp_status analyse(tp_study_result *result, const tp_study *study,
   if (status == TP_OK && !stopped) {
     status = tp_study_rely(result, study, options, &stopped, message);
   }
+  if (status == TP_OK && !stopped) {
+    status = tp_study_design_values(result, study, options, &stopped, message);
+  }
   if (stopped) result->end = TP_STUDY_INTERRUPTED;
   return status;
 }

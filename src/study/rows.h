@@ -6,6 +6,7 @@
 #ifndef TP_STUDY_ROWS_H
 #define TP_STUDY_ROWS_H
 
+#include "output/text.h"
 #include "study/progress.h"
 #include "study/row.h"
 

@@ -4,7 +4,10 @@
 #include "study/sample.h"
 
 #include "number/ratio.h"
+#include "stability/case_numbers.h"
 #include "stability/tilts.h"
+#include "study/sample_filter.h"
+#include "study/shortest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,34 +37,16 @@ static tp_study_outcome outcome_of(tp_mechanism mechanism) {
 /* ---- results as numbers ------------------------------------------------------------------------
  */
 
-static double moments_of(const tp_case *c) {
-  if (!c->has_governing) return NAN;
-  const tp_pivot *pivot = c->pivots + c->governing;
-  return pivot->never ? INFINITY : pivot->always ? -INFINITY : pivot->critical_angle_deg.value;
-}
+typedef tp_case_state number_of(tp_bounded *value, const tp_case *own);
 
-static double onset_of(const tp_onset *onset) {
-  return onset->kind == TP_ONSET_AT_ANGLE  ? onset->critical_angle_deg.value
-         : onset->kind == TP_ONSET_NEVER   ? INFINITY
-         : onset->kind == TP_ONSET_NOWHERE ? -INFINITY
-                                           : NAN;
-}
-
-static double limit_of(const tp_limit *limit) {
-  return limit->kind == TP_LIMIT_AT_ANGLE      ? limit->critical_angle_deg.value
-         : limit->kind == TP_LIMIT_INTERLOCKED ? INFINITY
-         : limit->kind == TP_LIMIT_NOWHERE     ? -INFINITY
-                                               : NAN;
-}
-
-/* A factor that is but an upper bound, since another is undecided, is none. */
-static double fos_of(const tp_governing_fos *g) {
-  switch (g->fos.state) {
-  case TP_FOS_NUMBER:
-    return g->complete || !g->sliding_judged ? g->fos.value.value : NAN;
-  case TP_FOS_NO_OVERTURNING:
+static double number(number_of *of, const tp_case *own) {
+  tp_bounded value = {0};
+  switch (of(&value, own)) {
+  case TP_CASE_NUMBER:
+    return value.value;
+  case TP_CASE_ALWAYS:
     return INFINITY;
-  case TP_FOS_UNDEFINED:
+  case TP_CASE_NEVER:
     return -INFINITY;
   default:
     return NAN;
@@ -70,11 +55,11 @@ static double fos_of(const tp_governing_fos *g) {
 
 static void take_case(tp_study_row *row, const tp_solution *solution) {
   const tp_case *c = solution->cases;
-  const tp_governing_fos *g = &c->governing_fos;
-  row->quantities[TP_STUDY_MOMENTS_DEG] = moments_of(c);
-  row->quantities[TP_STUDY_ONSET_DEG] = onset_of(&c->onset);
-  row->quantities[TP_STUDY_LIMIT_DEG] = limit_of(&c->limit);
-  row->quantities[TP_STUDY_FOS] = fos_of(g);
+  const tp_factor *factor = tp_case_factor(c);
+  row->quantities[TP_STUDY_MOMENTS_DEG] = number(tp_case_moments_deg, c);
+  row->quantities[TP_STUDY_ONSET_DEG] = number(tp_case_onset_deg, c);
+  row->quantities[TP_STUDY_LIMIT_DEG] = number(tp_case_limit_deg, c);
+  row->quantities[TP_STUDY_FOS] = number(tp_case_fos, c);
   if (c->has_governing) {
     row->pivot_x_m = c->pivots[c->governing].x_m.value;
     row->pivot_y_m = c->pivots[c->governing].y_m.value;
@@ -86,8 +71,10 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
                                ? "holds nowhere"
                                : tp_study_outcome_name(outcome_of(c->limit.mechanism));
   }
-  if (g->has_factor)
-    row->fos_mechanism = tp_study_outcome_name(outcome_of(g->factors[g->factor].mechanism));
+  if (factor != NULL) {
+    row->fos_mechanism = tp_study_outcome_name(outcome_of(factor->mechanism));
+    row->fos_definition = (int)factor->definition;
+  }
 }
 
 /* ---- scenes ------------------------------------------------------------------------------------
@@ -99,6 +86,7 @@ static void clear(tp_study_row *row, size_t tilts, tp_study_outcome outcome) {
   for (size_t k = 0; k <= tilts; k++) row->at[k] = (tp_study_at){outcome, NAN};
   row->pivot_x_m = row->pivot_y_m = row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
+  row->fos_definition = -1;
   row->open = false;
   row->why = NULL;
 }
@@ -112,13 +100,6 @@ typedef struct numbers {
   tp_solution **solutions;
   size_t tilts;
 } numbers;
-
-static bool put_number(fmpq_t value, double number) {
-  char text[TP_SHORTEST_SIZE];
-  const char *problem = NULL;
-  tp_study_shortest(text, number);
-  return tp_ratio_read_field(value, text, strlen(text), &problem);
-}
 
 /* To be ended also on failure. */
 static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_message *message) {
@@ -137,7 +118,7 @@ static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_messa
   for (size_t k = 0; k < study->variable_count; k++) n->keys[k] = study->variables[k].key;
   n->keys[count - 1] = study->tilt_key;
   for (size_t k = 0; k < tilts; k++) {
-    if (put_number(n->degrees + k, study->tilts[k])) continue;
+    if (tp_study_exact(n->degrees + k, study->tilts[k])) continue;
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "a tilt is no number");
   }
   return TP_OK;
@@ -191,7 +172,7 @@ static tp_status take_status(tp_study_row *row, tp_study_at *at, tp_status statu
 
 static void take_tilt(tp_study_row *row, size_t k, const tp_solution *solution) {
   row->at[k].outcome = outcome_of(solution->cases[0].mechanism);
-  row->at[k].fos = fos_of(&solution->cases[0].governing_fos);
+  row->at[k].fos = number(tp_case_fos, solution->cases);
   row->open = row->open || tp_solution_is_undecided(solution);
 }
 
@@ -226,11 +207,14 @@ static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, 
 
 tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
                          tp_message *message) {
+  row->told_by = TP_TOLD_BY_DOUBLES;
+  if (tp_sample_filter_tell(row, study, tilts)) return TP_OK;
+  row->told_by = TP_TOLD_BY_LADDER;
   numbers n;
   clear(row, tilts, TP_STUDY_INVALID);
   tp_status status = start(&n, study, tilts, message);
   for (size_t k = 0; k < study->variable_count && status == TP_OK && row->why == NULL; k++) {
-    if (!put_number(n.values + k, row->values[k])) {
+    if (!tp_study_exact(n.values + k, row->values[k])) {
       status = refuse(row, "a number is outside of the range that a scene takes", message);
     }
   }
@@ -241,5 +225,21 @@ tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
     status = solve_at(row, study, &n, k, message);
   }
   end(&n);
+  return status;
+}
+
+tp_status tp_study_solve_with(tp_study_row *row, const tp_study *study, const tp_scene_key *key,
+                              double value, tp_message *message) {
+  fmpq number;
+  tp_scene_key own = *key;
+  numbers n = {
+      .keys = &own, .values = &number, .count = 2}; /* one, and the tilt, which is not set */
+  clear(row, 0, TP_STUDY_INVALID);
+  fmpq_init(&number);
+  const tp_status status =
+      tp_study_exact(&number, value)
+          ? solve_own(row, study, &n, message)
+          : refuse(row, "a number is outside of the range that a scene takes", message);
+  fmpq_clear(&number);
   return status;
 }

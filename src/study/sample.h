@@ -15,4 +15,9 @@
 TP_MUST_USE tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
                                      tp_message *message);
 
+/* The same of the scene with one number alone in the place of its own, at its tilt. */
+TP_MUST_USE tp_status tp_study_solve_with(tp_study_row *row, const tp_study *study,
+                                          const tp_scene_key *key, double value,
+                                          tp_message *message);
+
 #endif

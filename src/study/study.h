@@ -40,6 +40,29 @@ typedef struct tp_variable {
   char *file; /* that the numbers are read from, or NULL */
 } tp_variable;
 
+typedef struct tp_sample_filter tp_sample_filter;
+
+/* Of the base of a sample (study/roughness.h), the first five by a study's choice. */
+typedef enum tp_study_measure_kind {
+  TP_MEASURE_AMPLITUDE,
+  TP_MEASURE_RMS_HEIGHT,
+  TP_MEASURE_Z2,
+  TP_MEASURE_INCLINATION,
+  TP_MEASURE_JRC,
+  TP_MEASURE_PEAK,   /* Eq. (15), */
+  TP_MEASURE_VALLEY, /* and Eq. (16) */
+  TP_MEASURES
+} tp_study_measure_kind;
+
+/* A design value that is asked for. */
+typedef struct tp_wanted_design {
+  size_t variable;
+  double probability;
+  tp_study_quantity quantity;
+  bool ranged; /* it is looked for there; else in the range of the samples */
+  double from, to;
+} tp_wanted_design;
+
 struct tp_study {
   char *path;
   tp_node *root;
@@ -62,7 +85,12 @@ struct tp_study {
   bool relies;                 /* reliability is asked for, */
   tp_study_quantity relied;    /* of that, */
   uint64_t importance, subset; /* with samples of rare events; 0: none */
-  uint64_t hash;               /* of the study, its scene and all files that they name */
+  tp_sample_filter *filter;    /* tells samples in doubles; NULL: none */
+  size_t measure_count;        /* in each row; 0: roughness is not asked for */
+  tp_study_measure_kind measures[TP_MEASURES];
+  size_t design_count;
+  tp_wanted_design *designs;
+  uint64_t hash; /* of the study, its scene and all files that they name */
 };
 
 /* The number of a variable in a cell, and that of one that is drawn. */

@@ -4,7 +4,10 @@
 /* The tally made a result: shares of outcomes, quantiles, rank correlations. */
 
 #include "statistics/quantiles.h"
+#include "study/field.h"
 #include "study/ranks.h"
+#include "study/roughness.h"
+#include "study/shortest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,11 +52,14 @@ static double quantile_between(double value, const double *sorted, size_t count,
   return isnan(value) ? sorted[(size_t)(p * (double)(count - 1))] : value;
 }
 
-static bool fill_spread(tp_study_spread *spread, const double *column, size_t kept) {
+/* Of a column; `group` NULL, or of those that have `member` in it. */
+static bool fill_spread(tp_study_spread *spread, const double *column, size_t kept,
+                        const double *group, double member) {
   double *sorted = calloc(kept + 1, sizeof *sorted);
   if (sorted == NULL) return false;
   for (size_t k = 0; k < kept; k++) {
-    if (!isnan(column[k])) sorted[spread->count++] = column[k];
+    if (isnan(column[k]) || (group != NULL && group[k] != member)) continue;
+    sorted[spread->count++] = column[k];
   }
   tp_column_sort(sorted, spread->count);
   for (size_t k = 0; k < TP_STUDY_QUANTILES && spread->count > 0; k++) {
@@ -66,6 +72,20 @@ static bool fill_spread(tp_study_spread *spread, const double *column, size_t ke
   return true;
 }
 
+static bool fill_factors(tp_study_result *result, const tp_tally *tally) {
+  const double *factors = tally->columns[tally->study->variable_count + TP_STUDY_FOS];
+  const double *definitions = tally->columns[tp_tally_definitions(tally->study)];
+  bool filled = true;
+  for (int k = 0; k < TP_FACTORS_MAX && filled; k++) {
+    tp_study_factor *own = result->factors + k;
+    own->definition = (tp_fos_definition)k;
+    own->governs = tp_tally_share(tally->definitions[k], tally->samples);
+    own->below = tally->below[k];
+    filled = fill_spread(&own->spread, factors, (size_t)tally->kept, definitions, k);
+  }
+  return filled;
+}
+
 /* ---- variables, columns ------------------------------------------------------------------------
  */
 
@@ -74,6 +94,7 @@ static bool fill_variable(tp_study_variable *variable, const tp_tally *tally, si
   const double *inputs = tally->columns[k];
   variable->key = strdup(own->node->key);
   variable->kind = own->kind;
+  variable->unit = tp_study_field_unit(tally->study, tp_study_field_of_variable(k));
   for (long j = 0; j < tally->kept; j++) {
     if (j == 0 || inputs[j] < variable->least) variable->least = inputs[j];
     if (j == 0 || inputs[j] > variable->greatest) variable->greatest = inputs[j];
@@ -92,14 +113,61 @@ static bool fill_variables(tp_study_result *result, const tp_tally *tally) {
   return filled;
 }
 
+/* Is the critical angle between those of Eqs. (16) and (15), which come last? */
+static void count_within(tp_study_result *result, const tp_tally *tally) {
+  static const double digits = 1e-9; /* to which angles are certain: teeth lie on a bound */
+  const double *angles = tally->columns[tally->study->variable_count + TP_STUDY_MOMENTS_DEG];
+  const double *peak = tally->columns[tally->column_count - 2];
+  const double *valley = tally->columns[tally->column_count - 1];
+  for (long k = 0; k < tally->kept; k++) {
+    if (isnan(peak[k]) || isnan(valley[k]) || isnan(angles[k])) continue;
+    result->bracketed++;
+    const double off = digits * fabs(angles[k]);
+    result->within += valley[k] <= angles[k] + off && angles[k] - off <= peak[k];
+  }
+}
+
+static bool fill_measures(tp_study_result *result, const tp_tally *tally) {
+  const tp_study *study = tally->study;
+  if (study->measure_count == 0) return true;
+  result->measures = calloc(study->measure_count, sizeof *result->measures);
+  if (result->measures == NULL) return false;
+  result->measure_count = study->measure_count;
+  for (size_t k = 0; k < study->measure_count; k++) {
+    const double *column = tally->columns[tp_tally_measures(study) + k];
+    tp_study_measure *own = result->measures + k;
+    *own = (tp_study_measure){.name = tp_study_measure_name(study->measures[k]),
+                              .unit = tp_study_measure_unit(study, k),
+                              .least = NAN,
+                              .greatest = NAN};
+    for (long j = 0; j < tally->kept; j++) {
+      if (isnan(column[j])) continue;
+      own->count++;
+      own->least = fmin(own->least, column[j]);
+      own->greatest = fmax(own->greatest, column[j]);
+    }
+  }
+  count_within(result, tally);
+  return true;
+}
+
 static char *column_name(const tp_study *study, size_t k) {
   char tilt[TP_SHORTEST_SIZE];
   tp_text text = {0};
   char *name = NULL;
   const size_t quantities = study->variable_count, outcomes = quantities + TP_STUDY_QUANTITIES;
-  if (k < quantities) return strdup(study->variables[k].node->key);
+  if (k < quantities) {
+    tp_study_field_name(&text, study, tp_study_field_of_variable(k));
+    return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
+  }
   if (k < outcomes) return strdup(tp_study_quantity_name((tp_study_quantity)(k - quantities)));
   if (k == outcomes) return strdup("outcome");
+  if (k == tp_tally_definitions(study)) return strdup("fos_definition");
+  if (k >= tp_tally_measures(study)) {
+    tp_study_field_name(&text, study,
+                        tp_study_field_of_measure(study, k - tp_tally_measures(study)));
+    return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
+  }
   tp_text_add(&text, "outcome_at_%s_deg", tp_study_shortest(tilt, study->tilts[k - outcomes - 1]));
   return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
 }
@@ -123,12 +191,16 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
   bool filled = tp_tally_end_steps(tally) && fill_tilts(result, tally);
   for (size_t q = 0; q < TP_STUDY_QUANTITIES && filled; q++) {
     filled = fill_spread(result->spreads + q, tally->columns[study->variable_count + q],
-                         (size_t)tally->kept);
+                         (size_t)tally->kept, NULL, 0);
   }
-  filled = filled && fill_variables(result, tally);
+  filled = filled && fill_factors(result, tally) && fill_measures(result, tally) &&
+           fill_variables(result, tally);
   result->samples = tally->samples;
   result->kept = (size_t)tally->kept;
   result->open = tally->open;
+  result->by_doubles = tally->by_doubles;
+  result->doubles_seconds = tally->doubles_seconds;
+  result->ladder_seconds = tally->ladder_seconds;
   result->steps = tally->steps;
   result->step_count = (size_t)tally->step_count;
   result->bad = tally->bad;
@@ -140,7 +212,7 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
 
 tp_status tp_tally_finish(tp_study_result *result, tp_tally *tally, tp_message *message) {
   if (!fill(result, tally)) return tp_fail_memory(message, "the summary of a study");
-  const tp_status status = tp_tally_ranks(result->variables, tally, message);
+  const tp_status status = tp_tally_ranks(result, tally, message);
   if (status != TP_OK) return status;
   return fill_columns(result, tally) ? TP_OK : tp_fail_memory(message, "the summary of a study");
 }
@@ -156,6 +228,9 @@ void tp_study_result_free(tp_study_result *result) {
     free(result->bad[k].settings);
     free(result->bad[k].why);
   }
+  for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
+  free(result->designs);
+  free(result->measures);
   free(result->variables);
   free(result->columns);
   free(result->bad);

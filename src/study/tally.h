@@ -18,11 +18,15 @@ typedef struct tp_outcome_counts {
 typedef struct tp_tally {
   const tp_study *study;
   uint64_t samples;
-  size_t open;
-  tp_outcome_counts *tilts; /* the scene's, and those of the study */
+  size_t open, by_doubles;
+  double doubles_seconds, ladder_seconds; /* of those solved here */
+  tp_study_at *scratch;                   /* of a row that is told again */
+  tp_outcome_counts *tilts;               /* the scene's, and those of the study */
+  size_t definitions[TP_FACTORS_MAX], below[TP_FACTORS_MAX]; /* factors by each, and below 1 */
   size_t column_count;
   long kept, room;
-  double **columns; /* the variables, the quantities, outcomes at each tilt */
+  double **columns; /* the variables, the quantities, outcomes at each tilt, the definition,
+                       what is measured */
   long step_count, step_room;
   tp_study_step *steps;
   size_t bad_count;
@@ -46,6 +50,14 @@ bool tp_tally_is_certain(const tp_tally *tally);
 
 /* The convergence ends with the last sample. False when memory is exhausted. */
 TP_MUST_USE bool tp_tally_end_steps(tp_tally *tally);
+
+/* Where the columns of a tally are. */
+static inline size_t tp_tally_definitions(const tp_study *study) {
+  return study->variable_count + TP_STUDY_QUANTITIES + study->tilt_count + 1;
+}
+static inline size_t tp_tally_measures(const tp_study *study) {
+  return tp_tally_definitions(study) + 1;
+}
 
 /* All of it as a result; what is the caller's to know (planned samples, shard, end) is left as it
  * is. The columns, steps and bad samples go over to the result. */

@@ -60,7 +60,7 @@ static void check_case(const tp_case *c) {
 }
 
 /* JSON has no word for what is no number; within its texts a quote has a stroke before it. */
-static void check_json(const char *json) {
+void fuzz_judge_json(const char *json) {
   static const char *const words[] = {"\": nan", "\": -nan", "\": inf", "\": -inf"};
   for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
     for (const char *at = json; (at = strstr(at, words[k])) != NULL; at++) {
@@ -80,7 +80,7 @@ void fuzz_report(const tp_solution *solution) {
   for (size_t k = 0; k < solution->case_count; k++) check_case(solution->cases + k);
   for (size_t k = 0; k < sizeof reports / sizeof reports[0]; k++) {
     FUZZ_EXPECT(reports[k](&text, solution) == TP_OK);
-    if (reports[k] == tp_report_json) check_json(text);
+    if (reports[k] == tp_report_json) fuzz_judge_json(text);
     free(text);
   }
   FUZZ_EXPECT(tp_report_table(&text, &solution, 1) == TP_OK);
@@ -92,7 +92,7 @@ void fuzz_report_derivation(const tp_derivation *derivation) {
   FUZZ_EXPECT(tp_report_derivation(&text, derivation) == TP_OK);
   free(text);
   FUZZ_EXPECT(tp_report_derivation_json(&text, derivation) == TP_OK);
-  check_json(text);
+  fuzz_judge_json(text);
   free(text);
 }
 

@@ -23,6 +23,9 @@ char *fuzz_text(const uint8_t *data, size_t size);
 /* A call that is done has an output; one that failed says why and leaves its output NULL. */
 void fuzz_judge(tp_status status, const void *output, const tp_message *message);
 
+/* JSON that has a word for what is no number is a finding. */
+void fuzz_judge_json(const char *json);
+
 /* Print a solution in every way; no number is NaN, and every bound is a bound. */
 void fuzz_report(const tp_solution *solution);
 void fuzz_report_derivation(const tp_derivation *derivation);

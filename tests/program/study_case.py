@@ -12,6 +12,8 @@ import unittest
 from harness import ROOT, run
 
 STUDIES = ROOT / "examples" / "studies"
+# Of the block above a road: the columns of rows whose names have a unit, by their keys.
+ROAD_COLUMNS = {"loads.water.height": "loads.water.height_m"}
 SLAB = """topple: 1
 length_unit: m
 block:
@@ -47,6 +49,11 @@ class StudyCase(unittest.TestCase):
 
     def rows(self, name="rows.csv"):
         return list(csv.DictReader(io.StringIO((self.folder / name).read_text())))
+
+
+def shown(number):
+    """What solve says, with the digits that a row has."""
+    return float(f"{number['value']:.9e}")
 
 
 def counts(summary, tilt=0):

@@ -188,7 +188,11 @@ MIRRORS = {
     "tp_study_share": "StudyShare", "tp_study_tilt": "StudyTilt", "tp_study_quantile": "StudyQuantile",
     "tp_study_spread": "StudySpread", "tp_study_rank": "StudyRank", "tp_study_variable": "StudyVariable",
     "tp_study_step": "StudyStep", "tp_study_index": "StudyIndex", "tp_study_reliability": "StudyReliability",
-    "tp_study_rare": "StudyRare", "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
+    "tp_study_rare": "StudyRare", "tp_study_factor": "StudyFactor", "tp_study_design": "StudyDesign",
+    "tp_study_measure": "StudyMeasure", "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
+    "tp_tilt_event": "TiltEvent", "tp_tilt_moment": "TiltMoment", "tp_tilt_reaction": "TiltReaction",
+    "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
+    "tp_tilt_case": "TiltCase", "tp_tilt_test": "TiltTest",
     "tp_profile_density": "ProfileDensity", "tp_profile_estimate": "ProfileEstimate", "tp_profile_jrc": "ProfileJrc",
 }
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
@@ -221,7 +225,9 @@ class Mirrors(unittest.TestCase):
                  "Verdict": lib.tp_verdict_name, "NoteKind": lib.tp_note_kind_name,
                  "ProfileResampling": lib.tp_profile_resampling_name, "ProfileDetrend": lib.tp_profile_detrend_name,
                  "ProfileWindow": lib.tp_profile_window_name, "JrcState": lib.tp_jrc_state_name,
-                 "StudyOutcome": lib.tp_study_outcome_name, "StudyQuantity": lib.tp_study_quantity_name}
+                 "StudyOutcome": lib.tp_study_outcome_name, "StudyQuantity": lib.tp_study_quantity_name,
+                 "TiltEngine": lib.tp_tilt_engine_name, "TiltProtocol": lib.tp_tilt_protocol_name,
+                 "TiltEventKind": lib.tp_tilt_event_name, "TiltEnd": lib.tp_tilt_end_name}
         found = set()
         for kind in Word.__subclasses__():
             struct = "tp_" + re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()

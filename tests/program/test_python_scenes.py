@@ -81,6 +81,20 @@ SAID = [
     ({"outline": SQUARE, "friction_angle_deg": 30, "friction_between": [{"x0": -10, "x1": 500, "angle_deg": "20.5"}]},
      f"block: {{outline: {SQUARE_TEXT}}}\nfriction_angle_deg: 30\n"
      "friction: {facets: [{x: [-10, 500], angle_deg: 20.5}]}"),
+    ({"slab": (50, 100), "friction_angle_deg": 30, "tilt_test": ("dynamics by springs", "steps", True),
+      "tilt_test_until_deg": 80, "tilt_test_tolerance_deg": "0.1", "tilt_test_duration_s": 3, "tilt_test_damping": "0.7",
+      "tilt_test_stiffness_gpa_m": (1000, 10), "tilt_test_rounding": "0.01", "tilt_test_time_step_s": "1e-6"},
+     "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: dynamics, method: springs,"
+     " protocol: steps, start: set_down, until_deg: 80, tolerance_deg: 0.1, duration_s: 3, damping: 0.7,"
+     " normal_stiffness_gpa_m: 1000, shear_stiffness_gpa_m: 10, rounding: 0.01, time_step_s: 1e-6}"),
+    ({"slab": (50, 100), "friction_angle_deg": 30, "tilt_test": ("dynamics by events",), "tilt_test_speed_deg_min": 30,
+      "tilt_test_restitution": "0.5"},
+     "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: dynamics, speed_deg_min: 30,"
+     " restitution: 0.5}"),
+    ({"slab": (50, 100), "friction_angle_deg": 30, "shaking_pulses": [("horizontally", "half sine", "0.4", 2)],
+      "shaking_records": [("vertically", [(0, 0), (0.5, 0.1), (1, 0)], 2)]},
+     "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\n"
+     "shaking: {horizontal: {half_sine: {peak_g: 0.4, frequency_hz: 2}}}"),
 ]
 LAWS = [
     ({"friction_barton": (28, 6, 80)}, "{law: barton, residual_angle_deg: 28, jrc: 6, jcs_mpa: 80}"),
@@ -135,6 +149,7 @@ class Scenes(unittest.TestCase):
             "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",
             "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name", "tp_settling_end_name",  # Word
             "tp_study_outcome_name", "tp_study_quantity_name",
+            "tp_tilt_engine_name", "tp_tilt_protocol_name", "tp_tilt_event_name", "tp_tilt_end_name",
         }
         for name in dir(lib):
             if name.startswith("tp_") and not re.search(r"_options_(default|init)$", name) and name not in needless:

@@ -96,7 +96,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "profile", "solve", "study", "sweep", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "profile", "solve", "study", "sweep", "tilt", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -206,8 +206,21 @@ class Schema(unittest.TestCase):
             (pathlib.Path(folder) / "steep.csv").write_text("".join(f"{k},{k}\n" for k in range(20)))
             self.prints("profile", "--json", "steep.csv", folder=folder)
 
+    def test_2_tilt(self):
+        """Each engine and protocol, shaking, and a block that stands to the end."""
+        slab = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 3}}\nfriction_angle_deg: 40\ntilt: {towards: left}\n"
+        for test in ("tilt_test: {engine: path}", "tilt_test: {engine: path, until_deg: 10}",
+                     "tilt_test: {engine: dynamics, duration_s: 0.2}",
+                     "tilt_test: {engine: dynamics, method: springs, protocol: steps, until_deg: 10, duration_s: 0.01,"
+                     " normal_stiffness_gpa_m: 1, shear_stiffness_gpa_m: 1}",
+                     "tilt_test: {duration_s: 0.01}\nshaking: {vertical: {full_sine: {peak_g: 0.1, frequency_hz: 99}}}"):
+            with tempfile.TemporaryDirectory() as folder:
+                (pathlib.Path(folder) / "scene.yaml").write_text(slab + test + "\n")
+                self.prints("tilt", "--json", "scene.yaml", folder=folder, statuses=(0, 4))
+        self.prints("tilt", "--json", "--overturning", ROOT / "examples" / "shaken_boulder.yaml")
+
     def test_2_study(self):
-        for name in ("slab", "block_above_road"):
+        for name in ("slab", "block_above_road", "rough_base"):
             self.prints("study", "--json", ROOT / "examples" / "studies" / f"{name}_study.yaml")
         with tempfile.TemporaryDirectory() as folder:  # a scene without a tilt, some samples of which there is none
             (pathlib.Path(folder) / "scene.yaml").write_text(
@@ -226,6 +239,7 @@ class Schema(unittest.TestCase):
             (pathlib.Path(folder) / "never.yaml").write_text(  # no design point
                 "topple_study: 1\nscene: tilted.yaml\nsamples: 20\n\n"
                 "reliability: {quantity: limit_deg, importance: {samples: 20}, subset: {samples: 100}}\n"
+                "design_values: [{of: block.unit_weight_kn_m3, probability: 0.2}]\n"
                 "vary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n")
             self.prints("study", "--json", "never.yaml", folder=folder)
             found = self.prints("study", "--json", "study.yaml", folder=folder)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""`topple solve --set`: the answer is that of the file in which the number stands, letter by letter, in every form of
+"""`--set`: the answer is that of the file in which the number stands, letter by letter, in every form of
 report, and says what was set."""
 
 import json
@@ -69,6 +69,51 @@ class Set(unittest.TestCase):
             status, out, _ = run("solve", *words, "--set", "_b_=1 * 2", path)
             self.assertEqual(status, 0)
             self.assertNotIn("_b_" if "--table" in words else "\x1b", out.replace("\\_b\\_", ""))
+
+    def test_formulas(self):
+        """`derive --set` by a number leaves a symbol and moves the angles beside its formulas; by a formula in other
+        parameters it takes the symbol out, as the file with that formula does, and not only in a parameter."""
+        for words, changes in (
+                (("--set", "a=31"), (("a: 30", "a: 31"),)),
+                (("--set", "b=4*a"), (("b: 120", "b: 4*a"),)),
+                (("--set", "block.teeth.height=4*a+c"), (("height: b", "height: 4*a+c"),))):
+            path = self.typed(*changes)
+            for form in ((), ("--latex",), ("--json",), ("--for-all", "count"), ("--limit",)):
+                _, truth, _ = run("derive", *form, path)
+                status, out, err = run("derive", *form, *words, E)
+                self.assertEqual((status, err), (0, ""))
+                self.assertEqual(out, truth)
+        _, plain, _ = run("derive", E)
+        self.assertIn("in a, b, c", plain)
+        self.assertIn("in a, c", run("derive", "--set", "b=4*a", E)[1])
+
+    def test_map_and_accuracy(self):
+        """A map goes through what is set; an accuracy is that of the scene with it."""
+        path = self.typed(("b: 120", "b: 100"), ("friction_angle_deg: 30", "friction_angle_deg: 20"))
+        words = ("--set", "b=100", "--set", "friction_angle_deg=20")
+        axis = ("--x", "a=25:30")
+        _, truth, _ = run("chart", "map", path, *axis)
+        status, out, err = run("chart", "map", E, *axis, *words)
+        self.assertEqual((status, err), (0, ""))
+        self.assertEqual(out, truth)
+        self.assertNotEqual(out, run("chart", "map", E, *axis)[1])
+        _, truth, _ = run("accuracy", "--json", path)
+        status, out, err = run("accuracy", "--json", *words, E)
+        self.assertEqual((status, err), (0, ""))
+        told = [[r["bound"]["value"] if isinstance(r["bound"], dict) else r["bound"] for r in json.loads(t)["runs"]]
+                for t in (out, truth)]
+        self.assertEqual(told[0], told[1])
+
+    def test_set_where_there_is_no_scene(self):
+        for words, why in ((("chart", "fos", "--set", "a=3"), "an option of another kind of chart"),
+                           (("accuracy", "--sweep", "--set", "a=3"), "--set changes a scene"),
+                           (("derive", "--set", "a", E), "--set takes KEY=VALUE")):
+            status, out, err = run(*words)
+            self.assertEqual((status, out), (2, ""))
+            self.assertIn(why, err)
+        status, out, err = run("derive", "--set", "b=4*q", E)
+        self.assertEqual((status, out), (3, ""))
+        self.assertIn("b=4*q: unknown name 'q'", err)
 
     def test_refused(self):
         for word, why in (("friction_angle_deg=95", "friction_angle_deg=95: friction_angle_deg must lie in [0°, 90°)"),

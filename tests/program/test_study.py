@@ -99,7 +99,7 @@ class Probabilities(StudyCase):
                    "correlations: [[friction_angle_deg, block.slab.height, -0.6]]\n")
         self.study("study.yaml", "--csv", "rows.csv")
         ranks = []
-        for key in ("friction_angle_deg", "block.slab.height"):
+        for key in ("friction_angle_deg", "block.slab.height_m"):
             values = [float(row[key]) for row in self.rows()]
             order = sorted(range(len(values)), key=values.__getitem__)
             ranks.append([0] * len(values))
@@ -122,9 +122,9 @@ class Probabilities(StudyCase):
                    "  friction_angle_deg: {uniform: {low: 20, high: 30}}\n")
         self.study("study.yaml", "--csv", "drawn.csv")
         rows = self.rows("drawn.csv")
-        self.assertEqual([row["block.slab.height"] for row in rows], ["1", "2"] * 50)
+        self.assertEqual([row["block.slab.height_m"] for row in rows], ["1", "2"] * 50)
         for height in ("1", "2"):  # a Latin hypercube each
-            drawn = sorted(float(row["friction_angle_deg"]) for row in rows if row["block.slab.height"] == height)
+            drawn = sorted(float(row["friction_angle_deg"]) for row in rows if row["block.slab.height_m"] == height)
             self.assertEqual([int((phi - 20) * 5) for phi in drawn], list(range(50)))
         self.assertEqual(len({row["friction_angle_deg"] for row in rows}), 100)
 

@@ -14,6 +14,7 @@ import unittest
 import xml.etree.ElementTree
 
 from harness import ROOT, main, run
+from study_case import ROAD_COLUMNS
 
 ROAD = ROOT / "examples" / "studies" / "block_above_road_study.yaml"
 SLAB = ROOT / "examples" / "studies" / "slab_study.yaml"
@@ -95,7 +96,7 @@ class Figures(unittest.TestCase):
         bars = self.series("rank correlation")
         self.assertEqual([float(row["y"]) for row in bars], [4, 3, 2, 1])
         for row in bars:
-            own = ranks([float(sample[row["of"]]) for sample in self.rows])
+            own = ranks([float(sample[ROAD_COLUMNS.get(row["of"], row["of"])]) for sample in self.rows])
             n = len(own)
             truth = 1 - 6 * sum((own[k] - limit[k]) ** 2 for k in own) / (n * (n * n - 1))
             self.assertAlmostEqual(float(row["x"]), truth, delta=1e-3)  # ties
@@ -118,7 +119,7 @@ class Figures(unittest.TestCase):
                                       "loads.seismic.horizontal"), 1):
             got = [(row["of"], float(row["x"]), float(row["y"])) for row in self.scatter if row["panel"] == str(number)]
             self.assertEqual({row["panel_of"] for row in self.scatter if row["panel"] == str(number)}, {key})
-            truth = [(row["outcome"], float(row[key]), float(row["limit_deg"])) for row in self.rows]
+            truth = [(row["outcome"], float(row[ROAD_COLUMNS.get(key, key)]), float(row["limit_deg"])) for row in self.rows]
             self.assertEqual(sorted(got), sorted(truth))
 
     def test_drawn(self):

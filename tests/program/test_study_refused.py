@@ -28,6 +28,8 @@ class Refused(StudyCase):
         refused("shard 1 of 2", "study.yaml", "--csv", "1.csv")
         refused("shard 1 is given twice", "study.yaml", "--merge", "1.csv", "1.csv")
         refused("give those of all shards", "study.yaml", "--merge", "1.csv")
+        refused("none.csv: cannot be opened: No such file", "study.yaml", "--merge", "1.csv", "none.csv")
+        refused("there is no 'mine.csv.progress' beside it", "study.yaml", "--merge", "1.csv", "mine.csv")
         refused("this is a shard", "study.yaml", "--merge", "1.csv", "2.csv", "--csv", "1.csv", "--restart")
         self.write(text.replace("mean: 30", "mean: 31"), "other.yaml")
         refused("another study", "other.yaml", "--merge", "1.csv", "2.csv")
@@ -77,6 +79,7 @@ class Refused(StudyCase):
                 ("samples: 10\nvary: {block.slab.height: {list: [1]}}", "leave 'samples' out"),
                 (vary.replace("samples: 10\n", ""), "'samples' is missing"),
                 (vary.replace("10", "0"), "a whole number from 1"),
+                (vary.replace("10", "ten"), r"study.yaml:3:10: unknown name 'ten'; a number stands here"),
                 (vary + "sampling: {method: latin}", "did you mean 'latin_hypercube'"),
                 (vary + "sampling: {sede: 1}", "did you mean 'seed'"),
                 (vary + "tilts_deg: [10, 10]", "rises"),
@@ -92,6 +95,15 @@ class Refused(StudyCase):
                 (vary + "reliability: {quantity: fos, importance: {}}", "'samples' is missing"),
                 (vary + "reliability: {}", "'quantity' is missing"),
                 ("vary: {block.slab.height: {list: [1]}}\nreliability: {quantity: fos}", "varies by a list"),
+                (vary + "design_values: {of: a}", "design_values is a list of up to 20"),
+                (vary + "design_values: [{probability: 0.1}]", "'of' names the number"),
+                (vary + "design_values: [{of: friction_angle, probability: 0.1}]", "does not vary.*did you mean 'friction_angle_deg'"),
+                (vary + "design_values: [{of: friction_angle_deg}]", "'probability' is missing"),
+                (vary + "design_values: [{of: friction_angle_deg, probability: 1}]", "lies between 0 and 1"),
+                (vary + "design_values: [{of: friction_angle_deg, probability: 0.01}]", "10 samples do not tell .*; take 100 at"),
+                (vary + "design_values: [{of: friction_angle_deg, probability: 0.1, quantity: onset}]", "did you mean 'onset_deg'"),
+                (vary + "design_values: [{of: friction_angle_deg, probability: 0.1, from: 3}]", "'from' and 'to' go together"),
+                (vary + "design_values: [{of: friction_angle_deg, probability: 0.1, from: 3, to: 3}]", "must be above 'from'"),
                 (vary + "seed: 1", r"study.yaml:5:1: unknown key 'seed'"),
                 ("samples: 10\nvary: {tilt.angle_deg: {uniform: {low: 1, high: 2}}}\ntilts_deg: [1]", "the tilt varies already"),
                 ("samples: 10\nvary:\n  a: {uniform: {low: 1, high: 2}}\n  parameters.a: {list: [1]}", "there is no 'a'"),
@@ -111,6 +123,8 @@ class Refused(StudyCase):
         (self.folder / "slab.yaml").write_text(slab().replace(", angle_deg: 25", ""))
         self.write(vary + "tilts_deg: [1]\n")
         self.assertIn("needs one of its own", self.study("study.yaml", status=3))
+        self.write(vary + "design_values: [{of: friction_angle_deg, probability: 0.1, quantity: fos}]\n")
+        self.assertIn("the scene has none: 'tilt: ", self.study("study.yaml", status=3))
 
     def test_words(self):
         for words in (["study"], ["study", "a", "b"], ["study", "a", "--merge"], ["study", "a", "--shard", "3/2", "--csv", "x"],

@@ -37,14 +37,19 @@ from .profile import (Profile, ProfileDensity, ProfileEstimate, ProfileFacing, P
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
-from .study import (StudyBad, StudyIndex, StudyQuantile, StudyRank, StudyRare, StudyReliability,
-                    StudyResult, StudyShare, StudySpread, StudyStep, StudyTilt, StudyVariable, study)
+from .study import (StudyBad, StudyDesign, StudyFactor, StudyIndex, StudyMeasure, StudyQuantile,
+                    StudyRank, StudyRare, StudyReliability, StudyResult, StudyShare, StudySpread,
+                    StudyStep, StudyTilt, StudyVariable, study)
 from .sweep import Sweep, sweep, write_sweep
+from .tilt import (TiltCase, TiltEvent, TiltMoment, TiltPoint, TiltReaction, TiltSettings,
+                   TiltShaking, TiltTest, tilt_test)
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Design, Direction,
                     ElementKind, FindTarget, FosDefinition, FosState, JrcState, Level, LimitKind,
                     LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
                     ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,
-                     Rolls, SettlingEnd, StudyEnd, StudyOutcome, StudyQuantity, Verdict)
+                    PulseShape, Rolls, SettlingEnd, ShakingAxis, StudyEnd, StudyOutcome,
+                    StudyQuantity, TiltEnd, TiltEngine, TiltEventKind, TiltPlace, TiltProtocol,
+                    Verdict)
 
 __version__ = _ffi.string(_lib.TP_VERSION).decode()

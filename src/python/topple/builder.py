@@ -11,8 +11,9 @@ of shape (n, 2) or n pairs of numbers. What is given is copied. `set` replaces w
 from __future__ import annotations
 
 from ._library import lib
-from .base_builder import BaseBuilder, LeftEnd
+from .base_builder import LeftEnd
 from .given import Number, Points, c_number, c_text
+from .tilt_builder import TiltBuilder
 from .words import Word, number_of
 
 
@@ -38,7 +39,7 @@ class Along(Word):
     WORLD = "world"
 
 
-class Builder(BaseBuilder):
+class Builder(TiltBuilder):
     """A scene in memory that is changed call by call."""
 
     def set_title(self, title: str) -> None:

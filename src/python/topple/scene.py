@@ -69,7 +69,18 @@ class Scene(Builder):
                  seismic_horizontal: Number | None = None, seismic_vertical: Number | None = None,
                  water: Given | None = None, pressures: Iterable[Given] = (),
                  surcharges: Iterable[Given] = (), anchors: Iterable[Given] = (),
-                 bond_kpa: Number | None = None, cohesion_kpa: Number | None = None) -> None:
+                 bond_kpa: Number | None = None, cohesion_kpa: Number | None = None,
+                 tilt_test: Given | None = None, tilt_test_speed_deg_min: Number | None = None,
+                 tilt_test_until_deg: Number | None = None,
+                 tilt_test_tolerance_deg: Number | None = None,
+                 tilt_test_duration_s: Number | None = None,
+                 tilt_test_stiffness_gpa_m: Given | None = None,
+                 tilt_test_damping: Number | None = None,
+                 tilt_test_rounding: Number | None = None,
+                 tilt_test_time_step_s: Number | None = None,
+                 tilt_test_restitution: Number | None = None,
+                 shaking_pulses: Iterable[Given] = (),
+                 shaking_records: Iterable[Given] = ()) -> None:
         given = locals()
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_new, receives, c_text(length_unit))
@@ -273,6 +284,16 @@ SET = {
     "water": _spread(Scene.set_water),
     "bond_kpa": Scene.set_bond_kpa,
     "cohesion_kpa": Scene.set_cohesion_kpa,
+    "tilt_test": _spread(Scene.set_tilt_test),
+    "tilt_test_speed_deg_min": Scene.set_tilt_test_speed_deg_min,
+    "tilt_test_until_deg": Scene.set_tilt_test_until_deg,
+    "tilt_test_tolerance_deg": Scene.set_tilt_test_tolerance_deg,
+    "tilt_test_duration_s": Scene.set_tilt_test_duration_s,
+    "tilt_test_stiffness_gpa_m": _spread(Scene.set_tilt_test_stiffness_gpa_m),
+    "tilt_test_damping": Scene.set_tilt_test_damping,
+    "tilt_test_rounding": Scene.set_tilt_test_rounding,
+    "tilt_test_time_step_s": Scene.set_tilt_test_time_step_s,
+    "tilt_test_restitution": Scene.set_tilt_test_restitution,
 }
 ADD = {
     "holes": Scene.add_hole,
@@ -286,4 +307,6 @@ ADD = {
     "pressures": _spread(Scene.add_pressure),
     "surcharges": _spread(Scene.add_surcharge),
     "anchors": _spread(Scene.add_anchor),
+    "shaking_pulses": _spread(Scene.set_shaking_pulse),
+    "shaking_records": _spread(Scene.set_shaking_record),
 }

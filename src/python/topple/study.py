@@ -14,7 +14,7 @@ from .given import NULL, c_path
 from .options import options_of
 from .record import Record, field, record, struct_of
 from .report import written
-from .words import StudyEnd, StudyOutcome, StudyQuantity
+from .words import FosDefinition, StudyEnd, StudyOutcome, StudyQuantity
 
 if TYPE_CHECKING:
     import numpy
@@ -62,6 +62,16 @@ class StudySpread(Record):
 
     count: int  #: of the samples kept that have it
     quantiles: tuple[StudyQuantile, ...] | None = field(when="count")
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyFactor(Record):
+    """The factors of safety of samples that one definition governs."""
+
+    definition: FosDefinition
+    governs: StudyShare  #: of all samples
+    below: int  #: of these, with a factor below 1
+    spread: StudySpread  #: of the factors of the samples kept
 
 
 @dataclasses.dataclass(frozen=True)
@@ -114,11 +124,42 @@ class StudyReliability(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class StudyMeasure(Record):
+    """A number of roughness of the base of each sample, or an angle of Eqs. (15) and (16)."""
+
+    name: str  #: amplitude, rms_height, z2, effective_angle_deg, jrc, peak_deg or valley_deg
+    unit: str | None
+    count: int  #: of the samples kept that have it
+    least: float | None = field(when="count")  #: of these
+    greatest: float | None = field(when="count")
+    ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyDesign(Record):
+    """The design value of one number: with it, and all others as they stand in the scene, the quantity
+    is what samples have with the probability wanted; None where there is none, which `why` tells."""
+
+    variable: int  #: which of the variables
+    probability: float
+    quantity: StudyQuantity
+    value: float | None = field(when="known")
+    low: float | None = field(when="known")
+    high: float | None = field(when="known")
+    low_is_safe: bool | None = field(when="known")  #: else the high end of the interval
+    quantity_value: float | None = field(when="known")  #: of the scene with it
+    scene_value: float  #: the number as it stands in the scene
+    calls: int  #: scenes solved for it
+    why: str | None
+
+
+@dataclasses.dataclass(frozen=True)
 class StudyVariable(Record):
     """A number that varies."""
 
     key: str
     kind: str  #: normal, list and so on
+    unit: str | None  #: deg, m, kPa and so on
     least: float
     greatest: float
     ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
@@ -160,14 +201,23 @@ class StudyResult(Record):
     shards: int
     half_width: float  #: asked of every interval; 0: none was
     open: int  #: samples with a number less certain than to 9 digits
+    by_doubles: int  #: samples told by doubles with proven bounds; the ladder told the others
+    doubles_seconds: float  #: of computing, of those solved in this run, by doubles
+    ladder_seconds: float  #: and by the ladder
     tilts: tuple[StudyTilt, ...] = field(count="tilt_count")
     variables: tuple[StudyVariable, ...] = field(count="variable_count")
     spreads: tuple[StudySpread, ...]  #: in the order of `StudyQuantity`
+    factors: tuple[StudyFactor, ...]  #: in the order of `FosDefinition`
     sensitivity_samples: int  #: of Sobol' indices; 0: none were asked for
     reliability: StudyReliability
+    measures: tuple[StudyMeasure, ...] = field(count="measure_count")
+    bracketed: int  #: samples kept with both angles of Eqs. (15) and (16); of these
+    within: int  #: those whose critical angle by moments lies between
+    designs: tuple[StudyDesign, ...] = field(count="design_count")
     steps: tuple[StudyStep, ...] = field(count="step_count")
     bad: tuple[StudyBad, ...] = field(count="bad_count")
-    #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`
+    #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
+    #: definitions `FosDefinition` or None
     columns: dict = field(read=lambda c, owner: _columns(c))
 
     def spread(self, quantity: StudyQuantity | str) -> StudySpread:
@@ -187,14 +237,20 @@ def _columns(c) -> dict[str, numpy.ndarray]:
     """All columns by their names."""
     import numpy
 
-    words = numpy.array(list(StudyOutcome), dtype=object)
+    outcomes = numpy.array(list(StudyOutcome), dtype=object)
+    definitions = numpy.array([*FosDefinition, None], dtype=object)  # the last where there is none
     columns = {}
     for k in range(c.column_count if c.kept else 0):
         own = c.columns[k]
         values = numpy.frombuffer(ffi.buffer(own.values, 8 * c.kept), dtype="f8").copy()
-        is_outcome = k >= c.variable_count + len(StudyQuantity)
         name = ffi.string(own.header).decode("utf-8", "replace")
-        columns[name] = words[values.astype(int)] if is_outcome else values
+        outcome = c.variable_count + len(StudyQuantity)
+        if outcome <= k <= outcome + c.tilt_count - 1:
+            columns[name] = outcomes[values.astype(int)]
+        elif k == outcome + c.tilt_count:
+            columns[name] = definitions[numpy.where(numpy.isnan(values), -1, values).astype(int)]
+        else:
+            columns[name] = values
     return columns
 
 

@@ -316,3 +316,69 @@ class StudyEnd(Word):
     CERTAIN = "certain"  #: every interval is as narrow as was asked
     INTERRUPTED = "interrupted"
     SHARD = "shard"  #: all samples of its shard
+
+
+class TiltEngine(Word):
+    """How a tilt test is simulated."""
+
+    PATH = "path"
+    RIGID = "dynamics by events"
+    SPRINGS = "dynamics by springs"
+
+
+class TiltProtocol(Word):
+    """How the table is moved."""
+
+    RAMP = "ramp"
+    STEPS = "steps"
+    RELEASE = "release"
+
+
+class TiltEventKind(Word):
+    """What happens at a contact, or to the whole block."""
+
+    OPENS = "opens"
+    CLOSES = "closes"
+    SLIPS = "slips"
+    STICKS = "sticks"
+    COLLAPSES = "lets go"
+    RESTS = "rests"
+    OVERTURNS = "overturns"
+    LEAVES_BASE = "leaves its base"
+    ACCUMULATES = "closes after endless impacts"
+
+
+class TiltEnd(Word):
+    """How a simulated block ended."""
+
+    STANDS = "stands"
+    COLLAPSES = "lets go"
+    RESTS = "rests again"
+    MOVES = "still moves"
+    OVERTURNED = "overturned"
+    LEFT_BASE = "left its base"
+    OPEN = "undecided"
+    STOPPED = "interrupted"
+
+
+class TiltPlace(Word):
+    """Where a simulated angle lies against the tilts of statics."""
+
+    UNKNOWN = "unknown"
+    WITHIN = "within"
+    BELOW = "below the onset"
+    BEYOND = "beyond the limit"
+
+
+class ShakingAxis(Word):
+    """Along what a base shakes."""
+
+    HORIZONTALLY = "horizontally"
+    VERTICALLY = "vertically"
+
+
+class PulseShape(Word):
+    """Half a period of a sine, or a whole one."""
+
+    HALF_SINE = "half sine"
+    FULL_SINE = "full sine"

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* topple tilt SCENE */
+
+#include "cli/settings.h"
+#include "cli/signals.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+typedef struct arguments {
+  const char *scene;
+  const char *figure, *animation; /* NULL: none */
+  bool json, csv;
+  tp_cli_settings settings;
+  tp_tilt_options tilt;
+} arguments;
+
+enum { KEY_SET = 256, KEY_CSV, KEY_FIGURE, KEY_ANIMATION, KEY_MOMENTS, KEY_OVERTURNING };
+
+static const struct argp_option options[] = {
+    {"set", KEY_SET, "KEY=VALUE", 0,
+     "With this number at KEY: a number or a formula; may be given several times", 0},
+    {"json", 'j', NULL, 0, "Print JSON instead of text", 0},
+    {"csv", KEY_CSV, NULL, 0, "Print the moments of the motion as CSV instead of text", 0},
+    {"figure", KEY_FIGURE, "FILE", 0, "Write FILE, .svg, with the block at some moments", 0},
+    {"animation", KEY_ANIMATION, "FILE", 0, "Write FILE, .svg, in which the block moves", 0},
+    {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
+    {"overturning", KEY_OVERTURNING, NULL, 0,
+     "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
+    {0}};
+
+static void read_moments(arguments *a, const char *text, const struct argp_state *state) {
+  char *end = NULL;
+  const long count = strtol(text, &end, 10);
+  if (end == text || *end != '\0' || count < 2 || count > 1000000) {
+    tp_cli_refuse(state, "--moments takes a whole number from 2 to 1000000, not '%s'", text);
+    return;
+  }
+  a->tilt.moments = (size_t)count;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+  arguments *a = state->input;
+  switch (key) {
+  case KEY_SET:
+    tp_cli_take_setting(&a->settings, argument, state);
+    return 0;
+  case 'j':
+    a->json = true;
+    return 0;
+  case KEY_CSV:
+    a->csv = true;
+    return 0;
+  case KEY_FIGURE:
+    tp_cli_take_file(&a->figure, argument, "--figure", state);
+    return 0;
+  case KEY_ANIMATION:
+    tp_cli_take_file(&a->animation, argument, "--animation", state);
+    return 0;
+  case KEY_MOMENTS:
+    read_moments(a, argument, state);
+    return 0;
+  case KEY_OVERTURNING:
+    a->tilt.overturning = true;
+    return 0;
+  case ARGP_KEY_ARG:
+    tp_cli_take_file(&a->scene, argument, "scene", state);
+    return 0;
+  case ARGP_KEY_NO_ARGS:
+    tp_cli_refuse(state, "a scene file is missing, for example examples/tilt_block_e_valley.yaml");
+    return 0;
+  case ARGP_KEY_END:
+    if (a->json && a->csv) tp_cli_refuse(state, "--json and --csv are one or the other");
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "SCENE",
+    .doc = "Simulate the tilt test, or the shaking of the base, that a scene calls for by "
+           "'tilt_test' or 'shaking': at which tilt the block lets go and how, what its contacts "
+           "do on the way, where it ends.\v"
+           "Simulated numbers have no proven bound; the tilts of statics, which have one, stand "
+           "beside them. An interrupted test tells what it knows. Exit status: 0 done, 2 wrong "
+           "usage, 3 bad input, 4 undecided or not converged, 5 system failed."};
+
+/* What is undecided, told once more. */
+static void tell_open(const arguments *a, const tp_tilt_test *test, int *ended) {
+  for (size_t k = 0; k < test->case_count; k++) {
+    const tp_tilt_case *own = test->cases + k;
+    if (own->converged && own->end != TP_TILT_OPEN && own->end != TP_TILT_STOPPED) continue;
+    tp_cli_complain("%s: tilted towards the %s, the test is %s", a->scene,
+                    own->towards == TP_TOWARDS_LEFT ? "left" : "right",
+                    own->end == TP_TILT_STOPPED ? "interrupted"
+                    : own->converged            ? "undecided at its end"
+                                                : "not converged to the tolerance");
+    *ended = tp_cli_graver(*ended, tp_status_exit(TP_UNDECIDED));
+  }
+}
+
+static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
+                      tp_message *message) {
+  char *report = NULL;
+  tp_status status = a->json  ? tp_report_tilt_json(&report, test)
+                     : a->csv ? tp_report_tilt_csv(&report, test)
+                              : tp_report_tilt(&report, test);
+  status = tp_cli_print_report(status, report, ended);
+  if (status == TP_OK && *ended == 0 && a->figure != NULL) {
+    status = tp_report_tilt_file(test, a->figure, false, message);
+  }
+  if (status == TP_OK && *ended == 0 && a->animation != NULL) {
+    status = tp_report_tilt_file(test, a->animation, true, message);
+  }
+  if (status == TP_OK && *ended == 0) tell_open(a, test, ended);
+  return status;
+}
+
+static void tell_progress(void *context, size_t runs, double least_deg, double most_deg) {
+  (void)context;
+  tp_cli_tell_bracket(runs, least_deg, most_deg);
+}
+
+static tp_status tilt(const void *words, int *ended, tp_message *message) {
+  const arguments *a = words;
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  tp_tilt_options own = a->tilt;
+  tp_scene *scene = NULL;
+  tp_tilt_test *test = NULL;
+  own.stop = tp_cli_is_interrupted;
+  own.progress = terminal ? tell_progress : NULL;
+  tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
+  if (status == TP_OK) {
+    tp_cli_catch_signals();
+    status = tp_tilt_test_run(&test, scene, &own, message);
+    if (terminal) tp_cli_clear_progress();
+  }
+  if (status == TP_OK) status = tell(a, test, ended, message);
+  tp_tilt_test_free(test);
+  tp_scene_free(scene);
+  return status;
+}
+
+int tp_cli_tilt(int argc, char **argv) {
+  arguments a = {.tilt = tp_tilt_options_default()};
+  const int status = tp_cli_run(&parser, &a, tilt, argc, argv);
+  tp_cli_end_by_signal();
+  return status;
+}

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The calls by which a scene in memory says how its tilt test is simulated, and how its base shakes
+(topple_tilt_test.h, docs/tilt.md)."""
+
+from __future__ import annotations
+
+from ._library import lib
+from .base_builder import BaseBuilder
+from .given import Number, Points, c_number, c_points
+from .words import PulseShape, ShakingAxis, TiltEngine, TiltProtocol, number_of
+
+
+class TiltBuilder(BaseBuilder):
+    """The test of a scene in memory."""
+
+    def set_tilt_test(self, engine: TiltEngine | str, protocol: TiltProtocol | str = "ramp",
+                      set_down: bool = False) -> None:
+        """By which engine, by which protocol; whether the block is set down at each angle, or
+        placed level and tilted."""
+        self._change(lib.tp_scene_set_tilt_test, number_of(TiltEngine, engine),
+                     number_of(TiltProtocol, protocol), set_down)
+
+    def set_tilt_test_speed_deg_min(self, speed_deg_min: Number) -> None:
+        """The speed of the table."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_speed_deg_min, speed_deg_min)
+
+    def set_tilt_test_until_deg(self, until_deg: Number) -> None:
+        """The last tilt of the table."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_until_deg, until_deg)
+
+    def set_tilt_test_tolerance_deg(self, tolerance_deg: Number) -> None:
+        """The wanted width of the bracket."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_tolerance_deg, tolerance_deg)
+
+    def set_tilt_test_duration_s(self, duration_s: Number) -> None:
+        """The longest time of a run at a steady tilt."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_duration_s, duration_s)
+
+    def set_tilt_test_stiffness_gpa_m(self, normal_gpa_m: Number, shear_gpa_m: Number) -> None:
+        """The stiffness of the contact's springs per unit of its area."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_stiffness_gpa_m, normal_gpa_m, shear_gpa_m)
+
+    def set_tilt_test_damping(self, damping: Number) -> None:
+        """Local damping of springs, 0 to 1."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_damping, damping)
+
+    def set_tilt_test_rounding(self, rounding: Number) -> None:
+        """The radius by which springs see corners rounded."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_rounding, rounding)
+
+    def set_tilt_test_time_step_s(self, time_step_s: Number) -> None:
+        """The time step of springs."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_time_step_s, time_step_s)
+
+    def set_tilt_test_restitution(self, restitution: Number) -> None:
+        """The restitution of impacts of rigid contacts, 0 to 1."""
+        self._change_numbers(lib.tp_scene_set_tilt_test_restitution, restitution)
+
+    def set_shaking_pulse(self, axis: ShakingAxis | str, shape: PulseShape | str, peak_g: Number,
+                          frequency_hz: Number) -> None:
+        """A sine pulse of the base, along the horizontal or the vertical."""
+        self._change(lib.tp_scene_set_shaking_pulse, number_of(ShakingAxis, axis),
+                     number_of(PulseShape, shape), c_number(peak_g), c_number(frequency_hz))
+
+    def set_shaking_record(self, axis: ShakingAxis | str, record: Points,
+                           scale: Number = 1) -> None:
+        """An accelerogram: seconds and shares of gravity at even steps, shape (n, 2)."""
+        coordinates, held = c_points(record)
+        self._change(lib.tp_scene_set_shaking_record, number_of(ShakingAxis, axis), coordinates,
+                     c_number(scale))
+        del held

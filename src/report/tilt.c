@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A simulated tilt test as a page of 80 columns. Its numbers are printed with the digits that the
+ * bracket leaves sense to, not as certain ones. */
+
+#include "host.h"
+#include "output/encode.h"
+#include "report/notes.h"
+#include "report/words.h"
+
+#include <math.h>
+
+static const double standard_gravity = 9.80665;
+/* Events that are told one by one; the JSON has all. */
+enum { MOST_EVENTS = 60 };
+
+/* ---- what was run ------------------------------------------------------------------------------
+ */
+
+static void add_engine(tp_text *t, const tp_tilt_settings *s) {
+  static const char *const what[] = {
+      [TP_TILT_PATH] = "path, quasi-static from event to event",
+      [TP_TILT_RIGID] = "dynamics of a rigid block on rigid contacts, by events",
+      [TP_TILT_SPRINGS] = "dynamics by explicit steps on contact springs"};
+  tp_text_add(t, "Test     %s\n         ", what[s->engine]);
+  if (s->protocol == TP_TILT_RELEASE) {
+    tp_text_add(t, "released at %.6g°", s->release_deg);
+  } else if (s->protocol == TP_TILT_STEPS) {
+    tp_text_add(t, "a fresh start at each tilt, %s, up to %.6g°",
+                s->set_down ? "set down there" : "tilted to it from level", s->until_deg);
+  } else {
+    tp_text_add(t, "placed level, tilted up to %.6g°", s->until_deg);
+  }
+  if (s->speed_deg_min > 0) tp_text_add(t, " at %.6g°/min", s->speed_deg_min);
+  if (s->tolerance_deg > 0) tp_text_add(t, ", to %.3g°", s->tolerance_deg);
+  tp_text_add(t, "\n");
+}
+
+static void add_contact(tp_text *t, const tp_tilt_settings *s) {
+  if (s->engine == TP_TILT_RIGID) {
+    tp_text_add(t, "         impacts with a restitution of %.6g\n", s->restitution);
+    return;
+  }
+  tp_text_add(t, "         contact %.6g GPa/m normal, %.6g GPa/m shear\n",
+              s->normal_stiffness_pa_m / 1e9, s->shear_stiffness_pa_m / 1e9);
+  if (s->engine != TP_TILT_SPRINGS) return;
+  tp_text_add(t, "         local damping %.6g, corners rounded by %.3g m, time step ", s->damping,
+              s->rounding_m);
+  if (s->time_step_s > 0) {
+    tp_text_add(t, "%.3g s\n", s->time_step_s);
+  } else {
+    tp_text_add(t, "chosen\n");
+  }
+}
+
+static void add_shaking(tp_text *t, const tp_tilt_test *test) {
+  static const char *const names[] = {"horizontal", "vertical"};
+  const char *head = "Shaking";
+  for (int axis = 0; axis < 2; axis++) {
+    const tp_tilt_shaking *own = test->shaking + axis;
+    if (!own->given) continue;
+    tp_text_add(t, "%-9s%s: PGA %.4g g, PGV %.4g m/s, over %.4g s\n", head, names[axis],
+                own->peak_m_s2 / standard_gravity, own->velocity_m_s, own->duration_s);
+    head = "";
+  }
+}
+
+/* ---- what it came to ---------------------------------------------------------------------------
+ */
+
+static double length(const tp_tilt_test *test, double metres) {
+  return metres / test->metres_per_unit;
+}
+
+/* Decimals of an angle that a bracket of that width leaves sense to. */
+static int decimals_of(const tp_tilt_case *c) {
+  const double width = c->most_deg - c->least_deg;
+  return width > 0 ? (int)fmin(6, fmax(2, 1 - floor(log10(width)))) : 6;
+}
+
+static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  if (test->settings.protocol == TP_TILT_RELEASE) return;
+  if (!c->has_bracket) {
+    tp_text_add(t,
+                c->converged ? "  Stands up to %.6g°, the last tilt that was tried.\n"
+                             : "  Stands up to %.6g°; what happens beyond is not decided.\n",
+                c->least_deg);
+    return;
+  }
+  const int d = decimals_of(c);
+  tp_text_add(t, "  Stands at %.*f°, lets go at %.*f°", d, c->least_deg, d, c->most_deg);
+  if (c->has_mechanism) {
+    tp_text_add(t, ":\n  it %s",
+                c->mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(c->mechanism));
+    if (c->has_centre) {
+      tp_text_add(t, " about (%.6g, %.6g)", length(test, c->centre_x_m),
+                  length(test, c->centre_y_m));
+    }
+  }
+  tp_text_add(t, ".\n");
+  if (!c->converged) tp_text_add(t, "  The bracket is wider than was asked.\n");
+}
+
+static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  if (!c->has_onset || !c->has_limit) {
+    tp_text_add(t, "  Statics gives no window of tilts to compare with.\n");
+    return;
+  }
+  tp_text_add(t, "  Statics: certain to stand up to α_s = %.3f°, to move beyond α_w = %.3f°.\n",
+              c->onset_deg, c->limit_deg);
+  if (test->settings.protocol == TP_TILT_RELEASE) return;
+  const bool wide = c->limit_deg - c->onset_deg > 1e-6;
+  if (c->place == TP_PLACE_WITHIN && wide) {
+    tp_text_add(t, "  Between them history decides: here how the block came to lie at the tilt, "
+                   "and\n  the ratio of the contact's stiffnesses where it has any.\n");
+  } else if (c->place == TP_PLACE_BELOW) {
+    tp_text_add(t, "  It let go below α_s, where rest is the only motion of rigid contacts: by "
+                   "what\n  springs, damping, time step or speed of the table add; vary them.\n");
+  } else if (c->place == TP_PLACE_BEYOND) {
+    tp_text_add(t, "  It let go beyond α_w, where no forces hold it: it was noticed late, or "
+                   "settings\n  bear on it; vary them.\n");
+  }
+}
+
+/* ---- what happened -----------------------------------------------------------------------------
+ */
+
+static bool is_of_contact(const tp_tilt_event *e) {
+  return e->kind < TP_EVENT_COLLAPSES || e->kind == TP_EVENT_ACCUMULATES;
+}
+
+static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_test *test) {
+  tp_text_add(t, "  %9.4f° ", e->angle_deg);
+  if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
+  if (!is_of_contact(e)) {
+    tp_text_add(t, "the block %s", tp_tilt_event_name(e->kind));
+  } else if (e->facet > 0) {
+    tp_text_add(t, "facet %ld %s at (%.5g, %.5g)", e->facet, tp_tilt_event_name(e->kind),
+                length(test, e->x_m), length(test, e->y_m));
+  } else {
+    tp_text_add(t, "the end face %s at (%.5g, %.5g)", tp_tilt_event_name(e->kind),
+                length(test, e->x_m), length(test, e->y_m));
+  }
+  if (e->kind == TP_EVENT_CLOSES && e->speed_m_s > 0) {
+    tp_text_add(t, ", %.3g m/s", e->speed_m_s);
+  }
+  tp_text_add(t, "\n");
+}
+
+/* How many events from one on are of the same facet: several are told as one, to and fro. */
+static size_t chatter_length(const tp_tilt_case *c, size_t first) {
+  const tp_tilt_event *e = c->events + first;
+  size_t k = first + 1;
+  if (!is_of_contact(e)) return 1;
+  while (k < c->event_count && c->events[k].facet == e->facet && is_of_contact(c->events + k)) k++;
+  return k - first;
+}
+
+static void add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  enum { SEVERAL = 6 };
+  size_t k = 0;
+  if (c->event_count == 0) return;
+  tp_text_add(t, "\n  What happened (facets of the base from left to right)\n");
+  for (size_t lines = 0; k < c->event_count && lines < MOST_EVENTS; lines++) {
+    const size_t length = chatter_length(c, k);
+    add_event(t, c->events + k, test);
+    if (length < SEVERAL) {
+      k++;
+      continue;
+    }
+    tp_text_add(t, "             and so on to and fro, %zu times in all, until it\n", length);
+    add_event(t, c->events + k + length - 1, test);
+    k += length;
+  }
+  if (k < c->event_count) {
+    tp_text_add(t, "  and %zu more (--json tells them)\n", c->event_count - k);
+  }
+}
+
+static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  static const char *const what[] = {
+      [TP_TILT_STANDS] = "It stands where it began",
+      [TP_TILT_COLLAPSES] = "What follows is a motion, which the path does not simulate",
+      [TP_TILT_RESTS] = "It moved, and rests again",
+      [TP_TILT_MOVES] = "It was still in motion when the run ended",
+      [TP_TILT_OVERTURNED] = "It overturned",
+      [TP_TILT_LEFT_BASE] = "It left its base",
+      [TP_TILT_OPEN] = "How it ended is undecided: a bound on steps or events was reached",
+      [TP_TILT_STOPPED] = "The test was interrupted; this is what is known by then"};
+  tp_text_add(t, "\n  %s", what[c->end]);
+  if (test->settings.engine == TP_TILT_PATH || c->end == TP_TILT_STANDS) {
+    tp_text_add(t, ".\n");
+    return;
+  }
+  tp_text_add(t, ", at %.4g s;\n  run-out %.4g %s down-dip, turned by %.4g°.\n", c->ended_s,
+              length(test, c->run_out_m), test->length_unit, c->turned_deg);
+  const double balance = c->energy_scale_j > 0 ? c->energy_balance_j / c->energy_scale_j : 0;
+  tp_text_add(t, "  Kinetic energy at most %.3g J; energy balanced within %.1e of\n",
+              c->kinetic_energy_j, balance);
+  tp_text_add(t, "  weight times extent.\n");
+}
+
+static void add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  if (!c->has_overturning) return;
+  if (!c->converged) tp_text_add(t, "\n  A run was not decided: the search ended early.");
+  tp_text_add(t, "\n  The least shaking that overturns it is %.4g to %.4g times this one",
+              c->overturning_least, c->overturning_most);
+  if (test->shaking[0].given) {
+    tp_text_add(t, ":\n  PGA %.4g to %.4g g, PGV %.4g to %.4g m/s",
+                c->overturning_least * test->shaking[0].peak_m_s2 / standard_gravity,
+                c->overturning_most * test->shaking[0].peak_m_s2 / standard_gravity,
+                c->overturning_least * test->shaking[0].velocity_m_s,
+                c->overturning_most * test->shaking[0].velocity_m_s);
+  }
+  tp_text_add(t, ".\n");
+}
+
+static void add_case(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  const bool level = test->settings.protocol == TP_TILT_RELEASE && test->settings.release_deg == 0;
+  if (level) {
+    tp_text_add(t, "\nOn level ground\n\n");
+  } else {
+    tp_text_add(t, "\nTilted towards the %s\n\n", tp_text_direction(c->towards));
+  }
+  add_bracket(t, c, test);
+  add_window(t, c, test);
+  add_events(t, c, test);
+  add_end(t, c, test);
+  add_overturning(t, c, test);
+  tp_text_add(t, "  %zu run%s, %.3g s. Simulated: no bound is proven.\n", c->runs,
+              c->runs == 1 ? "" : "s", c->seconds);
+}
+
+tp_status tp_report_tilt(char **text, const tp_tilt_test *test) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, test);
+  tp_text t = {0};
+  if (test->title != NULL) {
+    tp_encode_plain(&t, test->title);
+    tp_text_add(&t, "\n\n");
+  }
+  add_engine(&t, &test->settings);
+  add_contact(&t, &test->settings);
+  add_shaking(&t, test);
+  for (size_t k = 0; k < test->case_count; k++) add_case(&t, test->cases + k, test);
+  if (test->notes.count > 0) tp_text_add(&t, "\n");
+  tp_text_notes(&t, &test->notes);
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Drawings of a tilt test as SVG, shared by the one with frames and the one that moves. All units
+ * of the drawing are such that the block's extent is 100; y grows downwards. */
+
+#ifndef TP_TILT_SVG_H
+#define TP_TILT_SVG_H
+
+#include "output/text.h"
+
+typedef struct tp_tilt_view {
+  const tp_tilt_case *own;
+  double scale;                    /* units per metre */
+  double left, top, width, height; /* of what is seen, about the block at its start */
+} tp_tilt_view;
+
+tp_tilt_view tp_tilt_view_of(const tp_tilt_case *own);
+
+/* Numbers of the drawing. */
+double tp_tilt_view_x(const tp_tilt_view *view, double x_m);
+double tp_tilt_view_y(const tp_tilt_view *view, double y_m);
+/* Degrees, clockwise as SVG has them, by which the table is turned at a tilt. */
+double tp_tilt_view_turn(const tp_tilt_view *view, double angle_deg);
+
+/* The way around the points, as the attribute d of a path. */
+void tp_tilt_svg_ring(tp_text *t, const tp_tilt_view *view, const tp_tilt_point *points,
+                      size_t count);
+void tp_tilt_svg_begin(tp_text *t, double width, double height);
+
+#endif

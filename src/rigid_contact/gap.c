@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "rigid_contact/gap.h"
+
+#include <math.h>
+
+static double dot(tp_xy a, tp_xy b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+static double cross(tp_xy a, tp_xy b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/* a + s b */
+static tp_xy plus(tp_xy a, double s, tp_xy b) {
+  return (tp_xy){a.x + s * b.x, a.y + s * b.y};
+}
+
+typedef struct turned {
+  double sine, cosine, angle;
+  tp_xy centroid, velocity;
+  double turning;
+} turned;
+
+static tp_xy turn(const turned *block, tp_xy a) {
+  return (tp_xy){block->cosine * a.x - block->sine * a.y, block->sine * a.x + block->cosine * a.y};
+}
+
+/* By how much a direction, as its body sees it, lies between the normals of a corner. */
+static void meet(tp_gap *gap, const tp_round_corner *corner, double direction) {
+  double *margin = corner->radius == 0 ? &gap->cone_margin : &gap->arc_margin;
+  *margin = fmin(*margin, tp_normal_range_margin(corner->range, direction));
+}
+
+static void set_rows(tp_gap *gap, const turned *block) {
+  const tp_xy arm = plus(gap->at, -1, block->centroid);
+  gap->tangent = (tp_xy){gap->normal.y, -gap->normal.x};
+  gap->across[0] = gap->normal.x;
+  gap->across[1] = gap->normal.y;
+  gap->across[2] = cross(arm, gap->normal);
+  gap->along[0] = gap->tangent.x;
+  gap->along[1] = gap->tangent.y;
+  gap->along[2] = cross(arm, gap->tangent);
+}
+
+static double within(const tp_contact_face *face, tp_xy foot) {
+  const double from = dot(plus(foot, -1, face->from), face->along);
+  return fmin(from, face->length - from);
+}
+
+static void corner_on_straight(tp_gap *gap, const tp_round_corner *corner,
+                               const tp_contact_face *face, const turned *block) {
+  const tp_xy n = face->normal;
+  const tp_xy d = turn(block, corner->centre), c = plus(block->centroid, 1, d);
+  gap->normal = n;
+  meet(gap, corner, atan2(-n.y, -n.x) - block->angle);
+  gap->width = dot(plus(c, -1, face->from), n) - corner->radius;
+  gap->at = plus(c, -corner->radius, n);
+  gap->margin = within(face, gap->at);
+  set_rows(gap, block);
+  gap->across_rate = -block->turning * block->turning * dot(d, n);
+  gap->along_rate = -block->turning * block->turning * dot(d, gap->tangent);
+}
+
+static void straight_on_corner(tp_gap *gap, const tp_contact_face *face,
+                               const tp_round_corner *corner, const turned *block) {
+  const tp_xy out = turn(block, face->normal), n = {-out.x, -out.y};
+  const tp_xy d = plus(corner->centre, -1, block->centroid);
+  const tp_xy from_face = plus(d, -1, turn(block, face->from));
+  const double w = block->turning;
+  gap->normal = n;
+  meet(gap, corner, atan2(n.y, n.x));
+  gap->width = dot(from_face, out) - corner->radius;
+  gap->at = plus(corner->centre, corner->radius, n);
+  const double foot = dot(from_face, turn(block, face->along));
+  gap->margin = fmin(foot, face->length - foot);
+  set_rows(gap, block);
+  gap->across_rate = 2 * w * cross(n, block->velocity) + w * w * dot(d, n);
+  gap->along_rate = 2 * w * cross(gap->tangent, block->velocity) + w * w * dot(d, gap->tangent);
+}
+
+/* Centres and radii of two arcs; `inside`: one is hollow, of the block or of the base. */
+typedef struct arcs {
+  tp_xy block, base;
+  double block_radius, base_radius;
+  bool hollow_block, hollow_base;
+} arcs;
+
+static void arc_on_arc(tp_gap *gap, const arcs *a, const turned *block) {
+  const bool inside = a->hollow_block || a->hollow_base;
+  const double sign = inside ? -1 : 1;
+  const tp_xy d = turn(block, a->block), c = plus(block->centroid, 1, d);
+  const tp_xy apart = plus(c, -1, a->base);
+  const double length = hypot(apart.x, apart.y);
+  const tp_xy e = {apart.x / length, apart.y / length};
+  const double w = block->turning;
+  const double sum =
+      inside ? fabs(a->base_radius - a->block_radius) : a->base_radius + a->block_radius;
+  gap->width = sign * (length - sum);
+  gap->normal = (tp_xy){sign * e.x, sign * e.y};
+  gap->at = plus(c, a->hollow_block ? a->block_radius : -a->block_radius, gap->normal);
+  set_rows(gap, block);
+  const tp_xy u = {block->velocity.x - w * d.y, block->velocity.y + w * d.x};
+  const double apart_speed = dot(e, u);
+  gap->across_rate =
+      sign * (dot(u, u) - apart_speed * apart_speed) / length - w * w * dot(d, gap->normal);
+  gap->along_rate = cross(e, u) / length * dot(gap->normal, u) - w * w * dot(d, gap->tangent);
+}
+
+static void corner_on_hollow(tp_gap *gap, const tp_round_corner *corner,
+                             const tp_contact_face *face, const turned *block) {
+  const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
+  const tp_xy out = plus(c, -1, face->centre);
+  const double direction = atan2(out.y, out.x);
+  meet(gap, corner, direction - block->angle);
+  gap->margin = tp_normal_range_margin(face->range, direction) * face->radius;
+  const arcs a = {.block = corner->centre,
+                  .base = face->centre,
+                  .block_radius = corner->radius,
+                  .base_radius = face->radius,
+                  .hollow_base = true};
+  arc_on_arc(gap, &a, block);
+}
+
+static void hollow_on_corner(tp_gap *gap, const tp_contact_face *face,
+                             const tp_round_corner *corner, const turned *block) {
+  const tp_xy c = plus(block->centroid, 1, turn(block, face->centre));
+  const tp_xy out = plus(corner->centre, -1, c);
+  const double direction = atan2(out.y, out.x);
+  meet(gap, corner, direction);
+  gap->margin = tp_normal_range_margin(face->range, direction - block->angle) * face->radius;
+  const arcs a = {.block = face->centre,
+                  .base = corner->centre,
+                  .block_radius = face->radius,
+                  .base_radius = corner->radius,
+                  .hollow_block = true};
+  arc_on_arc(gap, &a, block);
+}
+
+static void corner_on_corner(tp_gap *gap, const tp_round_corner *corner,
+                             const tp_round_corner *base, const turned *block) {
+  const tp_xy c = plus(block->centroid, 1, turn(block, corner->centre));
+  const tp_xy out = plus(c, -1, base->centre);
+  meet(gap, base, atan2(out.y, out.x));
+  meet(gap, corner, atan2(-out.y, -out.x) - block->angle);
+  const arcs a = {.block = corner->centre,
+                  .base = base->centre,
+                  .block_radius = corner->radius,
+                  .base_radius = base->radius};
+  arc_on_arc(gap, &a, block);
+}
+
+tp_gap tp_gap_at(const tp_contact_shapes *shapes, const tp_pair *pair,
+                 const tp_motion_state *state) {
+  const double angle = state->place[2];
+  const turned block = {.sine = sin(angle),
+                        .cosine = cos(angle),
+                        .angle = angle,
+                        .centroid = {state->place[0], state->place[1]},
+                        .velocity = {state->speed[0], state->speed[1]},
+                        .turning = state->speed[2]};
+  tp_gap gap = {.margin = INFINITY, .cone_margin = INFINITY, .arc_margin = INFINITY};
+  const bool own_face = pair->kind == TP_FACE_ON_CORNER, face = pair->kind == TP_CORNER_ON_FACE;
+  const tp_round_corner *corner = own_face ? NULL : shapes->block.corners + pair->block;
+  const tp_round_corner *under = face ? NULL : shapes->base.corners + pair->base;
+  const tp_contact_face *on = own_face ? shapes->block.faces + pair->block
+                              : face   ? shapes->base.faces + pair->base
+                                       : NULL;
+  if (own_face) {
+    (on->hollow ? hollow_on_corner : straight_on_corner)(&gap, on, under, &block);
+  } else if (face) {
+    (on->hollow ? corner_on_hollow : corner_on_straight)(&gap, corner, on, &block);
+  } else {
+    corner_on_corner(&gap, corner, under, &block);
+  }
+  gap.base_edges[0] = face ? on->edge : under->before;
+  gap.base_edges[1] = face ? on->edge : under->behind;
+  return gap;
+}
+
+bool tp_gap_faces(const tp_gap *gap) {
+  const double within = fmin(gap->margin, gap->arc_margin);
+  return within >= -TP_FACE_SLACK && (within > TP_FACE_SLACK || gap->cone_margin >= -TP_FACE_SLACK);
+}
+
+bool tp_pair_is(const tp_pair *a, const tp_pair *b) {
+  return a->kind == b->kind && a->block == b->block && a->base == b->base;
+}
+
+double tp_gap_speed(const double row[3], const double speed[3]) {
+  return row[0] * speed[0] + row[1] * speed[1] + row[2] * speed[2];
+}

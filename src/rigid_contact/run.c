@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "rigid_contact/dynamics.h"
+#include "rigid_contact/rest.h"
+#include "rigid_contact/watch.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Of a step, without dimension; and of a bracket of the time at which a motion begins. */
+static const double longest_step = 0.25, first_step = 0.05, begin_width = 1e-12;
+
+/* After so many steps a run asks whether it is to stop. */
+enum { TURNS_A_QUESTION = 64 };
+
+/* Events at one moment: more of them say that modes take turns within rounding. */
+enum { MOST_AT_ONCE = 40 };
+
+/* At rest it is looked at so often whether a motion can begin: a window of tilts narrower than
+ * this, or shaking that is over in a shorter time, can be missed. */
+static const double look_tilt = 0.05 / 57.29577951308232, look_time = 0.02;
+
+/* A quarter of a turn, but for so little that a block which lies on its side has made it. */
+static const double overturned_turn = 1.5707963267948966 - 1e-6;
+
+tp_rigid_contact_settings tp_rigid_contact_settings_default(void) {
+  return (tp_rigid_contact_settings){.tolerance = 1e-13,
+                                     .least_bounce = 1e-9,
+                                     .most_events = 100000,
+                                     .most_steps = 10000000,
+                                     .window = TP_WINDOW_MOVES};
+}
+
+/* A run and where it is on its way. */
+typedef struct progress {
+  tp_dynamics *d;
+  double end, next_moment, step;
+  long moments;
+  int at_once;
+  long turns;
+  bool is_over;
+  tp_run_end how;
+} progress;
+
+static double to_seconds(const tp_dynamics *d, double time) {
+  return time * d->system.time_unit_s;
+}
+
+static bool over(progress *p, tp_run_end how) {
+  p->how = how;
+  p->is_over = true;
+  return false;
+}
+
+static bool undecided(progress *p, const char *what) {
+  (void)tp_fail(p->d->message, TP_UNDECIDED, (tp_place){0},
+                "the motion is not decided at %.9g s: %s", to_seconds(p->d, p->d->time), what);
+  return over(p, TP_RUN_UNDECIDED);
+}
+
+static tp_run_end end_of_motion(const tp_dynamics *d, tp_run_end otherwise) {
+  return d->overturned ? TP_RUN_OVERTURNED : otherwise;
+}
+
+/* Moments come at whole multiples of their interval. */
+static bool record_due(progress *p) {
+  tp_dynamics *d = p->d;
+  if (d->time < p->next_moment) return true;
+  const double every = d->run->moments_every_s / d->system.time_unit_s;
+  p->moments = lround(p->next_moment / every) + 1;
+  p->next_moment = (double)p->moments * every;
+  return tp_record_moment(d);
+}
+
+static double next_kink(const tp_dynamics *d) {
+  return tp_drive_next_kink(d->run->drive, to_seconds(d, d->time)) / d->system.time_unit_s;
+}
+
+/* ---- at rest ---- */
+
+static bool drive_is_over(const tp_dynamics *d) {
+  const tp_drive *drive = d->run->drive;
+  const double time_s = to_seconds(d, d->time);
+  return drive->shaking == NULL &&
+         (drive->speed == 0 || tp_drive_angle(drive, time_s) == drive->final_angle);
+}
+
+static double time_to_look(const progress *p) {
+  const tp_drive *drive = p->d->run->drive;
+  double next = fmin(p->end, p->next_moment);
+  if (drive->speed != 0) {
+    const double step = look_tilt / fabs(drive->speed) / p->d->system.time_unit_s;
+    next = fmin(next, p->d->time + step);
+  }
+  if (drive->shaking != NULL) next = fmin(next, p->d->time + look_time);
+  const double kink = next_kink(p->d);
+  return kink > p->d->time ? fmin(next, kink) : next;
+}
+
+/* When between the time, at which it rests, and a later one, at which it moves, does it begin? */
+static tp_resolved find_begin(tp_dynamics *d, double moves_at) {
+  double rests_at = d->time;
+  while (moves_at - rests_at > begin_width * (1 + moves_at)) {
+    d->time = (rests_at + moves_at) / 2;
+    const tp_resolved now = tp_resolve_rest(d);
+    if (now == TP_RESOLVED_NO_MEMORY) return now;
+    *(now == TP_RESOLVED_MOVES ? &moves_at : &rests_at) = d->time;
+  }
+  d->time = moves_at;
+  return TP_RESOLVED_MOVES;
+}
+
+/* Where the acceleration is nothing but rounding it tells no mode: the mode is that of so much
+ * later that it is told, or of the last time tried; how it moves until then is not seen in any
+ * number. */
+static tp_resolved choose_begin(double *later, tp_dynamics *d) {
+  const double begin = d->time, told = 1e-6, first = 1e-7, last = 1e-2;
+  tp_resolved now = tp_resolve_rest(d);
+  *later = begin;
+  for (double after = first; now == TP_RESOLVED_MOVES && after <= last; after *= 10) {
+    const double *x = d->solution.x;
+    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) >= told) break;
+    d->time = begin + after;
+    now = tp_resolve_rest(d);
+    if (now == TP_RESOLVED_MOVES) *later = d->time;
+  }
+  if (now == TP_RESOLVED_RESTS) {
+    d->time = *later;
+    now = tp_resolve_rest(d);
+  }
+  d->time = begin;
+  return now;
+}
+
+static bool begin_motion(progress *p) {
+  tp_dynamics *d = p->d;
+  const bool tilted = d->run->drive->shaking == NULL;
+  double later;
+  if (choose_begin(&later, d) == TP_RESOLVED_NO_MEMORY || !tp_record_phases(d, true)) {
+    return over(p, TP_RUN_NO_MEMORY);
+  }
+  d->resting = false;
+  d->moved = true;
+  p->step = first_step;
+  d->account.in_window = d->account.in_window || d->held;
+  if (tilted && !tp_record_event(d, TP_EVENT_COLLAPSES, NULL, 0)) {
+    return over(p, TP_RUN_NO_MEMORY);
+  }
+  if (!tp_record_moment(d)) return over(p, TP_RUN_NO_MEMORY);
+  d->time = later;
+  return tilted && d->run->until_collapse ? over(p, TP_RUN_MOVES) : true;
+}
+
+static bool wait(progress *p) {
+  tp_dynamics *d = p->d;
+  const tp_run_end rests = end_of_motion(d, d->moved ? TP_RUN_RESTS : TP_RUN_STANDS);
+  if (d->time >= p->end || drive_is_over(d)) return over(p, rests);
+  const double from = d->time;
+  d->time = time_to_look(p);
+  tp_resolved now = tp_resolve_rest(d);
+  if (now == TP_RESOLVED_MOVES) {
+    const double moves_at = d->time;
+    d->time = from;
+    now = find_begin(d, moves_at);
+  }
+  if (now == TP_RESOLVED_NO_MEMORY) return over(p, TP_RUN_NO_MEMORY);
+  if (now == TP_RESOLVED_MOVES) return begin_motion(p);
+  return record_due(p) ? true : over(p, TP_RUN_NO_MEMORY);
+}
+
+/* ---- in motion ---- */
+
+static bool has_left(const tp_dynamics *d) {
+  double reach[2];
+  tp_contact_system_reach(reach, &d->system, &d->state);
+  return reach[1] < d->system.base_left || reach[0] > d->system.base_right;
+}
+
+static bool come_to_rest(progress *p) {
+  tp_dynamics *d = p->d;
+  d->resting = true;
+  if (!tp_record_phases(d, false) || !tp_record_event(d, TP_EVENT_RESTS, NULL, 0)) {
+    return over(p, TP_RUN_NO_MEMORY);
+  }
+  return tp_record_moment(d) ? true : over(p, TP_RUN_NO_MEMORY);
+}
+
+static bool go_on(progress *p) {
+  switch (tp_resolve(p->d)) {
+  case TP_RESOLVED_MOVES:
+    return true;
+  case TP_RESOLVED_RESTS:
+    return come_to_rest(p);
+  case TP_RESOLVED_NOT:
+    return over(p, TP_RUN_UNDECIDED);
+  case TP_RESOLVED_NO_MEMORY:
+    break;
+  }
+  return over(p, TP_RUN_NO_MEMORY);
+}
+
+static bool meet(progress *p, const tp_watch_end *end) {
+  tp_dynamics *d = p->d;
+  if (end->what == TP_WATCH_OVERTURN) {
+    d->overturned = true;
+    return tp_record_event(d, TP_EVENT_OVERTURNS, NULL, 0) ? true : over(p, TP_RUN_NO_MEMORY);
+  }
+  d->account.events++;
+  if (d->account.events > d->settings->most_events) return undecided(p, "it met the most events");
+  p->at_once = end->step > begin_width ? 0 : p->at_once + 1;
+  if (p->at_once > MOST_AT_ONCE) return undecided(p, "its contacts take turns at one moment");
+  return go_on(p);
+}
+
+/* Up to the next time at which something is due, or the next event. */
+static bool move(progress *p) {
+  tp_dynamics *d = p->d;
+  const double kink = next_kink(d), due = fmin(fmin(p->end, p->next_moment), kink);
+  tp_watch watch = {.system = &d->system,
+                    .smooth = &d->smooth,
+                    .time = d->time,
+                    .step = fmin(p->step, due - d->time),
+                    .tolerance = d->settings->tolerance,
+                    .overturn = d->overturned ? -INFINITY : overturned_turn};
+  tp_smooth_numbers(watch.numbers, &d->state, d->work);
+  const bool is_due = watch.step == due - d->time;
+  const tp_watch_end end = tp_watch_step(&watch);
+  if (end.what == TP_WATCH_FAILED) return undecided(p, "the steps become too short");
+  if (end.columns <= 6) p->step = fmin(p->step * 1.5, longest_step);
+  if (end.what == TP_WATCH_NOTHING && end.step < watch.step) p->step = end.step;
+  if (end.columns >= 8) p->step = fmax(end.step * 0.7, first_step / 100);
+  d->account.steps++;
+  d->time = is_due && end.step == watch.step ? due : end.time;
+  d->state = tp_smooth_state(end.numbers);
+  d->work = end.numbers[6];
+  tp_touching_open(&d->system, &d->state);
+  const double drift = tp_smooth_project(&d->state, &d->smooth);
+  d->account.largest_drift = fmax(d->account.largest_drift, drift);
+  (void)tp_energy_balance(d);
+  if (!tp_contact_system_list(&d->system, &d->state)) return over(p, TP_RUN_NO_MEMORY);
+  if (has_left(d)) {
+    if (!tp_record_event(d, TP_EVENT_LEAVES_BASE, NULL, 0)) return over(p, TP_RUN_NO_MEMORY);
+    return over(p, TP_RUN_LEFT_BASE);
+  }
+  if (end.what != TP_WATCH_NOTHING) return meet(p, &end);
+  if (!record_due(p)) return over(p, TP_RUN_NO_MEMORY);
+  if (d->time >= p->end) return over(p, end_of_motion(d, TP_RUN_MOVES));
+  return d->time == kink ? go_on(p) : true;
+}
+
+static bool is_to_stop(progress *p) {
+  const tp_run *run = p->d->run;
+  return run->stop != NULL && p->turns++ % TURNS_A_QUESTION == 0 && run->stop(run->context);
+}
+
+static void advance(progress *p) {
+  tp_dynamics *d = p->d;
+  if (d->account.steps >= d->settings->most_steps) {
+    (void)undecided(p, "it took the most steps");
+  } else if (is_to_stop(p)) {
+    (void)undecided(p, "it was stopped");
+  } else {
+    (void)(d->resting ? wait(p) : move(p));
+  }
+}
+
+/* From rest. */
+static bool begin_at_rest(progress *p) {
+  tp_dynamics *d = p->d;
+  d->resting = true;
+  if (!tp_touching_collect(&d->touching, &d->system, &d->state) || !tp_record_phases(d, false)) {
+    return over(p, TP_RUN_NO_MEMORY);
+  }
+  const tp_resolved now = tp_resolve_rest(d);
+  if (now == TP_RESOLVED_MOVES) return begin_motion(p);
+  if (now == TP_RESOLVED_NO_MEMORY || !tp_record_moment(d)) return over(p, TP_RUN_NO_MEMORY);
+  return true;
+}
+
+static bool begin(progress *p) {
+  tp_dynamics *d = p->d;
+  d->first_energy = tp_motion_energy(&d->system, d->state.speed);
+  d->moved = d->first_energy > 0;
+  if (!d->moved) return begin_at_rest(p);
+  if (!go_on(p)) return false;
+  return tp_record_moment(d) ? true : over(p, TP_RUN_NO_MEMORY);
+}
+
+tp_run_end tp_rigid_contact_run(tp_body_state *last, tp_rigid_contact_account *account,
+                                const tp_run *run, const tp_rigid_contact_settings *settings,
+                                tp_message *message) {
+  tp_dynamics d = {.run = run, .settings = settings, .message = message};
+  progress p = {.d = &d, .step = first_step, .next_moment = INFINITY};
+  if (!tp_contact_system_init(&d.system, run->body, run->drive, &run->start)) {
+    return TP_RUN_NO_MEMORY;
+  }
+  d.state = tp_motion_of(&d.system, &run->start);
+  d.smooth.system = &d.system;
+  p.end = run->longest_s / d.system.time_unit_s;
+  if (run->moments_every_s > 0) p.next_moment = run->moments_every_s / d.system.time_unit_s;
+  (void)begin(&p);
+  while (!p.is_over) advance(&p);
+  d.account.evaluations = d.smooth.evaluations;
+  if (last != NULL) *last = tp_motion_told(&d.system, &d.state);
+  if (account != NULL) *account = d.account;
+  tp_touching_clear(&d.touching);
+  tp_contact_system_clear(&d.system);
+  free(d.known);
+  return p.how;
+}

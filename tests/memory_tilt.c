@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "memory_tilt.h"
+
+#include "memory_expect.h"
+
+#define HEAD                                                                                       \
+  "topple: 1\nlength_unit: m\nfriction_angle_deg: 40\ntilt: {towards: left}\n"                     \
+  "block: {slab: {width: 1, height: 3}, unit_weight_kn_m3: 25}\n"
+
+static void report(const tp_tilt_test *test) {
+  typedef tp_status reporter(char **text, const tp_tilt_test *test);
+  static reporter *const reporters[] = {tp_report_tilt, tp_report_tilt_json, tp_report_tilt_csv,
+                                        tp_report_tilt_frames, tp_report_tilt_animation};
+  for (size_t k = 0; k < sizeof reporters / sizeof reporters[0]; k++) {
+    char *text = NULL;
+    const tp_status status = reporters[k](&text, test);
+    expect_report(status, text);
+  }
+}
+
+static void simulate(const char *text) {
+  tp_scene *scene = NULL;
+  tp_tilt_test *test = NULL;
+  tp_message message = {""};
+  tp_tilt_options options = tp_tilt_options_default();
+  options.moments = 10;
+  if (DONE(tp_scene_read_text(&scene, text, "tilt", &message), scene) &&
+      DONE(tp_tilt_test_run(&test, scene, &options, &message), test)) {
+    report(test);
+  }
+  tp_tilt_test_free(test);
+  tp_scene_free(scene);
+}
+
+void simulate_tilt_test(void) {
+  simulate(HEAD "tilt_test: {engine: path}\n");
+  simulate(HEAD "tilt_test: {engine: dynamics, protocol: steps, duration_s: 0.2}\n");
+  simulate(HEAD "tilt_test: {duration_s: 0.1}\n"
+                "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n");
+}

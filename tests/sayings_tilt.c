@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the calls on simulated tilt tests say, of scenes built by every call that they have: the
+ * same bits whatever the program has set, and in every thread. */
+
+#include "sayings.h"
+
+#include <stdio.h>
+
+#define E(number) tp_exact_of(number)
+#define T(text) tp_exact_text(text)
+#define SAY(call) note_status(s, call, &message)
+
+static const double slab[] = {0, 0, 1, 0, 1, 3, 0, 3};
+static const char *const shakes[] = {"0", "0", "0.1", "0.25", "0.2", "-1/5", "0.3", "0"};
+
+static void say_drawn(sayings *s, const tp_tilt_test *test) {
+  tp_message message = {""};
+  char path[400];
+  snprintf(path, sizeof path, "%s/tilt.svg", s->folder);
+  SAY(tp_report_tilt_file(test, path, true, &message));
+  say_file(s, path);
+}
+
+static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
+  tp_message message = {""};
+  tp_tilt_test *test = NULL;
+  tp_tilt_options options = tp_tilt_options_default();
+  options.moments = 20;
+  options.overturning = overturning;
+  SAY(tp_tilt_test_run(&test, scene, &options, &message));
+  if (test == NULL) return;
+  for (size_t k = 0; k < test->case_count; k++) test->cases[k].seconds = 0;
+  if (tp_report_tilt(next_saying(s), test) != TP_OK) s->count--;
+  if (tp_report_tilt_json(next_saying(s), test) != TP_OK) s->count--;
+  if (tp_report_tilt_csv(next_saying(s), test) != TP_OK) s->count--;
+  if (tp_report_tilt_frames(next_saying(s), test) != TP_OK) s->count--;
+  if (tp_report_tilt_animation(next_saying(s), test) != TP_OK) s->count--;
+  say_drawn(s, test);
+  tp_tilt_test_free(test);
+}
+
+static void say_tilted(sayings *s, tp_scene *scene) {
+  tp_message message = {""};
+  SAY(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
+  SAY(tp_scene_set_tilt_test_until_deg(scene, E(60.5), &message));
+  SAY(tp_scene_set_tilt_test_tolerance_deg(scene, T("0.05"), &message));
+  say_test(s, scene, false);
+  SAY(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_STEPS, true, &message));
+  SAY(tp_scene_set_tilt_test_restitution(scene, T("0.25"), &message));
+  SAY(tp_scene_set_tilt_test_duration_s(scene, E(1.5), &message));
+  say_test(s, scene, false);
+}
+
+/* Those of springs, and what does not go together. */
+static void say_springs(sayings *s, tp_scene *scene) {
+  tp_message message = {""};
+  SAY(tp_scene_set_tilt_test(scene, TP_TILT_SPRINGS, TP_TILT_RELEASE, true, &message));
+  SAY(tp_scene_set_tilt_angle_deg(scene, E(25), &message));
+  SAY(tp_scene_set_tilt_test_duration_s(scene, T("0.01"), &message));
+  SAY(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(1), T("0.5"), &message));
+  SAY(tp_scene_set_tilt_test_damping(scene, E(0.75), &message));
+  SAY(tp_scene_set_tilt_test_rounding(scene, T("1e-5"), &message));
+  say_test(s, scene, false);
+  SAY(tp_scene_set_tilt_test_time_step_s(scene, E(1.5), &message));
+  say_test(s, scene, false);
+  SAY(tp_scene_set_tilt_test_speed_deg_min(scene, E(20.5), &message));
+  say_test(s, scene, false);
+}
+
+static tp_scene *begin(sayings *s) {
+  tp_message message = {""};
+  tp_scene *scene = NULL;
+  SAY(tp_scene_new(&scene, "m", &message));
+  if (scene == NULL) return NULL;
+  SAY(tp_scene_set_outline(scene, tp_coordinates_of(slab, 4), &message));
+  SAY(tp_scene_set_unit_weight_kn_m3(scene, E(25.5), &message));
+  SAY(tp_scene_set_friction_angle_deg(scene, E(40.5), &message));
+  SAY(tp_scene_set_tilt_towards(scene, true, false, &message));
+  return scene;
+}
+
+static void say_shaken(sayings *s) {
+  tp_message message = {""};
+  tp_scene *scene = begin(s);
+  if (scene == NULL) return;
+  SAY(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, T("0.5"),
+                                 E(1.5), &message));
+  SAY(tp_scene_set_shaking_record(scene, TP_SHAKES_VERTICALLY, tp_coordinates_text(shakes, 4),
+                                  E(0.5), &message));
+  SAY(tp_scene_set_tilt_test_duration_s(scene, E(0.5), &message));
+  say_test(s, scene, false);
+  tp_scene_free(scene);
+}
+
+void say_tilts(sayings *s) {
+  tp_scene *scene = begin(s);
+  if (scene == NULL) return;
+  say_tilted(s, scene);
+  tp_scene_free(scene);
+  scene = begin(s);
+  if (scene == NULL) return;
+  say_springs(s, scene);
+  tp_scene_free(scene);
+  say_shaken(s);
+}

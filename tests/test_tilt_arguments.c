@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the calls of tilt tests refuse: each names itself and the argument, and leaves the scene as
+ * it was. What needs several calls is told by the one that runs the test. */
+
+#include "refused_scene.h"
+
+#include <math.h>
+
+static const double record[] = {0, 0, 0.1, 0.2, 0.2, -0.1};
+#define RECORD tp_coordinates_of(record, 3)
+
+static void refuse_all(tp_scene *own, const char *why) {
+  REFUSED(tp_scene_set_tilt_test(own, TP_TILT_PATH, TP_TILT_RAMP, false, &message), why);
+  REFUSED(tp_scene_set_tilt_test_speed_deg_min(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_until_deg(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_tolerance_deg(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_duration_s(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_stiffness_gpa_m(own, E(1), E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_damping(own, E(0.5), &message), why);
+  REFUSED(tp_scene_set_tilt_test_rounding(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_time_step_s(own, E(1), &message), why);
+  REFUSED(tp_scene_set_tilt_test_restitution(own, E(0.5), &message), why);
+  REFUSED(tp_scene_set_shaking_pulse(own, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(1), E(1),
+                                     &message),
+          why);
+  REFUSED(tp_scene_set_shaking_record(own, TP_SHAKES_VERTICALLY, RECORD, E(1), &message), why);
+}
+
+START_TEST(scenes) {
+  refuse_all(NULL, "'scene' must not be NULL");
+  tp_scene *read = NULL;
+  DO(tp_scene_read_text(&read, "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\n",
+                        "x", &message));
+  refuse_all(read, "this scene was read from a file");
+  tp_scene_free(read);
+}
+END_TEST
+
+START_TEST(numbers) {
+  char *before = solve();
+  REFUSED(tp_scene_set_tilt_test(scene, (tp_tilt_engine)3, TP_TILT_RAMP, false, &message),
+          "tp_scene_set_tilt_test: 'engine'");
+  REFUSED(tp_scene_set_tilt_test(scene, TP_TILT_PATH, (tp_tilt_protocol)-1, false, &message),
+          "'protocol'");
+  REFUSED(tp_scene_set_tilt_test_speed_deg_min(scene, E(0), &message),
+          "tp_scene_set_tilt_test_speed_deg_min: speed_deg_min must be above zero");
+  REFUSED(tp_scene_set_tilt_test_until_deg(scene, E(91), &message), "until_deg must lie in");
+  REFUSED(tp_scene_set_tilt_test_tolerance_deg(scene, E(0), &message), "tolerance_deg must be");
+  REFUSED(tp_scene_set_tilt_test_duration_s(scene, E(-1), &message), "duration_s must be above");
+  REFUSED(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(0), E(1), &message),
+          "normal_gpa_m must be above zero, not 0");
+  REFUSED(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(1), E(-1), &message),
+          "shear_gpa_m must be above zero, not -1");
+  REFUSED(tp_scene_set_tilt_test_damping(scene, E(1.5), &message), "damping must lie in [0, 1]");
+  REFUSED(tp_scene_set_tilt_test_rounding(scene, E(0), &message), "rounding must be above zero");
+  REFUSED(tp_scene_set_tilt_test_time_step_s(scene, E(NAN), &message), "time_step_s");
+  REFUSED(tp_scene_set_tilt_test_restitution(scene, E(-0.5), &message), "restitution must lie in");
+  char *after = solve();
+  ck_assert_str_eq(before, after);
+  free(before);
+  free(after);
+}
+END_TEST
+
+START_TEST(shaking) {
+  const double gap[] = {0, 0, 0.1, 0.2, 0.2, -0.1, 0.5, 0}, back[] = {0, 0, 0, 1},
+               uneven[] = {0, 0, 0.1, 1, 0.24, 1};
+#define RECORDED(array, count)                                                                     \
+  tp_scene_set_shaking_record(scene, TP_SHAKES_HORIZONTALLY, tp_coordinates_of(array, count),      \
+                              E(1), &message)
+  REFUSED(tp_scene_set_shaking_pulse(scene, (tp_shaking_axis)2, TP_PULSE_HALF_SINE, E(1), E(1),
+                                     &message),
+          "'axis'");
+  REFUSED(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, (tp_pulse_shape)2, E(1), E(1),
+                                     &message),
+          "'shape'");
+  REFUSED(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_FULL_SINE, E(1), E(0),
+                                     &message),
+          "frequency_hz must be above zero");
+  REFUSED(RECORDED(record, 1), "two samples at least");
+  REFUSED(RECORDED(gap, 4), "a gap in the accelerogram: 0.3 s without a sample after 0.2 s");
+  REFUSED(RECORDED(back, 2), "time does not go on");
+  REFUSED(RECORDED(uneven, 3), "an uneven step: 0.14 s after 0.1 s");
+  REFUSED(RECORDED(NULL, 3), "must not be NULL");
+}
+END_TEST
+
+/* What stands in the scene together. */
+START_TEST(together) {
+  tp_tilt_test *test = UNTOUCHED(tp_tilt_test);
+  tp_tilt_options options = tp_tilt_options_default();
+#define RUN tp_tilt_test_run(&test, scene, &options, &message)
+  REFUSED(RUN, "the scene calls for no simulation");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_SPRINGS, TP_TILT_STEPS, true, &message));
+  REFUSED(RUN, "need both 'normal_stiffness_gpa_m' and 'shear_stiffness_gpa_m'");
+  DO(tp_scene_set_tilt_test_stiffness_gpa_m(scene, E(1000), E(10), &message));
+  DO(tp_scene_set_tilt_test_time_step_s(scene, E(1), &message));
+  REFUSED(RUN, "tp_scene_set_tilt_test_time_step_s: steps of 1 s are not stable");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
+  REFUSED(RUN, "'time_step_s' belongs to 'engine: dynamics' by 'method: springs'");
+  options.moments = 1;
+  REFUSED(RUN, "moments must lie between 2 and 1000000");
+  options = tp_tilt_options_default();
+  options.size = 4096;
+  REFUSED(RUN, "the size");
+  options = tp_tilt_options_default();
+  REFUSED(tp_tilt_test_run(NULL, scene, &options, &message), "'test'");
+  REFUSED(tp_tilt_test_run(&test, NULL, &options, &message), "'scene'");
+  REFUSED(tp_tilt_test_run(&test, scene, NULL, &message), "'options'");
+  ck_assert_ptr_eq(test, UNTOUCHED(tp_tilt_test));
+  tp_tilt_test_free(NULL);
+}
+END_TEST
+
+START_TEST(shaken) {
+  tp_tilt_test *test = NULL;
+  tp_tilt_options options = tp_tilt_options_default();
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
+  REFUSED(RUN, "quasi-static and knows no shaking");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RAMP, false, &message));
+  REFUSED(RUN, "held at its tilt while its base shakes");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, true, &message));
+  const double still[] = {0, 0, 1, 0};
+  DO(tp_scene_set_shaking_record(scene, TP_SHAKES_HORIZONTALLY, tp_coordinates_of(still, 2), E(1),
+                                 &message));
+  REFUSED(RUN, "zero throughout");
+}
+END_TEST
+
+START_TEST(reports) {
+  char *text = UNTOUCHED(char);
+  const tp_tilt_test *none = NULL;
+  UNWRITTEN(tp_report_tilt(&text, none));
+  UNWRITTEN(tp_report_tilt_json(&text, none));
+  UNWRITTEN(tp_report_tilt_csv(&text, none));
+  UNWRITTEN(tp_report_tilt_frames(&text, none));
+  UNWRITTEN(tp_report_tilt_animation(&text, none));
+  const tp_tilt_test empty = {.length_unit = "m", .metres_per_unit = 1};
+  UNWRITTEN(tp_report_tilt(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_json(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_csv(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_frames(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_animation(NULL, &empty));
+  REFUSED(tp_report_tilt_file(none, "x.svg", false, &message), "'test'");
+  REFUSED(tp_report_tilt_file(&empty, NULL, false, &message), "'path'");
+  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg");
+  ck_assert_ptr_eq(text, UNTOUCHED(char));
+  ck_assert_str_eq(tp_tilt_end_name((tp_tilt_end)-1), "unknown end");
+  ck_assert_str_eq(tp_tilt_engine_name((tp_tilt_engine)7), "unknown engine");
+  ck_assert_str_eq(tp_tilt_protocol_name((tp_tilt_protocol)7), "unknown protocol");
+  ck_assert_str_eq(tp_tilt_event_name((tp_tilt_event_kind)99), "unknown event");
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("arguments of tilt tests");
+  TCase *tests = tcase_create("arguments of tilt tests");
+  tcase_add_checked_fixture(tests, set_up, tear_down);
+  tcase_add_test(tests, scenes);
+  tcase_add_test(tests, numbers);
+  tcase_add_test(tests, shaking);
+  tcase_add_test(tests, together);
+  tcase_add_test(tests, shaken);
+  tcase_add_test(tests, reports);
+  suite_add_tcase(suite, tests);
+  return run_suite(suite);
+}
