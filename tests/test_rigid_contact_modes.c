@@ -130,7 +130,8 @@ START_TEST(window_is_that_of_the_solve) {
   ck_assert_int_eq(rest_at(&s.body, onset - near).motion_count, 0);
   ck_assert_int_gt(rest_at(&s.body, onset + near).motion_count, 0);
   if (c->limit.kind == TP_LIMIT_AT_ANGLE) {
-    /* forces are found within 1e-10 of the loads, which change by a share of the angle of order 1 */
+    /* forces are found within 1e-10 of the loads, which change by a share of the angle of order 1
+     */
     const double limit = c->limit.critical_angle_deg.value, far = 1e-7;
     ck_assert(rest_at(&s.body, limit - far).held);
     ck_assert(!rest_at(&s.body, limit + far).held);

@@ -257,7 +257,8 @@ tp_watch_end tp_watch_step(const tp_watch *watch) {
   tp_watch own = *watch;
   tp_watch_end end = {.what = TP_WATCH_FAILED};
   double to[TP_MOTION_NUMBERS], from_rates[TP_MOTION_NUMBERS], to_rates[TP_MOTION_NUMBERS];
-  for (; own.step > least_step; own.step /= 2) {
+  /* what is left to a time at which something is due may be shorter */
+  for (; own.step > least_step || own.step == watch->step; own.step /= 2) {
     const tp_step_answer answer = tp_extrapolate(to, tp_smooth_rates, own.smooth, own.time,
                                                  own.numbers, own.step, own.tolerance);
     end.columns = answer.columns;
