@@ -149,14 +149,15 @@ typedef struct tp_tilt_point {
 
 /* One direction of tilt. Simulated numbers: no bound is proven, what was reached is told. */
 typedef struct tp_tilt_case {
-  tp_direction towards;   /* which */
-  bool has_bracket;       /* it stands at one tilt, and lets go at another: */
-  double least_deg;       /* it stands there; of one that never lets go the last tilt tried */
-  double most_deg;        /* it lets go there */
-  bool converged;         /* the bracket is as narrow as was asked */
-  bool has_mechanism;     /* and it lets go so: */
-  tp_mechanism mechanism; /* by the velocity with which it moves off */
-  bool has_centre;        /* of rotation */
+  tp_direction towards; /* which */
+  bool has_bracket;     /* it stands at one tilt, and lets go at another: */
+  double least_deg;   /* it stands there; of one that never lets go the last tilt tried; NaN: no run
+                         stood */
+  double most_deg;    /* it lets go there */
+  bool converged;     /* the bracket is as narrow as was asked */
+  bool has_mechanism; /* and it lets go so: */
+  tp_mechanism mechanism;        /* by the velocity with which it moves off */
+  bool has_centre;               /* of rotation */
   double centre_x_m, centre_y_m; /* where it is */
   bool has_onset, has_limit;     /* statics knows: */
   double onset_deg, limit_deg;   /* alpha_s, certain to stand up to it; alpha_w, certain to move

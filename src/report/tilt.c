@@ -28,7 +28,7 @@ static void add_engine(tp_text *t, const tp_tilt_settings *s) {
     tp_text_add(t, "released at %.6g°", s->release_deg);
   } else if (s->protocol == TP_TILT_STEPS) {
     tp_text_add(t, "a fresh start at each tilt, %s, up to %.6g°",
-                s->set_down ? "set down there" : "tilted to it from level", s->until_deg);
+                s->set_down ? "set down there" : "from level", s->until_deg);
   } else {
     tp_text_add(t, "placed level, tilted up to %.6g°", s->until_deg);
   }
@@ -81,6 +81,11 @@ static int decimals_of(const tp_tilt_case *c) {
 
 static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (test->settings.protocol == TP_TILT_RELEASE) return;
+  if (isnan(c->least_deg)) {
+    tp_text_add(t,
+                "  No run is known to stand: of the tilt at which it lets go nothing is told.\n");
+    return;
+  }
   if (!c->has_bracket) {
     tp_text_add(t,
                 c->converged ? "  Stands up to %.6g°, the last tilt that was tried.\n"

@@ -34,7 +34,9 @@ static void plain_words(char words[UNIT_SIZE], const tp_csv_row *row, int field)
     const char c = row->text[f.at + k];
     const bool parts = strchr(" \t_-()[],:\"", c) != NULL;
     if (parts && (length == 0 || words[length - 1] == ' ')) continue;
-    words[length++] = parts ? ' ' : (char)tolower((unsigned char)c);
+    words[length] = ' ';
+    if (!parts) words[length] = (char)tolower((unsigned char)c);
+    length++;
   }
   while (length > 0 && words[length - 1] == ' ') length--;
   words[length] = '\0';

@@ -56,7 +56,8 @@ static tp_status narrow(search *s, double tolerance_deg) {
 
 static void tell(const search *s, double tolerance_deg) {
   tp_tilt_case *own = s->tilting->own;
-  own->least_deg = s->stands ? s->least_deg : 0;
+  const bool at_once = s->moves && s->most_deg == 0;
+  own->least_deg = s->stands ? s->least_deg : at_once ? 0 : NAN;
   own->most_deg = s->most_deg;
   own->has_bracket = s->moves && (s->stands || s->most_deg == 0);
   own->converged =
