@@ -125,12 +125,6 @@ static bool wait(progress *p) {
 
 /* ---- in motion ---- */
 
-static bool has_left(const tp_dynamics *d) {
-  double reach[2];
-  tp_contact_system_reach(reach, &d->system, &d->state);
-  return reach[1] < d->system.base_left || reach[0] > d->system.base_right;
-}
-
 static bool come_to_rest(progress *p) {
   tp_dynamics *d = p->d;
   d->resting = true;
@@ -160,6 +154,10 @@ static bool meet(progress *p, const tp_watch_end *end) {
   if (end->what == TP_WATCH_OVERTURN) {
     d->overturned = true;
     return tp_record_event(d, TP_EVENT_OVERTURNS, NULL, 0) ? true : over(p, TP_RUN_NO_MEMORY);
+  }
+  if (end->what == TP_WATCH_LEAVE) {
+    const bool told = tp_record_event(d, TP_EVENT_LEAVES_BASE, NULL, 0) && tp_record_moment(d);
+    return over(p, told ? TP_RUN_LEFT_BASE : TP_RUN_NO_MEMORY);
   }
   d->account.events++;
   if (d->account.events > d->settings->most_events) return undecided(p, "it met the most events");
@@ -194,10 +192,6 @@ static bool move(progress *p) {
   d->account.largest_drift = fmax(d->account.largest_drift, drift);
   (void)tp_energy_balance(d);
   if (!tp_contact_system_list(&d->system, &d->state)) return over(p, TP_RUN_NO_MEMORY);
-  if (has_left(d)) {
-    if (!tp_record_event(d, TP_EVENT_LEAVES_BASE, NULL, 0)) return over(p, TP_RUN_NO_MEMORY);
-    return over(p, TP_RUN_LEFT_BASE);
-  }
   if (end.what != TP_WATCH_NOTHING) return meet(p, &end);
   if (!record_due(p)) return over(p, TP_RUN_NO_MEMORY);
   if (d->time >= p->end) return over(p, end_of_motion(d, TP_RUN_MOVES));
