@@ -13,10 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char study_text[] =
-    "topple_study: 1\nscene: slab.yaml\nsamples: 100\nvary:\n"
-    "  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n"
-    "  h: {uniform: {low: -1, high: 4}}\ntilts_deg: [20, 30]\n";
+static const char study_text[] = "topple_study: 1\nscene: slab.yaml\nsamples: 100\nvary:\n"
+                                 "  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n"
+                                 "  h: {uniform: {low: -1, high: 4}}\ntilts_deg: [20, 30]\n";
 
 static const tp_study *the_study(void) {
   static tp_study *study; /* lives as long as the process */
