@@ -229,6 +229,8 @@ typedef struct tp_study_result {
   double half_width;       /* asked of every interval; 0: none was asked for */
   size_t open; /* solved samples with a number less certain than to 9 digits, or a limit or factor
                   undecided */
+  size_t by_doubles; /* samples told by doubles with proven bounds; the ladder told the others */
+  double doubles_seconds, ladder_seconds;       /* of computing, of those solved in this run */
   size_t tilt_count;                            /* 1 at least */
   tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
   size_t variable_count;                        /* of the numbers that vary */
@@ -281,7 +283,7 @@ static inline tp_study_options tp_study_options_default(void) {
 
 /* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
  * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
- * scene has changed since. */
+ * scene has changed since, or ends in .h5. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
                                    const tp_study_options *options, tp_message *message);
 

@@ -7,6 +7,7 @@
 #include "report/onset.h"
 #include "report/parts_json.h"
 #include "report/words.h"
+#include "stability/case_numbers.h"
 
 #include <stdio.h>
 
@@ -21,26 +22,19 @@ static bool tilt(tp_bounded *number, const tp_solution *s, const tp_case *c) {
   return s->has_tilt_angle;
 }
 
-/* One that is but an upper bound, since another factor is undecided, is none. */
 static bool fos(tp_bounded *number, const tp_solution *s, const tp_case *c) {
-  const tp_governing_fos *g = &c->governing_fos;
   (void)s;
-  *number = g->fos.value;
-  return g->fos.state == TP_FOS_NUMBER && (g->complete || !g->sliding_judged);
+  return tp_case_fos(number, c) == TP_CASE_NUMBER;
 }
 
 static bool onset(tp_bounded *number, const tp_solution *s, const tp_case *c) {
   (void)s;
-  *number = c->onset.critical_angle_deg;
-  return c->onset.kind == TP_ONSET_AT_ANGLE;
+  return tp_case_onset_deg(number, c) == TP_CASE_NUMBER;
 }
 
 static bool moments(tp_bounded *number, const tp_solution *s, const tp_case *c) {
   (void)s;
-  if (!c->has_governing) return false;
-  const tp_pivot *pivot = c->pivots + c->governing;
-  *number = pivot->critical_angle_deg;
-  return !pivot->never && !pivot->always;
+  return tp_case_moments_deg(number, c) == TP_CASE_NUMBER;
 }
 
 static bool sliding(tp_bounded *number, const tp_solution *s, const tp_case *c) {
@@ -51,8 +45,7 @@ static bool sliding(tp_bounded *number, const tp_solution *s, const tp_case *c) 
 
 static bool limit(tp_bounded *number, const tp_solution *s, const tp_case *c) {
   (void)s;
-  *number = c->limit.critical_angle_deg;
-  return c->limit.kind == TP_LIMIT_AT_ANGLE;
+  return tp_case_limit_deg(number, c) == TP_CASE_NUMBER;
 }
 
 static bool first_angle(tp_bounded *number, const tp_solution *s, const tp_case *c) {
@@ -87,19 +80,14 @@ static void add_verdict(tp_text *t, const tp_solution *s, const tp_case *c) {
   if (s->has_tilt_angle) tp_text_add(t, "%s", tp_mechanism_name(c->mechanism));
 }
 
-static const tp_factor *factor_of(const tp_case *c) {
-  const tp_governing_fos *g = &c->governing_fos;
-  return g->has_factor ? g->factors + g->factor : NULL;
-}
-
 static void add_fos_mechanism(tp_text *t, const tp_solution *s, const tp_case *c) {
-  const tp_factor *factor = factor_of(c);
+  const tp_factor *factor = tp_case_factor(c);
   (void)s;
   if (factor != NULL) tp_text_add(t, "%s", tp_mechanism_name(factor->mechanism));
 }
 
 static void add_fos_definition(tp_text *t, const tp_solution *s, const tp_case *c) {
-  const tp_factor *factor = factor_of(c);
+  const tp_factor *factor = tp_case_factor(c);
   (void)s;
   if (factor != NULL) tp_text_add(t, "%s", tp_fos_definition_name(factor->definition));
 }

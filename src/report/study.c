@@ -70,8 +70,9 @@ static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
 }
 
 static void add_spreads(tp_text *t, const tp_study_result *r) {
-  bool infinite = false;
-  if (r->kept == 0) return;
+  bool infinite = false, any = false;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->spreads[q].count > 0;
+  if (!any) return;
   tp_text_add(t, "\n%-22s", "Quantiles");
   for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
     tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
@@ -180,11 +181,19 @@ static void add_bad(tp_text *t, const tp_study_result *r) {
   }
 }
 
+/* What accuracy costs, in bulk. */
+static void add_tellers(tp_text *t, const tp_study_result *r) {
+  if (r->by_doubles == 0) return;
+  tp_text_add(t, "%zu samples were told by doubles with proven bounds, %zu by the ladder.\n",
+              r->by_doubles, r->samples - r->by_doubles);
+}
+
 static void add_foot(tp_text *t, const tp_study_result *r) {
   tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each by itself.\n");
   if (r->open > 0) {
     tp_text_add(t, "%zu samples have a number that is less certain than to 9 digits.\n", r->open);
   }
+  add_tellers(t, r);
   if (r->kept < r->samples) {
     tp_text_add(t, "Ranges, quantiles and ranks are of the first %zu samples.\n", r->kept);
   }

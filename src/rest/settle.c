@@ -122,12 +122,14 @@ static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
 }
 
 tp_status tp_settle(tp_settling *settling, const tp_polyline *outline, const tp_polyline *base_ring,
-                    const tp_exact_point *centroid, tp_message *message) {
+                    const tp_exact_point *centroid, const fmpq_t shift_x, tp_message *message) {
   memset(settling, 0, sizeof *settling);
   tp_status status = tp_bodies_init(&settling->bodies, outline, base_ring, centroid, message);
   if (status != TP_OK) return status;
   tp_exact_point_init(&settling->pivot);
   fmpq_init(settling->height);
+  fmpq_set(settling->bodies.pose.shift_x, shift_x);
+  tp_bodies_place(&settling->bodies);
   status = drop_and_turn(settling, message);
   if (status != TP_OK) tp_settling_clear(settling);
   return status;

@@ -34,14 +34,15 @@ typedef struct tp_settling {
   tp_settled how;
 } tp_settling;
 
-/* `settling` is cleared on failure, and by the caller else. Rings as for tp_bodies_init. */
+/* From where the block's own coordinates put it, shifted along x by so much. `settling` is cleared
+ * on failure, and by the caller else. Rings as for tp_bodies_init. */
 TP_MUST_USE tp_status tp_settle(tp_settling *settling, const tp_polyline *outline,
                                 const tp_polyline *base_ring, const tp_exact_point *centroid,
-                                tp_message *message);
+                                const fmpq_t shift_x, tp_message *message);
 void tp_settling_clear(tp_settling *settling);
 
-/* Once more, from where the block's own coordinates put it, shifted along x by so much; the bodies
- * are those that were set up. On failure it is the caller's to clear. */
+/* Once more, shifted by so much instead; the bodies are those that were set up. On failure it is
+ * the caller's to clear. */
 TP_MUST_USE tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x,
                                      tp_message *message);
 

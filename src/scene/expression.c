@@ -36,10 +36,12 @@ tp_status tp_expression_evaluate_in(void *value, const tp_algebra *algebra, cons
                                     const char *text, tp_place place,
                                     const tp_parameters *parameters, tp_message *message) {
   const tp_vocabulary names = {.find = find, .context = parameters};
+  tp_dialect own = dialect;
+  if (parameters == NULL) own.unknown_name = "a number stands here, without names";
   tp_formula_node few[FEW_NODES];
   tp_formula formula;
   tp_status status =
-      tp_formula_read_into(&formula, few, FEW_NODES, text, place, &dialect, &names, message);
+      tp_formula_read_into(&formula, few, FEW_NODES, text, place, &own, &names, message);
   if (status != TP_OK) return status;
   status = tp_formula_evaluate(value, &formula, algebra, context, message);
   tp_formula_clear(&formula);

@@ -81,8 +81,28 @@ static tp_status read_placing(const tp_reader *reader, const tp_node *node) {
                       "'all', to list all its resting poses besides, or 'as_given'");
 }
 
+/* Where over its profile the block is set down. */
+static tp_status read_start(const tp_reader *reader, const tp_node *node) {
+  const tp_base_description *base = &reader->scene->base;
+  if (node == NULL) return TP_OK;
+  if (base->mated) {
+    return tp_read_fail(reader, node,
+                        "'shift' belongs to a 'profile' with 'place: rest'; along the mated base "
+                        "that it fits a block is shifted by 'joint: {shift: …}'");
+  }
+  if (!base->rests || base->all_poses) {
+    return tp_read_fail(reader, node,
+                        base->all_poses ? "'place: all' takes all shifts along the profile; leave "
+                                          "out 'shift', or say 'place: rest'"
+                                        : "a block is shifted and set down again by 'place: rest' "
+                                          "beside 'shift'");
+  }
+  return tp_read_quantity(reader, &reader->scene->base.start_x, node, "shift", TP_RULE_ANY);
+}
+
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"mated", "beyond", "between", "profile", "place", NULL};
+  static const char *const keys[] = {"mated", "beyond", "between", "profile",
+                                     "place", "shift",  NULL};
   tp_base_description *base = &reader->scene->base;
   if (node == NULL) return TP_OK;
   base->place = tp_node_place(node, reader->scene->path);
@@ -108,6 +128,7 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
                         "a base that is not mated needs a profile: 'profile: [[x, y], …]'");
   }
   status = read_placing(reader, tp_node_get(node, "place"));
+  if (status == TP_OK) status = read_start(reader, tp_node_get(node, "shift"));
   if (status != TP_OK) return status;
   if (profile != NULL) {
     const tp_node *odd = tp_node_get(node, "beyond");

@@ -100,6 +100,7 @@ typedef struct tp_base_description {
   bool rests;     /* the block is set down on its profile and comes to rest; else it is as given */
   bool all_poses; /* it `rests`, and all resting poses are asked for */
   tp_place rests_place; /* that says so */
+  tp_quantity start_x;  /* it `rests`, shifted along x by that before it is set down */
   tp_quantity within;   /* what lies closer than that to its contact is moved there */
   tp_quantity shift;    /* the block is shifted along its mated base by that, and comes to rest */
   tp_quantity matching; /* or by the least at which so much of its underside at most is closed: */

@@ -3,6 +3,8 @@
 
 #include "stability/find_sample.h"
 
+#include "stability/case_numbers.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,9 +33,7 @@ static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target t
   const bool has_angle = slides && !own->sliding.always;
   switch (target) {
   case TP_FIND_CRITICAL_ANGLE:
-    if (pivot == NULL || pivot->never || pivot->always) return false;
-    *value = pivot->critical_angle_deg;
-    return true;
+    return tp_case_moments_deg(value, own) == TP_CASE_NUMBER;
   case TP_FIND_FOS:
     if (pivot != NULL) *value = pivot->fos_resultant.value;
     return pivot != NULL && pivot->fos_resultant.state == TP_FOS_NUMBER;
@@ -44,11 +44,9 @@ static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target t
     if (slides) *value = own->sliding.fos.value;
     return slides && own->sliding.fos.state == TP_FOS_NUMBER;
   case TP_FIND_LIMIT_ANGLE:
-    *value = own->limit.critical_angle_deg;
-    return own->limit.kind == TP_LIMIT_AT_ANGLE;
+    return tp_case_limit_deg(value, own) == TP_CASE_NUMBER;
   case TP_FIND_ONSET_ANGLE:
-    *value = own->onset.critical_angle_deg;
-    return own->onset.kind == TP_ONSET_AT_ANGLE;
+    return tp_case_onset_deg(value, own) == TP_CASE_NUMBER;
   case TP_FIND_LIMIT_FOS:
     *value = own->limit.fos.value;
     return own->limit.fos.state == TP_FOS_NUMBER;

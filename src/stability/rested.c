@@ -64,8 +64,9 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
   switch (s->how) {
   case TP_SETTLED_BESIDE:
     return tp_fail(message, TP_BAD_INPUT, place,
-                   "set down where its coordinates lie the block falls beside its base: no part of "
-                   "it stands over the profile; shift the block, or let the profile go on");
+                   "set down where its coordinates lie, shifted where 'shift' says so, the block "
+                   "falls beside its base: no part of it stands over the profile; shift the block, "
+                   "or let the profile go on");
   case TP_SETTLED_ROLLS_OFF:
     return tp_fail(
         message, TP_BAD_INPUT, place,
@@ -120,7 +121,8 @@ static tp_status settle(tp_rested *r, const tp_scene *scene, const tp_section *s
   status = tp_as_given_check(&lattice, scene, section, &base.ring, message);
   if (status == TP_OK) {
     find_centroid(&centroid, scene, section, &lattice);
-    status = tp_settle(&r->settling, section->rings, &base.ring, &centroid, message);
+    status = tp_settle(&r->settling, section->rings, &base.ring, &centroid,
+                       scene->base.start_x.value, message);
     tp_lattice_clear(&lattice);
   }
   tp_exact_point_clear(&centroid);

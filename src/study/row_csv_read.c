@@ -97,6 +97,16 @@ static bool read_tilts(tp_study_row *row, const tp_study *study, const char **at
   return read;
 }
 
+/* Of a sample that makes no scene it is the outcome. */
+static bool read_status(tp_study_row *row, const char **at) {
+  const bool invalid = row->at[0].outcome == TP_STUDY_INVALID;
+  const size_t length = strcspn(*at, ",");
+  row->open = length == 4 && strncmp(*at, "open", length) == 0;
+  const bool certain = length == 7 && strncmp(*at, "certain", length) == 0;
+  const bool told = length == 7 && strncmp(*at, "invalid", length) == 0;
+  return (invalid ? told : row->open || certain) && skip(at);
+}
+
 static bool read_measures(tp_study_row *row, const tp_study *study, const char **at) {
   bool read = true;
   for (size_t k = 0; k < study->measure_count && read; k++) {
@@ -111,6 +121,7 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
   double *q = row->quantities;
   *no_memory = false;
   row->why = NULL;
+  row->told_by = TP_TOLD_UNKNOWN;
   row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
   bool read = read_sample(&row->sample, &at);
@@ -126,8 +137,8 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
          read_measures(row, study, &at);
   if (!read) return false;
   row->at[0].fos = q[TP_STUDY_FOS];
-  row->open = strncmp(at, "open,", 5) == 0;
-  if (!skip(&at) || row->at[0].outcome != TP_STUDY_INVALID) return strchr(at, ',') == NULL;
+  if (!read_status(row, &at)) return false;
+  if (row->at[0].outcome != TP_STUDY_INVALID) return *at == '\0';
   row->why = read_text(at);
   *no_memory = row->why == NULL;
   return row->why != NULL;

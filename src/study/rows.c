@@ -8,7 +8,10 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -59,6 +62,23 @@ static tp_status begin(tp_rows *rows, tp_message *message) {
   return tp_progress_write(&rows->progress, rows->path, rows->study, message);
 }
 
+/* Of a run that was ended before it could tell of its progress: the header, or some of it. */
+static tp_status is_begun(bool *begun, const tp_rows *rows, off_t size, tp_message *message) {
+  tp_text header = {0};
+  tp_study_write_header(&header, rows->study);
+  *begun = size == 0;
+  FILE *file = size > 0 && size <= (off_t)header.length ? fopen(rows->path, "rb") : NULL;
+  char *there = file != NULL ? malloc((size_t)size) : NULL;
+  if (there != NULL && fread(there, (size_t)size, 1, file) == 1) {
+    *begun = memcmp(there, header.data, (size_t)size) == 0;
+  }
+  const bool failed = header.failed || (file != NULL && there == NULL);
+  if (file != NULL) fclose(file);
+  free(there);
+  tp_text_drop(&header);
+  return failed ? tp_fail_memory(message, "the rows") : TP_OK;
+}
+
 /* What lies beyond the last whole chunk is cut off. */
 static tp_status go_on(const tp_rows *rows, const tp_study_options *options, off_t size,
                        tp_message *message) {
@@ -84,10 +104,22 @@ static tp_status lock(const tp_rows *rows, tp_message *message) {
                  "another run is writing these rows; wait for it, or name another file");
 }
 
+/* What HDF5 is made of is CSV: a name that promises otherwise is a mistake. */
+static tp_status check_name(const char *path, tp_message *message) {
+  const char *ending = strrchr(path, '.');
+  if (ending == NULL || (strcasecmp(ending, ".h5") != 0 && strcasecmp(ending, ".hdf5") != 0)) {
+    return TP_OK;
+  }
+  return tp_fail(
+      message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+      "the rows are CSV; name a file that ends in .csv, or let 'topple study --rows' make "
+      "HDF5");
+}
+
 static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
                                 tp_message *message) {
   struct stat state;
-  bool there = false;
+  bool there = false, begun = true;
   if (fstat(rows->descriptor, &state) != 0) return fail_writing(rows, message);
   rows->regular = S_ISREG(state.st_mode);
   tp_status status = check_sources(rows, &state, message);
@@ -97,7 +129,11 @@ static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
   }
   if (status != TP_OK) return status;
   if (there) return go_on(rows, options, state.st_size, message);
-  if (rows->regular && state.st_size > 0 && !options->restart) {
+  if (rows->regular && !options->restart) {
+    status = is_begun(&begun, rows, state.st_size, message);
+  }
+  if (status != TP_OK) return status;
+  if (!begun) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){rows->path, 0, 0},
                    "this file is there, and is not the rows of a study to go on with; restart to "
                    "write over it, or name another file");
@@ -112,6 +148,8 @@ tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_opti
                     .descriptor = -1,
                     .progress = {.shard = options->shard, .shards = options->shards}};
   if (rows->path == NULL) return TP_OK;
+  const tp_status named = check_name(rows->path, message);
+  if (named != TP_OK) return named;
   rows->descriptor = open(rows->path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666);
   if (rows->descriptor < 0) return fail_writing(rows, message);
   const tp_status status = begin_or_go_on(rows, options, message);

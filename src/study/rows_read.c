@@ -41,7 +41,7 @@ static tp_status take_line(const reading *r, tp_study_row *row, char *line, size
                            bool *enough) {
   bool no_memory = false;
   if (r->line == 1) return check_header(r, line);
-  if (length == 0 || line[length - 1] != '\n') return fail_line(r);
+  if (length == 0 || line[length - 1] != '\n' || strlen(line) < length) return fail_line(r);
   line[length - 1] = '\0';
   row->line = line;
   const bool read = tp_study_read_row(row, &no_memory, r->study, line);

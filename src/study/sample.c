@@ -4,7 +4,9 @@
 #include "study/sample.h"
 
 #include "number/ratio.h"
+#include "stability/case_numbers.h"
 #include "stability/tilts.h"
+#include "study/sample_filter.h"
 #include "study/shortest.h"
 
 #include <math.h>
@@ -35,34 +37,16 @@ static tp_study_outcome outcome_of(tp_mechanism mechanism) {
 /* ---- results as numbers ------------------------------------------------------------------------
  */
 
-static double moments_of(const tp_case *c) {
-  if (!c->has_governing) return NAN;
-  const tp_pivot *pivot = c->pivots + c->governing;
-  return pivot->never ? INFINITY : pivot->always ? -INFINITY : pivot->critical_angle_deg.value;
-}
+typedef tp_case_state number_of(tp_bounded *value, const tp_case *own);
 
-static double onset_of(const tp_onset *onset) {
-  return onset->kind == TP_ONSET_AT_ANGLE  ? onset->critical_angle_deg.value
-         : onset->kind == TP_ONSET_NEVER   ? INFINITY
-         : onset->kind == TP_ONSET_NOWHERE ? -INFINITY
-                                           : NAN;
-}
-
-static double limit_of(const tp_limit *limit) {
-  return limit->kind == TP_LIMIT_AT_ANGLE      ? limit->critical_angle_deg.value
-         : limit->kind == TP_LIMIT_INTERLOCKED ? INFINITY
-         : limit->kind == TP_LIMIT_NOWHERE     ? -INFINITY
-                                               : NAN;
-}
-
-/* A factor that is but an upper bound, since another is undecided, is none. */
-static double fos_of(const tp_governing_fos *g) {
-  switch (g->fos.state) {
-  case TP_FOS_NUMBER:
-    return g->complete || !g->sliding_judged ? g->fos.value.value : NAN;
-  case TP_FOS_NO_OVERTURNING:
+static double number(number_of *of, const tp_case *own) {
+  tp_bounded value = {0};
+  switch (of(&value, own)) {
+  case TP_CASE_NUMBER:
+    return value.value;
+  case TP_CASE_ALWAYS:
     return INFINITY;
-  case TP_FOS_UNDEFINED:
+  case TP_CASE_NEVER:
     return -INFINITY;
   default:
     return NAN;
@@ -71,11 +55,11 @@ static double fos_of(const tp_governing_fos *g) {
 
 static void take_case(tp_study_row *row, const tp_solution *solution) {
   const tp_case *c = solution->cases;
-  const tp_governing_fos *g = &c->governing_fos;
-  row->quantities[TP_STUDY_MOMENTS_DEG] = moments_of(c);
-  row->quantities[TP_STUDY_ONSET_DEG] = onset_of(&c->onset);
-  row->quantities[TP_STUDY_LIMIT_DEG] = limit_of(&c->limit);
-  row->quantities[TP_STUDY_FOS] = fos_of(g);
+  const tp_factor *factor = tp_case_factor(c);
+  row->quantities[TP_STUDY_MOMENTS_DEG] = number(tp_case_moments_deg, c);
+  row->quantities[TP_STUDY_ONSET_DEG] = number(tp_case_onset_deg, c);
+  row->quantities[TP_STUDY_LIMIT_DEG] = number(tp_case_limit_deg, c);
+  row->quantities[TP_STUDY_FOS] = number(tp_case_fos, c);
   if (c->has_governing) {
     row->pivot_x_m = c->pivots[c->governing].x_m.value;
     row->pivot_y_m = c->pivots[c->governing].y_m.value;
@@ -87,9 +71,9 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
                                ? "holds nowhere"
                                : tp_study_outcome_name(outcome_of(c->limit.mechanism));
   }
-  if (g->has_factor) {
-    row->fos_mechanism = tp_study_outcome_name(outcome_of(g->factors[g->factor].mechanism));
-    row->fos_definition = (int)g->factors[g->factor].definition;
+  if (factor != NULL) {
+    row->fos_mechanism = tp_study_outcome_name(outcome_of(factor->mechanism));
+    row->fos_definition = (int)factor->definition;
   }
 }
 
@@ -188,7 +172,7 @@ static tp_status take_status(tp_study_row *row, tp_study_at *at, tp_status statu
 
 static void take_tilt(tp_study_row *row, size_t k, const tp_solution *solution) {
   row->at[k].outcome = outcome_of(solution->cases[0].mechanism);
-  row->at[k].fos = fos_of(&solution->cases[0].governing_fos);
+  row->at[k].fos = number(tp_case_fos, solution->cases);
   row->open = row->open || tp_solution_is_undecided(solution);
 }
 
@@ -223,6 +207,9 @@ static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, 
 
 tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
                          tp_message *message) {
+  row->told_by = TP_TOLD_BY_DOUBLES;
+  if (tp_sample_filter_tell(row, study, tilts)) return TP_OK;
+  row->told_by = TP_TOLD_BY_LADDER;
   numbers n;
   clear(row, tilts, TP_STUDY_INVALID);
   tp_status status = start(&n, study, tilts, message);

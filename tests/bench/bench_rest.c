@@ -85,6 +85,8 @@ static void time_pose(times *t, const bodies *b) {
   tp_exact_point_init(&centroid);
   fmpq_set_si(&centroid.x, 1, 2);
   fmpq_set_si(&centroid.y, 200, 1);
+  fmpq_t none; /* no shift */
+  fmpq_init(none);
   for (int k = 0; k < ROUNDS; k++) {
     tp_bodies alone;
     tp_settling settling;
@@ -93,11 +95,12 @@ static void time_pose(times *t, const bodies *b) {
     t->bodies[k] = bench_computed() - began;
     tp_bodies_clear(&alone);
     began = bench_computed();
-    if (tp_settle(&settling, &block, &base, &centroid, NULL) != TP_OK) fail("no pose");
+    if (tp_settle(&settling, &block, &base, &centroid, none, NULL) != TP_OK) fail("no pose");
     t->pose[k] = bench_computed() - began;
     t->turns = settling.turns;
     tp_settling_clear(&settling);
   }
+  fmpq_clear(none);
   tp_exact_point_clear(&centroid);
   tp_polyline_clear(&block);
   tp_polyline_clear(&base);

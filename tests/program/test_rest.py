@@ -184,6 +184,41 @@ class Rest(unittest.TestCase):
         self.assertAlmostEqual(case["rest"]["turned_deg"]["value"], -math.degrees(math.atan2(0.7, 2)), delta=1e-14)
         self.assertEqual(case["rest"]["turns"], 1)
 
+    def test_shift(self):
+        """`shift` says over which part of the profile the block is set down: as its coordinates moved there by hand do."""
+        draw = random.Random(SEED + 7)
+        done = 0
+        while done < 20:
+            block, profile, shift = random_block(draw), random_profile(draw), round(draw.uniform(-3, 3), 3)
+            moved = [(round(x + shift, 3), y) for x, y in block]
+            if rest_oracle.rest(moved, profile)[0] != "rests":
+                continue
+            done += 1
+            with self.subTest(block=block, profile=profile, shift=shift):
+                by_hand = self.rested(moved, profile)
+                self.write(block, profile)
+                self.path.write_text(self.path.read_text().replace("place: rest", f"place: rest, shift: {shift}"))
+                own = solve(self.path)["cases"][0]
+                along = own["rest"].pop("moved_x_m")["value"], by_hand["rest"].pop("moved_x_m")["value"]
+                self.assertAlmostEqual(along[0], along[1] + shift, delta=1e-9)
+                for key in by_hand:
+                    if key != "effects":
+                        self.assertEqual(own[key], by_hand[key], key)
+
+    def test_shift_refused(self):
+        block, ground = [(0.0, 1.0), (2.0, 1.0), (1.0, 3.0)], [(-5.0, 0.0), (5.0, 0.0)]
+        self.write(block, ground)
+        text_of_it = self.path.read_text()
+        for base, says in (("place: all, shift: 1", "takes all shifts"), ("shift: 1", "set down again by 'place: rest'"),
+                           ("place: as_given, shift: 1", "set down again by 'place: rest'"),
+                           ("place: rest, shift: 20", "falls beside its base"), ("place: rest, shift: a", "'a'")):
+            self.path.write_text(text_of_it.replace("place: rest", base))
+            status, out, err = run("solve", self.path)
+            self.assertEqual((status, out), (3, ""))
+            self.assertIn(says, err)
+        self.path.write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\nbase: {mated: true, shift: 1}\n")
+        self.assertIn("'joint: {shift: …}'", run("solve", self.path)[2])
+
     def test_as_it_was(self):
         """`as_given` is as without the key, and a block that rests already stays where it is."""
         block, profile = [(0.0, 0.0), (2.0, 0.0), (2.0, 3.0), (0.0, 3.0)], [(-5.0, 0.0), (5.0, 0.0)]

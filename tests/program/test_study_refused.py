@@ -28,6 +28,8 @@ class Refused(StudyCase):
         refused("shard 1 of 2", "study.yaml", "--csv", "1.csv")
         refused("shard 1 is given twice", "study.yaml", "--merge", "1.csv", "1.csv")
         refused("give those of all shards", "study.yaml", "--merge", "1.csv")
+        refused("none.csv: cannot be opened: No such file", "study.yaml", "--merge", "1.csv", "none.csv")
+        refused("there is no 'mine.csv.progress' beside it", "study.yaml", "--merge", "1.csv", "mine.csv")
         refused("this is a shard", "study.yaml", "--merge", "1.csv", "2.csv", "--csv", "1.csv", "--restart")
         self.write(text.replace("mean: 30", "mean: 31"), "other.yaml")
         refused("another study", "other.yaml", "--merge", "1.csv", "2.csv")
@@ -77,6 +79,7 @@ class Refused(StudyCase):
                 ("samples: 10\nvary: {block.slab.height: {list: [1]}}", "leave 'samples' out"),
                 (vary.replace("samples: 10\n", ""), "'samples' is missing"),
                 (vary.replace("10", "0"), "a whole number from 1"),
+                (vary.replace("10", "ten"), r"study.yaml:3:10: unknown name 'ten'; a number stands here"),
                 (vary + "sampling: {method: latin}", "did you mean 'latin_hypercube'"),
                 (vary + "sampling: {sede: 1}", "did you mean 'seed'"),
                 (vary + "tilts_deg: [10, 10]", "rises"),

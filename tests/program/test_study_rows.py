@@ -3,6 +3,7 @@
 """The rows of a study: those of a sample beside `topple solve`, and the same bytes by any number of threads, in shards,
 after kills, on a disk that was full, and where the study stops by itself."""
 
+import fractions
 import json
 import random
 import resource
@@ -11,7 +12,7 @@ import subprocess
 import time
 
 from harness import PROGRAM, main, run
-from study_case import ROAD_COLUMNS, STUDIES, StudyCase
+from study_case import ROAD_COLUMNS, STUDIES, StudyCase, shown
 
 
 class Rows(StudyCase):
@@ -34,12 +35,12 @@ class Rows(StudyCase):
                 (folder / "one.yaml").write_text(scene.replace("angle_deg: 22", f"angle_deg: {tilt}"))
                 one = json.loads(run("solve", "--json", "one.yaml", folder=folder)[1])["cases"][0]
                 self.assertEqual(row[outcome], one["mechanism"])
-                self.assertEqual(float(row[fos]), one["governing_fos"]["fos"]["value"])
+                self.assertEqual(float(row[fos]), shown(one["governing_fos"]["fos"]))
             pivot = one["pivots"][one["toppling"]["pivot"]]
-            self.assertEqual(float(row["moments_deg"]), one["toppling"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["pivot_x_m"]), pivot["x_m"]["value"])
-            self.assertEqual(float(row["onset_deg"]), one["onset"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["limit_deg"]), one["limit"]["critical_angle_deg"]["value"])
+            self.assertEqual(float(row["moments_deg"]), shown(one["toppling"]["critical_angle_deg"]))
+            self.assertEqual(float(row["pivot_x_m"]), shown(pivot["x_m"]))
+            self.assertEqual(float(row["onset_deg"]), shown(one["onset"]["critical_angle_deg"]))
+            self.assertEqual(float(row["limit_deg"]), shown(one["limit"]["critical_angle_deg"]))
             self.assertEqual((row["limit_mechanism"], row["first"], row["status"]),
                              (one["limit"]["mechanism"], one["first"]["mechanism"], "certain"))
 
@@ -72,12 +73,37 @@ class Rows(StudyCase):
                 for column, said in (("moments_deg", one["toppling"]["critical_angle_deg"]), ("pivot_x_m", pivot["x_m"]),
                                      ("pivot_y_m", pivot["y_m"]), ("onset_deg", one["onset"]["critical_angle_deg"]),
                                      ("limit_deg", one["limit"]["critical_angle_deg"]), ("fos", governing["fos"])):
-                    self.assertEqual(number.get(row[column]) or float(row[column]), said["value"], (row, column))
+                    self.assertEqual(number.get(row[column]) or float(row[column]), shown(said), (row, column))
                 self.assertEqual([row[column] for column in ("outcome", "fos_mechanism", "fos_definition", "first",
                                                              "limit_mechanism", "status")],
                                  [one["mechanism"], governing["mechanism"], governing["definition"], one["first"]["mechanism"],
                                   one["limit"]["mechanism"], "certain"])
         self.assertGreaterEqual(invalid, 3)
+
+    def test_position_and_seed(self):
+        """Where a boulder lies on a bench, and by which seed that is made: every 50th sample with its coordinates moved by hand
+        onto the points of that bench, which are written as CSV."""
+        study = STUDIES / "block_on_rough_base_study.yaml"
+        self.study(study, "--rows", "rows.csv")
+        text = (STUDIES / "block_on_rough_base.yaml").read_text()
+        rule = [line for line in text.splitlines(keepends=True) if "self_affine" in line or "profile:" in line or "shift:" in line]
+        (outline,) = [line for line in text.splitlines() if "outline" in line]
+        points = json.loads(outline.split(":", 1)[1])
+        rows = self.rows()
+        self.assertEqual(len(rows), 400)
+        for row in rows[::50]:
+            run("solve", STUDIES / "block_on_rough_base.yaml", "--set", f"base.profile.self_affine.seed={row['base.profile.self_affine.seed']}",
+                "--write-profile", "bench.csv", folder=self.folder)
+            shift = fractions.Fraction(row["base.shift_m"])
+            moved = ", ".join(f"[{fractions.Fraction(str(x)) + shift}, {y}]" for x, y in points)
+            scene = text.replace(outline, f"  outline: [{moved}]").replace("angle_deg: 35", f"angle_deg: {row['friction_angle_deg']}")
+            for line in rule:
+                scene = scene.replace(line, "  profile: bench.csv\n" if "profile:" in line else "")
+            (self.folder / "one.yaml").write_text(scene)
+            one = json.loads(run("solve", "--json", "one.yaml", folder=self.folder)[1])["cases"][0]
+            self.assertEqual((row["outcome"], row["limit_mechanism"]), (one["mechanism"], one["limit"]["mechanism"]))
+            self.assertEqual(float(row["limit_deg"]), shown(one["limit"]["critical_angle_deg"]))
+            self.assertEqual(float(row["moments_deg"]), shown(one["toppling"]["critical_angle_deg"]))
 
     def test_header(self):
         """Every column says its unit: a length that of the scene, of a parameter too where it is lengths alone; the
@@ -179,6 +205,23 @@ class Rows(StudyCase):
         self.assertIn("goes on from it", done.stderr)
         self.assertEqual(self.study("study.yaml", "--csv", "full.csv"), whole)
         self.assertEqual((self.folder / "full.csv").read_bytes(), (self.folder / "rows.csv").read_bytes())
+
+    def test_ended_at_once(self):
+        """With the header, or some of it, and no word of progress: as a run leaves it that was killed, or found the disk full,
+        before its first chunk. It begins; by one byte more it is a file of somebody else."""
+        self.write("samples: 100\nvary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}}\n")
+        whole = self.study("study.yaml", "--rows", "rows.csv")
+        rows = (self.folder / "rows.csv").read_bytes()
+        header = rows[:rows.index(b"\n") + 1]
+        for begun in (b"", header[:1], header[:30], header):
+            (self.folder / "begun.csv").write_bytes(begun)
+            self.assertEqual(self.study("study.yaml", "--rows", "begun.csv"), whole)
+            self.assertEqual((self.folder / "begun.csv").read_bytes(), rows)
+            (self.folder / "begun.csv.progress").unlink()
+        for other in (header + b"0", b"x", header[:-1] + b"x\n", header[1:]):
+            (self.folder / "begun.csv").write_bytes(other)
+            self.assertIn("not the rows of a study", self.study("study.yaml", "--rows", "begun.csv", status=3))
+            self.assertEqual((self.folder / "begun.csv").read_bytes(), other)
 
     def test_until(self):
         """It stops at the end of a chunk, where one run and merged shards stop alike."""
