@@ -222,6 +222,8 @@ typedef struct tp_study_result {
   double half_width;       /* asked of every interval; 0: none was asked for */
   size_t open; /* solved samples with a number less certain than to 9 digits, or a limit or factor
                   undecided */
+  size_t by_doubles; /* samples told by doubles with proven bounds; the ladder told the others */
+  double doubles_seconds, ladder_seconds;       /* of computing, of those solved in this run */
   size_t tilt_count;                            /* 1 at least */
   tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
   size_t variable_count;                        /* of the numbers that vary */

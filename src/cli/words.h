@@ -17,6 +17,8 @@ void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2
 void tp_cli_tell_progress(size_t done, size_t of, double rate);
 /* Clears that line. */
 void tp_cli_clear_progress(void);
+/* What it cost: seconds of computing by doubles with bounds, and by the ladder. */
+void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds);
 
 /* argp_error in plain text: complain, name --help and end, unless the parser's flags keep it. */
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...)

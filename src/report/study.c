@@ -251,11 +251,19 @@ static void add_bad(tp_text *t, const tp_study_result *r) {
   }
 }
 
+/* What accuracy costs, in bulk. */
+static void add_tellers(tp_text *t, const tp_study_result *r) {
+  if (r->by_doubles == 0) return;
+  tp_text_add(t, "%zu samples were told by doubles with proven bounds, %zu by the ladder.\n",
+              r->by_doubles, r->samples - r->by_doubles);
+}
+
 static void add_foot(tp_text *t, const tp_study_result *r) {
   tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each by itself.\n");
   if (r->open > 0) {
     tp_text_add(t, "%zu samples have a number that is less certain than to 9 digits.\n", r->open);
   }
+  add_tellers(t, r);
   if (r->kept < r->samples) {
     tp_text_add(t, "Ranges, quantiles and ranks are of the first %zu samples.\n", r->kept);
   }

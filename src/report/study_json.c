@@ -241,6 +241,7 @@ static void add_head(tp_json *j, const tp_study_result *r) {
   tp_json_count(j, "shard", r->shard);
   tp_json_count(j, "shards", r->shards);
   tp_json_count(j, "open", r->open);
+  tp_json_count(j, "by_doubles", r->by_doubles);
 }
 
 static void add_bad(tp_json *j, const tp_study_result *r) {

@@ -9,6 +9,7 @@
 #include "study/hash.h"
 #include "study/plan.h"
 #include "study/roughness.h"
+#include "study/sample_filter.h"
 #include "study/variable.h"
 
 #include <stdlib.h>
@@ -231,7 +232,9 @@ static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_until(reader, root);
   if (status == TP_OK) status = tp_study_read_analyses(reader, root);
   if (status == TP_OK) status = tp_study_read_designs(reader, root);
-  return status == TP_OK ? tp_study_read_roughness(reader, root) : status;
+  if (status == TP_OK) status = tp_study_read_roughness(reader, root);
+  if (status != TP_OK) return status;
+  return tp_sample_filter_new(&reader->study->filter, reader->study, reader->message);
 }
 
 tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
@@ -267,6 +270,7 @@ void tp_study_free(tp_study *study) {
   free((void *)study->drawn_names);
   free(study->correlation);
   free(study->tilts);
+  tp_sample_filter_free(study->filter);
   free(study->designs);
   tp_scene_free(study->scene);
   free(study->scene_path);

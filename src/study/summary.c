@@ -198,6 +198,9 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
   result->samples = tally->samples;
   result->kept = (size_t)tally->kept;
   result->open = tally->open;
+  result->by_doubles = tally->by_doubles;
+  result->doubles_seconds = tally->doubles_seconds;
+  result->ladder_seconds = tally->ladder_seconds;
   result->steps = tally->steps;
   result->step_count = (size_t)tally->step_count;
   result->bad = tally->bad;

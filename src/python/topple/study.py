@@ -201,6 +201,9 @@ class StudyResult(Record):
     shards: int
     half_width: float  #: asked of every interval; 0: none was
     open: int  #: samples with a number less certain than to 9 digits
+    by_doubles: int  #: samples told by doubles with proven bounds; the ladder told the others
+    doubles_seconds: float  #: of computing, of those solved in this run, by doubles
+    ladder_seconds: float  #: and by the ladder
     tilts: tuple[StudyTilt, ...] = field(count="tilt_count")
     variables: tuple[StudyVariable, ...] = field(count="variable_count")
     spreads: tuple[StudySpread, ...]  #: in the order of `StudyQuantity`
