@@ -47,21 +47,23 @@ typedef enum tp_tilt_event_kind {
   TP_EVENT_ACCUMULATES  /* impacts without end in finite time were passed: its contact closes */
 } tp_tilt_event_kind;
 
+/* One of these events. */
 typedef struct tp_tilt_event {
-  tp_tilt_event_kind kind;
-  double time_s;    /* from the start of the run; 0 on a quasi-static path */
-  double angle_deg; /* of the table */
-  double x_m, y_m;  /* where on the base; of the whole block: its centroid */
+  tp_tilt_event_kind kind; /* what happened */
+  double time_s;           /* from the start of the run; 0 on a quasi-static path */
+  double angle_deg;        /* of the table */
+  double x_m, y_m;         /* where on the base; of the whole block: its centroid */
   long facet;       /* of the base, counted from 1 from left to right; 0: none, or an end face */
   double speed_m_s; /* of approach, where the contact closes; of slip, where it slips */
 } tp_tilt_event;
 
 /* The block at one moment. */
 typedef struct tp_tilt_moment {
-  double time_s, angle_deg;
+  double time_s, angle_deg;                /* when, and at which tilt of the table */
   double moved_x_m, moved_y_m, turned_deg; /* of its centroid, and counter-clockwise */
-  double speed_x_m_s, speed_y_m_s, turning_rad_s;
-  double kinetic_energy_j;
+  double speed_x_m_s, speed_y_m_s;         /* of its centroid */
+  double turning_rad_s;                    /* counter-clockwise */
+  double kinetic_energy_j;                 /* of its motion and its turn */
   double energy_balance_j; /* work of gravity, loads and shaking less kinetic energy, what springs
                               hold, and what friction, damping and impacts took: 0 but for errors */
 } tp_tilt_moment;

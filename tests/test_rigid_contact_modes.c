@@ -130,11 +130,41 @@ START_TEST(window_is_that_of_the_solve) {
   ck_assert_int_eq(rest_at(&s.body, onset - near).motion_count, 0);
   ck_assert_int_gt(rest_at(&s.body, onset + near).motion_count, 0);
   if (c->limit.kind == TP_LIMIT_AT_ANGLE) {
-    /* forces are found within 1e-10 of the loads, which change by a share of the angle of order 1 */
+    /* forces are found within 1e-10 of the loads, which change by a share of the angle of order 1
+     */
     const double limit = c->limit.critical_angle_deg.value, far = 1e-7;
     ck_assert(rest_at(&s.body, limit - far).held);
     ck_assert(!rest_at(&s.body, limit + far).held);
   }
+  body_stage_clear(&s);
+}
+END_TEST
+
+/* On a table that tilts slowly from level it lets go at that tilt. */
+START_TEST(table_lets_go_at_the_onset_of_the_solve) {
+  const tilted *own = scenes + _i;
+  char text[1000];
+  body_stage s;
+  tp_history h = {0};
+  tp_message message = {0};
+  snprintf(text, sizeof text, "%stilt: {towards: %s}\n", own->text,
+           own->towards == TP_TOWARDS_LEFT ? "left" : "right");
+  body_stage_init(&s, text, own->towards);
+  const tp_drive drive = {.speed = pi / 180 / 3, .final_angle = 1.5};
+  const tp_rigid_contact_settings settings = tp_rigid_contact_settings_default();
+  const tp_run run = {
+      .body = &s.body, .drive = &drive, .longest_s = 300, .until_collapse = true, .history = &h};
+  ck_assert_int_eq(tp_rigid_contact_run(NULL, NULL, &run, &settings, &message), TP_RUN_MOVES);
+  const double onset = s.solution->cases[0].onset.critical_angle_deg.value;
+  bool let_go = false;
+  for (size_t e = 0; e < h.event_count; e++) {
+    if (h.events[e].kind != TP_EVENT_COLLAPSES) continue;
+    ck_assert_msg(fabs(h.events[e].angle_deg - onset) < 1e-8, "lets go at %.12g, not %.12g",
+                  h.events[e].angle_deg, onset);
+    let_go = true;
+  }
+  ck_assert(let_go);
+  tp_history_clear(&h);
   body_stage_clear(&s);
 }
 END_TEST
@@ -302,6 +332,7 @@ int main(void) {
   tcase_set_timeout(tests, 300);
   tcase_add_loop_test(tests, motions_from_rest_are_those_of_the_solve, 0, SCENES);
   tcase_add_loop_test(tests, window_is_that_of_the_solve, 0, SCENES);
+  tcase_add_loop_test(tests, table_lets_go_at_the_onset_of_the_solve, 0, SCENES);
   tcase_add_test(tests, slab_turns_or_slips_as_the_dynamic_border_says);
   tcase_add_test(tests, blocks_e_and_f_slip_and_then_fall);
   tcase_add_test(tests, block_at_rest_does_not_creep);

@@ -48,5 +48,8 @@ tp_status tp_cli_study_run(tp_study_result **result, const tp_study *study,
   tp_cli_catch_signals();
   const tp_status status = tp_study_run(result, study, &own, message);
   if (terminal) tp_cli_clear_progress();
+  if (terminal && status == TP_OK) {
+    tp_cli_tell_cost((*result)->doubles_seconds, (*result)->ladder_seconds);
+  }
   return status;
 }

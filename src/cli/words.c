@@ -41,6 +41,11 @@ void tp_cli_clear_progress(void) {
   fprintf(stderr, "\r%70s\r", "");
 }
 
+void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds) {
+  fprintf(stderr, "%.3g s of computing by doubles with proven bounds, %.3g s by the ladder\n",
+          doubles_seconds, ladder_seconds);
+}
+
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...) {
   char plain[COMPLAINT_SIZE];
   va_list arguments;

@@ -19,6 +19,8 @@ void tp_cli_tell_progress(size_t done, size_t of, double rate);
 void tp_cli_tell_bracket(size_t runs, double least_deg, double most_deg);
 /* Clears that line. */
 void tp_cli_clear_progress(void);
+/* What it cost: seconds of computing by doubles with bounds, and by the ladder. */
+void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds);
 
 /* argp_error in plain text: complain, name --help and end, unless the parser's flags keep it. */
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...)

@@ -18,9 +18,12 @@ static const double kept_force = 0.8;
  * rest, so that what slides already counts. */
 static const double growth = 1 + 1e-4;
 
-/* What moves on keeps so much of its displacement; of the extent, and of what the springs give for
- * each radian of tilt, it is at least so much. */
-static const double kept_drift = 0.95, least_drift = 1e-7, least_gives = 100;
+/* What moves on keeps so much of its displacement. */
+static const double kept_drift = 0.95;
+
+/* No motion for good is slower: of the extent in sqrt(extent / g), and of what the springs give for
+ * each radian of tilt, which near the limit is a thousand times what they do on level ground. */
+static const double least_speed = 1e-7, least_gives = 1e4;
 
 static tp_drift place_of(const tp_stepper *s) {
   return (tp_drift){s->state.moved.x, s->state.moved.y, s->state.turned * s->body->extent_m};
@@ -41,24 +44,28 @@ void tp_spring_watch_init(tp_spring_watch *w, const tp_stepper *s) {
                          .extent_m = body->extent_m,
                          .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
                          .from = place_of(s),
-                         .angle = tp_drive_angle(s->drive, s->time_s),
                          .give_m = give(s)};
   w->window_end_s = s->time_s + w->window_s;
+}
+
+static double slowest(const tp_spring_watch *w, const tp_stepper *s) {
+  const double before = tp_drive_angle(s->drive, s->time_s - w->window_s);
+  const double rate = fabs(tp_drive_angle(s->drive, s->time_s) - before) / w->window_s;
+  const double of_extent = least_speed * sqrt(w->extent_m * TP_GRAVITY_M_S2);
+  return fmax(of_extent, least_gives * w->give_m * rate);
 }
 
 /* After sixteen windows: did it move on as in the sixteen before? */
 static void judge_drift(tp_spring_watch *w, const tp_stepper *s) {
   const tp_drift at = place_of(s), last = w->last_drift;
   const tp_drift now = {at.x - w->from.x, at.y - w->from.y, at.turned - w->from.turned};
-  const double angle = tp_drive_angle(s->drive, s->time_s);
-  const double least = least_drift * w->extent_m + least_gives * w->give_m * fabs(angle - w->angle);
+  const double least = slowest(w, s) * WINDOWS * w->window_s;
   const double along = now.x * last.x + now.y * last.y + now.turned * last.turned;
   const double square = last.x * last.x + last.y * last.y + last.turned * last.turned;
   const bool moves_on = square > least * least && along >= kept_drift * square;
   w->drifting = moves_on ? w->drifting + 1 : 0;
   w->from = at;
   w->last_drift = now;
-  w->angle = angle;
 }
 
 static double product(tp_body_force f, tp_body_force g) {
@@ -79,9 +86,11 @@ static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, doubl
   if (++w->windows % WINDOWS == 0) judge_drift(w, stepper);
   if (stepper->drive->shaking != NULL && !stepper->steady) return TP_WATCH_NOTHING;
   if (w->resting >= RESTING_WINDOWS) return TP_WATCH_QUIET;
-  const bool grew = w->growing >= GROWING_WINDOWS;
+  const double speed = slowest(w, stepper);
+  const bool fast = kinetic > speed * speed / (2 * TP_GRAVITY_M_S2 * w->extent_m);
+  const bool grew = w->growing >= GROWING_WINDOWS && fast;
   if (!grew && w->drifting < DRIFTING_TIMES) return TP_WATCH_NOTHING;
-  const double windows = grew ? GROWING_WINDOWS : (DRIFTING_TIMES + 1) * WINDOWS;
+  const double windows = grew ? (double)w->growing : (double)(DRIFTING_TIMES + 1) * WINDOWS;
   w->begun_s = stepper->time_s - windows * w->window_s;
   return TP_WATCH_COLLAPSES;
 }

@@ -36,8 +36,8 @@ typedef struct tp_spring_watch {
   long growing, resting;  /* windows in a row */
   long windows, drifting; /* all windows; sixteens of them in which it moved on */
   tp_drift from, last_drift;
-  double angle, give_m; /* of the table then; how far springs give under the weight, about */
-  double begun_s;       /* when what is told began */
+  double give_m;  /* how far springs give under the weight, about */
+  double begun_s; /* when what is told began */
 } tp_spring_watch;
 
 typedef enum tp_spring_watch_news {

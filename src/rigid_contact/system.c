@@ -8,8 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Pairs within this distance of each other are listed; half of it may be moved before they are
- * listed anew, as both ends of a pair move, at most, by that. */
+/* Pairs within this distance of each other are listed, and listed anew after half of it has been
+ * moved, so that a step may go as far again. */
 static const double listed_reach = 0.2;
 
 static double distance_to_segment(tp_xy p, tp_xy from, tp_xy along, double length) {
@@ -96,11 +96,19 @@ static void take_over(tp_contact_system *s, const tp_pair *old, long old_count) 
   }
 }
 
-bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) {
+/* How far any point of the block has moved, at most, since the pairs were listed. */
+static double moved_since(const tp_contact_system *s, const tp_motion_state *state) {
   const tp_motion_state *at = &s->listed_at;
-  const double moved = hypot(state->place[0] - at->place[0], state->place[1] - at->place[1]) +
-                       fabs(state->place[2] - at->place[2]);
-  if (moved < listed_reach / 2) return true;
+  return hypot(state->place[0] - at->place[0], state->place[1] - at->place[1]) +
+         fabs(state->place[2] - at->place[2]);
+}
+
+bool tp_contact_system_covers(const tp_contact_system *s, const tp_motion_state *state) {
+  return moved_since(s, state) < listed_reach;
+}
+
+bool tp_contact_system_list(tp_contact_system *s, const tp_motion_state *state) {
+  if (moved_since(s, state) < listed_reach / 2) return true;
   tp_pair *old = s->pairs;
   const long old_count = s->pair_count;
   s->pairs = NULL;

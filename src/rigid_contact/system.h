@@ -41,6 +41,9 @@ void tp_contact_system_clear(tp_contact_system *system);
  * touch stays as it was. False when memory is exhausted. */
 TP_MUST_USE bool tp_contact_system_list(tp_contact_system *system, const tp_motion_state *state);
 
+/* Has the block moved so little since the pairs were listed that no other can have closed? */
+bool tp_contact_system_covers(const tp_contact_system *system, const tp_motion_state *state);
+
 tp_motion_state tp_motion_of(const tp_contact_system *system, const tp_body_state *state);
 tp_body_state tp_motion_told(const tp_contact_system *system, const tp_motion_state *state);
 

@@ -38,24 +38,67 @@ tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine, tp_tilt
   return TP_OK;
 }
 
-/* A call of one number, which has the name of its member. */
-#define SET(member, rule)                                                                          \
-  tp_status tp_scene_set_tilt_test_##member(tp_scene *scene, tp_exact member,                      \
-                                            tp_message *message) {                                 \
-    TP_GUARD_HOST;                                                                                 \
-    TP_REFUSE_NULL(message, scene);                                                                \
-    return set_number(scene, __func__, (tp_given){#member, member, rule},                          \
-                      offsetof(tp_scene, tilt_test.member), message);                              \
-  }
+tp_status tp_scene_set_tilt_test_speed_deg_min(tp_scene *scene, tp_exact speed_deg_min,
+                                               tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"speed_deg_min", speed_deg_min, TP_RULE_ABOVE_ZERO},
+                    offsetof(tp_scene, tilt_test.speed_deg_min), message);
+}
 
-SET(speed_deg_min, TP_RULE_ABOVE_ZERO)
-SET(until_deg, TP_RULE_ANGLE_TO_90)
-SET(tolerance_deg, TP_RULE_ABOVE_ZERO)
-SET(duration_s, TP_RULE_ABOVE_ZERO)
-SET(damping, TP_RULE_SHARE)
-SET(rounding, TP_RULE_ABOVE_ZERO)
-SET(time_step_s, TP_RULE_ABOVE_ZERO)
-SET(restitution, TP_RULE_SHARE)
+tp_status tp_scene_set_tilt_test_until_deg(tp_scene *scene, tp_exact until_deg,
+                                           tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"until_deg", until_deg, TP_RULE_ANGLE_TO_90},
+                    offsetof(tp_scene, tilt_test.until_deg), message);
+}
+
+tp_status tp_scene_set_tilt_test_tolerance_deg(tp_scene *scene, tp_exact tolerance_deg,
+                                               tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"tolerance_deg", tolerance_deg, TP_RULE_ABOVE_ZERO},
+                    offsetof(tp_scene, tilt_test.tolerance_deg), message);
+}
+
+tp_status tp_scene_set_tilt_test_duration_s(tp_scene *scene, tp_exact duration_s,
+                                            tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"duration_s", duration_s, TP_RULE_ABOVE_ZERO},
+                    offsetof(tp_scene, tilt_test.duration_s), message);
+}
+
+tp_status tp_scene_set_tilt_test_damping(tp_scene *scene, tp_exact damping, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"damping", damping, TP_RULE_SHARE},
+                    offsetof(tp_scene, tilt_test.damping), message);
+}
+
+tp_status tp_scene_set_tilt_test_rounding(tp_scene *scene, tp_exact rounding, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"rounding", rounding, TP_RULE_ABOVE_ZERO},
+                    offsetof(tp_scene, tilt_test.rounding), message);
+}
+
+tp_status tp_scene_set_tilt_test_time_step_s(tp_scene *scene, tp_exact time_step_s,
+                                             tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"time_step_s", time_step_s, TP_RULE_ABOVE_ZERO},
+                    offsetof(tp_scene, tilt_test.time_step_s), message);
+}
+
+tp_status tp_scene_set_tilt_test_restitution(tp_scene *scene, tp_exact restitution,
+                                             tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return set_number(scene, __func__, (tp_given){"restitution", restitution, TP_RULE_SHARE},
+                    offsetof(tp_scene, tilt_test.restitution), message);
+}
 
 tp_status tp_scene_set_tilt_test_stiffness_gpa_m(tp_scene *scene, tp_exact normal_gpa_m,
                                                  tp_exact shear_gpa_m, tp_message *message) {

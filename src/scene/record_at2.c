@@ -5,7 +5,7 @@
  * database writes it, or "4000 0.0100 NPTS, DT", as older files have it, then the numbers. */
 
 #define _GNU_SOURCE
-#include "scene/record_source.h"
+#include "scene/record_at2.h"
 
 #include "number/ratio.h"
 

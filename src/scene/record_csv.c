@@ -4,8 +4,8 @@
 /* An accelerogram in CSV. Units are read from the header and never guessed: a record in m/s2 taken
  * for one in g would spare no block, the other way round would overturn none. */
 
+#include "scene/record_csv.h"
 #include "scene/csv_row.h"
-#include "scene/record_source.h"
 
 #include <ctype.h>
 #include <string.h>

@@ -32,9 +32,4 @@ TP_MUST_USE tp_status tp_record_value(fmpq_t value, const tp_record_source *sour
 TP_MUST_USE tp_status tp_record_append(tp_polyline *record, const tp_record_source *source,
                                        const fmpq_t time, const fmpq_t acceleration, size_t at);
 
-/* The two formats. */
-TP_MUST_USE tp_status tp_record_read_at2(tp_polyline *record, tp_record_source *source);
-TP_MUST_USE tp_status tp_record_read_csv(tp_polyline *record, tp_record_source *source,
-                                         long column);
-
 #endif

@@ -30,8 +30,9 @@ void tp_solve_options_init(tp_solve_options *options, size_t size) {
 /* Statics that knew nothing of an earthquake would make the block look safer than it is. */
 static tp_status note_shaking(tp_notes *notes, const tp_scene *scene, tp_message *message) {
   if (!tp_scene_is_shaken(scene)) return TP_OK;
-  return tp_notes_add(notes, message, TP_CAUTION, scene->shaking_place,
-                      "the shaking of the base is not in these numbers: 'topple tilt' simulates it");
+  return tp_notes_add(
+      notes, message, TP_CAUTION, scene->shaking_place,
+      "the shaking of the base is not in these numbers: 'topple tilt' simulates it");
 }
 
 static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *scene,

@@ -10,6 +10,7 @@
 #include "study/result.h"
 #include "study/rows.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -49,6 +50,19 @@ static tp_status check_part(const part *own, const tp_study *study, size_t count
                  (size_t)whole);
 }
 
+/* Its progress is not there. */
+static tp_status fail_missing(const char *path, tp_message *message) {
+  struct stat state;
+  const tp_place place = {path, 0, 0};
+  if (stat(path, &state) != 0) {
+    return tp_fail(message, TP_BAD_INPUT, place, "cannot be opened: %s", strerror(errno));
+  }
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "there is no '%.300s.progress' beside it, by which the rows of a shard are known; "
+                 "copy both files",
+                 path);
+}
+
 /* Each into the place of its shard. */
 static tp_status sort_parts(part *parts, const tp_study *study, const char *const *shards,
                             size_t count, tp_message *message) {
@@ -59,10 +73,7 @@ static tp_status sort_parts(part *parts, const tp_study *study, const char *cons
     part own = {.path = shards[k]};
     bool there = false;
     tp_status status = tp_progress_read(&own.progress, &there, own.path, study, message);
-    if (status == TP_OK && !there) {
-      status = tp_fail(message, TP_BAD_INPUT, (tp_place){own.path, 0, 0},
-                       "there is no file of its progress beside it, by which it is known");
-    }
+    if (status == TP_OK && !there) status = fail_missing(own.path, message);
     if (status == TP_OK) status = check_part(&own, study, count, message);
     if (status != TP_OK) return status;
     part *place = parts + own.progress.shard - 1;

@@ -9,6 +9,7 @@
 #include "study/hash.h"
 #include "study/plan.h"
 #include "study/roughness.h"
+#include "study/sample_filter.h"
 #include "study/variable.h"
 
 #include <stdlib.h>
@@ -46,6 +47,7 @@ static tp_status hash_scene(const tp_study_reader *reader) {
   for (size_t k = 0; k < tp_scene_source_count(study->scene) && status == TP_OK; k++) {
     status = tp_hash_file(&study->hash, tp_scene_source(study->scene, k), reader->message);
   }
+  study->hash_of_scene = study->hash;
   return status;
 }
 
@@ -230,7 +232,9 @@ static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_until(reader, root);
   if (status == TP_OK) status = tp_study_read_analyses(reader, root);
   if (status == TP_OK) status = tp_study_read_designs(reader, root);
-  return status == TP_OK ? tp_study_read_roughness(reader, root) : status;
+  if (status == TP_OK) status = tp_study_read_roughness(reader, root);
+  if (status != TP_OK) return status;
+  return tp_sample_filter_new(&reader->study->filter, reader->study, reader->message);
 }
 
 tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
@@ -249,6 +253,7 @@ tp_status tp_study_read(tp_study **study, const char *path, tp_message *message)
   tp_status status = own->path != NULL ? tp_node_read(&own->root, own->path, message)
                                        : tp_fail_memory(message, "the study");
   if (status == TP_OK) status = tp_hash_file(&own->hash, own->path, message);
+  own->hash_of_file = own->hash;
   if (status == TP_OK) status = read_root(&reader, own->root);
   if (status == TP_OK) {
     *study = own;
@@ -265,6 +270,7 @@ void tp_study_free(tp_study *study) {
   free((void *)study->drawn_names);
   free(study->correlation);
   free(study->tilts);
+  tp_sample_filter_free(study->filter);
   free(study->designs);
   tp_scene_free(study->scene);
   free(study->scene_path);

@@ -14,6 +14,14 @@ typedef struct tp_study_at {
   double fos;
 } tp_study_at;
 
+/* What told a sample. Of a row that was read it is not known, but can be found again
+ * (sample_filter.h). */
+typedef enum tp_study_teller {
+  TP_TOLD_UNKNOWN,
+  TP_TOLD_BY_DOUBLES,
+  TP_TOLD_BY_LADDER
+} tp_study_teller;
+
 typedef struct tp_study_row {
   uint64_t sample;
   double *values;  /* of the variables; the caller's, as `at` is */
@@ -25,8 +33,17 @@ typedef struct tp_study_row {
   double measures[TP_MEASURES];                        /* as the study lists them; NaN: none */
   int fos_definition; /* tp_fos_definition of the factor that governs; -1: there is none */
   bool open;
+  tp_study_teller told_by;
+  double seconds;   /* of computing, where it is told by one of both */
   char *why;        /* of an invalid one, owned; else NULL */
   const char *line; /* of one that was read: the text */
 } tp_study_row;
+
+/* The number with so many significant digits as a row shows of what is computed. */
+enum { TP_ROW_DIGITS = 10 };
+double tp_study_rounded(double value);
+
+/* What is computed of a row that way. */
+void tp_study_round_row(tp_study_row *row, const tp_study *study);
 
 #endif

@@ -121,6 +121,7 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
   double *q = row->quantities;
   *no_memory = false;
   row->why = NULL;
+  row->told_by = TP_TOLD_UNKNOWN;
   row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
   bool read = read_sample(&row->sample, &at);

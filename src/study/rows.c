@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -103,6 +104,18 @@ static tp_status lock(const tp_rows *rows, tp_message *message) {
                  "another run is writing these rows; wait for it, or name another file");
 }
 
+/* What HDF5 is made of is CSV: a name that promises otherwise is a mistake. */
+static tp_status check_name(const char *path, tp_message *message) {
+  const char *ending = strrchr(path, '.');
+  if (ending == NULL || (strcasecmp(ending, ".h5") != 0 && strcasecmp(ending, ".hdf5") != 0)) {
+    return TP_OK;
+  }
+  return tp_fail(
+      message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+      "the rows are CSV; name a file that ends in .csv, or let 'topple study --rows' make "
+      "HDF5");
+}
+
 static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
                                 tp_message *message) {
   struct stat state;
@@ -135,6 +148,8 @@ tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_opti
                     .descriptor = -1,
                     .progress = {.shard = options->shard, .shards = options->shards}};
   if (rows->path == NULL) return TP_OK;
+  const tp_status named = check_name(rows->path, message);
+  if (named != TP_OK) return named;
   rows->descriptor = open(rows->path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666);
   if (rows->descriptor < 0) return fail_writing(rows, message);
   const tp_status status = begin_or_go_on(rows, options, message);

@@ -6,6 +6,7 @@
  * comes out depends neither on the threads nor on where a run was interrupted. */
 
 #include "batch/share.h"
+#include "clock.h"
 #include "host.h"
 #include "options.h"
 #include "study/result.h"
@@ -74,9 +75,13 @@ static tp_status solve_one(tp_workspace *workspace, const void *task, size_t blo
     atomic_store(&r->stopped, true);
   }
   if (atomic_load(&r->stopped)) return TP_OK;
-  const tp_status status =
-      tp_study_solve(r->chunk + block, r->study, r->study->tilt_count, message);
-  return status == TP_OK ? tp_study_measure_roughness(r->chunk + block, r->study, message) : status;
+  tp_study_row *row = r->chunk + block;
+  const double began = tp_clock_now();
+  tp_status status = tp_study_solve(row, r->study, r->study->tilt_count, message);
+  row->seconds = tp_clock_now() - began;
+  if (status == TP_OK) status = tp_study_measure_roughness(row, r->study, message);
+  if (status == TP_OK) tp_study_round_row(row, r->study);
+  return status;
 }
 
 static tp_status keep_chunk(run *r, size_t count, tp_message *message) {

@@ -6,6 +6,7 @@
 #include "number/ratio.h"
 #include "stability/case_numbers.h"
 #include "stability/tilts.h"
+#include "study/sample_filter.h"
 #include "study/shortest.h"
 
 #include <math.h>
@@ -206,6 +207,9 @@ static tp_status solve_at(tp_study_row *row, const tp_study *study, numbers *n, 
 
 tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
                          tp_message *message) {
+  row->told_by = TP_TOLD_BY_DOUBLES;
+  if (tp_sample_filter_tell(row, study, tilts)) return TP_OK;
+  row->told_by = TP_TOLD_BY_LADDER;
   numbers n;
   clear(row, tilts, TP_STUDY_INVALID);
   tp_status status = start(&n, study, tilts, message);

@@ -40,6 +40,8 @@ typedef struct tp_variable {
   char *file; /* that the numbers are read from, or NULL */
 } tp_variable;
 
+typedef struct tp_sample_filter tp_sample_filter;
+
 /* Of the base of a sample (study/roughness.h), the first five by a study's choice. */
 typedef enum tp_study_measure_kind {
   TP_MEASURE_AMPLITUDE,
@@ -83,11 +85,14 @@ struct tp_study {
   bool relies;                 /* reliability is asked for, */
   tp_study_quantity relied;    /* of that, */
   uint64_t importance, subset; /* with samples of rare events; 0: none */
+  tp_sample_filter *filter;    /* tells samples in doubles; NULL: none */
   size_t measure_count;        /* in each row; 0: roughness is not asked for */
   tp_study_measure_kind measures[TP_MEASURES];
   size_t design_count;
   tp_wanted_design *designs;
-  uint64_t hash; /* of the study, its scene and all files that they name */
+  uint64_t hash_of_file;  /* a fingerprint of the study's own file, */
+  uint64_t hash_of_scene; /* of that and those of its scene, */
+  uint64_t hash;          /* and of all files that they name */
 };
 
 /* The number of a variable in a cell, and that of one that is drawn. */

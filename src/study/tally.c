@@ -6,6 +6,7 @@
 #include "grow.h"
 #include "statistics/proportion.h"
 #include "study/row_csv.h"
+#include "study/sample_filter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,7 +22,11 @@ tp_status tp_tally_init(tp_tally *tally, const tp_study *study, tp_message *mess
   tally->tilts = calloc(tilts, sizeof *tally->tilts);
   tally->columns = calloc(tally->column_count, sizeof *tally->columns);
   tally->bad = calloc(TP_STUDY_BAD, sizeof *tally->bad);
-  if (tally->tilts != NULL && tally->columns != NULL && tally->bad != NULL) return TP_OK;
+  tally->scratch = calloc(tilts, sizeof *tally->scratch);
+  if (tally->tilts != NULL && tally->columns != NULL && tally->bad != NULL &&
+      tally->scratch != NULL) {
+    return TP_OK;
+  }
   tp_tally_clear(tally);
   return tp_fail_memory(message, "the summary of a study");
 }
@@ -37,6 +42,7 @@ void tp_tally_clear(tp_tally *tally) {
   free(tally->columns);
   free(tally->bad);
   free(tally->tilts);
+  free(tally->scratch);
   free(tally->steps);
   *tally = (tp_tally){.study = tally->study};
 }
@@ -146,11 +152,24 @@ static void count_factor(tp_tally *tally, const tp_study_row *row) {
   tally->below[definition] += row->quantities[TP_STUDY_FOS] < 1;
 }
 
+/* Of a row that was read, what tells it is found again: it is a matter of its numbers alone. */
+static void count_teller(tp_tally *tally, const tp_study_row *row) {
+  tp_study_row again = {.values = row->values, .at = tally->scratch};
+  const bool unknown = row->told_by == TP_TOLD_UNKNOWN;
+  const bool by_doubles =
+      unknown ? tp_sample_filter_tell(&again, tally->study, tally->study->tilt_count)
+              : row->told_by == TP_TOLD_BY_DOUBLES;
+  tally->by_doubles += by_doubles;
+  if (unknown) return;
+  *(by_doubles ? &tally->doubles_seconds : &tally->ladder_seconds) += row->seconds;
+}
+
 tp_status tp_tally_add(tp_tally *tally, const tp_study_row *row, tp_message *message) {
   tally->samples++;
   tally->open += row->open;
   for (size_t k = 0; k <= tally->study->tilt_count; k++) tally->tilts[k].of[row->at[k].outcome]++;
   count_factor(tally, row);
+  count_teller(tally, row);
   const bool step = tally->samples >= FIRST_STEP && is_power_of_two(tally->samples);
   const bool taken = keep(tally, row) && note_bad(tally, row) && (!step || note_step(tally));
   return taken ? TP_OK : tp_fail_memory(message, "the summary of a study");

@@ -18,8 +18,10 @@ typedef struct tp_outcome_counts {
 typedef struct tp_tally {
   const tp_study *study;
   uint64_t samples;
-  size_t open;
-  tp_outcome_counts *tilts; /* the scene's, and those of the study */
+  size_t open, by_doubles;
+  double doubles_seconds, ladder_seconds; /* of those solved here */
+  tp_study_at *scratch;                   /* of a row that is told again */
+  tp_outcome_counts *tilts;               /* the scene's, and those of the study */
   size_t definitions[TP_FACTORS_MAX], below[TP_FACTORS_MAX]; /* factors by each, and below 1 */
   size_t column_count;
   long kept, room;

@@ -8,8 +8,9 @@
  * `pose`: all of tp_settle, with the bodies: the proven pose. Then of a solve: the rest with the
  * checks of the scene before it, its contact after it, and the whole. Medians of 5, in ms. To be
  * read: seconds grow with the profile, as each of its points is turned into doubles and looked at
- * once, not with its square. The aim of a pose is 0.2 ms in doubles and 2 ms certified of 10^3
- * points, and 1 s of 10^6; doubles with bounds tell nearly all of it, so it has one column. */
+ * once, not with its square. `place: all` of the same block: every pose found, solved, and where
+ * its basin ends. The aim of a pose is 0.2 ms in doubles and 2 ms certified of 10^3 points, and 1 s
+ * of 10^6; doubles with bounds tell nearly all of it, so it has one column. */
 
 #include "bench.h"
 
@@ -113,8 +114,7 @@ static double seconds_of(const tp_solution *solution, const char *effect) {
   return seconds;
 }
 
-static void time_solve(times *t, const bodies *b) {
-  const tp_solve_options options = tp_solve_options_default();
+static tp_scene *make_scene(const bodies *b, bool all) {
   const tp_coordinates outline = tp_coordinates_of(b->block, CORNERS);
   const tp_coordinates profile = tp_coordinates_of(b->profile, (size_t)b->points);
   tp_message message = {""};
@@ -122,10 +122,18 @@ static void time_solve(times *t, const bodies *b) {
   if (tp_scene_new(&scene, "m", &message) != TP_OK ||
       tp_scene_set_outline(scene, outline, &message) != TP_OK ||
       tp_scene_set_base_profile(scene, profile, &message) != TP_OK ||
-      tp_scene_set_base_rest(scene, true, &message) != TP_OK ||
+      (all ? tp_scene_set_base_poses(scene, true, &message)
+           : tp_scene_set_base_rest(scene, true, &message)) != TP_OK ||
       tp_scene_set_friction_angle_deg(scene, tp_exact_of(35), &message) != TP_OK) {
     fail(message.text);
   }
+  return scene;
+}
+
+static void time_solve(times *t, const bodies *b) {
+  const tp_solve_options options = tp_solve_options_default();
+  tp_message message = {""};
+  tp_scene *scene = make_scene(b, false);
   for (int k = 0; k < ROUNDS; k++) {
     tp_solution *solution = NULL;
     const double began = bench_computed();
@@ -133,6 +141,23 @@ static void time_solve(times *t, const bodies *b) {
     t->whole[k] = bench_computed() - began;
     t->rest[k] = seconds_of(solution, "rest");
     t->contact[k] = seconds_of(solution, "contact");
+    tp_solution_free(solution);
+  }
+  tp_scene_free(scene);
+}
+
+/* All poses in which the block can rest: how many, and from how many starting positions. */
+static void time_poses(double *seconds, size_t *found, size_t *settlings, const bodies *b) {
+  const tp_solve_options options = tp_solve_options_default();
+  tp_message message = {""};
+  tp_scene *scene = make_scene(b, true);
+  for (int k = 0; k < ROUNDS; k++) {
+    tp_solution *solution = NULL;
+    const double began = bench_computed();
+    if (tp_solve(&solution, scene, &options, &message) != TP_OK) fail(message.text);
+    seconds[k] = bench_computed() - began;
+    *found = solution->poses.pose_count;
+    *settlings = solution->poses.settlings;
     tp_solution_free(solution);
   }
   tp_scene_free(scene);
@@ -153,6 +178,19 @@ int main(void) {
     time_solve(&t, &b);
     printf("%7ld %10.3f %10.3f %6ld %10.3f %10.3f %10.2f\n", points, ms(t.bodies), ms(t.pose),
            t.turns, ms(t.rest), ms(t.contact), ms(t.whole));
+    free(b.block);
+    free(b.profile);
+  }
+  printf("\n%7s %6s %10s %13s %13s\n", "points", "poses", "settlings", "place: all ms",
+         "a settling ms");
+  for (long points = 10; points <= 100; points *= 10) {
+    bodies b;
+    double seconds[ROUNDS];
+    size_t found = 0, settlings = 0;
+    make(&b, points);
+    time_poses(seconds, &found, &settlings, &b);
+    printf("%7ld %6zu %10zu %13.1f %13.3f\n", points, found, settlings, ms(seconds),
+           ms(seconds) / (double)settlings);
     free(b.block);
     free(b.profile);
   }

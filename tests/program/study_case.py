@@ -51,5 +51,10 @@ class StudyCase(unittest.TestCase):
         return list(csv.DictReader(io.StringIO((self.folder / name).read_text())))
 
 
+def shown(number):
+    """What solve says, with the digits that a row has."""
+    return float(f"{number['value']:.9e}")
+
+
 def counts(summary, tilt=0):
     return {own["outcome"]: own["samples"] for own in summary["tilts"][tilt]["outcomes"]}

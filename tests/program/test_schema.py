@@ -212,7 +212,8 @@ class Schema(unittest.TestCase):
         for test in ("tilt_test: {engine: path}", "tilt_test: {engine: path, until_deg: 10}",
                      "tilt_test: {engine: dynamics, duration_s: 0.2}",
                      "tilt_test: {engine: dynamics, method: springs, protocol: steps, until_deg: 10, duration_s: 0.01,"
-                     " normal_stiffness_gpa_m: 1, shear_stiffness_gpa_m: 1}"):
+                     " normal_stiffness_gpa_m: 1, shear_stiffness_gpa_m: 1}",
+                     "tilt_test: {duration_s: 0.01}\nshaking: {vertical: {full_sine: {peak_g: 0.1, frequency_hz: 99}}}"):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "scene.yaml").write_text(slab + test + "\n")
                 self.prints("tilt", "--json", "scene.yaml", folder=folder, statuses=(0, 4))

@@ -12,7 +12,7 @@ import subprocess
 import time
 
 from harness import PROGRAM, main, run
-from study_case import ROAD_COLUMNS, STUDIES, StudyCase
+from study_case import ROAD_COLUMNS, STUDIES, StudyCase, shown
 
 
 class Rows(StudyCase):
@@ -35,12 +35,12 @@ class Rows(StudyCase):
                 (folder / "one.yaml").write_text(scene.replace("angle_deg: 22", f"angle_deg: {tilt}"))
                 one = json.loads(run("solve", "--json", "one.yaml", folder=folder)[1])["cases"][0]
                 self.assertEqual(row[outcome], one["mechanism"])
-                self.assertEqual(float(row[fos]), one["governing_fos"]["fos"]["value"])
+                self.assertEqual(float(row[fos]), shown(one["governing_fos"]["fos"]))
             pivot = one["pivots"][one["toppling"]["pivot"]]
-            self.assertEqual(float(row["moments_deg"]), one["toppling"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["pivot_x_m"]), pivot["x_m"]["value"])
-            self.assertEqual(float(row["onset_deg"]), one["onset"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["limit_deg"]), one["limit"]["critical_angle_deg"]["value"])
+            self.assertEqual(float(row["moments_deg"]), shown(one["toppling"]["critical_angle_deg"]))
+            self.assertEqual(float(row["pivot_x_m"]), shown(pivot["x_m"]))
+            self.assertEqual(float(row["onset_deg"]), shown(one["onset"]["critical_angle_deg"]))
+            self.assertEqual(float(row["limit_deg"]), shown(one["limit"]["critical_angle_deg"]))
             self.assertEqual((row["limit_mechanism"], row["first"], row["status"]),
                              (one["limit"]["mechanism"], one["first"]["mechanism"], "certain"))
 
@@ -73,7 +73,7 @@ class Rows(StudyCase):
                 for column, said in (("moments_deg", one["toppling"]["critical_angle_deg"]), ("pivot_x_m", pivot["x_m"]),
                                      ("pivot_y_m", pivot["y_m"]), ("onset_deg", one["onset"]["critical_angle_deg"]),
                                      ("limit_deg", one["limit"]["critical_angle_deg"]), ("fos", governing["fos"])):
-                    self.assertEqual(number.get(row[column]) or float(row[column]), said["value"], (row, column))
+                    self.assertEqual(number.get(row[column]) or float(row[column]), shown(said), (row, column))
                 self.assertEqual([row[column] for column in ("outcome", "fos_mechanism", "fos_definition", "first",
                                                              "limit_mechanism", "status")],
                                  [one["mechanism"], governing["mechanism"], governing["definition"], one["first"]["mechanism"],
@@ -102,8 +102,8 @@ class Rows(StudyCase):
             (self.folder / "one.yaml").write_text(scene)
             one = json.loads(run("solve", "--json", "one.yaml", folder=self.folder)[1])["cases"][0]
             self.assertEqual((row["outcome"], row["limit_mechanism"]), (one["mechanism"], one["limit"]["mechanism"]))
-            self.assertEqual(float(row["limit_deg"]), one["limit"]["critical_angle_deg"]["value"])
-            self.assertEqual(float(row["moments_deg"]), one["toppling"]["critical_angle_deg"]["value"])
+            self.assertEqual(float(row["limit_deg"]), shown(one["limit"]["critical_angle_deg"]))
+            self.assertEqual(float(row["moments_deg"]), shown(one["toppling"]["critical_angle_deg"]))
 
     def test_header(self):
         """Every column says its unit: a length that of the scene, of a parameter too where it is lengths alone; the
@@ -186,7 +186,7 @@ class Rows(StudyCase):
             out = process.stdout.read()
         self.assertEqual(process.returncode, -signal.SIGINT)
         samples = len(self.rows())
-        self.assertIn(f"{samples} of 1000000 samples, latin_hypercube, seed 1; interrupted", out)
+        self.assertIn(f"{samples} of 1000000 samples, Latin hypercube, seed 1; interrupted", out)
 
     def test_disk_full(self):
         """Rows that cannot be written: status 5, or the signal of the system; then it goes on."""

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a row of a study tells of a case, in doubles with proven bounds (number/near.h), where these
+ * decide all of it: the governing pivot and its critical angle by moments, both limits, the
+ * mechanism and the governing factor of safety at any tilts. For a block under its weight alone on
+ * a contact with one friction angle, that stands on level ground; for others, and where a double
+ * is too short, it tells nothing, and the ladder does.
+ *
+ * What scenes share is prepared once (contact_plan.h), by any number of threads read at once. */
+
+#ifndef TP_CASE_FILTER_H
+#define TP_CASE_FILTER_H
+
+#include "case_filter/limit_filter.h"
+#include "case_filter/onset_filter.h"
+#include "case_filter/outline_map.h"
+
+/* A point of the contact: candidate pivot. */
+typedef struct tp_filter_pivot {
+  long point; /* of the plan, at it */
+  bool admissible;
+  tp_bounded x_m, y_m;
+} tp_filter_pivot;
+
+/* A facet of the contact, one in a point included. */
+typedef struct tp_filter_facet {
+  long point, down_dip; /* of the plan: one with its direction, and its end down-dip */
+  bool is_level;
+} tp_filter_facet;
+
+typedef struct tp_case_filter {
+  tp_contact_plan plan;
+  tp_shape shape; /* of the scene as it is */
+  bool varies;    /* the block does, by this map: */
+  tp_outline_map map;
+  int pivot_count, facet_count;
+  tp_filter_pivot pivots[TP_PLAN_POINTS];
+  tp_filter_facet facets[TP_PLAN_POINTS];
+} tp_case_filter;
+
+/* Of a scene that tilts one way, in which the block varies with the numbers at so many keys, beside
+ * friction and tilt; `*filter` stays NULL where it is none for a filter. What of the scene is no
+ * block on a base is told by a solve of it, not here. */
+TP_MUST_USE tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene,
+                                         const tp_scene_key *keys, size_t count,
+                                         tp_message *message);
+
+/* At any tilt. */
+typedef struct tp_case_told {
+  const tp_case_filter *filter;
+  const tp_shape *shape; /* the filter's, or this: */
+  tp_shape own;
+  tp_near friction; /* tan(phi) */
+  tp_near pivot_x_m, pivot_y_m;
+  tp_near moments_deg, limit_deg, limit_tangent, onset_deg;
+  const tp_filter_pivot *pivot; /* that governs */
+  tp_mechanism limit;
+  bool never; /* no motion can begin at any tilt */
+  tp_onset_filter onset;
+} tp_case_told;
+
+/* With the friction angle and the numbers at the keys. False where doubles do not tell. */
+TP_MUST_USE bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *filter,
+                                     tp_near friction_deg, const tp_near *variables);
+
+/* At one. */
+typedef struct tp_case_told_at {
+  tp_mechanism mechanism;
+  tp_fos_state state; /* of the factor that governs: a number, or nothing overturns */
+  tp_near fos;
+  tp_mechanism fos_mechanism;
+  tp_fos_definition fos_definition;
+} tp_case_told_at;
+
+/* At a tilt from 0 to below 90 degrees; false where doubles do not tell. */
+TP_MUST_USE bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told,
+                                        tp_near tilt_deg);
+
+#endif

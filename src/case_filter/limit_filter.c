@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Over the weight and cos(tilt) the base has to bear b = (t, 1, 0), t = tan(tilt), by edges e with
+ * factors that are not negative. Two edges e_i, e_j span a face if their twist v = +-e_i x e_j has
+ * v . e > 0 with all edges but those that it is zero for by construction: of a slide the parallel
+ * ones, of a turn about a contact point those there. Where v . b = 0 and b = f_i e_i + f_j e_j with
+ * f_i, f_j > 0, forces hold; where v . b < 0, none do (Farkas). With v_x < 0 that is the last tilt
+ * that holds.
+ *
+ * Strength reduction: with less friction every cone lies within the one before, but for its point,
+ * strictly. Where b lies within a face that is not spanned by the two edges of one point, no forces
+ * hold with any less friction, and some do with more: the friction there is the one sought. With
+ * e = N + s f T, f = tan(phi), it is a root of the quadratic det(e_i, e_j, b). */
+
+#include "case_filter/limit_filter.h"
+
+void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_shape *shape,
+                      tp_near friction) {
+  set->plan = plan;
+  set->shape = shape;
+  for (int k = 0; k < plan->edge_count; k++) {
+    tp_shape_edge(set->of[k], shape, plan->edges[k], friction);
+  }
+}
+
+/* ---- faces -------------------------------------------------------------------------------------
+ */
+
+static bool share_site(const tp_contact_plan *plan, int i, int j) {
+  return plan->points[plan->edges[i].point].site == plan->points[plan->edges[j].point].site;
+}
+
+static bool are_parallel(const tp_contact_plan *plan, int i, int j) {
+  const tp_plan_point *a = plan->points + plan->edges[i].point;
+  const tp_plan_point *b = plan->points + plan->edges[j].point;
+  return a->axis == b->axis && a->along == b->along &&
+         plan->edges[i].against == plan->edges[j].against;
+}
+
+static tp_mechanism mechanism_of(const tp_contact_plan *plan, int i, int j) {
+  return share_site(plan, i, j)     ? TP_TOPPLES
+         : are_parallel(plan, i, j) ? TP_SLIDES
+                                    : TP_SLIDES_AND_TOPPLES;
+}
+
+static bool is_tight(const tp_contact_plan *plan, int i, int j, int k) {
+  if (k == i || k == j) return true;
+  if (share_site(plan, i, j)) return share_site(plan, i, k);
+  return are_parallel(plan, i, j) && are_parallel(plan, i, k);
+}
+
+static void set_twist(tp_near v[3], const tp_edge_set *set, int i, int j) {
+  static const tp_near zero = {0, 0}, one = {1, 0};
+  if (share_site(set->plan, i, j)) {
+    const tp_shape_point *p = set->shape->points + set->plan->edges[i].point;
+    v[0] = p->y;
+    v[1] = tp_near_neg(p->x);
+    v[2] = one;
+  } else if (are_parallel(set->plan, i, j)) {
+    v[0] = set->of[i][1];
+    v[1] = tp_near_neg(set->of[i][0]);
+    v[2] = zero;
+  } else {
+    tp_near_vector_cross(v, set->of[i], set->of[j]);
+  }
+}
+
+static void turn_round(tp_near v[3]) {
+  for (int e = 0; e < 3; e++) v[e] = tp_near_neg(v[e]);
+}
+
+/* By values alone: what this rules out is not looked at with bounds. */
+static bool may_span(const tp_near v[3], const tp_edge_set *set, int i, int j) {
+  for (int k = 0; k < set->plan->edge_count; k++) {
+    const tp_near *e = set->of[k];
+    const double work = v[0].value * e[0].value + v[1].value * e[1].value + v[2].value * e[2].value;
+    if (work <= 0 && !is_tight(set->plan, i, j, k)) return false;
+  }
+  return true;
+}
+
+static bool spans(const tp_near v[3], const tp_edge_set *set, int i, int j) {
+  for (int k = 0; k < set->plan->edge_count; k++) {
+    if (is_tight(set->plan, i, j, k)) continue;
+    if (tp_near_sign(tp_near_vector_dot(v, set->of[k])) <= 0) return false;
+  }
+  return true;
+}
+
+/* b = f_i e_i + f_j e_j: from the largest component of e_i x e_j. */
+static bool presses(const tp_edge_set *set, int i, int j, tp_near tangent) {
+  const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
+  tp_near c[3], of_i[3], of_j[3];
+  tp_near_vector_cross(c, set->of[i], set->of[j]);
+  tp_near_vector_cross(of_i, b, set->of[j]);
+  tp_near_vector_cross(of_j, set->of[i], b);
+  int m = 0;
+  for (int e = 1; e < 3; e++) {
+    if (fabs(c[e].value) > fabs(c[m].value)) m = e;
+  }
+  const int sign = tp_near_sign(c[m]);
+  return sign != 0 && tp_near_sign(of_i[m]) == sign && tp_near_sign(of_j[m]) == sign;
+}
+
+/* ---- the limit ---------------------------------------------------------------------------------
+ */
+
+static bool is_limit(tp_near *tangent, const tp_edge_set *set, int i, int j) {
+  tp_near v[3];
+  set_twist(v, set, i, j);
+  if (v[0].value > 0) turn_round(v);
+  if (!may_span(v, set, i, j) || tp_near_sign(v[0]) == 0 || !spans(v, set, i, j)) return false;
+  *tangent = tp_near_neg(tp_near_div(v[1], v[0]));
+  return presses(set, i, j, *tangent);
+}
+
+bool tp_limit_filter_find(tp_limit_filter *found, const tp_edge_set *set) {
+  const int count = set->plan->edge_count;
+  for (int i = 0; i < count; i++) {
+    for (int j = i + 1; j < count; j++) {
+      if (!is_limit(&found->value, set, i, j)) continue;
+      found->mechanism = mechanism_of(set->plan, i, j);
+      return true;
+    }
+  }
+  return false;
+}
+
+/* ---- held, or lost -----------------------------------------------------------------------------
+ */
+
+/* b = f_i e_i + f_j e_j + f_k e_k. */
+static bool bears(const tp_edge_set *set, const int of[3], const tp_near b[3]) {
+  int whole = 0;
+  for (int k = 0; k < 3; k++) {
+    tp_near c[3];
+    tp_near_vector_cross(c, set->of[of[(k + 1) % 3]], set->of[of[(k + 2) % 3]]);
+    if (k == 0) whole = tp_near_sign(tp_near_vector_dot(c, set->of[of[0]]));
+    if (whole == 0 || tp_near_sign(tp_near_vector_dot(c, b)) != whole) return false;
+  }
+  return true;
+}
+
+static bool holds(const tp_edge_set *set, tp_near tangent) {
+  const int count = set->plan->edge_count;
+  const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
+  for (int i = 0; i < count; i++) {
+    for (int j = i + 1; j < count; j++) {
+      for (int k = j + 1; k < count; k++) {
+        if (bears(set, (int[3]){i, j, k}, b)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/* Where b lies on a plane of two edges, as by symmetry, three do not tell; but the tilts that hold
+ * are an interval, so that one on either side tells of all between. */
+bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent) {
+  static const double aside[] = {0x1p-10, 0x1p-26};
+  bool held = holds(set, tangent);
+  for (int k = 0; k < 2 && !held; k++) {
+    held = tangent.error < aside[k] / 2 && holds(set, (tp_near){tangent.value - aside[k], 0}) &&
+           holds(set, (tp_near){tangent.value + aside[k], 0});
+  }
+  return held;
+}
+
+bool tp_limit_filter_is_lost(const tp_edge_set *set, tp_near tangent) {
+  const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
+  for (int i = 0; i + 1 < set->plan->edge_count; i += 2) { /* both edges of a point */
+    tp_near v[3];
+    set_twist(v, set, i, i + 1);
+    const int sign = tp_near_sign(tp_near_vector_dot(v, b));
+    if (sign > 0) turn_round(v);
+    if (sign != 0 && may_span(v, set, i, i + 1) && spans(v, set, i, i + 1)) return true;
+  }
+  return false;
+}
+
+/* ---- strength reduction ------------------------------------------------------------------------
+ */
+
+/* N and s T of an edge. */
+static void set_parts(tp_near n[3], tp_near t[3], const tp_shape *shape, tp_plan_edge edge) {
+  const tp_shape_point *p = shape->points + edge.point;
+  n[0] = tp_near_neg(p->ty);
+  n[1] = p->tx;
+  n[2] = p->along;
+  t[0] = p->tx;
+  t[1] = p->ty;
+  t[2] = p->about;
+  if (edge.against) turn_round(t);
+}
+
+static tp_near determinant(const tp_near a[3], const tp_near b[3], const tp_near c[3]) {
+  tp_near product[3];
+  tp_near_vector_cross(product, a, b);
+  return tp_near_vector_dot(product, c);
+}
+
+/* Of parallel edges: e lies along b, e x b = 0 in the plane. */
+static bool set_parallel_root(tp_near *root, const tp_near n[3], const tp_near t[3],
+                              const tp_near b[3]) {
+  const tp_near level = tp_near_minus(tp_near_times(n[0], b[1]), tp_near_times(n[1], b[0]));
+  const tp_near rise = tp_near_minus(tp_near_times(t[0], b[1]), tp_near_times(t[1], b[0]));
+  if (tp_near_sign(rise) == 0) return false;
+  *root = tp_near_neg(tp_near_div(level, rise));
+  return true;
+}
+
+/* sqrt is rounded correctly; its derivative 1 / (2 sqrt) falls. */
+static tp_near square_root(tp_near a) {
+  const double value = sqrt(a.value), least = sqrt(a.value - a.error);
+  return tp_near_of(value, a.error / (value + least) * (1 + 4 * DBL_EPSILON) + value * DBL_EPSILON);
+}
+
+/* Of a f^2 + 2 h f + c with |h| well above zero: the root that does not cancel, and c over it. */
+static int set_roots(tp_near roots[2], tp_near a, tp_near h, tp_near c) {
+  const tp_near square = tp_near_minus(tp_near_times(h, h), tp_near_times(a, c));
+  const int sign = tp_near_sign(h);
+  if (tp_near_sign(square) <= 0 || sign == 0) return 0;
+  const tp_near root = square_root(square);
+  const tp_near sum = tp_near_neg(tp_near_plus(h, sign > 0 ? root : tp_near_neg(root)));
+  if (tp_near_sign(sum) == 0) return 0;
+  roots[0] = tp_near_div(c, sum);
+  if (tp_near_sign(a) == 0) return 1;
+  roots[1] = tp_near_div(sum, a);
+  return 2;
+}
+
+static int find_frictions(tp_near roots[2], const tp_edge_set *set, int i, int j,
+                          const tp_near b[3]) {
+  tp_near ni[3], ti[3], nj[3], tj[3];
+  set_parts(ni, ti, set->shape, set->plan->edges[i]);
+  if (are_parallel(set->plan, i, j)) return set_parallel_root(roots, ni, ti, b);
+  set_parts(nj, tj, set->shape, set->plan->edges[j]);
+  const tp_near twice = tp_near_plus(determinant(ni, tj, b), determinant(ti, nj, b));
+  return set_roots(roots, determinant(ti, tj, b), tp_near_times(twice, (tp_near){0.5, 0}),
+                   determinant(ni, nj, b));
+}
+
+/* By values alone, whether the edges with that friction span a face: most pairs do not. */
+static bool may_reduce(const tp_edge_set *set, int i, int j, double friction) {
+  const tp_contact_plan *plan = set->plan;
+  double e[2 * TP_PLAN_POINTS][3], v[3];
+  for (int k = 0; k < plan->edge_count; k++) {
+    const tp_shape_point *p = set->shape->points + plan->edges[k].point;
+    const double along = plan->edges[k].against ? -friction : friction;
+    e[k][0] = along * p->tx.value - p->ty.value;
+    e[k][1] = along * p->ty.value + p->tx.value;
+    e[k][2] = p->along.value + along * p->about.value;
+  }
+  if (are_parallel(plan, i, j)) {
+    v[0] = e[i][1];
+    v[1] = -e[i][0];
+    v[2] = 0;
+  } else {
+    for (int row = 0; row < 3; row++) {
+      const int next = (row + 1) % 3, last = (row + 2) % 3;
+      v[row] = e[i][next] * e[j][last] - e[i][last] * e[j][next];
+    }
+  }
+  const double sense = v[0] > 0 ? -1 : 1;
+  for (int k = 0; k < plan->edge_count; k++) {
+    const double work = sense * (v[0] * e[k][0] + v[1] * e[k][1] + v[2] * e[k][2]);
+    if (work <= 0 && !is_tight(plan, i, j, k)) return false;
+  }
+  return true;
+}
+
+/* Down-dip: what would be lost up-dip is left to the ladder. */
+static bool is_reduced(const tp_edge_set *set, int i, int j, tp_near tangent) {
+  tp_near v[3];
+  set_twist(v, set, i, j);
+  if (v[0].value > 0) turn_round(v);
+  return may_span(v, set, i, j) && tp_near_sign(v[0]) < 0 && spans(v, set, i, j) &&
+         presses(set, i, j, tangent);
+}
+
+bool tp_limit_filter_reduce(tp_limit_filter *found, const tp_contact_plan *plan,
+                            const tp_shape *shape, tp_near tangent) {
+  const tp_near b[3] = {tangent, {1, 0}, {0, 0}};
+  tp_edge_set set = {.plan = plan, .shape = shape};
+  for (int i = 0; i < plan->edge_count; i++) {
+    for (int j = i + 1; j < plan->edge_count; j++) {
+      tp_near roots[2];
+      const int count = share_site(plan, i, j) ? 0 : find_frictions(roots, &set, i, j, b);
+      for (int r = 0; r < count; r++) {
+        if (tp_near_sign(roots[r]) <= 0 || !may_reduce(&set, i, j, roots[r].value)) continue;
+        tp_edge_set_init(&set, plan, shape, roots[r]);
+        if (!is_reduced(&set, i, j, tangent)) continue;
+        *found = (tp_limit_filter){roots[r], mechanism_of(plan, i, j)};
+        return true;
+      }
+    }
+  }
+  return false;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The tilts at which motions can begin, by the weight alone, in doubles with bounds. */
+
+#ifndef TP_ONSET_FILTER_H
+#define TP_ONSET_FILTER_H
+
+#include "case_filter/shape.h"
+
+/* Of a set of tangents t of the tilt, an interval; or none. One whose ends are not told apart is a
+ * single tilt at most, or none: `perhaps`. */
+typedef struct tp_near_interval {
+  bool empty, perhaps, has_low, has_high;
+  tp_near low, high;
+} tp_near_interval;
+
+/* Where the loads lie in the mode's cone, and where its motion takes part with all of its rays:
+ * both sets are convex. */
+typedef struct tp_mode_interval {
+  tp_near_interval all, with_rays;
+} tp_mode_interval;
+
+typedef struct tp_onset_filter {
+  const tp_contact_plan *plan;
+  tp_near_interval leaves;
+  tp_mode_interval modes[TP_PLAN_MODES];
+  bool never;       /* no motion can begin at any tilt up to 90 degrees */
+  tp_near tangent;  /* else of the onset */
+  bool has_perhaps; /* something may begin, or not, */
+  tp_near perhaps;  /* from here on */
+} tp_onset_filter;
+
+/* False where doubles do not tell, or where a motion can begin on level ground. */
+bool tp_onset_filter_find(tp_onset_filter *found, const tp_contact_plan *plan,
+                          const tp_shape *shape, tp_near friction);
+
+/* Can a motion begin at the tilt, and which: the bit 1 << mechanism of each. False where doubles do
+ * not tell. */
+bool tp_onset_filter_look(bool *moves, unsigned *beginnings, const tp_onset_filter *found,
+                          tp_near tangent);
+
+#endif

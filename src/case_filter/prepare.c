@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "case_filter/case_filter.h"
+
+#include "number/ball.h"
+#include "stability/friction.h"
+#include "stability/onset_question.h"
+#include "stability/solution.h"
+
+#include <stdlib.h>
+
+/* Balls of the preparation; what they tell is rounded to doubles. */
+enum { BITS = 256 };
+
+/* Under the weight alone, with one friction angle, on the tilt as it is given. */
+static bool is_plain(const tp_scene *scene) {
+  return scene->friction_angle_deg.given && scene->friction.facet_count == 0 &&
+         !scene->base.all_poses && !tp_loads_are_called_for(&scene->loads) &&
+         scene->frame != TP_FRAME_WORLD && scene->towards_left != scene->towards_right;
+}
+
+static tp_near near_of(const arb_t ball) {
+  return arb_is_zero(ball) ? (tp_near){0, 0} : tp_ball_near(ball);
+}
+
+/* Lattice units over the question's scale, from the centroid. */
+static tp_near from_centroid(const arb_t own, const arb_t scale, const arb_t centroid) {
+  arb_t rest;
+  arb_init(rest);
+  arb_div(rest, centroid, scale, BITS);
+  arb_sub(rest, own, rest, BITS);
+  const tp_near near = near_of(rest);
+  arb_clear(rest);
+  return near;
+}
+
+static void set_shape(tp_shape *shape, const tp_onset_asked *asked) {
+  const tp_motion_question *q = &asked->question;
+  arb_t square;
+  arb_init(square);
+  arb_div(square, q->gyration, q->scale, BITS);
+  arb_div(square, square, q->scale, BITS);
+  shape->gyration = near_of(square);
+  for (long k = 0; k < asked->cones.count; k++) {
+    tp_shape_point *p = shape->points + k;
+    p->x = from_centroid(asked->cones.x + k, q->scale, q->x);
+    p->y = from_centroid(asked->cones.y + k, q->scale, q->y);
+    arb_set_fmpz(square, asked->cones.tx + k);
+    p->tx = near_of(square);
+    arb_set_fmpz(square, asked->cones.ty + k);
+    p->ty = near_of(square);
+  }
+  arb_clear(square);
+}
+
+static void set_pivots(tp_case_filter *f, const tp_evaluation *e, tp_direction towards) {
+  const tp_problem *problem = e->problem;
+  tp_certainty any = {0};
+  for (long site = 0; site < problem->contact.point_count; site++) {
+    for (long k = 0; k < f->plan.point_count; k++) {
+      if (f->plan.points[k].site != site) continue;
+      tp_filter_pivot *own = f->pivots + f->pivot_count++;
+      *own = (tp_filter_pivot){.point = k, .admissible = problem->admissible[towards][site]};
+      tp_result_point(&own->x_m, &own->y_m, e,
+                      tp_contact_on_outline(problem->contact.points + site), &any);
+      break;
+    }
+  }
+}
+
+/* Points of one facet follow one another, its left end in the scene first. */
+static void set_facets(tp_case_filter *f, const tp_problem *problem, tp_direction towards) {
+  for (long k = 0; k < f->plan.point_count; k++) {
+    const long facet = f->plan.points[k].facet;
+    if (k > 0 && f->plan.points[k - 1].facet == facet) continue;
+    const bool has_two = k + 1 < f->plan.point_count && f->plan.points[k + 1].facet == facet;
+    const tp_facet *own = problem->contact.facets + facet;
+    const tp_lattice *l = &problem->lattice;
+    f->facets[f->facet_count++] =
+        (tp_filter_facet){.point = k,
+                          .down_dip = towards == TP_TOWARDS_RIGHT && has_two ? k + 1 : k,
+                          .is_level = fmpz_equal(l->y + own->t0, l->y + own->t1)};
+  }
+}
+
+/* Every facet runs up-dip, and one at least has a length. */
+static bool is_ordinary(const tp_case_filter *f, const tp_problem *problem) {
+  bool has_length = false;
+  for (int k = 0; k < f->facet_count; k++) {
+    const long point = f->facets[k].point, facet = f->plan.points[point].facet;
+    if (facet < 0 || tp_near_sign(f->shape.points[point].tx) <= 0) return false;
+    has_length =
+        has_length || problem->contact.facets[facet].q0 != problem->contact.facets[facet].q1;
+  }
+  for (long k = 0; k < problem->contact.point_count;
+       k++) { /* one without a plan's point: a corner */
+    bool found = !problem->admissible[0][k] && !problem->admissible[1][k];
+    for (int p = 0; p < f->pivot_count && !found; p++) {
+      found = f->plan.points[f->pivots[p].point].site == k;
+    }
+    if (!found) return false;
+  }
+  return has_length;
+}
+
+/* `*fits` is false where it is none for a filter. */
+static tp_status prepare(tp_case_filter *f, bool *fits, const tp_evaluation *e,
+                         const tp_scene_key *keys, size_t count, tp_message *message) {
+  const tp_problem *problem = e->problem;
+  const tp_direction towards = problem->scene->towards_left ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;
+  tp_status status = tp_contact_plan_init(&f->plan, fits, e, towards, message);
+  if (status != TP_OK || !*fits) return status;
+  tp_onset_asked asked;
+  if (!tp_onset_asked_init(&asked, e, towards)) return tp_fail_memory(message, "the contact");
+  set_shape(&f->shape, &asked);
+  tp_onset_asked_clear(&asked);
+  set_pivots(f, e, towards);
+  set_facets(f, problem, towards);
+  *fits = is_ordinary(f, problem) && tp_shape_complete(&f->shape, &f->plan);
+  f->varies = count > 0;
+  if (!*fits || !f->varies) return TP_OK;
+  return tp_outline_map_init(&f->map, fits, problem, towards, &f->plan, keys, count, message);
+}
+
+static tp_status prepare_scene(tp_case_filter *f, bool *fits, const tp_scene *scene,
+                               const tp_scene_key *keys, size_t count, tp_message *message) {
+  tp_solve_options options = tp_solve_options_default();
+  options.threads = 1;
+  tp_problem problem;
+  tp_solution *solution = calloc(1, sizeof *solution);
+  if (solution == NULL) return tp_fail_memory(message, "the solution");
+  tp_message why = {""};
+  tp_status status = tp_problem_init(&problem, scene, &options, solution, &why);
+  if (status == TP_OK) {
+    tp_evaluation e;
+    tp_evaluation_init(&e, &problem, (tp_rung){TP_LEVEL_BALL, BITS}, &options);
+    if (!tp_problem_is_enclosed(&problem) && !tp_friction_is_load_dependent(&e)) {
+      status = prepare(f, fits, &e, keys, count, message);
+    }
+    tp_evaluation_clear(&e);
+    tp_problem_clear(&problem);
+  } else if (status != TP_OUT_OF_MEMORY) {
+    status = TP_OK; /* a solve tells what is wrong with it */
+  } else if (message != NULL) {
+    *message = why;
+  }
+  tp_solution_free(solution);
+  return status;
+}
+
+tp_status tp_case_filter_new(tp_case_filter **filter, const tp_scene *scene,
+                             const tp_scene_key *keys, size_t count, tp_message *message) {
+  *filter = NULL;
+  if (!is_plain(scene)) return TP_OK;
+  tp_case_filter *own = calloc(1, sizeof *own);
+  if (own == NULL) return tp_fail_memory(message, "the filter");
+  bool fits = false;
+  const tp_status status = prepare_scene(own, &fits, scene, keys, count, message);
+  if (status == TP_OK && fits) {
+    *filter = own;
+  } else {
+    free(own);
+  }
+  return status;
+}

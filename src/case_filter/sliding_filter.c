@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The motion down-dip along a facet has the run t_x and the rise -t_y: i = atan2(rise, run). With
+ * r = rise / run, a = tan(tilt) and f = tan(phi), tan(tilt - i) = (a - r) / (1 + a r) and
+ * tan(phi + i) = (f + r) / (1 - f r). */
+
+#include "case_filter/sliding_filter.h"
+
+/* Sign of one facet's slope r less another's; 2 where open. */
+static int compare(const tp_case_told *told, int facet, int other) {
+  const tp_case_filter *f = told->filter;
+  const tp_contact_plan *plan = &f->plan;
+  const long a = f->facets[facet].point, b = f->facets[other].point;
+  if (plan->points[a].axis == plan->points[b].axis) return 0; /* all runs are positive */
+  const tp_shape_point *p = told->shape->points + a, *q = told->shape->points + b;
+  const int sign =
+      tp_near_sign(tp_near_minus(tp_near_times(q->ty, p->tx), tp_near_times(p->ty, q->tx)));
+  return sign != 0 ? sign : 2;
+}
+
+/* The steepest rise of all, or of the facets that reach down-dip of the centroid: -1 of none, -2
+ * where open. */
+static int steepest(const tp_case_told *told, bool all) {
+  const tp_case_filter *f = told->filter;
+  int best = -1;
+  for (int k = 0; k < f->facet_count; k++) {
+    const int side = tp_near_sign(told->shape->points[f->facets[k].down_dip].x);
+    if (!all && side == 0) return -2;
+    if (!all && side > 0) continue;
+    const int order = best < 0 ? 1 : compare(told, k, best);
+    if (order == 2) return -2;
+    if (order > 0) best = k;
+  }
+  return best;
+}
+
+static tp_near slope_of(const tp_case_told *told, int facet) {
+  const tp_case_filter *f = told->filter;
+  const tp_shape_point *p = told->shape->points + f->facets[facet].point;
+  return f->facets[facet].is_level ? (tp_near){0, 0} : tp_near_neg(tp_near_div(p->ty, p->tx));
+}
+
+/* Where it would slide on level ground, it wedges itself between its facets, and all of them
+ * count. */
+static int find_facet(const tp_case_told *told) {
+  const int best = steepest(told, false);
+  if (best == -2) return best;
+  if (best < 0) return steepest(told, true);
+  const tp_near slope = slope_of(told, best);
+  if (tp_near_is_zero(slope) || tp_near_sign(slope) > 0) return best;
+  const int rest = tp_near_sign(tp_near_plus(told->friction, slope));
+  return rest > 0 ? best : rest < 0 ? steepest(told, true) : -2;
+}
+
+/* Does sliding down-dip along it, by -t, press on no other facet? 2 where open. */
+static int opens(const tp_case_told *told, int facet) {
+  const tp_case_filter *f = told->filter;
+  const tp_shape_point *own = told->shape->points + f->facets[facet].point;
+  for (int k = 0; k < f->facet_count; k++) {
+    const long at = f->facets[k].point;
+    if (f->plan.points[at].axis == f->plan.points[f->facets[facet].point].axis) continue;
+    const tp_shape_point *p = told->shape->points + at;
+    const int sign =
+        tp_near_sign(tp_near_minus(tp_near_times(own->tx, p->ty), tp_near_times(own->ty, p->tx)));
+    if (sign <= 0) return sign < 0 ? 0 : 2;
+  }
+  return 1;
+}
+
+bool tp_sliding_filter(tp_sliding_told *s, const tp_case_told *told, tp_near tangent) {
+  static const tp_near one = {1, 0};
+  const int facet = find_facet(told);
+  if (facet < 0) return false;
+  const int free = opens(told, facet);
+  const tp_near slope = slope_of(told, facet);
+  const tp_near needed = tp_near_minus(tangent, slope);
+  const tp_near level = tp_near_plus(one, tp_near_times(tangent, slope));
+  const tp_near rest = tp_near_minus(one, tp_near_times(told->friction, slope));
+  const int needs = tp_near_sign(needed), upright = tp_near_sign(rest);
+  const bool open = needs == 0 && !tp_near_is_zero(needed);
+  if (free == 2 || open || upright == 0 || tp_near_sign(level) <= 0) return false;
+  s->counts = free == 1;
+  s->is_level = told->filter->facets[facet].is_level;
+  s->shear = needs > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
+  const bool overturns = upright > 0 && !tp_near_is_zero(tangent);
+  s->rough = overturns ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
+  if (needs > 0) {
+    s->by_shear = tp_near_div(tp_near_times(told->friction, level), needed);
+  }
+  if (overturns) {
+    s->by_roughness =
+        tp_near_div(tp_near_plus(told->friction, slope), tp_near_times(rest, tangent));
+  }
+  return true;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The facet that governs sliding by angles (stability/sliding_facet.h), and its two factors, in
+ * doubles with bounds. */
+
+#ifndef TP_SLIDING_FILTER_H
+#define TP_SLIDING_FILTER_H
+
+#include "case_filter/case_filter.h"
+
+typedef struct tp_sliding_told {
+  bool counts;               /* no other facet stands in the way of sliding along this one */
+  bool is_level;             /* the factor with roughness is that by shear strength */
+  tp_fos_state shear, rough; /* a number, or nothing overturns */
+  tp_near by_shear, by_roughness;
+} tp_sliding_told;
+
+/* False where doubles do not tell, or where no friction would do. */
+bool tp_sliding_filter(tp_sliding_told *sliding, const tp_case_told *told, tp_near tilt_tangent);
+
+#endif

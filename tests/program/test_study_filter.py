@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Samples told by doubles with proven bounds: every digit and word of theirs is that of `topple solve` on the same numbers, and
+the study says how many they were."""
+
+import json
+
+from harness import main, run
+from study_case import StudyCase, shown
+
+BLOCK = """topple: 1
+length_unit: m
+parameters: {top: 3.2, valley: -0.1, lean: 1.1}
+block:
+  outline: [[0, 0], [0.5, valley], [1, 0], [lean, 2.9], [0.4, top], [-0.1, 2.8]]
+base: {mated: true, between: [[0, 0], [1, 0]], beyond: {left: 0, right: 0.5}}
+friction_angle_deg: 30
+tilt: {towards: TOWARDS, angle_deg: 15}
+"""
+
+# valley, peak and the flank between them, three times over: facets in parallel
+TEETH = """topple: 1
+length_unit: mm
+block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: valley}}
+base: {mated: true, beyond: {left: 0, right: 0}}
+friction_angle_deg: 30
+tilt: {towards: left, angle_deg: 20}
+"""
+
+
+class Filter(StudyCase):
+    def check(self, scene, vary, tilts, samples=3000, step=150, least=0.95):
+        """All rows told, all but few by doubles, and every so many the same as one solve at each tilt."""
+        (self.folder / "scene.yaml").write_text(scene)
+        (self.folder / "study.yaml").write_text(f"topple_study: 1\nscene: scene.yaml\nsamples: {samples}\nvary:\n{vary}"
+                                                f"tilts_deg: {tilts}\n")
+        summary = self.summary("study.yaml", "--rows", "rows.csv", "--restart")
+        rows = self.rows()
+        self.assertEqual(summary["open"], 0)
+        self.assertGreaterEqual(summary["by_doubles"], least * samples)
+        keys = [line.split(":")[0].strip() for line in vary.splitlines()]
+        columns = list(rows[0])[1:1 + len(keys)]  # with the unit of what is a length
+        for row in rows[::step]:
+            settings = [word for key, column in zip(keys, columns) for word in ("--set", f"{key}={row[column]}")]
+            own = None
+            for tilt in tilts:
+                status, out, err = run("solve", "--json", "scene.yaml", *settings, "--set", f"tilt.angle_deg={tilt}",
+                                       folder=self.folder)
+                self.assertEqual(status, 0, err)
+                case = json.loads(out)["cases"][0]
+                fos = case["governing_fos"]["fos"]  # null where nothing overturns
+                self.assertEqual(row[f"outcome_at_{tilt}_deg"], case["mechanism"])
+                self.assertEqual(float(row[f"fos_at_{tilt}_deg"]), shown(fos) if fos else float("inf"))
+                own = case
+            self.compare(row, own)
+        return summary
+
+    def compare(self, row, case):
+        """What does not depend on the tilt."""
+        pivot = case["pivots"][case["toppling"]["pivot"]]
+        self.assertEqual(float(row["moments_deg"]), shown(case["toppling"]["critical_angle_deg"]))
+        self.assertEqual((float(row["pivot_x_m"]), float(row["pivot_y_m"])), (shown(pivot["x_m"]), shown(pivot["y_m"])))
+        self.assertEqual(float(row["onset_deg"]), shown(case["onset"]["critical_angle_deg"]))
+        self.assertEqual(float(row["limit_deg"]), shown(case["limit"]["critical_angle_deg"]))
+        self.assertEqual((row["limit_mechanism"], row["first"], row["status"]),
+                         (case["limit"]["mechanism"], case["first"]["mechanism"], "certain"))
+
+    def test_a_block_whose_vertices_vary(self):
+        """Six vertices of which three move, on a valley, either way."""
+        for towards in ("left", "right"):
+            self.check(BLOCK.replace("TOWARDS", towards),
+                       "  parameters.top: {normal: {mean: 3.2, deviation: 0.05}}\n"
+                       "  parameters.valley: {normal: {mean: -0.1, deviation: 0.01}}\n"
+                       "  parameters.lean: {uniform: {low: 1.02, high: 1.2}}\n"
+                       "  friction_angle_deg: {normal: {mean: 30, deviation: 3}}\n", [0, 5, 14, 19, 26])
+
+    def test_a_slab_that_varies(self):
+        """Width, height and friction: it slides, or it topples."""
+        self.check("topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 3}}\nbase: {mated: true}\n"
+                   "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 25}\n",
+                   "  block.slab.height: {uniform: {low: 1, high: 6}}\n"
+                   "  block.slab.width: {normal: {mean: 2, deviation: 0.1}}\n"
+                   "  friction_angle_deg: {normal: {mean: 30, deviation: 3}}\n", [0, 10, 22, 31])
+
+    def test_teeth_whose_friction_varies(self):
+        self.check(TEETH, "  friction_angle_deg: {uniform: {low: 12, high: 45}}\n", [8, 20, 29, 36], least=0.4)
+
+    def test_ties_climb(self):
+        """A cube at 45 degrees of friction slides as soon as it topples: that no double tells, and the ladder does."""
+        (self.folder / "slab.yaml").write_text("topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 1}}\n"
+                                               "base: {mated: true}\nfriction_angle_deg: 45\n"
+                                               "tilt: {towards: left, angle_deg: 20}\n")
+        self.write("vary:\n  friction_angle_deg: {list: [44, 45, 46]}\n")
+        summary = self.summary("study.yaml", "--rows", "rows.csv")
+        self.assertEqual((summary["samples"], summary["by_doubles"]), (3, 2))
+        self.assertEqual([row["first"] for row in self.rows()], ["slides", "slides and topples", "topples"])
+
+    def test_rows_that_were_read_are_told_again(self):
+        """Merged or gone on with, a study says the same of what told it."""
+        self.write("samples: 300\nsampling: {chunk: 50}\nvary:\n  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n")
+        whole = self.study("study.yaml")
+        self.assertRegex(whole, r"\n29\d samples were told by doubles with proven bounds, \d by the ladder\.\n")
+        for part in ("1/2", "2/2"):
+            self.study("study.yaml", "--shard", part, "--rows", f"part{part[0]}.csv")
+        self.assertEqual(self.study("study.yaml", "--merge", "part1.csv", "part2.csv"), whole)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What doubles with bounds tell of a case, against a solve of the same scene: the same words, and
+ * numbers whose bounds meet. The solve shares none of it. */
+
+#include "random_runs.h"
+#include "runner.h"
+
+#include "case_filter/case_filter.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TEXT = 2000, VARIABLES = 4 };
+
+/* A scene, what varies in it, and the filter of it. */
+typedef struct stage {
+  tp_scene *scene;
+  tp_scene_key keys[VARIABLES + 2]; /* the variables, then friction and tilt */
+  double means[VARIABLES];
+  size_t count;
+  tp_case_filter *filter;
+} stage;
+
+static void expect(tp_status status, const tp_message *message) {
+  ck_assert_msg(status == TP_OK, "%s", message->text);
+}
+
+/* `variables`: so many parameters p0, p1, … */
+static void set_stage(stage *s, const char *text, size_t variables) {
+  tp_message message = {""};
+  *s = (stage){.count = variables};
+  expect(tp_scene_read_text(&s->scene, text, "scene.yaml", &message), &message);
+  static const char *const names[] = {"parameters.p0", "parameters.p1", "parameters.p2",
+                                      "parameters.p3"};
+  for (size_t k = 0; k < variables; k++) {
+    expect(tp_scene_key_find(s->keys + k, s->scene, names[k], &message), &message);
+  }
+  expect(tp_scene_key_find(s->keys + variables, s->scene, "friction_angle_deg", &message),
+         &message);
+  expect(tp_scene_key_find(s->keys + variables + 1, s->scene, "tilt.angle_deg", &message),
+         &message);
+  expect(tp_case_filter_new(&s->filter, s->scene, s->keys, variables, &message), &message);
+}
+
+static void clear_stage(stage *s) {
+  free(s->filter);
+  tp_scene_free(s->scene);
+}
+
+/* ---- against a solve ---------------------------------------------------------------------------
+ */
+
+/* NULL where there is no such block. */
+static tp_solution *solve(const stage *s, const double *values) {
+  fmpq numbers[VARIABLES + 2];
+  const size_t count = s->count + 2;
+  for (size_t k = 0; k < count; k++) {
+    fmpq_init(numbers + k);
+    fmpq_set_si(numbers + k, (slong)(values[k] * 65536), 65536);
+  }
+  tp_message message;
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_solve_options options = tp_solve_options_default();
+  if (tp_scene_vary(&scene, s->scene, s->keys, numbers, count, &message) == TP_OK &&
+      tp_solve(&solution, scene, &options, &message) != TP_OK) {
+    solution = NULL;
+  }
+  tp_scene_free(scene);
+  for (size_t k = 0; k < count; k++) fmpq_clear(numbers + k);
+  return solution;
+}
+
+static void meets(tp_near own, tp_bounded other, const char *what) {
+  ck_assert_msg(fabs(own.value - other.value) <= own.error + other.error, "%s: %.17g +- %g, %.17g",
+                what, own.value, own.error, other.value);
+  ck_assert_msg(own.error <= 1e-9 * fabs(own.value) + 1e-13, "%s is wide: %.17g +- %g", what,
+                own.value, own.error);
+}
+
+static void compare(const tp_case_told *told, const tp_case_told_at *at, const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  ck_assert_int_eq(c->limit.kind, TP_LIMIT_AT_ANGLE);
+  ck_assert(c->has_governing);
+  meets(told->moments_deg, c->pivots[c->governing].critical_angle_deg, "moments");
+  meets(told->pivot_x_m, c->pivots[c->governing].x_m, "the pivot's x");
+  meets(told->pivot_y_m, c->pivots[c->governing].y_m, "the pivot's y");
+  meets(told->limit_deg, c->limit.critical_angle_deg, "the limit");
+  ck_assert_str_eq(tp_mechanism_name(told->limit), tp_mechanism_name(c->limit.mechanism));
+  ck_assert_int_eq(c->onset.kind, told->never ? TP_ONSET_NEVER : TP_ONSET_AT_ANGLE);
+  if (!told->never) meets(told->onset_deg, c->onset.critical_angle_deg, "the onset");
+  ck_assert_str_eq(tp_mechanism_name(at->mechanism), tp_mechanism_name(c->mechanism));
+  ck_assert_int_eq(at->state, g->fos.state);
+  if (at->state == TP_FOS_NUMBER) meets(at->fos, g->fos.value, "the factor");
+  ck_assert_int_eq(at->fos_definition, g->factors[g->factor].definition);
+  ck_assert_int_eq(at->fos_mechanism, g->factors[g->factor].mechanism);
+  ck_assert(g->complete);
+}
+
+/* The filter's word on one sample, and that it is true: did it tell? */
+static bool tell(const stage *s, const double *values) {
+  static tp_case_told told;
+  tp_near variables[VARIABLES];
+  tp_case_told_at at;
+  for (size_t k = 0; k < s->count; k++) variables[k] = (tp_near){values[k], 0};
+  const tp_near friction = {values[s->count], 0}, tilt = {values[s->count + 1], 0};
+  if (s->filter == NULL || !tp_case_filter_tell(&told, s->filter, friction, variables) ||
+      !tp_case_filter_tell_at(&at, &told, tilt)) {
+    return false;
+  }
+  tp_solution *solution = solve(s, values);
+  ck_assert_msg(solution != NULL, "the filter tells of a scene that is none");
+  compare(&told, &at, solution->cases);
+  tp_solution_free(solution);
+  return true;
+}
+
+/* To sixteen binary digits behind the point, so that the scene's rational is the double. */
+static double drawn(random_numbers *state, double mean, double spread) {
+  return rint((mean + spread * (2 * draw_part(state) - 1)) * 65536) / 65536;
+}
+
+static bool tell_drawn(const stage *s, random_numbers *state, double spread) {
+  double values[VARIABLES + 2];
+  for (size_t k = 0; k < s->count; k++) values[k] = drawn(state, s->means[k], spread);
+  values[s->count] = drawn(state, 32, 28);
+  values[s->count + 1] = draw_once_in(state, 8) ? 0 : drawn(state, 25, 24);
+  return tell(s, values);
+}
+
+/* ---- blocks ------------------------------------------------------------------------------------
+ */
+
+/* A block on one facet, on a valley or on a peak, whose top corners and middle vary. */
+static void set_block(stage *s, random_numbers *state, bool varies) {
+  static const char *const sides[] = {"left", "right"};
+  const double middle = drawn(state, 0, 0.3), height = drawn(state, 2, 1.5);
+  const double means[VARIABLES] = {middle, height, drawn(state, -0.1, 0.3), drawn(state, 1.1, 0.3)};
+  const bool ends = draw_once_in(state, 2);
+  char text[TEXT];
+  snprintf(
+      text, sizeof text,
+      "topple: 1\nlength_unit: m\n"
+      "parameters: {p0: %.17g, p1: %.17g, p2: %.17g, p3: %.17g}\n"
+      "block: {outline: [[0, 0], [0.5, p0], [1, %.17g], [p3, p1], [0.45, 2*p1 + 1], [p2, p1]]}\n"
+      "base: {mated: true, between: [[0, 0], [1, %.17g]]%s}\n"
+      "friction_angle_deg: 30\ntilt: {towards: %s, angle_deg: 10}\n",
+      means[0], means[1], means[2], means[3], ends ? 0 : middle, ends ? 0 : middle,
+      draw_once_in(state, 2) ? ", beyond: {left: 0.5, right: 0.25}" : "",
+      sides[draw_below(state, 2)]);
+  set_stage(s, text, varies ? VARIABLES : 0);
+  memcpy(s->means, means, sizeof means);
+}
+
+/* Friction and tilt of a block that stays as it is, and blocks whose vertices vary by a little: of
+ * those that stand level nearly all are told. */
+START_TEST(blocks_of_six) {
+  enum { SAMPLES = 40 };
+  const bool varies = _i == 1;
+  long told = 0, blocks = 0;
+  for (long k = 0; k < random_scenes_or(60); k++) {
+    random_numbers state = random_numbers_from(random_seed() + (uint64_t)k);
+    stage s;
+    set_block(&s, &state, varies);
+    blocks += s.filter != NULL;
+    for (int j = 0; j < SAMPLES; j++) told += tell_drawn(&s, &state, 0.01);
+    clear_stage(&s);
+  }
+  ck_assert_msg(told > blocks * SAMPLES / 2, "%ld told of %ld blocks", told, blocks);
+}
+END_TEST
+
+/* The toothed block E of Alejano et al. on a base that ends with it, and on one that goes on:
+ * facets in parallel, of which any may slide. */
+START_TEST(teeth) {
+  static const char *const beyond[] = {"", ", beyond: {left: 60, right: 60}"};
+  char text[TEXT];
+  snprintf(text, sizeof text,
+           "topple: 1\nlength_unit: mm\n"
+           "block: {teeth: {count: 3, width: 30, height: 120, depth: 5, left_end: %s}}\n"
+           "base: {mated: true%s}\nfriction_angle_deg: 30\ntilt: {towards: left, angle_deg: 20}\n",
+           _i % 2 == 0 ? "valley" : "peak", beyond[_i / 2]);
+  stage s;
+  set_stage(&s, text, 0);
+  random_numbers state = random_numbers_from(random_seed());
+  ck_assert(s.filter != NULL);
+  long told = 0;
+  for (int k = 0; k < 200; k++) told += tell_drawn(&s, &state, 0);
+  ck_assert_msg(told >= 60, "%ld of 200 told", told);
+  clear_stage(&s);
+}
+END_TEST
+
+/* ---- what is left to the ladder ----------------------------------------------------------------
+ */
+
+static const char slab[] = "topple: 1\nlength_unit: m\nparameters: {p0: 1, p1: 3, p2: 0, p3: 1}\n"
+                           "block: {outline: [[0, 0], [p0, p2], [p0, p1], [0, p1]]}\n"
+                           "base: {mated: true}\n"
+                           "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 10}\n";
+
+/* That slab with one piece of its text another. */
+static void set_slab(stage *s, const char *piece, const char *other, size_t variables) {
+  char text[TEXT];
+  const char *at = strstr(slab, piece);
+  ck_assert_ptr_nonnull(at);
+  snprintf(text, sizeof text, "%.*s%s%s", (int)(at - slab), slab, other, at + strlen(piece));
+  set_stage(s, text, variables);
+}
+
+/* A slab that slides at the tilt at which it topples: no double parts the two. */
+START_TEST(a_tie_is_not_told) {
+  stage s;
+  set_slab(&s, "[p0, p2]", "[p0, 0]", 2);
+  ck_assert(s.filter != NULL);
+  ck_assert(tell(&s, (double[]){1, 3, 45, 10}));
+  ck_assert(!tell(&s, (double[]){2, 2, 45, 10})); /* 45 degrees both */
+  ck_assert(!tell(&s, (double[]){4, 1, 30, 30})); /* the tilt that it slides at */
+  clear_stage(&s);
+}
+END_TEST
+
+/* A base that is level is so by its numbers: with one that may differ a hair from another the
+ * contact may be another. Where it is not level at all, it is told. */
+START_TEST(a_contact_that_may_change_is_not_told) {
+  stage s;
+  set_stage(&s, slab, 3);
+  ck_assert_msg(s.filter == NULL, "level by chance");
+  clear_stage(&s);
+  set_slab(&s, "p2: 0", "p2: 0.1", 3);
+  ck_assert(s.filter != NULL);
+  ck_assert(tell(&s, (double[]){1, 3, 0.125, 30, 5}));
+  ck_assert(!tell(&s, (double[]){1, 3, 0, 30, 5}));
+  ck_assert(!tell(&s, (double[]){1, 3, -0.125, 30, 5}));
+  ck_assert(!tell(&s, (double[]){-1, 3, 0.125, 30, 5})); /* no such block */
+  clear_stage(&s);
+}
+END_TEST
+
+/* Numbers that the outline does not depend on alone, or not as an affine function. */
+START_TEST(other_scenes_have_no_filter) {
+  static const char *const changes[][2] = {
+      {"[p0, p2]", "[p0, p1*p0/9]"},
+      {"mated: true", "mated: true, beyond: {left: p1, right: 0}"},
+      {"angle_deg: 30", "angle_deg: 30*p0"},
+      {"{mated: true}", "{profile: [[-1, 0], [p1, 0]]}"}};
+  stage s;
+  set_stage(&s, slab, 2);
+  ck_assert(s.filter != NULL);
+  clear_stage(&s);
+  for (size_t k = 0; k < sizeof changes / sizeof changes[0]; k++) {
+    set_slab(&s, changes[k][0], changes[k][1], 2);
+    ck_assert_msg(s.filter == NULL, "%s", changes[k][1]);
+    clear_stage(&s);
+  }
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("case_filter");
+  TCase *tests = tcase_create("case_filter");
+  tcase_set_timeout(tests, 0);
+  tcase_add_loop_test(tests, blocks_of_six, 0, 2);
+  tcase_add_loop_test(tests, teeth, 0, 4);
+  tcase_add_test(tests, a_tie_is_not_told);
+  tcase_add_test(tests, a_contact_that_may_change_is_not_told);
+  tcase_add_test(tests, other_scenes_have_no_filter);
+  suite_add_tcase(suite, tests);
+  return run_suite(suite);
+}
