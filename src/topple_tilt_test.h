@@ -77,8 +77,8 @@ TP_MUST_USE tp_status tp_scene_set_shaking_record(tp_scene *scene, tp_shaking_ax
 typedef struct tp_tilt_options {
   size_t size;      /* of this struct, as `…_default()` has it */
   size_t moments;   /* of the history of the motion, some so many at most, 2 to 1 000 000 */
-  bool overturning; /* of a block whose base shakes: the least shaking that overturns it, as a
-                       factor on that of the scene, bracketed */
+  bool overturning; /* of a block whose base shakes: the least shaking that overturns it, or throws
+                       it off its base, as a factor on that of the scene, bracketed */
   bool (*stop)(void *context); /* asked now and then, or NULL: true ends the test with what is known
                                   by then */
   void (*progress)(void *context, size_t runs, double least_deg, double most_deg); /* after each

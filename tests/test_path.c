@@ -260,6 +260,11 @@ START_TEST(bad_settings_are_refused) {
     ck_assert_msg(strstr(message.text, bad[k].says) != NULL, "%s", message.text);
     ck_assert_int_eq(result.jumps, 77);
   }
+  tp_path_settings settings = tp_path_settings_default();
+  tp_path_result result;
+  settings.tractions = &(tp_path_traction){NAN, 1, 1};
+  ck_assert_int_eq(tp_path_run(&result, &s.body, &settings, NULL, &message), TP_BAD_INPUT);
+  ck_assert_ptr_nonnull(strstr(message.text, "must be finite"));
   body_stage_clear(&s);
 }
 END_TEST

@@ -140,6 +140,35 @@ START_TEST(window_is_that_of_the_solve) {
 }
 END_TEST
 
+/* On a table that tilts slowly from level it lets go at that tilt. */
+START_TEST(table_lets_go_at_the_onset_of_the_solve) {
+  const tilted *own = scenes + _i;
+  char text[1000];
+  body_stage s;
+  tp_history h = {0};
+  tp_message message = {0};
+  snprintf(text, sizeof text, "%stilt: {towards: %s}\n", own->text,
+           own->towards == TP_TOWARDS_LEFT ? "left" : "right");
+  body_stage_init(&s, text, own->towards);
+  const tp_drive drive = {.speed = pi / 180 / 3, .final_angle = 1.5};
+  const tp_rigid_contact_settings settings = tp_rigid_contact_settings_default();
+  const tp_run run = {
+      .body = &s.body, .drive = &drive, .longest_s = 300, .until_collapse = true, .history = &h};
+  ck_assert_int_eq(tp_rigid_contact_run(NULL, NULL, &run, &settings, &message), TP_RUN_MOVES);
+  const double onset = s.solution->cases[0].onset.critical_angle_deg.value;
+  bool let_go = false;
+  for (size_t e = 0; e < h.event_count; e++) {
+    if (h.events[e].kind != TP_EVENT_COLLAPSES) continue;
+    ck_assert_msg(fabs(h.events[e].angle_deg - onset) < 1e-8, "lets go at %.12g, not %.12g",
+                  h.events[e].angle_deg, onset);
+    let_go = true;
+  }
+  ck_assert(let_go);
+  tp_history_clear(&h);
+  body_stage_clear(&s);
+}
+END_TEST
+
 /* A slab b wide and h high turns about its toe from rest with g r sin(alpha - delta) / (r^2 + k^2),
  * or slips there too, where phi < delta + atan(kappa tan(alpha - delta)) (mechanics.md section 7).
  */
@@ -303,6 +332,7 @@ int main(void) {
   tcase_set_timeout(tests, 300);
   tcase_add_loop_test(tests, motions_from_rest_are_those_of_the_solve, 0, SCENES);
   tcase_add_loop_test(tests, window_is_that_of_the_solve, 0, SCENES);
+  tcase_add_loop_test(tests, table_lets_go_at_the_onset_of_the_solve, 0, SCENES);
   tcase_add_test(tests, slab_turns_or_slips_as_the_dynamic_border_says);
   tcase_add_test(tests, blocks_e_and_f_slip_and_then_fall);
   tcase_add_test(tests, block_at_rest_does_not_creep);

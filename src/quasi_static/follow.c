@@ -167,7 +167,7 @@ static void take_step(follower *f) {
 
 static bool may_go_on(const follower *f) {
   const tp_path_settings *s = f->settings;
-  return f->memory && f->result->events < s->most_events &&
+  return f->memory && f->result->events + f->result->jumps < s->most_events &&
          !(s->stop != NULL && s->stop(s->context));
 }
 

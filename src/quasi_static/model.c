@@ -23,7 +23,7 @@ tp_path_settings tp_path_settings_default(void) {
                             .to_angle = 89.9 * degree,
                             .tolerance = 1e-6 * degree,
                             .moments_every = degree / 2,
-                            .most_events = 100000};
+                            .most_events = 20000};
 }
 
 static tp_status refuse(tp_message *message, const char *what) {
@@ -58,6 +58,14 @@ static tp_status check(const tp_path_settings *s, const tp_rigid_body *body, tp_
 
 static tp_xy over(tp_xy point, double extent_m) {
   return (tp_xy){point.x / extent_m, point.y / extent_m};
+}
+
+static bool are_finite(const tp_path_traction *tractions, long count) {
+  for (long k = 0; k < count; k++) {
+    const tp_path_traction *own = tractions + k;
+    if (!isfinite(own->from_pa) || !isfinite(own->to_pa) || !isfinite(own->shear_pa)) return false;
+  }
+  return true;
 }
 
 /* The facets out of their ends: those of a facet follow each other. */
@@ -120,7 +128,13 @@ tp_status tp_path_model_init(tp_path_model *model, const tp_rigid_body *body,
   model->weight_n = body->mass_kg * TP_GRAVITY_M_S2;
   model->closure_m = model->weight_n / (settings->normal_pa_m * body->extent_m * body->thickness_m);
   if (settings->weight_moves) model->moves = model->closure_m / body->extent_m;
-  if (settings->tractions != NULL) set_tractions(model, settings);
+  if (settings->tractions != NULL) {
+    if (!are_finite(settings->tractions, model->count)) {
+      tp_path_model_clear(model);
+      return refuse(message, "the tractions that are locked in on the facets must be finite");
+    }
+    set_tractions(model, settings);
+  }
   const tp_status small = check_stiffness(model, settings->normal_pa_m, message);
   if (small != TP_OK) tp_path_model_clear(model);
   return small;

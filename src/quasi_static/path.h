@@ -24,7 +24,8 @@
 
 /* Stress locked in on a facet before the start: normal stress at its ends in the order of
  * tp_rigid_body.closed (linear between), and shear stress, above 0 where it pushes the block along
- * the facet's tangent. Of a contact in a point `to_pa` is not read. */
+ * the facet's tangent. Where a normal stress is below 0 the joint is open; of a contact in a point
+ * `to_pa` is not read. */
 typedef struct tp_path_traction {
   double from_pa, to_pa, shear_pa;
 } tp_path_traction;
@@ -39,7 +40,7 @@ typedef struct tp_path_settings {
   bool weight_moves;                 /* with the block: the collapse for these very springs; false:
                                         in the limit of stiff ones */
   bool asks_softening;               /* both, see tp_path_result.softening */
-  long most_events;                  /* the run is undecided after as many */
+  long most_events;                  /* and jumps: the run is undecided after as many */
   const tp_path_traction *tractions; /* by facet and point of the contact; NULL: none */
   bool (*stop)(void *context);       /* as of tp_run; NULL: nothing stops it */
   void *context;
@@ -54,8 +55,7 @@ typedef struct tp_path_motion {
   tp_xy direction;        /* of the centroid, and */
   double turning_m;       /* its turning times the block's extent: together of length 1 */
   bool has_centre;
-  tp_xy
-      centre; /* of rotation, metres from the centroid; where it topples, a point of the contact */
+  tp_xy centre; /* of rotation, metres from the centroid: where it topples, of the contact */
 } tp_path_motion;
 
 typedef struct tp_path_result {
@@ -67,7 +67,8 @@ typedef struct tp_path_result {
   tp_path_motion motion; /* where it collapses */
   double imbalance;   /* of forces, at most, over the weight; of moments over weight times extent */
   double closure_m;   /* by which the weight closes the whole contact on the average */
-  double moved_m;     /* largest displacement of a contact in the last equilibrium */
+  double moved_m;     /* largest displacement of a contact in the last equilibrium; without bound
+                         towards a tilt at which the block topples, where the weight does not move */
   bool has_softening; /* with asks_softening, where it collapses: */
   double softening;   /* radians by which it would collapse sooner on these very springs */
   long jumps;         /* times that it gave way and came to rest at the same tilt */

@@ -13,9 +13,9 @@
  * equilibrium has no such bound: it stays as the step goes to zero. */
 static const double most_leap = 16;
 
-/* Points, in extents of the block, and directions closer than this count as one: a frame of both
- * would lose as many digits. */
-static const double apart = 1e-3;
+/* The sine of the angle between the two directions of a frame, at least: as many digits are lost.
+ */
+static const double least_angle = 1e-4;
 
 static tp_xy closed_end(const tp_path_state *state, const tp_path_model *model, long k) {
   const tp_facet_state *facet = state->facets + k;
@@ -61,20 +61,16 @@ static double closed_share(const tp_path_state *state, const tp_path_model *mode
   return model->facets[k].in_a_point ? closed * 0.99 : closed;
 }
 
-/* The facet that is closed the least, of those in part: where `beside` is given, at another point
- * and with another direction than that one. -1: none. */
+/* The facet that is closed the least, of those in part: where `beside` is given, with another
+ * direction than that one. -1: none. */
 static long least_closed(const tp_path_state *state, const tp_path_model *model, long beside) {
   long least = -1;
   for (long k = 0; k < model->count; k++) {
     const double closed = closed_share(state, model, k);
     if (!(closed > 0 && closed < (least < 0 ? 1 : closed_share(state, model, least)))) continue;
-    if (beside >= 0) {
-      const tp_xy to = tp_xy_minus(closed_end(state, model, k), closed_end(state, model, beside));
-      const tp_xy normal = model->facets[k].normal;
-      if (hypot(to.x, to.y) < apart ||
-          fabs(tp_xy_cross(normal, model->facets[beside].normal)) < apart) {
-        continue;
-      }
+    if (beside >= 0 &&
+        fabs(tp_xy_cross(model->facets[k].normal, model->facets[beside].normal)) < least_angle) {
+      continue;
     }
     least = k;
   }

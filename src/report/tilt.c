@@ -126,21 +126,29 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
 /* ---- what happened -----------------------------------------------------------------------------
  */
 
+/* A coordinate in the scene's unit; what is nothing but rounding is 0. */
+static double coordinate(const tp_tilt_test *test, const tp_tilt_case *c, double metres) {
+  const double size = c->outline_count == 0 ? 0
+                                            : hypot(c->outline[0].x_m - c->centroid_x_m,
+                                                    c->outline[0].y_m - c->centroid_y_m);
+  return fabs(metres) < 1e-9 * size ? 0 : length(test, metres);
+}
+
 static bool is_of_contact(const tp_tilt_event *e) {
   return e->kind < TP_EVENT_COLLAPSES || e->kind == TP_EVENT_ACCUMULATES;
 }
 
-static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_test *test) {
+static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
+                      const tp_tilt_test *test) {
+  const double x = coordinate(test, c, e->x_m), y = coordinate(test, c, e->y_m);
   tp_text_add(t, "  %9.4f° ", e->angle_deg);
   if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
   if (!is_of_contact(e)) {
     tp_text_add(t, "the block %s", tp_tilt_event_name(e->kind));
   } else if (e->facet > 0) {
-    tp_text_add(t, "facet %ld %s at (%.5g, %.5g)", e->facet, tp_tilt_event_name(e->kind),
-                length(test, e->x_m), length(test, e->y_m));
+    tp_text_add(t, "facet %ld %s at (%.5g, %.5g)", e->facet, tp_tilt_event_name(e->kind), x, y);
   } else {
-    tp_text_add(t, "the end face %s at (%.5g, %.5g)", tp_tilt_event_name(e->kind),
-                length(test, e->x_m), length(test, e->y_m));
+    tp_text_add(t, "the end face %s at (%.5g, %.5g)", tp_tilt_event_name(e->kind), x, y);
   }
   if (e->kind == TP_EVENT_CLOSES && e->speed_m_s > 0) {
     tp_text_add(t, ", %.3g m/s", e->speed_m_s);
@@ -164,13 +172,13 @@ static void add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
   tp_text_add(t, "\n  What happened (facets of the base from left to right)\n");
   for (size_t lines = 0; k < c->event_count && lines < MOST_EVENTS; lines++) {
     const size_t length = chatter_length(c, k);
-    add_event(t, c->events + k, test);
+    add_event(t, c->events + k, c, test);
     if (length < SEVERAL) {
       k++;
       continue;
     }
     tp_text_add(t, "             and so on to and fro, %zu times in all, until it\n", length);
-    add_event(t, c->events + k + length - 1, test);
+    add_event(t, c->events + k + length - 1, c, test);
     k += length;
   }
   if (k < c->event_count) {
@@ -204,7 +212,9 @@ static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test)
 static void add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (!c->has_overturning) return;
   if (!c->converged) tp_text_add(t, "\n  A run was not decided: the search ended early.");
-  tp_text_add(t, "\n  The least shaking that overturns it is %.4g to %.4g times this one",
+  tp_text_add(t,
+              "\n  The least shaking that overturns it, or throws it off its base, is %.4g to\n  "
+              "%.4g times this one",
               c->overturning_least, c->overturning_most);
   if (test->shaking[0].given) {
     tp_text_add(t, ":\n  PGA %.4g to %.4g g, PGV %.4g to %.4g m/s",

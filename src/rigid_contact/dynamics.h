@@ -29,7 +29,8 @@ typedef struct tp_dynamics {
   double work;               /* of loads, shaking and friction up to now */
   double lost, first_energy; /* in impacts; kinetic at the start */
   bool resting, moved, overturned;
-  bool held; /* where a motion from rest was set: forces could hold it */
+  double rests_until; /* at rest: the time up to which it is sure to stay so */
+  bool held;          /* where a motion from rest was set: forces could hold it */
   tp_touching touching;
   tp_law law; /* of the mode that was set last: */
   tp_law_solution solution;

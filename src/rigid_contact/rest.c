@@ -89,6 +89,73 @@ void tp_rest_motions(const tp_law *law, const long *listed, long listed_count, t
   tp_law_enumerate(law, listed, listed_count, 2, look, &own);
 }
 
+/* ---- the next tilt ---- */
+
+/* Tangents of tilts at which one set of edges moves the block. */
+typedef struct tangents {
+  double low, high;
+} tangents;
+
+/* Cut by a + b tan(alpha) >= 0; false where nothing is left. */
+static bool cut_tangents(tangents *of, double a, double b) {
+  const double slack = 1e-9 * (fabs(a) + fabs(b)) + 1e-12;
+  const double bound = -(a + slack) / b;
+  if (b > 0) of->low = fmax(of->low, bound);
+  if (b < 0) of->high = fmin(of->high, bound);
+  return of->low <= of->high && (b != 0 || a + slack >= 0);
+}
+
+typedef struct tilt_search {
+  tp_law level, upright;
+  double from, next; /* tangents */
+} tilt_search;
+
+static const double narrowest = 1e-7;
+
+static void try_edges(tilt_search *of, const tp_law_solution *edges) {
+  tp_law_solution a = *edges, b = *edges;
+  if (!tp_law_solve(&a, &of->level) || !tp_law_solve(&b, &of->upright)) return;
+  tangents left = {of->from, of->next};
+  const bool both = edges->count == 2 && edges->edges[0].contact == edges->edges[1].contact;
+  for (int k = 0; k < edges->count; k++) {
+    const double *along = of->level.contacts[edges->edges[k].contact].along;
+    const int side = edges->edges[k].side;
+    if (!cut_tangents(&left, a.factors[k], b.factors[k])) return;
+    if (both || of->level.contacts[edges->edges[k].contact].friction == 0) continue;
+    if (!cut_tangents(&left, -side * times(along, a.x), -side * times(along, b.x))) return;
+  }
+  for (long c = 0; c < of->level.count; c++) {
+    const double *across = of->level.contacts[c].across;
+    if (!cut_tangents(&left, times(across, a.x), times(across, b.x))) return;
+  }
+  /* what is narrower is a tilt at which it rests, widened by the slack */
+  if (left.high - left.low > narrowest) of->next = left.low;
+}
+
+double tp_rest_next_tilt(const tp_law *law, const long *listed, long listed_count,
+                         const double level[3], const double upright[3], double from) {
+  tilt_search of = {.level = *law, .upright = *law, .from = tan(from), .next = INFINITY};
+  for (int e = 0; e < 3; e++) {
+    of.level.free[e] = level[e];
+    of.upright.free[e] = upright[e];
+  }
+  tp_law_solution edges = {.count = 0};
+  try_edges(&of, &edges);
+  for (long i = 0; i < 2 * listed_count; i++) {
+    edges.edges[0] = (tp_law_edge){listed[i / 2], i % 2 == 0 ? -1 : 1};
+    edges.count = 1;
+    try_edges(&of, &edges);
+    edges.count = 2;
+    for (long j = i + 1; j < 2 * listed_count; j++) {
+      edges.edges[1] = (tp_law_edge){listed[j / 2], j % 2 == 0 ? -1 : 1};
+      try_edges(&of, &edges);
+    }
+  }
+  return isinf(of.next) ? INFINITY : atan(of.next);
+}
+
+/* ---- forces ---- */
+
 /* Least squares of up to three columns, which are kept independent: their multipliers from the
  * columns made orthogonal one after the other. */
 typedef struct least_squares {

@@ -20,6 +20,14 @@ long tp_rest_list(long *listed, const tp_law *law);
 void tp_rest_motions(const tp_law *law, const long *listed, long listed_count, tp_law_found found,
                      void *context);
 
+/* The least tilt, from one on and below a right angle (radians), at which a motion can
+ * begin where the loads are level cos(alpha) + upright sin(alpha), as the weight is; INFINITY:
+ * none. With two edges or fewer everything is then linear in tan(alpha), so each set has one
+ * interval of it; rounding makes that wider by some 1e-9 of itself, never narrower, and
+ * those narrower than 1e-7 are left out. */
+double tp_rest_next_tilt(const tp_law *law, const long *listed, long listed_count,
+                         const double level[3], const double upright[3], double from);
+
 /* Forces that hold the block, at most three of them not zero: lambda of both edges of each contact,
  * n - t tan(phi) first, in `factors` of twice the contacts. False where none do, within 1e-10 of
  * the loads. By non-negative least squares (Lawson and Hanson, Solving Least Squares Problems,

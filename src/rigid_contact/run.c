@@ -1,25 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "rigid_contact/dynamics.h"
-#include "rigid_contact/rest.h"
+#include "rigid_contact/begin.h"
 #include "rigid_contact/watch.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Of a step, without dimension; and of a bracket of the time at which a motion begins. */
-static const double longest_step = 0.25, first_step = 0.05, begin_width = 1e-12;
+/* Of a step, without dimension; one up to an event that is shorter is none. */
+static const double longest_step = 0.25, first_step = 0.05, at_once = 1e-12;
 
 /* After so many steps a run asks whether it is to stop. */
 enum { TURNS_A_QUESTION = 64 };
 
 /* Events at one moment: more of them say that modes take turns within rounding. */
 enum { MOST_AT_ONCE = 40 };
-
-/* At rest it is looked at so often whether a motion can begin: a window of tilts narrower than
- * this, or shaking that is over in a shorter time, can be missed. */
-static const double look_tilt = 0.05 / 57.29577951308232, look_time = 0.02;
 
 /* A quarter of a turn, but for so little that a block which lies on its side has made it. */
 static const double overturned_turn = 1.5707963267948966 - 1e-6;
@@ -87,57 +82,16 @@ static bool drive_is_over(const tp_dynamics *d) {
 }
 
 static double time_to_look(const progress *p) {
-  const tp_drive *drive = p->d->run->drive;
-  double next = fmin(p->end, p->next_moment);
-  if (drive->speed != 0) {
-    const double step = look_tilt / fabs(drive->speed) / p->d->system.time_unit_s;
-    next = fmin(next, p->d->time + step);
-  }
-  if (drive->shaking != NULL) next = fmin(next, p->d->time + look_time);
   const double kink = next_kink(p->d);
+  const double next = fmin(fmin(p->end, p->next_moment), tp_begin_next_look(p->d));
   return kink > p->d->time ? fmin(next, kink) : next;
-}
-
-/* When between the time, at which it rests, and a later one, at which it moves, does it begin? */
-static tp_resolved find_begin(tp_dynamics *d, double moves_at) {
-  double rests_at = d->time;
-  while (moves_at - rests_at > begin_width * (1 + moves_at)) {
-    d->time = (rests_at + moves_at) / 2;
-    const tp_resolved now = tp_resolve_rest(d);
-    if (now == TP_RESOLVED_NO_MEMORY) return now;
-    *(now == TP_RESOLVED_MOVES ? &moves_at : &rests_at) = d->time;
-  }
-  d->time = moves_at;
-  return TP_RESOLVED_MOVES;
-}
-
-/* Where the acceleration is nothing but rounding it tells no mode: the mode is that of so much
- * later that it is told, or of the last time tried; how it moves until then is not seen in any
- * number. */
-static tp_resolved choose_begin(double *later, tp_dynamics *d) {
-  const double begin = d->time, told = 1e-6, first = 1e-7, last = 1e-2;
-  tp_resolved now = tp_resolve_rest(d);
-  *later = begin;
-  for (double after = first; now == TP_RESOLVED_MOVES && after <= last; after *= 10) {
-    const double *x = d->solution.x;
-    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) >= told) break;
-    d->time = begin + after;
-    now = tp_resolve_rest(d);
-    if (now == TP_RESOLVED_MOVES) *later = d->time;
-  }
-  if (now == TP_RESOLVED_RESTS) {
-    d->time = *later;
-    now = tp_resolve_rest(d);
-  }
-  d->time = begin;
-  return now;
 }
 
 static bool begin_motion(progress *p) {
   tp_dynamics *d = p->d;
   const bool tilted = d->run->drive->shaking == NULL;
   double later;
-  if (choose_begin(&later, d) == TP_RESOLVED_NO_MEMORY || !tp_record_phases(d, true)) {
+  if (tp_begin_choose(&later, d) == TP_RESOLVED_NO_MEMORY || !tp_record_phases(d, true)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
   d->resting = false;
@@ -162,7 +116,7 @@ static bool wait(progress *p) {
   if (now == TP_RESOLVED_MOVES) {
     const double moves_at = d->time;
     d->time = from;
-    now = find_begin(d, moves_at);
+    now = tp_begin_find(d, moves_at);
   }
   if (now == TP_RESOLVED_NO_MEMORY) return over(p, TP_RUN_NO_MEMORY);
   if (now == TP_RESOLVED_MOVES) return begin_motion(p);
@@ -171,15 +125,10 @@ static bool wait(progress *p) {
 
 /* ---- in motion ---- */
 
-static bool has_left(const tp_dynamics *d) {
-  double reach[2];
-  tp_contact_system_reach(reach, &d->system, &d->state);
-  return reach[1] < d->system.base_left || reach[0] > d->system.base_right;
-}
-
 static bool come_to_rest(progress *p) {
   tp_dynamics *d = p->d;
   d->resting = true;
+  tp_begin_wait(d);
   if (!tp_record_phases(d, false) || !tp_record_event(d, TP_EVENT_RESTS, NULL, 0)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
@@ -206,9 +155,13 @@ static bool meet(progress *p, const tp_watch_end *end) {
     d->overturned = true;
     return tp_record_event(d, TP_EVENT_OVERTURNS, NULL, 0) ? true : over(p, TP_RUN_NO_MEMORY);
   }
+  if (end->what == TP_WATCH_LEAVE) {
+    const bool told = tp_record_event(d, TP_EVENT_LEAVES_BASE, NULL, 0) && tp_record_moment(d);
+    return over(p, told ? TP_RUN_LEFT_BASE : TP_RUN_NO_MEMORY);
+  }
   d->account.events++;
   if (d->account.events > d->settings->most_events) return undecided(p, "it met the most events");
-  p->at_once = end->step > begin_width ? 0 : p->at_once + 1;
+  p->at_once = end->step > at_once ? 0 : p->at_once + 1;
   if (p->at_once > MOST_AT_ONCE) return undecided(p, "its contacts take turns at one moment");
   return go_on(p);
 }
@@ -239,10 +192,6 @@ static bool move(progress *p) {
   d->account.largest_drift = fmax(d->account.largest_drift, drift);
   (void)tp_energy_balance(d);
   if (!tp_contact_system_list(&d->system, &d->state)) return over(p, TP_RUN_NO_MEMORY);
-  if (has_left(d)) {
-    if (!tp_record_event(d, TP_EVENT_LEAVES_BASE, NULL, 0)) return over(p, TP_RUN_NO_MEMORY);
-    return over(p, TP_RUN_LEFT_BASE);
-  }
   if (end.what != TP_WATCH_NOTHING) return meet(p, &end);
   if (!record_due(p)) return over(p, TP_RUN_NO_MEMORY);
   if (d->time >= p->end) return over(p, end_of_motion(d, TP_RUN_MOVES));
@@ -272,6 +221,7 @@ static bool begin_at_rest(progress *p) {
   if (!tp_touching_collect(&d->touching, &d->system, &d->state) || !tp_record_phases(d, false)) {
     return over(p, TP_RUN_NO_MEMORY);
   }
+  tp_begin_wait(d);
   const tp_resolved now = tp_resolve_rest(d);
   if (now == TP_RESOLVED_MOVES) return begin_motion(p);
   if (now == TP_RESOLVED_NO_MEMORY || !tp_record_moment(d)) return over(p, TP_RUN_NO_MEMORY);

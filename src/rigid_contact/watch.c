@@ -52,10 +52,22 @@ static double slip_of(const tp_smooth_moment *m, const tp_smooth *smooth, long k
   return -smooth->pressing[k].side * tp_gap_speed(m->gaps[k].along, state->speed);
 }
 
+/* By how much the block is still above the base; exact where it is nearly not. */
+static double overlap_of(const tp_contact_system *system, const tp_motion_state *state) {
+  const double x = state->place[0];
+  double reach[2];
+  if (x > system->base_left && x < system->base_right) {
+    return fmin(x - system->base_left, system->base_right - x);
+  }
+  tp_contact_system_reach(reach, system, state);
+  return fmin(reach[1] - system->base_left, system->base_right - reach[0]);
+}
+
 static double value_of(const tp_watch *w, const watched *own, double time,
                        const tp_motion_state *state) {
   tp_smooth_moment moment;
   if (own->what == TP_WATCH_OVERTURN) return w->overturn - fabs(state->place[2]);
+  if (own->what == TP_WATCH_LEAVE) return overlap_of(w->system, state);
   if (own->what == TP_WATCH_GAP) {
     return tp_gap_at(&w->system->shapes, w->system->pairs + own->number, state).width + own->slack;
   }
@@ -248,6 +260,7 @@ static void consider_all(looking *of) {
     consider(of, &(watched){TP_WATCH_MARGIN, k, 0});
     consider(of, &(watched){TP_WATCH_ARC, k, 0});
   }
+  consider(of, &(watched){TP_WATCH_LEAVE, 0, 0});
   if (w->overturn > 0) consider(of, &(watched){TP_WATCH_OVERTURN, 0, 0});
   consider_pairs(of, &begin);
 }

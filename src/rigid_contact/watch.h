@@ -19,6 +19,7 @@ typedef enum tp_watched {
   TP_WATCH_MARGIN,   /* a contact comes to the end of a face */
   TP_WATCH_ARC,      /* or of an arc */
   TP_WATCH_OVERTURN, /* a quarter of a turn */
+  TP_WATCH_LEAVE,    /* no part of the block is above the base any more */
   TP_WATCH_FAILED    /* the step cannot be made as short as it would have to be */
 } tp_watched;
 

@@ -100,7 +100,8 @@ typedef struct overturning {
   double factor; /* that the shaking has now */
 } overturning;
 
-/* A run that is not decided says nothing: it spares no block, and ends the search. */
+/* A block that turns off the end of its base leaves it before a quarter of a turn. A run that is
+ * not decided says nothing: it spares no block, and ends the search. */
 static tp_status look(tp_tilt_verdict *verdict, overturning *o, double factor) {
   tp_tilting *tilting = o->tilting;
   const double angle = tp_tilt_radians(tilting->settings->release_deg);
@@ -113,10 +114,10 @@ static tp_status look(tp_tilt_verdict *verdict, overturning *o, double factor) {
   o->scale(o->shaking, factor / o->factor);
   o->factor = factor;
   const tp_status status = tp_tilting_run(&end, &last, tilting, &run);
-  *verdict = end == TP_RUN_OVERTURNED      ? TP_VERDICT_MOVES
-             : end != TP_RUN_UNDECIDED     ? TP_VERDICT_STANDS
-             : tp_tilting_stopped(tilting) ? TP_VERDICT_STOPPED
-                                           : TP_VERDICT_OPEN;
+  *verdict = end == TP_RUN_OVERTURNED || end == TP_RUN_LEFT_BASE ? TP_VERDICT_MOVES
+             : end != TP_RUN_UNDECIDED                           ? TP_VERDICT_STANDS
+             : tp_tilting_stopped(tilting)                       ? TP_VERDICT_STOPPED
+                                                                 : TP_VERDICT_OPEN;
   tilting->own->converged = *verdict == TP_VERDICT_STANDS || *verdict == TP_VERDICT_MOVES;
   return status;
 }

@@ -38,7 +38,7 @@ const char *tp_tilt_event_name(tp_tilt_event_kind kind) {
                                       [TP_EVENT_RESTS] = "rests",
                                       [TP_EVENT_OVERTURNS] = "overturns",
                                       [TP_EVENT_LEAVES_BASE] = "leaves its base",
-                                      [TP_EVENT_ACCUMULATES] = "closes after endless impacts"};
+                                      [TP_EVENT_ACCUMULATES] = "stops bouncing"};
   return (int)kind >= 0 && kind <= TP_EVENT_ACCUMULATES ? names[kind] : "unknown event";
 }
 

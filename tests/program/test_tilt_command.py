@@ -199,6 +199,43 @@ class Tilt(unittest.TestCase):
         self.assertLess(0.35, math.tan(math.radians(weak["statics"]["limit_deg"])))
         self.assertEqual((weak["end"], weak["run_out_m"]), ("stands", 0))  # less than what lifts it moves nothing
 
+    def test_overturning_spectrum(self):
+        """The least half sine that overturns a slab, by rigid contacts against the equation of rocking of Housner's block,
+        theta'' = p^2 (-sin(alpha - theta) + a/g cos(alpha - theta)), p^2 = 3 g / (4 R), integrated here by Runge and Kutta:
+        such pulses overturn it before it ever comes back."""
+        half_width, half_height = 0.5, 2
+        p2 = 3 * 9.80665 / (4 * math.hypot(half_width, half_height))
+        alpha = math.atan2(half_width, half_height)
+
+        def overturns(peak, frequency):
+            def rate(t, theta):
+                shaking = peak * math.sin(2 * math.pi * frequency * t) if t < 0.5 / frequency else 0
+                return p2 * (-math.sin(alpha - theta) + shaking * math.cos(alpha - theta))
+
+            t, theta, speed, h = math.asin(math.tan(alpha) / peak) / (2 * math.pi * frequency), 0, 0, 0.001
+            while 0 <= theta < math.pi / 2 and t < 8:
+                k1, l1 = speed, rate(t, theta)
+                k2, l2 = speed + h / 2 * l1, rate(t + h / 2, theta + h / 2 * k1)
+                k3, l3 = speed + h / 2 * l2, rate(t + h / 2, theta + h / 2 * k2)
+                k4, l4 = speed + h * l3, rate(t + h, theta + h * k3)
+                theta += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+                speed += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+                t += h
+            return theta >= math.pi / 2
+
+        for frequency in (0.5, 1, 2):
+            with self.subTest(frequency):
+                low, high = 0.26, 4
+                while high - low > 1e-4:
+                    middle = (low + high) / 2
+                    low, high = (low, middle) if overturns(middle, frequency) else (middle, high)
+                told = self.told(HEAD.format(w=1, h=4, phi=60) + "base: {profile: [[-20, 0], [20, 0]]}\n"
+                                 f"shaking: {{horizontal: {{half_sine: {{peak_g: 1, frequency_hz: {frequency}}}}}}}\n",
+                                 "--overturning")["cases"][0]["overturning_factor"]
+                self.assertLess(told["spared_by"], high * 1.0005)
+                self.assertGreater(told["overturned_by"], low * 0.9995)
+                self.assertLess(told["overturned_by"] - told["spared_by"], 1.1e-3 * high)
+
     def test_outputs(self):
         """The moments as CSV are those of the JSON; drawings are XML; the page has 80 columns; `solve` says what it leaves
         out."""

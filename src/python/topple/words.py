@@ -345,7 +345,7 @@ class TiltEventKind(Word):
     RESTS = "rests"
     OVERTURNS = "overturns"
     LEAVES_BASE = "leaves its base"
-    ACCUMULATES = "closes after endless impacts"
+    ACCUMULATES = "stops bouncing"
 
 
 class TiltEnd(Word):
