@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "case_filter/outline_mapping.h"
+#include "case_filter/outline_map.h"
 
+#include "case_filter/outline_signs.h"
 #include "number/ball.h"
 
 #include <stdlib.h>

@@ -5,7 +5,7 @@
  * what varies, and are not zero in the scene at hand. What is zero there has to stay so by what the
  * points are made of: on one level or upright line, or in one place. */
 
-#include "case_filter/outline_mapping.h"
+#include "case_filter/outline_signs.h"
 
 static void add_sign(tp_outline_mapping *m, tp_map_sign_kind kind, const int of[4], int sign) {
   tp_outline_map *map = m->map;
