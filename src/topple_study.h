@@ -164,12 +164,19 @@ typedef struct tp_study_variable {
   TP_OUTSIDE char *key;                        /* the scene's */
   const char *kind;                            /* normal, list and so on; a static string */
   const char *unit;                            /* deg, m, kPa and so on, or NULL; likewise */
+  char *law;                                   /* "mean 36, deviation 3, between 25 and 50" */
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
   double design_value; /* where reliability is known: at the design point, */
   double importance;   /* and its share of the variance there, as if all were independent */
 } tp_study_variable;
+
+/* Two numbers that are drawn with a correlation of their normal scores. */
+typedef struct tp_study_correlation {
+  size_t one, other; /* of the variables */
+  double value;      /* between -1 and 1, not 0 */
+} tp_study_correlation;
 
 /* A number of roughness of the base of a sample, or an angle of Eqs. (15) and (16). */
 typedef struct tp_study_measure {
@@ -228,6 +235,8 @@ typedef struct tp_study_result {
   tp_study_tilt *tilts;                         /* that of the scene, then those of the study */
   size_t variable_count;                        /* of the numbers that vary */
   tp_study_variable *variables;                 /* as the study lists them */
+  size_t correlation_count;                     /* of the correlations */
+  tp_study_correlation *correlations;           /* of the variables, in their order */
   tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
   tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */

@@ -8,7 +8,7 @@
 
 #include "built_scene.h"
 
-enum { MOST_NUMBERS = 26, KEYED_ROWS = 82, KEYED_BASE_ROWS = 32 };
+enum { MOST_NUMBERS = 26, KEYED_ROWS = 82, KEYED_BASE_ROWS = 32, KEYED_TEST_ROWS = 20 };
 
 /* A scene of numbers: built, and as text, in which @a is the first of them; or NULL. */
 typedef struct keyed_scene {
@@ -28,5 +28,7 @@ typedef struct keyed_row {
 extern const keyed_row keyed_rows[KEYED_ROWS];
 /* Of bases that are made by rule. */
 extern const keyed_row keyed_base_rows[KEYED_BASE_ROWS];
+/* Of simulated tilt tests. */
+extern const keyed_row keyed_test_rows[KEYED_TEST_ROWS];
 
 #endif

@@ -127,7 +127,7 @@ static bool tell_drawn(const stage *s, random_numbers *state, double spread) {
   double values[VARIABLES + 2];
   for (size_t k = 0; k < s->count; k++) values[k] = drawn(state, s->means[k], spread);
   values[s->count] = drawn(state, 32, 28);
-  values[s->count + 1] = drawn(state, 25, 24);
+  values[s->count + 1] = draw_once_in(state, 8) ? 0 : drawn(state, 25, 24);
   return tell(s, values);
 }
 

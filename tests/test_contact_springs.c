@@ -73,6 +73,23 @@ START_TEST(papers_blocks_let_go_at_their_limit) {
 }
 END_TEST
 
+/* Arcs meet the flat of an ellipse in corners: nothing but the flat bears it. */
+START_TEST(ellipse_lets_go_at_its_limit) {
+  body_stage s;
+  body_stage_init(&s,
+                  "topple: 1\nlength_unit: m\nblock: {ellipse: {width: 8, height: 3, flat: 1.8}, "
+                  "unit_weight_kn_m3: 26}\nbase: {mated: true, beyond: {left: 2, right: 2}}\n"
+                  "friction_angle_deg: 35\ntilt: {towards: left}\n",
+                  TP_TOWARDS_LEFT);
+  const double limit = s.solution->cases->limit.critical_angle_deg.value;
+  const tp_spring_settings springs = paper_springs();
+  ck_assert_int_eq(springs_at(&s.body, 0, &springs), TP_RUN_STANDS);
+  ck_assert_int_eq(springs_at(&s.body, limit - 0.05, &springs), TP_RUN_STANDS);
+  ck_assert_int_eq(springs_at(&s.body, limit + 0.05, &springs), TP_RUN_MOVES);
+  body_stage_clear(&s);
+}
+END_TEST
+
 /* Nothing shakes, but the run may not end before the time that is told as a kink. */
 static void no_acceleration(double *horizontal_m_s2, double *vertical_m_s2,
                             const tp_base_motion *motion, double time_s) {
@@ -217,6 +234,7 @@ int main(void) {
   TCase *tests = tcase_create("letting_go");
   tcase_add_test(tests, slabs_let_go_at_their_closed_angles);
   tcase_add_test(tests, papers_blocks_let_go_at_their_limit);
+  tcase_add_test(tests, ellipse_lets_go_at_its_limit);
   tcase_add_test(tests, block_at_rest_does_not_creep);
   tcase_add_test(tests, reactions_bear_the_weight);
   tcase_add_test(tests, settings_out_of_range_are_refused);

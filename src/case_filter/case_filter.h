@@ -73,7 +73,7 @@ typedef struct tp_case_told_at {
   tp_fos_definition fos_definition;
 } tp_case_told_at;
 
-/* At a tilt above 0 and below 90 degrees; false where doubles do not tell. */
+/* At a tilt from 0 to below 90 degrees; false where doubles do not tell. */
 TP_MUST_USE bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told,
                                         tp_near tilt_deg);
 

@@ -158,10 +158,13 @@ static bool holds(const tp_edge_set *set, tp_near tangent) {
 /* Where b lies on a plane of two edges, as by symmetry, three do not tell; but the tilts that hold
  * are an interval, so that one on either side tells of all between. */
 bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent) {
-  static const double aside = 0x1p-10;
-  if (holds(set, tangent)) return true;
-  return tangent.error < aside / 2 && holds(set, (tp_near){tangent.value - aside, 0}) &&
-         holds(set, (tp_near){tangent.value + aside, 0});
+  static const double aside[] = {0x1p-10, 0x1p-26};
+  bool held = holds(set, tangent);
+  for (int k = 0; k < 2 && !held; k++) {
+    held = tangent.error < aside[k] / 2 && holds(set, (tp_near){tangent.value - aside[k], 0}) &&
+           holds(set, (tp_near){tangent.value + aside[k], 0});
+  }
+  return held;
 }
 
 bool tp_limit_filter_is_lost(const tp_edge_set *set, tp_near tangent) {

@@ -3,24 +3,11 @@
 
 #include "case_filter/outline_map.h"
 
+#include "case_filter/outline_signs.h"
 #include "number/ball.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* What is mapped, exactly. */
-typedef struct mapping {
-  tp_outline_map *map;
-  const tp_problem *problem;
-  const tp_contact_plan *plan;
-  const tp_affine_scene *scene;
-  fmpq *variables;            /* as the scene has them */
-  tp_affine x[TP_MAP_POINTS]; /* and the values of these */
-  tp_affine y[TP_MAP_POINTS];
-  fmpq *own_x, *own_y;
-  int left_end, right_end; /* points at which the base ends; -1: at the contact */
-  bool fits;
-} mapping;
 
 /* ---- vertices ----------------------------------------------------------------------------------
  */
@@ -41,7 +28,8 @@ static bool is_fixed_elsewhere(const tp_affine_scene *s) {
 }
 
 /* The k-th point of a list of points. */
-static bool read_point(tp_affine *x, tp_affine *y, const mapping *m, const tp_node *list, long k) {
+static bool read_point(tp_affine *x, tp_affine *y, const tp_outline_mapping *m, const tp_node *list,
+                       long k) {
   const tp_node *point = list != NULL && list->kind == TP_NODE_SEQUENCE ? list->first : NULL;
   for (; k > 0 && point != NULL; k--) point = point->next;
   if (point == NULL || point->kind != TP_NODE_SEQUENCE || point->count != 2) return false;
@@ -49,7 +37,7 @@ static bool read_point(tp_affine *x, tp_affine *y, const mapping *m, const tp_no
 }
 
 /* (0, 0), (w, 0), (w, h), (0, h). */
-static bool read_slab(mapping *m, const tp_node *slab) {
+static bool read_slab(tp_outline_mapping *m, const tp_node *slab) {
   if (m->map->vertex_count != 4) return false;
   return tp_affine_read(m->x + 1, m->scene, tp_node_get(slab, "width")) &&
          tp_affine_read(m->x + 2, m->scene, tp_node_get(slab, "width")) &&
@@ -58,7 +46,7 @@ static bool read_slab(mapping *m, const tp_node *slab) {
 }
 
 /* Those of the ring, which has them in its own order: what was read must have their values. */
-static bool read_vertices(mapping *m) {
+static bool read_vertices(tp_outline_mapping *m) {
   const tp_scene *scene = m->problem->scene;
   const tp_polyline *ring = m->problem->section.rings;
   const tp_node *block = tp_node_get(scene->source, "block");
@@ -80,7 +68,7 @@ static bool read_vertices(mapping *m) {
 }
 
 /* Level ground past the vertex; -1 where there is none. */
-static int add_end(mapping *m, long vertex, const fmpq_t beyond, bool left) {
+static int add_end(tp_outline_mapping *m, long vertex, const fmpq_t beyond, bool left) {
   if (fmpq_is_zero(beyond)) return -1;
   const int k = m->map->point_count++;
   fmpq_t by;
@@ -102,7 +90,7 @@ static int add_end(mapping *m, long vertex, const fmpq_t beyond, bool left) {
 }
 
 /* The ends of the contact, where the scene names them, are these vertices whatever varies. */
-static bool keeps_between(const mapping *m, const long ends[2]) {
+static bool keeps_between(const tp_outline_mapping *m, const long ends[2]) {
   const tp_scene *scene = m->problem->scene;
   if (scene->base.between.count == 0) return true;
   const tp_node *list = tp_node_get(tp_node_get(scene->source, "base"), "between");
@@ -119,7 +107,7 @@ static bool keeps_between(const mapping *m, const long ends[2]) {
   return same;
 }
 
-static bool read_points(mapping *m) {
+static bool read_points(tp_outline_mapping *m) {
   const tp_scene *scene = m->problem->scene;
   const tp_base *base = &m->problem->base;
   const long count = m->problem->section.rings[0].count;
@@ -135,7 +123,7 @@ static bool read_points(mapping *m) {
  */
 
 /* The point that a point of the lattice is, -1 for none. */
-static int point_at(const mapping *m, long at) {
+static int point_at(const tp_outline_mapping *m, long at) {
   const tp_lattice *l = &m->problem->lattice;
   const tp_base *base = &m->problem->base;
   if (at < l->start[1]) return (int)(at - l->start[0]);
@@ -146,7 +134,7 @@ static int point_at(const mapping *m, long at) {
   return own == -1 ? m->left_end : own == base->mated_count + 1 ? m->right_end : -1;
 }
 
-static bool take_point(mapping *m, int k) {
+static bool take_point(tp_outline_mapping *m, int k) {
   const tp_plan_point *own = m->plan->points + k;
   const tp_facet *facet = m->problem->contact.facets + own->facet;
   const bool second = k > 0 && m->plan->points[k - 1].facet == own->facet;
@@ -160,7 +148,7 @@ static bool take_point(mapping *m, int k) {
 }
 
 /* Is a difference of points the same whatever varies? */
-static bool is_constant(const mapping *m, const tp_map_point *p) {
+static bool is_constant(const tp_outline_mapping *m, const tp_map_point *p) {
   tp_affine dx, dy;
   tp_affine_init(&dx);
   tp_affine_init(&dy);
@@ -173,7 +161,7 @@ static bool is_constant(const mapping *m, const tp_map_point *p) {
 }
 
 /* Facets that are parallel stay so: level ones, those that stay as they are, or one facet. */
-static bool stay_parallel(const mapping *m) {
+static bool stay_parallel(const tp_outline_mapping *m) {
   for (int k = 0; k < m->plan->point_count; k++) {
     for (int j = 0; j < k; j++) {
       const tp_map_point *a = m->map->points + k, *b = m->map->points + j;
@@ -184,128 +172,6 @@ static bool stay_parallel(const mapping *m) {
     }
   }
   return true;
-}
-
-/* ---- signs -------------------------------------------------------------------------------------
- */
-
-static void add_sign(mapping *m, tp_map_sign_kind kind, const int of[4], int sign) {
-  tp_outline_map *map = m->map;
-  m->fits = m->fits && sign != 0 && map->sign_count < TP_MAP_SIGNS;
-  if (!m->fits) return;
-  tp_map_sign *own = map->signs + map->sign_count++;
-  *own = (tp_map_sign){.kind = kind, .sign = (signed char)sign};
-  for (int k = 0; k < 4; k++) own->of[k] = (unsigned char)of[k];
-}
-
-/* Of two points: one that does not depend on what varies needs no look. */
-static void add_order(mapping *m, tp_map_sign_kind kind, int i, int j) {
-  tp_affine f, part;
-  fmpq_t value;
-  tp_affine_init(&f);
-  tp_affine_init(&part);
-  fmpq_init(value);
-  if (kind != TP_SIGN_Y) tp_affine_sub(&f, m->x + i, m->x + j);
-  if (kind != TP_SIGN_X) tp_affine_sub(&part, m->y + i, m->y + j);
-  if (kind == TP_SIGN_DIFFERENCE) {
-    tp_affine_sub(&f, &f, &part);
-  } else {
-    tp_affine_add(&f, &f, &part);
-  }
-  tp_affine_value(value, &f, m->variables);
-  if (!tp_affine_is_constant(&f)) add_sign(m, kind, (int[4]){i, j, 0, 0}, fmpq_sgn(value));
-  tp_affine_clear(&f);
-  tp_affine_clear(&part);
-  fmpq_clear(value);
-}
-
-static bool all_constant(const mapping *m, const int *of, int count) {
-  bool constant = true;
-  for (int k = 0; k < count; k++) {
-    constant =
-        constant && tp_affine_is_constant(m->x + of[k]) && tp_affine_is_constant(m->y + of[k]);
-  }
-  return constant;
-}
-
-/* (b - a) x (d - c), or the product by components, as the scene has it. */
-static int sign_of(const mapping *m, int a, int b, int c, int d, bool across) {
-  fmpq_t ux, uy, vx, vy;
-  fmpq_init(ux);
-  fmpq_init(uy);
-  fmpq_init(vx);
-  fmpq_init(vy);
-  fmpq_sub(ux, m->own_x + b, m->own_x + a);
-  fmpq_sub(uy, m->own_y + b, m->own_y + a);
-  fmpq_sub(vx, m->own_x + d, m->own_x + c);
-  fmpq_sub(vy, m->own_y + d, m->own_y + c);
-  if (across) {
-    fmpq_mul(ux, ux, vy);
-    fmpq_submul(ux, uy, vx);
-  } else {
-    fmpq_mul(ux, ux, vx);
-    fmpq_addmul(ux, uy, vy);
-  }
-  const int sign = fmpq_sgn(ux);
-  fmpq_clear(ux);
-  fmpq_clear(uy);
-  fmpq_clear(vx);
-  fmpq_clear(vy);
-  return sign;
-}
-
-/* Do three points lie on one level or one upright line, or two in one place, whatever varies? */
-static bool stay_on_line(const mapping *m, const int of[3]) {
-  bool level = true, upright = true, same = false;
-  for (int k = 0; k < 3; k++) {
-    const int a = of[k], b = of[(k + 1) % 3];
-    const bool x = tp_affine_equal(m->x + a, m->x + b), y = tp_affine_equal(m->y + a, m->y + b);
-    level = level && y;
-    upright = upright && x;
-    same = same || (x && y);
-  }
-  return level || upright || same;
-}
-
-static void add_turns(mapping *m, int i, int j) {
-  for (int k = j + 1; k < m->map->point_count; k++) {
-    const int of[4] = {i, j, k, 0};
-    if (all_constant(m, of, 3) || stay_on_line(m, of)) continue;
-    add_sign(m, TP_SIGN_TURN, of, sign_of(m, i, j, i, k, true));
-  }
-}
-
-/* Which pivots are admissible (stability/admissible.c): of each contact point against each facet.
- */
-static void add_admissible(mapping *m, tp_direction towards) {
-  for (int k = 0; k < m->plan->point_count; k++) {
-    const tp_map_point *f = m->map->points + k;
-    const bool second = k > 0 && m->plan->points[k - 1].facet == m->plan->points[k].facet;
-    const bool last =
-        k + 1 == m->plan->point_count || m->plan->points[k + 1].facet != m->plan->points[k].facet;
-    if ((towards == TP_TOWARDS_LEFT ? second : !last) || f->from < 0) continue;
-    for (int p = 0; p < m->plan->point_count; p++) {
-      const int of[4] = {m->map->points[p].vertex, f->vertex, f->from, f->to};
-      if (of[0] == of[1] || all_constant(m, of, 4)) continue;
-      add_sign(m, TP_SIGN_ALONG, of, sign_of(m, of[0], of[1], of[2], of[3], false));
-    }
-  }
-}
-
-static void add_signs(mapping *m, tp_direction towards) {
-  const tp_scene *scene = m->problem->scene;
-  const bool finds_ends = scene->block.form == TP_OUTLINE_VERTICES &&
-                          scene->base.between.count == 0 && !scene->base.whole;
-  for (int i = 0; i < m->map->point_count; i++) {
-    for (int j = i + 1; j < m->map->point_count; j++) {
-      add_order(m, TP_SIGN_X, i, j);
-      add_order(m, TP_SIGN_Y, i, j);
-      if (finds_ends) add_order(m, TP_SIGN_SUM, i, j);
-      if (finds_ends) add_order(m, TP_SIGN_DIFFERENCE, i, j);
-      add_turns(m, i, j);
-    }
-  }
-  add_admissible(m, towards);
 }
 
 /* ---- all of it ---------------------------------------------------------------------------------
@@ -321,7 +187,7 @@ static tp_near near_of(const fmpq_t value) {
   return near;
 }
 
-static void round_points(mapping *m) {
+static void round_points(tp_outline_mapping *m) {
   for (int k = 0; k < m->map->point_count; k++) {
     m->map->x[k].varies = !tp_affine_is_constant(m->x + k);
     m->map->y[k].varies = !tp_affine_is_constant(m->y + k);
@@ -332,11 +198,11 @@ static void round_points(mapping *m) {
   }
 }
 
-static void find(mapping *m, tp_direction towards) {
+static void find(tp_outline_mapping *m, tp_direction towards) {
   m->fits = m->scene->parameters != NULL && read_points(m);
   for (int k = 0; k < m->plan->point_count && m->fits; k++) m->fits = take_point(m, k);
   m->fits = m->fits && stay_parallel(m);
-  if (m->fits) add_signs(m, towards);
+  if (m->fits) tp_outline_mapping_add_signs(m, towards);
   if (m->fits) round_points(m);
 }
 
@@ -353,7 +219,7 @@ static bool is_plain(const tp_problem *problem) {
 }
 
 /* Allocates what is exact; false when memory is exhausted. */
-static bool begin(mapping *m, const tp_scene_key *keys, size_t count) {
+static bool begin(tp_outline_mapping *m, const tp_scene_key *keys, size_t count) {
   const tp_scene *scene = m->problem->scene;
   m->variables = _fmpq_vec_init(TP_AFFINE_VARIABLES);
   m->own_x = _fmpq_vec_init(TP_MAP_POINTS);
@@ -370,7 +236,7 @@ static bool begin(mapping *m, const tp_scene_key *keys, size_t count) {
   return known;
 }
 
-static void end(mapping *m) {
+static void end(tp_outline_mapping *m) {
   _fmpq_vec_clear(m->variables, TP_AFFINE_VARIABLES);
   _fmpq_vec_clear(m->own_x, TP_MAP_POINTS);
   _fmpq_vec_clear(m->own_y, TP_MAP_POINTS);
@@ -393,7 +259,7 @@ tp_status tp_outline_map_init(tp_outline_map *map, bool *fits, const tp_problem 
   if (!tp_affine_scene_init(&scene, problem->scene, keys, count)) {
     return tp_fail_memory(message, "the scene");
   }
-  mapping m = {.map = map, .problem = problem, .plan = plan, .scene = &scene};
+  tp_outline_mapping m = {.map = map, .problem = problem, .plan = plan, .scene = &scene};
   if (begin(&m, keys, count)) find(&m, towards);
   *fits = m.fits;
   end(&m);

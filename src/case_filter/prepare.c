@@ -16,8 +16,8 @@ enum { BITS = 256 };
 /* Under the weight alone, with one friction angle, on the tilt as it is given. */
 static bool is_plain(const tp_scene *scene) {
   return scene->friction_angle_deg.given && scene->friction.facet_count == 0 &&
-         !tp_loads_are_called_for(&scene->loads) && scene->frame != TP_FRAME_WORLD &&
-         scene->towards_left != scene->towards_right;
+         !scene->base.all_poses && !tp_loads_are_called_for(&scene->loads) &&
+         scene->frame != TP_FRAME_WORLD && scene->towards_left != scene->towards_right;
 }
 
 static tp_near near_of(const arb_t ball) {

@@ -78,15 +78,17 @@ bool tp_sliding_filter(tp_sliding_told *s, const tp_case_told *told, tp_near tan
   const tp_near level = tp_near_plus(one, tp_near_times(tangent, slope));
   const tp_near rest = tp_near_minus(one, tp_near_times(told->friction, slope));
   const int needs = tp_near_sign(needed), upright = tp_near_sign(rest);
-  if (free == 2 || needs == 0 || upright == 0 || tp_near_sign(level) <= 0) return false;
+  const bool open = needs == 0 && !tp_near_is_zero(needed);
+  if (free == 2 || open || upright == 0 || tp_near_sign(level) <= 0) return false;
   s->counts = free == 1;
   s->is_level = told->filter->facets[facet].is_level;
   s->shear = needs > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
-  s->rough = upright > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
+  const bool overturns = upright > 0 && !tp_near_is_zero(tangent);
+  s->rough = overturns ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
   if (needs > 0) {
     s->by_shear = tp_near_div(tp_near_times(told->friction, level), needed);
   }
-  if (upright > 0) {
+  if (overturns) {
     s->by_roughness =
         tp_near_div(tp_near_plus(told->friction, slope), tp_near_times(rest, tangent));
   }

@@ -15,6 +15,7 @@ static const double most_factor = 1e6;
 
 static tp_near tangent_of(tp_near degrees) {
   tp_near sine, cosine;
+  if (tp_near_is_zero(degrees)) return degrees;
   tp_near_sin_cos(&sine, &cosine, degrees);
   if (tp_near_sign(cosine) <= 0) return (tp_near){0, INFINITY};
   return tp_near_div(sine, cosine);
@@ -180,7 +181,9 @@ static bool tell_factor(tp_case_told_at *at, const tp_case_told *told, tp_near t
   tp_near x, y;
   tp_sliding_told sliding;
   set_arms(&x, &y, told->shape, told->pivot);
-  bool done = take(&l, TP_FOS_NUMBER, tp_near_div(x, tp_near_mul(y, tangent)), TP_FOS_BY_MOMENTS,
+  const bool level = tp_near_is_zero(tangent); /* nothing overturns */
+  const tp_near by_moments = level ? tangent : tp_near_div(x, tp_near_mul(y, tangent));
+  bool done = take(&l, level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER, by_moments, TP_FOS_BY_MOMENTS,
                    TP_TOPPLES) &&
               tp_sliding_filter(&sliding, told, tangent);
   if (done && sliding.counts) {
@@ -198,6 +201,6 @@ static bool tell_factor(tp_case_told_at *at, const tp_case_told *told, tp_near t
 
 bool tp_case_filter_tell_at(tp_case_told_at *at, const tp_case_told *told, tp_near tilt_deg) {
   const tp_near tangent = tangent_of(tilt_deg);
-  return tp_near_sign(tangent) > 0 && tell_mechanism(at, told, tangent) &&
-         tell_factor(at, told, tangent);
+  return (tp_near_is_zero(tangent) || tp_near_sign(tangent) > 0) &&
+         tell_mechanism(at, told, tangent) && tell_factor(at, told, tangent);
 }

@@ -101,15 +101,16 @@ static tp_feature straight(const tp_edge *edge, const corner *begin, const corne
                       .facet = edge->number};
 }
 
-static tp_feature arc(const tp_edge *edge, const tp_edge *before, const tp_edge *after) {
+/* Where it goes on smoothly as a straight piece it may lean over that, as the disc of a corner. */
+static tp_feature arc(const tp_edge *edge, bool straight_before, bool straight_after) {
   const tp_xy first = towards(edge->centre, edge->from), last = towards(edge->centre, edge->to);
   return (tp_feature){.kind = edge->inwards ? TP_FEATURE_HOLLOW : TP_FEATURE_DISC,
                       .centre = edge->centre,
                       .radius = edge->radius,
                       .first = edge->inwards ? last : first,
                       .last = edge->inwards ? first : last,
-                      .slack_first = before->arc ? 0 : slack_beside_straight,
-                      .slack_last = after->arc ? 0 : slack_beside_straight,
+                      .slack_first = straight_before ? slack_beside_straight : 0,
+                      .slack_last = straight_after ? slack_beside_straight : 0,
                       .facet = edge->number};
 }
 
@@ -137,7 +138,9 @@ bool tp_features_init(tp_features *features, const tp_boundary *boundary, double
     const tp_edge *after = boundary->edges + (k + 1) % count;
     const corner begin = corner_between(before, edge, radius_m);
     const corner end = corner_between(edge, after, radius_m);
-    tp_feature own = edge->arc ? arc(edge, before, after) : straight(edge, &begin, &end);
+    tp_feature own = edge->arc
+                         ? arc(edge, !before->arc && !begin.convex, !after->arc && !end.convex)
+                         : straight(edge, &begin, &end);
     own.friction = friction != NULL ? friction[k] : 0;
     features->items[features->count++] = own;
     if (!end.convex) continue;

@@ -12,76 +12,6 @@
 
 enum { LABEL = TP_STUDY_LABEL };
 
-/* ---- head --------------------------------------------------------------------------------------
- */
-
-static void add_end(tp_text *t, const tp_study_result *r) {
-  switch (r->end) {
-  case TP_STUDY_CERTAIN:
-    tp_text_add(t, "; stopped, as every interval is within +-%.4g", r->half_width);
-    break;
-  case TP_STUDY_INTERRUPTED:
-    tp_text_add(t, "; interrupted");
-    break;
-  case TP_STUDY_SHARD:
-    tp_text_add(t, "; shard %zu of %zu", r->shard, r->shards);
-    break;
-  default:
-    break;
-  }
-}
-
-static void add_range(tp_text *t, double least, double greatest, const char *unit) {
-  tp_text_add(t, " %.6g to %.6g", least, greatest);
-  if (unit != NULL) tp_text_add(t, " %s", strcmp(unit, "deg") == 0 ? "°" : unit);
-}
-
-/* Of the base of each sample, where the study asks. */
-static void add_measures(tp_text *t, const tp_study_result *r) {
-  if (r->measure_count == 0) return;
-  tp_text_add(t, "\nMeasured of the base\n");
-  for (size_t k = 0; k < r->measure_count; k++) {
-    const tp_study_measure *own = r->measures + k;
-    tp_text_add(t, "  %-*s %-12s", LABEL, own->name,
-                k + 2 == r->measure_count   ? "Eq. (15)"
-                : k + 1 == r->measure_count ? "Eq. (16)"
-                                            : "");
-    if (own->count == 0) {
-      tp_text_add(t, " -");
-    } else {
-      add_range(t, own->least, own->greatest, own->unit);
-    }
-    if (own->count > 0 && own->count < r->kept) {
-      tp_text_add(t, ", of %zu samples", own->count);
-    }
-    tp_text_add(t, "\n");
-  }
-  if (r->bracketed == 0) return;
-  tp_text_add(t, "  Critical angles between these two: %zu of %zu\n", r->within, r->bracketed);
-}
-
-static void add_head(tp_text *t, const tp_study_result *r) {
-  if (r->title != NULL) {
-    tp_encode_plain(t, r->title);
-    tp_text_add(t, "\n\n");
-  }
-  tp_text_add(t, "Study of ");
-  tp_encode_plain(t, r->scene);
-  tp_text_add(t, "\n%zu of %zu samples", r->samples, r->planned);
-  if (strcmp(r->method, "none") != 0) tp_text_add(t, ", %s, seed %zu", r->method, r->seed);
-  add_end(t, r);
-  tp_text_add(t, "\n\nWhat varies\n");
-  for (size_t k = 0; k < r->variable_count; k++) {
-    const tp_study_variable *v = r->variables + k;
-    tp_text_add(t, "  ");
-    tp_encode_column(t, v->key, LABEL);
-    tp_text_add(t, " %-12s", v->kind);
-    if (r->kept > 0) add_range(t, v->least, v->greatest, v->unit);
-    tp_text_add(t, "\n");
-  }
-  add_measures(t, r);
-}
-
 /* ---- probabilities -----------------------------------------------------------------------------
  */
 
@@ -274,7 +204,7 @@ tp_status tp_report_study(char **text, const tp_study_result *result) {
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, result);
   tp_text t = {0};
-  add_head(&t, result);
+  tp_study_add_head(&t, result);
   if (result->samples > 0) {
     add_tilts(&t, result);
     add_spreads(&t, result);

@@ -201,12 +201,27 @@ static void add_variable(tp_json *j, const tp_study_result *r, const tp_study_va
   tp_json_string(j, "key", own->key);
   tp_json_string(j, "kind", own->kind);
   tp_json_string(j, "unit", own->unit);
+  tp_json_string(j, "law", own->law);
   if (r->kept > 0) {
     tp_json_double(j, "least", own->least);
     tp_json_double(j, "greatest", own->greatest);
   }
   add_ranks(j, own->ranks);
   add_analyses(j, r, own);
+  tp_json_close(j);
+}
+
+static void add_correlations(tp_json *j, const tp_study_result *r) {
+  if (r->correlation_count == 0) return;
+  tp_json_array(j, "correlations", TP_JSON_BLOCK);
+  for (size_t k = 0; k < r->correlation_count; k++) {
+    const tp_study_correlation *own = r->correlations + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_string(j, "one", r->variables[own->one].key);
+    tp_json_string(j, "other", r->variables[own->other].key);
+    tp_json_double(j, "value", own->value);
+    tp_json_close(j);
+  }
   tp_json_close(j);
 }
 
@@ -279,6 +294,7 @@ tp_status tp_report_study_json(char **text, const tp_study_result *result) {
     add_variable(&j, result, result->variables + k);
   }
   tp_json_close(&j);
+  add_correlations(&j, result);
   add_measures(&j, result);
   tp_json_array(&j, "tilts", TP_JSON_BLOCK);
   for (size_t k = 0; k < result->tilt_count; k++) add_tilt(&j, result->tilts + k);

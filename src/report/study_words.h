@@ -21,6 +21,9 @@ const char *tp_study_end_name(tp_study_end end);
 /* Words between blanks, over lines of a terminal. */
 void tp_study_add_lines(tp_text *text, const char *words);
 
+/* Samples, answer, and what varies. */
+void tp_study_add_head(tp_text *text, const tp_study_result *result);
+
 /* Sobol' indices, reliability and design values, of those that were asked for. */
 void tp_study_add_analyses(tp_text *text, const tp_study_result *result);
 

@@ -19,6 +19,11 @@ char *tp_progress_path(const char *rows) {
   return asprintf(&path, "%s.progress", rows) >= 0 ? path : NULL;
 }
 
+static const char unknown[] =
+    "this is not what a study says of its progress; name another file for the rows";
+
+enum { MOST_SHARDS = 1000000 }; /* as a run takes */
+
 static bool read_count(uint64_t *count, const tp_node *root, const char *key, int base) {
   const tp_node *node = tp_node_get(root, key);
   if (node == NULL || node->kind != TP_NODE_SCALAR) return false;
@@ -28,24 +33,36 @@ static bool read_count(uint64_t *count, const tp_node *root, const char *key, in
   return end != node->text && *end == '\0' && errno == 0;
 }
 
+/* Which of them changed is told by the first fingerprint that differs. */
+static tp_status check_files(const tp_node *root, const tp_study *study, tp_place place,
+                             tp_message *message) {
+  uint64_t file = 0, scene = 0, all = 0;
+  if (!read_count(&file, root, "study", 16) || !read_count(&scene, root, "scene", 16) ||
+      !read_count(&all, root, "files", 16)) {
+    return tp_fail(message, TP_BAD_INPUT, place, unknown);
+  }
+  if (all == study->hash) return TP_OK;
+  const char *what = file != study->hash_of_file ? "these rows are of another study, or the study"
+                     : scene != study->hash_of_scene
+                         ? "the scene of these rows, or a file that it names,"
+                         : "a file of numbers that the study of these rows names";
+  return tp_fail(message, TP_BAD_INPUT, place,
+                 "%s has changed since; restart, or name another file", what);
+}
+
 static tp_status take(tp_progress *progress, const tp_node *root, const char *path,
                       const tp_study *study, tp_message *message) {
-  uint64_t hash = 0, shard = 0, shards = 0;
+  uint64_t shard = 0, shards = 0;
   const tp_node *version = tp_node_get(root, "topple");
   const tp_place place = {path, 0, 0};
-  if (!read_count(&hash, root, "study", 16) || !read_count(&shard, root, "shard", 10) ||
-      !read_count(&shards, root, "shards", 10) ||
+  if (!read_count(&shard, root, "shard", 10) || !read_count(&shards, root, "shards", 10) ||
       !read_count(&progress->chunks, root, "chunks", 10) ||
       !read_count(&progress->bytes, root, "bytes", 10) || version == NULL ||
-      version->kind != TP_NODE_SCALAR) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "this is not what a study says of its progress; name another file for the rows");
+      version->kind != TP_NODE_SCALAR || shard < 1 || shard > shards || shards > MOST_SHARDS) {
+    return tp_fail(message, TP_BAD_INPUT, place, unknown);
   }
-  if (hash != study->hash) {
-    return tp_fail(message, TP_BAD_INPUT, place,
-                   "these rows are of another study, or the study, its scene or a file that they "
-                   "name has changed since; restart, or name another file");
-  }
+  const tp_status status = check_files(root, study, place, message);
+  if (status != TP_OK) return status;
   if (strcmp(version->text, TP_VERSION) != 0) {
     return tp_fail(message, TP_BAD_INPUT, place,
                    "these rows are by another version of this program; restart, or name another "
@@ -77,10 +94,11 @@ tp_status tp_progress_write(const tp_progress *progress, const char *rows, const
   const int length = snprintf(text, sizeof text,
                               "# How far the rows beside this file are. The study goes on from "
                               "here; shards are merged by it.\n"
-                              "topple: %s\nstudy: %016" PRIx64 "\nshard: %zu\nshards: %zu\n"
+                              "topple: %s\nstudy: %016" PRIx64 "\nscene: %016" PRIx64
+                              "\nfiles: %016" PRIx64 "\nshard: %zu\nshards: %zu\n"
                               "chunks: %" PRIu64 "\nbytes: %" PRIu64 "\n",
-                              TP_VERSION, study->hash, progress->shard, progress->shards,
-                              progress->chunks, progress->bytes);
+                              TP_VERSION, study->hash_of_file, study->hash_of_scene, study->hash,
+                              progress->shard, progress->shards, progress->chunks, progress->bytes);
   const tp_status status = tp_file_write(path, text, (size_t)length, (tp_file_sources){0}, message);
   free(path);
   return status;

@@ -47,6 +47,7 @@ static tp_status hash_scene(const tp_study_reader *reader) {
   for (size_t k = 0; k < tp_scene_source_count(study->scene) && status == TP_OK; k++) {
     status = tp_hash_file(&study->hash, tp_scene_source(study->scene, k), reader->message);
   }
+  study->hash_of_scene = study->hash;
   return status;
 }
 
@@ -252,6 +253,7 @@ tp_status tp_study_read(tp_study **study, const char *path, tp_message *message)
   tp_status status = own->path != NULL ? tp_node_read(&own->root, own->path, message)
                                        : tp_fail_memory(message, "the study");
   if (status == TP_OK) status = tp_hash_file(&own->hash, own->path, message);
+  own->hash_of_file = own->hash;
   if (status == TP_OK) status = read_root(&reader, own->root);
   if (status == TP_OK) {
     *study = own;

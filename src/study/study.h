@@ -90,7 +90,9 @@ struct tp_study {
   tp_study_measure_kind measures[TP_MEASURES];
   size_t design_count;
   tp_wanted_design *designs;
-  uint64_t hash; /* of the study, its scene and all files that they name */
+  uint64_t hash_of_file;  /* a fingerprint of the study's own file, */
+  uint64_t hash_of_scene; /* of that and those of its scene, */
+  uint64_t hash;          /* and of all files that they name */
 };
 
 /* The number of a variable in a cell, and that of one that is drawn. */

@@ -5,6 +5,7 @@
 
 #include "statistics/quantiles.h"
 #include "study/field.h"
+#include "study/law.h"
 #include "study/ranks.h"
 #include "study/roughness.h"
 #include "study/shortest.h"
@@ -94,12 +95,30 @@ static bool fill_variable(tp_study_variable *variable, const tp_tally *tally, si
   const double *inputs = tally->columns[k];
   variable->key = strdup(own->node->key);
   variable->kind = own->kind;
+  variable->law = tp_study_law(own);
   variable->unit = tp_study_field_unit(tally->study, tp_study_field_of_variable(k));
   for (long j = 0; j < tally->kept; j++) {
     if (j == 0 || inputs[j] < variable->least) variable->least = inputs[j];
     if (j == 0 || inputs[j] > variable->greatest) variable->greatest = inputs[j];
   }
-  return variable->key != NULL;
+  return variable->key != NULL && variable->law != NULL;
+}
+
+/* Those that are not 0, of the matrix of what is drawn. */
+static bool fill_correlations(tp_study_result *result, const tp_study *study) {
+  if (study->correlation == NULL) return true;
+  result->correlations = calloc(study->drawn * study->drawn, sizeof *result->correlations);
+  if (result->correlations == NULL) return false;
+  for (size_t j = 0; j < study->variable_count; j++) {
+    for (size_t k = j + 1; k < study->variable_count; k++) {
+      const tp_variable *one = study->variables + j, *other = study->variables + k;
+      if (one->source != TP_VARIABLE_DRAWN || other->source != TP_VARIABLE_DRAWN) continue;
+      const double value = study->correlation[one->dimension * study->drawn + other->dimension];
+      if (value == 0) continue;
+      result->correlations[result->correlation_count++] = (tp_study_correlation){j, k, value};
+    }
+  }
+  return true;
 }
 
 static bool fill_variables(tp_study_result *result, const tp_tally *tally) {
@@ -194,7 +213,7 @@ static bool fill(tp_study_result *result, tp_tally *tally) {
                          (size_t)tally->kept, NULL, 0);
   }
   filled = filled && fill_factors(result, tally) && fill_measures(result, tally) &&
-           fill_variables(result, tally);
+           fill_variables(result, tally) && fill_correlations(result, study);
   result->samples = tally->samples;
   result->kept = (size_t)tally->kept;
   result->open = tally->open;
@@ -219,7 +238,11 @@ tp_status tp_tally_finish(tp_study_result *result, tp_tally *tally, tp_message *
 
 void tp_study_result_free(tp_study_result *result) {
   if (result == NULL) return;
-  for (size_t k = 0; k < result->variable_count; k++) free(result->variables[k].key);
+  for (size_t k = 0; k < result->variable_count; k++) {
+    free(result->variables[k].key);
+    free(result->variables[k].law);
+  }
+  free(result->correlations);
   for (size_t k = 0; k < result->column_count; k++) {
     free(result->columns[k].header);
     free(result->columns[k].values);

@@ -36,9 +36,15 @@ class Refused(StudyCase):
         whole = self.study("study.yaml", "--csv", "rows.csv")
         refused("are there already", "study.yaml", "--merge", "1.csv", "2.csv", "--csv", "rows.csv")
         (self.folder / "slab.yaml").write_text(slab(height="2.5"))
-        refused("changed since", "study.yaml", "--csv", "rows.csv")
+        refused("the scene of these rows, or a file that it names, has changed since", "study.yaml", "--csv", "rows.csv")
         (self.folder / "slab.yaml").write_text(slab())
         self.assertEqual(self.study("study.yaml", "--csv", "rows.csv"), whole)
+        progress = self.folder / "1.csv.progress"
+        told = progress.read_text()
+        for wrong in ("shard: 0", "shard: 3", "shard: 99999999999999999999", "shard: -1"):
+            progress.write_text(told.replace("shard: 1", wrong, 1))
+            refused("not what a study says of its progress", "study.yaml", "--merge", "1.csv", "2.csv")
+        progress.write_text(told)
         rows = (self.folder / "rows.csv").read_text()
         (self.folder / "rows.csv").write_text(rows.replace("stands", "standz", 1))
         refused("was changed since", "study.yaml", "--csv", "rows.csv")
@@ -50,6 +56,19 @@ class Refused(StudyCase):
         with open(self.folder / "rows.csv", "rb") as rows:
             fcntl.flock(rows, fcntl.LOCK_EX)
             refused("another run is writing", "study.yaml", "--csv", "rows.csv")
+
+    def test_what_changed(self):
+        """Under rows to go on with: the study, its scene, a file of numbers; told which. Comments count: nobody is to guess."""
+        (self.folder / "t.csv").write_text("phi\n28\n30\n32\n")
+        self.write("samples: 10\nvary: {friction_angle_deg: {empirical: 't.csv:phi'}}\n")
+        whole = self.study("study.yaml", "--rows", "rows.csv")
+        for name, says in (("study.yaml", "another study, or the study has changed since"), ("slab.yaml", "the scene of these rows"),
+                           ("t.csv", "a file of numbers that the study of these rows names has changed since")):
+            text = (self.folder / name).read_text()
+            (self.folder / name).write_text(text + "\n" if name == "t.csv" else text + "# a word\n")
+            self.assertIn(says, self.study("study.yaml", "--rows", "rows.csv", status=3))
+            (self.folder / name).write_text(text)
+        self.assertEqual(self.study("study.yaml", "--rows", "rows.csv"), whole)
 
     def test_studies(self):
         """What is wrong, where, and what to do."""

@@ -186,7 +186,7 @@ class Rows(StudyCase):
             out = process.stdout.read()
         self.assertEqual(process.returncode, -signal.SIGINT)
         samples = len(self.rows())
-        self.assertIn(f"{samples} of 1000000 samples, latin_hypercube, seed 1; interrupted", out)
+        self.assertIn(f"{samples} of 1000000 samples, Latin hypercube, seed 1; interrupted", out)
 
     def test_disk_full(self):
         """Rows that cannot be written: status 5, or the signal of the system; then it goes on."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""What a study tells besides its probabilities: the factor of safety by what governs it, worked out anew from the rows, and
+"""What a study tells besides its probabilities: the answer and what it rests on, the factor of safety by what governs it, worked out anew from the rows, and
 design values beside closed forms."""
 
 import json
@@ -29,6 +29,35 @@ class Told(StudyCase):
         status, out, err = run("study", "--json", path, "--csv", rows, *words)
         self.assertEqual((status, err), (0, ""))
         return json.loads(out), run("study", path)[1], self.rows()
+
+
+class Head(Told):
+    def test_what_a_report_quotes(self):
+        """The answer stands first, and below it by what each number varies, all its parameters, and what is correlated: as
+        the study file has it, so that the page can be judged without the file."""
+        summary, page, _ = self.road()
+        moves = summary["tilts"][0]["certain_to_move"]
+        low, share, high = (f"{100 * moves[key]:.2f}" for key in ("low", "share", "high"))
+        stands = f"{100 * summary['tilts'][0]['certain_to_stand']['share']:.2f}"
+        answer = f"\nAt 22° certain to move: {share} % ({low} to {high} %), to stand: {stands} %\n"
+        self.assertIn(answer, page)
+        self.assertLess(page.index(answer), page.index("What varies"))
+        for law in ("    normal: mean 36, deviation 3, between 25 and 50\n", "    uniform: 25.6 to 26.8\n",
+                    "    beta: a 1.2, b 3, 0 to 2.5\n", "    triangular: 0 to 0.15, mode 0.02\n",
+                    "  Correlated\n    friction_angle_deg, loads.water.height: -0.3\n"):
+            self.assertIn(law, page)
+        self.assertEqual(summary["correlations"], [{"one": "friction_angle_deg", "other": "loads.water.height", "value": -0.3}])
+        self.assertEqual(summary["variables"][0]["law"], "mean 36, deviation 3, between 25 and 50")
+
+    def test_other_laws(self):
+        (self.folder / "t.csv").write_text("phi\n28\n30\n33\n")
+        for law, told in (("empirical: 't.csv:phi'", "empirical: 3 numbers"), ("column: 't.csv:phi'", "column: 3 numbers"),
+                          ("list: [30, 40]", "list: 2 numbers"), ("grid: {from: 30, to: 32, step: 1}", "grid: 3 numbers"),
+                          ("lognormal: {mean: 30, deviation: 2}, truncated: [20, .inf]", "lognormal: mean 30, deviation 2, above 20"),
+                          ("normal: {mean: 30, deviation: 2}, truncated: [-.inf, 40]", "normal: mean 30, deviation 2, below 40")):
+            drawn = law.split(":")[0] in ("empirical", "lognormal", "normal")
+            self.write(("samples: 5\n" if drawn else "") + f"vary: {{friction_angle_deg: {{{law}}}}}\n")
+            self.assertIn(f"\n    {told}\n", self.study("study.yaml"))
 
 
 class Factors(Told):

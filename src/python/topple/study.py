@@ -124,6 +124,15 @@ class StudyReliability(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class StudyCorrelation(Record):
+    """Two numbers that are drawn with a correlation of their normal scores."""
+
+    one: int  #: of the variables
+    other: int
+    value: float
+
+
+@dataclasses.dataclass(frozen=True)
 class StudyMeasure(Record):
     """A number of roughness of the base of each sample, or an angle of Eqs. (15) and (16)."""
 
@@ -160,6 +169,7 @@ class StudyVariable(Record):
     key: str
     kind: str  #: normal, list and so on
     unit: str | None  #: deg, m, kPa and so on
+    law: str  #: by what it varies, in words
     least: float
     greatest: float
     ranks: tuple[StudyRank, ...]  #: in the order of `StudyQuantity`
@@ -206,6 +216,7 @@ class StudyResult(Record):
     ladder_seconds: float  #: and by the ladder
     tilts: tuple[StudyTilt, ...] = field(count="tilt_count")
     variables: tuple[StudyVariable, ...] = field(count="variable_count")
+    correlations: tuple[StudyCorrelation, ...] = field(count="correlation_count")
     spreads: tuple[StudySpread, ...]  #: in the order of `StudyQuantity`
     factors: tuple[StudyFactor, ...]  #: in the order of `FosDefinition`
     sensitivity_samples: int  #: of Sobol' indices; 0: none were asked for
