@@ -66,7 +66,7 @@ tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test) {
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, test);
   tp_text t = {0};
-  const bool timed = test->settings.engine != TP_TILT_PATH;
+  const tp_tilt_engine engine = test->settings.engine;
   double width = 0, height = 0;
   for (size_t c = 0; c < test->case_count; c++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + c);
@@ -80,11 +80,11 @@ tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test) {
     size_t chosen[FRAMES] = {0};
     const size_t count = choose(chosen, &view);
     tp_text_add(&t, "<text x=\"8\" y=\"%.2f\">Tilted towards the %s, by %s: %s</text>\n", top + 16,
-                tp_text_direction(test->cases[c].towards),
-                tp_tilt_engine_name(test->settings.engine), tp_tilt_end_name(test->cases[c].end));
+                tp_text_direction(test->cases[c].towards), tp_tilt_engine_name(engine),
+                tp_tilt_end_name(test->cases[c].end));
     for (size_t k = 0; k < count; k++) {
       add_frame(&t, &view, view.own->moments + chosen[k], (double)k * view.width / 2, top + 22,
-                timed);
+                engine != TP_TILT_PATH);
     }
     top += view.height / 2 + 44;
   }
