@@ -73,6 +73,32 @@ static double length(const tp_tilt_test *test, double metres) {
   return metres / test->metres_per_unit;
 }
 
+/* A length that the block is as large as. */
+static double size_of(const tp_tilt_case *c) {
+  return c->outline_count == 0
+             ? 0
+             : hypot(c->outline[0].x_m - c->centroid_x_m, c->outline[0].y_m - c->centroid_y_m);
+}
+
+/* What is next to the size nothing but rounding is 0. */
+static double cleared(double value, double size) {
+  return fabs(value) < 1e-9 * size ? 0 : value;
+}
+
+/* A point in the scene's unit, to a ten thousandth of the block, be it far from the origin. */
+static void add_point(tp_text *t, const tp_tilt_test *test, const tp_tilt_case *c, double x_m,
+                      double y_m) {
+  enum { OWN = 5, MOST = 15 };
+  const double size = size_of(c), metres[] = {cleared(x_m, size), cleared(y_m, size)};
+  int digits[2];
+  for (int k = 0; k < 2; k++) {
+    const double over = fabs(metres[k]) > size && size > 0 ? log10(fabs(metres[k]) / size) : 0;
+    digits[k] = OWN + (int)fmin(ceil(over), MOST - OWN);
+  }
+  tp_text_add(t, "(%.*g, %.*g)", digits[0], length(test, metres[0]), digits[1],
+              length(test, metres[1]));
+}
+
 /* Decimals of an angle that a bracket of that width leaves sense to. */
 static int decimals_of(const tp_tilt_case *c) {
   const double width = c->most_deg - c->least_deg;
@@ -99,8 +125,8 @@ static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
     tp_text_add(t, ":\n  it %s",
                 c->mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(c->mechanism));
     if (c->has_centre) {
-      tp_text_add(t, " about (%.6g, %.6g)", length(test, c->centre_x_m),
-                  length(test, c->centre_y_m));
+      tp_text_add(t, " about ");
+      add_point(t, test, c, c->centre_x_m, c->centre_y_m);
     }
   }
   tp_text_add(t, ".\n");
@@ -131,29 +157,24 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
 /* ---- what happened -----------------------------------------------------------------------------
  */
 
-/* A coordinate in the scene's unit; what is nothing but rounding is 0. */
-static double coordinate(const tp_tilt_test *test, const tp_tilt_case *c, double metres) {
-  const double size = c->outline_count == 0 ? 0
-                                            : hypot(c->outline[0].x_m - c->centroid_x_m,
-                                                    c->outline[0].y_m - c->centroid_y_m);
-  return fabs(metres) < 1e-9 * size ? 0 : length(test, metres);
-}
-
 static bool is_of_contact(const tp_tilt_event *e) {
   return e->kind < TP_EVENT_COLLAPSES || e->kind == TP_EVENT_ACCUMULATES;
 }
 
 static void add_event(tp_text *t, const tp_tilt_event *e, const tp_tilt_case *c,
                       const tp_tilt_test *test) {
-  const double x = coordinate(test, c, e->x_m), y = coordinate(test, c, e->y_m);
   tp_text_add(t, "  %9.4f° ", e->angle_deg);
   if (test->settings.engine != TP_TILT_PATH) tp_text_add(t, "%10.4f s  ", e->time_s);
   if (!is_of_contact(e)) {
     tp_text_add(t, "the block %s", tp_tilt_event_name(e->kind));
-  } else if (e->facet > 0) {
-    tp_text_add(t, "facet %ld %s at (%.5g, %.5g)", e->facet, tp_tilt_event_name(e->kind), x, y);
   } else {
-    tp_text_add(t, "the end face %s at (%.5g, %.5g)", tp_tilt_event_name(e->kind), x, y);
+    if (e->facet > 0) {
+      tp_text_add(t, "facet %ld", e->facet);
+    } else {
+      tp_text_add(t, "the end face");
+    }
+    tp_text_add(t, " %s at ", tp_tilt_event_name(e->kind));
+    add_point(t, test, c, e->x_m, e->y_m);
   }
   if (e->kind == TP_EVENT_CLOSES && e->speed_m_s > 0) {
     tp_text_add(t, ", %.3g m/s", e->speed_m_s);
@@ -206,8 +227,9 @@ static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test)
     tp_text_add(t, ".\n");
     return;
   }
-  tp_text_add(t, ", at %.4g s;\n  run-out %.4g %s down-dip, turned by %.4g°.\n", c->ended_s,
-              length(test, c->run_out_m), test->length_unit, c->turned_deg);
+  tp_text_add(t, "; followed to %.4g s.\n  Run-out %.4g %s down-dip, turned by %.4g°.\n",
+              c->ended_s, length(test, cleared(c->run_out_m, size_of(c))), test->length_unit,
+              cleared(c->turned_deg, 180));
   const double balance = c->energy_scale_j > 0 ? c->energy_balance_j / c->energy_scale_j : 0;
   tp_text_add(t, "  Kinetic energy at most %.3g J; energy balanced within %.1e of\n",
               c->kinetic_energy_j, balance);
@@ -232,12 +254,7 @@ static void add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_tes
 }
 
 static void add_case(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
-  const bool level = test->settings.protocol == TP_TILT_RELEASE && test->settings.release_deg == 0;
-  if (level) {
-    tp_text_add(t, "\nOn level ground\n\n");
-  } else {
-    tp_text_add(t, "\nTilted towards the %s\n\n", tp_text_direction(c->towards));
-  }
+  tp_text_add(t, "\n%s\n\n", tp_text_table(test, c));
   add_bracket(t, c, test);
   add_window(t, c, test);
   add_events(t, c, test);

@@ -75,8 +75,8 @@ static void add_motion(tp_text *t, const course *c, int what) {
 static void add_case(tp_text *t, const tp_tilt_test *test, const tp_tilt_view *view, double left) {
   const tp_tilt_case *own = view->own;
   const course c = course_of(view, test->settings.engine != TP_TILT_PATH);
-  tp_text_add(t, "<text x=\"%.2f\" y=\"18\">Towards the %s: %s", left + 8,
-              tp_text_direction(own->towards), tp_tilt_end_name(own->end));
+  tp_text_add(t, "<text x=\"%.2f\" y=\"18\">%s: %s", left + 8, tp_text_table(test, own),
+              tp_tilt_end_name(own->end));
   if (c.timed && c.to > c.from) {
     tp_text_add(t, " (%.3g times real time)", (c.to - c.from) / c.seconds);
   }

@@ -12,25 +12,17 @@
 
 enum { FRAMES = 6 };
 
-/* How far the block comes between a moment and the one before, in extents and radians. */
-static double way_of(const tp_tilt_view *view, size_t moment) {
-  const tp_tilt_moment *m = view->own->moments + moment;
-  const double moved = hypot(m->moved_x_m - m[-1].moved_x_m, m->moved_y_m - m[-1].moved_y_m);
-  return view->scale / 100 * moved + fabs(m->turned_deg - m[-1].turned_deg) * (M_PI / 180);
-}
-
 /* The moments of the frames, rising; how many there are. */
 static size_t choose(size_t chosen[FRAMES], const tp_tilt_view *view) {
-  const size_t count = view->own->moment_count;
+  const size_t count = view->moments;
   if (count == 0) return 0;
   double all = 0;
-  for (size_t k = 1; k < count; k++) all += way_of(view, k);
-  all = fmin(all, 4); /* farther than the view shows nothing more */
+  for (size_t k = 1; k < count; k++) all += tp_tilt_view_way(view, k);
   size_t found = 0;
   chosen[found++] = 0;
   double way = 0;
   for (size_t k = 1; k < count && found < FRAMES; k++) {
-    way += way_of(view, k);
+    way += tp_tilt_view_way(view, k);
     if (way >= all * (double)found / (FRAMES - 1) * (1 - 1e-9)) chosen[found++] = k;
   }
   return found;
@@ -79,8 +71,8 @@ tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + c);
     size_t chosen[FRAMES] = {0};
     const size_t count = choose(chosen, &view);
-    tp_text_add(&t, "<text x=\"8\" y=\"%.2f\">Tilted towards the %s, by %s: %s</text>\n", top + 16,
-                tp_text_direction(test->cases[c].towards), tp_tilt_engine_name(engine),
+    tp_text_add(&t, "<text x=\"8\" y=\"%.2f\">%s, by %s: %s</text>\n", top + 16,
+                tp_text_table(test, test->cases + c), tp_tilt_engine_name(engine),
                 tp_tilt_end_name(test->cases[c].end));
     for (size_t k = 0; k < count; k++) {
       add_frame(&t, &view, view.own->moments + chosen[k], (double)k * view.width / 2, top + 22,

@@ -7,6 +7,9 @@
 
 static const double extent_units = 100;
 
+/* Extents of the block that it is followed from where it stood. */
+enum { FARTHEST = 4 };
+
 static double extent_of(const tp_tilt_case *own) {
   double extent = 0;
   for (size_t k = 0; k < own->outline_count; k++) {
@@ -16,16 +19,41 @@ static double extent_of(const tp_tilt_case *own) {
   return extent;
 }
 
+double tp_tilt_view_way(const tp_tilt_view *view, size_t moment) {
+  const tp_tilt_moment *m = view->own->moments + moment;
+  const double moved = hypot(m->moved_x_m - m[-1].moved_x_m, m->moved_y_m - m[-1].moved_y_m);
+  return view->scale / extent_units * moved + fabs(m->turned_deg - m[-1].turned_deg) * (M_PI / 180);
+}
+
+/* Extend what is seen by the circle about the block at a moment. */
+static void take_in(tp_tilt_view *view, const tp_tilt_moment *m) {
+  const double turn = tp_tilt_view_turn(view, m->angle_deg) * (M_PI / 180);
+  const double x = view->scale * m->moved_x_m, y = -view->scale * m->moved_y_m;
+  const double across = x * cos(turn) - y * sin(turn), down = x * sin(turn) + y * cos(turn);
+  const double margin = 1.05 * extent_units;
+  const double right = fmax(view->left + view->width, across + margin),
+               bottom = fmax(view->top + view->height, down + margin);
+  view->left = fmin(view->left, across - margin);
+  view->top = fmin(view->top, down - margin);
+  view->width = right - view->left;
+  view->height = bottom - view->top;
+}
+
 tp_tilt_view tp_tilt_view_of(const tp_tilt_case *own) {
   const double extent = extent_of(own);
-  const double side = 3.6 * extent_units;
-  const double down_dip = own->towards == TP_TOWARDS_LEFT ? -0.3 : 0.3;
-  return (tp_tilt_view){.own = own,
-                        .scale = extent > 0 ? extent_units / extent : 1,
-                        .left = -side / 2 + down_dip * extent_units,
-                        .top = -1.5 * extent_units,
-                        .width = side,
-                        .height = 0.9 * side};
+  const double side = 3.2 * extent_units;
+  tp_tilt_view view = {.own = own,
+                       .scale = extent > 0 ? extent_units / extent : 1,
+                       .left = -side / 2,
+                       .top = -1.5 * extent_units,
+                       .width = side,
+                       .height = side};
+  for (; view.moments < own->moment_count; view.moments++) {
+    const tp_tilt_moment *m = own->moments + view.moments;
+    if (hypot(m->moved_x_m, m->moved_y_m) > FARTHEST * extent) break;
+    take_in(&view, m);
+  }
+  return view;
 }
 
 double tp_tilt_view_x(const tp_tilt_view *view, double x_m) {

@@ -12,10 +12,14 @@
 typedef struct tp_tilt_view {
   const tp_tilt_case *own;
   double scale;                    /* units per metre */
-  double left, top, width, height; /* of what is seen, about the block at its start */
+  double left, top, width, height; /* of what is seen; the block's centroid starts at (0, 0) */
+  size_t moments; /* the first so many have all of the block in view; later it is far away */
 } tp_tilt_view;
 
 tp_tilt_view tp_tilt_view_of(const tp_tilt_case *own);
+
+/* How far the block comes between a moment and the one before, in extents and radians. */
+double tp_tilt_view_way(const tp_tilt_view *view, size_t moment);
 
 /* Numbers of the drawing. */
 double tp_tilt_view_x(const tp_tilt_view *view, double x_m);

@@ -88,3 +88,10 @@ const char *tp_text_contact_state(tp_contact_state state) {
 const char *tp_text_direction(tp_direction direction) {
   return direction == TP_TOWARDS_LEFT ? "left" : "right";
 }
+
+const char *tp_text_table(const tp_tilt_test *test, const tp_tilt_case *of) {
+  if (test->settings.protocol == TP_TILT_RELEASE && test->settings.release_deg == 0) {
+    return "On level ground";
+  }
+  return of->towards == TP_TOWARDS_LEFT ? "Tilted towards the left" : "Tilted towards the right";
+}

@@ -17,5 +17,7 @@ const char *tp_text_pivot_kind(tp_pivot_kind kind);
 const char *tp_text_contact_state(tp_contact_state state);
 const char *tp_text_to_move(tp_mechanism mechanism); /* "slide and topple" */
 const char *tp_text_direction(tp_direction direction);
+/* How the table of a tilt test stands: "Tilted towards the left", "On level ground". */
+const char *tp_text_table(const tp_tilt_test *test, const tp_tilt_case *of);
 
 #endif
