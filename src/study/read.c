@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHUNK = 100 };
+enum { CHUNK = 100, CHUNK_LARGE = 10000, CHUNKS = 100 };
 
 static tp_status read_version(const tp_study_reader *reader, const tp_node *root) {
   static const char *const keys[] = {"topple_study", "title",       "scene",       "samples",
@@ -237,6 +237,14 @@ static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   return tp_sample_filter_new(&reader->study->filter, reader->study, reader->message);
 }
 
+/* Threads meet at the end of a chunk, which takes as long as some fast samples: a hundredth of
+ * large studies, but of those that may end sooner. */
+static size_t chunk_unasked(const tp_study *study) {
+  const uint64_t share = study->samples / CHUNKS;
+  if (study->half_width > 0 || share <= CHUNK) return CHUNK;
+  return share < CHUNK_LARGE ? (size_t)share : CHUNK_LARGE;
+}
+
 tp_status tp_study_read(tp_study **study, const char *path, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, study);
@@ -247,7 +255,6 @@ tp_status tp_study_read(tp_study **study, const char *path, tp_message *message)
                     .method = TP_DRAW_LATIN_HYPERCUBE,
                     .seed = 1,
                     .cells = 1,
-                    .chunk = CHUNK,
                     .hash = TP_HASH_START};
   const tp_study_reader reader = {own, message};
   tp_status status = own->path != NULL ? tp_node_read(&own->root, own->path, message)
@@ -256,6 +263,7 @@ tp_status tp_study_read(tp_study **study, const char *path, tp_message *message)
   own->hash_of_file = own->hash;
   if (status == TP_OK) status = read_root(&reader, own->root);
   if (status == TP_OK) {
+    if (own->chunk == 0) own->chunk = chunk_unasked(own);
     *study = own;
   } else {
     tp_study_free(own);
