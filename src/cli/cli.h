@@ -17,6 +17,7 @@ enum { TP_EXIT_REFUTED = 1, TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 int tp_cli_accuracy(int argc, char **argv);
 int tp_cli_chart(int argc, char **argv);
 int tp_cli_solve(int argc, char **argv);
+int tp_cli_explain(int argc, char **argv);
 int tp_cli_examples(int argc, char **argv);
 int tp_cli_new(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);

@@ -30,6 +30,7 @@ static const struct command {
     {"study", "How probable is each verdict, where numbers of a scene vary?", tp_cli_study},
     {"new", "Begin a scene: by five questions, or from options", tp_cli_new},
     {"examples", "List the example scenes, or write one", tp_cli_examples},
+    {"explain", "What does a word of a scene or a report mean?", tp_cli_explain},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
