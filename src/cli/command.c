@@ -4,6 +4,7 @@
 /* What all commands share: to read their words, print their reports and end with their status. */
 
 #include "cli/cli.h"
+#include "cli/manner.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -12,6 +13,7 @@
 #include <string.h>
 
 int tp_cli_print(const char *text) {
+  if (tp_cli_is_quiet()) return 0;
   if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
   tp_cli_complain("cannot write the report: %s", strerror(errno));
   /* what is left is not tried again at the end */
@@ -27,7 +29,10 @@ tp_status tp_cli_print_report(tp_status status, char *report, int *ended) {
 }
 
 /* 0, or the exit status, complained about. */
-static int parse(const struct argp *parser, void *words, int argc, char **argv) {
+static int parse(const struct argp *own, void *words, int argc, char **argv) {
+  struct argp whole = *own;
+  const struct argp *parser = &whole;
+  whole.children = tp_cli_manner_options;
   const char *strange = tp_cli_strange_option(parser, argc, argv);
   if (strange != NULL) {
     char option[80];
