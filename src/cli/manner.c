@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#define _GNU_SOURCE
 #include "cli/manner.h"
 
-#include "cli/cli.h"
-
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -19,37 +15,22 @@ static struct {
   bool quiet;
 } manner;
 
-enum { KEY_COLOUR = 1000, GROUP = 50 };
-
-static const struct argp_option options[] = {
-    {"quiet", 'q', NULL, 0, "Write nothing to the standard output, and tell no progress", GROUP},
-    {"color", KEY_COLOUR, "WHEN", 0,
-     "Colour the report: auto (on a terminal, unless NO_COLOR is set), always or never", GROUP},
-    {0}};
-
-static error_t parse(int key, char *argument, struct argp_state *state) {
-  static const char *const names[] = {"auto", "always", "never"};
-  if (key == 'q') {
-    manner.quiet = true;
-    return 0;
-  }
-  if (key != KEY_COLOUR) return ARGP_ERR_UNKNOWN;
-  for (int k = 0; k < 3; k++) {
-    if (strcmp(argument, names[k]) == 0) {
-      manner.colour = (colouring)k;
-      return 0;
-    }
-  }
-  tp_cli_refuse(state, "--color takes auto, always or never, not '%s'", argument);
-  return 0;
+void tp_cli_be_quiet(void) {
+  manner.quiet = true;
 }
-
-static const struct argp parser = {.options = options, .parser = parse};
-
-const struct argp_child tp_cli_manner_options[] = {{&parser, 0, NULL, 0}, {0}};
 
 bool tp_cli_is_quiet(void) {
   return manner.quiet;
+}
+
+bool tp_cli_colour_when(const char *when) {
+  static const char *const names[] = {"auto", "always", "never"};
+  for (int k = 0; k < 3; k++) {
+    if (strcmp(when, names[k]) != 0) continue;
+    manner.colour = (colouring)k;
+    return true;
+  }
+  return false;
 }
 
 bool tp_cli_colours(int file) {
@@ -57,63 +38,4 @@ bool tp_cli_colours(int file) {
   const char *none = getenv("NO_COLOR"), *terminal = getenv("TERM");
   return (none == NULL || *none == '\0') && terminal != NULL && strcmp(terminal, "dumb") != 0 &&
          isatty(file) == 1;
-}
-
-/* ---- verdicts ----------------------------------------------------------------------------------
- */
-
-#define GREEN "\033[32m"
-#define YELLOW "\033[33m"
-#define RED "\033[31m"
-#define BOLD "\033[1m"
-#define PLAIN "\033[0m"
-
-/* How a line of a report begins, and in which colour it is. What is not certain is not green. */
-static const struct line {
-  const char *begins, *colour;
-} lines[] = {{"Tilted towards", BOLD},    {"  FoS ", BOLD},
-             {"  Stands ", GREEN},        {"  Interlocked", GREEN},
-             {"  May move", YELLOW},      {"  Whether it stands", YELLOW},
-             {"  Does not stand", RED},   {"  Does not hold", RED},
-             {"  Topples up-dip", RED},   {"  Lets go up-dip", RED},
-             {"  Its loads topple", RED}, {"  Its loads slide", RED},
-             {"Caution", YELLOW}};
-
-/* The colour of a line; NULL: none. Where sliding is not judged nothing is certain to stand. */
-static const char *colour_of(const char *line, size_t length) {
-  for (size_t k = 0; k < sizeof lines / sizeof lines[0]; k++) {
-    if (strncmp(line, lines[k].begins, strlen(lines[k].begins)) == 0) {
-      const bool by_moments = memmem(line, length, "by its moments", 14) != NULL;
-      return by_moments && strcmp(lines[k].colour, GREEN) == 0 ? YELLOW : lines[k].colour;
-    }
-  }
-  return NULL;
-}
-
-/* The first line is the title, which may be any text. */
-static void write_coloured(FILE *out, const char *text) {
-  for (bool first = true; *text != '\0'; first = false) {
-    const size_t length = strcspn(text, "\n");
-    const char *colour = first ? BOLD : colour_of(text, length);
-    if (colour != NULL && length > 0) {
-      fprintf(out, "%s%.*s" PLAIN, colour, (int)length, text);
-    } else {
-      fwrite(text, 1, length, out);
-    }
-    text += length;
-    if (*text == '\n') fputc(*text++, out);
-  }
-}
-
-int tp_cli_print_verdicts(const char *text) {
-  if (!tp_cli_colours(STDOUT_FILENO)) return tp_cli_print(text);
-  char *coloured = NULL;
-  size_t length = 0;
-  FILE *out = open_memstream(&coloured, &length);
-  if (out == NULL) return tp_cli_print(text);
-  write_coloured(out, text);
-  const bool whole = ferror(out) == 0;
-  const int ended = fclose(out) == 0 && whole ? tp_cli_print(coloured) : tp_cli_print(text);
-  free(coloured);
-  return ended;
 }

@@ -3,9 +3,9 @@
 
 /* topple solve SCENE */
 
-#include "cli/manner.h"
 #include "cli/signals.h"
 #include "cli/solve_words.h"
+#include "cli/verdict_colours.h"
 #include "cli/watch.h"
 
 #include <stdio.h>
