@@ -44,7 +44,7 @@ static void add_paragraph(tp_paper *p, const char *text, double size, bool bold,
 static void add_heading(tp_paper *p, const char *text, int level) {
   const double sizes[] = {16, 12.5, 10.5}, size = sizes[level - 1];
   p->y += level == 1 ? 0 : level == 2 ? 12 : 7;
-  tp_paper_need(p, size + 60);
+  tp_paper_need(p, size + 100);
   if (p->pdf != NULL && level == 2) {
     char place[64];
     snprintf(place, sizeof place, "page=%d pos=[%.1f %.1f]", p->page, TP_PAPER_LEFT, p->y);
