@@ -4,6 +4,7 @@
 /* A figure into a file. It is drawn into memory and written when all of it is there: the file is
  * whole or as it was, and nothing is left where the drawing ends the process. */
 
+#define _GNU_SOURCE
 #include "output/file.h"
 #include "figure/figure.h"
 #include "figure/name.h"
@@ -94,11 +95,25 @@ static tp_status write_file(const char *path, const tp_sink *s, const tp_scene *
   return status;
 }
 
+/* Cairo counts the surfaces of a process, and names the drawing by that number, which nothing
+ * refers to: it is left out, so that the same figure is the same file whenever it is drawn. */
+static void drop_surface_number(tp_sink *s) {
+  static const char key[] = " id=\"surface";
+  char *id = memmem(s->bytes, s->length, key, strlen(key));
+  if (id == NULL) return;
+  const char *end =
+      memchr(id + strlen(key), '"', s->length - (size_t)(id + strlen(key) - s->bytes));
+  if (end == NULL) return;
+  memmove(id, end + 1, (size_t)(s->bytes + s->length - (end + 1)));
+  s->length -= (size_t)(end + 1 - id);
+}
+
 tp_status tp_figure_bytes(char **bytes, size_t *length, const char *path, const tp_figure *figure,
                           tp_message *message) {
   tp_sink s = {0};
   const cairo_status_t drawn = write_figure(tp_figure_kind_of(path), &s, figure);
   if (!s.failed && drawn == CAIRO_STATUS_SUCCESS) {
+    if (tp_figure_kind_of(path) == TP_FIGURE_SVG) drop_surface_number(&s);
     *bytes = s.bytes;
     *length = s.length;
     return TP_OK;
