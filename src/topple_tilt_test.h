@@ -238,8 +238,10 @@ TP_MUST_USE tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_animation(char **text, const tp_tilt_test *test);
 
-/* The same into the file `path`, which must end in .svg and appears whole or not at all: frames, or
- * where `moving` the one that moves. TP_SYSTEM_FAILED where it cannot be written. */
+/* The same into the file `path`, which appears whole or not at all: frames as .svg; or where
+ * `moving` the one that moves, as .svg, or as .webm or .gif, made by gnuplot and ffmpeg.
+ * TP_SYSTEM_FAILED where one of these is not installed or fails, or the file cannot be written;
+ * TP_NO_ANSWER where there is nothing to draw. */
 TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
                                           tp_message *message);
 

@@ -147,7 +147,9 @@ START_TEST(reports) {
   UNWRITTEN(tp_report_tilt_animation(NULL, &empty));
   REFUSED(tp_report_tilt_file(none, "x.svg", false, &message), "'test'");
   REFUSED(tp_report_tilt_file(&empty, NULL, false, &message), "'path'");
-  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg");
+  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg, .webm or .gif");
+  REFUSED(tp_report_tilt_file(&empty, "x.gif", false, &message), "ends in .svg");
+  ck_assert_int_eq(tp_report_tilt_file(&empty, "x.gif", true, &message), TP_NO_ANSWER);
   ck_assert_ptr_eq(text, UNTOUCHED(char));
   ck_assert_str_eq(tp_tilt_end_name((tp_tilt_end)-1), "unknown end");
   ck_assert_str_eq(tp_tilt_engine_name((tp_tilt_engine)7), "unknown engine");
