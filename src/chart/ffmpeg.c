@@ -19,29 +19,19 @@ static const char *const webm[] = {
     "+bitexact",  "-f",           "webm",       "pipe:1",     NULL};
 
 /* A palette for each frame: one for all would hold all frames in memory. */
-static const char *const gif[] = {"ffmpeg",
-                                  "-hide_banner",
-                                  "-loglevel",
-                                  "error",
-                                  "-nostdin",
-                                  "-f",
-                                  "image2pipe",
-                                  "-c:v",
-                                  "png",
-                                  "-framerate",
-                                  "12.5",
-                                  "-i",
-                                  "pipe:0",
-                                  "-filter_complex",
-                                  "split[a][b];[a]palettegen=stats_mode=single:max_colors=64[p];[b]"
-                                  "[p]paletteuse=new=1:dither=none",
-                                  "-threads",
-                                  "1",
-                                  "-fflags",
-                                  "+bitexact",
-                                  "-f",
-                                  "gif",
-                                  "pipe:1",
+static const char palettes[] = "split[a][b];[a]palettegen=stats_mode=single:max_colors=64[p];"
+                               "[b][p]paletteuse=new=1:dither=none";
+static const char *const gif[] = {"ffmpeg",     "-hide_banner",
+                                  "-loglevel",  "error",
+                                  "-nostdin",   "-f",
+                                  "image2pipe", "-c:v",
+                                  "png",        "-framerate",
+                                  "12.5",       "-i",
+                                  "pipe:0",     "-filter_complex",
+                                  palettes,     "-threads",
+                                  "1",          "-fflags",
+                                  "+bitexact",  "-f",
+                                  "gif",        "pipe:1",
                                   NULL};
 
 tp_status tp_ffmpeg_run(char **video, size_t *length, const char *frames, size_t frames_length,
