@@ -179,6 +179,36 @@ START_TEST(charts) {
 }
 END_TEST
 
+/* The spectrum refuses what gives none, before anything is run. */
+START_TEST(spectra) {
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  tp_overturning_options options = tp_overturning_options_default();
+#define SPECTRUM tp_chart_overturning(&chart, scene, &options, &message)
+  REFUSED(tp_chart_overturning(NULL, scene, &options, &message), "'chart'");
+  REFUSED(tp_chart_overturning(&chart, NULL, &options, &message), "'scene'");
+  REFUSED(tp_chart_overturning(&chart, scene, NULL, &message), "'options'");
+  REFUSED(SPECTRUM, "needs a base that shakes");
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_VERTICALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  REFUSED(SPECTRUM, "needs a base that shakes");
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  options.from = 2;
+  options.to = 1;
+  REFUSED(SPECTRUM, "from one above 0 to a larger one");
+  options = tp_overturning_options_default();
+  options.count = 1;
+  REFUSED(SPECTRUM, "2 to 200 frequencies");
+  options = tp_overturning_options_default();
+  options.tolerance = NAN;
+  REFUSED(SPECTRUM, "between 1e-6 and 0.1");
+  options = tp_overturning_options_default();
+  options.size = 4096;
+  REFUSED(SPECTRUM, "the size");
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("arguments of tilt tests");
   TCase *tests = tcase_create("arguments of tilt tests");
@@ -190,6 +220,7 @@ int main(void) {
   tcase_add_test(tests, shaken);
   tcase_add_test(tests, reports);
   tcase_add_test(tests, charts);
+  tcase_add_test(tests, spectra);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }
