@@ -18,7 +18,8 @@ enum {
   KEY_FAIL_BELOW,
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
-  KEY_SET
+  KEY_SET,
+  KEY_WATCH
 };
 
 static const struct argp_option options[] = {
@@ -49,6 +50,8 @@ static const struct argp_option options[] = {
      "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
      "given); exit status 4 where it is not enough",
      0},
+    {"watch", KEY_WATCH, NULL, 0,
+     "Solve again whenever the scene, or a file that it names, changes; ctrl-C ends", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or "
@@ -148,6 +151,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
                   "--table and --csv print a table alone; drop --json, --elements, --figure, "
                   "--find, --verbose, --write-profile and the other of the two");
   }
+  if (table && a->watch) {
+    tp_cli_refuse(state, "--watch watches one scene; leave out --table and --csv");
+  }
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
   }
@@ -193,6 +199,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_SET:
     tp_cli_take_setting(&a->settings, argument, state);
+    return 0;
+  case KEY_WATCH:
+    a->watch = true;
     return 0;
   case KEY_FIND:
     a->find.key = argument;

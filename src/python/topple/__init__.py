@@ -27,6 +27,7 @@ from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnse
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family
 from .errors import (BadInput, Caution, DependencyFailed, NoAnswer, OutOfMemory, SystemFailed,
                      ToppleError, Undecided)
+from .explain import explain, terms
 from .find import Found, FoundInterval, find
 from .formula import Fraction
 from .limit import (Limit, Motion, MotionContact, MotionRange, MotionResistance, Onset, Reaction,
