@@ -46,6 +46,7 @@
 #include "topple_chart.h"
 #include "topple_converge.h"
 #include "topple_derive.h"
+#include "topple_explain.h"
 #include "topple_figure.h"
 #include "topple_find.h"
 #include "topple_generate.h"

@@ -19,7 +19,6 @@
 typedef struct corner_block {
   double lets_go;    /* radians */
   double open_above; /* of tilts beyond that no run is decided */
-  double moved;      /* by so much it gives way before, metres, and rests */
   size_t runs;
   double longest_s;
 } corner_block;
@@ -34,10 +33,6 @@ static tp_run_end run_corner(tp_body_state *last, const tp_run *run, void *engin
   /* turns about (-0.5, -1), counter-clockwise */
   *last = (tp_body_state){.speed = {-1, 0.5}, .turning = 1};
   if (angle > own->open_above) return TP_RUN_UNDECIDED;
-  if (angle < own->lets_go && own->moved > 0) {
-    *last = (tp_body_state){.moved = {own->moved, 0}};
-    return TP_RUN_RESTS;
-  }
   if (angle < own->lets_go) return TP_RUN_STANDS;
   if (run->history != NULL) {
     const tp_tilt_event event = {.kind = TP_EVENT_COLLAPSES,
@@ -62,7 +57,7 @@ typedef struct stage {
 
 static void begin(stage *s, double lets_go_deg) {
   memset(s, 0, sizeof *s);
-  s->block = (corner_block){tp_tilt_radians(lets_go_deg), 10, 0, 0, 0};
+  s->block = (corner_block){tp_tilt_radians(lets_go_deg), 10, 0, 0};
   s->corner.at = (tp_xy){-0.5, -1};
   s->body = (tp_rigid_body){.closed_count = 1, .closed = &s->corner, .extent_m = 1, .mass_kg = 1};
   s->settings = (tp_tilt_settings){.engine = TP_TILT_RIGID,
@@ -102,27 +97,6 @@ START_TEST(steps_bracket_whatever_was_expected) {
     if (k == 0) ck_assert_uint_eq(s.own.runs, 2);
     ck_assert_uint_le(s.own.runs, 31); /* log2(90 / 1e-6), and what was expected */
     ck_assert_uint_eq(s.own.runs, s.block.runs);
-  }
-}
-END_TEST
-
-/* Springs of 1e4 Pa/m give by 1 kg of weight on 1 m2 some 1 mm: what moved by 5 mm has given way
- * and stands, what moved by a tenth of its extent is elsewhere, be the springs as soft as that. */
-START_TEST(giving_way_on_springs_is_no_collapse) {
-  stage s;
-  begin(&s, 20);
-  s.corner.share_m = s.body.thickness_m = 1;
-  s.settings.shear_stiffness_pa_m = 1e4;
-  s.block.moved = 0.005;
-  ck_assert_int_eq(tp_tilting_bracket(&s.tilting, tp_tilting_look, 0, 0, 90), TP_OK);
-  check_bracket(&s, 20);
-  for (int k = 0; k < 3; k++) { /* too far for the block, for stiff springs, for none */
-    begin(&s, 20);
-    s.corner.share_m = s.body.thickness_m = 1;
-    s.settings.shear_stiffness_pa_m = (const double[]){10, 1e9, 0}[k];
-    s.block.moved = (const double[]){0.1, 0.005, 0.005}[k];
-    ck_assert_int_eq(tp_tilting_bracket(&s.tilting, tp_tilting_look, 0, 0, 90), TP_OK);
-    ck_assert(s.own.has_bracket && s.own.most_deg == 0);
   }
 }
 END_TEST
@@ -263,7 +237,6 @@ int main(void) {
   Suite *suite = suite_create("tilt");
   TCase *tests = tcase_create("tilt");
   tcase_add_test(tests, steps_bracket_whatever_was_expected);
-  tcase_add_test(tests, giving_way_on_springs_is_no_collapse);
   tcase_add_test(tests, blocks_that_never_or_always_let_go);
   tcase_add_test(tests, undecided_runs_are_told);
   tcase_add_test(tests, a_test_that_is_stopped_has_its_bracket);

@@ -10,9 +10,16 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+/* A chart that is asked for. */
+typedef struct chart_wish {
+  const char *path; /* NULL: none */
+  tp_chart_format format;
+} chart_wish;
+
 typedef struct arguments {
   const char *scene;
   const char *figure, *animation; /* NULL: none */
+  chart_wish reactions, phase;
   bool json, csv, converge;
   tp_chart_format format; /* of the figure of --converge */
   tp_cli_settings settings;
@@ -24,6 +31,8 @@ enum {
   KEY_CSV,
   KEY_FIGURE,
   KEY_ANIMATION,
+  KEY_REACTIONS,
+  KEY_PHASE,
   KEY_MOMENTS,
   KEY_OVERTURNING,
   KEY_CONVERGE
@@ -36,6 +45,11 @@ static const struct argp_option options[] = {
     {"csv", KEY_CSV, NULL, 0, "Print the moments of the motion as CSV instead of text", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Write FILE, .svg, with the block at some moments", 0},
     {"animation", KEY_ANIMATION, "FILE", 0, "Write FILE, .svg, in which the block moves", 0},
+    {"reactions", KEY_REACTIONS, "FILE", 0,
+     "Write FILE, .svg, .pdf, .png or .csv, with the reactions of the facets against the tilt", 0},
+    {"phase", KEY_PHASE, "FILE", 0,
+     "Write FILE likewise, with the phase portraits of what moves: turn against angular velocity",
+     0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
@@ -56,14 +70,23 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
 }
 
 static void check_converge(arguments *a, const struct argp_state *state) {
-  if (a->csv || a->animation != NULL || a->tilt.overturning) {
-    tp_cli_refuse(state, "--converge runs many tests: --csv, --animation and --overturning are of "
-                         "one");
+  if (a->csv || a->animation != NULL || a->tilt.overturning || a->reactions.path != NULL ||
+      a->phase.path != NULL) {
+    tp_cli_refuse(state, "--converge runs many tests: --csv, --animation, --reactions, --phase and "
+                         "--overturning are of one");
   } else if (a->figure != NULL && !tp_chart_format_read(&a->format, a->figure)) {
     tp_cli_refuse(state,
                   "the figure of --converge is a file that ends in .svg, .pdf, .png or "
                   ".csv, not '%s'",
                   a->figure);
+  }
+}
+
+static void take_chart(chart_wish *wish, const char *path, const char *option,
+                       const struct argp_state *state) {
+  tp_cli_take_file(&wish->path, path, option, state);
+  if (!tp_chart_format_read(&wish->format, path)) {
+    tp_cli_refuse(state, "%s '%s' must end in .svg, .pdf, .png or .csv", option, path);
   }
 }
 
@@ -84,6 +107,12 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_ANIMATION:
     tp_cli_take_file(&a->animation, argument, "--animation", state);
+    return 0;
+  case KEY_REACTIONS:
+    take_chart(&a->reactions, argument, "--reactions", state);
+    return 0;
+  case KEY_PHASE:
+    take_chart(&a->phase, argument, "--phase", state);
     return 0;
   case KEY_MOMENTS:
     read_moments(a, argument, state);
@@ -134,6 +163,18 @@ static void tell_open(const arguments *a, const tp_tilt_test *test, int *ended) 
   }
 }
 
+typedef tp_status chart_maker(tp_chart **chart, const tp_tilt_test *test, tp_message *message);
+
+static tp_status write_chart(const chart_wish *wish, chart_maker *make, const tp_tilt_test *test,
+                             tp_message *message) {
+  tp_chart *chart = NULL;
+  if (wish->path == NULL) return TP_OK;
+  tp_status status = make(&chart, test, message);
+  if (status == TP_OK) status = tp_report_chart_file(chart, wish->path, wish->format, message);
+  tp_chart_free(chart);
+  return status;
+}
+
 static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
                       tp_message *message) {
   char *report = NULL;
@@ -146,6 +187,12 @@ static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
   }
   if (status == TP_OK && *ended == 0 && a->animation != NULL) {
     status = tp_report_tilt_file(test, a->animation, true, message);
+  }
+  if (status == TP_OK && *ended == 0) {
+    status = write_chart(&a->reactions, tp_chart_tilt_reactions, test, message);
+  }
+  if (status == TP_OK && *ended == 0) {
+    status = write_chart(&a->phase, tp_chart_tilt_phase, test, message);
   }
   if (status == TP_OK && *ended == 0) tell_open(a, test, ended);
   return status;

@@ -42,28 +42,8 @@ tp_status tp_tilting_run(tp_run_end *end, tp_body_state *last, tp_tilting *tilti
   return TP_OK;
 }
 
-/* Of a run that ends as soon as the block collapses, and did not: has the block only given way on
- * its springs? Near a limit they give a hundred times what they do under the weight on the whole
- * contact; a hundredth of the extent would be another place. A displacement alone is no collapse,
- * but a block that came farther in a leap too short to be one does not stand. */
-static bool gave_way(const tp_body_state *last, const tp_tilting *tilting) {
-  static const double near_limit = 100, most_share = 0.01;
-  const tp_rigid_body *body = tilting->body;
-  double area = 0;
-  for (long k = 0; k < body->closed_count; k++) {
-    area += body->closed[k].share_m * body->thickness_m;
-  }
-  const double stiffness = area * tilting->settings->shear_stiffness_pa_m;
-  if (!(stiffness > 0)) return false;
-  const double gives = body->mass_kg * TP_GRAVITY_M_S2 / stiffness;
-  const double moved = hypot(last->moved.x, last->moved.y) + fabs(last->turned) * body->extent_m;
-  return moved <= fmin(near_limit * gives, most_share * body->extent_m);
-}
-
-static tp_tilt_verdict verdict_of(tp_run_end end, const tp_body_state *last,
-                                  const tp_tilting *tilting) {
+static tp_tilt_verdict verdict_of(tp_run_end end, const tp_tilting *tilting) {
   if (end == TP_RUN_STANDS) return TP_VERDICT_STANDS;
-  if (end == TP_RUN_RESTS && gave_way(last, tilting)) return TP_VERDICT_STANDS;
   if (end != TP_RUN_UNDECIDED) return TP_VERDICT_MOVES;
   return tp_tilting_stopped(tilting) ? TP_VERDICT_STOPPED : TP_VERDICT_OPEN;
 }
@@ -74,17 +54,20 @@ tp_status tp_tilting_try(tp_tilt_verdict *verdict, tp_body_state *last, tp_tilti
   const double angle = tp_tilt_radians(angle_deg),
                speed = s->set_down ? 0 : tp_tilt_radians(s->speed_deg_min) / 60;
   const tp_drive drive = {.angle = s->set_down ? angle : 0, .speed = speed, .final_angle = angle};
-  const tp_run run = {.drive = &drive,
-                      .longest_s =
-                          tp_tilt_duration(s, tilting->body) + (s->set_down ? 0 : angle / speed),
-                      .until_collapse = true,
-                      .history = history};
+  const tp_run run = {
+      .drive = &drive,
+      .longest_s = tp_tilt_duration(s, tilting->body) + (s->set_down ? 0 : angle / speed),
+      .moments_every_s = history == NULL || s->set_down
+                             ? 0
+                             : angle / speed / (double)(tilting->options->moments - 1),
+      .until_collapse = true,
+      .history = history};
   tp_run_end end = TP_RUN_UNDECIDED;
   if (tp_tilting_stopped(tilting)) {
     *verdict = TP_VERDICT_STOPPED;
     return TP_OK;
   }
   const tp_status status = tp_tilting_run(&end, last, tilting, &run);
-  *verdict = verdict_of(end, last, tilting);
+  *verdict = verdict_of(end, tilting);
   return status;
 }
