@@ -51,16 +51,16 @@ typedef struct tp_accuracy_value {
 
 /* What was measured; owns what it points to. */
 typedef struct tp_accuracy {
-  TP_OUTSIDE char *title;        /* of the scene, or NULL */
-  bool sweep;                    /* over sizes, not of one scene */
-  tp_direction towards;          /* of the tilt */
-  size_t run_count, value_count; /* of both: */
-  tp_accuracy_run *runs;         /* by method, size and price */
-  tp_accuracy_value *values;     /* by method and size */
-  size_t source_count;           /* of the sources */
-  char **sources;                /* files that the scene was read from */
-  tp_convergence *simulated;     /* of a scene that calls for a tilt test or for shaking: what the
-                                    settings of that take and cost; NULL: none */
+  TP_OUTSIDE char *title;         /* of the scene, or NULL */
+  bool sweep;                     /* over sizes, not of one scene */
+  tp_direction towards;           /* of the tilt */
+  size_t run_count, value_count;  /* of both: */
+  tp_accuracy_run *runs;          /* by method, size and price */
+  tp_accuracy_value *values;      /* by method and size */
+  size_t source_count;            /* of the sources */
+  char **sources;                 /* files that the scene was read from */
+  tp_tilt_convergence *simulated; /* of a scene that calls for a tilt test or for shaking: what the
+                                settings of that take and cost; NULL: none */
 } tp_accuracy;
 
 /* Measure every method that the scene calls for, in the first direction in which it tilts; of one

@@ -74,7 +74,7 @@ typedef struct tp_converge_finding {
 } tp_converge_finding;
 
 /* One direction of tilt. */
-typedef struct tp_convergence_case {
+typedef struct tp_tilt_convergence_case {
   tp_direction towards;          /* which */
   bool has_onset, has_limit;     /* statics knows: */
   double onset_deg, limit_deg;   /* alpha_s and alpha_w */
@@ -87,41 +87,44 @@ typedef struct tp_convergence_case {
   tp_converge_finding *findings; /* a setting each */
   size_t level_count;            /* of the levels */
   tp_converge_level *levels;     /* by setting, then from coarse to fine */
-} tp_convergence_case;
+} tp_tilt_convergence_case;
 
 /* The result. Simulated numbers: no bound is proven. */
-typedef struct tp_convergence {
+typedef struct tp_tilt_convergence {
   TP_OUTSIDE char *title;        /* of the scene; NULL: none */
   tp_tilt_settings settings;     /* of the test */
   tp_converge_quantity quantity; /* what was asked to converge */
   double asked;                  /* by how much settings may change it: the tolerance of the scene,
                                     degrees; of a factor its share */
   size_t case_count;             /* of the cases */
-  tp_convergence_case *cases;    /* a direction each */
-  tp_notes notes;                /* beside the answer */
-  size_t source_count;           /* of the sources */
-  char **sources;                /* files that the scene was read from */
-} tp_convergence;
+  tp_tilt_convergence_case *cases; /* a direction each */
+  tp_notes notes;                  /* beside the answer */
+  size_t source_count;             /* of the sources */
+  char **sources;                  /* files that the scene was read from */
+} tp_tilt_convergence;
 
 /* Run the test of the scene at each level of each setting that its engine has. Of the options
  * `stop`, `progress` and `context` are taken. Bad input where the scene calls for no simulation, or
  * for a release without shaking, which has no critical angle. `*convergence` is the caller's, to be
- * freed by tp_convergence_free. TP_NO_ANSWER where the block does not fit its base. */
-TP_MUST_USE tp_status tp_tilt_converge(tp_convergence **convergence, const tp_scene *scene,
+ * freed by tp_tilt_convergence_free. TP_NO_ANSWER where the block does not fit its base. */
+TP_MUST_USE tp_status tp_tilt_converge(tp_tilt_convergence **convergence, const tp_scene *scene,
                                        const tp_tilt_options *options, tp_message *message);
 
 /* Free it with all that it points to; NULL is allowed. */
-void tp_convergence_free(tp_convergence *convergence);
+void tp_tilt_convergence_free(tp_tilt_convergence *convergence);
 
 /* As a page, and as JSON (docs/schema). `*text` is allocated with malloc and is the caller's to
  * free. */
-TP_MUST_USE tp_status tp_report_convergence(char **text, const tp_convergence *convergence);
-TP_MUST_USE tp_status tp_report_convergence_json(char **text, const tp_convergence *convergence);
+TP_MUST_USE tp_status tp_report_tilt_convergence(char **text,
+                                                 const tp_tilt_convergence *convergence);
+TP_MUST_USE tp_status tp_report_tilt_convergence_json(char **text,
+                                                      const tp_tilt_convergence *convergence);
 
 /* The answer against what it costs, a curve for each setting. To be freed by tp_chart_free.
  * TP_NO_ANSWER where no level has a bracket. */
-TP_MUST_USE tp_status tp_chart_convergence(tp_chart **chart, const tp_convergence *convergence,
-                                           tp_message *message);
+TP_MUST_USE tp_status tp_chart_tilt_convergence(tp_chart **chart,
+                                                const tp_tilt_convergence *convergence,
+                                                tp_message *message);
 
 #ifdef __cplusplus
 }

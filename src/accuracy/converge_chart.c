@@ -29,7 +29,7 @@ static void widen(tp_chart_range *range, double least, double most) {
 
 /* What all levels take and come to, with some room about it. */
 static void find_ranges(tp_chart_range *time, tp_chart_range *answer,
-                        const tp_convergence_case *own, bool angle) {
+                        const tp_tilt_convergence_case *own, bool angle) {
   *time = *answer = (tp_chart_range){DBL_MAX, -DBL_MAX};
   for (size_t k = 0; k < own->level_count; k++) {
     const tp_converge_level *level = own->levels + k;
@@ -52,7 +52,7 @@ static void add_statics(tp_chart *chart, double at, tp_chart_range time, const c
 }
 
 static void add_curve(tp_chart *chart, const tp_converge_finding *f,
-                      const tp_convergence_case *own) {
+                      const tp_tilt_convergence_case *own) {
   const tp_chart_colour colour = colours[f->setting];
   const char *towards = own->towards == TP_TOWARDS_LEFT ? "left" : "right";
   tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, colour, TP_DASH_SOLID, 0});
@@ -83,7 +83,7 @@ static void add_curve(tp_chart *chart, const tp_converge_finding *f,
   }
 }
 
-static void add_case(tp_chart *chart, const tp_convergence_case *own, bool angle) {
+static void add_case(tp_chart *chart, const tp_tilt_convergence_case *own, bool angle) {
   tp_panel_axis x = {.label = "Time of the test (ms)", .logarithmic = true};
   tp_panel_axis y = {.label = angle ? "Critical angle (°)" : "Least overturning factor"};
   find_ranges(&x.range, &y.range, own, angle);
@@ -97,7 +97,7 @@ static void add_case(tp_chart *chart, const tp_convergence_case *own, bool angle
   for (size_t k = 0; k < own->finding_count; k++) add_curve(chart, own->findings + k, own);
 }
 
-static void add_legend(tp_chart *chart, const tp_convergence_case *own) {
+static void add_legend(tp_chart *chart, const tp_tilt_convergence_case *own) {
   for (size_t k = 0; k < own->finding_count; k++) {
     const tp_converge_setting setting = own->findings[k].setting;
     tp_chart_add_legend(chart, tp_converge_setting_name(setting),
@@ -105,13 +105,13 @@ static void add_legend(tp_chart *chart, const tp_convergence_case *own) {
   }
 }
 
-tp_status tp_chart_convergence(tp_chart **chart, const tp_convergence *convergence,
-                               tp_message *message) {
+tp_status tp_chart_tilt_convergence(tp_chart **chart, const tp_tilt_convergence *convergence,
+                                    tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, chart);
   TP_REFUSE_NULL(message, convergence);
   const bool angle = convergence->quantity == TP_CONVERGE_ANGLE;
-  const tp_convergence_case *first = NULL;
+  const tp_tilt_convergence_case *first = NULL;
   for (size_t k = 0; k < convergence->case_count && first == NULL; k++) {
     if (convergence->cases[k].finding_count > 0) first = convergence->cases + k;
   }

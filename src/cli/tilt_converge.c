@@ -3,10 +3,10 @@
 
 #include "cli/tilt_converge.h"
 
-static tp_status draw(const tp_cli_converge *asked, const tp_convergence *convergence,
+static tp_status draw(const tp_cli_converge *asked, const tp_tilt_convergence *convergence,
                       tp_message *message) {
   tp_chart *chart = NULL;
-  tp_status status = tp_chart_convergence(&chart, convergence, message);
+  tp_status status = tp_chart_tilt_convergence(&chart, convergence, message);
   if (status == TP_OK) {
     status = tp_report_chart_file(chart, asked->figure, asked->format, message);
   }
@@ -14,9 +14,10 @@ static tp_status draw(const tp_cli_converge *asked, const tp_convergence *conver
   return status;
 }
 
-static void tell_open(const tp_cli_converge *asked, const tp_convergence *convergence, int *ended) {
+static void tell_open(const tp_cli_converge *asked, const tp_tilt_convergence *convergence,
+                      int *ended) {
   for (size_t k = 0; k < convergence->case_count; k++) {
-    const tp_convergence_case *own = convergence->cases + k;
+    const tp_tilt_convergence_case *own = convergence->cases + k;
     if (own->converged) continue;
     tp_cli_complain("%s: tilted towards the %s, the test is not converged over its settings",
                     asked->path, own->towards == TP_TOWARDS_LEFT ? "left" : "right");
@@ -26,19 +27,19 @@ static void tell_open(const tp_cli_converge *asked, const tp_convergence *conver
 
 tp_status tp_cli_tilt_converge(const tp_cli_converge *asked, const tp_scene *scene,
                                const tp_tilt_options *options, int *ended, tp_message *message) {
-  tp_convergence *convergence = NULL;
+  tp_tilt_convergence *convergence = NULL;
   tp_status status = tp_tilt_converge(&convergence, scene, options, message);
   if (options->progress != NULL) tp_cli_clear_progress();
   if (status == TP_OK) {
     char *report = NULL;
-    const tp_status told = asked->json ? tp_report_convergence_json(&report, convergence)
-                                       : tp_report_convergence(&report, convergence);
+    const tp_status told = asked->json ? tp_report_tilt_convergence_json(&report, convergence)
+                                       : tp_report_tilt_convergence(&report, convergence);
     status = tp_cli_print_report(told, report, ended);
   }
   if (status == TP_OK && *ended == 0 && asked->figure != NULL) {
     status = draw(asked, convergence, message);
   }
   if (status == TP_OK && *ended == 0) tell_open(asked, convergence, ended);
-  tp_convergence_free(convergence);
+  tp_tilt_convergence_free(convergence);
   return status;
 }

@@ -90,9 +90,9 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
   }
   add_models(&t, a);
   if (a->simulated != NULL) {
-    tp_text_add(&t, "\nWhat its simulated test depends on, by %s: the %s\n",
-                tp_tilt_engine_name(a->simulated->settings.engine),
-                tp_converge_quantity_name(a->simulated->quantity));
+    const char *engine = tp_tilt_engine_name(a->simulated->settings.engine);
+    const char *quantity = tp_converge_quantity_name(a->simulated->quantity);
+    tp_text_add(&t, "\nWhat its simulated test depends on, by %s: the %s\n", engine, quantity);
     tp_text_convergence(&t, a->simulated);
   }
   return tp_text_finish(&t, text);

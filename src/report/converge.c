@@ -56,7 +56,7 @@ static void add_level(tp_text *t, const tp_converge_level *level, int decimals) 
   add_seconds(t, level->seconds);
 }
 
-static void add_verdict(tp_text *t, const tp_converge_finding *f, const tp_convergence *c) {
+static void add_verdict(tp_text *t, const tp_converge_finding *f, const tp_tilt_convergence *c) {
   const char *unit = c->quantity == TP_CONVERGE_ANGLE ? "°" : "";
   char needed[32];
   write_value(needed, f->setting, f->needed);
@@ -81,8 +81,8 @@ static void add_verdict(tp_text *t, const tp_converge_finding *f, const tp_conve
   tp_text_add(t, "\n");
 }
 
-static void add_outcome(tp_text *t, const tp_convergence_case *own, const tp_convergence *c,
-                        int decimals) {
+static void add_outcome(tp_text *t, const tp_tilt_convergence_case *own,
+                        const tp_tilt_convergence *c, int decimals) {
   const bool angle = c->quantity == TP_CONVERGE_ANGLE;
   const char *unit = angle ? "°" : "";
   tp_text_add(t, "\n  %s over all of these: %.*f%s to %.*f%s.\n",
@@ -94,7 +94,8 @@ static void add_outcome(tp_text *t, const tp_convergence_case *own, const tp_con
               angle ? c->asked : 100 * c->asked, angle ? "°" : " %", angle ? "was" : "is");
 }
 
-static void add_case(tp_text *t, const tp_convergence_case *own, const tp_convergence *c) {
+static void add_case(tp_text *t, const tp_tilt_convergence_case *own,
+                     const tp_tilt_convergence *c) {
   const bool angle = c->quantity == TP_CONVERGE_ANGLE;
   const int decimals = decimals_of(angle ? c->asked : c->asked * own->most);
   if (!angle && c->settings.release_deg == 0) {
@@ -127,12 +128,12 @@ static void add_case(tp_text *t, const tp_convergence_case *own, const tp_conver
   add_outcome(t, own, c, decimals);
 }
 
-void tp_text_convergence(tp_text *t, const tp_convergence *c) {
+void tp_text_convergence(tp_text *t, const tp_tilt_convergence *c) {
   for (size_t k = 0; k < c->case_count; k++) add_case(t, c->cases + k, c);
   tp_text_add(t, "\n  * as it is set. Simulated: no bound is proven.\n");
 }
 
-tp_status tp_report_convergence(char **text, const tp_convergence *convergence) {
+tp_status tp_report_tilt_convergence(char **text, const tp_tilt_convergence *convergence) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, convergence);
@@ -141,9 +142,9 @@ tp_status tp_report_convergence(char **text, const tp_convergence *convergence) 
     tp_encode_plain(&t, convergence->title);
     tp_text_add(&t, "\n\n");
   }
-  tp_text_add(&t, "The %s by %s, over the settings of its test\n",
-              tp_converge_quantity_name(convergence->quantity),
-              tp_tilt_engine_name(convergence->settings.engine));
+  const char *engine = tp_tilt_engine_name(convergence->settings.engine);
+  const char *quantity = tp_converge_quantity_name(convergence->quantity);
+  tp_text_add(&t, "The %s by %s, over the settings of its test\n", quantity, engine);
   tp_text_convergence(&t, convergence);
   if (convergence->notes.count > 0) tp_text_add(&t, "\n");
   tp_text_notes(&t, &convergence->notes);

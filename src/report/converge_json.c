@@ -44,7 +44,8 @@ static void json_level(tp_json *j, const tp_converge_level *level) {
   tp_json_close(j);
 }
 
-static void json_finding(tp_json *j, const tp_converge_finding *f, const tp_convergence_case *c) {
+static void json_finding(tp_json *j, const tp_converge_finding *f,
+                         const tp_tilt_convergence_case *c) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "setting", key_of(f->setting));
   tp_json_string(j, "verdict", tp_converge_verdict_name(f->verdict));
@@ -60,7 +61,7 @@ static void json_finding(tp_json *j, const tp_converge_finding *f, const tp_conv
   tp_json_close(j);
 }
 
-static void json_case(tp_json *j, const tp_convergence_case *c) {
+static void json_case(tp_json *j, const tp_tilt_convergence_case *c) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "towards", tp_text_direction(c->towards));
   if (c->has_onset) tp_json_double(j, "onset_deg", c->onset_deg);
@@ -74,7 +75,7 @@ static void json_case(tp_json *j, const tp_convergence_case *c) {
   tp_json_close(j);
 }
 
-void tp_json_convergence(tp_json *j, const tp_convergence *c) {
+void tp_json_convergence(tp_json *j, const tp_tilt_convergence *c) {
   tp_json_string(j, "engine", tp_tilt_engine_name(c->settings.engine));
   tp_json_string(j, "protocol", tp_tilt_protocol_name(c->settings.protocol));
   tp_json_string(j, "quantity", tp_converge_quantity_name(c->quantity));
@@ -84,7 +85,7 @@ void tp_json_convergence(tp_json *j, const tp_convergence *c) {
   tp_json_close(j);
 }
 
-tp_status tp_report_convergence_json(char **text, const tp_convergence *convergence) {
+tp_status tp_report_tilt_convergence_json(char **text, const tp_tilt_convergence *convergence) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
   TP_REFUSE_NULL(NULL, convergence);

@@ -9,9 +9,9 @@
 #include "output/json.h"
 
 /* The quantity, what was asked and the cases, into an object that is open. */
-void tp_json_convergence(tp_json *json, const tp_convergence *convergence);
+void tp_json_convergence(tp_json *json, const tp_tilt_convergence *convergence);
 
 /* The cases as text. */
-void tp_text_convergence(tp_text *text, const tp_convergence *convergence);
+void tp_text_convergence(tp_text *text, const tp_tilt_convergence *convergence);
 
 #endif

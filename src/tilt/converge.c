@@ -34,7 +34,7 @@ static const tp_converge_setting order[TP_CONVERGE_SETTINGS] = {
     TP_CONVERGE_DAMPING,      TP_CONVERGE_ROUNDING,        TP_CONVERGE_STEP_TOLERANCE,
     TP_CONVERGE_LEAST_BOUNCE, TP_CONVERGE_TOLERANCE};
 
-void tp_convergence_free(tp_convergence *convergence) {
+void tp_tilt_convergence_free(tp_tilt_convergence *convergence) {
   if (convergence == NULL) return;
   for (size_t k = 0; k < convergence->case_count; k++) {
     free(convergence->cases[k].findings);
@@ -130,24 +130,26 @@ typedef struct base {
   double most; /* of its bracket */
 } base;
 
-/* Where to look first: as the test itself does. What a width of the bracket costs is told by a
- * search that expects nothing. */
+/* Where to look first: about the tilts of statics, a bracket wide and not even on both sides, so
+ * that no run is at the very tilt at which a block neither stands nor goes. What a width of the
+ * bracket costs is told by a search that expects nothing. */
 static tp_status look_about(tp_converge_level *level, const tp_converge_run *run,
-                            const tp_convergence_case *own, const tp_convergence *c,
+                            const tp_tilt_convergence_case *own, const tp_tilt_convergence *c,
                             const stage *g) {
-  const double wide = 0.4 * c->asked;
+  const double below = 0.11 * c->asked, above = 0.13 * c->asked;
   const bool nothing = run->setting == TP_CONVERGE_TOLERANCE && run->value > 0;
-  return run_level(level, run, own->has_onset && !nothing ? own->onset_deg - wide : 0,
-                   own->has_limit && !nothing ? own->limit_deg + wide : 0, g);
+  return run_level(level, run, own->has_onset && !nothing ? own->onset_deg - below : 0,
+                   own->has_limit && !nothing ? own->limit_deg + above : 0, g);
 }
 
 /* The levels of one setting, behind those of the case. A value that the engine refuses is left out,
  * as contacts that are too soft to carry the block. */
-static tp_status run_setting(tp_convergence_case *own, base *from, tp_converge_setting setting,
-                             const tp_convergence *c, const stage *g) {
+static tp_status run_setting(tp_tilt_convergence_case *own, base *from, tp_converge_setting setting,
+                             const tp_tilt_convergence *c, const stage *g) {
   tp_converge_run runs[TP_CONVERGE_MOST_LEVELS], kept[TP_CONVERGE_MOST_LEVELS];
   const size_t count = tp_converge_runs(runs, setting, &from->run, c->quantity, g->body);
   tp_converge_finding *finding = own->findings + own->finding_count;
+  const double asked = c->asked * (c->quantity == TP_CONVERGE_ANGLE ? 1 : from->most);
   *finding = (tp_converge_finding){.setting = setting, .first = own->level_count};
   for (size_t k = 0; k < count; k++) {
     tp_converge_level *level = own->levels + own->level_count;
@@ -156,14 +158,16 @@ static tp_status run_setting(tp_convergence_case *own, base *from, tp_converge_s
     if (status != TP_OK) return status;
     kept[finding->count++] = runs[k];
     own->level_count++;
+    if (tp_converge_settled(own->levels + finding->first, finding->count, asked)) {
+      break;
+    }
   }
   if (finding->count < 2) { /* nothing to compare with */
     own->level_count = finding->first;
     return TP_OK;
   }
   own->finding_count++;
-  tp_converge_judge(finding, own->levels,
-                    c->asked * (c->quantity == TP_CONVERGE_ANGLE ? 1 : from->most));
+  tp_converge_judge(finding, own->levels, asked);
   if (finding->verdict != TP_CONVERGE_REFINED) return TP_OK;
   for (size_t k = 0; k < finding->count; k++) {
     const tp_converge_level *level = own->levels + finding->first + k;
@@ -176,7 +180,8 @@ static tp_status run_setting(tp_convergence_case *own, base *from, tp_converge_s
   return TP_OK;
 }
 
-static tp_status run_settings(tp_convergence_case *own, const tp_convergence *c, const stage *g) {
+static tp_status run_settings(tp_tilt_convergence_case *own, const tp_tilt_convergence *c,
+                              const stage *g) {
   base from = {.run = tp_converge_own(&c->settings)};
   tp_converge_level level;
   const tp_status status = look_about(&level, &from.run, own, c, g);
@@ -191,8 +196,8 @@ static tp_status run_settings(tp_convergence_case *own, const tp_convergence *c,
   return TP_OK;
 }
 
-static tp_status run_direction(tp_convergence_case *own, const tp_case *statics,
-                               const tp_problem *problem, tp_convergence *c, stage *g) {
+static tp_status run_direction(tp_tilt_convergence_case *own, const tp_case *statics,
+                               const tp_problem *problem, tp_tilt_convergence *c, stage *g) {
   tp_rigid_body body;
   tp_tilt_case window = {.end = TP_TILT_STANDS};
   own->findings = calloc(TP_CONVERGE_SETTINGS, sizeof *own->findings);
@@ -216,7 +221,7 @@ static tp_status run_direction(tp_convergence_case *own, const tp_case *statics,
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
-static tp_status keep_sources(tp_convergence *c, const tp_scene *scene, tp_message *message) {
+static tp_status keep_sources(tp_tilt_convergence *c, const tp_scene *scene, tp_message *message) {
   const size_t count = tp_scene_source_count(scene);
   c->sources = calloc(count + 1, sizeof *c->sources);
   if (c->sources == NULL) return tp_fail_memory(message, "the names of files");
@@ -228,7 +233,7 @@ static tp_status keep_sources(tp_convergence *c, const tp_scene *scene, tp_messa
   return TP_OK;
 }
 
-static tp_status describe(tp_convergence *c, const tp_scene *scene, const tp_problem *problem,
+static tp_status describe(tp_tilt_convergence *c, const tp_scene *scene, const tp_problem *problem,
                           tp_message *message) {
   c->settings = tp_tilt_settings_of(scene, problem->scene);
   const bool release = c->settings.protocol == TP_TILT_RELEASE;
@@ -248,7 +253,7 @@ static tp_status describe(tp_convergence *c, const tp_scene *scene, const tp_pro
   return status == TP_OK ? tp_problem_cautions(&c->notes, problem, message) : status;
 }
 
-static tp_status run_directions(tp_convergence *c, const tp_solution *statics,
+static tp_status run_directions(tp_tilt_convergence *c, const tp_solution *statics,
                                 const tp_problem *problem, stage *g) {
   const bool level = c->settings.protocol == TP_TILT_RELEASE && c->settings.release_deg == 0;
   const size_t count = level && statics->case_count > 1 ? 1 : statics->case_count;
@@ -262,7 +267,7 @@ static tp_status run_directions(tp_convergence *c, const tp_solution *statics,
   return status;
 }
 
-static tp_status fill(tp_convergence *c, const tp_scene *scene, const tp_tilt_options *options,
+static tp_status fill(tp_tilt_convergence *c, const tp_scene *scene, const tp_tilt_options *options,
                       tp_message *message) {
   const tp_solve_options solve = {.size = sizeof solve,
                                   .limit = true,
@@ -291,7 +296,7 @@ static tp_status fill(tp_convergence *c, const tp_scene *scene, const tp_tilt_op
   return status;
 }
 
-tp_status tp_tilt_converge(tp_convergence **convergence, const tp_scene *scene,
+tp_status tp_tilt_converge(tp_tilt_convergence **convergence, const tp_scene *scene,
                            const tp_tilt_options *options, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, convergence);
@@ -302,13 +307,13 @@ tp_status tp_tilt_converge(tp_convergence **convergence, const tp_scene *scene,
   own.moments = 2; /* nothing is drawn of them */
   tp_status status = tp_tilt_check_scene(scene, message);
   if (status != TP_OK) return status;
-  tp_convergence *filled = calloc(1, sizeof *filled);
+  tp_tilt_convergence *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the account of convergence");
   status = fill(filled, scene, &own, message);
   if (status == TP_OK) {
     *convergence = filled;
   } else {
-    tp_convergence_free(filled);
+    tp_tilt_convergence_free(filled);
   }
   return status;
 }

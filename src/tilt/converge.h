@@ -35,11 +35,15 @@ size_t tp_converge_runs(tp_converge_run runs[TP_CONVERGE_MOST_LEVELS], tp_conver
                         const tp_converge_run *own, tp_converge_quantity quantity,
                         const tp_rigid_body *body);
 
+/* Is no finer level needed: do the last two of so many agree, from the scene's own on? Of what has
+ * no finer values, or costs little, all are run. */
+bool tp_converge_settled(const tp_converge_level *levels, size_t count, double asked);
+
 /* What the levels of one setting come to: the verdict and what stands beside it, from `setting`,
  * `first` and `count`. `asked` is in the unit of the answer. */
 void tp_converge_judge(tp_converge_finding *finding, const tp_converge_level *levels, double asked);
 
 /* The case's own summary, all its findings being judged. */
-void tp_converge_summarise(tp_convergence_case *own);
+void tp_converge_summarise(tp_tilt_convergence_case *own);
 
 #endif

@@ -54,6 +54,16 @@ static double spread_from(const tp_converge_level *levels, size_t from, size_t c
   return spread;
 }
 
+bool tp_converge_settled(const tp_converge_level *levels, size_t count, double asked) {
+  const tp_converge_level *last = levels + count - 1;
+  bool past_own = false;
+  if (last->setting == TP_CONVERGE_STIFFNESS_RATIO || last->setting == TP_CONVERGE_TOLERANCE) {
+    return false;
+  }
+  for (size_t k = 0; k + 1 < count; k++) past_own = past_own || levels[k].own;
+  return past_own && last->known && last[-1].known && apart(last - 1, last) <= asked;
+}
+
 void tp_converge_judge(tp_converge_finding *finding, const tp_converge_level *levels,
                        double asked) {
   const tp_converge_level *own = levels + finding->first;
@@ -81,13 +91,13 @@ void tp_converge_judge(tp_converge_finding *finding, const tp_converge_level *le
       own, finding->verdict == TP_CONVERGE_HOLDS ? (set < last ? set : last) : last, count);
 }
 
-static void take_in(tp_convergence_case *own, const tp_converge_level *level) {
+static void take_in(tp_tilt_convergence_case *own, const tp_converge_level *level) {
   own->least = fmin(own->least, level->least);
   own->most = fmax(own->most, level->most);
 }
 
 /* The finest levels from the last setting on that was refined; what held before stays so. */
-void tp_converge_summarise(tp_convergence_case *own) {
+void tp_converge_summarise(tp_tilt_convergence_case *own) {
   size_t from = 0;
   own->converged = own->known && own->finding_count > 0;
   own->least = own->own_least;

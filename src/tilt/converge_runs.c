@@ -19,7 +19,7 @@ static const double ratios[] = {0.01, 0.1, 1};
 
 /* Times the scene's own value, from coarse to fine; 0 ends them. */
 static const double factors[TP_CONVERGE_SETTINGS][TP_CONVERGE_MOST_LEVELS] = {
-    [TP_CONVERGE_TOLERANCE] = {16, 4, 1, 0.25}, [TP_CONVERGE_STIFFNESS] = {0.1, 1, 10, 100},
+    [TP_CONVERGE_TOLERANCE] = {16, 4, 1, 0.25}, [TP_CONVERGE_STIFFNESS] = {0.1, 1, 10, 100, 1000},
     [TP_CONVERGE_TIME_STEP] = {4, 2, 1, 0.5},   [TP_CONVERGE_DAMPING] = {1, 0.5, 0.25},
     [TP_CONVERGE_ROUNDING] = {10, 1, 0.1},      [TP_CONVERGE_STEP_TOLERANCE] = {1e6, 1e4, 1e2, 1},
     [TP_CONVERGE_LEAST_BOUNCE] = {1e2, 1, 1e-2}};
