@@ -131,6 +131,38 @@ START_TEST(shaken) {
 }
 END_TEST
 
+START_TEST(convergence) {
+  tp_tilt_convergence *of = UNTOUCHED(tp_tilt_convergence);
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  char *text = UNTOUCHED(char);
+  tp_tilt_options options = tp_tilt_options_default();
+  const tp_tilt_convergence *none = NULL;
+  const tp_tilt_convergence empty = {.asked = 1};
+  REFUSED(tp_tilt_converge(NULL, scene, &options, &message), "'convergence'");
+  REFUSED(tp_tilt_converge(&of, NULL, &options, &message), "'scene'");
+  REFUSED(tp_tilt_converge(&of, scene, NULL, &message), "'options'");
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "the scene calls for no simulation");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, true, &message));
+  DO(tp_scene_set_tilt_angle_deg(scene, E(10), &message));
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "has no critical angle");
+  options.size = 4096;
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "the size");
+  UNWRITTEN(tp_report_tilt_convergence(&text, none));
+  UNWRITTEN(tp_report_tilt_convergence_json(&text, none));
+  UNWRITTEN(tp_report_tilt_convergence(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_convergence_json(NULL, &empty));
+  REFUSED(tp_chart_tilt_convergence(NULL, &empty, &message), "'chart'");
+  REFUSED(tp_chart_tilt_convergence(&chart, none, &message), "'convergence'");
+  ck_assert_int_eq(tp_chart_tilt_convergence(&chart, &empty, &message), TP_NO_ANSWER);
+  ck_assert_ptr_eq(of, UNTOUCHED(tp_tilt_convergence));
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  ck_assert_str_eq(tp_converge_setting_name((tp_converge_setting)-1), "unknown setting");
+  ck_assert_str_eq(tp_converge_quantity_name((tp_converge_quantity)9), "unknown quantity");
+  ck_assert_str_eq(tp_converge_verdict_name((tp_converge_verdict)9), "unknown verdict");
+  tp_tilt_convergence_free(NULL);
+}
+END_TEST
+
 START_TEST(reports) {
   char *text = UNTOUCHED(char);
   const tp_tilt_test *none = NULL;
@@ -218,6 +250,7 @@ int main(void) {
   tcase_add_test(tests, shaking);
   tcase_add_test(tests, together);
   tcase_add_test(tests, shaken);
+  tcase_add_test(tests, convergence);
   tcase_add_test(tests, reports);
   tcase_add_test(tests, charts);
   tcase_add_test(tests, spectra);

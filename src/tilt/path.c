@@ -21,7 +21,10 @@ static tp_status run(tp_path_result *result, tp_tilting *tilting, double from_de
   path.shear_pa_m = s->shear_stiffness_pa_m;
   path.from_angle = tp_tilt_radians(from_deg);
   path.to_angle = tp_tilt_radians(to_deg);
-  path.tolerance = fmin(path.tolerance, tp_tilt_radians(s->tolerance_deg) / 4);
+  path.tolerance = tilting->path_tolerance_deg > 0
+                       ? tp_tilt_radians(tilting->path_tolerance_deg)
+                       : fmin(path.tolerance, tp_tilt_radians(s->tolerance_deg) / 4);
+  path.weight_moves = tilting->weight_moves;
   if (history != NULL) {
     path.moments_every = tp_tilt_radians(s->until_deg) / (double)(tilting->options->moments - 1);
   }

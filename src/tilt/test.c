@@ -227,19 +227,14 @@ static tp_status check(const tp_scene *scene, const tp_tilt_options *options, tp
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "moments must lie between 2 and %d",
                    MOST_MOMENTS);
   }
-  if (!tp_scene_is_simulated(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                   "the scene calls for no simulation: add 'tilt_test: {engine: path}', or "
-                   "'shaking: …'");
-  }
+  const tp_status status = tp_tilt_check_scene(scene, message);
+  if (status != TP_OK) return status;
   if (options->overturning && !tp_scene_is_shaken(scene)) {
     return tp_fail(message, TP_BAD_INPUT, scene->tilt_test.place,
                    "the least shaking that overturns is asked for, and the scene gives no "
                    "'shaking'");
   }
-  if (scene->friction_angle_deg.given) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                 "'friction_angle_deg' is missing: without it no contact can be simulated");
+  return TP_OK;
 }
 
 tp_status tp_tilt_test_run(tp_tilt_test **test, const tp_scene *scene,

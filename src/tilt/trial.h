@@ -26,6 +26,8 @@ typedef struct tp_tilting {
   tp_tilt_case *own;             /* what is found */
   tp_history history;            /* that is told */
   tp_body_state moves_off;       /* as it let go at the least tilt so far */
+  bool weight_moves;             /* with the springs of a path: not in the limit of stiff ones */
+  double path_tolerance_deg;     /* of a path; 0: chosen */
   tp_message why;                /* the last run that was undecided was so; empty: none was */
   tp_message *message;
 } tp_tilting;
