@@ -28,16 +28,16 @@ void tp_spring_closes(tp_spring_forces *forces, tp_spring_contact *own, tp_xy di
   push(forces, own, -less);
 }
 
-void tp_spring_opens(tp_spring_forces *forces, const tp_spring_contacts *c,
-                     const tp_spring_contact *own, tp_xy displaced, double turned) {
+void tp_spring_opens(tp_spring_forces *forces, double normal_pa_m, const tp_spring_contact *own,
+                     tp_xy displaced, double turned) {
   const double overlap = -own->now.gap;
   const double way = along(own, own->now.normal, displaced, turned);
-  const double held = c->normal_pa_m * own->area * overlap;
+  const double held = normal_pa_m * own->area * overlap;
   push(forces, own, -held * missing_share(overlap, way));
 }
 
-double tp_spring_let_go(const tp_spring_contacts *c, const tp_spring_contact *own, tp_xy displaced,
+double tp_spring_let_go(double shear_pa_m, const tp_spring_contact *own, tp_xy displaced,
                         double turned) {
   const double sheared = own->sheared, way = along(own, own->tangent, displaced, turned);
-  return c->shear_pa_m * own->area * sheared * (sheared + way) / 2;
+  return shear_pa_m * own->area * sheared * (sheared + way) / 2;
 }

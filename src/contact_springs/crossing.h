@@ -15,19 +15,19 @@
 #ifndef TP_SPRING_CROSSING_H
 #define TP_SPRING_CROSSING_H
 
-#include "contact_springs/contacts.h"
+#include "contact_springs/contact.h"
 
 /* Of a contact that has closed in a step and is loaded by its springs. */
 void tp_spring_closes(tp_spring_forces *forces, tp_spring_contact *own, tp_xy displaced,
                       double turned);
 
 /* Of one that has opened in it: `own` as it was before. */
-void tp_spring_opens(tp_spring_forces *forces, const tp_spring_contacts *contacts,
-                     const tp_spring_contact *own, tp_xy displaced, double turned);
+void tp_spring_opens(tp_spring_forces *forces, double normal_pa_m, const tp_spring_contact *own,
+                     tp_xy displaced, double turned);
 
 /* What friction takes as the normal force goes, and Coulomb's limit lets the shear spring go slack:
  * what that held, and its work in this last step. */
-double tp_spring_let_go(const tp_spring_contacts *contacts, const tp_spring_contact *own,
-                        tp_xy displaced, double turned);
+double tp_spring_let_go(double shear_pa_m, const tp_spring_contact *own, tp_xy displaced,
+                        double turned);
 
 #endif
