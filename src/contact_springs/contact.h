@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* One contact on springs, and what all of them do. */
+/* A contact on its springs, and what contacts add up to. */
 
 #ifndef TP_SPRING_CONTACT_H
 #define TP_SPRING_CONTACT_H

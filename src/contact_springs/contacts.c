@@ -236,7 +236,7 @@ static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_bod
   long kept = 0;
   for (long k = 0; k < c->count; k++) {
     if (k < old && c->items[k].state != TP_CONTACT_HOLDS) {
-      forces->taken_by_friction += tp_spring_let_go(c->shear_pa_m, c->items + k, displaced, turned);
+      forces->taken_by_friction += tp_spring_let_go(c->items + k, c->shear_pa_m, displaced, turned);
       c->changed = true;
       continue;
     }
@@ -277,7 +277,7 @@ bool tp_spring_contacts_step(tp_spring_forces *forces, tp_spring_contacts *c,
     } else if (is_contact) {
       c->items[c->holders[k]].state = meeting.gap < 0 ? TP_CONTACT_PASSED : TP_CONTACT_OPENED;
       if (meeting.gap >= 0) {
-        tp_spring_opens(forces, c->normal_pa_m, c->items + c->holders[k], displaced, turned);
+        tp_spring_opens(forces, c->items + c->holders[k], c->normal_pa_m, displaced, turned);
       }
       ended = true;
     } else if (meets && !add_fresh(c, pair, &meeting)) {

@@ -14,7 +14,9 @@
 #ifndef TP_SPRING_CONTACTS_H
 #define TP_SPRING_CONTACTS_H
 
+#include "contact_springs/candidates.h"
 #include "contact_springs/contact.h"
+#include "rigid_body/drive.h"
 
 /* A pair that met in this step and was no contact before. */
 typedef struct tp_fresh_contact {

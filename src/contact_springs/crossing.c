@@ -28,7 +28,7 @@ void tp_spring_closes(tp_spring_forces *forces, tp_spring_contact *own, tp_xy di
   push(forces, own, -less);
 }
 
-void tp_spring_opens(tp_spring_forces *forces, double normal_pa_m, const tp_spring_contact *own,
+void tp_spring_opens(tp_spring_forces *forces, const tp_spring_contact *own, double normal_pa_m,
                      tp_xy displaced, double turned) {
   const double overlap = -own->now.gap;
   const double way = along(own, own->now.normal, displaced, turned);
@@ -36,7 +36,7 @@ void tp_spring_opens(tp_spring_forces *forces, double normal_pa_m, const tp_spri
   push(forces, own, -held * missing_share(overlap, way));
 }
 
-double tp_spring_let_go(double shear_pa_m, const tp_spring_contact *own, tp_xy displaced,
+double tp_spring_let_go(const tp_spring_contact *own, double shear_pa_m, tp_xy displaced,
                         double turned) {
   const double sheared = own->sheared, way = along(own, own->tangent, displaced, turned);
   return shear_pa_m * own->area * sheared * (sheared + way) / 2;

@@ -21,13 +21,13 @@
 void tp_spring_closes(tp_spring_forces *forces, tp_spring_contact *own, tp_xy displaced,
                       double turned);
 
-/* Of one that has opened in it: `own` as it was before. */
-void tp_spring_opens(tp_spring_forces *forces, double normal_pa_m, const tp_spring_contact *own,
+/* Of one that has opened in it: `own` as it was before, and the stiffness of a square metre. */
+void tp_spring_opens(tp_spring_forces *forces, const tp_spring_contact *own, double normal_pa_m,
                      tp_xy displaced, double turned);
 
 /* What friction takes as the normal force goes, and Coulomb's limit lets the shear spring go slack:
  * what that held, and its work in this last step. */
-double tp_spring_let_go(double shear_pa_m, const tp_spring_contact *own, tp_xy displaced,
+double tp_spring_let_go(const tp_spring_contact *own, double shear_pa_m, tp_xy displaced,
                         double turned);
 
 #endif
