@@ -81,6 +81,8 @@ static void say_tilted(sayings *s, tp_scene *scene) {
   SAY(tp_scene_set_tilt_test_tolerance_deg(scene, T("0.05"), &message));
   say_test(s, scene, false);
   say_convergence(s, scene);
+  SAY(tp_scene_add_tilt_test_traction(scene, 1, E(1.5), T("0.25"), E(-0.5), &message));
+  SAY(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message));
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_STEPS, true, &message));
   SAY(tp_scene_set_tilt_test_restitution(scene, T("0.25"), &message));
   SAY(tp_scene_set_tilt_test_duration_s(scene, E(1.5), &message));

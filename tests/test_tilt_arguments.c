@@ -22,6 +22,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_tilt_test_rounding(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_time_step_s(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_restitution(own, E(0.5), &message), why);
+  REFUSED(tp_scene_add_tilt_test_traction(own, 1, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_shaking_pulse(own, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(1), E(1),
                                      &message),
           why);
@@ -57,6 +58,9 @@ START_TEST(numbers) {
   REFUSED(tp_scene_set_tilt_test_rounding(scene, E(0), &message), "rounding must be above zero");
   REFUSED(tp_scene_set_tilt_test_time_step_s(scene, E(NAN), &message), "time_step_s");
   REFUSED(tp_scene_set_tilt_test_restitution(scene, E(-0.5), &message), "restitution must lie in");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message),
+          "tp_scene_add_tilt_test_traction: facets of the base are counted from 1");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 1, E(1), E(NAN), E(1), &message), "last_kpa");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);
