@@ -56,8 +56,10 @@ typedef struct tp_element {
   size_t part;             /* 0: the block; k: its k-th part */
   tp_bounded weight;       /* N, or a fraction of the block's when the scene gives no unit weight */
   tp_bounded normal_arm_m; /* x arm of the component W cos(alpha); > 0 stabilises */
-  tp_bounded parallel_arm_m;           /* y arm of the component W sin(alpha); > 0 overturns */
-  tp_bounded stabilising, overturning; /* weight times metre, not below 0 */
+  tp_bounded parallel_arm_m;             /* y arm of the component W sin(alpha); > 0 overturns */
+  tp_bounded stabilising, overturning;   /* weight times metre, not below 0 */
+  tp_bounded area_m2;                    /* of it */
+  tp_bounded centroid_x_m, centroid_y_m; /* of its area */
 } tp_element;
 
 /* The account of moments by elements about the governing pivot (Appendix A1 of the paper). */

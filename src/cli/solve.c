@@ -3,6 +3,7 @@
 
 /* topple solve SCENE */
 
+#include "cli/sheet.h"
 #include "cli/signals.h"
 #include "cli/solve_words.h"
 #include "cli/verdict_colours.h"
@@ -127,12 +128,17 @@ static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
 static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const char *path,
                              const tp_solve_words *a, tp_message *message) {
   tp_solve_options solve = tp_solve_options_default();
-  solve.elements = a->elements;
+  solve.elements = a->elements || a->report != NULL;
   solve.digits = a->digits;
   solve.level = a->level;
-  solve.pivots = a->figure != NULL ? TP_PIVOTS_ALL : a->pivots;
-  const tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
-  return status == TP_OK ? tp_solve(solution, *scene, &solve, message) : status;
+  solve.pivots = a->figure != NULL || a->report != NULL ? TP_PIVOTS_ALL : a->pivots;
+  tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
+  if (status == TP_OK) status = tp_solve(solution, *scene, &solve, message);
+  if (status == TP_BAD_INPUT && *scene != NULL && solve.elements && !a->elements) {
+    solve.elements = false; /* of rounded corners: the report goes without that account */
+    status = tp_solve(solution, *scene, &solve, message);
+  }
+  return status;
 }
 
 /* ---- several scenes ----------------------------------------------------------------------------
@@ -213,6 +219,15 @@ static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
   return own.status;
 }
 
+static tp_status write_report(const tp_solve_words *a, const tp_scene *scene,
+                              const tp_solution *solution, tp_message *message) {
+  tp_sheet_options options;
+  tp_cli_date date;
+  const tp_status status = tp_cli_sheet_options(&options, &date, message);
+  return status == TP_OK ? tp_cli_write_sheet(a->report, scene, solution, &options, message)
+                         : status;
+}
+
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
@@ -221,6 +236,9 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
     status = a->find.key != NULL ? print_found(scene, solution, a, ended, message)
              : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
                                  : print_solution(solution, a, ended);
+  }
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_report(a, scene, solution, message);
   }
   if (status == TP_OK && *ended == 0 && a->profile != NULL) {
     status = tp_scene_write_profile(scene, a->profile, message);

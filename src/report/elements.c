@@ -4,45 +4,15 @@
 /* The account of moments by elements, as Appendix A of the paper writes it. */
 
 #include "host.h"
-#include "report/page.h"
+#include "report/account_units.h"
 #include "report/words.h"
 
 #include <stdio.h>
 
-/* Units of the account. Weights are in N, or shares of the block's weight; moments likewise, times
- * the length unit, unless the scene asks for a unit of moments. */
-typedef struct account_units {
-  char weight[16], moment[32];
-  tp_result_unit force, whole_moment; /* no name: none is asked for, or they are shares */
-} account_units;
-
-static account_units units_of(const tp_solution *s) {
-  account_units own = {.weight = "W"};
-  if (s->block.has_weight) {
-    own.force = s->result_units.force;
-    own.whole_moment = s->result_units.moment;
-    snprintf(own.weight, sizeof own.weight, "%s", own.force.name != NULL ? own.force.name : "N");
-  }
-  if (own.whole_moment.name != NULL) {
-    snprintf(own.moment, sizeof own.moment, "%s", own.whole_moment.name);
-  } else {
-    snprintf(own.moment, sizeof own.moment, "%s %s", s->block.has_weight ? "N" : "W",
-             s->length_unit);
-  }
-  return own;
-}
-
-static const char *write_moment(const tp_page *p, char out[TP_NUMBER_SIZE], tp_bounded moment,
-                                const account_units *units) {
-  return units->whole_moment.name != NULL
-             ? tp_text_significant(out, tp_page_in(moment, units->whole_moment), 6)
-             : tp_page_length(p, out, moment, 6);
-}
-
 static void add_account(tp_page *p, const tp_case *c) {
   const tp_solution *s = p->solution;
   const tp_account *a = &c->account;
-  const account_units units = units_of(s);
+  const tp_account_units units = tp_account_units_of(s);
   char n[5][TP_NUMBER_SIZE], head[4][48];
   if (a->count == 0) return;
   tp_text_add(&p->text, "\nMoments by elements");
@@ -60,17 +30,16 @@ static void add_account(tp_page *p, const tp_case *c) {
               head[2], head[3], head[3]);
   for (size_t k = 0; k < a->count; k++) {
     const tp_element *e = a->elements + k;
-    tp_text_add(&p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
-                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
-                tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
-                tp_page_length(p, n[1], e->normal_arm_m, 6),
-                tp_page_length(p, n[2], e->parallel_arm_m, 6),
-                write_moment(p, n[3], e->stabilising, &units),
-                write_moment(p, n[4], e->overturning, &units));
+    tp_text_add(
+        &p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
+        e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
+        tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
+        tp_page_length(p, n[1], e->normal_arm_m, 6), tp_page_length(p, n[2], e->parallel_arm_m, 6),
+        tp_account_moment(n[3], s, e->stabilising), tp_account_moment(n[4], s, e->overturning));
   }
   tp_text_add(&p->text, "  sum  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "",
-              write_moment(p, n[0], a->stabilising, &units),
-              write_moment(p, n[1], a->overturning, &units));
+              tp_account_moment(n[0], s, a->stabilising),
+              tp_account_moment(n[1], s, a->overturning));
   const tp_pivot *pivot = c->pivots + c->governing;
   if (pivot->fos_elements.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, "  FoS by elements %s, by the resultant %s\n",

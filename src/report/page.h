@@ -22,6 +22,9 @@ const char *tp_page_length(const tp_page *page, char out[TP_NUMBER_SIZE], tp_bou
  * of a block far from the origin stay apart. */
 const char *tp_page_coordinate(const tp_page *page, char out[TP_NUMBER_SIZE], tp_bounded metres);
 
+/* Block, contact and friction of the scene: its label, then nine columns in what is said of it. */
+void tp_page_add_input(tp_page *page);
+
 /* An angle with up to three decimals that are not zero. */
 const char *tp_page_degrees(char out[TP_NUMBER_SIZE], tp_bounded angle);
 

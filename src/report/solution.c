@@ -12,6 +12,7 @@
 #include "report/limit.h"
 #include "report/loads.h"
 #include "report/notes.h"
+#include "report/onset.h"
 #include "report/pivots.h"
 #include "report/poses.h"
 #include "report/sliding.h"
@@ -105,6 +106,7 @@ static void add_case(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "\n\n");
   tp_page_add_governing(p, c);
   tp_page_add_verdict(p, c);
+  tp_page_add_motions(p, c);
   tp_text_add(&p->text, "\n");
   tp_page_add_pivots(p, c);
   tp_text_add(&p->text, "\n");
@@ -112,6 +114,14 @@ static void add_case(tp_page *p, const tp_case *c) {
   tp_page_add_loads(p, c);
   tp_page_add_limit(p, c);
   tp_page_add_sliding(p, c);
+}
+
+void tp_page_add_input(tp_page *p) {
+  add_units(p);
+  add_teeth(p);
+  add_block(p);
+  tp_page_add_contact(p);
+  tp_page_add_friction(p);
 }
 
 static double seconds(const tp_solution *s) {
@@ -156,11 +166,7 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
     tp_encode_plain(&p.text, solution->title);
     tp_text_add(&p.text, "\n\n");
   }
-  add_teeth(&p);
-  add_units(&p);
-  add_block(&p);
-  tp_page_add_contact(&p);
-  tp_page_add_friction(&p);
+  tp_page_add_input(&p);
   tp_text_settings(&p.text, &solution->settings);
   tp_page_add_poses(&p);
   tp_text_notes(&p.text, &solution->notes);

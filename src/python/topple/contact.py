@@ -237,6 +237,9 @@ class Element(Record):
     parallel_arm_m: Bounded  #: of the component W sin(alpha); above 0 it overturns
     stabilising: Bounded
     overturning: Bounded
+    area_m2: Bounded
+    centroid_x_m: Bounded
+    centroid_y_m: Bounded
 
 
 @dataclasses.dataclass(frozen=True)

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/account_units.h"
+
+#include <stdio.h>
+
+tp_account_units tp_account_units_of(const tp_solution *s) {
+  tp_account_units own = {.weight = "W"};
+  if (s->block.has_weight) {
+    own.force = s->result_units.force;
+    own.whole_moment = s->result_units.moment;
+    snprintf(own.weight, sizeof own.weight, "%s", own.force.name != NULL ? own.force.name : "N");
+  }
+  if (own.whole_moment.name != NULL) {
+    snprintf(own.moment, sizeof own.moment, "%s", own.whole_moment.name);
+  } else {
+    snprintf(own.moment, sizeof own.moment, "%s %s", s->block.has_weight ? "N" : "W",
+             s->length_unit);
+  }
+  return own;
+}
+
+const char *tp_account_moment(char out[TP_NUMBER_SIZE], const tp_solution *s, tp_bounded moment) {
+  const tp_result_unit unit = tp_account_units_of(s).whole_moment;
+  const tp_page page = {.solution = s};
+  return unit.name != NULL ? tp_text_significant(out, tp_page_in(moment, unit), 6)
+                           : tp_page_length(&page, out, moment, 6);
+}
+
+const char *tp_load_moment_unit(const tp_solution *s) {
+  return s->result_units.moment.name != NULL ? s->result_units.moment.name : "N m";
+}
