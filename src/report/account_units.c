@@ -2,6 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #include "report/account_units.h"
+#include "report/words.h"
 
 #include <stdio.h>
 
@@ -21,13 +22,9 @@ tp_account_units tp_account_units_of(const tp_solution *s) {
   return own;
 }
 
-const char *tp_account_moment(char out[TP_NUMBER_SIZE], const tp_solution *s, tp_bounded moment) {
-  const tp_result_unit unit = tp_account_units_of(s).whole_moment;
-  const tp_page page = {.solution = s};
-  return unit.name != NULL ? tp_text_significant(out, tp_page_in(moment, unit), 6)
-                           : tp_page_length(&page, out, moment, 6);
-}
-
-const char *tp_load_moment_unit(const tp_solution *s) {
-  return s->result_units.moment.name != NULL ? s->result_units.moment.name : "N m";
+const char *tp_account_moment(const tp_page *page, char out[TP_NUMBER_SIZE], tp_bounded moment,
+                              const tp_account_units *units) {
+  return units->whole_moment.name != NULL
+             ? tp_text_significant(out, tp_page_in(moment, units->whole_moment), 6)
+             : tp_page_length(page, out, moment, 6);
 }

@@ -72,9 +72,9 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
   char n[TP_NUMBER_SIZE];
   if (c->steep) {
     tp_text_add(&p->text,
-                "         Caution: its steepest facet lies at %s° from the mean plane. What is\n"
-                "         steeper than 45° holds a block by locking it in, as long as the rock "
-                "of\n         the base bears it.\n",
+                "         Caution: its steepest facet lies at %s° from the mean plane.\n"
+                "         What is steeper than 45° holds a block by locking it in, as long as the\n"
+                "         rock of the base bears it.\n",
                 tp_page_degrees(n, c->steepest_deg));
   }
   if (c->reaches_far) {

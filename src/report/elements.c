@@ -30,16 +30,17 @@ static void add_account(tp_page *p, const tp_case *c) {
               head[2], head[3], head[3]);
   for (size_t k = 0; k < a->count; k++) {
     const tp_element *e = a->elements + k;
-    tp_text_add(
-        &p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
-        e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
-        tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
-        tp_page_length(p, n[1], e->normal_arm_m, 6), tp_page_length(p, n[2], e->parallel_arm_m, 6),
-        tp_account_moment(n[3], s, e->stabilising), tp_account_moment(n[4], s, e->overturning));
+    tp_text_add(&p->text, "%5zu  %-8s %11s %11s %11s %13s %13s\n", k + 1,
+                e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle",
+                tp_text_significant(n[0], tp_page_in(e->weight, units.force), 6),
+                tp_page_length(p, n[1], e->normal_arm_m, 6),
+                tp_page_length(p, n[2], e->parallel_arm_m, 6),
+                tp_account_moment(p, n[3], e->stabilising, &units),
+                tp_account_moment(p, n[4], e->overturning, &units));
   }
   tp_text_add(&p->text, "  sum  %-8s %11s %11s %11s %13s %13s\n", "", "", "", "",
-              tp_account_moment(n[0], s, a->stabilising),
-              tp_account_moment(n[1], s, a->overturning));
+              tp_account_moment(p, n[0], a->stabilising, &units),
+              tp_account_moment(p, n[1], a->overturning, &units));
   const tp_pivot *pivot = c->pivots + c->governing;
   if (pivot->fos_elements.state == TP_FOS_NUMBER) {
     tp_text_add(&p->text, "  FoS by elements %s, by the resultant %s\n",

@@ -7,8 +7,6 @@
 
 #include "report/sheet.h"
 
-#include "report/account_units.h"
-
 #include "report/words.h"
 
 #include <stdio.h>
@@ -89,7 +87,6 @@ static void add_loaded(tp_sheet *s, const tp_case *c) {
 static void add_elements(tp_sheet *s, const tp_case *c) {
   const tp_account *a = &c->account;
   const tp_pivot *p = c->pivots + c->governing;
-  char n[2][TP_NUMBER_SIZE];
   if (a->count == 0 || p->fos_elements.state != TP_FOS_NUMBER) return;
   tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
                   "The same by elements (Eq. A1.3): of each element both components of its weight, "
@@ -98,8 +95,7 @@ static void add_elements(tp_sheet *s, const tp_case *c) {
       &s->document, TP_PASSAGE_EQUATION,
       "\\text{FoS}_{\\text{el}} = \\frac{\\sum M_{\\text{stab}}}{\\sum M_{\\text{over}}} = "
       "\\frac{%s}{%s} = %s",
-      tp_account_moment(n[0], s->solution, a->stabilising),
-      tp_account_moment(n[1], s->solution, a->overturning),
+      tp_sheet_moment(s, a->stabilising).text, tp_sheet_moment(s, a->overturning).text,
       tp_sheet_factor(p->fos_elements.value).text);
 }
 
