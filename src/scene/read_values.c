@@ -149,9 +149,11 @@ static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, bool 
       status = read_vertex(reader, line, p, name);
     }
     if (closed) tp_polyline_drop_closing_point(line);
+  } else if (tp_node_get(node, "mesh") != NULL) {
+    status = tp_read_mesh(reader, line, node, closed, &chain->notes);
   } else {
-    status =
-        tp_read_fail(reader, node, "%s must be a list of [x, y] or the name of a CSV file", name);
+    status = tp_read_fail(
+        reader, node, "%s must be a list of [x, y], the name of a CSV file, or {mesh: FILE}", name);
   }
   if (status == TP_OK && !tp_polyline_make_shared(line)) {
     status = tp_fail_memory(reader->message, name);
@@ -177,20 +179,27 @@ static tp_status read_first(const tp_reader *reader, tp_polyline *line, const tp
   if (status != TP_OK || chain->fixed) {
     return status == TP_OK ? take_chain(reader, line, chain) : status;
   }
+  const tp_status noted = tp_notes_append(&reader->scene->notes, &chain->notes, reader->message);
+  if (noted != TP_OK) return noted;
   *line = chain->line;
   chain->line = (tp_polyline){0};
   return TP_OK;
 }
 
+/* Of a mesh the plane that cuts it, too. */
 static bool is_varied(const tp_scene *scene, const tp_node *node) {
+  const tp_node *section =
+      tp_node_get(node, "mesh") != NULL ? tp_node_get(scene->source, "section") : NULL;
   for (long k = 0; k < scene->override_count; k++) {
-    if (tp_node_is_within(scene->overrides[k].node, node)) return true;
+    const tp_node *own = scene->overrides[k].node;
+    if (tp_node_is_within(own, node)) return true;
+    if (section != NULL && tp_node_is_within(own, section)) return true;
   }
   return false;
 }
 
-/* Chains come in the order in which they came before. What varies is a list: no number names a
- * file, and a list has no notes. */
+/* Chains come in the order in which they came before. What varies is a list or a section: no number
+ * names a file. */
 static tp_status read_again(const tp_reader *reader, tp_polyline *line, const tp_node *node,
                             bool closed, const char *name) {
   const tp_file_chain *kept = reader->scene->file->chains + reader->reading->next_chain++;
@@ -198,12 +207,16 @@ static tp_status read_again(const tp_reader *reader, tp_polyline *line, const tp
     return take_chain(reader, line, kept);
   }
   tp_file_chain chain = {.node = node};
-  const tp_status status = read_chain(reader, &chain, closed, name);
+  tp_status status = read_chain(reader, &chain, closed, name);
+  if (status == TP_OK) {
+    status = tp_notes_append(&reader->scene->notes, &chain.notes, reader->message);
+  }
   if (status == TP_OK) {
     *line = chain.line;
   } else {
     tp_polyline_clear(&chain.line);
   }
+  tp_notes_clear(&chain.notes);
   return status;
 }
 
