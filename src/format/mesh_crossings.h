@@ -6,7 +6,9 @@
 #ifndef TP_MESH_CROSSINGS_H
 #define TP_MESH_CROSSINGS_H
 
-#include "format/mesh_cut.h"
+#include "format/mesh.h"
+#include "format/section_plane.h"
+#include "plane/polyline.h"
 
 /* An edge that is crossed, from vertex a to a greater one, in one point. */
 typedef struct tp_crossing {

@@ -128,8 +128,8 @@ static tp_status note(const tp_polyline *line, const tp_mesh_section *section,
     snprintf(rounding, sizeof rounding, ", rounded to %s %s", step, wish->unit);
   }
   if (joined > 0) {
-    snprintf(gaps, sizeof gaps, "; %ld gaps were closed, the widest of %.3g %s", joined, widest,
-             wish->unit);
+    snprintf(gaps, sizeof gaps, "; %ld %s closed, the widest of %.3g %s", joined,
+             joined == 1 ? "gap was" : "gaps were", widest, wish->unit);
   }
   tp_status status =
       tp_notes_add(notes, message, TP_NOTE, wish->place,
@@ -142,10 +142,11 @@ static tp_status note(const tp_polyline *line, const tp_mesh_section *section,
                           section->count, wish->closed ? "outlines" : "separate lines");
   }
   if (status == TP_OK && section->flipped > 0) {
-    status = tp_notes_add(notes, message, TP_NOTE, wish->place,
-                          "at %ld edges that the plane cuts a face runs against its neighbour; the "
-                          "section is the same as if it did not",
-                          section->flipped);
+    status = tp_notes_add(
+        notes, message, TP_NOTE, wish->place,
+        "in %ld of the edges that the plane cuts a face runs against its neighbour; the "
+        "section is the same as if it did not",
+        section->flipped);
   }
   fmpq_clear(width);
   fmpq_clear(height);
@@ -170,6 +171,11 @@ tp_status tp_section_take(tp_polyline *line, tp_mesh_section *section, const tp_
   tp_status status = tp_section_join(section, wish, &joined, &widest, message);
   if (status == TP_OK) status = choose(&chosen, section, wish, message);
   if (status == TP_OK) status = take(line, chosen, wish, message);
+  if (status == TP_OK && line->count < (wish->closed ? 3 : 2)) {
+    status = tp_fail(message, TP_BAD_INPUT, wish->place,
+                     "what the plane cuts of this mesh is narrower than a billionth of its height; "
+                     "turn the plane");
+  }
   if (status == TP_OK) {
     status = note(line, section, wish, resolution, joined, widest, notes, message);
   }
