@@ -45,6 +45,7 @@
 #include "topple_blocks.h"
 #include "topple_chart.h"
 #include "topple_derive.h"
+#include "topple_explain.h"
 #include "topple_figure.h"
 #include "topple_find.h"
 #include "topple_generate.h"

@@ -147,6 +147,15 @@ typedef struct tp_tilt_point {
   double x_m, y_m; /* the coordinates */
 } tp_tilt_point;
 
+/* A facet of the base that events or reactions name, from its left end to its right one. */
+typedef struct tp_tilt_facet {
+  long facet;                    /* as they count it: of the base, from 1, from left to right */
+  size_t contact;                /* as statics counts the facets of the contact (tp_reaction,
+                                    tp_motion_contact), from 1: the first on it; 0: the block does
+                                    not rest on it at the start */
+  double x0_m, y0_m, x1_m, y1_m; /* its ends */
+} tp_tilt_facet;
+
 /* One direction of tilt. Simulated numbers: no bound is proven, what was reached is told. */
 typedef struct tp_tilt_case {
   tp_direction towards; /* which */
@@ -168,7 +177,7 @@ typedef struct tp_tilt_case {
   double run_out_m;              /* of the centroid along the base, down-dip */
   double turned_deg;             /* counter-clockwise */
   double kinetic_energy_j;       /* the greatest */
-  double energy_balance_j;       /* the largest of moments, in absolute value */
+  double energy_balance_j;       /* the largest of moments, in absolute value; NaN of a path */
   double energy_scale_j;         /* weight times extent, for comparison */
   bool has_overturning;          /* the least shaking that overturns it, on that of the scene, */
   double overturning_least, overturning_most; /* is between these factors: spared by the first */
@@ -178,6 +187,8 @@ typedef struct tp_tilt_case {
   tp_tilt_moment *moments;           /* in their order */
   size_t reaction_count;             /* of the reactions */
   tp_tilt_reaction *reactions;       /* by moment, then by facet */
+  size_t facet_count;                /* of the facets */
+  tp_tilt_facet *facets;             /* by their numbers */
   size_t outline_count;              /* of the block's outline where it began, arcs by chords */
   tp_tilt_point *outline;            /* counter-clockwise */
   size_t base_count;                 /* of the ring of the base */
@@ -230,6 +241,16 @@ TP_MUST_USE tp_status tp_report_tilt_animation(char **text, const tp_tilt_test *
 /* The same into the file `path`, which must end in .svg and appears whole or not at all: frames, or
  * where `moving` the one that moves. TP_SYSTEM_FAILED where it cannot be written. */
 TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
+                                          tp_message *message);
+
+/* Charts of it, to be freed by tp_chart_free, written by tp_report_chart_file (topple_chart.h). The
+ * reactions of the facets, normal and along each, against the tilt up to where the block lets go;
+ * where the table stands still against time. And the phase portraits of what moves: turn against
+ * angular velocity, displacement of the centroid along the base against its speed. TP_NO_ANSWER
+ * where there is none to draw: nothing moves, or no reaction is known. */
+TP_MUST_USE tp_status tp_chart_tilt_reactions(tp_chart **chart, const tp_tilt_test *test,
+                                              tp_message *message);
+TP_MUST_USE tp_status tp_chart_tilt_phase(tp_chart **chart, const tp_tilt_test *test,
                                           tp_message *message);
 
 #ifdef __cplusplus

@@ -13,6 +13,7 @@
 
 #include "topple.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 tp_status last_status;
@@ -241,6 +242,14 @@ static void verify(void) {
   tp_verification_free(verification);
 }
 
+static void explain(void) {
+  tp_message message = {""};
+  char *text = NULL, *list = NULL;
+  if (DONE(tp_report_explained(&text, "FoS", &message), text)) free(text);
+  const tp_status status = tp_report_terms(&list);
+  expect_report(status, list);
+}
+
 const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve an outline", solve_outline, 200},
                                     {"vary scenes", vary_scenes, 200},
@@ -271,6 +280,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"measure sensitivity", measure_sensitivity, 200},
                                     {"find reliability", find_reliability, 200},
                                     {"find", find, 40},
+                                    {"explain", explain, 20},
                                     {"derive", derive, 200},
                                     {"derive and check", derive_checked, 60},
                                     {"derive for all counts", derive_family, 100},

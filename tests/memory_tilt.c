@@ -20,6 +20,18 @@ static void report(const tp_tilt_test *test) {
   }
 }
 
+static void chart(const tp_tilt_test *test) {
+  typedef tp_status maker(tp_chart * *chart, const tp_tilt_test *test, tp_message *message);
+  static maker *const makers[] = {tp_chart_tilt_reactions, tp_chart_tilt_phase};
+  for (size_t k = 0; k < sizeof makers / sizeof makers[0]; k++) {
+    tp_chart *chart = NULL;
+    tp_message message = {""};
+    if (k == 1 && test->settings.engine == TP_TILT_PATH) continue;
+    (void)DONE(makers[k](&chart, test, &message), chart);
+    tp_chart_free(chart);
+  }
+}
+
 static void simulate(const char *text) {
   tp_scene *scene = NULL;
   tp_tilt_test *test = NULL;
@@ -29,6 +41,7 @@ static void simulate(const char *text) {
   if (DONE(tp_scene_read_text(&scene, text, "tilt", &message), scene) &&
       DONE(tp_tilt_test_run(&test, scene, &options, &message), test)) {
     report(test);
+    chart(test);
   }
   tp_tilt_test_free(test);
   tp_scene_free(scene);

@@ -23,6 +23,18 @@ static void say_drawn(sayings *s, const tp_tilt_test *test) {
   say_file(s, path);
 }
 
+static void say_charts(sayings *s, const tp_tilt_test *test) {
+  tp_message message = {""};
+  tp_chart *charts[2] = {NULL, NULL};
+  SAY(tp_chart_tilt_reactions(charts, test, &message));
+  SAY(tp_chart_tilt_phase(charts + 1, test, &message));
+  for (size_t k = 0; k < 2; k++) {
+    if (charts[k] == NULL) continue;
+    if (tp_report_chart_csv(next_saying(s), charts[k]) != TP_OK) s->count--;
+    tp_chart_free(charts[k]);
+  }
+}
+
 static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
   tp_message message = {""};
   tp_tilt_test *test = NULL;
@@ -38,6 +50,7 @@ static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
   if (tp_report_tilt_frames(next_saying(s), test) != TP_OK) s->count--;
   if (tp_report_tilt_animation(next_saying(s), test) != TP_OK) s->count--;
   say_drawn(s, test);
+  say_charts(s, test);
   tp_tilt_test_free(test);
 }
 

@@ -230,15 +230,11 @@ static void expect_side(const tp_section_plane *plane, const char *const texts[3
 /* Doubles propose a side, but never where they cannot know: a step of 1e-40 beside the plane, far
  * from the origin. */
 START_TEST(sides_a_hair_apart) {
+  static const char near[] = "30000000000000000000000000000000000000000000000001/"
+                             "10000000000000000000000000000000000000000";
   static const char *const on[] = {"3000000000", "3000000000", "0"};
-  static const char *const left[] = {
-      "3000000000",
-      "30000000000000000000000000000000000000000000000001/10000000000000000000000000"
-      "000000000000000",
-      "0"};
-  static const char *const right[] = {"30000000000000000000000000000000000000000000000001/"
-                                      "10000000000000000000000000000000000000000",
-                                      "3000000000", "0"};
+  static const char *const left[] = {"3000000000", near, "0"};
+  static const char *const right[] = {near, "3000000000", "0"};
   tp_section_plane plane;
   fmpq x[2];
   for (int k = 0; k < 2; k++) fmpq_init(x + k);

@@ -156,6 +156,27 @@ START_TEST(reports) {
 }
 END_TEST
 
+/* Charts refuse what is not there, and a test that has nothing to draw. */
+START_TEST(charts) {
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  const tp_tilt_test *none = NULL;
+  const tp_tilt_test empty = {.length_unit = "m", .metres_per_unit = 1};
+  const tp_tilt_test of_path = {.settings = {.engine = TP_TILT_PATH}},
+                     of_dynamics = {.settings = {.engine = TP_TILT_RIGID}};
+  REFUSED(tp_chart_tilt_reactions(&chart, none, &message), "'test'");
+  REFUSED(tp_chart_tilt_reactions(NULL, &empty, &message), "'chart'");
+  REFUSED(tp_chart_tilt_phase(&chart, none, &message), "'test'");
+  REFUSED(tp_chart_tilt_phase(NULL, &empty, &message), "'chart'");
+  ck_assert_int_eq(tp_chart_tilt_reactions(&chart, &empty, &message), TP_NO_ANSWER);
+  ck_assert_ptr_nonnull(strstr(message.text, "no reactions to draw"));
+  ck_assert_int_eq(tp_chart_tilt_phase(&chart, &of_path, &message), TP_NO_ANSWER);
+  ck_assert_ptr_nonnull(strstr(message.text, "a path simulates no motion"));
+  ck_assert_int_eq(tp_chart_tilt_phase(&chart, &of_dynamics, &message), TP_NO_ANSWER);
+  ck_assert_ptr_nonnull(strstr(message.text, "nothing moves"));
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("arguments of tilt tests");
   TCase *tests = tcase_create("arguments of tilt tests");
@@ -166,6 +187,7 @@ int main(void) {
   tcase_add_test(tests, together);
   tcase_add_test(tests, shaken);
   tcase_add_test(tests, reports);
+  tcase_add_test(tests, charts);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

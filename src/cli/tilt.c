@@ -9,15 +9,31 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+/* A chart that is asked for. */
+typedef struct chart_wish {
+  const char *path; /* NULL: none */
+  tp_chart_format format;
+} chart_wish;
+
 typedef struct arguments {
   const char *scene;
   const char *figure, *animation; /* NULL: none */
+  chart_wish reactions, phase;
   bool json, csv;
   tp_cli_settings settings;
   tp_tilt_options tilt;
 } arguments;
 
-enum { KEY_SET = 256, KEY_CSV, KEY_FIGURE, KEY_ANIMATION, KEY_MOMENTS, KEY_OVERTURNING };
+enum {
+  KEY_SET = 256,
+  KEY_CSV,
+  KEY_FIGURE,
+  KEY_ANIMATION,
+  KEY_REACTIONS,
+  KEY_PHASE,
+  KEY_MOMENTS,
+  KEY_OVERTURNING
+};
 
 static const struct argp_option options[] = {
     {"set", KEY_SET, "KEY=VALUE", 0,
@@ -26,6 +42,11 @@ static const struct argp_option options[] = {
     {"csv", KEY_CSV, NULL, 0, "Print the moments of the motion as CSV instead of text", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Write FILE, .svg, with the block at some moments", 0},
     {"animation", KEY_ANIMATION, "FILE", 0, "Write FILE, .svg, in which the block moves", 0},
+    {"reactions", KEY_REACTIONS, "FILE", 0,
+     "Write FILE, .svg, .pdf, .png or .csv, with the reactions of the facets against the tilt", 0},
+    {"phase", KEY_PHASE, "FILE", 0,
+     "Write FILE likewise, with the phase portraits of what moves: turn against angular velocity",
+     0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
@@ -39,6 +60,14 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
     return;
   }
   a->tilt.moments = (size_t)count;
+}
+
+static void take_chart(chart_wish *wish, const char *path, const char *option,
+                       const struct argp_state *state) {
+  tp_cli_take_file(&wish->path, path, option, state);
+  if (!tp_chart_format_read(&wish->format, path)) {
+    tp_cli_refuse(state, "%s '%s' must end in .svg, .pdf, .png or .csv", option, path);
+  }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -58,6 +87,12 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_ANIMATION:
     tp_cli_take_file(&a->animation, argument, "--animation", state);
+    return 0;
+  case KEY_REACTIONS:
+    take_chart(&a->reactions, argument, "--reactions", state);
+    return 0;
+  case KEY_PHASE:
+    take_chart(&a->phase, argument, "--phase", state);
     return 0;
   case KEY_MOMENTS:
     read_moments(a, argument, state);
@@ -104,6 +139,18 @@ static void tell_open(const arguments *a, const tp_tilt_test *test, int *ended) 
   }
 }
 
+typedef tp_status chart_maker(tp_chart **chart, const tp_tilt_test *test, tp_message *message);
+
+static tp_status write_chart(const chart_wish *wish, chart_maker *make, const tp_tilt_test *test,
+                             tp_message *message) {
+  tp_chart *chart = NULL;
+  if (wish->path == NULL) return TP_OK;
+  tp_status status = make(&chart, test, message);
+  if (status == TP_OK) status = tp_report_chart_file(chart, wish->path, wish->format, message);
+  tp_chart_free(chart);
+  return status;
+}
+
 static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
                       tp_message *message) {
   char *report = NULL;
@@ -116,6 +163,12 @@ static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
   }
   if (status == TP_OK && *ended == 0 && a->animation != NULL) {
     status = tp_report_tilt_file(test, a->animation, true, message);
+  }
+  if (status == TP_OK && *ended == 0) {
+    status = write_chart(&a->reactions, tp_chart_tilt_reactions, test, message);
+  }
+  if (status == TP_OK && *ended == 0) {
+    status = write_chart(&a->phase, tp_chart_tilt_phase, test, message);
   }
   if (status == TP_OK && *ended == 0) tell_open(a, test, ended);
   return status;

@@ -27,6 +27,10 @@ void tp_cli_complain(const char *format, ...) {
   fprintf(stderr, "topple: %s\n", plain);
 }
 
+void tp_cli_ask(const char *question) {
+  fputs(question, stderr);
+}
+
 void tp_cli_tell_progress(size_t done, size_t of, double rate) {
   fprintf(stderr, "\r%zu of %zu samples, %.3g a second, %.3g s to go   ", done, of, rate,
           (double)(of - done) / rate);

@@ -61,21 +61,17 @@ static tp_status next_number(const reader *r, number *own, tp_ply_type type) {
 
 static bool whole_of(const number *own, bool binary, long *value) {
   if (!binary) return tp_mesh_read_whole(value, own->word);
-  const uint64_t bits = own->bits;
+  const int spare = 64 - 8 * tp_ply_size(own->type);
   switch (own->type) {
   case TP_PLY_INT8:
-    *value = (int8_t)(uint8_t)bits;
-    return true;
   case TP_PLY_INT16:
-    *value = (int16_t)(uint16_t)bits;
-    return true;
   case TP_PLY_INT32:
-    *value = (int32_t)(uint32_t)bits;
+    *value = (int64_t)(own->bits << spare) >> spare; /* with its sign */
     return true;
   case TP_PLY_UINT8:
   case TP_PLY_UINT16:
   case TP_PLY_UINT32:
-    *value = (long)bits;
+    *value = (long)own->bits;
     return true;
   case TP_PLY_FLOAT:
   case TP_PLY_DOUBLE:

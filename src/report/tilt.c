@@ -191,11 +191,33 @@ static size_t chatter_length(const tp_tilt_case *c, size_t first) {
   return k - first;
 }
 
+/* Where statics counts the facets of the contact otherwise, what both call them. */
+static void add_facets(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  enum { LISTED = 8 };
+  size_t differing = 0, listed = 0;
+  for (size_t k = 0; k < c->facet_count; k++) {
+    const tp_tilt_facet *f = c->facets + k;
+    if (f->contact == 0 || f->contact == (size_t)f->facet) continue;
+    differing++;
+    if (listed == LISTED) continue;
+    listed++;
+    tp_text_add(t, "  facet %ld, ", f->facet);
+    add_point(t, test, c, f->x0_m, f->y0_m);
+    tp_text_add(t, " to ");
+    add_point(t, test, c, f->x1_m, f->y1_m);
+    tp_text_add(t, ": facet %zu of the contact\n", f->contact);
+  }
+  if (differing > listed) {
+    tp_text_add(t, "  and %zu more (--json tells them)\n", differing - listed);
+  }
+}
+
 static void add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   enum { SEVERAL = 6 };
   size_t k = 0;
   if (c->event_count == 0) return;
   tp_text_add(t, "\n  What happened (facets of the base from left to right)\n");
+  add_facets(t, c, test);
   for (size_t lines = 0; k < c->event_count && lines < MOST_EVENTS; lines++) {
     const size_t length = chatter_length(c, k);
     add_event(t, c->events + k, c, test);

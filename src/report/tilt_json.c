@@ -9,6 +9,8 @@
 #include "report/notes.h"
 #include "report/words.h"
 
+#include <math.h>
+
 static const double standard_gravity = 9.80665;
 
 static void json_settings(tp_json *j, const tp_tilt_settings *s) {
@@ -87,6 +89,26 @@ static void json_mechanism(tp_json *j, const tp_tilt_case *c) {
   tp_json_double(j, "centre_y_m", c->centre_y_m);
 }
 
+static void json_facets(tp_json *j, const tp_tilt_case *c) {
+  tp_json_array(j, "facets", TP_JSON_LIST);
+  for (size_t k = 0; k < c->facet_count; k++) {
+    const tp_tilt_facet *f = c->facets + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_integer(j, "facet", f->facet);
+    if (f->contact > 0) {
+      tp_json_count(j, "contact", f->contact);
+    } else {
+      tp_json_null(j, "contact");
+    }
+    tp_json_double(j, "x0_m", f->x0_m);
+    tp_json_double(j, "y0_m", f->y0_m);
+    tp_json_double(j, "x1_m", f->x1_m);
+    tp_json_double(j, "y1_m", f->y1_m);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}
+
 static void json_events(tp_json *j, const tp_tilt_case *c) {
   tp_json_array(j, "events", TP_JSON_LIST);
   for (size_t k = 0; k < c->event_count; k++) {
@@ -155,6 +177,7 @@ static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *tes
     tp_json_double(j, "overturned_by", c->overturning_most);
     tp_json_close(j);
   }
+  json_facets(j, c);
   json_events(j, c);
   json_moments(j, c);
   tp_json_count(j, "runs", c->runs);
@@ -190,10 +213,13 @@ tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test) {
     const tp_tilt_case *own = test->cases + c;
     for (size_t k = 0; k < own->moment_count; k++) {
       const tp_tilt_moment *m = own->moments + k;
-      tp_text_add(&t, "%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n",
+      tp_text_add(&t, "%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,",
                   tp_text_direction(own->towards), m->time_s, m->angle_deg, m->moved_x_m,
                   m->moved_y_m, m->turned_deg, m->speed_x_m_s, m->speed_y_m_s, m->turning_rad_s,
-                  m->kinetic_energy_j, m->energy_balance_j);
+                  m->kinetic_energy_j);
+      /* a path has none */
+      if (!isnan(m->energy_balance_j)) tp_text_add(&t, "%.17g", m->energy_balance_j);
+      tp_text_add(&t, "\n");
     }
   }
   return tp_text_finish(&t, text);

@@ -13,6 +13,7 @@
 #include "stability/solve.h"
 #include "tilt/bracket.h"
 #include "tilt/engines.h"
+#include "tilt/facets.h"
 #include "tilt/follow.h"
 #include "tilt/path.h"
 #include "tilt/result.h"
@@ -38,6 +39,7 @@ void tp_tilt_test_free(tp_tilt_test *test) {
     free(own->events);
     free(own->moments);
     free(own->reactions);
+    free(own->facets);
     free(own->outline);
     free(own->base);
   }
@@ -136,7 +138,9 @@ static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const
   if (status == TP_OK) {
     tp_tilt_result_take(own, &tilting.history, &body);
     tp_tilt_result_place(own, g->test->settings.tolerance_deg);
-    if (!tp_tilt_result_draw(own, &body)) status = tp_fail_memory(g->message, "the drawing");
+    if (!tp_tilt_result_draw(own, &body) || !tp_tilt_facets_fill(own, &body, g->problem)) {
+      status = tp_fail_memory(g->message, "the drawing");
+    }
   }
   tp_history_clear(&tilting.history);
   tp_rigid_body_clear(&body);

@@ -33,7 +33,7 @@ typedef struct tp_tilting {
 /* What a run says. */
 typedef enum tp_tilt_verdict {
   TP_VERDICT_STANDS,
-  TP_VERDICT_MOVES, /* also where it moved, and rests again: cautious */
+  TP_VERDICT_MOVES, /* also where it moved, and rests again elsewhere: cautious */
   TP_VERDICT_OPEN,
   TP_VERDICT_STOPPED
 } tp_tilt_verdict;

@@ -28,6 +28,17 @@ def printed(*arguments):
     return out
 
 
+class Words(unittest.TestCase):
+    def test_explained(self):
+        """The program's text; a word that there is not names what is nearest."""
+        self.assertEqual(topple.explain("α_w"), printed("explain", "α_w"))
+        self.assertIn("cases[].limit.fos", topple.explain("limit.fos"))
+        with self.assertRaisesRegex(topple.NoAnswer, "nearest: 'safety factor'"):
+            topple.explain("saftey factor")
+        self.assertIn("factor of safety (FoS)", topple.terms())
+        self.assertEqual("".join(term + "\n" for term in topple.terms()), printed("explain"))
+
+
 class Formulas(unittest.TestCase):
     def test_derivation(self):
         """The program's JSON, and the same in the records."""

@@ -192,7 +192,7 @@ MIRRORS = {
     "tp_study_measure": "StudyMeasure", "tp_study_correlation": "StudyCorrelation",
     "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
     "tp_tilt_event": "TiltEvent", "tp_tilt_moment": "TiltMoment", "tp_tilt_reaction": "TiltReaction",
-    "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
+    "tp_tilt_facet": "TiltFacet", "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
     "tp_tilt_case": "TiltCase", "tp_tilt_test": "TiltTest",
     "tp_profile_density": "ProfileDensity", "tp_profile_estimate": "ProfileEstimate", "tp_profile_jrc": "ProfileJrc",
 }

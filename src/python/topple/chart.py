@@ -15,6 +15,7 @@ from .record import struct_of
 from .report import drawn, written
 from .scene import Scene
 from .study import StudyResult
+from .tilt import TiltTest
 
 
 class Chart:
@@ -98,6 +99,18 @@ def chart_study(result: StudyResult) -> Chart:
 def chart_study_scatter(result: StudyResult) -> Chart:
     """The angle at which its samples let go, against each number that varies."""
     return made(lib.tp_chart_study_scatter, struct_of(result))
+
+
+def chart_tilt_reactions(test: TiltTest) -> Chart:
+    """Reactions of the facets in a tilt test, against the tilt up to where the block lets go; where
+    the table stands still against time."""
+    return made(lib.tp_chart_tilt_reactions, struct_of(test))
+
+
+def chart_tilt_phase(test: TiltTest) -> Chart:
+    """Phase portraits of what moves in a tilt test: its turn against its angular velocity, the
+    displacement of its centroid along the base against its speed."""
+    return made(lib.tp_chart_tilt_phase, struct_of(test))
 
 
 def chart_map(scene: Scene, x: tuple[str, float, float],

@@ -60,6 +60,18 @@ class TiltReaction(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class TiltFacet(Record):
+    """A facet of the base that events or reactions name, from its left end to its right one."""
+
+    facet: int  #: as they count it: of the base, from 1
+    contact: int  #: as statics counts the facets of the contact, from 1; 0: none at the start
+    x0_m: float
+    y0_m: float
+    x1_m: float
+    y1_m: float
+
+
+@dataclasses.dataclass(frozen=True)
 class TiltPoint(Record):
     """A vertex in the frame of the base."""
 
@@ -126,6 +138,7 @@ class TiltCase(Record):
     events: tuple[TiltEvent, ...] = field(count="event_count")
     moments: tuple[TiltMoment, ...] = field(count="moment_count")
     reactions: tuple[TiltReaction, ...] = field(count="reaction_count")
+    facets: tuple[TiltFacet, ...] = field(count="facet_count")
     outline: tuple[TiltPoint, ...] = field(count="outline_count")
     base: tuple[TiltPoint, ...] = field(count="base_count")
     centroid_x_m: float
