@@ -12,10 +12,8 @@ tp_segment_status tp_segment(unsigned char *mask, const unsigned char *rgb, int 
     const cv::Mat picture(height, width, CV_8UC3,
                           const_cast<unsigned char *>(rgb)); // it only reads
     cv::Mat labels(height, width, CV_8UC1, mask), inside, outside;
-    for (int k = 0; k < width * height; k++) {
-      mask[k] = mask[k] != 0 ? static_cast<unsigned char>(cv::GC_PR_FGD)
-                             : static_cast<unsigned char>(cv::GC_BGD);
-    }
+    static const unsigned char begins[] = {cv::GC_BGD, cv::GC_PR_BGD, cv::GC_PR_FGD};
+    for (int k = 0; k < width * height; k++) mask[k] = begins[mask[k]];
     cv::theRNG() = cv::RNG(1); // of this thread: the centres that the colours are gathered about
     cv::grabCut(picture, labels, cv::Rect(), inside, outside, rounds, cv::GC_INIT_WITH_MASK);
     for (int k = 0; k < width * height; k++) {

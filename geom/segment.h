@@ -18,8 +18,8 @@ typedef enum tp_segment_status {
 
 /* GrabCut of Rother, Kolmogorov and Blake (2004): mixtures of Gaussians of the colours inside and
  * outside, a minimal cut between them, `rounds` times. `rgb` has three bytes a pixel. `mask` holds
- * 1 where a pixel may be inside and 0 where it is outside for certain, and then 1 where it is
- * inside. The same input gives the same mask. */
+ * 0 where a pixel is outside for certain, 1 where it is rather outside and 2 where it is rather
+ * inside, and then 1 where it is inside and 0 elsewhere. The same input gives the same mask. */
 tp_segment_status tp_segment(unsigned char *mask, const unsigned char *rgb, int width, int height,
                              int rounds);
 

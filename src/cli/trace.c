@@ -12,35 +12,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Those of src/trace/trace.h and region.h. */
-typedef struct trace_point {
-  double x, y;
-} trace_point;
-typedef struct trace_ring {
-  long count, room;
-  trace_point *points;
-} trace_ring;
-typedef struct trace_options {
-  const char *image;
-  trace_ring rough;
-  trace_point scale[2];
-  double length;
-  const char *unit;
-  bool plumb_given;
-  trace_point plumb[2];
-  double tolerance;
-  const char *scene, *figure;
-  bool json;
-} trace_options;
-typedef tp_status (*trace_function)(char **report, const trace_options *options,
-                                    tp_message *message);
+/* tp_trace_run of src/trace/trace.h. */
+typedef tp_status (*trace_function)(char **report, const char *image, const double *around,
+                                    size_t corners, const double scale[5], const double *plumb,
+                                    double tolerance, const char *unit, const char *scene,
+                                    const char *figure, bool json, tp_message *message);
 
 enum { MOST_POINTS = 200, KEY_AROUND = 256, KEY_SCALE, KEY_PLUMB, KEY_TOLERANCE, KEY_FIGURE };
 
 typedef struct arguments {
-  trace_options trace;
-  trace_point points[MOST_POINTS];
-  bool scaled;
+  const char *image, *scene, *figure, *unit;
+  double around[2 * MOST_POINTS], scale[5], plumb[4], tolerance;
+  size_t corners;
+  bool scaled, plumbed, json;
 } arguments;
 
 static const struct argp_option options[] = {
@@ -55,7 +39,9 @@ static const struct argp_option options[] = {
     {"plumb", KEY_PLUMB, "X,Y,X,Y", 0,
      "Two points of a line that hangs down; without it down is that of the picture", 0},
     {"tolerance", KEY_TOLERANCE, "LENGTH", 0,
-     "Leave out points nearer to the outline than this (half of its standard deviation)", 0},
+     "Leave out points nearer to the outline than this (half of the standard deviation across its "
+     "edge)",
+     0},
     {"output", 'o', "FILE", 0, "Write the scene to FILE and print what was found", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Lay the outline and its band over the picture, in a .png",
      0},
@@ -81,37 +67,27 @@ static int read_numbers(double *numbers, int most, const char *text) {
 }
 
 static void read_around(arguments *a, const char *text, const struct argp_state *state) {
-  double numbers[2 * MOST_POINTS];
-  const int count = read_numbers(numbers, 2 * MOST_POINTS, text);
+  double *p = a->around;
+  const int count = read_numbers(p, 2 * MOST_POINTS, text);
+  a->corners = (size_t)(count < 0 ? 0 : count / 2);
   if (count < 4 || count % 2 != 0 || count > 2 * MOST_POINTS) {
-    tp_cli_refuse(state, "--around takes from 2 to 200 points, X,Y,X,Y,…, not '%s'", text);
+    tp_cli_refuse(state, "--around takes from 2 to 200 points, X,Y,X,Y,..., not '%s'", text);
     return;
   }
-  trace_ring *rough = &a->trace.rough;
-  rough->points = a->points;
-  rough->count = count / 2;
-  for (int k = 0; k < count / 2; k++)
-    a->points[k] = (trace_point){numbers[2 * k], numbers[2 * k + 1]};
-  if (count == 4) {
-    const trace_point p = a->points[0], q = a->points[1];
-    a->points[1] = (trace_point){q.x, p.y};
-    a->points[2] = q;
-    a->points[3] = (trace_point){p.x, q.y};
-    rough->count = 4;
-  }
+  if (count > 4) return;
+  const double corners[] = {p[0], p[1], p[2], p[1], p[2], p[3], p[0], p[3]};
+  memcpy(p, corners, sizeof corners);
+  a->corners = 4;
 }
 
-/* Two points that are not one, and what follows them. */
-static bool read_pair(trace_point pair[2], double *last, const char *text) {
-  double numbers[5];
-  if (read_numbers(numbers, 5, text) != (last != NULL ? 5 : 4)) return false;
-  for (int k = 0; k < 2; k++) pair[k] = (trace_point){numbers[2 * k], numbers[2 * k + 1]};
-  if (last != NULL) *last = numbers[4];
-  return pair[0].x != pair[1].x || pair[0].y != pair[1].y;
+/* Two points that are not one, and what may follow them. */
+static bool read_pair(double *numbers, int count, const char *text) {
+  if (read_numbers(numbers, count, text) != count) return false;
+  return numbers[0] != numbers[2] || numbers[1] != numbers[3];
 }
 
 static void read_scale(arguments *a, const char *text, const struct argp_state *state) {
-  a->scaled = read_pair(a->trace.scale, &a->trace.length, text) && a->trace.length > 0;
+  a->scaled = read_pair(a->scale, 5, text) && a->scale[4] > 0;
   if (a->scaled) return;
   tp_cli_refuse(state,
                 "--scale takes two different points and their distance above 0, "
@@ -119,33 +95,39 @@ static void read_scale(arguments *a, const char *text, const struct argp_state *
                 text);
 }
 
+static void read_plumb(arguments *a, const char *text, const struct argp_state *state) {
+  a->plumbed = read_pair(a->plumb, 4, text);
+  if (a->plumbed) return;
+  tp_cli_refuse(state, "--plumb takes two different points, X,Y,X,Y, not '%s'", text);
+}
+
 static void read_unit(arguments *a, const char *text, const struct argp_state *state) {
   static const char *const units[] = {"mm", "cm", "m", "km", "in", "ft"};
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
     if (strcmp(text, units[k]) != 0) continue;
-    a->trace.unit = units[k];
+    a->unit = units[k];
     return;
   }
   tp_cli_refuse(state, "--unit is one of mm, cm, m, km, in, ft, not '%s'", text);
 }
 
 static void read_tolerance(arguments *a, const char *text, const struct argp_state *state) {
-  if (read_numbers(&a->trace.tolerance, 1, text) == 1 && a->trace.tolerance > 0) return;
+  if (read_numbers(&a->tolerance, 1, text) == 1 && a->tolerance > 0) return;
   tp_cli_refuse(state, "--tolerance takes a length above 0, not '%s'", text);
 }
 
 static void check(const arguments *a, const struct argp_state *state) {
-  const char *figure = a->trace.figure;
+  const char *figure = a->figure;
   const size_t length = figure != NULL ? strlen(figure) : 0;
-  if (a->trace.image == NULL) return; /* that it is missing was told */
-  if (a->trace.rough.count == 0) {
+  if (a->image == NULL) return; /* that it is missing was told */
+  if (a->corners == 0) {
     tp_cli_refuse(state, "--around is missing: say where the block is, --around=120,80,900,640");
   } else if (!a->scaled) {
     tp_cli_refuse(state, "--scale is missing: two points and how far apart they are, "
                          "--scale=100,700,400,700,1.5");
   } else if (figure != NULL && (length < 5 || strcmp(figure + length - 4, ".png") != 0)) {
     tp_cli_refuse(state, "--figure takes a file whose name ends in .png, not '%s'", figure);
-  } else if (a->trace.json && a->trace.scene == NULL) {
+  } else if (a->json && a->scene == NULL) {
     tp_cli_refuse(state, "--json prints in place of the scene: name a file for that by --output");
   }
 }
@@ -160,28 +142,25 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     read_scale(a, argument, state);
     return 0;
   case KEY_PLUMB:
-    a->trace.plumb_given = read_pair(a->trace.plumb, NULL, argument);
-    if (!a->trace.plumb_given) {
-      tp_cli_refuse(state, "--plumb takes two different points, X,Y,X,Y, not '%s'", argument);
-    }
+    read_plumb(a, argument, state);
     return 0;
   case KEY_TOLERANCE:
     read_tolerance(a, argument, state);
     return 0;
   case KEY_FIGURE:
-    tp_cli_take_file(&a->trace.figure, argument, "--figure", state);
+    tp_cli_take_file(&a->figure, argument, "--figure", state);
     return 0;
   case 'u':
     read_unit(a, argument, state);
     return 0;
   case 'o':
-    tp_cli_take_file(&a->trace.scene, argument, "--output", state);
+    tp_cli_take_file(&a->scene, argument, "--output", state);
     return 0;
   case 'j':
-    a->trace.json = true;
+    a->json = true;
     return 0;
   case ARGP_KEY_ARG:
-    tp_cli_take_file(&a->trace.image, argument, "picture", state);
+    tp_cli_take_file(&a->image, argument, "picture", state);
     return 0;
   case ARGP_KEY_NO_ARGS:
     tp_cli_refuse(state, "a picture is missing, a .png or a .jpg");
@@ -222,11 +201,13 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
              why != NULL ? why : "no reason is given");
     return TP_DEPENDENCY_FAILED;
   }
-  const tp_status status = run(&report, &a->trace, message);
+  const tp_status status =
+      run(&report, a->image, a->around, a->corners, a->scale, a->plumbed ? a->plumb : NULL,
+          a->tolerance, a->unit, a->scene, a->figure, a->json, message);
   return tp_cli_print_report(status, report, ended);
 }
 
 int tp_cli_trace(int argc, char **argv) {
-  arguments a = {.trace = {.unit = "m"}};
+  arguments a = {.unit = "m"};
   return tp_cli_run(&parser, &a, trace, argc, argv);
 }

@@ -102,15 +102,6 @@ static double passes(const double profile[SAMPLES], double level) {
   return best;
 }
 
-/* Its middle, and half of the way from 16 to 84 per cent of the change: one standard deviation of a
- * Gaussian blur. */
-static bool find_edge(const double profile[SAMPLES], double *middle, double *spread) {
-  const double low = passes(profile, 0.1587), high = passes(profile, 0.8413);
-  *middle = passes(profile, 0.5);
-  *spread = fabs(high - low) / 2;
-  return !isnan(*middle) && !isnan(*spread);
-}
-
 /* ---- the whole outline -------------------------------------------------------------------------
  */
 
@@ -142,23 +133,39 @@ static void move_points(tp_refined *refined, const double *middles, const tp_tra
 }
 
 static void find_edges(tp_refined *refined, const tp_picture *picture, double step, double *middles,
-                       double *spreads, tp_trace_point *normals) {
+                       tp_trace_point *normals) {
   const tp_trace_ring *ring = &refined->ring;
   long found = 0;
   for (long k = 0; k < ring->count; k++) {
-    double profile[SAMPLES], middle = 0, spread = 0;
+    double profile[SAMPLES];
     normals[k] = normal(ring, k);
     middles[k] = 0;
-    if (!read_profile(profile, picture, ring->points[k], normals[k], step) ||
-        !find_edge(profile, &middle, &spread)) {
-      continue;
-    }
+    if (!read_profile(profile, picture, ring->points[k], normals[k], step)) continue;
+    const double middle = passes(profile, 0.5);
+    if (isnan(middle)) continue;
     middles[k] = middle * step;
-    spreads[found++] = spread * step;
+    found++;
   }
   refined->weak = 1 - (double)found / (double)ring->count;
-  /* where nothing is found the edge may be anywhere within reach */
-  refined->edge_px = found > 0 ? median(spreads, found) : REACH * step;
+}
+
+/* Half of the way from 16 to 84 per cent of the change in the mean of all profiles about the
+ * outline as it was moved, in which noise falls away: one standard deviation where the blur is
+ * Gaussian. */
+static void find_spread(tp_refined *refined, const tp_picture *picture, double step,
+                        const tp_trace_point *normals) {
+  const tp_trace_ring *ring = &refined->ring;
+  double sum[SAMPLES] = {0}, profile[SAMPLES];
+  long count = 0;
+  for (long k = 0; k < ring->count; k++) {
+    if (!read_profile(profile, picture, ring->points[k], normals[k], step)) continue;
+    for (int n = 0; n < SAMPLES; n++) sum[n] += profile[n];
+    count++;
+  }
+  for (int n = 0; n < SAMPLES && count > 0; n++) sum[n] /= (double)count;
+  const double spread = count > 0 ? fabs(passes(sum, 0.8413) - passes(sum, 0.1587)) / 2 : NAN;
+  /* where nothing changes the edge may be anywhere within reach */
+  refined->edge_px = step * (isnan(spread) ? REACH : spread);
 }
 
 tp_status tp_refine(tp_refined *refined, const tp_region *region, const tp_picture *picture,
@@ -166,19 +173,19 @@ tp_status tp_refine(tp_refined *refined, const tp_region *region, const tp_pictu
   const size_t count = (size_t)region->contour.count;
   *refined = (tp_refined){0};
   tp_status status = smooth(&refined->ring, region, message);
-  double *middles = calloc(count, sizeof *middles), *spreads = calloc(count, sizeof *spreads);
+  double *middles = calloc(count, sizeof *middles);
   tp_trace_point *normals = calloc(count, sizeof *normals);
-  if (status == TP_OK && (middles == NULL || spreads == NULL || normals == NULL)) {
+  if (status == TP_OK && (middles == NULL || normals == NULL)) {
     status = tp_fail_memory(message, "an outline");
   }
   if (status == TP_OK) {
-    find_edges(refined, picture, region->step / 2.0, middles, spreads, normals);
+    find_edges(refined, picture, region->step / 2.0, middles, normals);
     move_points(refined, middles, normals);
+    find_spread(refined, picture, region->step / 2.0, normals);
   } else {
     tp_trace_ring_clear(&refined->ring);
   }
   free(middles);
-  free(spreads);
   free(normals);
   return status;
 }

@@ -6,6 +6,8 @@
 #include "trace/trace.h"
 
 #include "output/encode.h"
+#include "output/json.h"
+#include "scene/scene.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -84,6 +86,11 @@ static void add_cautions(tp_text *text, const tp_trace *trace, const tp_trace_op
     tp_text_add(text, "Caution  %.0f %% of the outline lies on the rough polygon: draw it wider\n",
                 100 * trace->touching);
   }
+  if (trace->runs_px > 2 * trace->edge_px + 1) {
+    tp_text_add(
+        text, "Caution  a rough polygon a little larger finds another outline: draw it nearer to\n"
+              "         the block, as a polygon\n");
+  }
   if (trace->weak > 0.2) {
     tp_text_add(text,
                 "Caution  along %.0f %% of the outline the colours hardly change: look at the\n"
@@ -98,28 +105,48 @@ static void add_cautions(tp_text *text, const tp_trace *trace, const tp_trace_op
   }
 }
 
-static void add_json(tp_text *text, const tp_trace *trace, const tp_trace_options *options) {
-  const double area = fabs(tp_trace_ring_area(&trace->ring)) * trace->per_pixel * trace->per_pixel;
-  tp_text_add(text, "{\"topple\": \"%s\", \"image\": ", TP_VERSION);
-  tp_encode_json(text, options->image);
-  tp_text_add(text,
-              ", \"length_unit\": \"%s\", \"points\": %ld, \"area\": %.9g, \"length_per_pixel\": "
-              "%.9g, \"edge_px\": %.4g, \"runs_px\": %.4g, \"deviation_px\": %.4g, \"deviation\": "
-              "%.4g, \"tolerance\": %.4g, \"weak\": %.4g, \"touching\": %.4g, \"dip_deg\": %.9g}\n",
-              options->unit, trace->ring.count, area, trace->per_pixel, trace->edge_px,
-              trace->runs_px, trace->deviation_px, trace->deviation_px * trace->per_pixel,
-              trace->tolerance_px * trace->per_pixel, trace->weak, trace->touching,
-              atan2(trace->down.x, trace->down.y) * 180 / acos(-1));
+/* A number of no proven bound, to as many digits as a picture can tell. */
+static void add_number(tp_json *json, const char *key, double value) {
+  tp_json_significant(json, key, value, 9);
+}
+
+/* In metres, whatever the unit of the scene. */
+static tp_status report_json(char **text, const tp_trace *trace, const tp_trace_options *options) {
+  const tp_trace_point a = options->scale[0], b = options->scale[1], down = trace->down;
+  tp_json json = {0};
+  fmpq_t unit;
+  fmpq_init(unit);
+  const double metres = tp_length_unit(unit, options->unit) ? fmpq_get_d(unit) : 0;
+  fmpq_clear(unit);
+  const double scale = trace->per_pixel * metres;
+  tp_json_report(&json);
+  tp_json_string(&json, "image", options->image);
+  tp_json_string(&json, "length_unit", options->unit);
+  tp_json_break(&json);
+  tp_json_integer(&json, "points", trace->ring.count);
+  add_number(&json, "area_m2", fabs(tp_trace_ring_area(&trace->ring)) * scale * scale);
+  add_number(&json, "m_per_px", scale);
+  add_number(&json, "tolerance_m", trace->tolerance_px * scale);
+  tp_json_break(&json);
+  add_number(&json, "deviation_m", trace->deviation_px * scale);
+  add_number(&json, "deviation_px", trace->deviation_px);
+  add_number(&json, "edge_px", trace->edge_px);
+  add_number(&json, "runs_px", trace->runs_px);
+  tp_json_break(&json);
+  add_number(&json, "scale_px", hypot(b.x - a.x, b.y - a.y));
+  tp_json_truth(&json, "plumb_given", options->plumb_given);
+  add_number(&json, "plumb_deg", atan2(down.x, down.y) * 180 / acos(-1));
+  add_number(&json, "weak_share", trace->weak);
+  add_number(&json, "touching_share", trace->touching);
+  tp_json_close(&json);
+  return tp_json_finish(&json, text);
 }
 
 tp_status tp_trace_report(char **text, const tp_trace *trace, const tp_trace_options *options) {
   tp_text own = {0};
   const double scale = trace->per_pixel;
   const double area = fabs(tp_trace_ring_area(&trace->ring)) * scale * scale;
-  if (options->json) {
-    add_json(&own, trace, options);
-    return tp_text_finish(&own, text);
-  }
+  if (options->json) return report_json(text, trace, options);
   tp_text_add(&own, "Outline  %ld points, area %.5g %s², one pixel is %.3g %s\n", trace->ring.count,
               area, options->unit, scale, options->unit);
   tp_text_add(&own,

@@ -133,8 +133,9 @@ static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
   trace->deviation_px =
       sqrt(trace->edge_px * trace->edge_px + trace->runs_px * trace->runs_px + 1.0 / 12);
   place(trace, options);
-  trace->tolerance_px =
-      options->tolerance > 0 ? options->tolerance / trace->per_pixel : trace->deviation_px / 2;
+  trace->tolerance_px = options->tolerance > 0
+                            ? options->tolerance / trace->per_pixel
+                            : sqrt(trace->edge_px * trace->edge_px + 1.0 / 12) / 2;
   if (!tp_trace_simplify(&trace->ring, trace->tolerance_px)) {
     return tp_fail_memory(message, "an outline");
   }
@@ -208,8 +209,7 @@ static tp_status tell(char **report, const tp_trace *trace, const tp_picture *pi
   return status;
 }
 
-tp_status tp_trace_run(char **report, const tp_trace_options *options, tp_message *message) {
-  TP_GUARD_HOST;
+static tp_status run(char **report, const tp_trace_options *options, tp_message *message) {
   tp_picture picture;
   tp_trace trace = {.origin = {0, 0}};
   tp_status status = tp_picture_read(&picture, options->image, message);
@@ -219,5 +219,32 @@ tp_status tp_trace_run(char **report, const tp_trace_options *options, tp_messag
   tp_trace_ring_clear(&trace.ring);
   free(trace.moves);
   tp_picture_clear(&picture);
+  return status;
+}
+
+tp_status tp_trace_run(char **report, const char *image, const double *around, size_t corners,
+                       const double scale[5], const double *plumb, double tolerance,
+                       const char *unit, const char *scene, const char *figure, bool json,
+                       tp_message *message) {
+  TP_GUARD_HOST;
+  tp_trace_options options = {.image = image,
+                              .scale = {{scale[0], scale[1]}, {scale[2], scale[3]}},
+                              .length = scale[4],
+                              .unit = unit,
+                              .plumb_given = plumb != NULL,
+                              .tolerance = tolerance,
+                              .scene = scene,
+                              .figure = figure,
+                              .json = json};
+  for (int k = 0; k < 2 && plumb != NULL; k++) {
+    options.plumb[k] = (tp_trace_point){plumb[2 * k], plumb[2 * k + 1]};
+  }
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < corners && status == TP_OK; k++) {
+    const tp_trace_point corner = {around[2 * k], around[2 * k + 1]};
+    if (!tp_trace_ring_add(&options.rough, corner)) status = tp_fail_memory(message, "an outline");
+  }
+  if (status == TP_OK) status = run(report, &options, message);
+  tp_trace_ring_clear(&options.rough);
   return status;
 }

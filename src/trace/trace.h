@@ -23,7 +23,7 @@ typedef struct tp_trace_options {
   const char *unit; /* of the scene */
   bool plumb_given;
   tp_trace_point plumb[2]; /* two points of a line that hangs down */
-  double tolerance;        /* of the outline's points, in `unit`; 0: half of the deviation */
+  double tolerance;        /* of the outline's points, in `unit`; 0: half of that across its edge */
   const char *scene;       /* file to write; NULL: the scene is the report */
   const char *figure;      /* .png to write; NULL: none */
   bool json;               /* the report as JSON */
@@ -40,9 +40,13 @@ typedef struct tp_trace {
   double weak, touching;
 } tp_trace;
 
-/* The name by which the program finds it. `report`, to be freed, is what it prints. */
-TP_MUST_USE tp_status tp_trace_run(char **report, const tp_trace_options *options,
-                                   tp_message *message);
+/* What the program calls, by this name. `around` has x and y of each corner of the rough polygon,
+ * `scale` two points and their distance, `plumb` two points, NULL where there is none; files may be
+ * NULL. `report`, to be freed, is what is to be printed. */
+TP_MUST_USE tp_status tp_trace_run(char **report, const char *image, const double *around,
+                                   size_t corners, const double scale[5], const double *plumb,
+                                   double tolerance, const char *unit, const char *scene,
+                                   const char *figure, bool json, tp_message *message);
 
 /* Parts of it: in a scene's coordinates, x to the right and y up, by the plumb line; as the text of
  * a scene; summed up; laid over the picture, as the bytes of a PNG. */
