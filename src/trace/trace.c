@@ -92,32 +92,6 @@ static tp_status compare_runs(tp_trace *trace, const tp_picture *picture,
   return TP_OK;
 }
 
-/* x and y of the scene: the origin is the lower left corner of the outline's box. */
-static void place(tp_trace *trace, const tp_trace_options *options) {
-  const tp_trace_point a = options->scale[0], b = options->scale[1];
-  trace->per_pixel = options->length / hypot(b.x - a.x, b.y - a.y);
-  trace->down = (tp_trace_point){0, 1};
-  trace->origin = (tp_trace_point){0, 0};
-  if (options->plumb_given) {
-    const tp_trace_point p = options->plumb[0], q = options->plumb[1];
-    const double length = hypot(q.x - p.x, q.y - p.y), sign = q.y >= p.y ? 1 : -1;
-    trace->down = (tp_trace_point){sign * (q.x - p.x) / length, sign * (q.y - p.y) / length};
-  }
-  tp_trace_point least = {INFINITY, INFINITY};
-  for (long k = 0; k < trace->ring.count; k++) {
-    const tp_trace_point own = tp_trace_to_scene(trace, trace->ring.points[k]);
-    least.x = fmin(least.x, own.x);
-    least.y = fmin(least.y, own.y);
-  }
-  trace->origin = least;
-}
-
-tp_trace_point tp_trace_to_scene(const tp_trace *trace, tp_trace_point pixel) {
-  const tp_trace_point d = trace->down;
-  return (tp_trace_point){trace->per_pixel * (pixel.x * d.y - pixel.y * d.x) - trace->origin.x,
-                          -trace->per_pixel * (pixel.x * d.x + pixel.y * d.y) - trace->origin.y};
-}
-
 static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
                               const tp_trace_options *options, tp_message *message) {
   tp_refined refined = {0};
@@ -132,7 +106,7 @@ static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
   if (status != TP_OK) return status;
   trace->deviation_px =
       sqrt(trace->edge_px * trace->edge_px + trace->runs_px * trace->runs_px + 1.0 / 12);
-  place(trace, options);
+  tp_trace_place(trace, options);
   trace->tolerance_px = options->tolerance > 0
                             ? options->tolerance / trace->per_pixel
                             : sqrt(trace->edge_px * trace->edge_px + 1.0 / 12) / 2;
@@ -146,7 +120,7 @@ static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
   trace->moves = calloc((size_t)trace->ring.count, sizeof *trace->moves);
   if (trace->moves == NULL) return tp_fail_memory(message, "an outline");
   tp_trace_moves(trace->moves, &trace->ring);
-  place(trace, options);
+  tp_trace_place(trace, options);
   return TP_OK;
 }
 

@@ -48,8 +48,10 @@ TP_MUST_USE tp_status tp_trace_run(char **report, const char *image, const doubl
                                    double tolerance, const char *unit, const char *scene,
                                    const char *figure, bool json, tp_message *message);
 
-/* Parts of it: in a scene's coordinates, x to the right and y up, by the plumb line; as the text of
- * a scene; summed up; laid over the picture, as the bytes of a PNG. */
+/* Parts of it: scale, down and the origin, the lower left corner of the outline's box; a point in
+ * the scene's coordinates, x to the right and y up, by the plumb line; the outline as the text of a
+ * scene; summed up; laid over the picture, as the bytes of a PNG. */
+void tp_trace_place(tp_trace *trace, const tp_trace_options *options);
 tp_trace_point tp_trace_to_scene(const tp_trace *trace, tp_trace_point pixel);
 TP_MUST_USE tp_status tp_trace_scene_text(char **text, const tp_trace *trace,
                                           const tp_trace_options *options);
