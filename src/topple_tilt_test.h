@@ -238,8 +238,10 @@ TP_MUST_USE tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_animation(char **text, const tp_tilt_test *test);
 
-/* The same into the file `path`, which must end in .svg and appears whole or not at all: frames, or
- * where `moving` the one that moves. TP_SYSTEM_FAILED where it cannot be written. */
+/* The same into the file `path`, which appears whole or not at all: frames as .svg; or where
+ * `moving` the one that moves, as .svg, or as .webm or .gif, made by gnuplot and ffmpeg.
+ * TP_SYSTEM_FAILED where one of these is not installed or fails, or the file cannot be written;
+ * TP_NO_ANSWER where there is nothing to draw. */
 TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
                                           tp_message *message);
 
@@ -252,6 +254,39 @@ TP_MUST_USE tp_status tp_chart_tilt_reactions(tp_chart **chart, const tp_tilt_te
                                               tp_message *message);
 TP_MUST_USE tp_status tp_chart_tilt_phase(tp_chart **chart, const tp_tilt_test *test,
                                           tp_message *message);
+
+/* The frequencies of an overturning spectrum, evenly on a logarithmic axis. */
+typedef struct tp_overturning_options {
+  size_t size; /* of this struct, as `…_default()` has it */
+  double from,
+      to;           /* of a pulse its frequency in hertz, of a record how many times as fast as it
+                       was recorded; above 0, from < to; both 0: an eighth to eight times the scene's */
+  size_t count;     /* of them, 2 to 200 */
+  double tolerance; /* of brackets, as a share; 1e-6 to 0.1 */
+  bool (*stop)(void *context); /* asked now and then, or NULL: true ends with what is known */
+  void (*progress)(void *context, size_t done, size_t of); /* after each frequency, or NULL */
+  void *context;                                           /* of both */
+} tp_overturning_options;
+
+/* The defaults: 25 frequencies, brackets of 1e-3; nothing stops it. `size` is that of the struct as
+ * the caller knows it. */
+void tp_overturning_options_init(tp_overturning_options *options, size_t size);
+static inline tp_overturning_options tp_overturning_options_default(void) {
+  tp_overturning_options options;
+  tp_overturning_options_init(&options, sizeof options);
+  return options;
+}
+
+/* The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its form
+ * that overturns the block, or throws it off its base, at one frequency after the other, as PGA
+ * against frequency and against PGV; each between two runs, one spared and one overturned. PGA are
+ * tried from 1/64 to 64 g upwards by 2^(1/8), and for two octaves beyond the first that overturns
+ * it: where stronger shaking spares it again, that stretch is on the chart as an island. To
+ * be freed by tp_chart_free. TP_NO_ANSWER where no shaking that was tried overturns it;
+ * TP_UNDECIDED where it was stopped before anything was known. */
+TP_MUST_USE tp_status tp_chart_overturning(tp_chart **chart, const tp_scene *scene,
+                                           const tp_overturning_options *options,
+                                           tp_message *message);
 
 #ifdef __cplusplus
 }

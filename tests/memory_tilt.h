@@ -7,5 +7,6 @@
 #define TP_TEST_MEMORY_TILT_H
 
 void simulate_tilt_test(void);
+void chart_overturning(void);
 
 #endif

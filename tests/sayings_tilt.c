@@ -94,6 +94,18 @@ static tp_scene *begin(sayings *s) {
   return scene;
 }
 
+static void say_spectrum(sayings *s, const tp_scene *scene) {
+  tp_message message = {""};
+  tp_chart *chart = NULL;
+  tp_overturning_options options = tp_overturning_options_default();
+  options.from = 0.75;
+  options.to = 1.5;
+  options.count = 2;
+  SAY(tp_chart_overturning(&chart, scene, &options, &message));
+  if (chart != NULL && tp_report_chart_csv(next_saying(s), chart) != TP_OK) s->count--;
+  tp_chart_free(chart);
+}
+
 static void say_shaken(sayings *s) {
   tp_message message = {""};
   tp_scene *scene = begin(s);
@@ -104,6 +116,7 @@ static void say_shaken(sayings *s) {
                                   E(0.5), &message));
   SAY(tp_scene_set_tilt_test_duration_s(scene, E(0.5), &message));
   say_test(s, scene, false);
+  say_spectrum(s, scene);
   tp_scene_free(scene);
 }
 

@@ -43,6 +43,11 @@ TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
                                   const tp_solution *solution, tp_figure_consent consent,
                                   tp_message *message);
 
+/* tp_report_sheet, likewise. */
+TP_MUST_USE tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene,
+                                         const tp_solution *solution,
+                                         const tp_sheet_options *options, tp_message *message);
+
 /* The complaint of a status on stderr unless it is TP_OK; the exit status, which is `ended` then.
  */
 int tp_cli_end(tp_status status, const tp_message *message, int ended);

@@ -197,10 +197,10 @@ void tp_page_add_contact(tp_page *p) {
   }
   if (s->block.has_weight && c->facets > 0) {
     tp_text_add(&p->text, ";\n         weight per area ");
-    tp_page_add_quantity(p, c->weight_per_contact_area_pa, "Pa");
+    tp_page_add_stress(p, c->weight_per_contact_area_pa);
     if (c->nominal_length_m.value > 0) {
       tp_text_add(&p->text, ", per area of the mean plane ");
-      tp_page_add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
+      tp_page_add_stress(p, c->weight_per_nominal_area_pa);
     }
   }
   add_corner_points(p, c);

@@ -81,6 +81,9 @@ TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *no
 /* The key joint, after base and contact. */
 TP_MUST_USE tp_status tp_read_joint(const tp_reader *reader, const tp_node *node);
 
+/* The key result_units. */
+TP_MUST_USE tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node);
+
 /* The keys tilt_test and shaking. */
 TP_MUST_USE tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_shaking(const tp_reader *reader, const tp_node *node);

@@ -96,10 +96,10 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "topple",  "title",   "length_unit", "parameters",         "block",
-      "base",    "loads",   "tilt",        "friction_angle_deg", "friction",
-      "frame",   "contact", "joint",       "tilt_test",          "shaking",
-      "section", NULL};
+      "topple",       "title",   "length_unit", "parameters",         "block",
+      "base",         "loads",   "tilt",        "friction_angle_deg", "friction",
+      "frame",        "contact", "joint",       "tilt_test",          "shaking",
+      "result_units", "section", NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -110,6 +110,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
     status = tp_node_expect_keys(root, keys, "the scene", scene->path, reader->message);
   if (status == TP_OK) status = read_title(reader, tp_node_get(root, "title"));
   if (status == TP_OK) status = read_length_unit(reader, root);
+  if (status == TP_OK) status = tp_read_result_units(reader, tp_node_get(root, "result_units"));
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
   if (status == TP_OK)
     status =

@@ -15,6 +15,7 @@
 #include "tilt/engines.h"
 #include "tilt/facets.h"
 #include "tilt/follow.h"
+#include "tilt/overturning.h"
 #include "tilt/path.h"
 #include "tilt/result.h"
 #include "tilt/settings.h"
@@ -63,10 +64,6 @@ typedef struct stage {
   tp_message *message;
 } stage;
 
-static void scale_shaking(void *shaking, double factor) {
-  tp_base_shaking_scale(shaking, factor);
-}
-
 /* To a bracket, then on to the end. */
 static tp_status run_dynamics(tp_tilting *tilting, double least_deg, double most_deg) {
   const tp_tilt_settings *s = tilting->settings;
@@ -95,7 +92,7 @@ static tp_status run_release(tp_tilting *tilting, const stage *g) {
   const tp_status status = tp_tilting_follow(tilting);
   tilting->own->converged = true;
   if (status != TP_OK || !g->options->overturning || g->shaking == NULL) return status;
-  return tp_tilting_overturning(tilting, scale_shaking, g->shaking);
+  return tp_tilting_overturning(tilting, g->shaking);
 }
 
 static tp_status run_case(tp_tilting *tilting, const stage *g) {
