@@ -34,6 +34,8 @@ void tp_scene_file_free(tp_scene_file *file) {
     tp_notes_clear(&file->chains[k].notes);
   }
   free(file->chains);
+  if (file->drawn != NULL) tp_drawn_clear(file->drawn);
+  free(file->drawn);
   for (long k = 0; k < file->name_count; k++) free(file->names[k]);
   free(file->names);
   tp_node_free(file->root);

@@ -10,6 +10,7 @@
 
 #include "message.h"
 #include "plane/polyline.h"
+#include "scene/drawn.h"
 #include "scene/node.h"
 
 #include <stdatomic.h>
@@ -30,6 +31,7 @@ typedef struct tp_scene_file {
   char **names;
   long chain_count, chain_room;
   tp_file_chain *chains;
+  tp_drawn *drawn; /* what its drawing gives; NULL: it has none, or that varies */
 } tp_scene_file;
 
 /* Of one user. It takes the nodes over, but for where memory is exhausted: then it is NULL. */

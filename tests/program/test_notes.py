@@ -179,6 +179,8 @@ class Notes(unittest.TestCase):
             with self.subTest(scene.name):
                 notes = [note["text"] for note in json.loads(run("solve", "--json", scene)[1])["notes"]]
                 shakes = "\nshaking:" in scene.read_text(encoding="utf-8")
+                if scene.name == "boulder_traced.yaml":
+                    self.assertTrue(notes.pop().startswith("curves of the outline are chords, which leave them by"))
                 self.assertEqual(notes, [SHAKING] if shakes else [])
 
 
