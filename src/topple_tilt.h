@@ -65,7 +65,8 @@ typedef struct tp_tilt_moment {
   double turning_rad_s;                    /* counter-clockwise */
   double kinetic_energy_j;                 /* of its motion and its turn */
   double energy_balance_j; /* work of gravity, loads and shaking less kinetic energy, what springs
-                              hold, and what friction, damping and impacts took: 0 but for errors */
+                              hold, and what friction, damping and impacts took: 0 but for errors.
+                              NaN on a quasi-static path, which sums none */
 } tp_tilt_moment;
 
 /* The reaction on one facet of the base at one moment. */

@@ -12,11 +12,30 @@
 #include "memory_studies.h"
 #include "memory_tilt.h"
 
+#include "report/sheet.h"
 #include "topple.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 tp_status last_status;
+
+/* A calculation sheet, with a file that it is of. */
+static void write_sheet(const tp_solution *solution, const char *path) {
+  const tp_sheet_options options = tp_sheet_options_default();
+  tp_sheet_files files = {0};
+  tp_message message = {""};
+  if (tp_sheet_files_read(&files, &path, 1, &message) != TP_OK) return;
+  tp_document document = {0};
+  char *html = NULL, *markdown = NULL;
+  tp_sheet_build(&document, solution, &files, &options, (tp_picture){0});
+  tp_status status = tp_document_html(&html, &document);
+  expect_report(status, html);
+  status = tp_document_markdown(&markdown, &document);
+  expect_report(status, markdown);
+  tp_document_clear(&document);
+  tp_sheet_files_clear(&files);
+}
 
 static void solve_scene(const char *path, bool elements) {
   tp_scene *scene = NULL;
@@ -35,6 +54,7 @@ static void solve_scene(const char *path, bool elements) {
     expect_report(status, account);
     status = tp_report_table(&table, (const tp_solution *const *)&solution, 1);
     expect_report(status, table);
+    write_sheet(solution, path);
   }
   tp_solution_free(solution);
   tp_scene_free(scene);
@@ -234,6 +254,14 @@ static void verify(void) {
   tp_verification_free(verification);
 }
 
+static void explain(void) {
+  tp_message message = {""};
+  char *text = NULL, *list = NULL;
+  if (DONE(tp_report_explained(&text, "FoS", &message), text)) free(text);
+  const tp_status status = tp_report_terms(&list);
+  expect_report(status, list);
+}
+
 const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve an outline", solve_outline, 200},
                                     {"vary scenes", vary_scenes, 200},
@@ -260,10 +288,13 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"run a study", run_study, 200},
                                     {"merge a study", merge_study, 200},
                                     {"simulate a tilt test", simulate_tilt_test, 60},
+                                    {"chart overturning", chart_overturning, 20},
+                                    {"vary a tilt test", vary_tilt_test, 60},
                                     {"draw samples", draw_samples, 200},
                                     {"measure sensitivity", measure_sensitivity, 200},
                                     {"find reliability", find_reliability, 200},
                                     {"find", find, 40},
+                                    {"explain", explain, 20},
                                     {"derive", derive, 200},
                                     {"derive and check", derive_checked, 60},
                                     {"derive for all counts", derive_family, 100},

@@ -57,6 +57,18 @@ static void say_tilt_names(sayings *s) {
   }
 }
 
+static void say_converge_names(sayings *s) {
+  for (int k = 0; k <= TP_CONVERGE_SETTINGS; k++) {
+    note_text(s, tp_converge_setting_name((tp_converge_setting)k));
+  }
+  for (int k = 0; k <= TP_CONVERGE_OVERTURNING + 1; k++) {
+    note_text(s, tp_converge_quantity_name((tp_converge_quantity)k));
+  }
+  for (int k = 0; k <= TP_CONVERGE_OPEN + 1; k++) {
+    note_text(s, tp_converge_verdict_name((tp_converge_verdict)k));
+  }
+}
+
 static void say_defaults(sayings *s) {
   const tp_find_options find = tp_find_options_default();
   const tp_chart_map_options map = tp_chart_map_options_default();
@@ -65,12 +77,27 @@ static void say_defaults(sayings *s) {
   note_number(s, map.y.range.to == 90);
 }
 
+/* A word is told in UTF-8 whatever the host's locale, and so is what is nearest to another. */
+static void say_words(sayings *s) {
+  static const char *const words[] = {"FoS", "α_w", "tilt.angle_deg", "saftey factor", "\xff", ""};
+  for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
+    tp_message message = {""};
+    char **told = next_saying(s);
+    const tp_status status = tp_report_explained(told, words[k], &message);
+    if (status != TP_OK) s->count--;
+    note_status(s, status, &message);
+  }
+  if (tp_report_terms(next_saying(s)) != TP_OK) s->count--;
+}
+
 void say_names(sayings *s) {
   static const char *const words[] = {"ball",      "EXACT", "limit_fos", "Limit_Fos",
                                       "chart.SVG", "x.pdf", "a.b/c",     ""};
   char plain[40];
   say_enumerations(s);
+  say_words(s);
   say_tilt_names(s);
+  say_converge_names(s);
   say_defaults(s);
   for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
     tp_level level = TP_LEVEL_DOUBLE;

@@ -76,6 +76,16 @@ static void say_figures(sayings *s, const tp_scene *scene, const tp_solution *so
   note_status(s, tp_report_figure_if(path, scene, solution, ask, &message), &message);
   say_file(s, path);
   note_number(s, asked);
+  static const char *const kinds[] = {"html", "md", "pdf"};
+  tp_sheet_options options = tp_sheet_options_default();
+  options.times = 0;
+  options.date = "2026-11-22";
+  for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
+    snprintf(path, sizeof path, "%s/sheet.%s", s->folder, kinds[k]);
+    note_status(s, tp_report_sheet(path, scene, solution, &options, &message), &message);
+    say_file(s, path);
+    note_number(s, tp_sheet_is_file_name(path));
+  }
 }
 
 void say_solved(sayings *s, const tp_scene *scene, bool elements, int digits, bool figure) {

@@ -23,6 +23,18 @@ static void say_drawn(sayings *s, const tp_tilt_test *test) {
   say_file(s, path);
 }
 
+static void say_charts(sayings *s, const tp_tilt_test *test) {
+  tp_message message = {""};
+  tp_chart *charts[2] = {NULL, NULL};
+  SAY(tp_chart_tilt_reactions(charts, test, &message));
+  SAY(tp_chart_tilt_phase(charts + 1, test, &message));
+  for (size_t k = 0; k < 2; k++) {
+    if (charts[k] == NULL) continue;
+    if (tp_report_chart_csv(next_saying(s), charts[k]) != TP_OK) s->count--;
+    tp_chart_free(charts[k]);
+  }
+}
+
 static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
   tp_message message = {""};
   tp_tilt_test *test = NULL;
@@ -38,7 +50,28 @@ static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
   if (tp_report_tilt_frames(next_saying(s), test) != TP_OK) s->count--;
   if (tp_report_tilt_animation(next_saying(s), test) != TP_OK) s->count--;
   say_drawn(s, test);
+  say_charts(s, test);
   tp_tilt_test_free(test);
+}
+
+/* But for what it takes. */
+static void say_convergence(sayings *s, const tp_scene *scene) {
+  tp_message message = {""};
+  tp_tilt_convergence *convergence = NULL;
+  tp_chart *chart = NULL;
+  const tp_tilt_options options = tp_tilt_options_default();
+  SAY(tp_tilt_converge(&convergence, scene, &options, &message));
+  if (convergence == NULL) return;
+  for (size_t k = 0; k < convergence->case_count; k++) {
+    const tp_tilt_convergence_case *own = convergence->cases + k;
+    for (size_t l = 0; l < own->level_count; l++) own->levels[l].seconds = 0.00123456789;
+  }
+  if (tp_report_tilt_convergence(next_saying(s), convergence) != TP_OK) s->count--;
+  if (tp_report_tilt_convergence_json(next_saying(s), convergence) != TP_OK) s->count--;
+  SAY(tp_chart_tilt_convergence(&chart, convergence, &message));
+  if (chart != NULL && tp_report_chart_csv(next_saying(s), chart) != TP_OK) s->count--;
+  tp_chart_free(chart);
+  tp_tilt_convergence_free(convergence);
 }
 
 static void say_tilted(sayings *s, tp_scene *scene) {
@@ -47,6 +80,9 @@ static void say_tilted(sayings *s, tp_scene *scene) {
   SAY(tp_scene_set_tilt_test_until_deg(scene, E(60.5), &message));
   SAY(tp_scene_set_tilt_test_tolerance_deg(scene, T("0.05"), &message));
   say_test(s, scene, false);
+  say_convergence(s, scene);
+  SAY(tp_scene_add_tilt_test_traction(scene, 1, E(1.5), T("0.25"), E(-0.5), &message));
+  SAY(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message));
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_STEPS, true, &message));
   SAY(tp_scene_set_tilt_test_restitution(scene, T("0.25"), &message));
   SAY(tp_scene_set_tilt_test_duration_s(scene, E(1.5), &message));
@@ -81,6 +117,18 @@ static tp_scene *begin(sayings *s) {
   return scene;
 }
 
+static void say_spectrum(sayings *s, const tp_scene *scene) {
+  tp_message message = {""};
+  tp_chart *chart = NULL;
+  tp_overturning_options options = tp_overturning_options_default();
+  options.from = 0.75;
+  options.to = 1.5;
+  options.count = 2;
+  SAY(tp_chart_overturning(&chart, scene, &options, &message));
+  if (chart != NULL && tp_report_chart_csv(next_saying(s), chart) != TP_OK) s->count--;
+  tp_chart_free(chart);
+}
+
 static void say_shaken(sayings *s) {
   tp_message message = {""};
   tp_scene *scene = begin(s);
@@ -91,6 +139,7 @@ static void say_shaken(sayings *s) {
                                   E(0.5), &message));
   SAY(tp_scene_set_tilt_test_duration_s(scene, E(0.5), &message));
   say_test(s, scene, false);
+  say_spectrum(s, scene);
   tp_scene_free(scene);
 }
 

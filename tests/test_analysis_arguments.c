@@ -146,6 +146,17 @@ START_TEST(accuracy) {
 }
 END_TEST
 
+START_TEST(words) {
+  char *text = &untouched;
+  REFUSED(tp_report_explained(NULL, "tilt", &message), "'text'");
+  REFUSED(tp_report_explained(&text, NULL, &message), "'word'");
+  UNWRITTEN(tp_report_terms(NULL));
+  ck_assert_int_eq(tp_report_explained(&text, "", &message), TP_NO_ANSWER);
+  ck_assert_int_eq(tp_report_explained(&text, "[]- _", &message), TP_NO_ANSWER);
+  ck_assert_ptr_eq(text, &untouched);
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("analysis_arguments");
   TCase *tests = tcase_create("arguments");
@@ -154,6 +165,7 @@ int main(void) {
   tcase_add_test(tests, formulas);
   tcase_add_test(tests, verdicts);
   tcase_add_test(tests, accuracy);
+  tcase_add_test(tests, words);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

@@ -102,6 +102,15 @@ START_TEST(solutions) {
   REFUSED(tp_report_figure_if("/tmp/x.svg", NULL, own, none, &message), "'scene'");
   REFUSED(tp_report_figure_if("/tmp/x.svg", scene, NULL, none, &message), "'solution'");
   ck_assert(!tp_figure_is_file_name(NULL));
+  tp_sheet_options sheet = tp_sheet_options_default();
+  REFUSED(tp_report_sheet(NULL, scene, own, &sheet, &message), "'path'");
+  REFUSED(tp_report_sheet("/tmp/x.html", NULL, own, &sheet, &message), "'scene'");
+  REFUSED(tp_report_sheet("/tmp/x.html", scene, NULL, &sheet, &message), "'solution'");
+  REFUSED(tp_report_sheet("/tmp/x.html", scene, own, NULL, &message), "'options'");
+  REFUSED(tp_report_sheet("/tmp/x.txt", scene, own, &sheet, &message), ".html, .md or .pdf");
+  sheet.size = 0;
+  REFUSED(tp_report_sheet("/tmp/x.html", scene, own, &sheet, &message), "size");
+  ck_assert(!tp_sheet_is_file_name(NULL));
   ck_assert_ptr_eq(text, &untouched);
   tp_solution_free(NULL);
   tp_solution_free(own);

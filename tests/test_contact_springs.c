@@ -232,6 +232,7 @@ END_TEST
 int main(void) {
   Suite *suite = suite_create("contact_springs");
   TCase *tests = tcase_create("letting_go");
+  tcase_set_timeout(tests, 120);
   tcase_add_test(tests, slabs_let_go_at_their_closed_angles);
   tcase_add_test(tests, papers_blocks_let_go_at_their_limit);
   tcase_add_test(tests, ellipse_lets_go_at_its_limit);

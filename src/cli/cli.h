@@ -17,6 +17,9 @@ enum { TP_EXIT_REFUTED = 1, TP_EXIT_USAGE = 2, TP_EXIT_SYSTEM = 5 };
 int tp_cli_accuracy(int argc, char **argv);
 int tp_cli_chart(int argc, char **argv);
 int tp_cli_solve(int argc, char **argv);
+int tp_cli_explain(int argc, char **argv);
+int tp_cli_examples(int argc, char **argv);
+int tp_cli_new(int argc, char **argv);
 int tp_cli_derive(int argc, char **argv);
 int tp_cli_profile(int argc, char **argv);
 int tp_cli_study(int argc, char **argv);
@@ -38,6 +41,11 @@ int tp_cli_run(const struct argp *parser, void *words, tp_cli_work *work, int ar
 TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
                                   const tp_solution *solution, tp_figure_consent consent,
                                   tp_message *message);
+
+/* tp_report_sheet, likewise. */
+TP_MUST_USE tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene,
+                                         const tp_solution *solution,
+                                         const tp_sheet_options *options, tp_message *message);
 
 /* The complaint of a status on stderr unless it is TP_OK; the exit status, which is `ended` then.
  */

@@ -21,10 +21,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-typedef tp_status (*draw_function)(const char *path, const tp_scene *scene,
-                                   const tp_solution *solution, tp_figure_consent consent,
-                                   tp_message *message);
-
 /* For how long the process that draws may say nothing. A figure of 10^6 vertices takes seconds; but
  * where memory runs out Fontconfig can also wait for ever. */
 enum { SILENCE_S = 120 };
@@ -37,15 +33,18 @@ typedef struct outcome {
   tp_message message;
 } outcome;
 
-static tp_status draw_here(const char *path, const tp_scene *scene, const tp_solution *solution,
+/* Calls what the library has by a name. */
+typedef tp_status drawer_call(void *call, const void *what, tp_figure_consent consent,
+                              tp_message *message);
+
+static tp_status draw_here(drawer_call *draw, const char *name, const void *what,
                            tp_figure_consent consent, tp_message *message) {
   void *library = tp_cli_load_library(TP_FIGURE_LIBRARY);
-  draw_function draw = NULL;
-  if (library != NULL) *(void **)&draw = dlsym(library, "tp_report_figure_if");
-  if (draw != NULL) return draw(path, scene, solution, consent, message);
+  void *call = library != NULL ? dlsym(library, name) : NULL;
+  if (call != NULL) return draw(call, what, consent, message);
   const char *why = dlerror();
   snprintf(message->text, sizeof message->text,
-           "figures are drawn by " TP_FIGURE_LIBRARY
+           "figures and reports are drawn by " TP_FIGURE_LIBRARY
            ", which does not load (%s); install it beside Topple's "
            "other files",
            why != NULL ? why : "no reason is given");
@@ -128,7 +127,7 @@ static tp_status await(pid_t process, int other, tp_figure_consent consent, tp_m
               "Cairo or Fontconfig crashed, as they do where memory is short");
 }
 
-tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
+static tp_status draw(drawer_call *drawer, const char *name, const void *what,
                       tp_figure_consent consent, tp_message *message) {
   int ends[2];
   if (fflush(NULL) != 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -141,7 +140,7 @@ tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution
     if (getppid() != parent) _exit(TP_EXIT_SYSTEM); /* it has ended already */
     close(ends[0]);
     own.status =
-        draw_here(path, scene, solution, (tp_figure_consent){ask_parent, &ends[1]}, &own.message);
+        draw_here(drawer, name, what, (tp_figure_consent){ask_parent, &ends[1]}, &own.message);
     exit(tell(ends[1], &own, sizeof own) ? 0 : TP_EXIT_SYSTEM);
   }
   const int why = errno;
@@ -152,4 +151,48 @@ tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution
                                        : fail(message, TP_SYSTEM_FAILED, strerror(why));
   close(ends[0]);
   return status;
+}
+
+/* What is to be drawn, for the other process, which has all of this one's memory. */
+typedef struct solved {
+  const char *path;
+  const tp_scene *scene;
+  const tp_solution *solution;
+  const tp_sheet_options *options;
+} solved;
+
+static tp_status draw_figure(void *call, const void *what, tp_figure_consent consent,
+                             tp_message *message) {
+  tp_status (*function)(const char *, const tp_scene *, const tp_solution *, tp_figure_consent,
+                        tp_message *) = NULL;
+  const solved *own = what;
+  *(void **)&function = call;
+  return function(own->path, own->scene, own->solution, consent, message);
+}
+
+static tp_status draw_sheet(void *call, const void *what, tp_figure_consent consent,
+                            tp_message *message) {
+  tp_status (*function)(const char *, const tp_scene *, const tp_solution *,
+                        const tp_sheet_options *, tp_message *) = NULL;
+  const solved *own = what;
+  (void)consent; /* what goes with a sheet is printed before it */
+  *(void **)&function = call;
+  return function(own->path, own->scene, own->solution, own->options, message);
+}
+
+tp_status tp_cli_draw(const char *path, const tp_scene *scene, const tp_solution *solution,
+                      tp_figure_consent consent, tp_message *message) {
+  const solved own = {path, scene, solution, NULL};
+  return draw(draw_figure, "tp_report_figure_if", &own, consent, message);
+}
+
+static bool agree(void *context) {
+  (void)context;
+  return true;
+}
+
+tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene, const tp_solution *solution,
+                             const tp_sheet_options *options, tp_message *message) {
+  const solved own = {path, scene, solution, options};
+  return draw(draw_sheet, "tp_report_sheet", &own, (tp_figure_consent){agree, NULL}, message);
 }

@@ -28,6 +28,9 @@ static const struct command {
     {"tilt", "A simulated tilt test, or the shaking of the base: how it lets go, and after",
      tp_cli_tilt},
     {"study", "How probable is each verdict, where numbers of a scene vary?", tp_cli_study},
+    {"new", "Begin a scene: by five questions, or from options", tp_cli_new},
+    {"examples", "List the example scenes, or write one", tp_cli_examples},
+    {"explain", "What does a word of a scene or a report mean?", tp_cli_explain},
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

@@ -3,10 +3,15 @@
 
 /* topple solve SCENE */
 
+#include "cli/sheet.h"
+#include "cli/signals.h"
 #include "cli/solve_words.h"
+#include "cli/verdict_colours.h"
+#include "cli/watch.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 static const char *direction(const tp_case *c) {
   return c->towards == TP_TOWARDS_LEFT ? "left" : "right";
@@ -92,7 +97,8 @@ static tp_status print_text(const tp_scene *scene, const tp_solution *solution,
   if (status == TP_OK && a->verbose) status = tp_report_effects(&effects, solution);
   if (status == TP_OK && a->verbose) status = tp_report_drawing(&drawing, scene);
   if (status == TP_OK && a->elements) status = tp_report_elements(&account, solution);
-  status = tp_cli_print_report(status, report, ended);
+  if (status == TP_OK && *ended == 0) *ended = tp_cli_print_verdicts(report);
+  free(report);
   if (drawing != NULL) status = tp_cli_print_report(status, drawing, ended);
   if (effects != NULL) status = tp_cli_print_report(status, effects, ended);
   if (account != NULL) status = tp_cli_print_report(status, account, ended);
@@ -126,12 +132,17 @@ static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
 static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const char *path,
                              const tp_solve_words *a, tp_message *message) {
   tp_solve_options solve = tp_solve_options_default();
-  solve.elements = a->elements;
+  solve.elements = a->elements || a->report != NULL;
   solve.digits = a->digits;
   solve.level = a->level;
-  solve.pivots = a->figure != NULL ? TP_PIVOTS_ALL : a->pivots;
-  const tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
-  return status == TP_OK ? tp_solve(solution, *scene, &solve, message) : status;
+  solve.pivots = a->figure != NULL || a->report != NULL ? TP_PIVOTS_ALL : a->pivots;
+  tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
+  if (status == TP_OK) status = tp_solve(solution, *scene, &solve, message);
+  if (status == TP_BAD_INPUT && *scene != NULL && solve.elements && !a->elements) {
+    solve.elements = false; /* of rounded corners: the report goes without that account */
+    status = tp_solve(solution, *scene, &solve, message);
+  }
+  return status;
 }
 
 /* ---- several scenes ----------------------------------------------------------------------------
@@ -213,6 +224,15 @@ static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
   return own.status;
 }
 
+static tp_status write_report(const tp_solve_words *a, const tp_scene *scene,
+                              const tp_solution *solution, tp_message *message) {
+  tp_sheet_options options;
+  tp_cli_date date;
+  const tp_status status = tp_cli_sheet_options(&options, &date, message);
+  return status == TP_OK ? tp_cli_write_sheet(a->report, scene, solution, &options, message)
+                         : status;
+}
+
 static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *message) {
   tp_scene *scene = NULL;
   tp_solution *solution = NULL;
@@ -221,6 +241,9 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
     status = a->find.key != NULL ? print_found(scene, solution, a, ended, message)
              : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
                                  : print_solution(scene, solution, a, ended);
+  }
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_report(a, scene, solution, message);
   }
   if (status == TP_OK && *ended == 0 && a->profile != NULL) {
     status = tp_scene_write_profile(scene, a->profile, message);
@@ -233,12 +256,35 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   return status;
 }
 
+/* ---- again and again ---------------------------------------------------------------------------
+ */
+
+/* Once, as without --watch; what is wrong with the scene is told, and the watch goes on. */
+static bool print_again(void *context) {
+  const tp_solve_words *a = context;
+  tp_message message = {""};
+  int ended = 0;
+  const tp_status status = print_one(a, &ended, &message);
+  (void)tp_cli_end(status, &message, ended);
+  if (ended == TP_EXIT_SYSTEM) return false; /* nobody reads any more */
+  tp_cli_tell("-- watching the scene and the files that it names; ctrl-C ends --");
+  return true;
+}
+
+static tp_status watch(const tp_solve_words *a, tp_message *message) {
+  tp_solve_words own = *a;
+  return tp_cli_watch(a->scene, print_again, &own, message);
+}
+
 static tp_status solve(const void *words, int *ended, tp_message *message) {
   const tp_solve_words *a = words;
+  if (a->watch && access(a->scene, R_OK) == 0) return watch(a, message);
   return a->table || a->csv ? print_table(a, ended, message) : print_one(a, ended, message);
 }
 
 int tp_cli_solve(int argc, char **argv) {
   tp_solve_words a = tp_solve_words_default();
-  return tp_cli_run(&tp_solve_parser, &a, solve, argc, argv);
+  const int ended = tp_cli_run(&tp_solve_parser, &a, solve, argc, argv);
+  tp_cli_end_by_signal();
+  return ended;
 }

@@ -19,7 +19,9 @@ enum {
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
   KEY_SET,
-  KEY_UNIT
+  KEY_UNIT,
+  KEY_WATCH,
+  KEY_REPORT
 };
 
 static const struct argp_option options[] = {
@@ -45,6 +47,8 @@ static const struct argp_option options[] = {
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw the solution into FILE, which ends in .svg, .pdf or .png", 0},
+    {"report", KEY_REPORT, "FILE", 0,
+     "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"write-profile", KEY_WRITE_PROFILE, "FILE", 0,
      "Write the profile of the base into FILE as CSV, every digit of it", 0},
     {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
@@ -52,6 +56,8 @@ static const struct argp_option options[] = {
      "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
      "given); exit status 4 where it is not enough",
      0},
+    {"watch", KEY_WATCH, NULL, 0,
+     "Solve again whenever the scene, or a file that it names, changes; ctrl-C ends", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or "
@@ -105,6 +111,13 @@ static void read_figure(tp_solve_words *a, const char *path, struct argp_state *
   a->figure = path;
 }
 
+static void read_sheet(tp_solve_words *a, const char *path, struct argp_state *state) {
+  if (!tp_sheet_is_file_name(path)) {
+    tp_cli_refuse(state, "--report takes a file that ends in .html, .md or .pdf, not '%s'", path);
+  }
+  a->report = path;
+}
+
 static void read_pivots(tp_solve_words *a, const char *which, struct argp_state *state) {
   if (strcmp(which, "all") == 0) {
     a->pivots = TP_PIVOTS_ALL;
@@ -131,6 +144,9 @@ static void check_find(tp_solve_words *a, struct argp_state *state) {
   if (named && a->figure != NULL) {
     tp_cli_refuse(state, "--figure draws a solution as the scene has it; leave out --find");
   }
+  if (named && a->report != NULL) {
+    tp_cli_refuse(state, "--report is of a solution as the scene has it; leave out --find");
+  }
   if (named && a->has_design_fos) {
     tp_cli_refuse(state, "--fail-below judges a solution as the scene has it; leave out --find");
   }
@@ -146,10 +162,16 @@ static void check(tp_solve_words *a, struct argp_state *state) {
                   a->scenes[1]);
   }
   if (table && (a->json || a->elements || a->figure != NULL || a->find.key != NULL || a->verbose ||
-                a->profile != NULL || (a->table && a->csv))) {
+                a->report != NULL || a->profile != NULL || (a->table && a->csv))) {
     tp_cli_refuse(state,
                   "--table and --csv print a table alone; drop --json, --elements, --figure, "
-                  "--find, --verbose, --write-profile and the other of the two");
+                  "--report, --find, --verbose, --write-profile and the other of the two");
+  }
+  if (a->report != NULL && a->figure != NULL && strcmp(a->report, a->figure) == 0) {
+    tp_cli_refuse(state, "--report and --figure take different files");
+  }
+  if (table && a->watch) {
+    tp_cli_refuse(state, "--watch watches one scene; leave out --table and --csv");
   }
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
@@ -194,11 +216,17 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_FIGURE:
     read_figure(a, argument, state);
     return 0;
+  case KEY_REPORT:
+    read_sheet(a, argument, state);
+    return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;
     return 0;
   case KEY_SET:
     tp_cli_take_setting(&a->settings, argument, state);
+    return 0;
+  case KEY_WATCH:
+    a->watch = true;
     return 0;
   case KEY_FIND:
     a->find.key = argument;

@@ -5,6 +5,8 @@
 
 #include "cli/settings.h"
 #include "cli/signals.h"
+#include "cli/tilt_charts.h"
+#include "cli/tilt_converge.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -12,12 +14,26 @@
 typedef struct arguments {
   const char *scene;
   const char *figure, *animation; /* NULL: none */
-  bool json, csv;
+  tp_tilt_charts charts;
+  bool json, csv, converge;
+  tp_chart_format format; /* of the figure of --converge */
   tp_cli_settings settings;
   tp_tilt_options tilt;
 } arguments;
 
-enum { KEY_SET = 256, KEY_CSV, KEY_FIGURE, KEY_ANIMATION, KEY_MOMENTS, KEY_OVERTURNING };
+enum {
+  KEY_SET = 256,
+  KEY_CSV,
+  KEY_FIGURE,
+  KEY_ANIMATION,
+  KEY_REACTIONS,
+  KEY_PHASE,
+  KEY_SPECTRUM,
+  KEY_FREQUENCIES,
+  KEY_MOMENTS,
+  KEY_OVERTURNING,
+  KEY_CONVERGE
+};
 
 static const struct argp_option options[] = {
     {"set", KEY_SET, "KEY=VALUE", 0,
@@ -25,10 +41,28 @@ static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print JSON instead of text", 0},
     {"csv", KEY_CSV, NULL, 0, "Print the moments of the motion as CSV instead of text", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Write FILE, .svg, with the block at some moments", 0},
-    {"animation", KEY_ANIMATION, "FILE", 0, "Write FILE, .svg, in which the block moves", 0},
+    {"animation", KEY_ANIMATION, "FILE", 0,
+     "Write FILE, .svg, .webm or .gif, in which the block moves", 0},
+    {"reactions", KEY_REACTIONS, "FILE", 0,
+     "Write FILE, .svg, .pdf, .png or .csv, with the reactions of the facets against the tilt", 0},
+    {"phase", KEY_PHASE, "FILE", 0,
+     "Write FILE likewise, with the phase portraits of what moves: turn against angular velocity",
+     0},
+    {"spectrum", KEY_SPECTRUM, "FILE", 0,
+     "Write FILE likewise, with the overturning spectrum: the least PGA that overturns the block, "
+     "against frequency and PGV",
+     0},
+    {"frequencies", KEY_FREQUENCIES, "FROM:TO:COUNT", 0,
+     "Of the spectrum, in hertz; of a record times its speed (an eighth to eight times the "
+     "scene's, 25)",
+     0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
+    {"converge", KEY_CONVERGE, NULL, 0,
+     "Run the test over stiffness, time step, damping and tolerance instead, each with its cost; "
+     "with --figure FILE, .svg, .pdf, .png or .csv, the answer against cost",
+     0},
     {0}};
 
 static void read_moments(arguments *a, const char *text, const struct argp_state *state) {
@@ -39,6 +73,20 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
     return;
   }
   a->tilt.moments = (size_t)count;
+}
+
+static void check_converge(arguments *a, const struct argp_state *state) {
+  const tp_tilt_charts *charts = &a->charts;
+  if (a->csv || a->animation != NULL || a->tilt.overturning || charts->reactions.path != NULL ||
+      charts->phase.path != NULL || charts->spectrum.path != NULL) {
+    tp_cli_refuse(state, "--converge runs many tests: --csv, --animation, --reactions, --phase, "
+                         "--spectrum and --overturning are of one");
+  } else if (a->figure != NULL && !tp_chart_format_read(&a->format, a->figure)) {
+    tp_cli_refuse(state,
+                  "the figure of --converge is a file that ends in .svg, .pdf, .png or "
+                  ".csv, not '%s'",
+                  a->figure);
+  }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -59,11 +107,26 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_ANIMATION:
     tp_cli_take_file(&a->animation, argument, "--animation", state);
     return 0;
+  case KEY_REACTIONS:
+    tp_tilt_charts_take(&a->charts.reactions, argument, "--reactions", state);
+    return 0;
+  case KEY_PHASE:
+    tp_tilt_charts_take(&a->charts.phase, argument, "--phase", state);
+    return 0;
+  case KEY_SPECTRUM:
+    tp_tilt_charts_take(&a->charts.spectrum, argument, "--spectrum", state);
+    return 0;
+  case KEY_FREQUENCIES:
+    tp_tilt_charts_frequencies(&a->charts, argument, state);
+    return 0;
   case KEY_MOMENTS:
     read_moments(a, argument, state);
     return 0;
   case KEY_OVERTURNING:
     a->tilt.overturning = true;
+    return 0;
+  case KEY_CONVERGE:
+    a->converge = true;
     return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
@@ -73,6 +136,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (a->json && a->csv) tp_cli_refuse(state, "--json and --csv are one or the other");
+    if (a->converge) check_converge(a, state);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -117,6 +181,7 @@ static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
   if (status == TP_OK && *ended == 0 && a->animation != NULL) {
     status = tp_report_tilt_file(test, a->animation, true, message);
   }
+  if (status == TP_OK && *ended == 0) status = tp_tilt_charts_write(&a->charts, test, message);
   if (status == TP_OK && *ended == 0) tell_open(a, test, ended);
   return status;
 }
@@ -137,17 +202,26 @@ static tp_status tilt(const void *words, int *ended, tp_message *message) {
   tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   if (status == TP_OK) {
     tp_cli_catch_signals();
-    status = tp_tilt_test_run(&test, scene, &own, message);
-    if (terminal) tp_cli_clear_progress();
+    if (a->converge) {
+      const tp_cli_converge asked = {a->scene, a->figure, a->format, a->json};
+      status = tp_cli_tilt_converge(&asked, scene, &own, ended, message);
+    } else {
+      status = tp_tilt_test_run(&test, scene, &own, message);
+      if (terminal) tp_cli_clear_progress();
+      if (status == TP_OK) status = tell(a, test, ended, message);
+      if (status == TP_OK) {
+        status = tp_tilt_charts_spectrum(&a->charts, scene, a->scene, ended, message);
+      }
+    }
   }
-  if (status == TP_OK) status = tell(a, test, ended, message);
   tp_tilt_test_free(test);
   tp_scene_free(scene);
   return status;
 }
 
 int tp_cli_tilt(int argc, char **argv) {
-  arguments a = {.tilt = tp_tilt_options_default()};
+  arguments a = {.tilt = tp_tilt_options_default(),
+                 .charts = {.overturning = tp_overturning_options_default()}};
   const int status = tp_cli_run(&parser, &a, tilt, argc, argv);
   tp_cli_end_by_signal();
   return status;

@@ -78,18 +78,22 @@ typedef struct running {
   tp_stepper stepper;
   tp_spring_watch watch;
   tp_spring_record record;
-  bool collapsed, ever_collapsed, overturned;
+  bool has_settled, collapsed, ever_collapsed, overturned;
+  tp_body_state settled; /* where it was then; else where the run starts */
   double observed_every_s;
   long unasked;
 } running;
 
-/* Did it move by more than contacts on springs do as they take up their loads? */
+/* Did it move, but for what its springs give? On a table that is not shaken a block that settled
+ * has moved where it ever collapsed: how far soft springs give before that tells nothing. */
 static bool has_moved(const running *r) {
   const tp_body_state *state = &r->stepper.state;
   const double extent = r->run->body->extent_m;
-  const tp_xy moved = tp_xy_minus(state->moved, r->run->start.moved);
-  const double turned = fabs(state->turned - r->run->start.turned);
-  return r->ever_collapsed || hypot(moved.x, moved.y) + turned * extent > moved_share * extent;
+  if (r->ever_collapsed) return true;
+  if (r->has_settled && r->run->drive->shaking == NULL) return false;
+  const tp_xy moved = tp_xy_minus(state->moved, r->settled.moved);
+  const double turned = fabs(state->turned - r->settled.turned);
+  return hypot(moved.x, moved.y) + turned * extent > moved_share * extent;
 }
 
 /* Is no part of the block above the base? */
@@ -210,10 +214,11 @@ static tp_run_end go(running *r, tp_message *message) {
 static bool begin(running *r) {
   tp_stepper *s = &r->stepper;
   s->damping = r->settings->damping;
-  if (tp_stepper_settle(s, &r->run->start, share_chosen) == TP_SETTLEMENT_NO_MEMORY ||
-      !tp_stepper_evaluate(s)) {
-    return false;
-  }
+  const tp_settlement settlement = tp_stepper_settle(s, &r->run->start, share_chosen);
+  if (settlement == TP_SETTLEMENT_NO_MEMORY) return false;
+  r->has_settled = settlement == TP_SETTLEMENT_REACHED;
+  r->settled = s->state;
+  if (!tp_stepper_evaluate(s)) return false;
   s->step_s = r->settings->time_step_s;
   if (s->step_s == 0) s->step_s = share_chosen * tp_stepper_stable_step(s);
   tp_stepper_put_back(s);

@@ -8,9 +8,8 @@
 
 #include <stdlib.h>
 
-static tp_status draw_problem(const char *path, const tp_problem *problem,
-                              const tp_solution *solution, tp_figure_consent consent,
-                              tp_message *message) {
+static tp_status work_on(const tp_problem *problem, const tp_solution *solution,
+                         tp_figure_work *work, void *context, tp_message *message) {
   const bool elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
   tp_figure figure = {.problem = problem, .solution = solution};
   tp_status status = tp_shape_init(&figure.shape, problem, elements, message);
@@ -18,9 +17,36 @@ static tp_status draw_problem(const char *path, const tp_problem *problem,
   for (size_t k = 0; k < solution->case_count; k++) {
     tp_state_init(figure.states + figure.panel_count++, &figure, solution->cases + k);
   }
-  status = tp_figure_write(path, &figure, consent, message);
+  status = work(&figure, context, message);
   tp_shape_clear(&figure.shape);
   return status;
+}
+
+tp_status tp_figure_prepare(const tp_scene *scene, const tp_solution *solution,
+                            tp_figure_work *work, void *context, tp_message *message) {
+  tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
+  if (notes == NULL) return tp_fail_memory(message, "the figure");
+  tp_problem problem;
+  tp_solve_options options = tp_solve_options_default();
+  options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
+  tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
+  if (status == TP_OK) {
+    status = work_on(&problem, solution, work, context, message);
+    tp_problem_clear(&problem);
+  }
+  tp_solution_free(notes);
+  return status;
+}
+
+/* A file to draw into, and who is asked. */
+typedef struct file {
+  const char *path;
+  tp_figure_consent consent;
+} file;
+
+static tp_status write_file(const tp_figure *figure, void *context, tp_message *message) {
+  const file *own = context;
+  return tp_figure_write(own->path, figure, own->consent, message);
 }
 
 tp_status tp_report_figure(const char *path, const tp_scene *scene, const tp_solution *solution,
@@ -42,16 +68,6 @@ tp_status tp_report_figure_if(const char *path, const tp_scene *scene, const tp_
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
                    "a figure is of the kind that its name ends in: .svg, .pdf or .png");
   }
-  tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
-  if (notes == NULL) return tp_fail_memory(message, "the figure");
-  tp_problem problem;
-  tp_solve_options options = tp_solve_options_default();
-  options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
-  tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
-  if (status == TP_OK) {
-    status = draw_problem(path, &problem, solution, consent, message);
-    tp_problem_clear(&problem);
-  }
-  tp_solution_free(notes);
-  return status;
+  file own = {path, consent};
+  return tp_figure_prepare(scene, solution, write_file, &own, message);
 }

@@ -189,6 +189,21 @@ double tp_figure_legend(cairo_t *cr, const tp_figure *figure, double scale, doub
 double tp_figure_width(const tp_figure *figure);
 TP_MUST_USE bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure);
 
+/* Letters measure alike on every kind of page: no fitting of them to its dots. */
+void tp_figure_set_up(cairo_t *cr);
+
+/* The height that the page takes, found by drawing it on a page of one dot. */
+cairo_status_t tp_figure_measure(double *height, const tp_figure *figure);
+
+/* A figure in memory, to be freed, of the kind that a name of this ending has. */
+TP_MUST_USE tp_status tp_figure_bytes(char **bytes, size_t *length, const char *path,
+                                      const tp_figure *figure, tp_message *message);
+
+/* What is done with the figure of a solved scene, and doing it. */
+typedef tp_status tp_figure_work(const tp_figure *figure, void *context, tp_message *message);
+TP_MUST_USE tp_status tp_figure_prepare(const tp_scene *scene, const tp_solution *solution,
+                                        tp_figure_work *work, void *context, tp_message *message);
+
 TP_MUST_USE tp_status tp_figure_write(const char *path, const tp_figure *figure,
                                       tp_figure_consent consent, tp_message *message);
 

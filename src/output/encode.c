@@ -143,6 +143,34 @@ void tp_encode_markdown_code(tp_text *t, const char *outside) {
   tp_text_add(t, simple ? "`" : "</code>");
 }
 
+void tp_encode_html(tp_text *t, const char *outside) {
+  static const char signs[] = "<>&\"'";
+  static const char *const names[] = {"&lt;", "&gt;", "&amp;", "&quot;", "&#39;"};
+  char next[TP_PLAIN_SIZE];
+  while (*outside != '\0') {
+    tp_plain_next(next, &outside);
+    const char *sign = strchr(signs, *next);
+    tp_text_add(t, "%s", sign != NULL ? names[sign - signs] : next);
+  }
+}
+
+void tp_encode_base64(tp_text *t, const void *bytes, size_t length) {
+  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const unsigned char *at = bytes;
+  for (size_t k = 0; k < length; k += 3) {
+    const size_t left = length - k;
+    const unsigned long three = (unsigned long)at[k] << 16 |
+                                (left > 1 ? (unsigned long)at[k + 1] << 8 : 0) |
+                                (left > 2 ? at[k + 2] : 0);
+    char four[] = "====";
+    four[0] = digits[three >> 18];
+    four[1] = digits[three >> 12 & 63];
+    if (left > 1) four[2] = digits[three >> 6 & 63];
+    if (left > 2) four[3] = digits[three & 63];
+    tp_text_append(t, four, 4);
+  }
+}
+
 static bool is_number(const char *text) {
   char *end = NULL;
   (void)strtod(text, &end);

@@ -30,6 +30,12 @@ void tp_encode_markdown(tp_text *text, const char *outside);
 /* As code in Markdown, also in a cell of a table. */
 void tp_encode_markdown_code(tp_text *text, const char *outside);
 
+/* Within an element of HTML, or an attribute in double quotes. */
+void tp_encode_html(tp_text *text, const char *outside);
+
+/* Any bytes in base 64 (RFC 4648), as a data: address has them. */
+void tp_encode_base64(tp_text *text, const void *bytes, size_t length);
+
 /* A field of CSV, in quotes where it must. What a spreadsheet would take for a formula gets an
  * apostrophe before it; a number stays one. */
 void tp_encode_csv(tp_text *text, const char *outside);

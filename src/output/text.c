@@ -5,7 +5,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,14 +31,12 @@ void tp_text_append(tp_text *text, const char *bytes, size_t length) {
 }
 
 /* Printed where the text ends, and once more where there was no room for all of it. */
-void tp_text_add(tp_text *text, const char *format, ...) {
-  va_list arguments, again;
+void tp_text_add_list(tp_text *text, const char *format, va_list arguments) {
+  va_list again;
   if (!make_room(text, 0)) return;
-  va_start(arguments, format);
   va_copy(again, arguments);
   const size_t room = text->capacity - text->length;
   const int added = vsnprintf(text->data + text->length, room, format, arguments);
-  va_end(arguments);
   if (added < 0) { /* some numbers take memory to print */
     text->failed = true;
   } else if ((size_t)added < room) {
@@ -49,6 +46,13 @@ void tp_text_add(tp_text *text, const char *format, ...) {
     text->length += (size_t)added;
   }
   va_end(again);
+}
+
+void tp_text_add(tp_text *text, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  tp_text_add_list(text, format, arguments);
+  va_end(arguments);
 }
 
 tp_status tp_text_finish(tp_text *text, char **result) {

@@ -8,6 +8,8 @@
 
 #include "topple.h"
 
+#include <stdarg.h>
+
 typedef struct tp_text {
   char *data; /* NULL until something is added */
   size_t length, capacity;
@@ -15,6 +17,9 @@ typedef struct tp_text {
 } tp_text;
 
 void tp_text_add(tp_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+void tp_text_add_list(tp_text *text, const char *format, va_list arguments)
+    __attribute__((format(printf, 2, 0)));
 
 /* So many bytes as they are. */
 void tp_text_append(tp_text *text, const char *bytes, size_t length);

@@ -6,7 +6,7 @@ lays out the structs.
 
     make_c.py OUTPUT MODULE HEADER COMPILER…
 
-MODULE is topple._library, all but the drawing of figures; or topple._figure, that alone, of a
+MODULE is topple._library, all but the drawing of figures and sheets; or topple._figure, that alone, of a
 library of its own."""
 
 import pathlib
@@ -17,7 +17,7 @@ import tempfile
 
 import cffi
 
-DRAWS = re.compile(r"^ *tp_status (tp_report_figure\w*)\([^;]*\);\n", re.MULTILINE)
+DRAWS = re.compile(r"^ *tp_status (tp_report_(?:figure|sheet)\w*)\([^;]*\);\n", re.MULTILINE)
 INLINE = re.compile(r"^ *static inline ([^{]*?) \{\n.*?^\}", re.MULTILINE | re.DOTALL)
 
 

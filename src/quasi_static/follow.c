@@ -30,6 +30,7 @@ typedef struct follower {
   tp_history *history;
   tp_path_result *result;
   tp_path_state now, next;
+  double recorded;      /* the tilt of the last moment */
   double step, barrier; /* the next event, or collapse, lies below `barrier` */
   bool memory;
 } follower;
@@ -40,7 +41,14 @@ static void record_events(follower *f, const tp_path_state *before, const tp_pat
 }
 
 static void record_moment(follower *f) {
+  f->recorded = f->now.tilt;
   f->memory = f->memory && tp_path_record_moment(f->history, &f->now, f->model);
+}
+
+/* The last equilibrium, where it is none of the moments yet. At the first tilt there may be none.
+ */
+static void record_last(follower *f) {
+  if (f->result->stood && f->now.tilt != f->recorded) record_moment(f);
 }
 
 static double largest_moved_m(const follower *f) {
@@ -87,6 +95,7 @@ static bool let_go(follower *f, double tilt) {
     if (end == TP_DRIFT_MOVES_OFF) {
       result->end = TP_RUN_MOVES;
       result->collapses_at = tilt;
+      record_last(f);
       f->memory = f->memory && tp_path_record_collapse(f->history, tilt, f->model);
       return false;
     }

@@ -109,7 +109,8 @@ bool tp_path_record_moment(tp_history *history, const tp_path_state *state,
   const tp_tilt_moment moment = {.angle_deg = degrees(state->tilt),
                                  .moved_x_m = moved.of[0] * unit,
                                  .moved_y_m = moved.of[1] * unit,
-                                 .turned_deg = degrees(moved.of[2] * unit / model->body->extent_m)};
+                                 .turned_deg = degrees(moved.of[2] * unit / model->body->extent_m),
+                                 .energy_balance_j = NAN};
   return tp_history_moment(history, moment) && record_reactions(history, state, model);
 }
 

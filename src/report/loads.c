@@ -3,7 +3,7 @@
 
 #include "report/loads.h"
 
-static const char *side_name(tp_load_side side) {
+const char *tp_text_load_side(tp_load_side side) {
   switch (side) {
   case TP_STABILISES:
     return "stabilises";
@@ -57,18 +57,23 @@ static void add_overtopping(tp_page *p, const tp_case *c) {
   }
 }
 
-void tp_page_add_loads(tp_page *p, const tp_case *c) {
+void tp_page_add_balance(tp_page *p, const tp_case *c) {
   if (!p->solution->loaded) return;
   add_overtopping(p, c);
-  if (!c->has_governing) return;
-  add_limits(p, c);
-  if (c->load_count == 0) return;
+  if (c->has_governing) add_limits(p, c);
+}
+
+void tp_page_add_loads(tp_page *p, const tp_case *c) {
+  tp_page_add_balance(p, c);
+  if (!p->solution->loaded || !c->has_governing || c->load_count == 0) return;
+  const tp_result_unit unit = p->solution->result_units.moment;
   tp_text_add(&p->text, "  Moments about the governing pivot, overturning positive\n");
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     char n[TP_NUMBER_SIZE];
-    tp_text_add(&p->text, "    %-17s %14s N m   %s\n", l->name,
-                tp_text_significant(n, l->moment_nm, 6), side_name(l->side));
+    tp_text_add(&p->text, "    %-17s %14s %s   %s\n", l->name,
+                tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6),
+                unit.name != NULL ? unit.name : "N m", tp_text_load_side(l->side));
   }
   tp_text_add(&p->text, "\n");
 }
@@ -83,7 +88,7 @@ void tp_json_loads(tp_json *j, const tp_case *c) {
     tp_json_string(j, "name", l->name);
     tp_json_string(j, "called_for_by", l->called_for_by);
     tp_json_bounded(j, "moment_nm", l->moment_nm);
-    tp_json_string(j, "side", side_name(l->side));
+    tp_json_string(j, "side", tp_text_load_side(l->side));
     tp_json_close(j);
   }
   tp_json_close(j);

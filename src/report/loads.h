@@ -9,8 +9,14 @@
 #include "output/json.h"
 #include "report/page.h"
 
-/* The account of moments about the governing pivot, and the tilts at which it lets go and holds
- * again. Nothing where the scene has no loads. */
+/* stabilises, overturns, lessens what overturns */
+const char *tp_text_load_side(tp_load_side side);
+
+/* At which tilts the moments balance, and a caution where water stands above its face. */
+void tp_page_add_balance(tp_page *page, const tp_case *own);
+
+/* That, and the account of moments about the governing pivot, and the tilts at which it lets go and
+ * holds again. Nothing where the scene has no loads. */
 void tp_page_add_loads(tp_page *page, const tp_case *own);
 
 /* The keys `water_overtops_deg` and `loads` of a case, where it has them. */

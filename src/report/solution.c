@@ -12,6 +12,7 @@
 #include "report/limit.h"
 #include "report/loads.h"
 #include "report/notes.h"
+#include "report/onset.h"
 #include "report/pivots.h"
 #include "report/poses.h"
 #include "report/sliding.h"
@@ -37,6 +38,25 @@ static void add_teeth(tp_page *p) {
               tp_page_length(p, n[6], teeth->wavelength_m, 6), unit);
 }
 
+/* What the scene asks for: coordinates carry no unit of their own. */
+static void add_units(tp_page *p) {
+  const tp_result_units *own = &p->solution->result_units;
+  const struct {
+    const char *of;
+    tp_result_unit unit;
+  } all[] = {{"lengths and coordinates", own->length},
+             {"forces", own->force},
+             {"moments", own->moment},
+             {"stresses", own->stress}};
+  const char *before = "Units    ";
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+    if (all[k].unit.name == NULL) continue;
+    tp_text_add(&p->text, "%s%s in %s", before, all[k].of, all[k].unit.name);
+    before = k == 2 ? ",\n         " : ", ";
+  }
+  if (before[0] == ',') tp_text_add(&p->text, "\n");
+}
+
 static void add_block(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_block_result *b = &s->block;
@@ -50,7 +70,7 @@ static void add_block(tp_page *p) {
               tp_page_coordinate(p, n[2], b->centroid_y_m), unit);
   if (b->has_weight) {
     tp_text_add(&p->text, ", weight ");
-    tp_page_add_quantity(p, b->weight_n, "N");
+    tp_page_add_force(p, b->weight_n);
     tp_text_add(&p->text, "\n         over a thickness of %s %s",
                 tp_page_length(p, n[3], b->thickness_m, 6), unit);
   } else {
@@ -86,6 +106,7 @@ static void add_case(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "\n\n");
   tp_page_add_governing(p, c);
   tp_page_add_verdict(p, c);
+  tp_page_add_motions(p, c);
   tp_text_add(&p->text, "\n");
   tp_page_add_pivots(p, c);
   tp_text_add(&p->text, "\n");
@@ -93,6 +114,14 @@ static void add_case(tp_page *p, const tp_case *c) {
   tp_page_add_loads(p, c);
   tp_page_add_limit(p, c);
   tp_page_add_sliding(p, c);
+}
+
+void tp_page_add_input(tp_page *p) {
+  add_teeth(p);
+  add_units(p);
+  add_block(p);
+  tp_page_add_contact(p);
+  tp_page_add_friction(p);
 }
 
 static double seconds(const tp_solution *s) {
@@ -137,10 +166,7 @@ tp_status tp_report_text(char **text, const tp_solution *solution) {
     tp_encode_plain(&p.text, solution->title);
     tp_text_add(&p.text, "\n\n");
   }
-  add_teeth(&p);
-  add_block(&p);
-  tp_page_add_contact(&p);
-  tp_page_add_friction(&p);
+  tp_page_add_input(&p);
   tp_text_settings(&p.text, &solution->settings);
   tp_page_add_poses(&p);
   tp_text_notes(&p.text, &solution->notes);

@@ -137,6 +137,9 @@ static void add_element(tp_json *j, const tp_element *e) {
   tp_json_bounded(j, "parallel_arm_m", e->parallel_arm_m);
   tp_json_bounded(j, "stabilising", e->stabilising);
   tp_json_bounded(j, "overturning", e->overturning);
+  tp_json_bounded(j, "area_m2", e->area_m2);
+  tp_json_bounded(j, "centroid_x_m", e->centroid_x_m);
+  tp_json_bounded(j, "centroid_y_m", e->centroid_y_m);
   tp_json_close(j);
 }
 

@@ -71,7 +71,7 @@ tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + c);
     size_t chosen[FRAMES] = {0};
     const size_t count = choose(chosen, &view);
-    tp_text_add(&t, "<text x=\"8\" y=\"%.2f\">%s, by %s: %s</text>\n", top + 16,
+    tp_text_add(&t, "<text x=\"8\" y=\"%.2f\">%s, %s: %s</text>\n", top + 16,
                 tp_text_table(test, test->cases + c), tp_tilt_engine_name(engine),
                 tp_tilt_end_name(test->cases[c].end));
     for (size_t k = 0; k < count; k++) {

@@ -9,6 +9,8 @@
 #include "report/notes.h"
 #include "report/words.h"
 
+#include <math.h>
+
 static const double standard_gravity = 9.80665;
 
 static void json_settings(tp_json *j, const tp_tilt_settings *s) {
@@ -20,6 +22,7 @@ static void json_settings(tp_json *j, const tp_tilt_settings *s) {
   if (s->protocol == TP_TILT_RELEASE) {
     tp_json_double(j, "release_deg", s->release_deg);
   } else {
+    if (s->from_deg > 0) tp_json_double(j, "from_deg", s->from_deg);
     tp_json_double(j, "until_deg", s->until_deg);
     tp_json_double(j, "tolerance_deg", s->tolerance_deg);
   }
@@ -29,6 +32,7 @@ static void json_settings(tp_json *j, const tp_tilt_settings *s) {
     tp_json_double(j, "normal_stiffness_pa_m", s->normal_stiffness_pa_m);
     tp_json_double(j, "shear_stiffness_pa_m", s->shear_stiffness_pa_m);
     tp_json_truth(j, "stiffness_given", s->stiffness_given);
+    if (s->traction_count > 0) tp_json_count(j, "tractions", s->traction_count);
   }
   if (s->engine == TP_TILT_SPRINGS) {
     tp_json_double(j, "damping", s->damping);
@@ -87,6 +91,33 @@ static void json_mechanism(tp_json *j, const tp_tilt_case *c) {
   tp_json_double(j, "centre_y_m", c->centre_y_m);
 }
 
+static void json_path(tp_json *j, const tp_tilt_case *c) {
+  if (c->has_softening) tp_json_double(j, "softening_deg", c->softening_deg);
+  if (c->jumps == 0) return;
+  tp_json_count(j, "jumps", c->jumps);
+  tp_json_double(j, "first_jump_deg", c->first_jump_deg);
+}
+
+static void json_facets(tp_json *j, const tp_tilt_case *c) {
+  tp_json_array(j, "facets", TP_JSON_LIST);
+  for (size_t k = 0; k < c->facet_count; k++) {
+    const tp_tilt_facet *f = c->facets + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_integer(j, "facet", f->facet);
+    if (f->contact > 0) {
+      tp_json_count(j, "contact", f->contact);
+    } else {
+      tp_json_null(j, "contact");
+    }
+    tp_json_double(j, "x0_m", f->x0_m);
+    tp_json_double(j, "y0_m", f->y0_m);
+    tp_json_double(j, "x1_m", f->x1_m);
+    tp_json_double(j, "y1_m", f->y1_m);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}
+
 static void json_events(tp_json *j, const tp_tilt_case *c) {
   tp_json_array(j, "events", TP_JSON_LIST);
   for (size_t k = 0; k < c->event_count; k++) {
@@ -139,6 +170,7 @@ static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *tes
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "towards", tp_text_direction(c->towards));
   if (test->settings.protocol != TP_TILT_RELEASE) json_critical(j, c);
+  json_path(j, c);
   json_mechanism(j, c);
   json_statics(j, c);
   tp_json_string(j, "end", tp_tilt_end_name(c->end));
@@ -155,6 +187,7 @@ static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *tes
     tp_json_double(j, "overturned_by", c->overturning_most);
     tp_json_close(j);
   }
+  json_facets(j, c);
   json_events(j, c);
   json_moments(j, c);
   tp_json_count(j, "runs", c->runs);
@@ -190,10 +223,13 @@ tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test) {
     const tp_tilt_case *own = test->cases + c;
     for (size_t k = 0; k < own->moment_count; k++) {
       const tp_tilt_moment *m = own->moments + k;
-      tp_text_add(&t, "%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n",
+      tp_text_add(&t, "%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,",
                   tp_text_direction(own->towards), m->time_s, m->angle_deg, m->moved_x_m,
                   m->moved_y_m, m->turned_deg, m->speed_x_m_s, m->speed_y_m_s, m->turning_rad_s,
-                  m->kinetic_energy_j, m->energy_balance_j);
+                  m->kinetic_energy_j);
+      /* a path has none */
+      if (!isnan(m->energy_balance_j)) tp_text_add(&t, "%.17g", m->energy_balance_j);
+      tp_text_add(&t, "\n");
     }
   }
   return tp_text_finish(&t, text);

@@ -46,12 +46,10 @@ static bool add_without_tilt(tp_page *p, const tp_case *c, const char *where) {
                 p->solution->contact.corner_points > 0
                     ? "; its contacts of a corner on a corner count as no support"
                     : "");
-    tp_page_add_motions(p, c);
     return true;
   }
   if (add_up_dip(p, c, where)) {
     tp_page_add_windows(p, &c->onset);
-    tp_page_add_motions(p, c);
     return true;
   }
   if (tp_onset_is_known(&c->onset)) return false;
@@ -155,5 +153,4 @@ void tp_page_add_verdict(tp_page *p, const tp_case *c) {
   }
   if (p->solution->has_tilt_angle) add_at_tilt(p, c, where);
   tp_page_add_onset(p, c);
-  tp_page_add_motions(p, c);
 }

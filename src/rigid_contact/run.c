@@ -27,9 +27,13 @@ tp_rigid_contact_settings tp_rigid_contact_settings_default(void) {
                                      .window = TP_WINDOW_MOVES};
 }
 
+/* Impacts that follow sooner, as a share of the interval of moments, are not told on both sides. */
+static const double least_interval = 0.05;
+
 /* A run and where it is on its way. */
 typedef struct progress {
   tp_dynamics *d;
+  double impact; /* the time of the last impact that is told on both sides */
   double end, next_moment, step;
   long moments;
   int at_once;
@@ -149,6 +153,22 @@ static bool go_on(progress *p) {
   return over(p, TP_RUN_NO_MEMORY);
 }
 
+/* A velocity jumps in an impact: the history has the moments before and after it. */
+static bool is_told(progress *p, const tp_watch_end *end) {
+  const tp_dynamics *d = p->d;
+  const double every = d->run->moments_every_s / d->system.time_unit_s;
+  if (end->what != TP_WATCH_GAP || d->run->history == NULL || !(every > 0)) return false;
+  if (d->time - p->impact < least_interval * every) return false;
+  p->impact = d->time;
+  return true;
+}
+
+static bool go_on_told(progress *p) {
+  if (!tp_record_moment(p->d)) return over(p, TP_RUN_NO_MEMORY);
+  if (!go_on(p) || p->d->resting) return !p->is_over;
+  return tp_record_moment(p->d) ? true : over(p, TP_RUN_NO_MEMORY);
+}
+
 static bool meet(progress *p, const tp_watch_end *end) {
   tp_dynamics *d = p->d;
   if (end->what == TP_WATCH_OVERTURN) {
@@ -163,7 +183,7 @@ static bool meet(progress *p, const tp_watch_end *end) {
   if (d->account.events > d->settings->most_events) return undecided(p, "it met the most events");
   p->at_once = end->step > at_once ? 0 : p->at_once + 1;
   if (p->at_once > MOST_AT_ONCE) return undecided(p, "its contacts take turns at one moment");
-  return go_on(p);
+  return is_told(p, end) ? go_on_told(p) : go_on(p);
 }
 
 /* Up to the next time at which something is due, or the next event. */

@@ -5,40 +5,18 @@
 
 #include "scene/node.h"
 
+#include "nearest.h"
 #include "outside.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* Longer than any key: between such words no distance is taken. */
-enum { LONGEST = 63 };
-
-/* Edit distance of Levenshtein. */
-static size_t distance(const char *a, const char *b) {
-  const size_t na = strlen(a), nb = strlen(b);
-  if (na > LONGEST || nb > LONGEST) return LONGEST;
-  size_t row[LONGEST + 1];
-  for (size_t j = 0; j <= nb; j++) row[j] = j;
-  for (size_t i = 1; i <= na; i++) {
-    size_t diagonal = row[0];
-    row[0] = i;
-    for (size_t j = 1; j <= nb; j++) {
-      const size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
-      const size_t removed = row[j] + 1, added = row[j - 1] + 1;
-      diagonal = row[j];
-      row[j] = replaced < removed ? replaced : removed;
-      if (added < row[j]) row[j] = added;
-    }
-  }
-  return row[nb];
-}
-
 const char *tp_nearest(const char *word, const char *const *candidates) {
   const char *best = NULL;
-  size_t least = 3 + strlen(word) / 4; /* farther away is no misspelling */
+  size_t least = tp_word_reach(word);
   for (; *candidates != NULL; candidates++) {
     if (strlen(word) > 2 && strncmp(word, *candidates, strlen(word)) == 0) return *candidates;
-    const size_t away = distance(word, *candidates);
+    const size_t away = tp_word_distance(word, *candidates);
     if (away < least) {
       least = away;
       best = *candidates;

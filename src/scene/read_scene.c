@@ -109,10 +109,10 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "topple",  "title",   "length_unit", "parameters",         "block",
-      "base",    "loads",   "tilt",        "friction_angle_deg", "friction",
-      "frame",   "contact", "joint",       "tilt_test",          "shaking",
-      "drawing", NULL};
+      "topple",       "title",   "length_unit", "parameters",         "block",
+      "base",         "loads",   "tilt",        "friction_angle_deg", "friction",
+      "frame",        "contact", "joint",       "tilt_test",          "shaking",
+      "result_units", "drawing", NULL};
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
     return tp_read_fail(reader, root, "this is no scene: it does not begin with 'topple: 1'");
@@ -122,6 +122,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
     status = tp_node_expect_keys(root, keys, "the scene", scene->path, reader->message);
   if (status == TP_OK) status = read_title(reader, tp_node_get(root, "title"));
   if (status == TP_OK) status = read_length_unit(reader, root);
+  if (status == TP_OK) status = tp_read_result_units(reader, tp_node_get(root, "result_units"));
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
   if (status == TP_OK) status = tp_read_drawing(reader, tp_node_get(root, "drawing"));
   if (status == TP_OK) status = read_block(reader, root);

@@ -60,6 +60,34 @@ static void add_moment(const account *a, arb_t stabilising, arb_t overturning, c
   arb_clear(moment);
 }
 
+/* Its area and centroid: rational, as all that is on the lattice. */
+static void measure_element(const account *a, tp_element *result, const tp_exact_element *element) {
+  const tp_problem *problem = a->evaluation->problem;
+  const tp_lattice *l = &problem->lattice;
+  fmpq_t number;
+  fmpz_t sixths;
+  fmpq_init(number);
+  fmpz_init(sixths);
+  fmpz_divexact(sixths, &element->weight2, problem->section.density_weights + element->part);
+  fmpq_mul(number, l->step_m, l->step_m);
+  fmpq_mul_fmpz(number, number, sixths);
+  fmpq_div_2exp(number, number, 1);
+  result->area_m2 = tp_result_rational(number);
+  const fmpz *places[] = {&element->x6, &element->y6};
+  const fmpz *origins[] = {l->origin_x, l->origin_y};
+  tp_bounded *const results[] = {&result->centroid_x_m, &result->centroid_y_m};
+  for (int axis = 0; axis < 2; axis++) {
+    fmpz_set(sixths, places[axis]);
+    fmpz_addmul_ui(sixths, origins[axis], 6);
+    fmpq_mul_fmpz(number, l->step_m, sixths);
+    fmpz_set_ui(sixths, 6);
+    fmpq_div_fmpz(number, number, sixths);
+    *results[axis] = tp_result_rational(number);
+  }
+  fmpz_clear(sixths);
+  fmpq_clear(number);
+}
+
 static void account_element(account *a, tp_element *result, const tp_exact_element *element,
                             long pivot, tp_direction towards) {
   const tp_evaluation *e = a->evaluation;
@@ -84,6 +112,7 @@ static void account_element(account *a, tp_element *result, const tp_exact_eleme
                          .parallel_arm_m = tp_result(e, y, a->certainty),
                          .stabilising = tp_result(e, stabilising, a->certainty),
                          .overturning = tp_result(e, overturning, a->certainty)};
+  measure_element(a, result, element);
   arb_clear(weight);
   arb_clear(x);
   arb_clear(y);

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 static void summarise(tp_tilt_case *own) {
+  const bool has_balance = own->moment_count == 0 || !isnan(own->moments[0].energy_balance_j);
   for (size_t k = 0; k < own->moment_count; k++) {
     const tp_tilt_moment *m = own->moments + k;
     own->kinetic_energy_j = fmax(own->kinetic_energy_j, m->kinetic_energy_j);
@@ -14,6 +15,7 @@ static void summarise(tp_tilt_case *own) {
     own->ended_s = fmax(own->ended_s, m->time_s);
     own->ended_deg = m->angle_deg;
   }
+  if (!has_balance) own->energy_balance_j = NAN;
   for (size_t k = 0; k < own->event_count; k++) {
     own->ended_s = fmax(own->ended_s, own->events[k].time_s);
     own->ended_deg = fmax(own->ended_deg, own->events[k].angle_deg);

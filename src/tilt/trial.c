@@ -54,11 +54,14 @@ tp_status tp_tilting_try(tp_tilt_verdict *verdict, tp_body_state *last, tp_tilti
   const double angle = tp_tilt_radians(angle_deg),
                speed = s->set_down ? 0 : tp_tilt_radians(s->speed_deg_min) / 60;
   const tp_drive drive = {.angle = s->set_down ? angle : 0, .speed = speed, .final_angle = angle};
-  const tp_run run = {.drive = &drive,
-                      .longest_s =
-                          tp_tilt_duration(s, tilting->body) + (s->set_down ? 0 : angle / speed),
-                      .until_collapse = true,
-                      .history = history};
+  const tp_run run = {
+      .drive = &drive,
+      .longest_s = tp_tilt_duration(s, tilting->body) + (s->set_down ? 0 : angle / speed),
+      .moments_every_s = history == NULL || s->set_down
+                             ? 0
+                             : angle / speed / (double)(tilting->options->moments - 1),
+      .until_collapse = true,
+      .history = history};
   tp_run_end end = TP_RUN_UNDECIDED;
   if (tp_tilting_stopped(tilting)) {
     *verdict = TP_VERDICT_STOPPED;

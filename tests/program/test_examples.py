@@ -55,7 +55,7 @@ class Examples(unittest.TestCase):
             if isinstance(node, dict) and set(node) == {"value", "error"}:
                 self.assertLessEqual(node["error"], max(abs(node["value"]), sizes.get(key, 0)) * 1e-9)
             elif isinstance(node, dict):
-                if "area_m2" in node:
+                if "second_moment_xx_m4" in node:
                     xx, yy = (node[f"second_moment_{axis}_m4"]["value"] for axis in ("xx", "yy"))
                     sizes = {"second_moment_xy_m4": math.sqrt(xx * yy)} | dict.fromkeys(
                         ("centroid_x_m", "centroid_y_m"), math.sqrt(node["area_m2"]["value"]))

@@ -91,6 +91,9 @@ SAID = [
       "tilt_test_restitution": "0.5"},
      "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: dynamics, speed_deg_min: 30,"
      " restitution: 0.5}"),
+    ({"slab": (50, 100), "friction_angle_deg": 30, "tilt_test": ("path",), "tilt_test_tractions": [(1, 20, "10.5", -3)]},
+     "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: path,"
+     " tractions: [{facet: 1, normal_kpa: [20, 10.5], shear_kpa: -3}]}"),
     ({"slab": (50, 100), "friction_angle_deg": 30, "shaking_pulses": [("horizontally", "half sine", "0.4", 2)],
       "shaking_records": [("vertically", [(0, 0), (0.5, 0.1), (1, 0)], 2)]},
      "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\n"
@@ -143,7 +146,7 @@ class Scenes(unittest.TestCase):
             "tp_solve_outline", "tp_report_json",  # said by Scene.solve, tp_report_json_pivots
             "tp_sweep",  # said by tp_sweep_write
             "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
-            "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name",  # for programs and terminals
+            "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name", "tp_sheet_is_file_name",  # for programs and terminals
             "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
             "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",
             "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",

@@ -28,10 +28,15 @@ _topple_files() { # WORD ENDING…
   done
 }
 
-_topple_values() { # OPTION WORD
+_topple_values() { # OPTION WORD COMMAND
   case $1 in
   --figure) _topple_files "$2" svg pdf png ;;
-  --output) _topple_files "$2" svg pdf png csv ;;
+  --output)
+    case $3 in
+    examples | new) _topple_files "$2" yaml ;;
+    *) _topple_files "$2" svg pdf png csv ;;
+    esac
+    ;;
   --write-profile) _topple_files "$2" csv ;;
   --level) compgen -W "double compensated ball exact" -- "$2" ;;
   --pivots) compgen -W "all governing" -- "$2" ;;
@@ -39,6 +44,9 @@ _topple_values() { # OPTION WORD
   --resample) compgen -W "linear spline" -- "$2" ;;
   --detrend) compgen -W "none line ends" -- "$2" ;;
   --window) compgen -W "hann none" -- "$2" ;;
+  --color) compgen -W "auto always never" -- "$2" ;;
+  --towards) compgen -W "left right both" -- "$2" ;;
+  --frame) compgen -W "base world" -- "$2" ;;
   --unit) compgen -W "mm cm m km in ft" -- "$2" ;;
   --for)
     compgen -S = -W "critical_angle fos sliding_angle sliding_fos limit_angle limit_fos onset_angle" -- "$2"
@@ -66,7 +74,7 @@ _topple() {
   [[ $'\n'$options$'\n' == *$'\n'"$last="$'\n'* ]] && option=$last
 
   if [[ -n $option ]]; then
-    mapfile -t COMPREPLY < <(_topple_values "$option" "$word")
+    mapfile -t COMPREPLY < <(_topple_values "$option" "$word" "$command")
     case $option in
     --figure | --output | --write-profile) _topple_how filenames ;;
     --for) _topple_how nospace ;;
@@ -85,7 +93,9 @@ _topple() {
   [[ -z $command || -z $commands ]] && _topple_how filenames
   mapfile -t COMPREPLY < <(
     compgen -W "$commands" -- "$word"
-    [[ -z $command || -z $commands ]] && _topple_files "$word" yaml yml
+    [[ -z $command || -z $commands && $command != examples && $command != new ]] && _topple_files "$word" yaml yml
+    [[ $command == examples ]] && compgen -W "$("$program" examples 2>/dev/null | grep -x '[a-z0-9_/]*')" -- "$word"
+    [[ $command == new ]] && compgen -f -X '!*.csv' -- "$word"
     [[ $command == profile ]] && compgen -f -X '!*.csv' -- "$word"
   )
 }

@@ -18,15 +18,18 @@ from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verd
                      critical_angles, moments, outline_moments, verdicts)
 from .builder import Along, Towards, UndersideEnd
 from .case import Case, Factor, GoverningFos, LoadResult, Pivot, Sliding, Toe
-from .chart import (Chart, chart_fos, chart_map, chart_mechanisms, chart_ranges, chart_study,
-                    chart_study_scatter)
+from .chart import (Chart, chart_fos, chart_map, chart_mechanisms, chart_overturning, chart_ranges,
+                    chart_study, chart_study_scatter, chart_tilt_phase, chart_tilt_reactions)
 from .contact import (Account, Block, Contact, Effect, Element, FacetFriction, Fos, Frame,
-                      Joint, Note, Rest, Setting, Teeth, Within)
+                      Joint, Note, Rest, ResultUnit, ResultUnits, Setting, Teeth, Within)
+from .converge import (Convergence, ConvergenceCase, ConvergeFinding, ConvergeLevel,
+                        tilt_converge)
 from .derivation import (DerivedCheck, DerivedElement, DerivedLimit, DerivedOnset, DerivedPivot,
                          DerivedReaction, DerivedRounding, DerivedRow)
 from .derive import Derivation, Family, FamilyFormula, derive, derive_family
 from .errors import (BadInput, Caution, DependencyFailed, NoAnswer, OutOfMemory, SystemFailed,
                      ToppleError, Undecided)
+from .explain import explain, terms
 from .find import Found, FoundInterval, find
 from .formula import Fraction
 from .limit import (Limit, Motion, MotionContact, MotionRange, MotionResistance, Onset, Reaction,
@@ -41,10 +44,11 @@ from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyFactor, StudyI
                     StudyQuantile, StudyRank, StudyRare, StudyReliability, StudyResult, StudyShare,
                     StudySpread, StudyStep, StudyTilt, StudyVariable, study)
 from .sweep import Sweep, sweep, write_sweep
-from .tilt import (TiltCase, TiltEvent, TiltMoment, TiltPoint, TiltReaction, TiltSettings,
-                   TiltShaking, TiltTest, tilt_test)
+from .tilt import (TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
+                   TiltSettings, TiltShaking, TiltTest, tilt_test)
 from .verify import ClaimResult, Verification, verify, verify_text
-from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, Design, Direction,
+from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,
+                    ConvergeSetting, ConvergeVerdict, Design, Direction,
                     ElementKind, FindTarget, FosDefinition, FosState, JrcState, Level, LimitKind,
                     LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
                     ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,

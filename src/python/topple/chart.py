@@ -15,6 +15,7 @@ from .record import struct_of
 from .report import drawn, written
 from .scene import Scene
 from .study import StudyResult
+from .tilt import TiltTest
 
 
 class Chart:
@@ -98,6 +99,32 @@ def chart_study(result: StudyResult) -> Chart:
 def chart_study_scatter(result: StudyResult) -> Chart:
     """The angle at which its samples let go, against each number that varies."""
     return made(lib.tp_chart_study_scatter, struct_of(result))
+
+
+def chart_tilt_reactions(test: TiltTest) -> Chart:
+    """Reactions of the facets in a tilt test, against the tilt up to where the block lets go; where
+    the table stands still against time."""
+    return made(lib.tp_chart_tilt_reactions, struct_of(test))
+
+
+def chart_tilt_phase(test: TiltTest) -> Chart:
+    """Phase portraits of what moves in a tilt test: its turn against its angular velocity, the
+    displacement of its centroid along the base against its speed."""
+    return made(lib.tp_chart_tilt_phase, struct_of(test))
+
+
+def chart_overturning(scene: Scene, frequencies: tuple[float, float] | None = None, *,
+                      count: int | None = None, tolerance: float | None = None) -> Chart:
+    """The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its
+    form that overturns the block, as PGA against frequency and PGV, and islands in which stronger
+    shaking spares it. `frequencies` from and to, in hertz of a pulse, times as fast of a record;
+    `count` of them, 25 unless given; `tolerance` of brackets, 1e-3."""
+    first, last = frequencies or (None, None)
+    options = options_of("overturning", **{"from": first}, to=last, count=count,
+                         tolerance=tolerance)
+    receives = ffi.new("tp_chart **")
+    scene._use(lib.tp_chart_overturning, receives, scene._c, options)
+    return Chart(receives)
 
 
 def chart_map(scene: Scene, x: tuple[str, float, float],

@@ -9,7 +9,7 @@ import tempfile
 from typing import Callable
 
 from ._library import ffi, lib
-from .errors import failure
+from .errors import DependencyFailed, failure
 
 
 def written(call, *arguments) -> str:
@@ -35,3 +35,13 @@ def drawn(write: Callable[[pathlib.Path], None]) -> str:
         path = pathlib.Path(folder) / "figure.svg"
         write(path)
         return path.read_text(encoding="utf-8")
+
+
+def drawing():
+    """The module that draws by Cairo."""
+    try:
+        from . import _figure
+    except ImportError as error:
+        raise DependencyFailed("figures and reports need libtopple-figure, which cannot be loaded:"
+                               f" {error}") from error
+    return _figure

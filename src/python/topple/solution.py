@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Iterable
 
 from ._library import ffi, lib
 from .case import Case
-from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, Setting,
+from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, ResultUnits, Setting,
                       Teeth, Within, notes_of, settings_of)
-from .errors import DependencyFailed
-from .given import c_path
+from .given import c_path, c_text
+from .options import options_of
 from .record import Bounded, Record, field, record, struct_of
 from .poses import Poses
-from .report import drawn, written
+from .report import drawing, drawn, written
 from .words import Design, Direction, Level, Mechanism, PivotsListed, number_of
 
 if TYPE_CHECKING:
@@ -34,8 +34,9 @@ class Solution(Record):
     Every computed number is a `Bounded`. What is not asked for or does not exist is None."""
 
     title: str | None
-    length_unit: str
+    length_unit: str  #: that reports print in
     metres_per_unit: float
+    result_units: ResultUnits
     tilt_angle_deg: Bounded | None = field(when="has_tilt_angle")
     friction_angle_deg: Bounded | None = field(when="has_friction")
     friction_is_residual: bool  #: Barton's law: the angle at a stress is above it
@@ -115,14 +116,22 @@ class Solution(Record):
     def write_figure(self, path: str | os.PathLike) -> None:
         """Draw the block on its base into a file: .svg, .pdf or .png. It is drawn of the scene,
         which must be as it was when it was solved."""
-        try:
-            from . import _figure
-        except ImportError as error:
-            raise DependencyFailed("figures need libtopple-figure, which cannot be loaded:"
-                                   f" {error}") from error
         solution = struct_of(self)
         scene: Scene = self.__dict__["_scene"]
-        scene._use(_figure.lib.tp_report_figure, c_path(path), scene._c, solution,
+        scene._use(drawing().lib.tp_report_figure, c_path(path), scene._c, solution,
+                   of=self.__dict__["_version"])
+
+    def write_report(self, path: str | os.PathLike, date: str | None = None, times: bool = True,
+                     lines: int = 400) -> None:
+        """Write a calculation sheet to check and sign into a file: .html, .md or .pdf. `date` is
+        printed as it is; `times` tells how long each effect took, which no two runs have alike;
+        `lines` of each file that the scene was read from are shown. It has the account of moments
+        by elements where `solve(elements=True)` drew it up."""
+        solution = struct_of(self)
+        scene: Scene = self.__dict__["_scene"]
+        held = None if date is None else c_text(date)
+        options = options_of("sheet", date=held, times=int(times), lines=lines)
+        scene._use(drawing().lib.tp_report_sheet, c_path(path), scene._c, solution, options,
                    of=self.__dict__["_version"])
 
     def svg(self) -> str:

@@ -60,6 +60,18 @@ class TiltReaction(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class TiltFacet(Record):
+    """A facet of the base that events or reactions name, from its left end to its right one."""
+
+    facet: int  #: as they count it: of the base, from 1
+    contact: int  #: as statics counts the facets of the contact, from 1; 0: none at the start
+    x0_m: float
+    y0_m: float
+    x1_m: float
+    y1_m: float
+
+
+@dataclasses.dataclass(frozen=True)
 class TiltPoint(Record):
     """A vertex in the frame of the base."""
 
@@ -77,6 +89,7 @@ class TiltSettings(Record):
     speed_deg_min: float
     until_deg: float
     release_deg: float
+    from_deg: float  #: of a ramp: where it starts
     tolerance_deg: float
     duration_s: float
     normal_stiffness_pa_m: float
@@ -86,6 +99,7 @@ class TiltSettings(Record):
     rounding_m: float
     time_step_s: float  #: 0: chosen
     restitution: float
+    traction_count: int  #: facets with stress locked in before the start
 
 
 @dataclasses.dataclass(frozen=True)
@@ -107,6 +121,9 @@ class TiltCase(Record):
     least_deg: float  #: it stands there; of one that never lets go the last tilt tried
     most_deg: float | None = field(when="has_bracket")  #: it lets go there
     converged: bool  #: the bracket is as narrow as was asked
+    softening_deg: float | None = field(when="has_softening")  #: sooner on springs as given
+    jumps: int  #: times that a path gave way and came to rest at the same tilt
+    first_jump_deg: float  #: of the first of these
     mechanism: Mechanism | None = field(when="has_mechanism")
     centre_x_m: float | None = field(when="has_centre")
     centre_y_m: float | None = field(when="has_centre")
@@ -126,6 +143,7 @@ class TiltCase(Record):
     events: tuple[TiltEvent, ...] = field(count="event_count")
     moments: tuple[TiltMoment, ...] = field(count="moment_count")
     reactions: tuple[TiltReaction, ...] = field(count="reaction_count")
+    facets: tuple[TiltFacet, ...] = field(count="facet_count")
     outline: tuple[TiltPoint, ...] = field(count="outline_count")
     base: tuple[TiltPoint, ...] = field(count="base_count")
     centroid_x_m: float

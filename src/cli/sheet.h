@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the program puts on calculation sheets beside results: the date. */
+
+#ifndef TP_CLI_SHEET_H
+#define TP_CLI_SHEET_H
+
+#include "cli/cli.h"
+
+typedef struct tp_cli_date {
+  char text[32];
+} tp_cli_date;
+
+/* The date of now; where SOURCE_DATE_EPOCH is set that one, and no times, so that the same input
+ * gives the same bytes. `date` holds what the options point to. */
+TP_MUST_USE tp_status tp_cli_sheet_options(tp_sheet_options *options, tp_cli_date *date,
+                                           tp_message *message);
+
+#endif

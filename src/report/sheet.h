@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A solution as a calculation sheet: a document (document.h) that a reviewer can repeat by hand.
+ * Every number on it is one of the solution, printed with certain digits alone; every formula has
+ * its numbers put in, as they stand elsewhere on the sheet. */
+
+#ifndef TP_SHEET_H
+#define TP_SHEET_H
+
+#include "document/document.h"
+#include "report/page.h"
+#include "topple_sheet.h"
+
+typedef struct tp_sheet {
+  tp_document document;
+  const tp_solution *solution;
+  const tp_sheet_options *options;
+} tp_sheet;
+
+/* A file that a sheet rests on: as it is when the sheet is made. */
+typedef struct tp_sheet_file {
+  const char *path;
+  int why;     /* not 0: it cannot be read, for this reason (errno) */
+  char *bytes; /* with a zero behind them */
+  size_t length;
+} tp_sheet_file;
+
+typedef struct tp_sheet_files {
+  size_t count;
+  tp_sheet_file *items;
+} tp_sheet_files;
+
+TP_MUST_USE tp_status tp_sheet_files_read(tp_sheet_files *files, const char *const *paths,
+                                          size_t count, tp_message *message);
+void tp_sheet_files_clear(tp_sheet_files *files);
+
+/* The whole document of a solution. `picture` is taken over. */
+void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
+                    const tp_sheet_options *options, tp_picture picture);
+
+/* ---- its sections ------------------------------------------------------------------------------
+ */
+
+/* Program, date, files with their hashes: what the sheet is of. */
+void tp_sheet_add_origin(tp_document *document, const tp_sheet_files *files,
+                         const tp_sheet_options *options);
+/* The files themselves, and who has checked what. */
+void tp_sheet_add_files(tp_document *document, const tp_sheet_files *files,
+                        const tp_sheet_options *options);
+void tp_sheet_add_signatures(tp_document *document);
+/* Below each page on paper. */
+void tp_sheet_add_foot(tp_document *document, const tp_sheet_files *files,
+                       const tp_sheet_options *options);
+/* What was noted of the input; nothing where there is nothing. */
+void tp_sheet_add_notes(tp_document *document, const tp_notes *notes);
+
+void tp_sheet_add_verdict(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_factors(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_window(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_pivots(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_formulas(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_sliding_formulas(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_loads(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_account(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_limit(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_motions(tp_sheet *sheet, const tp_case *own);
+void tp_sheet_add_proof(tp_sheet *sheet);
+
+/* ---- words -------------------------------------------------------------------------------------
+ */
+
+/* A text as a page for a terminal has it, which is dropped: paragraphs, of lines that belong
+ * together. Empty: nothing. */
+void tp_sheet_prose(tp_document *document, tp_passage_kind kind, tp_text *text);
+
+/* Likewise of lines that begin with a label of nine columns: a row of facts each. */
+void tp_sheet_facts(tp_document *document, tp_text *text);
+
+/* A number within a formula: in brackets where it is below 0, or has its bound beside it. */
+typedef struct tp_sheet_number {
+  char text[TP_NUMBER_SIZE + 4];
+} tp_sheet_number;
+
+/* Of the account by elements. */
+tp_sheet_number tp_sheet_moment(const tp_sheet *sheet, tp_bounded moment);
+tp_sheet_number tp_sheet_coordinate(const tp_sheet *sheet, tp_bounded metres);
+tp_sheet_number tp_sheet_angle(tp_bounded degrees);
+tp_sheet_number tp_sheet_factor(tp_bounded factor);
+tp_sheet_number tp_sheet_share(tp_bounded share);
+
+#endif

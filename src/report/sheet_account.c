@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Tables of moments: loads about the governing pivot, and the account by elements. */
+
+#include "report/sheet.h"
+
+#include "report/account_units.h"
+#include "report/loads.h"
+
+/* Elements that are listed; JSON has all. */
+enum { LISTED = 60 };
+
+void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
+  tp_document *d = &s->document;
+  tp_page page = {.solution = s->solution};
+  if (!s->solution->loaded) return;
+  tp_document_heading(d, 3, "Loads");
+  tp_page_add_balance(&page, c);
+  tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &page.text);
+  if (!c->has_governing || c->load_count == 0) {
+    tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                    "Their moments are told about a governing pivot at the scene's tilt, where "
+                    "there are both.");
+    return;
+  }
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2,
+                    "Moments about the governing pivot at the scene's tilt, overturning positive");
+  tp_document_cell(d, "Load");
+  const tp_result_unit unit = s->solution->result_units.moment;
+  tp_document_cell(d, "Moment (%s)", unit.name != NULL ? unit.name : "N m");
+  tp_document_cell(d, "Counts as");
+  tp_document_cell(d, "Called for by");
+  for (size_t k = 0; k < c->load_count; k++) {
+    const tp_load_result *l = c->loads + k;
+    char n[TP_NUMBER_SIZE];
+    tp_document_cell(d, "%s", l->name);
+    tp_document_cell(d, "%s", tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6));
+    tp_document_cell(d, "%s", tp_text_load_side(l->side));
+    tp_document_outside_cell(d, l->called_for_by);
+  }
+}
+
+static void add_heads(tp_sheet *s, const tp_account_units *units) {
+  tp_document *d = &s->document;
+  const char *unit = s->solution->length_unit;
+  tp_document_cell(d, "Element");
+  tp_document_cell(d, "Form");
+  tp_document_cell(d, "Area (%s²)", unit);
+  tp_document_cell(d, "Centroid x (%s)", unit);
+  tp_document_cell(d, "Centroid y (%s)", unit);
+  tp_document_cell(d, "Weight (%s)", units->weight);
+  tp_document_cell(d, "Stabilising (%s)", units->moment);
+  tp_document_cell(d, "Overturning (%s)", units->moment);
+}
+
+static const char *area_of(const tp_sheet *s, char n[TP_NUMBER_SIZE], tp_bounded area_m2) {
+  const double unit = s->solution->metres_per_unit;
+  return tp_text_significant(n, tp_text_over(tp_text_over(area_m2, unit), unit), 6);
+}
+
+static void add_element(tp_sheet *s, const tp_element *e, size_t k, const tp_account_units *units) {
+  tp_document *d = &s->document;
+  const tp_page page = {.solution = s->solution};
+  char n[TP_NUMBER_SIZE];
+  tp_document_cell(d, "%zu", k + 1);
+  tp_document_cell(d, "%s", e->kind == TP_ELEMENT_SLAB ? "slab" : "triangle");
+  tp_document_cell(d, "%s", area_of(s, n, e->area_m2));
+  tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_x_m));
+  tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_y_m));
+  tp_document_cell(d, "%s", tp_text_significant(n, tp_page_in(e->weight, units->force), 6));
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, e->stabilising, units));
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, e->overturning, units));
+}
+
+static void add_sums(tp_sheet *s, const tp_account *a, const tp_account_units *units) {
+  tp_document *d = &s->document;
+  const tp_block_result *b = &s->solution->block;
+  const tp_page page = {.solution = s->solution};
+  char n[TP_NUMBER_SIZE];
+  tp_document_mark_row(d);
+  tp_document_cell(d, "All");
+  tp_document_cell(d, "%zu elements", a->count);
+  tp_document_cell(d, "%s", area_of(s, n, b->area_m2));
+  tp_document_cell(d, "%s", tp_page_coordinate(&page, n, b->centroid_x_m));
+  tp_document_cell(d, "%s", tp_page_coordinate(&page, n, b->centroid_y_m));
+  tp_document_cell(d, "%s",
+                   b->has_weight ? tp_text_significant(n, tp_page_in(b->weight_n, units->force), 6)
+                                 : "1");
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, a->stabilising, units));
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, a->overturning, units));
+}
+
+void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
+  tp_document *d = &s->document;
+  const tp_account *a = &c->account;
+  const bool left = c->towards == TP_TOWARDS_LEFT;
+  const tp_account_units units = tp_account_units_of(s->solution);
+  char n[TP_NUMBER_SIZE];
+  if (a->count == 0 || !c->has_governing) return;
+  tp_document_heading(d, 3, "Account of moments by elements");
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "The section is cut into slabs and triangles (drawn in the figure). About pivot "
+                  "%zu, at α = %s°%s, each element k of weight W and centroid (x, y) has the two "
+                  "moments below: of above 0 the first stabilises and the second overturns, of "
+                  "below 0 it is the other way round. All: sums of areas, weights and moments, and "
+                  "the centroid of the weight.",
+                  c->governing + 1, tp_page_degrees(n, a->angle_deg),
+                  a->at_critical_angle ? ", the critical angle" : "");
+  tp_document_add(d, TP_PASSAGE_EQUATION,
+                  "M_{1k} = W_k (%s) \\cos α \\\\ M_{2k} = W_k (y_k − y_P) \\sin α \\\\"
+                  "x_G = \\frac{\\sum W_k x_k}{\\sum W_k} \\\\"
+                  "y_G = \\frac{\\sum W_k y_k}{\\sum W_k}",
+                  left ? "x_k − x_P" : "x_P − x_k");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 8, 0xfc,
+                    "Moments about the governing pivot by elements");
+  add_heads(s, &units);
+  for (size_t k = 0; k < a->count && k < LISTED; k++) add_element(s, a->elements + k, k, &units);
+  add_sums(s, a, &units);
+  if (a->count > LISTED) {
+    tp_document_add(
+        d, TP_PASSAGE_PARAGRAPH,
+        "The first %d elements are listed; the sums are of all (topple solve --elements "
+        "lists them).",
+        LISTED);
+  }
+}

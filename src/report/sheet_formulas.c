@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The formulas of a case with their numbers put in. Each side of an equation that holds numbers
+ * alone is the same number within what its printed digits leave open: tests/program/test_report.py
+ * reckons them again by intervals. Equations of Alejano et al. bear their numbers. */
+
+#include "report/sheet.h"
+
+#include "report/words.h"
+
+#include <stdio.h>
+
+/* The lever arms of the weight about the governing pivot; false where loads act, or the weight
+ * lies not above it. */
+static bool has_arms(const tp_sheet *s, const tp_case *c) {
+  if (s->solution->loaded || !c->has_governing) return false;
+  const tp_bounded y_m = s->solution->block.centroid_y_m, own = c->pivots[c->governing].y_m;
+  return y_m.value - y_m.error > own.value + own.error;
+}
+
+static void add_critical_angle(tp_sheet *s, const tp_case *c) {
+  const tp_block_result *b = &s->solution->block;
+  const tp_pivot *p = c->pivots + c->governing;
+  const bool left = c->towards == TP_TOWARDS_LEFT;
+  const tp_sheet_number gx = tp_sheet_coordinate(s, b->centroid_x_m),
+                        gy = tp_sheet_coordinate(s, b->centroid_y_m),
+                        px = tp_sheet_coordinate(s, p->x_m), py = tp_sheet_coordinate(s, p->y_m);
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "Critical angle of toppling about pivot %zu, by moments: at it the line of the "
+                  "weight passes through the pivot. G is the centroid of the weight, P the pivot.",
+                  c->governing + 1);
+  tp_document_add(&s->document, TP_PASSAGE_EQUATION,
+                  "α_c = \\arctan \\frac{%s}{y_G − y_P} \\\\"
+                  "α_c = \\arctan \\frac{%s − %s}{%s − %s} = %s",
+                  left ? "x_G − x_P" : "x_P − x_G", left ? gx.text : px.text,
+                  left ? px.text : gx.text, gy.text, py.text,
+                  tp_sheet_angle(p->critical_angle_deg).text);
+}
+
+static void add_resultant(tp_sheet *s, const tp_case *c) {
+  const tp_pivot *p = c->pivots + c->governing;
+  if (p->fos_resultant.state != TP_FOS_NUMBER || p->critical_angle_deg.value <= 0) return;
+  const tp_bounded tilt = s->solution->tilt_angle_deg;
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "Factor of safety against toppling about it, by the resultant (Eq. 2): what "
+                  "stabilises over what overturns.");
+  tp_document_add(&s->document, TP_PASSAGE_EQUATION,
+                  "\\text{FoS} = \\frac{\\tan α_c}{\\tan α} = \\frac{\\tan %s}{\\tan %s} = %s",
+                  tp_sheet_angle(p->critical_angle_deg).text, tp_sheet_angle(tilt).text,
+                  tp_sheet_factor(p->fos_resultant.value).text);
+}
+
+/* Where loads act: the sums of the table of loads. */
+static void add_loaded(tp_sheet *s, const tp_case *c) {
+  const tp_pivot *p = c->pivots + c->governing;
+  tp_text equation = {0};
+  if (p->fos_resultant.state != TP_FOS_NUMBER || c->load_count == 0) return;
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "Factor of safety against toppling about pivot %zu: the moments of the table of "
+                  "loads, what stabilises over what overturns less what lessens that.",
+                  c->governing + 1);
+  tp_text_add(&equation, "\\text{FoS} = \\frac{");
+  for (int under = 0; under < 2; under++) {
+    bool any = false;
+    for (size_t k = 0; k < c->load_count; k++) {
+      const tp_load_result *l = c->loads + k;
+      char n[TP_NUMBER_SIZE];
+      if ((l->side == TP_STABILISES) == (under == 1)) continue;
+      tp_bounded moment = tp_page_in(l->moment_nm, s->solution->result_units.moment);
+      if (!under) moment.value = -moment.value;
+      const bool below = moment.value < 0;
+      if (below) moment.value = -moment.value;
+      tp_text_add(&equation, "%s%s",
+                  below ? " − "
+                  : any ? " + "
+                        : "",
+                  tp_text_significant(n, moment, 6));
+      any = true;
+    }
+    if (!any) tp_text_add(&equation, "0");
+    tp_text_add(&equation, under ? "} = %s" : "}{", tp_sheet_factor(p->fos_resultant.value).text);
+  }
+  tp_document_take(&s->document, TP_PASSAGE_EQUATION, 0, &equation);
+}
+
+static void add_elements(tp_sheet *s, const tp_case *c) {
+  const tp_account *a = &c->account;
+  const tp_pivot *p = c->pivots + c->governing;
+  if (a->count == 0 || p->fos_elements.state != TP_FOS_NUMBER) return;
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "The same by elements (Eq. A1.3): of each element both components of its weight, "
+                  "each with the side that its sign puts it on; the sums of the account below.");
+  tp_document_add(
+      &s->document, TP_PASSAGE_EQUATION,
+      "\\text{FoS}_{\\text{el}} = \\frac{\\sum M_{\\text{stab}}}{\\sum M_{\\text{over}}} = "
+      "\\frac{%s}{%s} = %s",
+      tp_sheet_moment(s, a->stabilising).text, tp_sheet_moment(s, a->overturning).text,
+      tp_sheet_factor(p->fos_elements.value).text);
+}
+
+/* "FoS = min{1.938, 3.104} = 1.938", of those that count and are numbers. */
+static void add_least(tp_sheet *s, const tp_governing_fos *g) {
+  tp_text equation = {0};
+  size_t count = 0;
+  if (g->fos.state != TP_FOS_NUMBER) return;
+  tp_text_add(&equation, "\\text{FoS} = \\min (");
+  for (size_t k = 0; k < g->factor_count; k++) {
+    const tp_factor *factor = g->factors + k;
+    if (!factor->counts || factor->fos.state != TP_FOS_NUMBER) continue;
+    tp_text_add(&equation, "%s%s", count++ > 0 ? ", " : "",
+                tp_sheet_factor(factor->fos.value).text);
+  }
+  tp_text_add(&equation, ") = %s", tp_sheet_factor(g->fos.value).text);
+  if (count > 1) {
+    tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH, "The factor that governs:");
+    tp_document_take(&s->document, TP_PASSAGE_EQUATION, 0, &equation);
+  } else {
+    tp_text_drop(&equation);
+  }
+}
+
+void tp_sheet_add_formulas(tp_sheet *s, const tp_case *c) {
+  tp_document_heading(&s->document, 3, "Formulas with their numbers");
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "Digits are certain as far as they are printed; who reckons with them gets the "
+                  "same to the last digit but one. Lengths are in %s, angles in degrees.",
+                  s->solution->length_unit);
+  if (has_arms(s, c)) {
+    add_critical_angle(s, c);
+    if (s->solution->has_tilt_angle) add_resultant(s, c);
+  }
+  if (s->solution->loaded && c->has_governing) add_loaded(s, c);
+  if (c->has_governing) add_elements(s, c);
+  tp_sheet_add_sliding_formulas(s, c);
+  add_least(s, &c->governing_fos);
+}

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The words and numbers of a sheet are those of the page for a terminal, set otherwise. */
+
+#include "report/sheet.h"
+
+#include "report/account_units.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Columns of a label. */
+enum { LABEL = 9 };
+
+/* Words of a line, with one blank between them and what is there already. */
+static void add_words(tp_text *t, const char *line, size_t length) {
+  size_t from = 0;
+  while (from < length) {
+    while (from < length && line[from] == ' ') from++;
+    size_t to = from;
+    while (to < length && line[to] != ' ') to++;
+    if (to > from && t->length > 0) tp_text_append(t, " ", 1);
+    tp_text_append(t, line + from, to - from);
+    from = to;
+  }
+}
+
+static void end_paragraph(tp_document *d, tp_passage_kind kind, tp_text *paragraph) {
+  if (paragraph->length > 0) tp_document_take(d, kind, 0, paragraph);
+  tp_text_drop(paragraph);
+  *paragraph = (tp_text){0};
+}
+
+void tp_sheet_prose(tp_document *d, tp_passage_kind kind, tp_text *text) {
+  tp_text paragraph = {0};
+  const char *at = text->data != NULL ? text->data : "";
+  d->failed = d->failed || text->failed;
+  while (*at != '\0') {
+    const size_t length = strcspn(at, "\n");
+    if (strspn(at, " ") >= length) end_paragraph(d, kind, &paragraph);
+    add_words(&paragraph, at, length);
+    at += length + (at[length] == '\n');
+  }
+  end_paragraph(d, kind, &paragraph);
+  tp_text_drop(text);
+}
+
+void tp_sheet_facts(tp_document *d, tp_text *text) {
+  tp_text value = {0};
+  char label[LABEL + 1] = "";
+  const char *at = text->data != NULL ? text->data : "";
+  d->failed = d->failed || text->failed;
+  while (*at != '\0') {
+    const size_t length = strcspn(at, "\n");
+    const bool begins = length > 0 && *at != ' ';
+    if (begins && value.length > 0) {
+      tp_document_cell(d, "%s", label);
+      tp_document_outside_cell(d, value.data);
+      tp_text_drop(&value);
+      value = (tp_text){0};
+    }
+    const size_t named = begins ? strcspn(at, " ") : 0;
+    if (begins) snprintf(label, sizeof label, "%.*s", (int)named, at);
+    add_words(&value, at + named, length - named);
+    at += length + (at[length] == '\n');
+  }
+  if (value.length > 0) {
+    tp_document_cell(d, "%s", label);
+    tp_document_outside_cell(d, value.data);
+  }
+  tp_text_drop(&value);
+  tp_text_drop(text);
+}
+
+static tp_sheet_number number_of(const char *text) {
+  tp_sheet_number own;
+  const bool alone = *text != '-' && strchr(text, ' ') == NULL;
+  snprintf(own.text, sizeof own.text, alone ? "%s" : "(%s)", text);
+  return own;
+}
+
+tp_sheet_number tp_sheet_moment(const tp_sheet *s, tp_bounded moment) {
+  char n[TP_NUMBER_SIZE];
+  const tp_page page = {.solution = s->solution};
+  const tp_account_units units = tp_account_units_of(s->solution);
+  return number_of(tp_account_moment(&page, n, moment, &units));
+}
+
+tp_sheet_number tp_sheet_coordinate(const tp_sheet *s, tp_bounded metres) {
+  char n[TP_NUMBER_SIZE];
+  const tp_page page = {.solution = s->solution};
+  return number_of(tp_page_coordinate(&page, n, metres));
+}
+
+tp_sheet_number tp_sheet_angle(tp_bounded degrees) {
+  char n[TP_NUMBER_SIZE], angle[TP_NUMBER_SIZE + 2];
+  tp_page_degrees(n, degrees);
+  snprintf(angle, sizeof angle, "%s°", n);
+  return number_of(angle);
+}
+
+tp_sheet_number tp_sheet_factor(tp_bounded factor) {
+  char n[TP_NUMBER_SIZE];
+  return number_of(tp_text_fixed(n, factor, 3));
+}
+
+tp_sheet_number tp_sheet_share(tp_bounded share) {
+  char n[TP_NUMBER_SIZE];
+  return number_of(tp_text_fixed(n, share, 6));
+}
