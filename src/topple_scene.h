@@ -39,8 +39,17 @@ extern "C" {
 typedef struct tp_scene tp_scene;
 
 /* Read the scene in `path` (docs/scene.md), to be freed by tp_scene_free. Files that the scene
- * names are looked for beside it. */
+ * names are looked for beside it. A drawing (docs/drawing.md), by the ending of its name, is read
+ * as the scene that names it and says nothing else. */
 TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
+
+/* The same with `count` settings "KEY=FORMULA" (tp_scene_with_settings). In place of a scene a
+ * drawing may be given: then `unit` is that of its lengths, mm, cm, m, km, in or ft, or empty where
+ * the file says it, and settings may have any key that takes a number. Of a scene `unit` is empty.
+ */
+TP_MUST_USE tp_status tp_scene_read_with(tp_scene **scene, const char *path, const char *unit,
+                                         const char *const *settings, size_t count,
+                                         tp_message *message);
 
 /* The same from text in memory; `name` is what messages call it, and files that the scene names are
  * looked for beside a file of that name. */

@@ -100,6 +100,10 @@ TP_MUST_USE tp_status tp_report_json(char **text, const tp_solution *solution);
  * there are none. */
 TP_MUST_USE tp_status tp_report_notes(char **text, const tp_solution *solution);
 
+/* Which object of the scene's drawing became what, an object a line with its place in the file; an
+ * empty text where it has no drawing. */
+TP_MUST_USE tp_status tp_report_drawing(char **text, const tp_scene *scene);
+
 /* What ran: effects, what called for each, and what each cost. */
 TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution);
 

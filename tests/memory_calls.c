@@ -5,6 +5,7 @@
 
 #include "memory_arrays.h"
 #include "memory_charts.h"
+#include "memory_drawings.h"
 #include "memory_expect.h"
 #include "memory_profiles.h"
 #include "memory_samples.h"
@@ -291,6 +292,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"measure a profile", measure_profile, 60},
                                     {"measure a base", measure_base, 60},
                                     {"make profiles", make_profiles, 200},
+                                    {"read drawings", read_drawings, 300},
                                     {"build profiles", build_profiles, 100},
                                     {"run a study", run_study, 200},
                                     {"merge a study", merge_study, 200},

@@ -36,6 +36,19 @@ static void say_set(sayings *s, const tp_scene *scene, const char *key) {
   tp_scene_free(set);
 }
 
+/* What became of a drawing, of a scene that has none and of one that is a drawing. */
+static void say_drawing(sayings *s, const tp_scene *scene) {
+  static const char *const setting = "friction_angle_deg=30+1/3";
+  tp_message message = {""};
+  tp_scene *drawn = NULL;
+  if (tp_report_drawing(next_saying(s), scene) != TP_OK) s->count--;
+  SAY(tp_scene_read_with(&drawn, TP_EXAMPLES "/section_arcs.dxf", "ft", &setting, 1, &message));
+  if (drawn == NULL) return;
+  if (tp_report_drawing(next_saying(s), drawn) != TP_OK) s->count--;
+  say_solved(s, drawn, false, 9, false);
+  tp_scene_free(drawn);
+}
+
 static bool say_text(void *context, const char *piece) {
   sayings *s = context;
   char **own = next_saying(s);
@@ -90,6 +103,7 @@ void say_varied(sayings *s) {
   if (scene == NULL) return;
   say_with(s, scene, of_file);
   say_sweep(s, scene);
+  say_drawing(s, scene);
   say_number(s, scene, "c");
   say_number(s, scene, "none");
   tp_scene_free(scene);

@@ -21,6 +21,14 @@ START_TEST(scenes) {
   tp_scene *scene = UNTOUCHED(tp_scene);
   REFUSED(tp_scene_read(NULL, "x", &message), "'scene'");
   REFUSED(tp_scene_read(&scene, NULL, &message), "'path'");
+  static const char *const setting = "a=1", *const none = NULL, *const bare = "a";
+  REFUSED(tp_scene_read_with(NULL, "x", "", NULL, 0, &message), "'scene'");
+  REFUSED(tp_scene_read_with(&scene, NULL, "", NULL, 0, &message), "'path'");
+  REFUSED(tp_scene_read_with(&scene, "x", NULL, NULL, 0, &message), "'unit'");
+  REFUSED(tp_scene_read_with(&scene, "x", "", NULL, 1, &message), "'settings'");
+  REFUSED(tp_scene_read_with(&scene, "x.dxf", "", &none, 1, &message), "setting 1");
+  REFUSED(tp_scene_read_with(&scene, "x.dxf", "", &bare, 1, &message), "KEY=VALUE");
+  REFUSED(tp_scene_read_with(&scene, "/no/such.dxf", "mm", &setting, 1, &message), "'a'");
   REFUSED(tp_scene_read_text(NULL, "x", "x", &message), "'scene'");
   REFUSED(tp_scene_read_text(&scene, NULL, "x", &message), "'text'");
   REFUSED(tp_scene_read_text(&scene, "x", NULL, &message), "'name'");
@@ -79,6 +87,8 @@ START_TEST(solutions) {
   UNWRITTEN(tp_report_csv(&text, two, 2));
   UNWRITTEN(tp_report_effects(NULL, own));
   UNWRITTEN(tp_report_effects(&text, NULL));
+  UNWRITTEN(tp_report_drawing(NULL, scene));
+  UNWRITTEN(tp_report_drawing(&text, NULL));
   UNWRITTEN(tp_report_json_pivots(NULL, own, TP_PIVOTS_ALL));
   UNWRITTEN(tp_report_json_pivots(&text, NULL, TP_PIVOTS_ALL));
   ck_assert_int_eq(tp_solution_meets(NULL, 1), TP_DESIGN_OPEN);

@@ -19,13 +19,6 @@ void tp_cli_take_setting(tp_cli_settings *settings, const char *word,
 
 tp_status tp_cli_read_scene(tp_scene **scene, const char *path, const tp_cli_settings *settings,
                             tp_message *message) {
-  tp_scene *read = NULL;
-  tp_status status = tp_scene_read(&read, path, message);
-  if (status != TP_OK || settings->count == 0) {
-    *scene = read;
-    return status;
-  }
-  status = tp_scene_with_settings(scene, read, settings->items, settings->count, message);
-  tp_scene_free(read);
-  return status;
+  return tp_scene_read_with(scene, path, settings->unit != NULL ? settings->unit : "",
+                            settings->items, settings->count, message);
 }

@@ -13,6 +13,7 @@ enum { TP_CLI_SETTINGS = 200 };
 typedef struct tp_cli_settings {
   size_t count;
   const char *items[TP_CLI_SETTINGS];
+  const char *unit; /* of a drawing that is given in place of a scene; NULL: as it says */
 } tp_cli_settings;
 
 /* Take one more word of the command line. */

@@ -90,20 +90,24 @@ static int end_open(const tp_solution *solution, const tp_solve_words *a, const 
   return judged != 0 ? judged : tp_status_exit(TP_UNDECIDED);
 }
 
-static tp_status print_text(const tp_solution *solution, const tp_solve_words *a, int *ended) {
-  char *report = NULL, *account = NULL, *effects = NULL;
+static tp_status print_text(const tp_scene *scene, const tp_solution *solution,
+                            const tp_solve_words *a, int *ended) {
+  char *report = NULL, *account = NULL, *effects = NULL, *drawing = NULL;
   tp_status status = tp_report_text(&report, solution);
   if (status == TP_OK && a->verbose) status = tp_report_effects(&effects, solution);
+  if (status == TP_OK && a->verbose) status = tp_report_drawing(&drawing, scene);
   if (status == TP_OK && a->elements) status = tp_report_elements(&account, solution);
   if (status == TP_OK && *ended == 0) *ended = tp_cli_print_verdicts(report);
   free(report);
+  if (drawing != NULL) status = tp_cli_print_report(status, drawing, ended);
   if (effects != NULL) status = tp_cli_print_report(status, effects, ended);
   if (account != NULL) status = tp_cli_print_report(status, account, ended);
   return status;
 }
 
-static tp_status print_solution(const tp_solution *solution, const tp_solve_words *a, int *ended) {
-  if (!a->json) return print_text(solution, a, ended);
+static tp_status print_solution(const tp_scene *scene, const tp_solution *solution,
+                                const tp_solve_words *a, int *ended) {
+  if (!a->json) return print_text(scene, solution, a, ended);
   char *report = NULL;
   const tp_status status = tp_report_json_pivots(&report, solution, a->pivots);
   return tp_cli_print_report(status, report, ended);
@@ -196,6 +200,7 @@ static tp_status print_table(const tp_solve_words *a, int *ended, tp_message *me
 
 /* The report that goes with a figure. */
 typedef struct report {
+  const tp_scene *scene;
   const tp_solution *solution;
   const tp_solve_words *words;
   int *ended;
@@ -205,13 +210,13 @@ typedef struct report {
 /* The figure is ready: it is left behind only if the report is written. */
 static bool print_with_figure(void *context) {
   report *own = context;
-  own->status = print_solution(own->solution, own->words, own->ended);
+  own->status = print_solution(own->scene, own->solution, own->words, own->ended);
   return own->status == TP_OK && *own->ended == 0;
 }
 
 static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
                                 const tp_solution *solution, int *ended, tp_message *message) {
-  report own = {solution, a, ended, TP_OK};
+  report own = {scene, solution, a, ended, TP_OK};
   const tp_status drawn = tp_cli_draw(a->figure, scene, solution,
                                       (tp_figure_consent){print_with_figure, &own}, message);
   if (own.status == TP_OK && *ended == 0) return drawn;
@@ -235,7 +240,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   if (status == TP_OK) {
     status = a->find.key != NULL ? print_found(scene, solution, a, ended, message)
              : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
-                                 : print_solution(solution, a, ended);
+                                 : print_solution(scene, solution, a, ended);
   }
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
     status = write_report(a, scene, solution, message);

@@ -19,6 +19,7 @@ enum {
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
   KEY_SET,
+  KEY_UNIT,
   KEY_WATCH,
   KEY_REPORT
 };
@@ -40,6 +41,8 @@ static const struct argp_option options[] = {
      "Solve with this number at KEY, as friction_angle_deg=30: a number or a formula, as the scene "
      "could have it; may be given several times",
      0},
+    {"unit", KEY_UNIT, "UNIT", 0,
+     "Of the lengths of a drawing that is given in place of SCENE: mm, cm, m, km, in or ft", 0},
     {"verbose", 'v', NULL, 0, "Tell what ran, what called for it, and what it cost", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
@@ -189,6 +192,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_CSV:
     a->csv = true;
+    return 0;
+  case KEY_UNIT:
+    a->settings.unit = argument;
     return 0;
   case 'v':
     a->verbose = true;

@@ -77,7 +77,7 @@ static tp_status check_closing(const builder *b, const tp_symbolic_chain *chain,
   return status;
 }
 
-/* A chain given as a list of [x, y], or by a file: then its numbers. */
+/* A chain given as a list of [x, y], or by a file or a drawing: then its numbers. */
 static tp_status set_points(const builder *b, tp_symbolic_chain *chain, const tp_node *node,
                             const tp_polyline *numbers) {
   const long count = numbers->count;
@@ -222,17 +222,16 @@ static tp_status set_rings(const builder *b, const tp_section *section) {
   for (long r = 1; r < section->ring_count && status == TP_OK; r++) {
     const bool part = r > section->hole_count;
     if (r == section->hole_count + 1) node = parts != NULL ? parts->first : NULL;
-    if (node == NULL) break; /* never: the section was made from these nodes */
     status = set_points(b, symbols->rings + r, part ? tp_node_get(node, "outline") : node,
                         section->rings + r);
-    node = node->next;
+    node = node != NULL ? node->next : NULL; /* those of a drawing come last, and have none */
   }
   const tp_node *base = tp_node_get(b->scene->source, "base");
   const tp_node *profile = base != NULL ? tp_node_get(base, "profile") : NULL;
   if (status == TP_OK && profile != NULL && profile->kind == TP_NODE_MAPPING) {
     status = tp_made_profile_check(b->scene, profile, b->message);
   }
-  if (status == TP_OK && profile != NULL) {
+  if (status == TP_OK && b->scene->base.profile.count > 0) {
     status = set_points(b, &symbols->profile, profile, &b->scene->base.profile);
   }
   return status;

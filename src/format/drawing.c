@@ -23,9 +23,15 @@ void tp_drawing_init(tp_drawing *drawing, const char *path) {
   *drawing = (tp_drawing){.path = path};
 }
 
-static void clear_object(tp_drawing_object *object) {
+void tp_drawing_straighten(tp_drawing_object *object) {
   for (long k = 0; k < object->bulge_room; k++) fmpq_clear(object->bulges + k);
   free(object->bulges);
+  object->bulges = NULL;
+  object->bulge_room = 0;
+}
+
+static void clear_object(tp_drawing_object *object) {
+  tp_drawing_straighten(object);
   fmpq_clear(object->uncertainty);
   fmpq_clear(object->deviation);
   tp_polyline_clear(&object->line);
@@ -50,6 +56,7 @@ tp_drawing_object *tp_drawing_add(tp_drawing *drawing, const char *kind, const c
   *object = (tp_drawing_object){.kind = kind,
                                 .layer = strdup(layer != NULL ? layer : ""),
                                 .name = strdup(name != NULL ? name : ""),
+                                .pieces = 1,
                                 .ring_of = -1,
                                 .line = {.file = drawing->path, .mark = mark}};
   fmpq_init(object->uncertainty);
@@ -61,6 +68,15 @@ tp_drawing_object *tp_drawing_add(tp_drawing *drawing, const char *kind, const c
 
 void tp_drawing_drop(tp_drawing *drawing) {
   clear_object(drawing->objects + --drawing->count);
+}
+
+void tp_drawing_remove(tp_drawing *drawing, long number) {
+  clear_object(drawing->objects + number);
+  drawing->count--;
+  for (long k = number; k < drawing->count; k++) drawing->objects[k] = drawing->objects[k + 1];
+  for (long k = 0; k < drawing->count; k++) {
+    if (drawing->objects[k].ring_of > number) drawing->objects[k].ring_of--;
+  }
 }
 
 bool tp_drawing_add_point(tp_drawing_object *object, const fmpq_t x, const fmpq_t y, tp_mark mark) {
@@ -90,6 +106,25 @@ const fmpq *tp_drawing_bulge(const tp_drawing_object *object, long edge) {
   return object->bulges + edge;
 }
 
+static void raise_bound(fmpq_t bound, const fmpq_t other) {
+  if (fmpq_cmp(other, bound) > 0) fmpq_set(bound, other);
+}
+
+bool tp_drawing_append(tp_drawing_object *object, const tp_drawing_object *more) {
+  const tp_polyline *line = &more->line;
+  bool done = true;
+  for (long k = 0; k < line->count && done; k++) {
+    const fmpq *bulge = tp_drawing_bulge(more, k);
+    done = tp_drawing_add_point(object, line->x + k, line->y + k, line->marks[k]) &&
+           (bulge == NULL || tp_drawing_bend(object, bulge));
+  }
+  object->closure = more->closure;
+  object->problem = more->problem;
+  raise_bound(object->uncertainty, more->uncertainty);
+  raise_bound(object->deviation, more->deviation);
+  return done;
+}
+
 bool tp_drawing_has_arcs(const tp_drawing_object *object) {
   for (long k = 0; k < object->line.count; k++) {
     if (tp_drawing_bulge(object, k) != NULL) return true;
@@ -110,11 +145,12 @@ static void swap_points(tp_drawing_object *object, long one, long other) {
   line->marks[other] = mark;
 }
 
-static void drop_last_point(tp_drawing_object *object) {
+void tp_drawing_drop_point(tp_drawing_object *object) {
   tp_polyline *line = &object->line;
   const long last = --line->count;
   fmpq_clear(line->x + last);
   fmpq_clear(line->y + last);
+  if (last < object->bulge_room) fmpq_zero(object->bulges + last);
 }
 
 /* The edge of one point becomes that of the other. */
@@ -142,9 +178,9 @@ void tp_drawing_tidy(tp_drawing_object *object) {
     }
     kept++;
   }
-  while (line->count > kept) drop_last_point(object);
+  while (line->count > kept) tp_drawing_drop_point(object);
   if (line->count < 3 || !same_point(line, 0, line->count - 1)) return;
-  drop_last_point(object);
+  tp_drawing_drop_point(object);
   object->closure = TP_DRAWING_CLOSED;
 }
 

@@ -6,9 +6,9 @@
  *
  * Coordinates are in the unit of the file, x to the right and y upwards. A point that stands in the
  * file is taken to the last digit of its decimals; one that was computed (an end of an arc by its
- * angles) is off by at most `uncertainty`, and what was made chords of leaves them by at most
- * `deviation`. Which object is the block, and which the base, is told apart by layer and name,
- * and pieces are joined end to end before. */
+ * angles) may be meant up to `uncertainty` beside it, and what was made chords of leaves them by at
+ * most `deviation`. Which object is the block, and which the base, is told apart by layer and name
+ * (format/roles.h), and pieces are joined end to end before (format/join.h). */
 
 #ifndef TP_DRAWING_H
 #define TP_DRAWING_H
@@ -23,10 +23,11 @@ typedef enum tp_drawing_closure {
 } tp_drawing_closure;
 
 typedef struct tp_drawing_object {
-  const char *kind; /* the word of its format: "LWPOLYLINE", "path", "POLYGON" */
-  char *layer;      /* text from outside; never NULL */
-  char *name;       /* likewise: an id or a label; empty where it has none */
-  long ring_of;     /* this is an inner ring of the polygon whose outer one is that object; -1 */
+  const char *kind;       /* the word of its format: "LWPOLYLINE", "path", "POLYGON" */
+  TP_OUTSIDE char *layer; /* never NULL */
+  TP_OUTSIDE char *name;  /* an id or a label; empty where it has none */
+  long pieces;            /* that it was joined of; 1 */
+  long ring_of; /* this is an inner ring of the polygon whose outer one is that object; -1 */
   tp_drawing_closure closure;
   tp_polyline line; /* its `file` is the drawing's path */
   fmpq *bulges;     /* of the edge from each point to the next: the tangent of a quarter of the
@@ -34,6 +35,7 @@ typedef struct tp_drawing_object {
                        tp_drawing_bulge */
   long bulge_room;  /* edges from there on are straight */
   fmpq_t uncertainty, deviation; /* lengths; 0: exact */
+  const char *problem;           /* why it can be no outline, a static text; NULL: it can */
 } tp_drawing_object;
 
 typedef struct tp_drawing {
@@ -62,8 +64,9 @@ void tp_drawing_clear(tp_drawing *drawing);
  * memory is exhausted. It may move when the next one is added. */
 tp_drawing_object *tp_drawing_add(tp_drawing *drawing, const char *kind, const char *layer,
                                   const char *name, tp_mark mark);
-/* Take the last object out again. */
+/* Take the last object out again, or one by its number, which no ring may be of. */
 void tp_drawing_drop(tp_drawing *drawing);
+void tp_drawing_remove(tp_drawing *drawing, long number);
 
 /* One more point, straight on from it; false when memory is exhausted. */
 TP_MUST_USE bool tp_drawing_add_point(tp_drawing_object *object, const fmpq_t x, const fmpq_t y,
@@ -71,9 +74,19 @@ TP_MUST_USE bool tp_drawing_add_point(tp_drawing_object *object, const fmpq_t x,
 /* The edge from the last point on is an arc of that bulge, which is not zero. */
 TP_MUST_USE bool tp_drawing_bend(tp_drawing_object *object, const fmpq_t bulge);
 
+/* Append the points of another object with its edges between them; closure and problem are
+ * its, bounds the greater ones. False when memory is exhausted. */
+TP_MUST_USE bool tp_drawing_append(tp_drawing_object *object, const tp_drawing_object *more);
+
 /* Of the edge from a point to the next; NULL: it is straight. */
 const fmpq *tp_drawing_bulge(const tp_drawing_object *object, long edge);
 bool tp_drawing_has_arcs(const tp_drawing_object *object);
+
+/* Drop the last point. */
+void tp_drawing_drop_point(tp_drawing_object *object);
+
+/* Make all edges straight. */
+void tp_drawing_straighten(tp_drawing_object *object);
 
 /* Drop points that repeat the one before them, and a last one that repeats the first: then the
  * object is closed. */

@@ -3,8 +3,8 @@
 
 #include "scene/csv.h"
 
+#include "format/csv_row.h"
 #include "number/ratio.h"
-#include "scene/csv_row.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -53,8 +53,30 @@ void tp_node_free(tp_node *root) {
   free(root);
 }
 
+tp_node *tp_node_add(tp_node *mapping, const char *key, tp_node_kind kind, const char *text) {
+  tp_node *node = calloc(1, sizeof *node);
+  if (node == NULL) return NULL;
+  *node = (tp_node){.kind = kind,
+                    .text = text != NULL ? strdup(text) : NULL,
+                    .key = key != NULL ? strdup(key) : NULL,
+                    .parent = mapping};
+  if ((text != NULL && node->text == NULL) || (key != NULL && node->key == NULL)) {
+    tp_node_free(node);
+    return NULL;
+  }
+  if (mapping == NULL) return node;
+  if (mapping->last != NULL) {
+    mapping->last->next = node;
+  } else {
+    mapping->first = node;
+  }
+  mapping->last = node;
+  mapping->count++;
+  return node;
+}
+
 const tp_node *tp_node_get(const tp_node *mapping, const char *key) {
-  if (mapping->kind != TP_NODE_MAPPING) return NULL;
+  if (mapping == NULL || mapping->kind != TP_NODE_MAPPING) return NULL;
   for (const tp_node *child = mapping->first; child != NULL; child = child->next) {
     if (strcmp(child->key, key) == 0) return child;
   }

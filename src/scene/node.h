@@ -35,7 +35,11 @@ void tp_node_free(tp_node *root);
 TP_MUST_USE tp_status tp_node_read_text(tp_node **root, const char *text, const char *name,
                                         tp_message *message);
 
-/* The child of a mapping, or NULL, as of any other node. */
+/* A node behind the other children of a mapping, or a root where that is NULL; its texts are
+ * copied, NULL is none. NULL when memory is exhausted. */
+tp_node *tp_node_add(tp_node *mapping, const char *key, tp_node_kind kind, const char *text);
+
+/* The child of a mapping, or NULL, as of any other node, and of none. */
 const tp_node *tp_node_get(const tp_node *mapping, const char *key);
 
 /* Is `node` a mapping with none but these keys (NULL-terminated)? An unknown key is reported with

@@ -69,6 +69,14 @@ TP_MUST_USE tp_status tp_read_required(const tp_reader *reader, const tp_node **
                                        const tp_node *mapping, const char *key,
                                        const char *example);
 
+/* The key drawing, before the sections that it gives something to. */
+TP_MUST_USE tp_status tp_read_drawing(const tp_reader *reader, const tp_node *node);
+/* The unit weights of the parts that a drawing gives, behind the block's own parts. */
+TP_MUST_USE tp_status tp_read_drawn_parts(const tp_reader *reader, const tp_node *drawing);
+/* Holes and arcs that it gives, behind the block's own. */
+TP_MUST_USE tp_status tp_read_drawn_holes(const tp_reader *reader);
+TP_MUST_USE tp_status tp_read_drawn_arcs(const tp_reader *reader);
+
 TP_MUST_USE tp_status tp_read_block(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_arcs(const tp_reader *reader, const tp_node *node);
 TP_MUST_USE tp_status tp_read_rounded(const tp_reader *reader, const tp_node *node);

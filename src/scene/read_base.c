@@ -100,10 +100,41 @@ static tp_status read_start(const tp_reader *reader, const tp_node *node) {
   return tp_read_quantity(reader, &reader->scene->base.start_x, node, "shift", TP_RULE_ANY);
 }
 
+static bool has_drawn_base(const tp_reader *reader) {
+  const tp_drawn *drawn = reader->scene->drawn;
+  return drawn != NULL && drawn->base.count > 0;
+}
+
+/* The profile is the drawing's: what is said beside it is how the block is set down on it. */
+static tp_status read_drawn_base(const tp_reader *reader, const tp_node *node) {
+  static const char *const others[] = {"mated", "profile", "beyond", "between"};
+  static const char *const keys[] = {"place",  "shift",   "mated", "profile",
+                                     "beyond", "between", NULL};
+  tp_base_description *base = &reader->scene->base;
+  const tp_drawn *drawn = reader->scene->drawn;
+  base->mated = false;
+  base->place = (tp_place){drawn->path, drawn->base.mark.line, drawn->base.mark.column};
+  base->profile = tp_polyline_share(&drawn->base);
+  if (node == NULL) return TP_OK;
+  tp_status status =
+      tp_node_expect_keys(node, keys, "the base", reader->scene->path, reader->message);
+  for (size_t k = 0; k < sizeof others / sizeof others[0] && status == TP_OK; k++) {
+    const tp_node *odd = tp_node_get(node, others[k]);
+    if (odd == NULL) continue;
+    status = tp_read_fail(reader, odd,
+                          "the base comes from the drawing; leave out '%s' here, or what is on "
+                          "the drawing's layer of the base",
+                          others[k]);
+  }
+  if (status == TP_OK) status = read_placing(reader, tp_node_get(node, "place"));
+  return status == TP_OK ? read_start(reader, tp_node_get(node, "shift")) : status;
+}
+
 tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"mated", "beyond", "between", "profile",
                                      "place", "shift",  NULL};
   tp_base_description *base = &reader->scene->base;
+  if (has_drawn_base(reader)) return read_drawn_base(reader, node);
   if (node == NULL) return TP_OK;
   base->place = tp_node_place(node, reader->scene->path);
   tp_status status =

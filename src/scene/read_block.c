@@ -150,6 +150,17 @@ static tp_status read_form(const tp_reader *reader, const tp_node *node) {
   const tp_node *teeth = tp_node_get(node, "teeth"), *slab = tp_node_get(node, "slab");
   const tp_node *outline = tp_node_get(node, "outline"), *ellipse = tp_node_get(node, "ellipse");
   const int forms = (teeth != NULL) + (slab != NULL) + (outline != NULL) + (ellipse != NULL);
+  const tp_drawn *drawn = reader->scene->drawn;
+  if (drawn != NULL && forms == 0) {
+    reader->scene->block.form = TP_OUTLINE_VERTICES;
+    reader->scene->block.outline = tp_polyline_share(&drawn->outline);
+    return TP_OK;
+  }
+  if (drawn != NULL) {
+    return tp_read_fail(reader, node,
+                        "the outline of the block comes from the drawing; leave out 'outline', "
+                        "'teeth', 'slab' or 'ellipse' here, or 'drawing'");
+  }
   if (forms != 1) {
     return tp_read_fail(reader, node,
                         "the block needs exactly one of 'outline', 'teeth', 'slab' and 'ellipse'");
@@ -231,8 +242,12 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
                                      "repair", NULL};
   tp_block_description *block = &reader->scene->block;
   block->place = tp_node_place(node, reader->scene->path);
-  tp_status status =
-      tp_node_expect_keys(node, keys, "the block", reader->scene->path, reader->message);
+  const tp_node *drawing = tp_node_get(node->parent, "drawing");
+  if (node == drawing) node = NULL; /* which is all that says what the block is */
+  tp_status status = TP_OK;
+  if (node != NULL) {
+    status = tp_node_expect_keys(node, keys, "the block", reader->scene->path, reader->message);
+  }
   if (status == TP_OK) status = read_form(reader, node);
   if (status == TP_OK)
     status = tp_read_quantity(reader, &block->thickness, tp_node_get(node, "thickness"),
@@ -241,8 +256,11 @@ tp_status tp_read_block(const tp_reader *reader, const tp_node *node) {
     status =
         read_unit_weight(reader, &block->unit_weight_kn_m3, tp_node_get(node, "unit_weight_kn_m3"));
   if (status == TP_OK) status = read_holes(reader, tp_node_get(node, "holes"));
+  if (status == TP_OK) status = tp_read_drawn_holes(reader);
   if (status == TP_OK) status = read_parts(reader, tp_node_get(node, "parts"));
+  if (status == TP_OK) status = tp_read_drawn_parts(reader, drawing);
   if (status == TP_OK) status = tp_read_arcs(reader, tp_node_get(node, "arcs"));
+  if (status == TP_OK) status = tp_read_drawn_arcs(reader);
   if (status == TP_OK) status = tp_read_rounded(reader, tp_node_get(node, "rounded"));
   return status == TP_OK ? read_repair(reader, tp_node_get(node, "repair")) : status;
 }

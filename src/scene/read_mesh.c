@@ -119,7 +119,8 @@ static tp_status read_unit(const tp_reader *reader, fmpq_t factor, const tp_node
   const tp_scene *scene = reader->scene;
   fmpq_one(factor);
   if (node == NULL) return TP_OK;
-  if (!tp_length_unit(factor, node->kind == TP_NODE_SCALAR ? node->text : "")) {
+  const char *name = node->kind == TP_NODE_SCALAR ? node->text : "";
+  if (!tp_unit_find(factor, &name)) {
     return tp_read_fail(reader, node, "unit must be one of mm, cm, m, km, in, ft");
   }
   fmpq_div(factor, factor, scene->metres_per_unit);

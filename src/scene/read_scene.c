@@ -3,7 +3,6 @@
 
 /* A scene file as a whole: units, parameters, tilt and friction. */
 
-#include "host.h"
 #include "scene/check_tilt_test.h"
 #include "scene/read.h"
 
@@ -15,6 +14,7 @@
 
 static tp_status read_length_unit(const tp_reader *reader, const tp_node *root) {
   const tp_node *node = tp_node_get(root, "length_unit");
+  if (node == NULL && tp_node_get(root, "drawing") != NULL) return TP_OK; /* the drawing's */
   if (node == NULL) {
     return tp_read_fail(reader, root,
                         "'length_unit' is missing; say one of mm, cm, m, km, in, ft, for example "
@@ -94,14 +94,40 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
   return reader->scene->title != NULL ? TP_OK : tp_fail_memory(reader->message, "the scene");
 }
 
+/* The block may be all in a drawing. */
+static tp_status read_block(const tp_reader *reader, const tp_node *root) {
+  const tp_node *block = tp_node_get(root, "block");
+  if (block == NULL && reader->scene->drawn != NULL) {
+    block = tp_node_get(root, "drawing");
+  } else {
+    const tp_status status =
+        tp_read_required(reader, &block, root, "block", "block: {slab: {width: 50, height: 100}}");
+    if (status != TP_OK) return status;
+  }
+  return tp_read_block(reader, block);
+}
+
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {
-      "topple",       "title",   "length_unit", "parameters",         "block",
-      "base",         "loads",   "tilt",        "friction_angle_deg", "friction",
-      "frame",        "contact", "joint",       "tilt_test",          "shaking",
-      "result_units", "section", NULL};
+  static const char *const keys[] = {"topple",
+                                     "title",
+                                     "length_unit",
+                                     "parameters",
+                                     "block",
+                                     "base",
+                                     "loads",
+                                     "tilt",
+                                     "friction_angle_deg",
+                                     "friction",
+                                     "frame",
+                                     "contact",
+                                     "joint",
+                                     "tilt_test",
+                                     "shaking",
+                                     "result_units",
+                                     "section",
+                                     "drawing",
+                                     NULL};
   tp_scene *scene = reader->scene;
-  const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
     return tp_read_fail(reader, root, "this is no scene: it does not begin with 'topple: 1'");
   }
@@ -112,10 +138,8 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = read_length_unit(reader, root);
   if (status == TP_OK) status = tp_read_result_units(reader, tp_node_get(root, "result_units"));
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
-  if (status == TP_OK)
-    status =
-        tp_read_required(reader, &block, root, "block", "block: {slab: {width: 50, height: 100}}");
-  if (status == TP_OK) status = tp_read_block(reader, block);
+  if (status == TP_OK) status = tp_read_drawing(reader, tp_node_get(root, "drawing"));
+  if (status == TP_OK) status = read_block(reader, root);
   if (status == TP_OK) status = tp_read_base(reader, tp_node_get(root, "base"));
   if (status == TP_OK) status = tp_read_contact(reader, tp_node_get(root, "contact"));
   if (status == TP_OK) status = tp_read_joint(reader, tp_node_get(root, "joint"));
@@ -170,31 +194,11 @@ tp_status tp_scene_read_again(tp_scene **scene, tp_scene_file *file, tp_override
   return read_file(scene, tp_scene_file_share(file), true, overrides, count, message);
 }
 
-/* The nodes become the scene's, or are given back. */
-static tp_status read_nodes(tp_scene **scene, const char *path, tp_node *root,
-                            tp_message *message) {
+tp_status tp_scene_read_nodes(tp_scene **scene, const char *path, tp_node *root,
+                              tp_override *overrides, long count, tp_message *message) {
   tp_scene_file *file = tp_scene_file_make(path, root);
-  if (file != NULL) return read_file(scene, file, false, NULL, 0, message);
+  if (file != NULL) return read_file(scene, file, false, overrides, count, message);
   tp_node_free(root);
+  tp_overrides_free(overrides, count);
   return tp_fail_memory(message, "the scene");
-}
-
-tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  TP_REFUSE_NULL(message, path);
-  tp_node *root = NULL;
-  const tp_status status = tp_node_read(&root, path, message);
-  return status == TP_OK ? read_nodes(scene, path, root, message) : status;
-}
-
-tp_status tp_scene_read_text(tp_scene **scene, const char *text, const char *name,
-                             tp_message *message) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(message, scene);
-  TP_REFUSE_NULL(message, text);
-  TP_REFUSE_NULL(message, name);
-  tp_node *root = NULL;
-  const tp_status status = tp_node_read_text(&root, text, name, message);
-  return status == TP_OK ? read_nodes(scene, name, root, message) : status;
 }

@@ -3,7 +3,7 @@
 
 /* The key shaking of a scene: the accelerations of its base, horizontal and vertical. */
 
-#include "scene/csv_row.h"
+#include "format/csv_row.h"
 #include "scene/read.h"
 #include "scene/record.h"
 

@@ -5,7 +5,7 @@
  * for one in g would spare no block, the other way round would overturn none. */
 
 #include "scene/record_csv.h"
-#include "scene/csv_row.h"
+#include "format/csv_row.h"
 
 #include <ctype.h>
 #include <string.h>

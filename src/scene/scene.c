@@ -11,9 +11,10 @@ static const struct {
 } units[] = {{"mm", 1, 1000}, {"cm", 1, 100},    {"m", 1, 1},
              {"km", 1000, 1}, {"in", 127, 5000}, {"ft", 381, 1250}};
 
-bool tp_length_unit(fmpq_t metres, const char *name) {
+bool tp_unit_find(fmpq_t metres, const char **unit) {
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
-    if (strcmp(name, units[k].name) != 0) continue;
+    if (strcmp(*unit, units[k].name) != 0) continue;
+    *unit = units[k].name;
     fmpq_set_si(metres, units[k].numerator, (unsigned long)units[k].denominator);
     return true;
   }
@@ -22,10 +23,8 @@ bool tp_length_unit(fmpq_t metres, const char *name) {
 
 tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,
                             tp_message *message) {
-  for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
-    if (strcmp(length_unit, units[k].name) != 0) continue;
-    scene->length_unit = units[k].name;
-    fmpq_set_si(scene->metres_per_unit, units[k].numerator, (unsigned long)units[k].denominator);
+  if (tp_unit_find(scene->metres_per_unit, &length_unit)) {
+    scene->length_unit = length_unit;
     return TP_OK;
   }
   return tp_fail(message, TP_BAD_INPUT, place, "length_unit must be one of mm, cm, m, km, in, ft");

@@ -11,6 +11,7 @@
 #include "message.h"
 #include "notes.h"
 #include "plane/polyline.h"
+#include "scene/drawn.h"
 #include "scene/expression.h"
 #include "scene/node.h"
 #include "scene/profile_rule.h"
@@ -219,6 +220,8 @@ struct tp_scene {
   tp_place shaking_place; /* no file: its base does not shake */
   tp_shaking_component shaking[TP_SHAKING_AXES];
   tp_scene_file *file;   /* NULL: built in memory */
+  const tp_drawn *drawn; /* what a drawing gave it; NULL: nothing */
+  tp_drawn *own_drawn;   /* its own, where it is not that of the file */
   const tp_node *source; /* the nodes of the file, for what is derived with symbols */
   long override_count;
   tp_override *overrides;
@@ -242,9 +245,8 @@ const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node)
 size_t tp_scene_source_count(const tp_scene *scene);
 const char *tp_scene_source(const tp_scene *scene, size_t index);
 
-/* The metres of a unit of length, by its name; false where there is none of this name. */
-bool tp_length_unit(fmpq_t metres, const char *name);
-
+/* The metres of a unit of length by its name, which becomes a static text; false: there is none. */
+bool tp_unit_find(fmpq_t metres, const char **unit);
 TP_MUST_USE tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,
                                         tp_message *message);
 
@@ -269,6 +271,10 @@ TP_MUST_USE tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_
 /* The scene of a file that was read already, with other numbers than stand there: `overrides`, an
  * array that becomes the scene's, whatever the outcome. */
 TP_MUST_USE tp_status tp_scene_read_again(tp_scene **scene, tp_scene_file *file,
+                                          tp_override *overrides, long count, tp_message *message);
+/* The scene of a root that was made or read; `root` and `overrides` become its, whatever the
+ * outcome. */
+TP_MUST_USE tp_status tp_scene_read_nodes(tp_scene **scene, const char *path, tp_node *root,
                                           tp_override *overrides, long count, tp_message *message);
 /* Those of the scene, behind the others of a list that has room for them; false when memory is
  * exhausted. */

@@ -52,6 +52,8 @@ void tp_scene_free(tp_scene *scene) {
   tp_overrides_free(scene->overrides, scene->override_count);
   tp_notes_clear(&scene->notes);
   free(scene->title);
+  if (scene->own_drawn != NULL) tp_drawn_clear(scene->own_drawn);
+  free(scene->own_drawn);
   tp_scene_file_free(scene->file);
   free(scene);
 }

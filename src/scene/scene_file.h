@@ -11,6 +11,7 @@
 #include "format/mesh.h"
 #include "message.h"
 #include "plane/polyline.h"
+#include "scene/drawn.h"
 #include "scene/node.h"
 
 #include <stdatomic.h>
@@ -33,6 +34,7 @@ typedef struct tp_scene_file {
   tp_file_chain *chains;
   long mesh_count, mesh_room; /* that its sections are cut through */
   tp_mesh *meshes;
+  tp_drawn *drawn; /* what its drawing gives; NULL: it has none, or that varies */
 } tp_scene_file;
 
 /* Of one user. It takes the nodes over, but for where memory is exhausted: then it is NULL. */

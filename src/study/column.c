@@ -7,7 +7,7 @@
 #include "grow.h"
 #include "number/ratio.h"
 #include "outside.h"
-#include "scene/csv_row.h"
+#include "format/csv_row.h"
 #include "study/hash.h"
 
 #include <errno.h>

@@ -2,7 +2,7 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 /* A column of a CSV file, by the name that its first line gives it: FILE.csv:name. Fields are
- * separated and quoted as in files of points (scene/csv_row.h); every row has a number there. */
+ * separated and quoted as in files of points (format/csv_row.h); every row has a number there. */
 
 #ifndef TP_STUDY_COLUMN_H
 #define TP_STUDY_COLUMN_H

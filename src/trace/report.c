@@ -116,7 +116,8 @@ static tp_status report_json(char **text, const tp_trace *trace, const tp_trace_
   tp_json json = {0};
   fmpq_t unit;
   fmpq_init(unit);
-  const double metres = tp_length_unit(unit, options->unit) ? fmpq_get_d(unit) : 0;
+  const char *name = options->unit;
+  const double metres = tp_unit_find(unit, &name) ? fmpq_get_d(unit) : 0;
   fmpq_clear(unit);
   const double scale = trace->per_pixel * metres;
   tp_json_report(&json);

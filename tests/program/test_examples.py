@@ -22,7 +22,7 @@ def find(case, key):
 def elements(path):
     """The option, where the scene has an account by elements: not with loads, rounded corners, curves."""
     text = path.read_text(encoding="utf-8")
-    return [] if re.search("loads:|rounded:|ellipse:|arcs:", text) else ["--elements"]
+    return [] if re.search("loads:|rounded:|ellipse:|arcs:|drawing:", text) else ["--elements"]
 
 
 class Examples(unittest.TestCase):

@@ -18,7 +18,7 @@ from .errors import BadInput, Caution, checked
 from .given import Number, Points, c_number, c_path, c_text
 from .options import options_of
 from .record import record
-from .report import taken
+from .report import taken, written
 from .solution import Solution
 from .words import Level, NoteKind, PivotsListed, number_of
 
@@ -100,6 +100,22 @@ class Scene(Builder):
         receives = ffi.new(RECEIVES_SCENE)
         checked(lib.tp_scene_read, receives, c_path(path))
         return cls._made(receives)
+
+    @classmethod
+    def read_with(cls, path: str | os.PathLike, *settings: str, unit: str | None = None) -> Scene:
+        """The same with settings KEY=FORMULA. In place of a scene a drawing may be given, DXF, SVG,
+        WKT, GeoJSON or CSV: `unit` is then that of its lengths, where its file does not say it:
+        Scene.read_with("section.dxf", "friction_angle_deg=30", unit="mm")."""
+        receives = ffi.new(RECEIVES_SCENE)
+        texts = [c_text(setting) for setting in settings]
+        checked(lib.tp_scene_read_with, receives, c_path(path),
+                c_text("" if unit is None else unit), ffi.new("const char *[]", texts),
+                len(texts))
+        return cls._made(receives)
+
+    def report_drawing(self) -> str:
+        """Which object of its drawing became what; empty where it has none."""
+        return written(lib.tp_report_drawing, self._c)
 
     @classmethod
     def from_text(cls, text: str, name: str = "scene") -> Scene:

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "scene/csv_row.h"
+#include "format/csv_row.h"
 
 #include <ctype.h>
 #include <string.h>
