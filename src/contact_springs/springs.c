@@ -11,7 +11,7 @@
 
 /* Of the longest stable step: where none is given, and the most that may be given, as the bound is
  * sharp for a single contact. */
-static const double share_chosen = 0.1;
+static const double share_chosen = 0.2;
 
 /* Rounded corners are points of the block: the radius is below this share of its extent. */
 static const double most_rounding_share = 0.01;

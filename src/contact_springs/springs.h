@@ -10,7 +10,7 @@
  * damping (stepper.h). Before time 0 the block settles on its springs (settlement.h). Whether it
  * collapses is told by its acceleration (watch.h).
  *
- * What it costs: some 0.1 microseconds a step and contact; steps of a tenth of the longest stable
+ * What it costs: some 0.1 microseconds a step and contact; steps of a fifth of the longest stable
  * one, which goes with sqrt(m / k). The answer depends on stiffness, rounding, damping and step:
  * see docs/tilt_springs.md for how it converges. */
 
@@ -24,7 +24,7 @@ typedef struct tp_spring_settings {
   double shear_pa_m;  /* k_s, above 0 */
   double damping;     /* local: the share of the unbalanced force taken, 0 to below 1 */
   double rounding_m;  /* radius of corners, above 0 and far below the block's extent */
-  double time_step_s; /* 0: a tenth of the longest stable one */
+  double time_step_s; /* 0: a fifth of the longest stable one */
 } tp_spring_settings;
 
 /* Bad input: a setting out of its range, or a time step above the longest stable one for this body,
