@@ -85,9 +85,10 @@ static void shrink(work *w, const tp_picture *picture) {
     for (int x = 0; x < w->width; x++) {
       unsigned sums[3] = {area / 2, area / 2, area / 2};
       for (int k = 0; k < w->step * w->step; k++) {
-        const size_t row = (size_t)(w->top + y * w->step + k / w->step);
-        const size_t column = (size_t)(w->left + x * w->step + k % w->step);
-        const unsigned char *from = picture->rgb + 3 * (row * (size_t)picture->width + column);
+        const int row = w->top + y * w->step + k / w->step;
+        const int column = w->left + x * w->step + k % w->step;
+        const unsigned char *from =
+            picture->rgb + 3 * ((size_t)row * (size_t)picture->width + (size_t)column);
         for (int c = 0; c < 3; c++) sums[c] += from[c];
       }
       for (int c = 0; c < 3; c++) {
@@ -115,8 +116,8 @@ static void mark_rough(const work *w, const tp_trace_ring *rough) {
     middle.y += rough->points[k].y / (double)rough->count;
   }
   for (int k = 0; k < w->width * w->height; k++) {
-    const tp_trace_point p = {w->left + (k % w->width + 0.5) * w->step,
-                              w->top + (k / w->width + 0.5) * w->step};
+    const int x = k % w->width, y = k / w->width;
+    const tp_trace_point p = {w->left + (x + 0.5) * w->step, w->top + (y + 0.5) * w->step};
     const tp_trace_point far = {middle.x + (p.x - middle.x) / core,
                                 middle.y + (p.y - middle.y) / core};
     w->rough[k] = (unsigned char)(is_within(rough, p) ? 1 + is_within(rough, far) : 0);
