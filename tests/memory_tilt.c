@@ -78,3 +78,22 @@ void simulate_tilt_test(void) {
   simulate(HEAD "tilt_test: {duration_s: 0.1}\n"
                 "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n");
 }
+
+void chart_overturning(void) {
+  tp_scene *scene = NULL;
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  tp_overturning_options options = tp_overturning_options_default();
+  options.count = 2;
+  options.tolerance = 0.1;
+  if (DONE(tp_scene_read_text(
+               &scene,
+               HEAD "tilt_test: {duration_s: 3}\n"
+                    "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n",
+               "tilt", &message),
+           scene)) {
+    (void)DONE(tp_chart_overturning(&chart, scene, &options, &message), chart);
+  }
+  tp_chart_free(chart);
+  tp_scene_free(scene);
+}

@@ -22,6 +22,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_tilt_test_rounding(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_time_step_s(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_restitution(own, E(0.5), &message), why);
+  REFUSED(tp_scene_add_tilt_test_traction(own, 1, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_shaking_pulse(own, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(1), E(1),
                                      &message),
           why);
@@ -57,6 +58,9 @@ START_TEST(numbers) {
   REFUSED(tp_scene_set_tilt_test_rounding(scene, E(0), &message), "rounding must be above zero");
   REFUSED(tp_scene_set_tilt_test_time_step_s(scene, E(NAN), &message), "time_step_s");
   REFUSED(tp_scene_set_tilt_test_restitution(scene, E(-0.5), &message), "restitution must lie in");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message),
+          "tp_scene_add_tilt_test_traction: facets of the base are counted from 1");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 1, E(1), E(NAN), E(1), &message), "last_kpa");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);
@@ -179,7 +183,9 @@ START_TEST(reports) {
   UNWRITTEN(tp_report_tilt_animation(NULL, &empty));
   REFUSED(tp_report_tilt_file(none, "x.svg", false, &message), "'test'");
   REFUSED(tp_report_tilt_file(&empty, NULL, false, &message), "'path'");
-  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg");
+  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg, .webm or .gif");
+  REFUSED(tp_report_tilt_file(&empty, "x.gif", false, &message), "ends in .svg");
+  ck_assert_int_eq(tp_report_tilt_file(&empty, "x.gif", true, &message), TP_NO_ANSWER);
   ck_assert_ptr_eq(text, UNTOUCHED(char));
   ck_assert_str_eq(tp_tilt_end_name((tp_tilt_end)-1), "unknown end");
   ck_assert_str_eq(tp_tilt_engine_name((tp_tilt_engine)7), "unknown engine");
@@ -209,6 +215,36 @@ START_TEST(charts) {
 }
 END_TEST
 
+/* The spectrum refuses what gives none, before anything is run. */
+START_TEST(spectra) {
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  tp_overturning_options options = tp_overturning_options_default();
+#define SPECTRUM tp_chart_overturning(&chart, scene, &options, &message)
+  REFUSED(tp_chart_overturning(NULL, scene, &options, &message), "'chart'");
+  REFUSED(tp_chart_overturning(&chart, NULL, &options, &message), "'scene'");
+  REFUSED(tp_chart_overturning(&chart, scene, NULL, &message), "'options'");
+  REFUSED(SPECTRUM, "needs a base that shakes");
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_VERTICALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  REFUSED(SPECTRUM, "needs a base that shakes");
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  options.from = 2;
+  options.to = 1;
+  REFUSED(SPECTRUM, "from one above 0 to a larger one");
+  options = tp_overturning_options_default();
+  options.count = 1;
+  REFUSED(SPECTRUM, "2 to 200 frequencies");
+  options = tp_overturning_options_default();
+  options.tolerance = NAN;
+  REFUSED(SPECTRUM, "between 1e-6 and 0.1");
+  options = tp_overturning_options_default();
+  options.size = 4096;
+  REFUSED(SPECTRUM, "the size");
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("arguments of tilt tests");
   TCase *tests = tcase_create("arguments of tilt tests");
@@ -221,6 +257,7 @@ int main(void) {
   tcase_add_test(tests, convergence);
   tcase_add_test(tests, reports);
   tcase_add_test(tests, charts);
+  tcase_add_test(tests, spectra);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

@@ -24,6 +24,9 @@ tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepa
   if (release) {
     s.release_deg = fmpq_get_d(prepared->tilt_angle_deg.value);
   } else {
+    if (s.protocol == TP_TILT_RAMP && s.set_down) {
+      s.from_deg = fmpq_get_d(prepared->tilt_angle_deg.value);
+    }
     s.until_deg = number(&test->until_deg, 90);
     s.tolerance_deg = number(&test->tolerance_deg, 0.01);
   }
@@ -40,6 +43,7 @@ tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepa
                        : 1e-7;
     s.time_step_s = number(&test->time_step_s, 0);
   }
+  s.traction_count = (size_t)test->traction_count;
   if (s.engine == TP_TILT_RIGID) s.restitution = number(&test->restitution, 0);
   return s;
 }

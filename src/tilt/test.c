@@ -15,9 +15,11 @@
 #include "tilt/engines.h"
 #include "tilt/facets.h"
 #include "tilt/follow.h"
+#include "tilt/overturning.h"
 #include "tilt/path.h"
 #include "tilt/result.h"
 #include "tilt/settings.h"
+#include "tilt/tractions.h"
 #include "tilt/words.h"
 
 #include <stdlib.h>
@@ -58,14 +60,11 @@ typedef struct stage {
   const tp_problem *problem;
   const tp_tilt_options *options;
   tp_base_shaking *shaking; /* NULL: none */
-  tp_place place;           /* that calls for the test */
-  tp_place of_step;         /* for the time step of springs */
+  const tp_tilt_test_description *asked;
+  tp_place place;   /* that calls for the test */
+  tp_place of_step; /* for the time step of springs */
   tp_message *message;
 } stage;
-
-static void scale_shaking(void *shaking, double factor) {
-  tp_base_shaking_scale(shaking, factor);
-}
 
 /* To a bracket, then on to the end. */
 static tp_status run_dynamics(tp_tilting *tilting, double least_deg, double most_deg) {
@@ -95,7 +94,7 @@ static tp_status run_release(tp_tilting *tilting, const stage *g) {
   const tp_status status = tp_tilting_follow(tilting);
   tilting->own->converged = true;
   if (status != TP_OK || !g->options->overturning || g->shaking == NULL) return status;
-  return tp_tilting_overturning(tilting, scale_shaking, g->shaking);
+  return tp_tilting_overturning(tilting, g->shaking);
 }
 
 static tp_status run_case(tp_tilting *tilting, const stage *g) {
@@ -134,7 +133,11 @@ static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const
   }
   own->towards = statics->towards;
   tp_tilt_result_window(own, statics);
-  status = run_case(&tilting, g);
+  tp_path_traction *tractions = NULL;
+  status = tp_tilt_tractions_of(&tractions, &body, g->asked, g->message);
+  tilting.tractions = tractions;
+  if (status == TP_OK) status = run_case(&tilting, g);
+  free(tractions);
   if (status == TP_OK) {
     tp_tilt_result_take(own, &tilting.history, &body);
     tp_tilt_result_place(own, g->test->settings.tolerance_deg);
@@ -213,6 +216,7 @@ static tp_status fill(tp_tilt_test *test, const tp_scene *scene, const tp_tilt_o
                      .problem = &problem,
                      .options = options,
                      .shaking = shaken ? &shaking : NULL,
+                     .asked = asked,
                      .place = place,
                      .of_step = asked->time_step_s.given ? asked->time_step_s.place : place,
                      .message = message};

@@ -152,6 +152,26 @@ class Charts(unittest.TestCase):
         self.assertGreater(len(topple.chart_map(built, ("block.slab.width", 10, 150), ("tilt", 0, 60)).csv()), 1000)
         self.assertRaises(topple.BadInput, topple.chart_map, scene, ("nonsense", 10, 150))
 
+    def test_tilt(self):
+        """Charts of a tilt test and of a spectrum have the bytes that the program writes; a path has no phase portrait."""
+        with tempfile.TemporaryDirectory() as folder:
+            told = pathlib.Path(folder) / "told.csv"
+
+            def program(*arguments):
+                self.assertEqual(run("tilt", "--json", *arguments)[0], 0)
+                return told.read_text(encoding="utf-8")
+
+            block, boulder = (ROOT / "examples" / f"{name}.yaml" for name in ("tilt_block_e_valley", "shaken_boulder"))
+            test = topple.tilt_test(topple.Scene.read(block))
+            self.assertEqual(topple.chart_tilt_reactions(test).csv(), program("--reactions", told, block))
+            self.assertEqual([(f.facet, f.contact) for f in test.cases[0].facets], [(1, 1), (2, 2), (3, 3)])
+            self.assertRaises(topple.NoAnswer, topple.chart_tilt_phase, test)
+            scene = topple.Scene.read(boulder)
+            self.assertEqual(topple.chart_tilt_phase(topple.tilt_test(scene)).csv(), program("--phase", told, boulder))
+            self.assertEqual(topple.chart_overturning(scene, (1, 1.5), count=2).csv(),
+                             program("--spectrum", told, "--frequencies", "1:1.5:2", boulder))
+            self.assertRaises(topple.BadInput, topple.chart_overturning, scene, (2, 1))
+
 
 class Accuracy(unittest.TestCase):
     def test_runs(self):

@@ -218,6 +218,12 @@ class Schema(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "scene.yaml").write_text(slab + test + "\n")
                 self.prints("tilt", "--json", "scene.yaml", folder=folder, statuses=(0, 4))
+        text = (ROOT / "examples" / "tilt_block_f.yaml").read_text()  # with k_s = k_n it gives way, and rests again
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(
+                text + "  normal_stiffness_gpa_m: 1000\n  shear_stiffness_gpa_m: 1000\n")
+            self.prints("tilt", "--json", "scene.yaml", folder=folder)
+        self.prints("tilt", "--json", ROOT / "examples" / "tilt_locked_stress.yaml")
         self.prints("tilt", "--json", "--overturning", ROOT / "examples" / "shaken_boulder.yaml")
 
     def test_2_converge(self):
