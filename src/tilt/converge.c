@@ -17,6 +17,7 @@
 #include "tilt/bracket.h"
 #include "tilt/engines.h"
 #include "tilt/follow.h"
+#include "tilt/overturning.h"
 #include "tilt/path.h"
 #include "tilt/result.h"
 #include "tilt/settings.h"
@@ -59,10 +60,6 @@ typedef struct stage {
   tp_message *message;
 } stage;
 
-static void scale_shaking(void *shaking, double factor) {
-  tp_base_shaking_scale(shaking, factor);
-}
-
 /* The bracket, and nothing after it; where to look first is between `least` and `most`. */
 static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, double least,
                           double most, const stage *g) {
@@ -88,11 +85,10 @@ static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, doubl
     engines.rigid.least_bounce = run->least_bounce;
     if (status == TP_OK) {
       const tp_tilt_protocol protocol = run->settings.protocol;
-      status =
-          protocol == TP_TILT_RELEASE ? tp_tilting_overturning(&tilting, scale_shaking, g->shaking)
-          : protocol == TP_TILT_RAMP
-              ? tp_tilting_ramp(&tilting)
-              : tp_tilting_bracket(&tilting, tp_tilting_look, least, most, run->settings.until_deg);
+      status = protocol == TP_TILT_RELEASE ? tp_tilting_overturning(&tilting, g->shaking)
+               : protocol == TP_TILT_RAMP  ? tp_tilting_ramp(&tilting)
+                                           : tp_tilting_bracket(&tilting, tp_tilting_look, least,
+                                                                most, run->settings.until_deg);
     }
     tilting.engine = (tp_tilt_dynamics){NULL, NULL};
   }
