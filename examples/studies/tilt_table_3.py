@@ -84,14 +84,18 @@ def case_of(row, test, goes_on):
 
 
 def bracket(case):
-    """Both ends; one number where they differ by less than its last digit."""
+    """Both ends; one number where they differ by less than its last digit; or that a run was not
+    decided."""
+    if case.most_deg is None:
+        return "undecided"
     least, most = f"{case.least_deg:.3f}", f"{case.most_deg:.3f}"
     return least if case.most_deg - case.least_deg < 1e-4 else f"{least}–{most}"
 
 
 def agrees(case):
-    """Within the window, widened by what is asked; where onset and limit are one, at it."""
-    return (case.converged and case.most_deg >= case.onset_deg - AGREEMENT_DEG
+    """Within the window, widened by what is asked; where onset and limit are one, at it. What is
+    undecided says nothing."""
+    return case.most_deg is None or (case.converged and case.most_deg >= case.onset_deg - AGREEMENT_DEG
             and case.least_deg <= case.limit_deg + AGREEMENT_DEG)
 
 
