@@ -187,8 +187,9 @@ END_TEST
 /* ---- energy
  * ---------------------------------------------------------------------------------------------- */
 
-/* Of a slab that rocks through several impacts with little damping: what is not accounted for, over
- * the energy that it began with. It falls by the square of the step, to 1e-3. */
+/* Of a slab that rocks through several impacts without damping: what is not accounted for, over the
+ * energy that it began with. It falls by more than the square of the step, and is far below 1e-3
+ * with the step that is chosen where none is given. */
 START_TEST(energy_is_accounted_for) {
   body_stage s;
   body_stage_init(&s, SLAB("60", "3", LEVEL), TP_TOWARDS_LEFT);
@@ -199,7 +200,7 @@ START_TEST(energy_is_accounted_for) {
       s.body.mass_kg * TP_GRAVITY_M_S2 * b.radius * (cos(b.diagonal - from) - cos(b.diagonal));
   const tp_spring_settings springs = paper_springs();
   const double stable = tp_springs_stable_step(&springs, &s.body);
-  static const double shares[] = {0.2, 0.05, 0.0125};
+  static const double shares[] = {0.2, 0, 0.05}; /* 0: as it is chosen */
   double off[3];
   for (int k = 0; k < 3; k++) {
     const tp_drive level = {0};
@@ -210,8 +211,8 @@ START_TEST(energy_is_accounted_for) {
     }
     tp_history_clear(&o.history);
   }
-  ck_assert_msg(off[0] < 0.05 && off[1] < off[0] / 4 && off[2] < off[1] / 4 && off[2] < 1e-3,
-                "%g, %g, %g", off[0], off[1], off[2]);
+  ck_assert_msg(off[0] < 1e-3 && off[1] < 1e-4 && off[2] < off[0] / 32, "%g, %g, %g", off[0],
+                off[1], off[2]);
   body_stage_clear(&s);
 }
 END_TEST

@@ -114,6 +114,7 @@ END_TEST
 int main(void) {
   Suite *suite = suite_create("contact_springs_story");
   TCase *tests = tcase_create("story");
+  tcase_set_timeout(tests, 120);
   tcase_add_test(tests, straight_profile_of_pieces_is_one_plane);
   tcase_add_test(tests, slab_runs_past_the_end_and_leaves);
   tcase_add_test(tests, ramp_tells_the_story_of_block_e);

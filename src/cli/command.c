@@ -4,6 +4,7 @@
 /* What all commands share: to read their words, print their reports and end with their status. */
 
 #include "cli/cli.h"
+#include "cli/manner.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -12,6 +13,7 @@
 #include <string.h>
 
 int tp_cli_print(const char *text) {
+  if (tp_cli_is_quiet()) return 0;
   if (fputs(text, stdout) != EOF && fflush(stdout) == 0) return 0;
   tp_cli_complain("cannot write the report: %s", strerror(errno));
   /* what is left is not tried again at the end */
@@ -26,8 +28,35 @@ tp_status tp_cli_print_report(tp_status status, char *report, int *ended) {
   return status;
 }
 
+/* ---- options of every command ------------------------------------------------------------------
+ */
+
+enum { KEY_COLOUR = 1000, GROUP = 50 };
+
+static const struct argp_option manner_options[] = {
+    {"quiet", 'q', NULL, 0, "Write nothing to the standard output, and tell no progress", GROUP},
+    {"color", KEY_COLOUR, "WHEN", 0,
+     "Colour the report: auto (on a terminal, unless NO_COLOR is set), always or never", GROUP},
+    {0}};
+
+static error_t parse_manner(int key, char *argument, struct argp_state *state) {
+  if (key != 'q' && key != KEY_COLOUR) return ARGP_ERR_UNKNOWN;
+  if (key == 'q') {
+    tp_cli_be_quiet();
+  } else if (!tp_cli_colour_when(argument)) {
+    tp_cli_refuse(state, "--color takes auto, always or never, not '%s'", argument);
+  }
+  return 0;
+}
+
+static const struct argp manner = {.options = manner_options, .parser = parse_manner};
+static const struct argp_child children[] = {{&manner, 0, NULL, 0}, {0}};
+
 /* 0, or the exit status, complained about. */
-static int parse(const struct argp *parser, void *words, int argc, char **argv) {
+static int parse(const struct argp *own, void *words, int argc, char **argv) {
+  struct argp whole = *own;
+  const struct argp *parser = &whole;
+  whole.children = children;
   const char *strange = tp_cli_strange_option(parser, argc, argv);
   if (strange != NULL) {
     char option[80];

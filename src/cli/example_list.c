@@ -186,52 +186,69 @@ static bool is_of_name(char c) {
   return isalnum((unsigned char)c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
 }
 
-/* A word of a text in the folder of `from`, where it is the name of a file there: appended. Words
- * that lead out of the folder are none. */
-static tp_status append_word(tp_cli_file_group *group, const char *folder, const char *from,
-                             const char *word, size_t length) {
-  char within[PATH_MAX], path[PATH_MAX];
-  if (length > 200 || word[0] == '/' || memchr(word, '.', length) == NULL ||
-      memmem(word, length, "..", 2) != NULL) {
-    return TP_OK;
-  }
-  const size_t start = tp_cli_folder_length(from);
-  const int in = snprintf(within, sizeof within, "%.*s%.*s", (int)start, from, (int)length, word);
-  if (in >= PATH_MAX || !tp_cli_join(path, folder, within) || holds(group, within)) return TP_OK;
-  FILE *file = fopen(path, "re");
-  if (file == NULL) return TP_OK;
-  const bool readable = fgetc(file) != EOF;
-  (void)fclose(file);
-  return readable ? append(group, within) : TP_OK;
+/* A file of some bytes. */
+static bool is_file(const char *path) {
+  struct stat own;
+  return stat(path, &own) == 0 && S_ISREG(own.st_mode) && own.st_size > 0;
 }
 
-/* All words of a text that are not in comments. */
-static tp_status append_named(tp_cli_file_group *group, const char *folder, const char *from,
-                              const char *text) {
+/* The files that a text names, as they are gathered. */
+typedef struct gathering {
+  tp_cli_file_group *group;
+  const char *folder;
+  const char *from; /* the file whose text it is */
+  tp_cli_reach reach;
+} gathering;
+
+/* A word of a text, where it is the name of a file: appended. */
+static tp_status append_word(const gathering *own, const char *word, size_t length) {
+  char seen[PATH_MAX], path[PATH_MAX];
+  const bool leads_out = word[0] == '/' || memmem(word, length, "..", 2) != NULL;
+  if (memchr(word, '.', length) == NULL || (leads_out && own->reach == TP_CLI_WITHIN)) {
+    return TP_OK;
+  }
+  const size_t start = word[0] == '/' ? 0 : tp_cli_folder_length(own->from);
+  if (start + length >= sizeof seen) return TP_OK;
+  memcpy(seen, own->from, start);
+  memcpy(seen + start, word, length);
+  seen[start + length] = '\0';
+  const bool fits = seen[0] == '/' || tp_cli_join(path, own->folder, seen);
+  if (!fits || !is_file(seen[0] == '/' ? seen : path) || holds(own->group, seen)) return TP_OK;
+  return append(own->group, seen);
+}
+
+/* All words of a text that are not in comments, and all texts in quotes. */
+static tp_status append_named(const gathering *own, const char *text) {
   tp_status status = TP_OK;
   while (*text != '\0' && status == TP_OK) {
     size_t length = 0;
-    while (is_of_name(text[length])) length++;
-    if (length > 0) status = append_word(group, folder, from, text, length);
+    if (*text == '"' || *text == '\'') {
+      const char quote[] = {*text++, '\n', '\0'};
+      length = strcspn(text, quote);
+    } else {
+      while (is_of_name(text[length])) length++;
+    }
+    if (length > 0) status = append_word(own, text, length);
     text += length;
     if (*text == '#') text += strcspn(text, "\n");
-    if (*text != '\0' && length == 0) text++;
+    if (*text != '\0' && !is_of_name(*text)) text++;
   }
   return status;
 }
 
 tp_status tp_cli_file_group_init(tp_cli_file_group *group, const char *folder, const char *path,
-                                 tp_message *message) {
+                                 tp_cli_reach reach, tp_message *message) {
   *group = (tp_cli_file_group){0};
   tp_status status = append(group, path);
   for (size_t k = 0; k < group->count && status == TP_OK; k++) {
     char whole[PATH_MAX];
     char *text = NULL;
     size_t length = 0;
-    if (!ends_in_yaml(group->paths[k])) continue;
-    if (!tp_cli_join(whole, folder, group->paths[k])) continue;
-    status = tp_cli_read_file(&text, &length, whole, message);
-    if (status == TP_OK) status = append_named(group, folder, group->paths[k], text);
+    const char *own = group->paths[k];
+    if (k > 0 && !ends_in_yaml(own)) continue;
+    if (own[0] != '/' && !tp_cli_join(whole, folder, own)) continue;
+    status = tp_cli_read_file(&text, &length, own[0] == '/' ? own : whole, message);
+    if (status == TP_OK) status = append_named(&(gathering){group, folder, own, reach}, text);
     free(text);
   }
   if (status != TP_OK) tp_cli_file_group_free(group);

@@ -26,15 +26,19 @@ TP_MUST_USE tp_status tp_cli_example_list_init(tp_cli_example_list *list, const 
                                                tp_message *message);
 void tp_cli_example_list_free(tp_cli_example_list *list);
 
-/* A file as the paths within a folder that it names in its text, and those that they name in turn,
- * as far as they are there. The first is the file itself. */
+/* Which names of files count: those within the folder, or any. */
+typedef enum tp_cli_reach { TP_CLI_WITHIN, TP_CLI_ANYWHERE } tp_cli_reach;
+
+/* A file as the paths that it names in its text, and those that they name in turn, as far as they
+ * are there. The first is the file itself. */
 typedef struct tp_cli_file_group {
   size_t count;
-  char **paths; /* within the folder */
+  char **paths; /* seen from the folder */
 } tp_cli_file_group;
 
 TP_MUST_USE tp_status tp_cli_file_group_init(tp_cli_file_group *group, const char *folder,
-                                             const char *path, tp_message *message);
+                                             const char *path, tp_cli_reach reach,
+                                             tp_message *message);
 void tp_cli_file_group_free(tp_cli_file_group *group);
 
 /* Which command takes a file of this text: "solve", "tilt", "study" or "verify"; NULL: none. */

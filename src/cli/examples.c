@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 #include "cli/example_list.h"
 #include "cli/files.h"
+#include "cli/manner.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -143,7 +144,7 @@ static tp_status write_group(const tp_cli_file_group *group, const char *folder,
     status = plan(copies + k, folder, group->paths[k], output, k == 0, own_folder, message);
   }
   if (status == TP_OK) status = write_all(copies, group->count, message);
-  if (status == TP_OK) tell_written(copies, group->count);
+  if (status == TP_OK && !tp_cli_is_quiet()) tell_written(copies, group->count);
   for (size_t k = 0; k < group->count; k++) free(copies[k].bytes);
   free(copies);
   return status;
@@ -172,7 +173,7 @@ static tp_status write_example(const arguments *a, const tp_cli_example_list *li
   char within[PATH_MAX];
   snprintf(within, sizeof within, "%s.yaml", name);
   tp_cli_file_group group;
-  const tp_status status = tp_cli_file_group_init(&group, folder, within, message);
+  const tp_status status = tp_cli_file_group_init(&group, folder, within, TP_CLI_WITHIN, message);
   if (status != TP_OK) return status;
   const char *output = a->output != NULL ? a->output : within + tp_cli_folder_length(within);
   const tp_status written = write_group(&group, folder, output, message);
@@ -194,7 +195,7 @@ static tp_status run(const void *words, int *ended, tp_message *message) {
   if (status != TP_OK) return status;
   if (a->name != NULL) {
     status = write_example(a, &list, folder, message);
-  } else {
+  } else if (!tp_cli_is_quiet()) {
     print_list(&list);
   }
   tp_cli_example_list_free(&list);

@@ -5,6 +5,7 @@
 
 #include "cli/cli.h"
 #include "cli/files.h"
+#include "cli/manner.h"
 #include "cli/new_scene.h"
 
 #include <stdio.h>
@@ -244,7 +245,7 @@ static tp_status write_scene(const char *text, const char *output, int *ended,
   if (status != TP_OK) return status;
   char plain[PATH_MAX];
   tp_plain_text(plain, sizeof plain, output);
-  printf("Wrote %s\nNext: topple solve %s\n", plain, plain);
+  if (!tp_cli_is_quiet()) printf("Wrote %s\nNext: topple solve %s\n", plain, plain);
   return TP_OK;
 }
 

@@ -4,10 +4,14 @@
 /* topple solve SCENE */
 
 #include "cli/sheet.h"
+#include "cli/signals.h"
 #include "cli/solve_words.h"
+#include "cli/verdict_colours.h"
+#include "cli/watch.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 static const char *direction(const tp_case *c) {
   return c->towards == TP_TOWARDS_LEFT ? "left" : "right";
@@ -91,7 +95,8 @@ static tp_status print_text(const tp_solution *solution, const tp_solve_words *a
   tp_status status = tp_report_text(&report, solution);
   if (status == TP_OK && a->verbose) status = tp_report_effects(&effects, solution);
   if (status == TP_OK && a->elements) status = tp_report_elements(&account, solution);
-  status = tp_cli_print_report(status, report, ended);
+  if (status == TP_OK && *ended == 0) *ended = tp_cli_print_verdicts(report);
+  free(report);
   if (effects != NULL) status = tp_cli_print_report(status, effects, ended);
   if (account != NULL) status = tp_cli_print_report(status, account, ended);
   return status;
@@ -246,12 +251,35 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   return status;
 }
 
+/* ---- again and again ---------------------------------------------------------------------------
+ */
+
+/* Once, as without --watch; what is wrong with the scene is told, and the watch goes on. */
+static bool print_again(void *context) {
+  const tp_solve_words *a = context;
+  tp_message message = {""};
+  int ended = 0;
+  const tp_status status = print_one(a, &ended, &message);
+  (void)tp_cli_end(status, &message, ended);
+  if (ended == TP_EXIT_SYSTEM) return false; /* nobody reads any more */
+  tp_cli_tell("-- watching the scene and the files that it names; ctrl-C ends --");
+  return true;
+}
+
+static tp_status watch(const tp_solve_words *a, tp_message *message) {
+  tp_solve_words own = *a;
+  return tp_cli_watch(a->scene, print_again, &own, message);
+}
+
 static tp_status solve(const void *words, int *ended, tp_message *message) {
   const tp_solve_words *a = words;
+  if (a->watch && access(a->scene, R_OK) == 0) return watch(a, message);
   return a->table || a->csv ? print_table(a, ended, message) : print_one(a, ended, message);
 }
 
 int tp_cli_solve(int argc, char **argv) {
   tp_solve_words a = tp_solve_words_default();
-  return tp_cli_run(&tp_solve_parser, &a, solve, argc, argv);
+  const int ended = tp_cli_run(&tp_solve_parser, &a, solve, argc, argv);
+  tp_cli_end_by_signal();
+  return ended;
 }

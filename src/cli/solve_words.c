@@ -3,6 +3,8 @@
 
 #include "cli/solve_words.h"
 
+#include "cli/sheet.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +21,8 @@ enum {
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
   KEY_SET,
-  KEY_REPORT
+  KEY_REPORT,
+  KEY_WATCH
 };
 
 static const struct argp_option options[] = {
@@ -52,6 +55,8 @@ static const struct argp_option options[] = {
      "Let no arithmetic run that is dearer than double, compensated, ball or exact (exact unless "
      "given); exit status 4 where it is not enough",
      0},
+    {"watch", KEY_WATCH, NULL, 0,
+     "Solve again whenever the scene, or a file that it names, changes; ctrl-C ends", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
      "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or "
@@ -103,13 +108,6 @@ static void read_figure(tp_solve_words *a, const char *path, struct argp_state *
     tp_cli_refuse(state, "--figure takes a file that ends in .svg, .pdf or .png, not '%s'", path);
   }
   a->figure = path;
-}
-
-static void read_sheet(tp_solve_words *a, const char *path, struct argp_state *state) {
-  if (!tp_sheet_is_file_name(path)) {
-    tp_cli_refuse(state, "--report takes a file that ends in .html, .md or .pdf, not '%s'", path);
-  }
-  a->report = path;
 }
 
 static void read_pivots(tp_solve_words *a, const char *which, struct argp_state *state) {
@@ -164,6 +162,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
   if (a->report != NULL && a->figure != NULL && strcmp(a->report, a->figure) == 0) {
     tp_cli_refuse(state, "--report and --figure take different files");
   }
+  if (table && a->watch) {
+    tp_cli_refuse(state, "--watch watches one scene; leave out --table and --csv");
+  }
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
   }
@@ -205,13 +206,16 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     read_figure(a, argument, state);
     return 0;
   case KEY_REPORT:
-    read_sheet(a, argument, state);
+    tp_cli_take_sheet(&a->report, argument, state);
     return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;
     return 0;
   case KEY_SET:
     tp_cli_take_setting(&a->settings, argument, state);
+    return 0;
+  case KEY_WATCH:
+    a->watch = true;
     return 0;
   case KEY_FIND:
     a->find.key = argument;

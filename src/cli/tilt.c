@@ -4,6 +4,7 @@
 /* topple tilt SCENE */
 
 #include "cli/settings.h"
+#include "cli/sheet.h"
 #include "cli/signals.h"
 
 #include <stdlib.h>
@@ -17,7 +18,7 @@ typedef struct chart_wish {
 
 typedef struct arguments {
   const char *scene;
-  const char *figure, *animation; /* NULL: none */
+  const char *figure, *animation, *report; /* NULL: none */
   chart_wish reactions, phase;
   bool json, csv;
   tp_cli_settings settings;
@@ -32,7 +33,8 @@ enum {
   KEY_REACTIONS,
   KEY_PHASE,
   KEY_MOMENTS,
-  KEY_OVERTURNING
+  KEY_OVERTURNING,
+  KEY_REPORT
 };
 
 static const struct argp_option options[] = {
@@ -47,6 +49,8 @@ static const struct argp_option options[] = {
     {"phase", KEY_PHASE, "FILE", 0,
      "Write FILE likewise, with the phase portraits of what moves: turn against angular velocity",
      0},
+    {"report", KEY_REPORT, "FILE", 0,
+     "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
@@ -93,6 +97,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_PHASE:
     take_chart(&a->phase, argument, "--phase", state);
+    return 0;
+  case KEY_REPORT:
+    tp_cli_take_sheet(&a->report, argument, state);
     return 0;
   case KEY_MOMENTS:
     read_moments(a, argument, state);
@@ -151,8 +158,17 @@ static tp_status write_chart(const chart_wish *wish, chart_maker *make, const tp
   return status;
 }
 
-static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
-                      tp_message *message) {
+static tp_status write_sheet(const arguments *a, const tp_scene *scene, const tp_tilt_test *test,
+                             tp_message *message) {
+  tp_sheet_options sheet;
+  tp_cli_date date;
+  const tp_status status = tp_cli_sheet_options(&sheet, &date, message);
+  return status == TP_OK ? tp_cli_write_tilt_sheet(a->report, scene, test, &sheet, message)
+                         : status;
+}
+
+static tp_status tell(const arguments *a, const tp_scene *scene, const tp_tilt_test *test,
+                      int *ended, tp_message *message) {
   char *report = NULL;
   tp_status status = a->json  ? tp_report_tilt_json(&report, test)
                      : a->csv ? tp_report_tilt_csv(&report, test)
@@ -169,6 +185,9 @@ static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
   }
   if (status == TP_OK && *ended == 0) {
     status = write_chart(&a->phase, tp_chart_tilt_phase, test, message);
+  }
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_sheet(a, scene, test, message);
   }
   if (status == TP_OK && *ended == 0) tell_open(a, test, ended);
   return status;
@@ -193,7 +212,7 @@ static tp_status tilt(const void *words, int *ended, tp_message *message) {
     status = tp_tilt_test_run(&test, scene, &own, message);
     if (terminal) tp_cli_clear_progress();
   }
-  if (status == TP_OK) status = tell(a, test, ended, message);
+  if (status == TP_OK) status = tell(a, scene, test, ended, message);
   tp_tilt_test_free(test);
   tp_scene_free(scene);
   return status;

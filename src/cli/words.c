@@ -4,11 +4,13 @@
 #define TP_WORDS_OWN
 #include "cli/words.h"
 
+#include "cli/manner.h"
 #include "topple.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { COMPLAINT_SIZE = 1200 };
 
@@ -24,7 +26,13 @@ void tp_cli_complain(const char *format, ...) {
   va_start(arguments, format);
   write_plain(plain, format, arguments);
   va_end(arguments);
-  fprintf(stderr, "topple: %s\n", plain);
+  const bool coloured = tp_cli_colours(STDERR_FILENO);
+  fprintf(stderr, "%stopple:%s %s\n", coloured ? "\033[1;31m" : "", coloured ? "\033[0m" : "",
+          plain);
+}
+
+void tp_cli_tell(const char *what) {
+  if (!tp_cli_is_quiet()) fprintf(stderr, "%s\n", what);
 }
 
 void tp_cli_ask(const char *question) {
@@ -32,20 +40,24 @@ void tp_cli_ask(const char *question) {
 }
 
 void tp_cli_tell_progress(size_t done, size_t of, double rate) {
+  if (tp_cli_is_quiet()) return;
   fprintf(stderr, "\r%zu of %zu samples, %.3g a second, %.3g s to go   ", done, of, rate,
           (double)(of - done) / rate);
 }
 
 void tp_cli_tell_bracket(size_t runs, double least_deg, double most_deg) {
+  if (tp_cli_is_quiet()) return;
   fprintf(stderr, "\r%zu runs, stands at %.6f, lets go at %.6f degrees   ", runs, least_deg,
           most_deg);
 }
 
 void tp_cli_clear_progress(void) {
+  if (tp_cli_is_quiet()) return;
   fprintf(stderr, "\r%70s\r", "");
 }
 
 void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds) {
+  if (tp_cli_is_quiet()) return;
   fprintf(stderr, "%.3g s of computing by doubles with proven bounds, %.3g s by the ladder\n",
           doubles_seconds, ladder_seconds);
 }
@@ -72,7 +84,7 @@ static bool is_plain(const char *text) {
 }
 
 /* Is the word --NAME or --NAME=VALUE of an option? */
-static bool is_long_option(const struct argp *parser, const char *name) {
+static bool is_own_long_option(const struct argp *parser, const char *name) {
   const size_t length = strcspn(name, "=");
   for (const struct argp_option *o = parser->options; o->name != NULL || o->doc != NULL; o++) {
     if (o->name != NULL && strlen(o->name) == length && strncmp(o->name, name, length) == 0) {
@@ -82,12 +94,32 @@ static bool is_long_option(const struct argp *parser, const char *name) {
   return false;
 }
 
+static bool is_long_option(const struct argp *parser, const char *name) {
+  if (is_own_long_option(parser, name)) return true;
+  const struct argp_child *child = parser->children;
+  for (; child != NULL && child->argp != NULL; child++) {
+    if (is_own_long_option(child->argp, name)) return true;
+  }
+  return false;
+}
+
+/* The option of a letter; NULL: there is none. */
+static const struct argp_option *option_of(const struct argp *parser, char letter) {
+  const struct argp_option *o = parser->options;
+  while ((o->name != NULL || o->doc != NULL) && o->key != letter) o++;
+  if (o->name != NULL) return o;
+  const struct argp_child *child = parser->children;
+  for (o = NULL; child != NULL && child->argp != NULL && o == NULL; child++) {
+    o = option_of(child->argp, letter);
+  }
+  return o;
+}
+
 /* Of letters, as -jo, the first may take the rest for its value. */
 static bool are_letters(const struct argp *parser, const char *letters) {
   for (; *letters != '\0'; letters++) {
-    const struct argp_option *o = parser->options;
-    while ((o->name != NULL || o->doc != NULL) && o->key != *letters) o++;
-    if (o->name == NULL) return false;
+    const struct argp_option *o = option_of(parser, *letters);
+    if (o == NULL) return false;
     if (o->arg != NULL) return true;
   }
   return true;

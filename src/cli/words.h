@@ -13,6 +13,9 @@
 /* "topple: …" and the end of the line. */
 void tp_cli_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* What goes on, in words of our own. */
+void tp_cli_tell(const char *what);
+
 /* A question, whose answer follows on its line. */
 void tp_cli_ask(const char *question);
 

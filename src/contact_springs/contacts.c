@@ -3,6 +3,7 @@
 
 #include "contact_springs/contacts.h"
 
+#include "contact_springs/crossing.h"
 #include "contact_springs/tributary.h"
 #include "grow.h"
 
@@ -187,12 +188,13 @@ static tp_spring_contact *predecessor(tp_spring_contacts *c, const tp_fresh_cont
   return best;
 }
 
-static tp_spring_contact begin(tp_spring_contacts *c, const tp_fresh_contact *fresh,
+static tp_spring_contact begin(bool *inherits, tp_spring_contacts *c, const tp_fresh_contact *fresh,
                                const tp_body_state *state) {
   tp_spring_contact own = {.pair = fresh->pair, .story = fresh->pair};
   tp_spring_contact *before = predecessor(c, fresh);
   const tp_placing placing = tp_placing_of(state);
   const tp_feature *base = c->of_base.items + fresh->pair.of_base;
+  *inherits = before != NULL;
   if (before != NULL) {
     own.story = before->story;
     own.area = before->area;
@@ -213,20 +215,17 @@ static tp_spring_contact begin(tp_spring_contacts *c, const tp_fresh_contact *fr
   return own;
 }
 
-/* As its normal force goes, Coulomb's limit lets the shear spring of a contact go slack: friction
- * takes what that held. */
-static double let_go(const tp_spring_contacts *c, const tp_spring_contact *own) {
-  return c->shear_pa_m * own->area * own->sheared * own->sheared / 2;
-}
-
 /* Take in what is fresh, leave out what has ended. */
-static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_body_state *state) {
+static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_body_state *state,
+                   tp_xy displaced, double turned) {
   const long old = c->count;
   bool done = true;
   for (long k = 0; k < c->fresh_count && done; k++) {
     if (is_there_already(c, c->fresh + k)) continue;
-    tp_spring_contact own = begin(c, c->fresh + k, state);
+    bool inherits;
+    tp_spring_contact own = begin(&inherits, c, c->fresh + k, state);
     load(&own, forces, c, 0, 0);
+    if (!inherits) tp_spring_closes(forces, &own, displaced, turned);
     tp_spring_contact *items = tp_grow(c->items, c->count, &c->room, sizeof *items);
     done = items != NULL;
     if (!done) break;
@@ -237,7 +236,7 @@ static bool change(tp_spring_contacts *c, tp_spring_forces *forces, const tp_bod
   long kept = 0;
   for (long k = 0; k < c->count; k++) {
     if (k < old && c->items[k].state != TP_CONTACT_HOLDS) {
-      forces->taken_by_friction += let_go(c, c->items + k);
+      forces->taken_by_friction += tp_spring_let_go(c->items + k, c->shear_pa_m, displaced, turned);
       c->changed = true;
       continue;
     }
@@ -277,12 +276,15 @@ bool tp_spring_contacts_step(tp_spring_forces *forces, tp_spring_contacts *c,
       shear_on(c->items + c->holders[k], forces, c, &meeting, state, displaced, turned);
     } else if (is_contact) {
       c->items[c->holders[k]].state = meeting.gap < 0 ? TP_CONTACT_PASSED : TP_CONTACT_OPENED;
+      if (meeting.gap >= 0) {
+        tp_spring_opens(forces, c->items + c->holders[k], c->normal_pa_m, displaced, turned);
+      }
       ended = true;
     } else if (meets && !add_fresh(c, pair, &meeting)) {
       return false;
     }
   }
-  return (!ended && c->fresh_count == 0) || change(c, forces, state);
+  return (!ended && c->fresh_count == 0) || change(c, forces, state, displaced, turned);
 }
 
 void tp_spring_contacts_stiffness(double *straight_n_m, double *turning_nm,

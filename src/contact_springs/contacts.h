@@ -15,22 +15,8 @@
 #define TP_SPRING_CONTACTS_H
 
 #include "contact_springs/candidates.h"
+#include "contact_springs/contact.h"
 #include "rigid_body/drive.h"
-
-typedef struct tp_spring_contact {
-  tp_pair pair;
-  tp_pair story;  /* the pair as which it closed: it runs along the boundary since */
-  tp_meeting now; /* with its tangent, and its lever about the centroid: */
-  tp_xy tangent, lever;
-  double area;              /* m2 */
-  double sheared;           /* of the block along the tangent, elastic, m */
-  double friction;          /* tan(phi) */
-  double normal_n, shear_n; /* shear: on the block along the tangent */
-  double closing_m_s;       /* when it closed */
-  double slipped;           /* m, without sign, since it was last observed */
-  long facet;
-  enum { TP_CONTACT_HOLDS, TP_CONTACT_OPENED, TP_CONTACT_PASSED } state;
-} tp_spring_contact;
 
 /* A pair that met in this step and was no contact before. */
 typedef struct tp_fresh_contact {
@@ -53,14 +39,6 @@ typedef struct tp_spring_contacts {
   double normal_dashpot, shear_dashpot; /* resist a step's displacement by so many springs */
   bool changed;                         /* contacts closed or opened in the last step */
 } tp_spring_contacts;
-
-/* Forces of all contacts on the block, and energies in joule. */
-typedef struct tp_spring_forces {
-  tp_body_force sum;
-  double held;              /* in springs */
-  double taken_by_friction; /* in this step, as the next */
-  double taken_by_dashpots;
-} tp_spring_forces;
 
 /* Stiffness of the springs of a square metre, and the radius of corners. */
 typedef struct tp_spring_stiffness {

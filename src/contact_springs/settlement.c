@@ -9,11 +9,11 @@
 
 /* Over so many periods of the shear springs the loads grow; for so many times sqrt(extent / g) it
  * may take to come to rest then. */
-enum { PERIODS_OF_GROWTH = 10, LONGEST = 30, PERIODS_OF_DASHPOTS = 5 };
+enum { PERIODS_OF_GROWTH = 20, LONGEST = 30, PERIODS_OF_DASHPOTS = 5 };
 
-/* Where few contacts of many bear the block, and slip in turns, stronger local damping lets it
- * creep on rather than rest. */
-static const double settling_damping = 0.5;
+/* Local damping alone sustains vibrations of contacts that slip in turns: the block would creep on
+ * rather than rest. Dashpots of this share of the critical damping take them. */
+static const double settling_damping = 0.8;
 
 static const double critical_share = 0.5;
 
@@ -72,6 +72,12 @@ static bool finds_equilibrium(tp_stepper *s, const tp_body_state *start, double 
   return news != TP_WATCH_COLLAPSES;
 }
 
+/* 2 z / omega over the length of a step, omega by its bound: step = share 2 / omega. */
+static void set_dashpots(tp_spring_contacts *c, double share) {
+  c->normal_dashpot = critical_share / share;
+  c->shear_dashpot = c->normal_dashpot * sqrt(c->normal_pa_m / c->shear_pa_m);
+}
+
 static void let_settle(tp_stepper *s, bool *settled, bool *failed, const tp_body_state *start,
                        double share) {
   const tp_drive *drive = s->drive;
@@ -82,15 +88,11 @@ static void let_settle(tp_stepper *s, bool *settled, bool *failed, const tp_body
   s->drive = &held;
   s->step_s = share * tp_stepper_stable_step(s);
   s->damping = settling_damping;
+  set_dashpots(&s->contacts, share);
   *settled = finds_equilibrium(s, start, PERIODS_OF_GROWTH * period, share, failed);
   s->drive = drive;
   s->damping = damping;
-}
-
-/* 2 z / omega over the length of a step, omega by its bound: step = share 2 / omega. */
-static void set_dashpots(tp_spring_contacts *c, double share) {
-  c->normal_dashpot = critical_share / share;
-  c->shear_dashpot = c->normal_dashpot * sqrt(c->normal_pa_m / c->shear_pa_m);
+  s->contacts.normal_dashpot = s->contacts.shear_dashpot = 0;
 }
 
 bool tp_stepper_is_past_letting_go(const tp_stepper *s) {

@@ -3,16 +3,15 @@
 
 /* The start of a run: the block set down on its springs, so that no drop shocks it.
  *
- * The weight and all loads grow from nothing at the table's angle at time 0, smoothly over ten
- * periods of the shear springs, with local damping and Coulomb's limit in force; then it
- * waits until the block is quiet (watch.h). That is the elastic settlement: no contact has carried
- * much more than it does in the end. How far the springs give on the way tells nothing: few that
- * bear the block near its limit may give a thousandth of its extent. Where the block accelerates
- * for good instead, it has no equilibrium there: it is let go as it is placed, its springs
- * without force, and through the first five periods of the shear springs dashpots
- * beside them, of half the critical damping, keep it from bouncing; they resist no motion but that
- * of the springs.
- */
+ * The weight and all loads grow from nothing at the table's angle at time 0, smoothly over twenty
+ * periods of the shear springs, with strong local damping, dashpots of half the critical damping
+ * beside the springs, and Coulomb's limit in force; then it waits until the block is quiet
+ * (watch.h). That is the elastic settlement: no contact has carried much more than it does in the
+ * end. How far the springs give on the way tells nothing: few that bear the block near its limit
+ * may give a thousandth of its extent. Where the block accelerates for good instead, it has no
+ * equilibrium there: it is let go as it is placed, its springs without force, and the dashpots keep
+ * it from bouncing through the first five periods of the shear springs; they resist no motion but
+ * that of the springs. */
 
 #ifndef TP_SETTLEMENT_H
 #define TP_SETTLEMENT_H

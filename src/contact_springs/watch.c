@@ -25,6 +25,11 @@ static const double kept_drift = 0.95;
  * each radian of tilt, which near the limit is a thousand times what they do on level ground. */
 static const double least_speed = 1e-7, least_gives = 1e4;
 
+/* What collapses began when it last had so much of the kinetic energy that it has when that is
+ * sure, by decades; no farther back than so many windows. */
+static const double at_begin = 1e-4;
+enum { FARTHEST_BACK = 8 * WINDOWS };
+
 static tp_drift place_of(const tp_stepper *s) {
   return (tp_drift){s->state.moved.x, s->state.moved.y, s->state.turned * s->body->extent_m};
 }
@@ -72,6 +77,22 @@ static double product(tp_body_force f, tp_body_force g) {
   return f.x_n * g.x_n + f.y_n * g.y_n + f.moment_nm * g.moment_nm;
 }
 
+static void note_speed(tp_spring_watch *w, double kinetic, double time_s) {
+  double decade = 1;
+  for (int k = 0; k < TP_WATCH_DECADES; k++, decade /= 10) {
+    if (kinetic < decade) w->slower_until_s[k] = time_s;
+  }
+}
+
+/* Under strong damping what slides may chatter, and is sure to go on only long after it began. */
+static double begin_of(const tp_spring_watch *w, double time_s, long windows) {
+  const double told = time_s - (double)windows * w->window_s;
+  const double level = ceil(-log10(at_begin * w->last_kinetic));
+  if (!(level >= 0 && level < TP_WATCH_DECADES)) return told;
+  const double slow = w->slower_until_s[(int)level];
+  return slow < told && slow > time_s - FARTHEST_BACK * w->window_s ? slow : told;
+}
+
 static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, double kinetic,
                                   const tp_stepper *stepper) {
   const double size = sqrt(product(force, force));
@@ -83,6 +104,7 @@ static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, doubl
   w->resting = none ? w->resting + 1 : 0;
   w->last_force = force;
   w->last_kinetic = kinetic;
+  note_speed(w, kinetic, stepper->time_s);
   if (++w->windows % WINDOWS == 0) judge_drift(w, stepper);
   if (stepper->drive->shaking != NULL && !stepper->steady) return TP_WATCH_NOTHING;
   if (w->resting >= RESTING_WINDOWS) return TP_WATCH_QUIET;
@@ -90,8 +112,8 @@ static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, doubl
   const bool fast = kinetic > speed * speed / (2 * TP_GRAVITY_M_S2 * w->extent_m);
   const bool grew = w->growing >= GROWING_WINDOWS && fast;
   if (!grew && w->drifting < DRIFTING_TIMES) return TP_WATCH_NOTHING;
-  const double windows = grew ? (double)w->growing : (double)(DRIFTING_TIMES + 1) * WINDOWS;
-  w->begun_s = stepper->time_s - windows * w->window_s;
+  w->begun_s =
+      begin_of(w, stepper->time_s, grew ? w->growing : (long)(DRIFTING_TIMES + 1) * WINDOWS);
   return TP_WATCH_COLLAPSES;
 }
 

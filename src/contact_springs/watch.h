@@ -28,6 +28,8 @@ typedef struct tp_drift {
   double x, y, turned;
 } tp_drift;
 
+enum { TP_WATCH_DECADES = 24 };
+
 typedef struct tp_spring_watch {
   double weight_n, extent_m, window_s, window_end_s;
   tp_spring_watch_window window;
@@ -36,8 +38,9 @@ typedef struct tp_spring_watch {
   long growing, resting;  /* windows in a row */
   long windows, drifting; /* all windows; sixteens of them in which it moved on */
   tp_drift from, last_drift;
-  double give_m;  /* how far springs give under the weight, about */
-  double begun_s; /* when what is told began */
+  double slower_until_s[TP_WATCH_DECADES]; /* the kinetic energy was below 10^-k until then */
+  double give_m;                           /* how far springs give under the weight, about */
+  double begun_s;                          /* when what is told began */
 } tp_spring_watch;
 
 typedef enum tp_spring_watch_news {

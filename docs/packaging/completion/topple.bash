@@ -44,6 +44,7 @@ _topple_values() { # OPTION WORD COMMAND
   --resample) compgen -W "linear spline" -- "$2" ;;
   --detrend) compgen -W "none line ends" -- "$2" ;;
   --window) compgen -W "hann none" -- "$2" ;;
+  --color) compgen -W "auto always never" -- "$2" ;;
   --towards) compgen -W "left right both" -- "$2" ;;
   --frame) compgen -W "base world" -- "$2" ;;
   --unit) compgen -W "mm cm m km in ft" -- "$2" ;;
