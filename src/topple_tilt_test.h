@@ -19,7 +19,7 @@ extern "C" {
 
 /* The test: by which engine, by which protocol; where `set_down`, the block is set down at each
  * angle, else it is placed level and tilted. The path engine takes a ramp, or steps at which the
- * block is set down; a release is at the scene's tilt angle. */
+ * block is set down, or a ramp from the scene's tilt angle, where it is; a release is at that. */
 TP_MUST_USE tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine,
                                              tp_tilt_protocol protocol, bool set_down,
                                              tp_message *message);
@@ -52,6 +52,14 @@ TP_MUST_USE tp_status tp_scene_set_tilt_test_time_step_s(tp_scene *scene, tp_exa
 /* Of rigid contacts: the restitution of impacts, in [0, 1]. */
 TP_MUST_USE tp_status tp_scene_set_tilt_test_restitution(tp_scene *scene, tp_exact restitution,
                                                          tp_message *message);
+
+/* Of the path: stress locked in on a facet of the base before the start, in kilopascal; on all of
+ * the contact that lies on that facet. Normal stress, linear from the facet's left end to its right
+ * one, pressing above 0; shear stress, above 0 where it pushes the block to the right. A facet that
+ * is given twice, or bears none of the block, is refused where the test is run. */
+TP_MUST_USE tp_status tp_scene_add_tilt_test_traction(tp_scene *scene, size_t facet,
+                                                      tp_exact first_kpa, tp_exact last_kpa,
+                                                      tp_exact shear_kpa, tp_message *message);
 
 /* Along what the base shakes: the horizontal, positive up-dip of a table tilted to the left; or
  * the vertical, positive upwards. */
@@ -103,14 +111,16 @@ typedef struct tp_tilt_settings {
   double speed_deg_min;      /* of the table */
   double until_deg;          /* of the table, at most */
   double release_deg;        /* where the block is let go */
+  double from_deg;           /* of a ramp: where it starts, level or set down */
   double tolerance_deg;      /* wanted width of the bracket */
   double duration_s;         /* of a run at a steady tilt, at most */
   double normal_stiffness_pa_m, shear_stiffness_pa_m; /* of the contact */
-  bool stiffness_given; /* by the scene; else the paper's 1000 and 10 GPa/m */
-  double damping;       /* of springs, local */
-  double rounding_m;    /* of corners */
-  double time_step_s;   /* 0: the method's own choice */
-  double restitution;   /* of impacts */
+  bool stiffness_given;  /* by the scene; else the paper's 1000 and 10 GPa/m */
+  double damping;        /* of springs, local */
+  double rounding_m;     /* of corners */
+  double time_step_s;    /* 0: the method's own choice */
+  double restitution;    /* of impacts */
+  size_t traction_count; /* facets with stress locked in before the start */
 } tp_tilt_settings;
 
 /* How the block ended. */
@@ -164,9 +174,14 @@ typedef struct tp_tilt_case {
                          stood */
   double most_deg;    /* it lets go there */
   bool converged;     /* the bracket is as narrow as was asked */
-  bool has_mechanism; /* and it lets go so: */
-  tp_mechanism mechanism;        /* by the velocity with which it moves off */
-  bool has_centre;               /* of rotation */
+  bool has_softening; /* of a path on contacts whose stiffness the scene gives: */
+  double softening_deg;   /* by which it lets go sooner on these very springs than in the limit of
+                             stiff ones, which the bracket is for */
+  size_t jumps;           /* times that a path gave way and came to rest at the same tilt */
+  double first_jump_deg;  /* the tilt of the first of these */
+  bool has_mechanism;     /* and it lets go so: */
+  tp_mechanism mechanism; /* by the velocity with which it moves off */
+  bool has_centre;        /* of rotation */
   double centre_x_m, centre_y_m; /* where it is */
   bool has_onset, has_limit;     /* statics knows: */
   double onset_deg, limit_deg;   /* alpha_s, certain to stand up to it; alpha_w, certain to move
@@ -238,8 +253,10 @@ TP_MUST_USE tp_status tp_report_tilt_csv(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test);
 TP_MUST_USE tp_status tp_report_tilt_animation(char **text, const tp_tilt_test *test);
 
-/* The same into the file `path`, which must end in .svg and appears whole or not at all: frames, or
- * where `moving` the one that moves. TP_SYSTEM_FAILED where it cannot be written. */
+/* The same into the file `path`, which appears whole or not at all: frames as .svg; or where
+ * `moving` the one that moves, as .svg, or as .webm or .gif, made by gnuplot and ffmpeg.
+ * TP_SYSTEM_FAILED where one of these is not installed or fails, or the file cannot be written;
+ * TP_NO_ANSWER where there is nothing to draw. */
 TP_MUST_USE tp_status tp_report_tilt_file(const tp_tilt_test *test, const char *path, bool moving,
                                           tp_message *message);
 
@@ -252,6 +269,39 @@ TP_MUST_USE tp_status tp_chart_tilt_reactions(tp_chart **chart, const tp_tilt_te
                                               tp_message *message);
 TP_MUST_USE tp_status tp_chart_tilt_phase(tp_chart **chart, const tp_tilt_test *test,
                                           tp_message *message);
+
+/* The frequencies of an overturning spectrum, evenly on a logarithmic axis. */
+typedef struct tp_overturning_options {
+  size_t size; /* of this struct, as `…_default()` has it */
+  double from,
+      to;           /* of a pulse its frequency in hertz, of a record how many times as fast as it
+                       was recorded; above 0, from < to; both 0: an eighth to eight times the scene's */
+  size_t count;     /* of them, 2 to 200 */
+  double tolerance; /* of brackets, as a share; 1e-6 to 0.1 */
+  bool (*stop)(void *context); /* asked now and then, or NULL: true ends with what is known */
+  void (*progress)(void *context, size_t done, size_t of); /* after each frequency, or NULL */
+  void *context;                                           /* of both */
+} tp_overturning_options;
+
+/* The defaults: 25 frequencies, brackets of 1e-3; nothing stops it. `size` is that of the struct as
+ * the caller knows it. */
+void tp_overturning_options_init(tp_overturning_options *options, size_t size);
+static inline tp_overturning_options tp_overturning_options_default(void) {
+  tp_overturning_options options;
+  tp_overturning_options_init(&options, sizeof options);
+  return options;
+}
+
+/* The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its form
+ * that overturns the block, or throws it off its base, at one frequency after the other, as PGA
+ * against frequency and against PGV; each between two runs, one spared and one overturned. PGA are
+ * tried from 1/64 to 64 g upwards by 2^(1/8), and for two octaves beyond the first that overturns
+ * it: where stronger shaking spares it again, that stretch is on the chart as an island. To
+ * be freed by tp_chart_free. TP_NO_ANSWER where no shaking that was tried overturns it;
+ * TP_UNDECIDED where it was stopped before anything was known. */
+TP_MUST_USE tp_status tp_chart_overturning(tp_chart **chart, const tp_scene *scene,
+                                           const tp_overturning_options *options,
+                                           tp_message *message);
 
 #ifdef __cplusplus
 }

@@ -32,6 +32,31 @@ static void chart(const tp_tilt_test *test) {
   }
 }
 
+static void vary(const char *text) {
+  tp_scene *scene = NULL;
+  tp_tilt_convergence *convergence = NULL;
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_tilt_options options = tp_tilt_options_default();
+  if (DONE(tp_scene_read_text(&scene, text, "tilt", &message), scene) &&
+      DONE(tp_tilt_converge(&convergence, scene, &options, &message), convergence)) {
+    char *report = NULL;
+    tp_status status = tp_report_tilt_convergence(&report, convergence);
+    expect_report(status, report);
+    report = NULL;
+    status = tp_report_tilt_convergence_json(&report, convergence);
+    expect_report(status, report);
+    (void)DONE(tp_chart_tilt_convergence(&chart, convergence, &message), chart);
+  }
+  tp_chart_free(chart);
+  tp_tilt_convergence_free(convergence);
+  tp_scene_free(scene);
+}
+
+void vary_tilt_test(void) {
+  vary(HEAD "tilt_test: {engine: path}\n");
+}
+
 static void simulate(const char *text) {
   tp_scene *scene = NULL;
   tp_tilt_test *test = NULL;
@@ -52,4 +77,23 @@ void simulate_tilt_test(void) {
   simulate(HEAD "tilt_test: {engine: dynamics, protocol: steps, duration_s: 0.2}\n");
   simulate(HEAD "tilt_test: {duration_s: 0.1}\n"
                 "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n");
+}
+
+void chart_overturning(void) {
+  tp_scene *scene = NULL;
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  tp_overturning_options options = tp_overturning_options_default();
+  options.count = 2;
+  options.tolerance = 0.1;
+  if (DONE(tp_scene_read_text(
+               &scene,
+               HEAD "tilt_test: {duration_s: 3}\n"
+                    "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n",
+               "tilt", &message),
+           scene)) {
+    (void)DONE(tp_chart_overturning(&chart, scene, &options, &message), chart);
+  }
+  tp_chart_free(chart);
+  tp_scene_free(scene);
 }

@@ -7,5 +7,7 @@
 #define TP_TEST_MEMORY_TILT_H
 
 void simulate_tilt_test(void);
+void chart_overturning(void);
+void vary_tilt_test(void);
 
 #endif

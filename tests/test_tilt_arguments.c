@@ -22,6 +22,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_tilt_test_rounding(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_time_step_s(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_restitution(own, E(0.5), &message), why);
+  REFUSED(tp_scene_add_tilt_test_traction(own, 1, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_shaking_pulse(own, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(1), E(1),
                                      &message),
           why);
@@ -57,6 +58,9 @@ START_TEST(numbers) {
   REFUSED(tp_scene_set_tilt_test_rounding(scene, E(0), &message), "rounding must be above zero");
   REFUSED(tp_scene_set_tilt_test_time_step_s(scene, E(NAN), &message), "time_step_s");
   REFUSED(tp_scene_set_tilt_test_restitution(scene, E(-0.5), &message), "restitution must lie in");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message),
+          "tp_scene_add_tilt_test_traction: facets of the base are counted from 1");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 1, E(1), E(NAN), E(1), &message), "last_kpa");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);
@@ -131,6 +135,38 @@ START_TEST(shaken) {
 }
 END_TEST
 
+START_TEST(convergence) {
+  tp_tilt_convergence *of = UNTOUCHED(tp_tilt_convergence);
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  char *text = UNTOUCHED(char);
+  tp_tilt_options options = tp_tilt_options_default();
+  const tp_tilt_convergence *none = NULL;
+  const tp_tilt_convergence empty = {.asked = 1};
+  REFUSED(tp_tilt_converge(NULL, scene, &options, &message), "'convergence'");
+  REFUSED(tp_tilt_converge(&of, NULL, &options, &message), "'scene'");
+  REFUSED(tp_tilt_converge(&of, scene, NULL, &message), "'options'");
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "the scene calls for no simulation");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, true, &message));
+  DO(tp_scene_set_tilt_angle_deg(scene, E(10), &message));
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "has no critical angle");
+  options.size = 4096;
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "the size");
+  UNWRITTEN(tp_report_tilt_convergence(&text, none));
+  UNWRITTEN(tp_report_tilt_convergence_json(&text, none));
+  UNWRITTEN(tp_report_tilt_convergence(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_convergence_json(NULL, &empty));
+  REFUSED(tp_chart_tilt_convergence(NULL, &empty, &message), "'chart'");
+  REFUSED(tp_chart_tilt_convergence(&chart, none, &message), "'convergence'");
+  ck_assert_int_eq(tp_chart_tilt_convergence(&chart, &empty, &message), TP_NO_ANSWER);
+  ck_assert_ptr_eq(of, UNTOUCHED(tp_tilt_convergence));
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  ck_assert_str_eq(tp_converge_setting_name((tp_converge_setting)-1), "unknown setting");
+  ck_assert_str_eq(tp_converge_quantity_name((tp_converge_quantity)9), "unknown quantity");
+  ck_assert_str_eq(tp_converge_verdict_name((tp_converge_verdict)9), "unknown verdict");
+  tp_tilt_convergence_free(NULL);
+}
+END_TEST
+
 START_TEST(reports) {
   char *text = UNTOUCHED(char);
   const tp_tilt_test *none = NULL;
@@ -147,7 +183,9 @@ START_TEST(reports) {
   UNWRITTEN(tp_report_tilt_animation(NULL, &empty));
   REFUSED(tp_report_tilt_file(none, "x.svg", false, &message), "'test'");
   REFUSED(tp_report_tilt_file(&empty, NULL, false, &message), "'path'");
-  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg");
+  REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg, .webm or .gif");
+  REFUSED(tp_report_tilt_file(&empty, "x.gif", false, &message), "ends in .svg");
+  ck_assert_int_eq(tp_report_tilt_file(&empty, "x.gif", true, &message), TP_NO_ANSWER);
   const tp_sheet_options sheet = tp_sheet_options_default();
   const tp_sheet_options sized = {.size = 4096};
   REFUSED(tp_report_sheet_tilt(NULL, scene, &empty, &sheet, &message), "'path'");
@@ -185,6 +223,36 @@ START_TEST(charts) {
 }
 END_TEST
 
+/* The spectrum refuses what gives none, before anything is run. */
+START_TEST(spectra) {
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  tp_overturning_options options = tp_overturning_options_default();
+#define SPECTRUM tp_chart_overturning(&chart, scene, &options, &message)
+  REFUSED(tp_chart_overturning(NULL, scene, &options, &message), "'chart'");
+  REFUSED(tp_chart_overturning(&chart, NULL, &options, &message), "'scene'");
+  REFUSED(tp_chart_overturning(&chart, scene, NULL, &message), "'options'");
+  REFUSED(SPECTRUM, "needs a base that shakes");
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_VERTICALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  REFUSED(SPECTRUM, "needs a base that shakes");
+  DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
+                                &message));
+  options.from = 2;
+  options.to = 1;
+  REFUSED(SPECTRUM, "from one above 0 to a larger one");
+  options = tp_overturning_options_default();
+  options.count = 1;
+  REFUSED(SPECTRUM, "2 to 200 frequencies");
+  options = tp_overturning_options_default();
+  options.tolerance = NAN;
+  REFUSED(SPECTRUM, "between 1e-6 and 0.1");
+  options = tp_overturning_options_default();
+  options.size = 4096;
+  REFUSED(SPECTRUM, "the size");
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+}
+END_TEST
+
 int main(void) {
   Suite *suite = suite_create("arguments of tilt tests");
   TCase *tests = tcase_create("arguments of tilt tests");
@@ -194,8 +262,10 @@ int main(void) {
   tcase_add_test(tests, shaking);
   tcase_add_test(tests, together);
   tcase_add_test(tests, shaken);
+  tcase_add_test(tests, convergence);
   tcase_add_test(tests, reports);
   tcase_add_test(tests, charts);
+  tcase_add_test(tests, spectra);
   suite_add_tcase(suite, tests);
   return run_suite(suite);
 }

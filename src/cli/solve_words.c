@@ -21,8 +21,8 @@ enum {
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
   KEY_SET,
-  KEY_REPORT,
-  KEY_WATCH
+  KEY_WATCH,
+  KEY_REPORT
 };
 
 static const struct argp_option options[] = {

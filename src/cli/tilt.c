@@ -6,21 +6,18 @@
 #include "cli/settings.h"
 #include "cli/sheet.h"
 #include "cli/signals.h"
+#include "cli/tilt_charts.h"
+#include "cli/tilt_converge.h"
 
 #include <stdlib.h>
 #include <unistd.h>
 
-/* A chart that is asked for. */
-typedef struct chart_wish {
-  const char *path; /* NULL: none */
-  tp_chart_format format;
-} chart_wish;
-
 typedef struct arguments {
   const char *scene;
   const char *figure, *animation, *report; /* NULL: none */
-  chart_wish reactions, phase;
-  bool json, csv;
+  tp_tilt_charts charts;
+  bool json, csv, converge;
+  tp_chart_format format; /* of the figure of --converge */
   tp_cli_settings settings;
   tp_tilt_options tilt;
 } arguments;
@@ -32,8 +29,11 @@ enum {
   KEY_ANIMATION,
   KEY_REACTIONS,
   KEY_PHASE,
+  KEY_SPECTRUM,
+  KEY_FREQUENCIES,
   KEY_MOMENTS,
   KEY_OVERTURNING,
+  KEY_CONVERGE,
   KEY_REPORT
 };
 
@@ -43,17 +43,30 @@ static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print JSON instead of text", 0},
     {"csv", KEY_CSV, NULL, 0, "Print the moments of the motion as CSV instead of text", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Write FILE, .svg, with the block at some moments", 0},
-    {"animation", KEY_ANIMATION, "FILE", 0, "Write FILE, .svg, in which the block moves", 0},
+    {"animation", KEY_ANIMATION, "FILE", 0,
+     "Write FILE, .svg, .webm or .gif, in which the block moves", 0},
     {"reactions", KEY_REACTIONS, "FILE", 0,
      "Write FILE, .svg, .pdf, .png or .csv, with the reactions of the facets against the tilt", 0},
     {"phase", KEY_PHASE, "FILE", 0,
      "Write FILE likewise, with the phase portraits of what moves: turn against angular velocity",
+     0},
+    {"spectrum", KEY_SPECTRUM, "FILE", 0,
+     "Write FILE likewise, with the overturning spectrum: the least PGA that overturns the block, "
+     "against frequency and PGV",
+     0},
+    {"frequencies", KEY_FREQUENCIES, "FROM:TO:COUNT", 0,
+     "Of the spectrum, in hertz; of a record times its speed (an eighth to eight times the "
+     "scene's, 25)",
      0},
     {"report", KEY_REPORT, "FILE", 0,
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
+    {"converge", KEY_CONVERGE, NULL, 0,
+     "Run the test over stiffness, time step, damping and tolerance instead, each with its cost; "
+     "with --figure FILE, .svg, .pdf, .png or .csv, the answer against cost",
+     0},
     {0}};
 
 static void read_moments(arguments *a, const char *text, const struct argp_state *state) {
@@ -66,11 +79,19 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
   a->tilt.moments = (size_t)count;
 }
 
-static void take_chart(chart_wish *wish, const char *path, const char *option,
-                       const struct argp_state *state) {
-  tp_cli_take_file(&wish->path, path, option, state);
-  if (!tp_chart_format_read(&wish->format, path)) {
-    tp_cli_refuse(state, "%s '%s' must end in .svg, .pdf, .png or .csv", option, path);
+static void check_converge(arguments *a, const struct argp_state *state) {
+  const tp_tilt_charts *charts = &a->charts;
+  if (a->csv || a->report != NULL || a->animation != NULL || a->tilt.overturning ||
+      charts->reactions.path != NULL || charts->phase.path != NULL ||
+      charts->spectrum.path != NULL) {
+    tp_cli_refuse(state,
+                  "--converge runs many tests: --csv, --report, --animation, --reactions, --phase, "
+                  "--spectrum and --overturning are of one");
+  } else if (a->figure != NULL && !tp_chart_format_read(&a->format, a->figure)) {
+    tp_cli_refuse(state,
+                  "the figure of --converge is a file that ends in .svg, .pdf, .png or "
+                  ".csv, not '%s'",
+                  a->figure);
   }
 }
 
@@ -93,10 +114,16 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     tp_cli_take_file(&a->animation, argument, "--animation", state);
     return 0;
   case KEY_REACTIONS:
-    take_chart(&a->reactions, argument, "--reactions", state);
+    tp_tilt_charts_take(&a->charts.reactions, argument, "--reactions", state);
     return 0;
   case KEY_PHASE:
-    take_chart(&a->phase, argument, "--phase", state);
+    tp_tilt_charts_take(&a->charts.phase, argument, "--phase", state);
+    return 0;
+  case KEY_SPECTRUM:
+    tp_tilt_charts_take(&a->charts.spectrum, argument, "--spectrum", state);
+    return 0;
+  case KEY_FREQUENCIES:
+    tp_tilt_charts_frequencies(&a->charts, argument, state);
     return 0;
   case KEY_REPORT:
     tp_cli_take_sheet(&a->report, argument, state);
@@ -107,6 +134,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_OVERTURNING:
     a->tilt.overturning = true;
     return 0;
+  case KEY_CONVERGE:
+    a->converge = true;
+    return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
     return 0;
@@ -115,6 +145,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (a->json && a->csv) tp_cli_refuse(state, "--json and --csv are one or the other");
+    if (a->converge) check_converge(a, state);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -146,18 +177,6 @@ static void tell_open(const arguments *a, const tp_tilt_test *test, int *ended) 
   }
 }
 
-typedef tp_status chart_maker(tp_chart **chart, const tp_tilt_test *test, tp_message *message);
-
-static tp_status write_chart(const chart_wish *wish, chart_maker *make, const tp_tilt_test *test,
-                             tp_message *message) {
-  tp_chart *chart = NULL;
-  if (wish->path == NULL) return TP_OK;
-  tp_status status = make(&chart, test, message);
-  if (status == TP_OK) status = tp_report_chart_file(chart, wish->path, wish->format, message);
-  tp_chart_free(chart);
-  return status;
-}
-
 static tp_status write_sheet(const arguments *a, const tp_scene *scene, const tp_tilt_test *test,
                              tp_message *message) {
   tp_sheet_options sheet;
@@ -180,12 +199,7 @@ static tp_status tell(const arguments *a, const tp_scene *scene, const tp_tilt_t
   if (status == TP_OK && *ended == 0 && a->animation != NULL) {
     status = tp_report_tilt_file(test, a->animation, true, message);
   }
-  if (status == TP_OK && *ended == 0) {
-    status = write_chart(&a->reactions, tp_chart_tilt_reactions, test, message);
-  }
-  if (status == TP_OK && *ended == 0) {
-    status = write_chart(&a->phase, tp_chart_tilt_phase, test, message);
-  }
+  if (status == TP_OK && *ended == 0) status = tp_tilt_charts_write(&a->charts, test, message);
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
     status = write_sheet(a, scene, test, message);
   }
@@ -209,17 +223,26 @@ static tp_status tilt(const void *words, int *ended, tp_message *message) {
   tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   if (status == TP_OK) {
     tp_cli_catch_signals();
-    status = tp_tilt_test_run(&test, scene, &own, message);
-    if (terminal) tp_cli_clear_progress();
+    if (a->converge) {
+      const tp_cli_converge asked = {a->scene, a->figure, a->format, a->json};
+      status = tp_cli_tilt_converge(&asked, scene, &own, ended, message);
+    } else {
+      status = tp_tilt_test_run(&test, scene, &own, message);
+      if (terminal) tp_cli_clear_progress();
+      if (status == TP_OK) status = tell(a, scene, test, ended, message);
+      if (status == TP_OK) {
+        status = tp_tilt_charts_spectrum(&a->charts, scene, a->scene, ended, message);
+      }
+    }
   }
-  if (status == TP_OK) status = tell(a, scene, test, ended, message);
   tp_tilt_test_free(test);
   tp_scene_free(scene);
   return status;
 }
 
 int tp_cli_tilt(int argc, char **argv) {
-  arguments a = {.tilt = tp_tilt_options_default()};
+  arguments a = {.tilt = tp_tilt_options_default(),
+                 .charts = {.overturning = tp_overturning_options_default()}};
   const int status = tp_cli_run(&parser, &a, tilt, argc, argv);
   tp_cli_end_by_signal();
   return status;

@@ -17,6 +17,9 @@
 #define TEXT_SIZE 9.0
 #define LISTING_SIZE 7.0
 
+/* Below a heading; the height of a figure, of the page's. */
+static const double after_heading = 100, figure_share = 0.62;
+
 /* A paragraph, line by line; with a bar before it where it is set off: a double one of a caution.
  */
 static void add_paragraph(tp_paper *p, const char *text, double size, bool bold, int bars) {
@@ -40,11 +43,11 @@ static void add_paragraph(tp_paper *p, const char *text, double size, bool bold,
   p->y += 4;
 }
 
-/* With some of what follows on the same page, and in the outline of the PDF. */
-static void add_heading(tp_paper *p, const char *text, int level) {
+/* With `after` of what follows on the same page, and in the outline of the PDF. */
+static void add_heading(tp_paper *p, const char *text, int level, double after) {
   const double sizes[] = {16, 12.5, 10.5}, size = sizes[level - 1];
   p->y += level == 1 ? 0 : level == 2 ? 12 : 7;
-  tp_paper_need(p, size + 100);
+  tp_paper_need(p, size + after);
   if (p->pdf != NULL && level == 2) {
     char place[64];
     snprintf(place, sizeof place, "page=%d pos=[%.1f %.1f]", p->page, TP_PAPER_LEFT, p->y);
@@ -116,7 +119,8 @@ static void add_figure(tp_paper *p, const tp_passage *passage) {
                        .height = cairo_image_surface_get_height(image)};
   }
   if (own.width > 0 && own.height > 0) {
-    const double scale = fmin(TP_PAPER_ROOM / own.width, 0.62 * TP_PAPER_HEIGHT / own.height);
+    const double scale =
+        fmin(TP_PAPER_ROOM / own.width, figure_share * TP_PAPER_HEIGHT / own.height);
     tp_paper_need(p, scale * own.height + 20);
     cairo_save(p->cr);
     cairo_translate(p->cr, TP_PAPER_LEFT, p->y);
@@ -133,6 +137,15 @@ static void add_figure(tp_paper *p, const tp_passage *passage) {
   add_paragraph(p, passage->text, TP_BODY_SIZE, false, 0);
 }
 
+/* What a heading has below it on its page: some lines, a heading with its own, a whole figure. */
+static double room_after(const tp_paper *p, const tp_passage *passage) {
+  const tp_passage *next = passage + 1;
+  const bool last = next == p->document->passages + p->document->count;
+  if (!last && next->kind == TP_PASSAGE_HEADING) return 1.4 * after_heading;
+  if (!last && next->kind == TP_PASSAGE_FIGURE) return figure_share * TP_PAPER_HEIGHT + 20;
+  return after_heading;
+}
+
 /* An equation stands below the words that lead to it. */
 static void keep_with_next(tp_paper *p, const tp_passage *passage) {
   enum { TOGETHER = 62 };
@@ -144,7 +157,7 @@ static void keep_with_next(tp_paper *p, const tp_passage *passage) {
 static void add_passage(tp_paper *p, const tp_passage *passage) {
   switch (passage->kind) {
   case TP_PASSAGE_HEADING:
-    add_heading(p, passage->text, passage->level);
+    add_heading(p, passage->text, passage->level, room_after(p, passage));
     return;
   case TP_PASSAGE_PARAGRAPH:
     keep_with_next(p, passage);
@@ -177,7 +190,7 @@ static int draw_all(tp_paper *p, cairo_surface_t *surface) {
   p->page = 1;
   p->y = TP_PAPER_TOP;
   tp_figure_set_up(p->cr);
-  add_heading(p, p->document->title, 1);
+  add_heading(p, p->document->title, 1, after_heading);
   for (size_t k = 0; k < p->document->count; k++) add_passage(p, p->document->passages + k);
   tp_paper_end_page(p);
   const cairo_status_t status = cairo_status(p->cr);

@@ -6,48 +6,27 @@
  * hastened to between 2 and 12 seconds, and the drawing says by how much. */
 
 #include "host.h"
-#include "report/tilt_svg.h"
+#include "report/tilt_course.h"
 #include "report/words.h"
 
 #include <math.h>
 
-/* Where the picture of a test that is not timed stands, as a share: by its tilt. */
-typedef struct course {
-  const tp_tilt_view *view;
-  double from, to; /* time, or tilt where nothing is timed */
-  double seconds;  /* that the drawing takes */
-  bool timed;
-} course;
-
-static double at(const course *c, const tp_tilt_moment *m) {
-  return c->timed ? m->time_s : m->angle_deg;
-}
-
-static course course_of(const tp_tilt_view *view, bool timed) {
-  const tp_tilt_case *own = view->own;
-  course c = {.view = view, .timed = timed, .seconds = 8};
-  if (own->moment_count == 0) return c;
-  c.from = at(&c, own->moments);
-  c.to = at(&c, own->moments + own->moment_count - 1);
-  if (timed) c.seconds = fmin(12, fmax(2, c.to - c.from));
-  return c;
-}
-
 /* Nine tenths of the time it moves; then it stands still. */
-static void add_times(tp_text *t, const course *c) {
+static void add_times(tp_text *t, const tp_tilt_course *c) {
   const tp_tilt_case *own = c->view->own;
   tp_text_add(t, " dur=\"%.3fs\" repeatCount=\"indefinite\" keyTimes=\"", c->seconds / 0.9);
   double last = 0;
   for (size_t k = 0; k < own->moment_count; k++) {
     const double span = c->to - c->from;
-    const double share = span > 0 ? 0.9 * (at(c, own->moments + k) - c->from) / span : 0;
+    const double share =
+        span > 0 ? 0.9 * (tp_tilt_course_at(c, own->moments + k) - c->from) / span : 0;
     last = fmin(0.9, fmax(last, share));
     tp_text_add(t, "%s%.6f", k > 0 ? ";" : "", k == 0 ? 0 : last);
   }
   tp_text_add(t, ";1\"/>\n");
 }
 
-static void add_value(tp_text *t, const course *c, const tp_tilt_moment *m, int what) {
+static void add_value(tp_text *t, const tp_tilt_course *c, const tp_tilt_moment *m, int what) {
   const double scale = c->view->scale;
   if (what == 0) tp_text_add(t, "%.4f", tp_tilt_view_turn(c->view, m->angle_deg));
   if (what == 1) tp_text_add(t, "%.3f %.3f", scale * m->moved_x_m, -scale * m->moved_y_m);
@@ -55,7 +34,7 @@ static void add_value(tp_text *t, const course *c, const tp_tilt_moment *m, int 
 }
 
 /* 0: the turn of the table, 1: the displacement of the block, 2: its turn. */
-static void add_motion(tp_text *t, const course *c, int what) {
+static void add_motion(tp_text *t, const tp_tilt_course *c, int what) {
   const tp_tilt_case *own = c->view->own;
   if (own->moment_count < 2) return;
   tp_text_add(t,
@@ -74,7 +53,7 @@ static void add_motion(tp_text *t, const course *c, int what) {
 
 static void add_case(tp_text *t, const tp_tilt_test *test, const tp_tilt_view *view, double left) {
   const tp_tilt_case *own = view->own;
-  const course c = course_of(view, test->settings.engine != TP_TILT_PATH);
+  const tp_tilt_course c = tp_tilt_course_of(view, test->settings.engine != TP_TILT_PATH);
   tp_text_add(t, "<text x=\"%.2f\" y=\"18\">%s: %s", left + 8, tp_text_table(test, own),
               tp_tilt_end_name(own->end));
   if (c.timed && c.to > c.from) {

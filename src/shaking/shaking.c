@@ -118,6 +118,14 @@ void tp_base_shaking_scale(tp_base_shaking *shaking, double factor) {
   }
 }
 
+void tp_base_shaking_hasten(tp_base_shaking *shaking, double factor) {
+  for (int axis = 0; axis < TP_SHAKING_AXES; axis++) {
+    tp_base_acceleration *own = shaking->axes + axis;
+    own->frequency_hz *= factor;
+    for (size_t k = 0; k < own->count; k++) own->time_s[k] /= factor;
+  }
+}
+
 static tp_status init_record(tp_base_acceleration *own, const tp_shaking_component *given,
                              tp_message *message) {
   const tp_polyline *record = &given->record;

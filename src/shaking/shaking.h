@@ -37,6 +37,10 @@ void tp_base_shaking_clear(tp_base_shaking *shaking);
 /* All of it `factor` times as strong. */
 void tp_base_shaking_scale(tp_base_shaking *shaking, double factor);
 
+/* All of it `factor` times as fast, its accelerations as they are: the frequency of a pulse, the
+ * times of a record. */
+void tp_base_shaking_hasten(tp_base_shaking *shaking, double factor);
+
 /* Along one axis: the acceleration at a time, and the next time after it at which it is not
  * smooth (INFINITY: none). */
 double tp_base_acceleration_at(const tp_base_acceleration *axis, double time_s);

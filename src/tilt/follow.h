@@ -17,12 +17,4 @@ TP_MUST_USE tp_status tp_tilting_follow(tp_tilting *tilting);
 tp_mechanism tp_tilting_mechanism(tp_xy *centre, bool *has_centre, const tp_rigid_body *body,
                                   const tp_body_state *moving);
 
-/* The least shaking that overturns the block, or throws it off its base, as a factor on that of the
- * scene: factors from 1/16 to 16 are tried upwards in steps of 2^(1/4), and between the first that
- * overturns it and the one before it goes by halves until they differ by less than 1e-3. Stronger
- * shaking may spare a block that weaker shaking overturns: it is the least of those tried. A run
- * that is not decided ends the search, which is then not converged. */
-TP_MUST_USE tp_status tp_tilting_overturning(tp_tilting *tilting, void (*scale)(void *, double),
-                                             void *shaking);
-
 #endif

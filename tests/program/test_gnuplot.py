@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""gnuplot as another program: what the user has set for it, and what it does wrong.
+"""gnuplot, and ffmpeg, as other programs: what the user has set for them, and what they do wrong.
 
 `GNUTERM`, a `~/.gnuplot`, POSIXLY_CORRECT and a locale changed or broke the figures; a gnuplot that
 hung hung the program."""
@@ -42,12 +42,12 @@ class Gnuplot(unittest.TestCase):
         # options first, as POSIXLY_CORRECT wants them of this program too
         return [PROGRAM, "chart", "--output", self.folder / name, *chart]
 
-    def stand_in(self, name, script):
-        """A folder with a gnuplot of our own."""
+    def stand_in(self, name, script, program="gnuplot"):
+        """A folder with a gnuplot of our own, or an ffmpeg."""
         tools = self.folder / name
         tools.mkdir()
-        (tools / "gnuplot").write_text(f"#!/bin/sh\n{script}\n")
-        (tools / "gnuplot").chmod(0o755)
+        (tools / program).write_text(f"#!/bin/sh\n{script}\n")
+        (tools / program).chmod(0o755)
         return {**os.environ, "PATH": f"{tools}:/usr/bin:/bin"}
 
     def test_what_the_user_has_set(self):
@@ -112,6 +112,12 @@ class Gnuplot(unittest.TestCase):
             processes.append(subprocess.Popen(  # pylint: disable=consider-using-with
                 self.command(f"{k}.svg"), cwd=ROOT, env=self.stand_in(f"tools {k}", script),
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8"))
+        animation = [PROGRAM, "tilt", "--json", "--animation", self.folder / "a.webm", "examples/tilt_block_f.yaml"]
+        with subprocess.Popen(animation, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8",
+                              env=self.stand_in("moving", "cat >/dev/null; exec sleep 100", "ffmpeg")) as film:
+            self.assertIn("ffmpeg failed: it did nothing for 60 seconds", film.communicate(timeout=300)[1])
+            self.assertEqual(film.returncode, 5)
+        self.assertFalse((self.folder / "a.webm").exists())
         for k, process in enumerate(processes):
             out, err = process.communicate(timeout=300)
             self.assertEqual((process.returncode, out), (5, ""), HANGS[k])

@@ -8,6 +8,7 @@ import json
 import math
 import pathlib
 import pickle
+import re
 import tempfile
 import unittest
 import xml.dom.minidom
@@ -151,6 +152,26 @@ class Charts(unittest.TestCase):
         self.assertGreater(len(topple.chart_map(built, ("block.slab.width", 10, 150), ("tilt", 0, 60)).csv()), 1000)
         self.assertRaises(topple.BadInput, topple.chart_map, scene, ("nonsense", 10, 150))
 
+    def test_tilt(self):
+        """Charts of a tilt test and of a spectrum have the bytes that the program writes; a path has no phase portrait."""
+        with tempfile.TemporaryDirectory() as folder:
+            told = pathlib.Path(folder) / "told.csv"
+
+            def program(*arguments):
+                self.assertEqual(run("tilt", "--json", *arguments)[0], 0)
+                return told.read_text(encoding="utf-8")
+
+            block, boulder = (ROOT / "examples" / f"{name}.yaml" for name in ("tilt_block_e_valley", "shaken_boulder"))
+            test = topple.tilt_test(topple.Scene.read(block))
+            self.assertEqual(topple.chart_tilt_reactions(test).csv(), program("--reactions", told, block))
+            self.assertEqual([(f.facet, f.contact) for f in test.cases[0].facets], [(1, 1), (2, 2), (3, 3)])
+            self.assertRaises(topple.NoAnswer, topple.chart_tilt_phase, test)
+            scene = topple.Scene.read(boulder)
+            self.assertEqual(topple.chart_tilt_phase(topple.tilt_test(scene)).csv(), program("--phase", told, boulder))
+            self.assertEqual(topple.chart_overturning(scene, (1, 1.5), count=2).csv(),
+                             program("--spectrum", told, "--frequencies", "1:1.5:2", boulder))
+            self.assertRaises(topple.BadInput, topple.chart_overturning, scene, (2, 1))
+
 
 class Accuracy(unittest.TestCase):
     def test_runs(self):
@@ -218,6 +239,25 @@ class Find(unittest.TestCase):
         self.assertEqual(topple.find(scene, key, topple.FindTarget.CRITICAL_ANGLE, 23.5, low=0, high=0.001).solutions, ())
         self.assertRaises(topple.BadInput, topple.find, scene, "nonsense", "fos", 1)
         self.assertRaises(ValueError, topple.find, scene, key, "nonsense", 1)
+
+    def test_convergence(self):
+        """What the program prints over the settings of a test, but for times; a chart of it; and with an account of accuracy."""
+        path = ROOT / "examples" / "tilt_block_a_peak.yaml"
+        own = topple.tilt_converge(topple.Scene.read(path))
+
+        def timeless(text):
+            return re.sub(r'"seconds": [^,}]*', "", text)
+
+        self.assertEqual(timeless(own.to_json()), timeless(printed("tilt", "--converge", "--json", path)))
+        self.assertTrue(own.cases[0].converged)
+        self.assertEqual({finding.setting for finding in own.cases[0].findings},
+                         {topple.ConvergeSetting.STIFFNESS, topple.ConvergeSetting.STIFFNESS_RATIO,
+                          topple.ConvergeSetting.TOLERANCE})
+        self.assertIn("Converged to the 0.01°", own.report())
+        self.assertEqual(len(own.chart().csv().splitlines()), 1 + len(own.cases[0].levels))
+        self.assertEqual(topple.accuracy_of_scene(topple.Scene.read(path)).simulated.cases[0].least, own.cases[0].least)
+        with self.assertRaisesRegex(topple.BadInput, "calls for no simulation"):
+            topple.tilt_converge(topple.Scene.read(BLOCK))
 
     def test_of_a_built_scene(self):
         """A slab topples at atan(width / height): the width for 20 degrees."""

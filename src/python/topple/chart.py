@@ -113,6 +113,20 @@ def chart_tilt_phase(test: TiltTest) -> Chart:
     return made(lib.tp_chart_tilt_phase, struct_of(test))
 
 
+def chart_overturning(scene: Scene, frequencies: tuple[float, float] | None = None, *,
+                      count: int | None = None, tolerance: float | None = None) -> Chart:
+    """The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its
+    form that overturns the block, as PGA against frequency and PGV, and islands in which stronger
+    shaking spares it. `frequencies` from and to, in hertz of a pulse, times as fast of a record;
+    `count` of them, 25 unless given; `tolerance` of brackets, 1e-3."""
+    first, last = frequencies or (None, None)
+    options = options_of("overturning", **{"from": first}, to=last, count=count,
+                         tolerance=tolerance)
+    receives = ffi.new("tp_chart **")
+    scene._use(lib.tp_chart_overturning, receives, scene._c, options)
+    return Chart(receives)
+
+
 def chart_map(scene: Scene, x: tuple[str, float, float],
               y: tuple[str, float, float] | None = None) -> Chart:
     """The mechanism map of a scene that tilts in one direction and has a friction angle. An axis is

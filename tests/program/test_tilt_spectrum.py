@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The overturning spectrum of a slab by rigid contacts, against Housner's equation of rocking integrated here: the least pulse
+at each frequency, and the islands in which a stronger one spares it. Of a record its speed takes the place of a frequency."""
+
+import csv
+import json
+import math
+import pathlib
+import tempfile
+import unittest
+
+from harness import ROOT, main, run
+
+GRAVITY = 9.80665
+HALF_WIDTH, HALF_HEIGHT = 0.5, 2
+SLAB = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 4}, unit_weight_kn_m3: 25}\n" \
+       "base: {profile: [[-20, 0], [20, 0]]}\nfriction_angle_deg: 70\ntilt: {towards: left}\n"
+PULSE = "shaking: {{horizontal: {{{form}: {{peak_g: 0.5, frequency_hz: {f}}}}}}}\n"
+
+
+def overturns(peak_g, frequency, periods):
+    """theta'' = p^2 (-sin(alpha s - theta) + a cos(alpha s - theta)), s the side that it rocks to, p^2 = 3 g / 4 R; at each
+    impact the speed falls to 1 - 3/2 sin^2 alpha of it (Housner 1963). By Runge and Kutta, impacts by secants."""
+    alpha, p2 = math.atan2(HALF_WIDTH, HALF_HEIGHT), 3 * GRAVITY / (4 * math.hypot(HALF_WIDTH, HALF_HEIGHT))
+    kept, ends = 1 - 1.5 * math.sin(alpha) ** 2, periods / frequency
+
+    def rate(t, theta, side):
+        shakes = peak_g * math.sin(2 * math.pi * frequency * t) if t <= ends else 0
+        return p2 * (-math.sin(alpha * side - theta) + shakes * math.cos(alpha * side - theta))
+
+    def step(t, theta, speed, side, h):
+        k1, l1 = speed, rate(t, theta, side)
+        k2, l2 = speed + h / 2 * l1, rate(t + h / 2, theta + h / 2 * k1, side)
+        k3, l3 = speed + h / 2 * l2, rate(t + h / 2, theta + h / 2 * k2, side)
+        k4, l4 = speed + h * l3, rate(t + h, theta + h * k3, side)
+        return theta + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), speed + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+
+    if peak_g <= math.tan(alpha):
+        return False
+    t, theta, speed, side = math.asin(math.tan(alpha) / peak_g) / (2 * math.pi * frequency), 0, 0, 1
+    while t < ends + 12:
+        h = 0.0005 if t >= ends else min(0.0005, ends - t + 1e-12)
+        after, own = step(t, theta, speed, side, h)
+        if abs(after) >= math.pi / 2:
+            return True
+        if after * side < 0:  # it comes back: shorten the step until it just does
+            low, high = 0, h
+            for _ in range(40):
+                middle = (low + high) / 2
+                low, high = (middle, high) if step(t, theta, speed, side, middle)[0] * side >= 0 else (low, middle)
+            own = step(t, theta, speed, side, high)[1]
+            t, theta, speed, side = t + high, 0, kept * own, -side
+            if t > ends and abs(speed) < 1e-3:
+                return False
+            continue
+        t, theta, speed = t + h, after, own
+    return False
+
+
+class Spectrum(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def write(self, text):
+        (self.folder / "scene.yaml").write_text(text)
+        return self.folder / "scene.yaml"
+
+    def rows(self, scene, frequencies):
+        path = self.folder / "spectrum.csv"
+        status, _, err = run("tilt", "--json", "--spectrum", path, "--frequencies", frequencies, scene)
+        self.assertEqual(status, 0, err)
+        with open(path, encoding="utf-8") as table:
+            return list(csv.DictReader(table))
+
+    def test_half_sines(self):
+        """At each frequency Housner's slab is spared at the lower end of the bracket and overturned at the upper one, 2e-4 of it
+        apart from either; PGV is PGA over pi f."""
+        rows = self.rows(self.write(SLAB + PULSE.format(form="half_sine", f=1)), "0.25:4:5")
+        own = [row for row in rows if row["panel_of"] == "frequency" and row["edge"] == "least that overturns"]
+        self.assertEqual([float(row["x"]) for row in own], [0.25, 0.5, 1, 2, 4])
+        for row in own:
+            frequency, peak, half = float(row["x"]), float(row["pga_g"]), float(row["y_error"])
+            self.assertLessEqual(half, 0.5e-3 * peak)
+            self.assertFalse(overturns((peak - half) * (1 - 2e-4), frequency, 0.5), row)
+            self.assertTrue(overturns((peak + half) * (1 + 2e-4), frequency, 0.5), row)
+            self.assertAlmostEqual(float(row["pgv_m_s"]), peak * GRAVITY / (math.pi * frequency), delta=1e-12)
+            self.assertEqual(row["runs_decided"], "all")
+        both = [row for row in rows if row["panel_of"] == "pgv" and row["edge"] == own[0]["edge"]]
+        self.assertEqual([row["pga_g"] for row in both], [row["pga_g"] for row in own])
+        for row, other in zip(both, own):
+            self.assertAlmostEqual(float(row["x"]), float(other["pgv_m_s"]), delta=1e-13)
+
+    def test_islands_of_full_sines(self):
+        """A whole period of a sine overturns a slab after one impact or before any, and between these it is spared (Zhang and
+        Makris 2001): just inside of each edge of such an island Housner's slab is spared, just outside it is overturned."""
+        rows = self.rows(self.write(SLAB + PULSE.format(form="full_sine", f=1)), "1.2:2.4:4")
+        edges = [row for row in rows if row["panel_of"] == "frequency" and row["edge"] in ("spared again from", "spared up to")]
+        self.assertEqual(len(edges), 8)
+        for row in edges:
+            frequency, peak, half = float(row["x"]), float(row["pga_g"]), float(row["y_error"])
+            below = overturns((peak - half) * (1 - 5e-4), frequency, 1)
+            above = overturns((peak + half) * (1 + 5e-4), frequency, 1)
+            self.assertEqual((below, above), (True, False) if row["edge"] == "spared again from" else (False, True), row)
+
+    def test_record(self):
+        """At the speed of its record: the two ends of the bracket, and of an island, as the test itself runs them."""
+        boulder = ROOT / "examples" / "shaken_boulder.yaml"
+        rows = [row for row in self.rows(boulder, "1:1.5:2") if row["panel_of"] == "frequency" and float(row["x"]) == 1]
+        peak = json.loads(run("tilt", "--json", boulder)[1])["shaking"]["horizontal"]["peak_g"]
+        edges = {"least that overturns": (False, True), "spared again from": (True, False), "spared up to": (False, True)}
+        self.assertEqual({row["edge"] for row in rows}, set(edges))
+        for row in rows:
+            for sign, overturned in zip((-1, 1), edges[row["edge"]]):
+                # scale 1.5 is the scene's; a last digit's worth inside the two runs that it lies between
+                scale = 1.5 * (float(row["pga_g"]) + sign * float(row["y_error"]) * (1 + 1e-12)) / peak
+                told = json.loads(run("tilt", "--json", "--set", f"shaking.horizontal.record.scale={scale!r}", boulder)[1])
+                self.assertEqual(told["cases"][0]["end"] == "overturned", overturned, row)
+
+    def test_figure(self):
+        path = self.folder / "spectrum.svg"
+        scene = self.write(SLAB + PULSE.format(form="full_sine", f=1))
+        self.assertEqual(run("tilt", "--json", "--spectrum", path, "--frequencies", "1.6:2:2", scene)[0], 0)
+        text = path.read_text()
+        for words in ("Frequency of the pulse (Hz)", "PGV (m/s)", "PGA (g)", "spared again", "static limit"):
+            self.assertTrue(words in text, words)
+
+    def test_refused(self):
+        scene = self.write(SLAB + "tilt_test: {engine: path}\n")
+        status, _, err = run("tilt", "--spectrum", self.folder / "a.csv", scene)
+        self.assertEqual(status, 3)
+        self.assertIn("needs a base that shakes", err)
+        for text in ("1:2", "2:1:5", "0:1:5", "1:2:1", "1:2:201", "a:2:3", "1:2:3x"):
+            status, _, err = run("tilt", "--spectrum", self.folder / "a.csv", "--frequencies", text, scene)
+            self.assertEqual(status, 2, text)
+            self.assertIn("--frequencies takes FROM:TO:COUNT", err)
+        wide = self.write(SLAB.replace("width: 1, height: 4", "width: 9, height: 1").replace("friction_angle_deg: 70",
+                                                                                             "friction_angle_deg: 5")
+                          + PULSE.format(form="half_sine", f=4) + "tilt_test: {duration_s: 0.1}\n")
+        status, _, err = run("tilt", "--spectrum", self.folder / "a.csv", "--frequencies", "4:5:2", wide)
+        self.assertEqual(status, 3)
+        self.assertIn("no shaking of up to 64 g overturns", err)
+        self.assertFalse((self.folder / "a.csv").exists())
+
+
+if __name__ == "__main__":
+    main()
