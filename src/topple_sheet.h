@@ -8,6 +8,8 @@
 #define TOPPLE_SHEET_H
 
 #include "topple_solve.h"
+#include "topple_study.h"
+#include "topple_tilt_test.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -43,6 +45,18 @@ bool tp_sheet_is_file_name(const char *path);
 TP_MUST_USE tp_status tp_report_sheet(const char *path, const tp_scene *scene,
                                       const tp_solution *solution, const tp_sheet_options *options,
                                       tp_message *message);
+
+/* The result of the study likewise, with its charts, drawn by gnuplot: of probability against tilt
+ * and so on, and of each sample's angle. */
+TP_MUST_USE tp_status tp_report_sheet_study(const char *path, const tp_study *study,
+                                            const tp_study_result *result,
+                                            const tp_sheet_options *options, tp_message *message);
+
+/* The tilt test of the scene likewise, with the block at some moments, and charts of its reactions
+ * and of its motion. */
+TP_MUST_USE tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene,
+                                           const tp_tilt_test *test,
+                                           const tp_sheet_options *options, tp_message *message);
 
 #ifdef __cplusplus
 }

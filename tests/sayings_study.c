@@ -60,6 +60,16 @@ static void say_shards(sayings *s, const tp_study *study) {
   say_file(s, paths[2]);
 }
 
+static void say_sheet(sayings *s, const tp_study *study, const tp_study_result *result) {
+  tp_message message = {""};
+  char path[400];
+  tp_sheet_options options = tp_sheet_options_default();
+  options.times = 0;
+  snprintf(path, sizeof path, "%s/study.html", s->folder);
+  SAY(tp_report_sheet_study(path, study, result, &options, &message));
+  say_file(s, path);
+}
+
 void say_studies(sayings *s) {
   tp_message message = {""};
   tp_study *study = NULL;
@@ -70,6 +80,7 @@ void say_studies(sayings *s) {
   if (study == NULL) return;
   options.threads = 2;
   SAY(tp_study_run(&result, study, &options, &message));
+  if (result != NULL) say_sheet(s, study, result);
   say_result(s, result);
   result = NULL;
   options.stop = stop_at_once;

@@ -23,6 +23,16 @@ static void say_drawn(sayings *s, const tp_tilt_test *test) {
   say_file(s, path);
 }
 
+static void say_sheet(sayings *s, const tp_scene *scene, const tp_tilt_test *test) {
+  tp_message message = {""};
+  char path[400];
+  tp_sheet_options options = tp_sheet_options_default();
+  options.times = 0;
+  snprintf(path, sizeof path, "%s/tilt.md", s->folder);
+  SAY(tp_report_sheet_tilt(path, scene, test, &options, &message));
+  say_file(s, path);
+}
+
 static void say_charts(sayings *s, const tp_tilt_test *test) {
   tp_message message = {""};
   tp_chart *charts[2] = {NULL, NULL};
@@ -50,6 +60,7 @@ static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
   if (tp_report_tilt_frames(next_saying(s), test) != TP_OK) s->count--;
   if (tp_report_tilt_animation(next_saying(s), test) != TP_OK) s->count--;
   say_drawn(s, test);
+  say_sheet(s, scene, test);
   say_charts(s, test);
   tp_tilt_test_free(test);
 }

@@ -34,6 +34,14 @@ START_TEST(charts) {
   REFUSED(tp_chart_study_scatter(NULL, result, &message), "'chart'");
   REFUSED(tp_chart_study_scatter(&chart, NULL, &message), "'result'");
   ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  const tp_sheet_options sheet = tp_sheet_options_default();
+  const tp_sheet_options sized = {.size = 4096};
+  REFUSED(tp_report_sheet_study(NULL, study, result, &sheet, &message), "'path'");
+  REFUSED(tp_report_sheet_study("x.html", NULL, result, &sheet, &message), "'study'");
+  REFUSED(tp_report_sheet_study("x.html", study, NULL, &sheet, &message), "'result'");
+  REFUSED(tp_report_sheet_study("x.html", study, result, NULL, &message), "'options'");
+  REFUSED(tp_report_sheet_study("x.html", study, result, &sized, &message), "the size");
+  REFUSED(tp_report_sheet_study("x.svg", study, result, &sheet, &message), ".html, .md or .pdf");
   tp_study_result_free(result);
   tp_study_free(study);
 }

@@ -186,6 +186,14 @@ START_TEST(reports) {
   REFUSED(tp_report_tilt_file(&empty, "x.png", true, &message), "ends in .svg, .webm or .gif");
   REFUSED(tp_report_tilt_file(&empty, "x.gif", false, &message), "ends in .svg");
   ck_assert_int_eq(tp_report_tilt_file(&empty, "x.gif", true, &message), TP_NO_ANSWER);
+  const tp_sheet_options sheet = tp_sheet_options_default();
+  const tp_sheet_options sized = {.size = 4096};
+  REFUSED(tp_report_sheet_tilt(NULL, scene, &empty, &sheet, &message), "'path'");
+  REFUSED(tp_report_sheet_tilt("x.html", NULL, &empty, &sheet, &message), "'scene'");
+  REFUSED(tp_report_sheet_tilt("x.html", scene, none, &sheet, &message), "'test'");
+  REFUSED(tp_report_sheet_tilt("x.html", scene, &empty, NULL, &message), "'options'");
+  REFUSED(tp_report_sheet_tilt("x.html", scene, &empty, &sized, &message), "the size");
+  REFUSED(tp_report_sheet_tilt("x.svg", scene, &empty, &sheet, &message), ".html, .md or .pdf");
   ck_assert_ptr_eq(text, UNTOUCHED(char));
   ck_assert_str_eq(tp_tilt_end_name((tp_tilt_end)-1), "unknown end");
   ck_assert_str_eq(tp_tilt_engine_name((tp_tilt_engine)7), "unknown engine");

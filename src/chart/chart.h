@@ -141,6 +141,10 @@ void tp_chart_add_legend(tp_chart *chart, const char *text, tp_chart_style style
 /* Hand the chart over, or free it when memory was exhausted on the way. */
 TP_MUST_USE tp_status tp_chart_finish(tp_chart *own, tp_chart **chart, tp_message *message);
 
+/* It drawn in memory, as SVG, PDF or PNG; `*data` is to be freed. */
+TP_MUST_USE tp_status tp_chart_draw(char **data, size_t *size, const tp_chart *chart,
+                                    tp_chart_format format, tp_message *message);
+
 /* A double as it is. */
 tp_bounded tp_chart_exactly(double value);
 

@@ -5,6 +5,7 @@
 
 #define _GNU_SOURCE
 #include "output/file.h"
+#include "chart/chart.h"
 #include "chart/gnuplot.h"
 #include "chart/script.h"
 #include "host.h"
@@ -52,8 +53,8 @@ static bool keep_blanks(char **data, size_t *size) {
   return true;
 }
 
-static tp_status draw(char **data, size_t *size, const tp_chart *chart, tp_chart_format format,
-                      tp_message *message) {
+tp_status tp_chart_draw(char **data, size_t *size, const tp_chart *chart, tp_chart_format format,
+                        tp_message *message) {
   char *script = NULL;
   if (tp_chart_script(&script, chart, format) != TP_OK) return tp_fail_memory(message, "the chart");
   const tp_status status = tp_gnuplot_run(data, size, script, message);
@@ -81,7 +82,7 @@ tp_status tp_report_chart_file(const tp_chart *chart, const char *path, tp_chart
   char *data = NULL;
   size_t size = 0;
   tp_status status = format == TP_CHART_CSV ? tabulate(&data, &size, chart, message)
-                                            : draw(&data, &size, chart, format, message);
+                                            : tp_chart_draw(&data, &size, chart, format, message);
   if (status == TP_OK) {
     const tp_file_sources sources = {chart->source_count, (const char *const *)chart->sources};
     status = tp_file_write(path, data, size, sources, message);

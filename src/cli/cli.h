@@ -43,10 +43,18 @@ TP_MUST_USE tp_status tp_cli_draw(const char *path, const tp_scene *scene,
                                   const tp_solution *solution, tp_figure_consent consent,
                                   tp_message *message);
 
-/* tp_report_sheet, likewise. */
+/* tp_report_sheet and its kin, likewise. */
 TP_MUST_USE tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene,
                                          const tp_solution *solution,
                                          const tp_sheet_options *options, tp_message *message);
+
+TP_MUST_USE tp_status tp_cli_write_study_sheet(const char *path, const tp_study *study,
+                                               const tp_study_result *result,
+                                               const tp_sheet_options *options,
+                                               tp_message *message);
+TP_MUST_USE tp_status tp_cli_write_tilt_sheet(const char *path, const tp_scene *scene,
+                                              const tp_tilt_test *test,
+                                              const tp_sheet_options *options, tp_message *message);
 
 /* The complaint of a status on stderr unless it is TP_OK; the exit status, which is `ended` then.
  */

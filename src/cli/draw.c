@@ -170,12 +170,13 @@ static tp_status draw_figure(void *call, const void *what, tp_figure_consent con
   return function(own->path, own->scene, own->solution, consent, message);
 }
 
+/* What goes with a sheet is printed before it: no consent is asked for. */
 static tp_status draw_sheet(void *call, const void *what, tp_figure_consent consent,
                             tp_message *message) {
   tp_status (*function)(const char *, const tp_scene *, const tp_solution *,
                         const tp_sheet_options *, tp_message *) = NULL;
   const solved *own = what;
-  (void)consent; /* what goes with a sheet is printed before it */
+  (void)consent;
   *(void **)&function = call;
   return function(own->path, own->scene, own->solution, own->options, message);
 }
@@ -195,4 +196,51 @@ tp_status tp_cli_write_sheet(const char *path, const tp_scene *scene, const tp_s
                              const tp_sheet_options *options, tp_message *message) {
   const solved own = {path, scene, solution, options};
   return draw(draw_sheet, "tp_report_sheet", &own, (tp_figure_consent){agree, NULL}, message);
+}
+
+typedef struct studied {
+  const char *path;
+  const tp_study *study;
+  const tp_study_result *result;
+  const tp_sheet_options *options;
+} studied;
+
+static tp_status draw_study(void *call, const void *what, tp_figure_consent consent,
+                            tp_message *message) {
+  tp_status (*function)(const char *, const tp_study *, const tp_study_result *,
+                        const tp_sheet_options *, tp_message *) = NULL;
+  const studied *own = what;
+  (void)consent;
+  *(void **)&function = call;
+  return function(own->path, own->study, own->result, own->options, message);
+}
+
+tp_status tp_cli_write_study_sheet(const char *path, const tp_study *study,
+                                   const tp_study_result *result, const tp_sheet_options *options,
+                                   tp_message *message) {
+  const studied own = {path, study, result, options};
+  return draw(draw_study, "tp_report_sheet_study", &own, (tp_figure_consent){agree, NULL}, message);
+}
+
+typedef struct tilted {
+  const char *path;
+  const tp_scene *scene;
+  const tp_tilt_test *test;
+  const tp_sheet_options *options;
+} tilted;
+
+static tp_status draw_tilt(void *call, const void *what, tp_figure_consent consent,
+                           tp_message *message) {
+  tp_status (*function)(const char *, const tp_scene *, const tp_tilt_test *,
+                        const tp_sheet_options *, tp_message *) = NULL;
+  const tilted *own = what;
+  (void)consent;
+  *(void **)&function = call;
+  return function(own->path, own->scene, own->test, own->options, message);
+}
+
+tp_status tp_cli_write_tilt_sheet(const char *path, const tp_scene *scene, const tp_tilt_test *test,
+                                  const tp_sheet_options *options, tp_message *message) {
+  const tilted own = {path, scene, test, options};
+  return draw(draw_tilt, "tp_report_sheet_tilt", &own, (tp_figure_consent){agree, NULL}, message);
 }

@@ -39,3 +39,10 @@ tp_status tp_cli_sheet_options(tp_sheet_options *options, tp_cli_date *date, tp_
   }
   return status;
 }
+
+void tp_cli_take_sheet(const char **path, const char *word, struct argp_state *state) {
+  if (!tp_sheet_is_file_name(word)) {
+    tp_cli_refuse(state, "--report takes a file that ends in .html, .md or .pdf, not '%s'", word);
+  }
+  *path = word;
+}

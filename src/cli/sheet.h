@@ -17,4 +17,7 @@ typedef struct tp_cli_date {
 TP_MUST_USE tp_status tp_cli_sheet_options(tp_sheet_options *options, tp_cli_date *date,
                                            tp_message *message);
 
+/* The word of --report: refused where it is no name of a sheet. */
+void tp_cli_take_sheet(const char **path, const char *word, struct argp_state *state);
+
 #endif

@@ -3,6 +3,8 @@
 
 #include "cli/solve_words.h"
 
+#include "cli/sheet.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,13 +113,6 @@ static void read_figure(tp_solve_words *a, const char *path, struct argp_state *
   a->figure = path;
 }
 
-static void read_sheet(tp_solve_words *a, const char *path, struct argp_state *state) {
-  if (!tp_sheet_is_file_name(path)) {
-    tp_cli_refuse(state, "--report takes a file that ends in .html, .md or .pdf, not '%s'", path);
-  }
-  a->report = path;
-}
-
 static void read_pivots(tp_solve_words *a, const char *which, struct argp_state *state) {
   if (strcmp(which, "all") == 0) {
     a->pivots = TP_PIVOTS_ALL;
@@ -217,7 +212,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     read_figure(a, argument, state);
     return 0;
   case KEY_REPORT:
-    read_sheet(a, argument, state);
+    tp_cli_take_sheet(&a->report, argument, state);
     return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;

@@ -4,6 +4,7 @@
 /* topple study STUDY */
 
 #include "cli/cli.h"
+#include "cli/sheet.h"
 #include "cli/signals.h"
 #include "cli/study_rows.h"
 #include "cli/study_run.h"
@@ -19,13 +20,23 @@ typedef struct arguments {
   const char **shards; /* of --merge: the files after the study */
   size_t shard_count;
   bool json, merge;
+  const char *report;           /* file for a calculation sheet; NULL: none */
   const char *figure, *scatter; /* files to draw into; NULL: none */
   tp_chart_format figure_format, scatter_format;
   tp_study_file rows; /* where it is HDF5, options.rows is the CSV of it */
   tp_study_options options;
 } arguments;
 
-enum { KEY_ROWS = 256, KEY_THREADS, KEY_SHARD, KEY_MERGE, KEY_RESTART, KEY_FIGURE, KEY_SCATTER };
+enum {
+  KEY_ROWS = 256,
+  KEY_THREADS,
+  KEY_SHARD,
+  KEY_MERGE,
+  KEY_RESTART,
+  KEY_FIGURE,
+  KEY_SCATTER,
+  KEY_REPORT
+};
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the summary as JSON", 0},
@@ -42,6 +53,8 @@ static const struct argp_option options[] = {
      0},
     {"scatter", KEY_SCATTER, "FILE", 0, "Draw each sample's angle against what varies, likewise",
      0},
+    {"report", KEY_REPORT, "FILE", 0,
+     "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"threads", KEY_THREADS, "N", 0, "So many threads, the same bytes by any number", 0},
     {"shard", KEY_SHARD, "I/N", 0, "The I-th of N parts of the study alone, with --rows", 0},
     {"merge", KEY_MERGE, NULL, 0, "Put the files of all shards together", 0},
@@ -148,6 +161,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_SCATTER:
     read_figure(&a->scatter, &a->scatter_format, argument, "--scatter", state);
     return 0;
+  case KEY_REPORT:
+    tp_cli_take_sheet(&a->report, argument, state);
+    return 0;
   case KEY_THREADS:
     read_threads(a, argument, state);
     return 0;
@@ -220,6 +236,21 @@ static tp_status draw(chart_of *make, const tp_study_result *result, const char 
   return status;
 }
 
+/* The study once more, by which the sheet names all files that it rests on. */
+static tp_status write_sheet(const tp_study_result *result, const arguments *a,
+                             tp_message *message) {
+  tp_sheet_options sheet;
+  tp_cli_date date;
+  tp_study *study = NULL;
+  tp_status status = tp_cli_sheet_options(&sheet, &date, message);
+  if (status == TP_OK) status = tp_study_read(&study, a->study, message);
+  if (status == TP_OK) {
+    status = tp_cli_write_study_sheet(a->report, study, result, &sheet, message);
+  }
+  tp_study_free(study);
+  return status;
+}
+
 static tp_status tell(const tp_study_result *result, const arguments *a, int *ended,
                       tp_message *message) {
   char *report = NULL;
@@ -231,6 +262,9 @@ static tp_status tell(const tp_study_result *result, const arguments *a, int *en
   }
   if (status == TP_OK && *ended == 0 && a->scatter != NULL) {
     status = draw(tp_chart_study_scatter, result, a->scatter, a->scatter_format, message);
+  }
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_sheet(result, a, message);
   }
   return status;
 }

@@ -4,6 +4,7 @@
 /* topple tilt SCENE */
 
 #include "cli/settings.h"
+#include "cli/sheet.h"
 #include "cli/signals.h"
 #include "cli/tilt_charts.h"
 #include "cli/tilt_converge.h"
@@ -13,7 +14,7 @@
 
 typedef struct arguments {
   const char *scene;
-  const char *figure, *animation; /* NULL: none */
+  const char *figure, *animation, *report; /* NULL: none */
   tp_tilt_charts charts;
   bool json, csv, converge;
   tp_chart_format format; /* of the figure of --converge */
@@ -32,7 +33,8 @@ enum {
   KEY_FREQUENCIES,
   KEY_MOMENTS,
   KEY_OVERTURNING,
-  KEY_CONVERGE
+  KEY_CONVERGE,
+  KEY_REPORT
 };
 
 static const struct argp_option options[] = {
@@ -56,6 +58,8 @@ static const struct argp_option options[] = {
      "Of the spectrum, in hertz; of a record times its speed (an eighth to eight times the "
      "scene's, 25)",
      0},
+    {"report", KEY_REPORT, "FILE", 0,
+     "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
@@ -77,10 +81,12 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
 
 static void check_converge(arguments *a, const struct argp_state *state) {
   const tp_tilt_charts *charts = &a->charts;
-  if (a->csv || a->animation != NULL || a->tilt.overturning || charts->reactions.path != NULL ||
-      charts->phase.path != NULL || charts->spectrum.path != NULL) {
-    tp_cli_refuse(state, "--converge runs many tests: --csv, --animation, --reactions, --phase, "
-                         "--spectrum and --overturning are of one");
+  if (a->csv || a->report != NULL || a->animation != NULL || a->tilt.overturning ||
+      charts->reactions.path != NULL || charts->phase.path != NULL ||
+      charts->spectrum.path != NULL) {
+    tp_cli_refuse(state,
+                  "--converge runs many tests: --csv, --report, --animation, --reactions, --phase, "
+                  "--spectrum and --overturning are of one");
   } else if (a->figure != NULL && !tp_chart_format_read(&a->format, a->figure)) {
     tp_cli_refuse(state,
                   "the figure of --converge is a file that ends in .svg, .pdf, .png or "
@@ -118,6 +124,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_FREQUENCIES:
     tp_tilt_charts_frequencies(&a->charts, argument, state);
+    return 0;
+  case KEY_REPORT:
+    tp_cli_take_sheet(&a->report, argument, state);
     return 0;
   case KEY_MOMENTS:
     read_moments(a, argument, state);
@@ -168,8 +177,17 @@ static void tell_open(const arguments *a, const tp_tilt_test *test, int *ended) 
   }
 }
 
-static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
-                      tp_message *message) {
+static tp_status write_sheet(const arguments *a, const tp_scene *scene, const tp_tilt_test *test,
+                             tp_message *message) {
+  tp_sheet_options sheet;
+  tp_cli_date date;
+  const tp_status status = tp_cli_sheet_options(&sheet, &date, message);
+  return status == TP_OK ? tp_cli_write_tilt_sheet(a->report, scene, test, &sheet, message)
+                         : status;
+}
+
+static tp_status tell(const arguments *a, const tp_scene *scene, const tp_tilt_test *test,
+                      int *ended, tp_message *message) {
   char *report = NULL;
   tp_status status = a->json  ? tp_report_tilt_json(&report, test)
                      : a->csv ? tp_report_tilt_csv(&report, test)
@@ -182,6 +200,9 @@ static tp_status tell(const arguments *a, const tp_tilt_test *test, int *ended,
     status = tp_report_tilt_file(test, a->animation, true, message);
   }
   if (status == TP_OK && *ended == 0) status = tp_tilt_charts_write(&a->charts, test, message);
+  if (status == TP_OK && *ended == 0 && a->report != NULL) {
+    status = write_sheet(a, scene, test, message);
+  }
   if (status == TP_OK && *ended == 0) tell_open(a, test, ended);
   return status;
 }
@@ -208,7 +229,7 @@ static tp_status tilt(const void *words, int *ended, tp_message *message) {
     } else {
       status = tp_tilt_test_run(&test, scene, &own, message);
       if (terminal) tp_cli_clear_progress();
-      if (status == TP_OK) status = tell(a, test, ended, message);
+      if (status == TP_OK) status = tell(a, scene, test, ended, message);
       if (status == TP_OK) {
         status = tp_tilt_charts_spectrum(&a->charts, scene, a->scene, ended, message);
       }

@@ -53,10 +53,7 @@ static void add_heading(tp_paper *p, const char *text, int level, double after) 
     snprintf(place, sizeof place, "page=%d pos=[%.1f %.1f]", p->page, TP_PAPER_LEFT, p->y);
     (void)cairo_pdf_surface_add_outline(p->pdf, CAIRO_PDF_OUTLINE_ROOT, text, place, 0);
   }
-  const char *const tags[] = {"H1", "H2", "H3"};
-  cairo_tag_begin(p->cr, tags[level - 1], NULL);
   add_paragraph(p, text, size, true, 0);
-  cairo_tag_end(p->cr, tags[level - 1]);
   if (level != 2) return;
   cairo_set_line_width(p->cr, 0.6);
   cairo_move_to(p->cr, TP_PAPER_LEFT, p->y - 2);
@@ -125,7 +122,6 @@ static void add_figure(tp_paper *p, const tp_passage *passage) {
     const double scale =
         fmin(TP_PAPER_ROOM / own.width, figure_share * TP_PAPER_HEIGHT / own.height);
     tp_paper_need(p, scale * own.height + 20);
-    cairo_tag_begin(p->cr, "Figure", NULL);
     cairo_save(p->cr);
     cairo_translate(p->cr, TP_PAPER_LEFT, p->y);
     cairo_scale(p->cr, scale, scale);
@@ -135,7 +131,6 @@ static void add_figure(tp_paper *p, const tp_passage *passage) {
       p->why = CAIRO_STATUS_NO_MEMORY;
     }
     cairo_restore(p->cr);
-    cairo_tag_end(p->cr, "Figure");
     p->y += scale * own.height + 4;
   }
   if (image != NULL) cairo_surface_destroy(image);

@@ -10,22 +10,12 @@
 #include "report/words.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 TP_OPTIONS_END(tp_sheet_options, lines);
 
 void tp_sheet_options_init(tp_sheet_options *options, size_t size) {
   const tp_sheet_options defaults = {.size = sizeof defaults, .times = 1, .lines = 400};
   tp_options_fill(options, size, &defaults);
-}
-
-static void add_title(tp_document *d, const char *title) {
-  tp_text text = {0};
-  if (title != NULL) tp_encode_plain(&text, title);
-  if (text.data == NULL || text.data[strspn(text.data, " ")] == '\0') {
-    tp_text_add(&text, "Stability of a rock block on its base");
-  }
-  tp_document_set_title(d, &text);
 }
 
 /* What was set in the scene beside its files: a fact each. */
@@ -141,7 +131,7 @@ void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp
                     const tp_sheet_options *options, tp_picture picture) {
   tp_sheet s = {.solution = solution, .options = options};
   tp_document *d = &s.document;
-  add_title(d, solution->title);
+  tp_sheet_add_title(d, solution->title, "Stability of a rock block on its base");
   tp_sheet_add_foot(d, files, options);
   for (size_t k = 0; k < solution->case_count; k++) {
     add_case_heading(&s, solution->cases + k, "Verdict");

@@ -39,9 +39,28 @@ void tp_sheet_files_clear(tp_sheet_files *files);
 void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
                     const tp_sheet_options *options, tp_picture picture);
 
+/* A picture with its words, taken over; one that is none is no figure. */
+typedef struct tp_sheet_picture {
+  tp_picture picture;
+  const char *caption, *alternative;
+} tp_sheet_picture;
+
+/* Those of a study and of a tilt test, with `count` charts. */
+void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
+                          const tp_sheet_files *files, const tp_sheet_options *options,
+                          const tp_sheet_picture *charts, size_t count);
+void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
+                         const tp_sheet_files *files, const tp_sheet_options *options,
+                         tp_picture frames, const tp_sheet_picture *charts, size_t count);
+
+/* A heading, and the figures below it; nothing where there are none. */
+void tp_sheet_add_charts(tp_document *document, const tp_sheet_picture *charts, size_t count);
+
 /* ---- its sections ------------------------------------------------------------------------------
  */
 
+/* The title, or words that stand for it where there is none to be seen. */
+void tp_sheet_add_title(tp_document *document, const char *title, const char *otherwise);
 /* Program, date, files with their hashes: what the sheet is of. */
 void tp_sheet_add_origin(tp_document *document, const tp_sheet_files *files,
                          const tp_sheet_options *options);

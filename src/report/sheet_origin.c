@@ -71,6 +71,26 @@ static void add_hash(tp_text *t, const tp_sheet_file *file) {
   for (size_t k = 0; k < sizeof hash; k++) tp_text_add(t, "%02x", hash[k]);
 }
 
+void tp_sheet_add_title(tp_document *d, const char *title, const char *otherwise) {
+  tp_text text = {0};
+  if (title != NULL) tp_encode_plain(&text, title);
+  if (text.data == NULL || text.data[strspn(text.data, " ")] == '\0') {
+    tp_text_add(&text, "%s", otherwise);
+  }
+  tp_document_set_title(d, &text);
+}
+
+void tp_sheet_add_charts(tp_document *d, const tp_sheet_picture *charts, size_t count) {
+  bool any = false;
+  for (size_t k = 0; k < count; k++) {
+    const tp_picture own = charts[k].picture;
+    if (own.svg == NULL && own.png == NULL) continue;
+    if (!any) tp_document_heading(d, 2, "Charts");
+    any = true;
+    tp_document_figure(d, own, charts[k].caption, charts[k].alternative);
+  }
+}
+
 /* ---- what is told of them ----------------------------------------------------------------------
  */
 

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* A simulated tilt test as a page of 80 columns. Its numbers are printed with the digits that the
- * bracket leaves sense to, not as certain ones. */
+#include "report/tilt_text.h"
 
-#include "host.h"
 #include "output/encode.h"
-#include "report/notes.h"
 #include "report/words.h"
 
 #include <math.h>
@@ -242,7 +239,7 @@ static void add_facets(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
   }
 }
 
-static void add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+void tp_tilt_add_events(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   enum { SEVERAL = 6 };
   size_t k = 0;
   if (c->event_count == 0) return;
@@ -305,31 +302,18 @@ static void add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_tes
   tp_text_add(t, ".\n");
 }
 
-static void add_case(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
-  tp_text_add(t, "\n%s\n\n", tp_text_table(test, c));
-  add_bracket(t, c, test);
-  add_window(t, c, test);
-  add_events(t, c, test);
-  add_end(t, c, test);
-  add_overturning(t, c, test);
-  tp_text_add(t, "  %zu run%s, %.3g s. Simulated: no bound is proven.\n", c->runs,
-              c->runs == 1 ? "" : "s", c->seconds);
+void tp_tilt_add_settings(tp_text *t, const tp_tilt_test *test) {
+  add_engine(t, &test->settings);
+  add_contact(t, &test->settings);
+  add_shaking(t, test);
 }
 
-tp_status tp_report_tilt(char **text, const tp_tilt_test *test) {
-  TP_GUARD_HOST;
-  TP_REFUSE_NULL(NULL, text);
-  TP_REFUSE_NULL(NULL, test);
-  tp_text t = {0};
-  if (test->title != NULL) {
-    tp_encode_plain(&t, test->title);
-    tp_text_add(&t, "\n\n");
-  }
-  add_engine(&t, &test->settings);
-  add_contact(&t, &test->settings);
-  add_shaking(&t, test);
-  for (size_t k = 0; k < test->case_count; k++) add_case(&t, test->cases + k, test);
-  if (test->notes.count > 0) tp_text_add(&t, "\n");
-  tp_text_notes(&t, &test->notes);
-  return tp_text_finish(&t, text);
+void tp_tilt_add_verdict(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  add_bracket(t, c, test);
+  add_window(t, c, test);
+}
+
+void tp_tilt_add_ending(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
+  add_end(t, c, test);
+  add_overturning(t, c, test);
 }

@@ -10,10 +10,7 @@
 
 #include <math.h>
 
-enum { FRAMES = 6 };
-
-/* The moments of the frames, rising; how many there are. */
-static size_t choose(size_t chosen[FRAMES], const tp_tilt_view *view) {
+size_t tp_tilt_frames_choose(size_t chosen[TP_TILT_FRAMES], const tp_tilt_view *view) {
   const size_t count = view->moments;
   if (count == 0) return 0;
   double all = 0;
@@ -21,9 +18,9 @@ static size_t choose(size_t chosen[FRAMES], const tp_tilt_view *view) {
   size_t found = 0;
   chosen[found++] = 0;
   double way = 0;
-  for (size_t k = 1; k < count && found < FRAMES; k++) {
+  for (size_t k = 1; k < count && found < TP_TILT_FRAMES; k++) {
     way += tp_tilt_view_way(view, k);
-    if (way >= all * (double)found / (FRAMES - 1) * (1 - 1e-9)) chosen[found++] = k;
+    if (way >= all * (double)found / (TP_TILT_FRAMES - 1) * (1 - 1e-9)) chosen[found++] = k;
   }
   return found;
 }
@@ -62,15 +59,15 @@ tp_status tp_report_tilt_frames(char **text, const tp_tilt_test *test) {
   double width = 0, height = 0;
   for (size_t c = 0; c < test->case_count; c++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + c);
-    width = fmax(width, FRAMES * view.width / 2);
+    width = fmax(width, TP_TILT_FRAMES * view.width / 2);
     height += view.height / 2 + 44;
   }
   tp_tilt_svg_begin(&t, width, height);
   double top = 0;
   for (size_t c = 0; c < test->case_count; c++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + c);
-    size_t chosen[FRAMES] = {0};
-    const size_t count = choose(chosen, &view);
+    size_t chosen[TP_TILT_FRAMES] = {0};
+    const size_t count = tp_tilt_frames_choose(chosen, &view);
     tp_text_add(&t, "<text x=\"8\" y=\"%.2f\">%s, %s: %s</text>\n", top + 16,
                 tp_text_table(test, test->cases + c), tp_tilt_engine_name(engine),
                 tp_tilt_end_name(test->cases[c].end));

@@ -27,6 +27,10 @@ double tp_tilt_view_y(const tp_tilt_view *view, double y_m);
 /* Degrees, clockwise as SVG has them, by which the table is turned at a tilt. */
 double tp_tilt_view_turn(const tp_tilt_view *view, double angle_deg);
 
+/* The moments of the frames that are drawn side by side, rising; how many there are. */
+enum { TP_TILT_FRAMES = 6 };
+size_t tp_tilt_frames_choose(size_t chosen[TP_TILT_FRAMES], const tp_tilt_view *view);
+
 /* The way around the points, as the attribute d of a path. */
 void tp_tilt_svg_ring(tp_text *t, const tp_tilt_view *view, const tp_tilt_point *points,
                       size_t count);

@@ -57,6 +57,11 @@ class Browsed(unittest.TestCase):
             status, _, err = run("solve", f"examples/{name}.yaml", "--report", cls.pages[-1])
             if status != 0:
                 raise AssertionError(err)
+        for command, name in (("study", "studies/slab_study"), ("tilt", "tilt_block_f")):
+            cls.pages.append(cls.path / f"{command}.html")
+            status, _, err = run(command, f"examples/{name}.yaml", "--report", cls.pages[-1])
+            if status != 0:
+                raise AssertionError(err)
 
     def each(self, width):
         for path in self.pages:

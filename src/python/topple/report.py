@@ -10,6 +10,8 @@ from typing import Callable
 
 from ._library import ffi, lib
 from .errors import DependencyFailed, failure
+from .given import c_text
+from .options import options_of
 
 
 def written(call, *arguments) -> str:
@@ -45,3 +47,9 @@ def drawing():
         raise DependencyFailed("figures and reports need libtopple-figure, which cannot be loaded:"
                                f" {error}") from error
     return _figure
+
+
+def sheet_options(date: str | None, times: bool, lines: int):
+    """What a calculation sheet tells besides results; the second holds what the first points to."""
+    held = None if date is None else c_text(date)
+    return options_of("sheet", date=held, times=int(times), lines=lines), held

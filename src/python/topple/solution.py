@@ -12,11 +12,10 @@ from ._library import ffi, lib
 from .case import Case
 from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, ResultUnits, Setting,
                       Teeth, Within, notes_of, settings_of)
-from .given import c_path, c_text
-from .options import options_of
+from .given import c_path
 from .record import Bounded, Record, field, record, struct_of
 from .poses import Poses
-from .report import drawing, drawn, written
+from .report import drawing, drawn, sheet_options, written
 from .words import Design, Direction, Level, Mechanism, PivotsListed, number_of
 
 if TYPE_CHECKING:
@@ -129,8 +128,7 @@ class Solution(Record):
         by elements where `solve(elements=True)` drew it up."""
         solution = struct_of(self)
         scene: Scene = self.__dict__["_scene"]
-        held = None if date is None else c_text(date)
-        options = options_of("sheet", date=held, times=int(times), lines=lines)
+        options, _held = sheet_options(date, times, lines)
         scene._use(drawing().lib.tp_report_sheet, c_path(path), scene._c, solution, options,
                    of=self.__dict__["_version"])
 

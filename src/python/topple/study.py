@@ -13,7 +13,7 @@ from .errors import checked
 from .given import NULL, c_path
 from .options import options_of
 from .record import Record, field, record, struct_of
-from .report import written
+from .report import drawing, sheet_options, written
 from .words import FosDefinition, StudyEnd, StudyOutcome, StudyQuantity
 
 if TYPE_CHECKING:
@@ -242,6 +242,16 @@ class StudyResult(Record):
     def to_json(self) -> str:
         """JSON (docs/schema/study.json)."""
         return written(lib.tp_report_study_json, struct_of(self))
+
+    def write_report(self, path: str | os.PathLike, study: str | os.PathLike,
+                     date: str | None = None, times: bool = True, lines: int = 400) -> None:
+        """Write a calculation sheet into a file: .html, .md or .pdf (Solution.write_report). `study`
+        is the file that was run, of which it names all that it rests on."""
+        receives = ffi.new("tp_study **")
+        checked(lib.tp_study_read, receives, c_path(study))
+        own = ffi.gc(receives[0], lib.tp_study_free)
+        options, _held = sheet_options(date, times, lines)
+        checked(drawing().lib.tp_report_sheet_study, c_path(path), own, struct_of(self), options)
 
 
 def _columns(c) -> dict[str, numpy.ndarray]:

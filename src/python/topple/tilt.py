@@ -14,7 +14,7 @@ from .errors import checked
 from .given import c_path
 from .options import options_of
 from .record import Record, field, record, struct_of
-from .report import written
+from .report import drawing, sheet_options, written
 from .scene import Scene
 from .words import (Direction, Mechanism, TiltEnd, TiltEngine, TiltEventKind, TiltPlace,
                     TiltProtocol)
@@ -187,6 +187,14 @@ class TiltTest(Record):
     def draw(self, path: str | os.PathLike, moving: bool = False) -> None:
         """Frames, or where `moving` the one that moves, into an .svg."""
         checked(lib.tp_report_tilt_file, struct_of(self), c_path(path), moving)
+
+    def write_report(self, path: str | os.PathLike, scene: Scene, date: str | None = None,
+                     times: bool = True, lines: int = 400) -> None:
+        """Write a calculation sheet of the test of that scene into a file: .html, .md or .pdf
+        (Solution.write_report)."""
+        options, _held = sheet_options(date, times, lines)
+        scene._use(drawing().lib.tp_report_sheet_tilt, c_path(path), scene._c, struct_of(self),
+                   options)
 
 
 def tilt_test(scene: Scene, *, moments: int | None = None,

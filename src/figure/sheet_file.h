@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What all sheets share on their way into a file. */
+
+#ifndef TP_SHEET_FILE_H
+#define TP_SHEET_FILE_H
+
+#include "figure/paper.h"
+#include "figure/sheet_name.h"
+#include "output/file.h"
+#include "report/sheet.h"
+
+/* Bad input where the name is none of a sheet. */
+TP_MUST_USE tp_status tp_sheet_check(const char *path, tp_message *message);
+
+/* The files that a scene was read from, none of one built in memory; `paths` is to be freed. */
+TP_MUST_USE tp_status tp_sheet_sources(tp_file_sources *sources, const tp_scene *scene,
+                                       tp_message *message);
+
+/* The document into the file, not over one of its sources. */
+TP_MUST_USE tp_status tp_sheet_write(const char *path, const tp_document *document,
+                                     const tp_drawing *drawing, tp_file_sources sources,
+                                     tp_message *message);
+
+/* A chart as a picture for the file, and the chart is freed; where `made` is TP_NO_ANSWER there is
+ * none. */
+TP_MUST_USE tp_status tp_sheet_chart(tp_picture *picture, tp_chart *chart, tp_status made,
+                                     const char *path, tp_message *message);
+
+#endif

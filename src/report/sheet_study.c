@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The sheet of a study: how probable each verdict is, and what that rests on. */
+
+#include "report/sheet.h"
+
+#include "output/encode.h"
+#include "report/study_words.h"
+
+#include <math.h>
+
+/* ---- probabilities -----------------------------------------------------------------------------
+ */
+
+static void add_answer(tp_document *d, const tp_study_result *r) {
+  const tp_study_tilt *own = r->tilts;
+  tp_text where = {0};
+  if (r->samples == 0) {
+    tp_document_add(d, TP_PASSAGE_CAUTION, "No sample was solved.");
+    return;
+  }
+  if (!own->has_tilt) {
+    tp_text_add(&where, "The scene has no tilt; as the table is tilted, of");
+  } else if (own->tilt_varies) {
+    tp_text_add(&where, "At the scene's tilt, which varies, of");
+  } else {
+    tp_text_add(&where, "At %.6g°, of", own->tilt_deg);
+  }
+  tp_text_add(&where,
+              " %zu samples: certain to move %.2f %% (%.2f to %.2f %%), certain to stand %.2f %% "
+              "(%.2f to %.2f %%).",
+              r->samples, 100 * own->moves.share, 100 * own->moves.low, 100 * own->moves.high,
+              100 * own->stands.share, 100 * own->stands.low, 100 * own->stands.high);
+  tp_document_take(d, TP_PASSAGE_ANSWER, 0, &where);
+  if (r->samples < r->planned) {
+    tp_document_add(d, TP_PASSAGE_CAUTION, "Of %zu samples planned %zu were solved (%s).",
+                    r->planned, r->samples, tp_study_end_name(r->end));
+  }
+}
+
+static void add_share(tp_document *d, const char *label, const tp_study_share *share) {
+  tp_document_cell(d, "%s", label);
+  tp_document_cell(d, "%zu", share->count);
+  tp_document_cell(d, "%.4f", share->share);
+  tp_document_cell(d, "%.4f", share->low);
+  tp_document_cell(d, "%.4f", share->high);
+}
+
+static void add_outcomes(tp_document *d, const tp_study_result *r) {
+  const tp_study_tilt *own = r->tilts;
+  tp_document_heading(d, 2, "What becomes of the samples");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0x1e,
+                    own->has_tilt ? "At the scene's tilt" : "What happens first");
+  tp_document_cell(d, "Outcome");
+  tp_document_cell(d, "Samples");
+  tp_document_cell(d, "Share");
+  tp_document_cell(d, "95 %% from");
+  tp_document_cell(d, "95 %% to");
+  for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
+    if (own->outcomes[k].count == 0) continue;
+    add_share(d, tp_study_outcome_name((tp_study_outcome)k), own->outcomes + k);
+  }
+  add_share(d, "certain to stand", &own->stands);
+  add_share(d, "certain to move", &own->moves);
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "What did not happen is left out. Intervals are Wilson's, of 95 %%, each by "
+                  "itself; of what is certain to move, with its numbers:");
+  const double n = (double)r->samples;
+  tp_document_add(d, TP_PASSAGE_EQUATION,
+                  "p = \\frac{n}{N} = \\frac{%zu}{%zu} = %.4f \\\\"
+                  "p_{95} = \\frac{p + z^2 / (2 N) ± z (p (1 − p) / N + z^2 / (4 N^2))^{1/2}}"
+                  "{1 + z^2 / N} , z = 1.959964 \\\\"
+                  "p_{95} = \\frac{%.8f ± %.8f}{%.8f}",
+                  own->moves.count, r->samples, own->moves.share,
+                  own->moves.share + 1.959964 * 1.959964 / (2 * n),
+                  1.959964 * sqrt(own->moves.share * (1 - own->moves.share) / n +
+                                  1.959964 * 1.959964 / (4 * n * n)),
+                  1 + 1.959964 * 1.959964 / n);
+}
+
+static void add_tilts(tp_document *d, const tp_study_result *r) {
+  if (r->tilt_count == 1) return;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 7, 0x7f, "By tilt, with intervals of 95 %");
+  static const char *const heads[] = {
+      "Tilt", "Certain to stand", "from", "to", "Certain to move", "from", "to"};
+  for (size_t k = 0; k < 7; k++) tp_document_cell(d, "%s", heads[k]);
+  for (size_t k = 1; k < r->tilt_count; k++) {
+    const tp_study_tilt *own = r->tilts + k;
+    const double shares[] = {own->stands.share, own->stands.low, own->stands.high,
+                             own->moves.share,  own->moves.low,  own->moves.high};
+    tp_document_cell(d, "%.4g°", own->tilt_deg);
+    for (size_t j = 0; j < 6; j++) tp_document_cell(d, "%.4f", shares[j]);
+  }
+}
+
+/* ---- numbers -----------------------------------------------------------------------------------
+ */
+
+static void add_number(tp_document *d, double value, int decimals) {
+  if (isinf(value)) {
+    tp_document_cell(d, "%s", value > 0 ? "always" : "never");
+  } else {
+    tp_document_cell(d, "%.*f", decimals, value);
+  }
+}
+
+static void add_spreads(tp_document *d, const tp_study_result *r) {
+  const tp_study_quantile *heads = NULL;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (r->spreads[q].count > 0) heads = r->spreads[q].quantiles;
+  }
+  if (heads == NULL) return;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 1 + TP_STUDY_QUANTILES, 0xfe,
+                    "Quantiles (always: it holds at every tilt; never: at none)");
+  tp_document_cell(d, "Of");
+  for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
+    tp_document_cell(d, "%.0f %%", 100 * heads[k].probability);
+  }
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    const tp_study_spread *own = r->spreads + q;
+    if (own->count == 0) continue;
+    tp_document_cell(d, "%s", tp_study_quantity_words((tp_study_quantity)q));
+    for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
+      add_number(d, own->quantiles[k].value, q == TP_STUDY_FOS ? 3 : 2);
+    }
+  }
+}
+
+static void add_variables(tp_document *d, const tp_study_result *r) {
+  tp_document_heading(d, 2, "What varies");
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, 6, 0x1c, "Numbers that vary, and their samples");
+  static const char *const heads[] = {
+      "Key", "Distribution", "Least", "Greatest", "Rank correlation with the limit", "Unit"};
+  for (size_t k = 0; k < 6; k++) tp_document_cell(d, "%s", heads[k]);
+  for (size_t k = 0; k < r->variable_count; k++) {
+    const tp_study_variable *v = r->variables + k;
+    const tp_study_rank *rank = v->ranks + TP_STUDY_LIMIT_DEG;
+    tp_text law = {0};
+    tp_document_outside_cell(d, v->key);
+    tp_text_add(&law, "%s: ", v->kind);
+    tp_encode_plain(&law, v->law);
+    tp_document_outside_cell(d, law.data != NULL ? law.data : "");
+    d->failed = d->failed || law.failed;
+    tp_text_drop(&law);
+    tp_document_cell(d, "%.6g", v->least);
+    tp_document_cell(d, "%.6g", v->greatest);
+    if (rank->known) {
+      tp_document_cell(d, "%.3f", rank->value);
+    } else {
+      tp_document_cell(d, "–");
+    }
+    tp_document_cell(d, "%s", v->unit != NULL ? v->unit : "–");
+  }
+  for (size_t k = 0; k < r->correlation_count; k++) {
+    const tp_study_correlation *own = r->correlations + k;
+    tp_text text = {0};
+    tp_text_add(&text, "Correlated: ");
+    tp_encode_plain(&text, r->variables[own->one].key);
+    tp_text_add(&text, " and ");
+    tp_encode_plain(&text, r->variables[own->other].key);
+    tp_text_add(&text, ", %.4g.", own->value);
+    tp_document_take(d, TP_PASSAGE_PARAGRAPH, 0, &text);
+  }
+}
+
+/* Sobol' indices, reliability, design values, as the page has them. */
+static void add_analyses(tp_document *d, const tp_study_result *r) {
+  tp_text text = {0};
+  tp_study_add_analyses(&text, r);
+  if (text.length == 0) {
+    tp_text_drop(&text);
+    return;
+  }
+  tp_document_heading(d, 2, "Sensitivity, reliability and design values");
+  tp_document_take(d, TP_PASSAGE_LISTING, 0, &text);
+}
+
+static void add_price(tp_document *d, const tp_study_result *r) {
+  tp_document_heading(d, 2, "What is proven, and at what price");
+  tp_document_add(
+      d, TP_PASSAGE_PARAGRAPH,
+      "The verdict of each sample is proven; what the samples tell of the probability is "
+      "an estimate with its interval.%s",
+      r->open > 0 ? " Some samples have a number that is less certain than to 9 digits." : "");
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Samples, and what told them");
+  tp_document_cell(d, "Samples");
+  tp_document_cell(d, "%zu of %zu, %s, seed %zu", r->samples, r->planned, r->method, r->seed);
+  tp_document_cell(d, "By doubles with bounds");
+  tp_document_cell(d, "%zu", r->by_doubles);
+  tp_document_cell(d, "By the ladder");
+  tp_document_cell(d, "%zu", r->samples - r->by_doubles);
+  tp_document_cell(d, "Less certain than asked");
+  tp_document_cell(d, "%zu", r->open);
+  for (size_t k = 0; k < r->bad_count; k++) {
+    tp_text why = {0};
+    tp_text_add(&why, "sample %zu, ", r->bad[k].sample);
+    tp_encode_plain(&why, r->bad[k].settings);
+    tp_text_add(&why, ": ");
+    tp_encode_plain(&why, r->bad[k].why);
+    tp_document_cell(d, "Invalid");
+    tp_document_outside_cell(d, why.data != NULL ? why.data : "");
+    d->failed = d->failed || why.failed;
+    tp_text_drop(&why);
+  }
+}
+
+void tp_sheet_build_study(tp_document *document, const tp_study_result *result,
+                          const tp_sheet_files *files, const tp_sheet_options *options,
+                          const tp_sheet_picture *charts, size_t count) {
+  tp_document own = {0}, *d = &own;
+  tp_sheet_add_title(d, result->title, "Probability that a rock block moves");
+  tp_sheet_add_foot(d, files, options);
+  tp_document_heading(d, 2, "Answer");
+  add_answer(d, result);
+  tp_sheet_add_charts(d, charts, count);
+  if (result->samples > 0) {
+    add_outcomes(d, result);
+    add_tilts(d, result);
+    add_spreads(d, result);
+    add_variables(d, result);
+    add_analyses(d, result);
+    add_price(d, result);
+  }
+  tp_sheet_add_origin(d, files, options);
+  tp_sheet_add_files(d, files, options);
+  tp_sheet_add_signatures(d);
+  *document = own;
+}

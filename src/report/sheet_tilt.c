@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The sheet of a simulated tilt test. Its numbers have no proven bound, which it says first. */
+
+#include "report/sheet.h"
+
+#include "report/tilt_text.h"
+#include "report/words.h"
+
+static void add_verdict(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test) {
+  tp_text verdict = {0}, ending = {0};
+  tp_document_heading(d, 2, "%s", tp_text_table(test, c));
+  tp_tilt_add_verdict(&verdict, c, test);
+  tp_sheet_prose(d, TP_PASSAGE_ANSWER, &verdict);
+  tp_tilt_add_ending(&ending, c, test);
+  tp_sheet_prose(d, TP_PASSAGE_PARAGRAPH, &ending);
+}
+
+static void add_angle(tp_document *d, const char *name, bool known, double degrees) {
+  if (!known) return;
+  tp_document_cell(d, "%s", name);
+  tp_document_cell(d, "%.6g°", degrees);
+}
+
+static void add_numbers(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test,
+                        const tp_sheet_options *options) {
+  const bool released = test->settings.protocol == TP_TILT_RELEASE;
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0, "Numbers of the test");
+  add_angle(d, "Stands at", !released && c->least_deg == c->least_deg, c->least_deg);
+  add_angle(d, "Lets go at", c->has_bracket, c->most_deg);
+  add_angle(d, "Statics, α_s", c->has_onset, c->onset_deg);
+  add_angle(d, "Statics, α_w", c->has_limit, c->limit_deg);
+  tp_document_cell(d, "How it ended");
+  tp_document_cell(d, "%s, at a tilt of %.6g°", tp_tilt_end_name(c->end), c->ended_deg);
+  tp_document_cell(d, "Runs");
+  if (options->times != 0) {
+    tp_document_cell(d, "%zu, in %.3g s", c->runs, c->seconds);
+  } else {
+    tp_document_cell(d, "%zu", c->runs);
+  }
+}
+
+static void add_case(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *test,
+                     const tp_sheet_options *options) {
+  tp_text events = {0};
+  tp_document_heading(d, 2, "Account: %s", tp_text_table(test, c));
+  add_numbers(d, c, test, options);
+  tp_tilt_add_events(&events, c, test);
+  if (events.length > 0) {
+    tp_document_heading(d, 3, "What happened");
+    tp_document_take(d, TP_PASSAGE_LISTING, 0, &events);
+  } else {
+    tp_text_drop(&events);
+  }
+}
+
+void tp_sheet_build_tilt(tp_document *document, const tp_tilt_test *test,
+                         const tp_sheet_files *files, const tp_sheet_options *options,
+                         tp_picture frames, const tp_sheet_picture *charts, size_t count) {
+  tp_document own = {0}, *d = &own;
+  tp_text settings = {0};
+  tp_sheet_add_title(d, test->title, "Simulated tilt test of a rock block");
+  tp_sheet_add_foot(d, files, options);
+  tp_document_add(
+      d, TP_PASSAGE_CAUTION,
+      "A simulation: its numbers have no proven bound. The tilts α_s and α_w of statics "
+      "beside them have; topple solve --report gives their account.");
+  for (size_t k = 0; k < test->case_count; k++) add_verdict(d, test->cases + k, test);
+  tp_sheet_add_notes(d, &test->notes);
+  tp_document_heading(d, 2, "Figure");
+  tp_document_figure(d, frames, "The block at some moments of its test.",
+                     "Drawings of the block on its base at some moments. What happened is told in "
+                     "the text of this page.");
+  tp_document_heading(d, 2, "How it was run");
+  tp_tilt_add_settings(&settings, test);
+  tp_document_take(d, TP_PASSAGE_LISTING, 0, &settings);
+  for (size_t k = 0; k < test->case_count; k++) add_case(d, test->cases + k, test, options);
+  tp_sheet_add_charts(d, charts, count);
+  tp_sheet_add_origin(d, files, options);
+  tp_sheet_add_files(d, files, options);
+  tp_sheet_add_signatures(d);
+  *document = own;
+}

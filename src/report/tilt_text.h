@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What is told of a simulated tilt test, in lines of 80 columns. Its numbers are printed with the
+ * digits that the bracket leaves sense to, not as certain ones. */
+
+#ifndef TP_REPORT_TILT_TEXT_H
+#define TP_REPORT_TILT_TEXT_H
+
+#include "output/text.h"
+
+/* How it was run; a label, then nine columns in what is said. */
+void tp_tilt_add_settings(tp_text *text, const tp_tilt_test *test);
+/* At which tilt it lets go, and what statics says of it. */
+void tp_tilt_add_verdict(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
+/* What happened, a line each; nothing where nothing did. */
+void tp_tilt_add_events(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
+/* How it ended, and the least shaking that overturns it. */
+void tp_tilt_add_ending(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
+
+#endif
