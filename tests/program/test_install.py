@@ -101,6 +101,14 @@ class Installed(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("</svg>", figure.read_text())
 
+    def test_examples(self):
+        """The example scenes were installed, and are found from where the program lies now."""
+        written = self.folder / "written.yaml"
+        done = subprocess.run([self.program, "examples", "slab", "-o", written], cwd="/", check=False, capture_output=True,
+                              encoding="utf-8")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(written.read_bytes(), (ROOT / "examples" / "slab.yaml").read_bytes())
+
     def test_through_a_link(self):
         """A link to the program elsewhere, in a folder that has a library of that name."""
         other = self.folder / "elsewhere"
