@@ -25,7 +25,13 @@ static void paint(unsigned char *rgb) {
     for (int x = 0; x < WIDTH; x++) {
       const bool left = x < CORNER, right = x >= WIDTH - CORNER;
       const bool top = y < CORNER, bottom = y >= HEIGHT - CORNER;
-      const int corner = top ? (left ? 0 : right ? 1 : -1) : bottom ? (left ? 3 : right ? 2 : -1) : -1;
+      const int corner = top      ? (left    ? 0
+                                     : right ? 1
+                                             : -1)
+                         : bottom ? (left    ? 3
+                                     : right ? 2
+                                             : -1)
+                                  : -1;
       if (corner >= 0) memcpy(rgb + 3 * (y * WIDTH + x), colours[corner], 3);
     }
   }
@@ -33,9 +39,8 @@ static void paint(unsigned char *rgb) {
 
 /* With a note of EXIF where `orientation` is above zero, the numbers of either order of bytes. */
 static void add_exif(struct jpeg_compress_struct *info, int orientation, bool little) {
-  unsigned char note[] = {'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8, 0,
-                          1,   1,   18,  0,   3, 0, 0,   0,   1, 0,  0, 0, 0, 0, 0,
-                          0,   0};
+  unsigned char note[] = {'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8, 0, 1,
+                          1,   18,  0,   3,   0, 0, 0,   1,   0, 0,  0, 0, 0, 0, 0, 0};
   if (orientation == 0) return;
   note[25] = (unsigned char)orientation;
   if (little) {
@@ -90,8 +95,9 @@ static int seen_in(const tp_picture *picture, int corner) {
 
 /* The standard's table: where the first row and the first column of what is stored are seen. */
 START_TEST(turned_as_exif_says) {
-  static const int seen[9][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0},
-                                 {0, 3, 2, 1}, {3, 0, 1, 2}, {2, 1, 0, 3}, {1, 2, 3, 0}};
+  static const int seen[9][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2},
+                                 {2, 3, 0, 1}, {3, 2, 1, 0}, {0, 3, 2, 1},
+                                 {3, 0, 1, 2}, {2, 1, 0, 3}, {1, 2, 3, 0}};
   for (int orientation = 0; orientation <= 8; orientation++) {
     for (int little = 0; little < 2; little++) {
       tp_picture picture;

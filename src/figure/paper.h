@@ -11,17 +11,17 @@
 #include "figure/figure.h"
 
 /* What draws a figure of its own, and how large it is. */
-typedef struct tp_drawing {
+typedef struct tp_vector_picture {
   bool (*draw)(cairo_t *cr, const void *context); /* false: memory is exhausted */
   const void *context;
   double width, height;
-} tp_drawing;
+} tp_vector_picture;
 
 typedef struct tp_paper {
   cairo_t *cr;
   cairo_surface_t *pdf; /* NULL while pages are counted */
   const tp_document *document;
-  const tp_drawing *drawing;
+  const tp_vector_picture *drawing;
   double y;           /* where the next thing begins */
   int page, pages;    /* this one, from 1, and how many; 0: not known yet */
   cairo_status_t why; /* of a picture that cannot be read */
@@ -55,6 +55,6 @@ void tp_paper_add_equation(tp_paper *paper, const char *equation);
 
 /* The document as PDF. */
 TP_MUST_USE tp_status tp_paper_pdf(char **bytes, size_t *length, const tp_document *document,
-                                   const tp_drawing *drawing, tp_message *message);
+                                   const tp_vector_picture *drawing, tp_message *message);
 
 #endif

@@ -110,13 +110,13 @@ static void draw_png(cairo_t *cr, cairo_surface_t *image) {
 /* As wide as the page, or as high as two thirds of it. */
 static void add_figure(tp_paper *p, const tp_passage *passage) {
   cairo_surface_t *image = NULL;
-  tp_drawing own = *p->drawing;
+  tp_vector_picture own = *p->drawing;
   if (passage->picture.png != NULL) {
     source from = {passage->picture.png, passage->picture.png_length};
     image = cairo_image_surface_create_from_png_stream(read_bytes, &from);
     if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS) p->why = cairo_surface_status(image);
-    own = (tp_drawing){.width = cairo_image_surface_get_width(image),
-                       .height = cairo_image_surface_get_height(image)};
+    own = (tp_vector_picture){.width = cairo_image_surface_get_width(image),
+                              .height = cairo_image_surface_get_height(image)};
   }
   if (own.width > 0 && own.height > 0) {
     const double scale =
@@ -209,7 +209,7 @@ static cairo_surface_t *open_pdf(tp_sink *sink) {
 }
 
 tp_status tp_paper_pdf(char **bytes, size_t *length, const tp_document *document,
-                       const tp_drawing *drawing, tp_message *message) {
+                       const tp_vector_picture *drawing, tp_message *message) {
   if (document->failed) return tp_fail_memory(message, "the report");
   tp_sink sink = {0};
   tp_paper paper = {.document = document, .drawing = drawing};

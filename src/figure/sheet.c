@@ -26,7 +26,7 @@ static bool draw_figure(cairo_t *cr, const void *context) {
 static tp_status write_sheet(const tp_figure *figure, void *context, tp_message *message) {
   const work *own = context;
   const bool paper = tp_sheet_kind_of(own->path) == TP_SHEET_PDF;
-  tp_drawing drawing = {draw_figure, figure, tp_figure_width(figure), 0};
+  tp_vector_picture drawing = {draw_figure, figure, tp_figure_width(figure), 0};
   tp_picture picture = {0};
   tp_sheet_files files = {0};
   tp_status status = tp_sheet_files_read(&files, own->sources.paths, own->sources.count, message);

@@ -27,7 +27,7 @@ tp_status tp_sheet_sources(tp_file_sources *sources, const tp_scene *scene, tp_m
 
 /* The document as bytes of the kind. */
 static tp_status make_bytes(char **bytes, size_t *length, tp_sheet_kind kind,
-                            const tp_document *document, const tp_drawing *drawing,
+                            const tp_document *document, const tp_vector_picture *drawing,
                             tp_message *message) {
   if (kind == TP_SHEET_PDF) return tp_paper_pdf(bytes, length, document, drawing, message);
   const tp_status status = kind == TP_SHEET_MARKDOWN ? tp_document_markdown(bytes, document)
@@ -37,8 +37,9 @@ static tp_status make_bytes(char **bytes, size_t *length, tp_sheet_kind kind,
   return TP_OK;
 }
 
-tp_status tp_sheet_write(const char *path, const tp_document *document, const tp_drawing *drawing,
-                         tp_file_sources sources, tp_message *message) {
+tp_status tp_sheet_write(const char *path, const tp_document *document,
+                         const tp_vector_picture *drawing, tp_file_sources sources,
+                         tp_message *message) {
   char *bytes = NULL;
   size_t length = 0;
   tp_status status =

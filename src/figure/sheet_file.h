@@ -20,7 +20,7 @@ TP_MUST_USE tp_status tp_sheet_sources(tp_file_sources *sources, const tp_scene 
 
 /* The document into the file, not over one of its sources. */
 TP_MUST_USE tp_status tp_sheet_write(const char *path, const tp_document *document,
-                                     const tp_drawing *drawing, tp_file_sources sources,
+                                     const tp_vector_picture *drawing, tp_file_sources sources,
                                      tp_message *message);
 
 /* A chart as a picture for the file, and the chart is freed; where `made` is TP_NO_ANSWER there is

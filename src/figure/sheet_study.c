@@ -62,7 +62,7 @@ tp_status tp_report_sheet_study(const char *path, const tp_study *study,
       {{0},
        "The angle of each sample against what varies.",
        "Scatter of the samples. Their quantiles and correlations are in the tables of this page."}};
-  const tp_drawing none = {0};
+  const tp_vector_picture none = {0};
   tp_file_sources sources = {0};
   tp_sheet_files files = {0};
   tp_status status = tp_sheet_check(path, message);
@@ -112,7 +112,7 @@ tp_status tp_report_sheet_tilt(const char *path, const tp_scene *scene, const tp
       {{0},
        "Phase portraits: turn against angular velocity, displacement against speed.",
        "Chart of the motion; topple tilt --csv has its numbers."}};
-  const tp_drawing drawing = tp_tilt_frames_drawing(test);
+  const tp_vector_picture drawing = tp_tilt_frames_drawing(test);
   tp_file_sources sources = {0};
   tp_sheet_files files = {0};
   tp_picture frames = {0};

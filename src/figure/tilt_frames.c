@@ -87,8 +87,8 @@ static bool draw(cairo_t *cr, const void *context) {
   return true;
 }
 
-tp_drawing tp_tilt_frames_drawing(const tp_tilt_test *test) {
-  tp_drawing own = {draw, test, 0, 0};
+tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_test *test) {
+  tp_vector_picture own = {draw, test, 0, 0};
   for (size_t k = 0; k < test->case_count; k++) {
     const tp_tilt_view view = tp_tilt_view_of(test->cases + k);
     own.width = fmax(own.width, TP_TILT_FRAMES * view.width * HALF);

@@ -8,6 +8,6 @@
 
 #include "figure/paper.h"
 
-tp_drawing tp_tilt_frames_drawing(const tp_tilt_test *test);
+tp_vector_picture tp_tilt_frames_drawing(const tp_tilt_test *test);
 
 #endif
