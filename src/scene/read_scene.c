@@ -96,11 +96,10 @@ static tp_status read_title(const tp_reader *reader, const tp_node *node) {
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   static const char *const keys[] = {
-      "topple", "title",   "length_unit", "parameters",         "block",
-      "base",   "loads",   "tilt",        "friction_angle_deg", "friction",
-      "frame",  "contact", "joint",       "tilt_test",          "shaking",
-      "result_units",
-      NULL};
+      "topple",       "title",   "length_unit", "parameters",         "block",
+      "base",         "loads",   "tilt",        "friction_angle_deg", "friction",
+      "frame",        "contact", "joint",       "tilt_test",          "shaking",
+      "result_units", "section", NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
   if (root->kind != TP_NODE_MAPPING) {
@@ -126,6 +125,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   if (status == TP_OK) status = tp_read_tilt_test(reader, tp_node_get(root, "tilt_test"));
   if (status == TP_OK) status = tp_read_shaking(reader, tp_node_get(root, "shaking"));
+  if (status == TP_OK) status = tp_read_section_used(reader, tp_node_get(root, "section"));
   if (status == TP_OK) status = tp_check_simulation(scene, reader->message);
   return status == TP_OK ? tp_scene_cautions(&scene->notes, scene, reader->message) : status;
 }

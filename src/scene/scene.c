@@ -11,6 +11,15 @@ static const struct {
 } units[] = {{"mm", 1, 1000}, {"cm", 1, 100},    {"m", 1, 1},
              {"km", 1000, 1}, {"in", 127, 5000}, {"ft", 381, 1250}};
 
+bool tp_length_unit(fmpq_t metres, const char *name) {
+  for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
+    if (strcmp(name, units[k].name) != 0) continue;
+    fmpq_set_si(metres, units[k].numerator, (unsigned long)units[k].denominator);
+    return true;
+  }
+  return false;
+}
+
 tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,
                             tp_message *message) {
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {

@@ -21,6 +21,7 @@
 #include "tilt/path.h"
 #include "tilt/result.h"
 #include "tilt/settings.h"
+#include "tilt/tractions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,7 +56,9 @@ void tp_tilt_convergence_free(tp_tilt_convergence *convergence) {
 typedef struct stage {
   const tp_rigid_body *body;
   const tp_tilt_options *options;
-  tp_base_shaking *shaking; /* NULL: none */
+  tp_base_shaking *shaking;                    /* NULL: none */
+  const tp_tilt_test_description *description; /* of the scene */
+  const tp_path_traction *tractions;           /* of the path; NULL: none */
   tp_place place;
   tp_message *message;
 } stage;
@@ -66,6 +69,7 @@ static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, doubl
   tp_tilting tilting = {.body = g->body,
                         .settings = &run->settings,
                         .options = g->options,
+                        .tractions = g->tractions,
                         .own = found,
                         .weight_moves = run->weight_moves,
                         .path_tolerance_deg = run->path_tolerance_deg,
@@ -104,7 +108,7 @@ static tp_status run_level(tp_converge_level *level, const tp_converge_run *run,
   *level = (tp_converge_level){
       .setting = run->setting, .value = run->value, .own = run->own, .seconds = INFINITY};
   for (int k = 0; k < REPEATS && (k == 0 || level->seconds < short_s); k++) {
-    tp_tilt_case found = {.end = TP_TILT_STANDS};
+    tp_tilt_case found = {.end = TP_TILT_STANDS, .converged = true};
     const tp_status status = run_once(&found, run, least, most, g);
     if (status != TP_OK) return status;
     const bool factor = run->settings.protocol == TP_TILT_RELEASE;
@@ -208,7 +212,11 @@ static tp_status run_direction(tp_tilt_convergence_case *own, const tp_case *sta
   own->onset_deg = window.onset_deg;
   own->limit_deg = window.limit_deg;
   g->body = &body;
-  status = run_settings(own, c, g);
+  tp_path_traction *tractions = NULL;
+  status = tp_tilt_tractions_of(&tractions, &body, g->description, g->message);
+  g->tractions = tractions;
+  if (status == TP_OK) status = run_settings(own, c, g);
+  free(tractions);
   tp_converge_summarise(own);
   tp_rigid_body_clear(&body);
   return status;
@@ -279,6 +287,7 @@ static tp_status fill(tp_tilt_convergence *c, const tp_scene *scene, const tp_ti
     const bool shaken = tp_scene_is_shaken(scene), asked = scene->tilt_test.place.file != NULL;
     stage g = {.options = options,
                .shaking = shaken ? &shaking : NULL,
+               .description = &scene->tilt_test,
                .place = asked ? scene->tilt_test.place : scene->shaking_place,
                .message = message};
     status = describe(c, scene, &problem, message);
