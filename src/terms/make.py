@@ -29,6 +29,10 @@ UNITS = {"deg": "degrees", "m": "m", "m2": "m²", "m4": "m⁴", "n": "N", "nm": 
          "gpa_m": "GPa/m", "seconds": "s", "w_m": "weight × m", "rad_s": "rad/s"}
 
 
+# What prints a schema's keys, where it is no command of that name.
+COMMANDS = {"converge": "tilt --converge"}
+
+
 def rows(name):
     lines = (FOLDER / name).read_text(encoding="utf-8").splitlines()
     return list(csv.DictReader(line for line in lines if not line.startswith("#")))
@@ -110,7 +114,7 @@ def write_c(output, schemas):
     table("file_key", (record(row["file"], row["path"], row["unit"], row["default"], row["meaning"], row["see"]) for row in rows("keys.csv")))
     found = []
     for path in sorted(map(pathlib.Path, schemas)):
-        found += results(json.loads(path.read_text(encoding="utf-8")), path.stem)
+        found += results(json.loads(path.read_text(encoding="utf-8")), COMMANDS.get(path.stem, path.stem))
     table("result_key", (record(name, place, unit_of(re.split(r"[.\]]", place)[-1]), plain(meaning)) for name, place, meaning in found))
     pathlib.Path(output).write_text("".join(out), encoding="utf-8")
 

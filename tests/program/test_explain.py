@@ -119,6 +119,8 @@ class Explain(unittest.TestCase):
             made = {last(place) for _, place, _ in make.results(schema, path.stem)}
             self.assertEqual(sorted(described - made), [], path.name)
             count += len(made)
+            build = (ROOT / "meson.build").read_text(encoding="utf-8")
+            self.assertIn(f"'docs/schema/{path.name}'", build, "its keys are not in the table that the library has")
         self.assertGreater(count, 400)
         self.assertIn("Unit      degrees", told("onset_deg"))
         self.assertIn("Unit      m⁴", told("second_moment_xx_m4"))
