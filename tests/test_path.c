@@ -8,8 +8,8 @@
 #include "quasi_static/path.h"
 #include "runner.h"
 
-#include <glob.h>
 #include <float.h>
+#include <glob.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
