@@ -44,6 +44,7 @@
 #include "topple_accuracy.h"
 #include "topple_blocks.h"
 #include "topple_chart.h"
+#include "topple_converge.h"
 #include "topple_derive.h"
 #include "topple_explain.h"
 #include "topple_figure.h"

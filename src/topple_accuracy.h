@@ -6,6 +6,7 @@
 #ifndef TOPPLE_ACCURACY_H
 #define TOPPLE_ACCURACY_H
 
+#include "topple_converge.h"
 #include "topple_solve.h"
 
 #ifdef __cplusplus
@@ -50,17 +51,20 @@ typedef struct tp_accuracy_value {
 
 /* What was measured; owns what it points to. */
 typedef struct tp_accuracy {
-  TP_OUTSIDE char *title;        /* of the scene, or NULL */
-  bool sweep;                    /* over sizes, not of one scene */
-  tp_direction towards;          /* of the tilt */
-  size_t run_count, value_count; /* of both: */
-  tp_accuracy_run *runs;         /* by method, size and price */
-  tp_accuracy_value *values;     /* by method and size */
-  size_t source_count;           /* of the sources */
-  char **sources;                /* files that the scene was read from */
+  TP_OUTSIDE char *title;         /* of the scene, or NULL */
+  bool sweep;                     /* over sizes, not of one scene */
+  tp_direction towards;           /* of the tilt */
+  size_t run_count, value_count;  /* of both: */
+  tp_accuracy_run *runs;          /* by method, size and price */
+  tp_accuracy_value *values;      /* by method and size */
+  size_t source_count;            /* of the sources */
+  char **sources;                 /* files that the scene was read from */
+  tp_tilt_convergence *simulated; /* of a scene that calls for a tilt test or for shaking: what the
+                                settings of that take and cost; NULL: none */
 } tp_accuracy;
 
-/* Measure every method that the scene calls for, in the first direction in which it tilts. The
+/* Measure every method that the scene calls for, in the first direction in which it tilts; of one
+ * that is simulated also the test over its settings, as tp_tilt_converge has it. The
  * exact value is one at 6144 bits. TP_NO_ANSWER where the scene has neither a critical angle, nor a
  * limit, nor an onset of motion; TP_UNDECIDED; TP_DEPENDENCY_FAILED. */
 TP_MUST_USE tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene,

@@ -162,6 +162,13 @@ TP_MUST_USE tp_status tp_scene_set_base_mated(tp_scene *scene, bool whole, tp_me
 TP_MUST_USE tp_status tp_scene_set_base_profile(tp_scene *scene, tp_coordinates profile,
                                                 tp_message *message);
 
+/* Print in this unit what is of its kind: lengths in mm, cm, m, km, in or ft; forces in N, kN, MN,
+ * kgf, tf, lbf or kip; moments in "N m", "kN m", "MN m", "tf m", "lbf ft" or "kip ft"; stresses in
+ * Pa, kPa, MPa, kgf/cm2, psi, psf or ksf. Unless set, reports print lengths in the length unit, and
+ * forces, moments and stresses in N, N m and Pa or thousands of these. Fields and JSON stay SI. */
+TP_MUST_USE tp_status tp_scene_set_result_unit(tp_scene *scene, const char *name,
+                                               tp_message *message);
+
 /* Where `rests`, set the block down on the profile that was set, where its coordinates put it,
  * until it rests (docs/rest.md); else, and unless set, it lies as they say. */
 TP_MUST_USE tp_status tp_scene_set_base_rest(tp_scene *scene, bool rests, tp_message *message);

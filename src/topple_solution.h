@@ -203,14 +203,30 @@ typedef struct tp_settings {
   tp_setting *items; /* in the order in which they were set; owned by what holds the list */
 } tp_settings;
 
+/* A unit that reports print in. */
+typedef struct tp_result_unit {
+  const char *name; /* a static string; NULL: the scene asks for none, and reports choose */
+  double si;        /* one of it in m, N, N m or Pa, rounded to a double once; 1 without a name */
+} tp_result_unit;
+
+/* Those that a scene asks for. */
+typedef struct tp_result_units {
+  tp_result_unit length; /* m */
+  tp_result_unit force;  /* N */
+  tp_result_unit moment; /* N m */
+  tp_result_unit stress; /* Pa */
+} tp_result_units;
+
 /* A scene solved. */
 typedef struct tp_solution {
-  TP_OUTSIDE char *title;        /* of the scene, or NULL */
-  const char *length_unit;       /* of the scene; a static string */
-  double metres_per_unit;        /* as a double */
-  bool has_tilt_angle;           /* the scene gives one: */
-  tp_bounded tilt_angle_deg;     /* that the block lies at, along its mean plane */
-  bool has_friction;             /* the scene gives one: */
+  TP_OUTSIDE char *title;       /* of the scene, or NULL */
+  const char *length_unit;      /* that reports print in: the scene's, unless it asks for another; a
+                                   static string */
+  double metres_per_unit;       /* as a double */
+  tp_result_units result_units; /* that the scene asks for */
+  bool has_tilt_angle;          /* the scene gives one: */
+  tp_bounded tilt_angle_deg;    /* that the block lies at, along its mean plane */
+  bool has_friction;            /* the scene gives one: */
   tp_bounded friction_angle_deg; /* of the contact */
   bool friction_is_residual;     /* Barton's law: the angle at a stress is above it */
   bool friction_is_patton;       /* Patton's law: phi_b + i of the scene */

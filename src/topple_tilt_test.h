@@ -19,7 +19,7 @@ extern "C" {
 
 /* The test: by which engine, by which protocol; where `set_down`, the block is set down at each
  * angle, else it is placed level and tilted. The path engine takes a ramp, or steps at which the
- * block is set down; a release is at the scene's tilt angle. */
+ * block is set down, or a ramp from the scene's tilt angle, where it is; a release is at that. */
 TP_MUST_USE tp_status tp_scene_set_tilt_test(tp_scene *scene, tp_tilt_engine engine,
                                              tp_tilt_protocol protocol, bool set_down,
                                              tp_message *message);
@@ -52,6 +52,14 @@ TP_MUST_USE tp_status tp_scene_set_tilt_test_time_step_s(tp_scene *scene, tp_exa
 /* Of rigid contacts: the restitution of impacts, in [0, 1]. */
 TP_MUST_USE tp_status tp_scene_set_tilt_test_restitution(tp_scene *scene, tp_exact restitution,
                                                          tp_message *message);
+
+/* Of the path: stress locked in on a facet of the base before the start, in kilopascal; on all of
+ * the contact that lies on that facet. Normal stress, linear from the facet's left end to its right
+ * one, pressing above 0; shear stress, above 0 where it pushes the block to the right. A facet that
+ * is given twice, or bears none of the block, is refused where the test is run. */
+TP_MUST_USE tp_status tp_scene_add_tilt_test_traction(tp_scene *scene, size_t facet,
+                                                      tp_exact first_kpa, tp_exact last_kpa,
+                                                      tp_exact shear_kpa, tp_message *message);
 
 /* Along what the base shakes: the horizontal, positive up-dip of a table tilted to the left; or
  * the vertical, positive upwards. */
@@ -103,14 +111,16 @@ typedef struct tp_tilt_settings {
   double speed_deg_min;      /* of the table */
   double until_deg;          /* of the table, at most */
   double release_deg;        /* where the block is let go */
+  double from_deg;           /* of a ramp: where it starts, level or set down */
   double tolerance_deg;      /* wanted width of the bracket */
   double duration_s;         /* of a run at a steady tilt, at most */
   double normal_stiffness_pa_m, shear_stiffness_pa_m; /* of the contact */
-  bool stiffness_given; /* by the scene; else the paper's 1000 and 10 GPa/m */
-  double damping;       /* of springs, local */
-  double rounding_m;    /* of corners */
-  double time_step_s;   /* 0: the method's own choice */
-  double restitution;   /* of impacts */
+  bool stiffness_given;  /* by the scene; else the paper's 1000 and 10 GPa/m */
+  double damping;        /* of springs, local */
+  double rounding_m;     /* of corners */
+  double time_step_s;    /* 0: the method's own choice */
+  double restitution;    /* of impacts */
+  size_t traction_count; /* facets with stress locked in before the start */
 } tp_tilt_settings;
 
 /* How the block ended. */
@@ -164,9 +174,14 @@ typedef struct tp_tilt_case {
                          stood */
   double most_deg;    /* it lets go there */
   bool converged;     /* the bracket is as narrow as was asked */
-  bool has_mechanism; /* and it lets go so: */
-  tp_mechanism mechanism;        /* by the velocity with which it moves off */
-  bool has_centre;               /* of rotation */
+  bool has_softening; /* of a path on contacts whose stiffness the scene gives: */
+  double softening_deg;   /* by which it lets go sooner on these very springs than in the limit of
+                             stiff ones, which the bracket is for */
+  size_t jumps;           /* times that a path gave way and came to rest at the same tilt */
+  double first_jump_deg;  /* the tilt of the first of these */
+  bool has_mechanism;     /* and it lets go so: */
+  tp_mechanism mechanism; /* by the velocity with which it moves off */
+  bool has_centre;        /* of rotation */
   double centre_x_m, centre_y_m; /* where it is */
   bool has_onset, has_limit;     /* statics knows: */
   double onset_deg, limit_deg;   /* alpha_s, certain to stand up to it; alpha_w, certain to move

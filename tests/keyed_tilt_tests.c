@@ -60,7 +60,13 @@ static void build_records(tp_scene *scene, const double *n) {
   DO(tp_scene_set_shaking_record(scene, TP_SHAKES_VERTICALLY, own, E(n[1]), &message));
 }
 
-enum { SPRINGS, HALF_SINES, FULL_SINES, RECORDS, KINDS };
+static void build_locked(tp_scene *scene, const double *n) {
+  set_square(scene);
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
+  DO(tp_scene_add_tilt_test_traction(scene, 1, E(n[0]), E(n[1]), E(n[2]), &message));
+}
+
+enum { SPRINGS, HALF_SINES, FULL_SINES, RECORDS, LOCKED, KINDS };
 
 static const keyed_scene kinds[KINDS] = {
     {build_springs,
@@ -81,6 +87,10 @@ static const keyed_scene kinds[KINDS] = {
           "{full_sine: {peak_g: @c, frequency_hz: @d}}}\n",
      {0.5, 2, 0.125, 4}},
     {build_records, NULL, {1, 0.5}},
+    {build_locked,
+     HEAD "tilt_test: {engine: path, tractions: [{facet: 1, normal_kpa: [@a, @b], shear_kpa: "
+          "@c}]}\n",
+     {20, 10, 5}},
 };
 
 const keyed_row keyed_test_rows[KEYED_TEST_ROWS] = {
@@ -104,4 +114,7 @@ const keyed_row keyed_test_rows[KEYED_TEST_ROWS] = {
     {kinds + FULL_SINES, "shaking.vertical.full_sine.frequency_hz", 'd', 5},
     {kinds + RECORDS, "shaking.horizontal.record.scale", 'a', 2},
     {kinds + RECORDS, "shaking.vertical.record.scale", 'b', 0.25},
+    {kinds + LOCKED, "tilt_test.tractions.1.normal_kpa.1", 'a', 25},
+    {kinds + LOCKED, "tilt_test.tractions.1.normal_kpa.2", 'b', -5},
+    {kinds + LOCKED, "tilt_test.tractions.1.shear_kpa", 'c', -2.5},
 };

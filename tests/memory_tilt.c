@@ -32,6 +32,31 @@ static void chart(const tp_tilt_test *test) {
   }
 }
 
+static void vary(const char *text) {
+  tp_scene *scene = NULL;
+  tp_tilt_convergence *convergence = NULL;
+  tp_chart *chart = NULL;
+  tp_message message = {""};
+  const tp_tilt_options options = tp_tilt_options_default();
+  if (DONE(tp_scene_read_text(&scene, text, "tilt", &message), scene) &&
+      DONE(tp_tilt_converge(&convergence, scene, &options, &message), convergence)) {
+    char *report = NULL;
+    tp_status status = tp_report_tilt_convergence(&report, convergence);
+    expect_report(status, report);
+    report = NULL;
+    status = tp_report_tilt_convergence_json(&report, convergence);
+    expect_report(status, report);
+    (void)DONE(tp_chart_tilt_convergence(&chart, convergence, &message), chart);
+  }
+  tp_chart_free(chart);
+  tp_tilt_convergence_free(convergence);
+  tp_scene_free(scene);
+}
+
+void vary_tilt_test(void) {
+  vary(HEAD "tilt_test: {engine: path}\n");
+}
+
 static void simulate(const char *text) {
   tp_scene *scene = NULL;
   tp_tilt_test *test = NULL;

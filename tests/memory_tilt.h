@@ -8,5 +8,6 @@
 
 void simulate_tilt_test(void);
 void chart_overturning(void);
+void vary_tilt_test(void);
 
 #endif

@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { MOST_SAYINGS = 1700 };
+enum { MOST_SAYINGS = 2000 };
 
 typedef struct sayings {
   const char *folder; /* for files on the way */

@@ -83,6 +83,9 @@ static void say_forms(sayings *s, tp_scene *scene) {
   SAY(tp_scene_set_ellipse(scene, E(8.5), T("3.25"), E(0.5), &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_slab(scene, T("1.1"), E(3.3), &message));
+  SAY(tp_scene_set_result_unit(scene, "kip ft", &message));
+  SAY(tp_scene_set_result_unit(scene, "psf", &message));
+  SAY(tp_scene_set_result_unit(scene, "stone", &message));
   SAY(tp_scene_set_repair(scene, true, &message));
   say_scene_built(s, scene);
   SAY(tp_scene_set_repair(scene, false, &message));

@@ -57,6 +57,18 @@ static void say_tilt_names(sayings *s) {
   }
 }
 
+static void say_converge_names(sayings *s) {
+  for (int k = 0; k <= TP_CONVERGE_SETTINGS; k++) {
+    note_text(s, tp_converge_setting_name((tp_converge_setting)k));
+  }
+  for (int k = 0; k <= TP_CONVERGE_OVERTURNING + 1; k++) {
+    note_text(s, tp_converge_quantity_name((tp_converge_quantity)k));
+  }
+  for (int k = 0; k <= TP_CONVERGE_OPEN + 1; k++) {
+    note_text(s, tp_converge_verdict_name((tp_converge_verdict)k));
+  }
+}
+
 static void say_defaults(sayings *s) {
   const tp_find_options find = tp_find_options_default();
   const tp_chart_map_options map = tp_chart_map_options_default();
@@ -85,6 +97,7 @@ void say_names(sayings *s) {
   say_enumerations(s);
   say_words(s);
   say_tilt_names(s);
+  say_converge_names(s);
   say_defaults(s);
   for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
     tp_level level = TP_LEVEL_DOUBLE;

@@ -54,12 +54,35 @@ static void say_test(sayings *s, const tp_scene *scene, bool overturning) {
   tp_tilt_test_free(test);
 }
 
+/* But for what it takes. */
+static void say_convergence(sayings *s, const tp_scene *scene) {
+  tp_message message = {""};
+  tp_tilt_convergence *convergence = NULL;
+  tp_chart *chart = NULL;
+  const tp_tilt_options options = tp_tilt_options_default();
+  SAY(tp_tilt_converge(&convergence, scene, &options, &message));
+  if (convergence == NULL) return;
+  for (size_t k = 0; k < convergence->case_count; k++) {
+    const tp_tilt_convergence_case *own = convergence->cases + k;
+    for (size_t l = 0; l < own->level_count; l++) own->levels[l].seconds = 0.00123456789;
+  }
+  if (tp_report_tilt_convergence(next_saying(s), convergence) != TP_OK) s->count--;
+  if (tp_report_tilt_convergence_json(next_saying(s), convergence) != TP_OK) s->count--;
+  SAY(tp_chart_tilt_convergence(&chart, convergence, &message));
+  if (chart != NULL && tp_report_chart_csv(next_saying(s), chart) != TP_OK) s->count--;
+  tp_chart_free(chart);
+  tp_tilt_convergence_free(convergence);
+}
+
 static void say_tilted(sayings *s, tp_scene *scene) {
   tp_message message = {""};
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
   SAY(tp_scene_set_tilt_test_until_deg(scene, E(60.5), &message));
   SAY(tp_scene_set_tilt_test_tolerance_deg(scene, T("0.05"), &message));
   say_test(s, scene, false);
+  say_convergence(s, scene);
+  SAY(tp_scene_add_tilt_test_traction(scene, 1, E(1.5), T("0.25"), E(-0.5), &message));
+  SAY(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message));
   SAY(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_STEPS, true, &message));
   SAY(tp_scene_set_tilt_test_restitution(scene, T("0.25"), &message));
   SAY(tp_scene_set_tilt_test_duration_s(scene, E(1.5), &message));

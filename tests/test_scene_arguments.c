@@ -43,6 +43,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_add_rounded_vertex(own, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_rounding_keeps_mass(own, true, &message), why);
   REFUSED(tp_scene_set_repair(own, true, &message), why);
+  REFUSED(tp_scene_set_result_unit(own, "kN", &message), why);
   REFUSED(tp_scene_set_thickness(own, E(1), &message), why);
   REFUSED(tp_scene_set_unit_weight_kn_m3(own, E(20), &message), why);
   REFUSED(tp_scene_set_base_mated(own, true, &message), why);
@@ -138,6 +139,9 @@ START_TEST(numbers) {
   REFUSED(tp_scene_add_friction_between(scene, E(NAN), E(1), E(20), &message), "x0");
   REFUSED(tp_scene_set_tilt_towards(scene, false, false, &message), "'left' and 'right'");
   REFUSED(tp_scene_set_title(scene, NULL, &message), "'title' must not be NULL");
+  REFUSED(tp_scene_set_result_unit(scene, NULL, &message), "'name' must not be NULL");
+  REFUSED(tp_scene_set_result_unit(scene, "stone", &message),
+          "'stone' is no unit that reports print in; known are: mm, cm");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);

@@ -22,6 +22,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_tilt_test_rounding(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_time_step_s(own, E(1), &message), why);
   REFUSED(tp_scene_set_tilt_test_restitution(own, E(0.5), &message), why);
+  REFUSED(tp_scene_add_tilt_test_traction(own, 1, E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_set_shaking_pulse(own, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(1), E(1),
                                      &message),
           why);
@@ -57,6 +58,9 @@ START_TEST(numbers) {
   REFUSED(tp_scene_set_tilt_test_rounding(scene, E(0), &message), "rounding must be above zero");
   REFUSED(tp_scene_set_tilt_test_time_step_s(scene, E(NAN), &message), "time_step_s");
   REFUSED(tp_scene_set_tilt_test_restitution(scene, E(-0.5), &message), "restitution must lie in");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 0, E(1), E(1), E(1), &message),
+          "tp_scene_add_tilt_test_traction: facets of the base are counted from 1");
+  REFUSED(tp_scene_add_tilt_test_traction(scene, 1, E(1), E(NAN), E(1), &message), "last_kpa");
   char *after = solve();
   ck_assert_str_eq(before, after);
   free(before);
@@ -128,6 +132,38 @@ START_TEST(shaken) {
   DO(tp_scene_set_shaking_record(scene, TP_SHAKES_HORIZONTALLY, tp_coordinates_of(still, 2), E(1),
                                  &message));
   REFUSED(RUN, "zero throughout");
+}
+END_TEST
+
+START_TEST(convergence) {
+  tp_tilt_convergence *of = UNTOUCHED(tp_tilt_convergence);
+  tp_chart *chart = UNTOUCHED(tp_chart);
+  char *text = UNTOUCHED(char);
+  tp_tilt_options options = tp_tilt_options_default();
+  const tp_tilt_convergence *none = NULL;
+  const tp_tilt_convergence empty = {.asked = 1};
+  REFUSED(tp_tilt_converge(NULL, scene, &options, &message), "'convergence'");
+  REFUSED(tp_tilt_converge(&of, NULL, &options, &message), "'scene'");
+  REFUSED(tp_tilt_converge(&of, scene, NULL, &message), "'options'");
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "the scene calls for no simulation");
+  DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, true, &message));
+  DO(tp_scene_set_tilt_angle_deg(scene, E(10), &message));
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "has no critical angle");
+  options.size = 4096;
+  REFUSED(tp_tilt_converge(&of, scene, &options, &message), "the size");
+  UNWRITTEN(tp_report_tilt_convergence(&text, none));
+  UNWRITTEN(tp_report_tilt_convergence_json(&text, none));
+  UNWRITTEN(tp_report_tilt_convergence(NULL, &empty));
+  UNWRITTEN(tp_report_tilt_convergence_json(NULL, &empty));
+  REFUSED(tp_chart_tilt_convergence(NULL, &empty, &message), "'chart'");
+  REFUSED(tp_chart_tilt_convergence(&chart, none, &message), "'convergence'");
+  ck_assert_int_eq(tp_chart_tilt_convergence(&chart, &empty, &message), TP_NO_ANSWER);
+  ck_assert_ptr_eq(of, UNTOUCHED(tp_tilt_convergence));
+  ck_assert_ptr_eq(chart, UNTOUCHED(tp_chart));
+  ck_assert_str_eq(tp_converge_setting_name((tp_converge_setting)-1), "unknown setting");
+  ck_assert_str_eq(tp_converge_quantity_name((tp_converge_quantity)9), "unknown quantity");
+  ck_assert_str_eq(tp_converge_verdict_name((tp_converge_verdict)9), "unknown verdict");
+  tp_tilt_convergence_free(NULL);
 }
 END_TEST
 
@@ -218,6 +254,7 @@ int main(void) {
   tcase_add_test(tests, shaking);
   tcase_add_test(tests, together);
   tcase_add_test(tests, shaken);
+  tcase_add_test(tests, convergence);
   tcase_add_test(tests, reports);
   tcase_add_test(tests, charts);
   tcase_add_test(tests, spectra);

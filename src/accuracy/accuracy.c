@@ -73,6 +73,7 @@ void tp_accuracy_free(tp_accuracy *accuracy) {
   free(accuracy->values);
   for (size_t k = 0; k < accuracy->source_count; k++) free(accuracy->sources[k]);
   free(accuracy->sources);
+  tp_tilt_convergence_free(accuracy->simulated);
   free(accuracy);
 }
 

@@ -6,6 +6,7 @@
 #include "accuracy/ways.h"
 #include "host.h"
 #include "message.h"
+#include "scene/check_tilt_test.h"
 #include "stability/solve.h"
 
 #include <string.h>
@@ -131,6 +132,16 @@ static tp_status keep_sources(tp_accuracy *accuracy, const tp_scene *scene, tp_m
   return TP_OK;
 }
 
+/* The test over its settings, where the scene calls for one that has a critical angle, or a least
+ * shaking. */
+static tp_status add_simulated(tp_accuracy *accuracy, const tp_scene *scene, tp_message *message) {
+  const tp_tilt_options options = tp_tilt_options_default();
+  const bool released = tp_scene_tilt_protocol(scene) == TP_TILT_RELEASE;
+  if (!tp_scene_is_simulated(scene) || !scene->friction_angle_deg.given) return TP_OK;
+  if (released && !tp_scene_is_shaken(scene)) return TP_OK;
+  return tp_tilt_converge(&accuracy->simulated, scene, &options, message);
+}
+
 tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, accuracy);
@@ -139,11 +150,12 @@ tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene, tp
   if (own == NULL) return tp_fail_memory(message, "the account of accuracy");
   tp_status status = keep_sources(own, scene, message);
   if (status == TP_OK) status = tp_accuracy_add_scene(own, scene, ~0U, false, message);
+  if (status == TP_OK) status = add_simulated(own, scene, message);
   if (status == TP_OK && scene->title != NULL) {
     own->title = strdup(scene->title);
     if (own->title == NULL) status = tp_fail_memory(message, "the title");
   }
-  if (status == TP_OK && own->run_count == 0) {
+  if (status == TP_OK && own->run_count == 0 && own->simulated == NULL) {
     status = tp_fail(message, TP_NO_ANSWER, (tp_place){scene->path, 0, 0},
                      "no pivot is admissible, and there is neither a static limit nor an onset of "
                      "motion: there is no angle "

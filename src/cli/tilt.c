@@ -6,6 +6,7 @@
 #include "cli/settings.h"
 #include "cli/signals.h"
 #include "cli/tilt_charts.h"
+#include "cli/tilt_converge.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -14,7 +15,8 @@ typedef struct arguments {
   const char *scene;
   const char *figure, *animation; /* NULL: none */
   tp_tilt_charts charts;
-  bool json, csv;
+  bool json, csv, converge;
+  tp_chart_format format; /* of the figure of --converge */
   tp_cli_settings settings;
   tp_tilt_options tilt;
 } arguments;
@@ -29,7 +31,8 @@ enum {
   KEY_SPECTRUM,
   KEY_FREQUENCIES,
   KEY_MOMENTS,
-  KEY_OVERTURNING
+  KEY_OVERTURNING,
+  KEY_CONVERGE
 };
 
 static const struct argp_option options[] = {
@@ -56,6 +59,10 @@ static const struct argp_option options[] = {
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
      "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
+    {"converge", KEY_CONVERGE, NULL, 0,
+     "Run the test over stiffness, time step, damping and tolerance instead, each with its cost; "
+     "with --figure FILE, .svg, .pdf, .png or .csv, the answer against cost",
+     0},
     {0}};
 
 static void read_moments(arguments *a, const char *text, const struct argp_state *state) {
@@ -66,6 +73,20 @@ static void read_moments(arguments *a, const char *text, const struct argp_state
     return;
   }
   a->tilt.moments = (size_t)count;
+}
+
+static void check_converge(arguments *a, const struct argp_state *state) {
+  const tp_tilt_charts *charts = &a->charts;
+  if (a->csv || a->animation != NULL || a->tilt.overturning || charts->reactions.path != NULL ||
+      charts->phase.path != NULL || charts->spectrum.path != NULL) {
+    tp_cli_refuse(state, "--converge runs many tests: --csv, --animation, --reactions, --phase, "
+                         "--spectrum and --overturning are of one");
+  } else if (a->figure != NULL && !tp_chart_format_read(&a->format, a->figure)) {
+    tp_cli_refuse(state,
+                  "the figure of --converge is a file that ends in .svg, .pdf, .png or "
+                  ".csv, not '%s'",
+                  a->figure);
+  }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -104,6 +125,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_OVERTURNING:
     a->tilt.overturning = true;
     return 0;
+  case KEY_CONVERGE:
+    a->converge = true;
+    return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
     return 0;
@@ -112,6 +136,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (a->json && a->csv) tp_cli_refuse(state, "--json and --csv are one or the other");
+    if (a->converge) check_converge(a, state);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -177,12 +202,17 @@ static tp_status tilt(const void *words, int *ended, tp_message *message) {
   tp_status status = tp_cli_read_scene(&scene, a->scene, &a->settings, message);
   if (status == TP_OK) {
     tp_cli_catch_signals();
-    status = tp_tilt_test_run(&test, scene, &own, message);
-    if (terminal) tp_cli_clear_progress();
-  }
-  if (status == TP_OK) status = tell(a, test, ended, message);
-  if (status == TP_OK) {
-    status = tp_tilt_charts_spectrum(&a->charts, scene, a->scene, ended, message);
+    if (a->converge) {
+      const tp_cli_converge asked = {a->scene, a->figure, a->format, a->json};
+      status = tp_cli_tilt_converge(&asked, scene, &own, ended, message);
+    } else {
+      status = tp_tilt_test_run(&test, scene, &own, message);
+      if (terminal) tp_cli_clear_progress();
+      if (status == TP_OK) status = tell(a, test, ended, message);
+      if (status == TP_OK) {
+        status = tp_tilt_charts_spectrum(&a->charts, scene, a->scene, ended, message);
+      }
+    }
   }
   tp_tilt_test_free(test);
   tp_scene_free(scene);

@@ -5,7 +5,7 @@
 
 #include "host.h"
 #include "output/encode.h"
-#include "output/json.h"
+#include "report/converge_json.h"
 #include "report/words.h"
 
 #include <math.h>
@@ -89,6 +89,12 @@ tp_status tp_report_accuracy(char **text, const tp_accuracy *a) {
     add_run(&t, a->runs + k, a->sweep);
   }
   add_models(&t, a);
+  if (a->simulated != NULL) {
+    const char *engine = tp_tilt_engine_name(a->simulated->settings.engine);
+    const char *quantity = tp_converge_quantity_name(a->simulated->quantity);
+    tp_text_add(&t, "\nWhat its simulated test depends on, by %s: the %s\n", engine, quantity);
+    tp_text_convergence(&t, a->simulated);
+  }
   return tp_text_finish(&t, text);
 }
 
@@ -134,6 +140,11 @@ tp_status tp_report_accuracy_json(char **text, const tp_accuracy *a) {
   tp_json_array(&j, "values", TP_JSON_BLOCK);
   for (size_t k = 0; k < a->value_count; k++) json_value(&j, a->values + k);
   tp_json_close(&j);
+  if (a->simulated != NULL) {
+    tp_json_object(&j, "simulated", TP_JSON_BLOCK);
+    tp_json_convergence(&j, a->simulated);
+    tp_json_close(&j);
+  }
   tp_json_close(&j);
   return tp_json_finish(&j, text);
 }

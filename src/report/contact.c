@@ -72,9 +72,9 @@ static void add_cautions(tp_page *p, const tp_contact_result *c) {
   char n[TP_NUMBER_SIZE];
   if (c->steep) {
     tp_text_add(&p->text,
-                "         Caution: its steepest facet lies at %s° from the mean plane. What is\n"
-                "         steeper than 45° holds a block by locking it in, as long as the rock "
-                "of\n         the base bears it.\n",
+                "         Caution: its steepest facet lies at %s° from the mean plane.\n"
+                "         What is steeper than 45° holds a block by locking it in, as long as the\n"
+                "         rock of the base bears it.\n",
                 tp_page_degrees(n, c->steepest_deg));
   }
   if (c->reaches_far) {
@@ -197,10 +197,10 @@ void tp_page_add_contact(tp_page *p) {
   }
   if (s->block.has_weight && c->facets > 0) {
     tp_text_add(&p->text, ";\n         weight per area ");
-    tp_page_add_quantity(p, c->weight_per_contact_area_pa, "Pa");
+    tp_page_add_stress(p, c->weight_per_contact_area_pa);
     if (c->nominal_length_m.value > 0) {
       tp_text_add(&p->text, ", per area of the mean plane ");
-      tp_page_add_quantity(p, c->weight_per_nominal_area_pa, "Pa");
+      tp_page_add_stress(p, c->weight_per_nominal_area_pa);
     }
   }
   add_corner_points(p, c);

@@ -66,12 +66,14 @@ void tp_page_add_balance(tp_page *p, const tp_case *c) {
 void tp_page_add_loads(tp_page *p, const tp_case *c) {
   tp_page_add_balance(p, c);
   if (!p->solution->loaded || !c->has_governing || c->load_count == 0) return;
+  const tp_result_unit unit = p->solution->result_units.moment;
   tp_text_add(&p->text, "  Moments about the governing pivot, overturning positive\n");
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     char n[TP_NUMBER_SIZE];
-    tp_text_add(&p->text, "    %-17s %14s N m   %s\n", l->name,
-                tp_text_significant(n, l->moment_nm, 6), tp_text_load_side(l->side));
+    tp_text_add(&p->text, "    %-17s %14s %s   %s\n", l->name,
+                tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6),
+                unit.name != NULL ? unit.name : "N m", tp_text_load_side(l->side));
   }
   tp_text_add(&p->text, "\n");
 }

@@ -12,11 +12,28 @@ const char *tp_page_length(const tp_page *p, char out[TP_NUMBER_SIZE], tp_bounde
   return tp_text_significant(out, tp_text_over(metres, p->solution->metres_per_unit), digits);
 }
 
-void tp_page_add_quantity(tp_page *p, tp_bounded number, const char *unit) {
+tp_bounded tp_page_in(tp_bounded number, tp_result_unit unit) {
+  return unit.name != NULL ? tp_text_over(number, unit.si) : number;
+}
+
+static void add_quantity(tp_page *p, tp_bounded number, tp_result_unit asked, const char *unit) {
   char n[TP_NUMBER_SIZE];
+  if (asked.name != NULL) {
+    tp_text_add(&p->text, "%s %s", tp_text_significant(n, tp_page_in(number, asked), 5),
+                asked.name);
+    return;
+  }
   const bool large = number.value >= 1e4;
   if (large) number = tp_text_over(number, 1e3);
   tp_text_add(&p->text, "%s %s%s", tp_text_significant(n, number, 5), large ? "k" : "", unit);
+}
+
+void tp_page_add_force(tp_page *p, tp_bounded newtons) {
+  add_quantity(p, newtons, p->solution->result_units.force, "N");
+}
+
+void tp_page_add_stress(tp_page *p, tp_bounded pascals) {
+  add_quantity(p, pascals, p->solution->result_units.stress, "Pa");
 }
 
 /* Drop the zeros behind the last decimal that is none. */

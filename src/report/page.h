@@ -34,8 +34,14 @@ const char *tp_page_fos(char out[TP_NUMBER_SIZE], tp_fos fos);
 /* How a tie is known, as the end of a sentence: exactly, or as far as so many bits tell. */
 void tp_page_add_tie(tp_page *page, long bits);
 
-/* A force or a pressure, in thousands where it is large. */
-void tp_page_add_quantity(tp_page *page, tp_bounded number, const char *unit);
+/* A force in N, or a stress in Pa: in the unit that the scene asks for, else in thousands where it
+ * is large. */
+void tp_page_add_force(tp_page *page, tp_bounded newtons);
+void tp_page_add_stress(tp_page *page, tp_bounded pascals);
+
+/* A number of SI in a unit that the scene may ask for: its value is converted, and its bound
+ * outward; as it is where none is asked for. */
+tp_bounded tp_page_in(tp_bounded number, tp_result_unit unit);
 
 /* " about pivot 1, the valley at (0, 0)" of a pivot's place, " about (x, y)" of another. */
 void tp_page_add_centre(tp_page *page, const tp_case *own, tp_bounded x_m, tp_bounded y_m);

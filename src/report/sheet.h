@@ -82,7 +82,8 @@ typedef struct tp_sheet_number {
   char text[TP_NUMBER_SIZE + 4];
 } tp_sheet_number;
 
-tp_sheet_number tp_sheet_length(const tp_sheet *sheet, tp_bounded metres);
+/* Of the account by elements. */
+tp_sheet_number tp_sheet_moment(const tp_sheet *sheet, tp_bounded moment);
 tp_sheet_number tp_sheet_coordinate(const tp_sheet *sheet, tp_bounded metres);
 tp_sheet_number tp_sheet_angle(tp_bounded degrees);
 tp_sheet_number tp_sheet_factor(tp_bounded factor);

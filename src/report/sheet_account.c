@@ -5,6 +5,7 @@
 
 #include "report/sheet.h"
 
+#include "report/account_units.h"
 #include "report/loads.h"
 
 /* Elements that are listed; JSON has all. */
@@ -26,20 +27,21 @@ void tp_sheet_add_loads(tp_sheet *s, const tp_case *c) {
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2,
                     "Moments about the governing pivot at the scene's tilt, overturning positive");
   tp_document_cell(d, "Load");
-  tp_document_cell(d, "Moment (N m)");
+  const tp_result_unit unit = s->solution->result_units.moment;
+  tp_document_cell(d, "Moment (%s)", unit.name != NULL ? unit.name : "N m");
   tp_document_cell(d, "Counts as");
   tp_document_cell(d, "Called for by");
   for (size_t k = 0; k < c->load_count; k++) {
     const tp_load_result *l = c->loads + k;
     char n[TP_NUMBER_SIZE];
     tp_document_cell(d, "%s", l->name);
-    tp_document_cell(d, "%s", tp_text_significant(n, l->moment_nm, 6));
+    tp_document_cell(d, "%s", tp_text_significant(n, tp_page_in(l->moment_nm, unit), 6));
     tp_document_cell(d, "%s", tp_text_load_side(l->side));
     tp_document_outside_cell(d, l->called_for_by);
   }
 }
 
-static void add_heads(tp_sheet *s, const char *weight) {
+static void add_heads(tp_sheet *s, const tp_account_units *units) {
   tp_document *d = &s->document;
   const char *unit = s->solution->length_unit;
   tp_document_cell(d, "Element");
@@ -47,9 +49,9 @@ static void add_heads(tp_sheet *s, const char *weight) {
   tp_document_cell(d, "Area (%s²)", unit);
   tp_document_cell(d, "Centroid x (%s)", unit);
   tp_document_cell(d, "Centroid y (%s)", unit);
-  tp_document_cell(d, "Weight (%s)", weight);
-  tp_document_cell(d, "Stabilising (%s %s)", weight, unit);
-  tp_document_cell(d, "Overturning (%s %s)", weight, unit);
+  tp_document_cell(d, "Weight (%s)", units->weight);
+  tp_document_cell(d, "Stabilising (%s)", units->moment);
+  tp_document_cell(d, "Overturning (%s)", units->moment);
 }
 
 static const char *area_of(const tp_sheet *s, char n[TP_NUMBER_SIZE], tp_bounded area_m2) {
@@ -57,7 +59,7 @@ static const char *area_of(const tp_sheet *s, char n[TP_NUMBER_SIZE], tp_bounded
   return tp_text_significant(n, tp_text_over(tp_text_over(area_m2, unit), unit), 6);
 }
 
-static void add_element(tp_sheet *s, const tp_element *e, size_t k) {
+static void add_element(tp_sheet *s, const tp_element *e, size_t k, const tp_account_units *units) {
   tp_document *d = &s->document;
   const tp_page page = {.solution = s->solution};
   char n[TP_NUMBER_SIZE];
@@ -66,12 +68,12 @@ static void add_element(tp_sheet *s, const tp_element *e, size_t k) {
   tp_document_cell(d, "%s", area_of(s, n, e->area_m2));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, e->centroid_y_m));
-  tp_document_cell(d, "%s", tp_text_significant(n, e->weight, 6));
-  tp_document_cell(d, "%s", tp_page_length(&page, n, e->stabilising, 6));
-  tp_document_cell(d, "%s", tp_page_length(&page, n, e->overturning, 6));
+  tp_document_cell(d, "%s", tp_text_significant(n, tp_page_in(e->weight, units->force), 6));
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, e->stabilising, units));
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, e->overturning, units));
 }
 
-static void add_sums(tp_sheet *s, const tp_account *a) {
+static void add_sums(tp_sheet *s, const tp_account *a, const tp_account_units *units) {
   tp_document *d = &s->document;
   const tp_block_result *b = &s->solution->block;
   const tp_page page = {.solution = s->solution};
@@ -82,15 +84,18 @@ static void add_sums(tp_sheet *s, const tp_account *a) {
   tp_document_cell(d, "%s", area_of(s, n, b->area_m2));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, b->centroid_x_m));
   tp_document_cell(d, "%s", tp_page_coordinate(&page, n, b->centroid_y_m));
-  tp_document_cell(d, "%s", b->has_weight ? tp_text_significant(n, b->weight_n, 6) : "1");
-  tp_document_cell(d, "%s", tp_page_length(&page, n, a->stabilising, 6));
-  tp_document_cell(d, "%s", tp_page_length(&page, n, a->overturning, 6));
+  tp_document_cell(d, "%s",
+                   b->has_weight ? tp_text_significant(n, tp_page_in(b->weight_n, units->force), 6)
+                                 : "1");
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, a->stabilising, units));
+  tp_document_cell(d, "%s", tp_account_moment(&page, n, a->overturning, units));
 }
 
 void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   const tp_account *a = &c->account;
   const bool left = c->towards == TP_TOWARDS_LEFT;
+  const tp_account_units units = tp_account_units_of(s->solution);
   char n[TP_NUMBER_SIZE];
   if (a->count == 0 || !c->has_governing) return;
   tp_document_heading(d, 3, "Account of moments by elements");
@@ -109,9 +114,9 @@ void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
                   left ? "x_k − x_P" : "x_P − x_k");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 8, 0xfc,
                     "Moments about the governing pivot by elements");
-  add_heads(s, s->solution->block.has_weight ? "N" : "W");
-  for (size_t k = 0; k < a->count && k < LISTED; k++) add_element(s, a->elements + k, k);
-  add_sums(s, a);
+  add_heads(s, &units);
+  for (size_t k = 0; k < a->count && k < LISTED; k++) add_element(s, a->elements + k, k, &units);
+  add_sums(s, a, &units);
   if (a->count > LISTED) {
     tp_document_add(
         d, TP_PASSAGE_PARAGRAPH,

@@ -67,7 +67,7 @@ static void add_loaded(tp_sheet *s, const tp_case *c) {
       const tp_load_result *l = c->loads + k;
       char n[TP_NUMBER_SIZE];
       if ((l->side == TP_STABILISES) == (under == 1)) continue;
-      tp_bounded moment = l->moment_nm;
+      tp_bounded moment = tp_page_in(l->moment_nm, s->solution->result_units.moment);
       if (!under) moment.value = -moment.value;
       const bool below = moment.value < 0;
       if (below) moment.value = -moment.value;
@@ -95,7 +95,7 @@ static void add_elements(tp_sheet *s, const tp_case *c) {
       &s->document, TP_PASSAGE_EQUATION,
       "\\text{FoS}_{\\text{el}} = \\frac{\\sum M_{\\text{stab}}}{\\sum M_{\\text{over}}} = "
       "\\frac{%s}{%s} = %s",
-      tp_sheet_length(s, a->stabilising).text, tp_sheet_length(s, a->overturning).text,
+      tp_sheet_moment(s, a->stabilising).text, tp_sheet_moment(s, a->overturning).text,
       tp_sheet_factor(p->fos_elements.value).text);
 }
 

@@ -5,6 +5,8 @@
 
 #include "report/sheet.h"
 
+#include "report/account_units.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -78,10 +80,11 @@ static tp_sheet_number number_of(const char *text) {
   return own;
 }
 
-tp_sheet_number tp_sheet_length(const tp_sheet *s, tp_bounded metres) {
+tp_sheet_number tp_sheet_moment(const tp_sheet *s, tp_bounded moment) {
   char n[TP_NUMBER_SIZE];
   const tp_page page = {.solution = s->solution};
-  return number_of(tp_page_length(&page, n, metres, 6));
+  const tp_account_units units = tp_account_units_of(s->solution);
+  return number_of(tp_account_moment(&page, n, moment, &units));
 }
 
 tp_sheet_number tp_sheet_coordinate(const tp_sheet *s, tp_bounded metres) {

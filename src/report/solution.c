@@ -38,6 +38,25 @@ static void add_teeth(tp_page *p) {
               tp_page_length(p, n[6], teeth->wavelength_m, 6), unit);
 }
 
+/* What the scene asks for: coordinates carry no unit of their own. */
+static void add_units(tp_page *p) {
+  const tp_result_units *own = &p->solution->result_units;
+  const struct {
+    const char *of;
+    tp_result_unit unit;
+  } all[] = {{"lengths and coordinates", own->length},
+             {"forces", own->force},
+             {"moments", own->moment},
+             {"stresses", own->stress}};
+  const char *before = "Units    ";
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+    if (all[k].unit.name == NULL) continue;
+    tp_text_add(&p->text, "%s%s in %s", before, all[k].of, all[k].unit.name);
+    before = k == 2 ? ",\n         " : ", ";
+  }
+  if (before[0] == ',') tp_text_add(&p->text, "\n");
+}
+
 static void add_block(tp_page *p) {
   const tp_solution *s = p->solution;
   const tp_block_result *b = &s->block;
@@ -51,7 +70,7 @@ static void add_block(tp_page *p) {
               tp_page_coordinate(p, n[2], b->centroid_y_m), unit);
   if (b->has_weight) {
     tp_text_add(&p->text, ", weight ");
-    tp_page_add_quantity(p, b->weight_n, "N");
+    tp_page_add_force(p, b->weight_n);
     tp_text_add(&p->text, "\n         over a thickness of %s %s",
                 tp_page_length(p, n[3], b->thickness_m, 6), unit);
   } else {
@@ -99,6 +118,7 @@ static void add_case(tp_page *p, const tp_case *c) {
 
 void tp_page_add_input(tp_page *p) {
   add_teeth(p);
+  add_units(p);
   add_block(p);
   tp_page_add_contact(p);
   tp_page_add_friction(p);

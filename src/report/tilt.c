@@ -29,6 +29,8 @@ static void add_engine(tp_text *t, const tp_tilt_settings *s) {
   } else if (s->protocol == TP_TILT_STEPS) {
     tp_text_add(t, "a fresh start at each tilt, %s, up to %.6g°",
                 s->set_down ? "set down there" : "from level", s->until_deg);
+  } else if (s->set_down) {
+    tp_text_add(t, "set down at %.6g°, tilted up to %.6g°", s->from_deg, s->until_deg);
   } else {
     tp_text_add(t, "placed level, tilted up to %.6g°", s->until_deg);
   }
@@ -44,6 +46,10 @@ static void add_contact(tp_text *t, const tp_tilt_settings *s) {
   }
   tp_text_add(t, "         contact %.6g GPa/m normal, %.6g GPa/m shear\n",
               s->normal_stiffness_pa_m / 1e9, s->shear_stiffness_pa_m / 1e9);
+  if (s->traction_count > 0) {
+    tp_text_add(t, "         stress locked in on %zu %s before the start\n", s->traction_count,
+                s->traction_count == 1 ? "facet" : "facets");
+  }
   if (s->engine != TP_TILT_SPRINGS) return;
   tp_text_add(t, "         local damping %.6g, corners rounded by %.3g m, time step ", s->damping,
               s->rounding_m);
@@ -105,8 +111,28 @@ static int decimals_of(const tp_tilt_case *c) {
   return width > 0 ? (int)fmin(6, fmax(2, 1 - floor(log10(width)))) : 6;
 }
 
+static void add_path(tp_text *t, const tp_tilt_case *c) {
+  if (c->has_softening) {
+    tp_text_add(t,
+                "  That is the limit of stiff contacts; on these very springs it lets go %.2g°\n"
+                "  sooner, as its weight moves when they give.\n",
+                c->softening_deg);
+  }
+  if (c->jumps == 1) {
+    tp_text_add(t, "  At %.4g° it gave way, and came to rest at the same tilt.\n",
+                c->first_jump_deg);
+  } else if (c->jumps > 1) {
+    tp_text_add(t, "  It gave way %zu times and came to rest at the same tilt, first at %.4g°.\n",
+                c->jumps, c->first_jump_deg);
+  }
+}
+
 static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   if (test->settings.protocol == TP_TILT_RELEASE) return;
+  if (isnan(c->least_deg) && test->settings.from_deg > 0) {
+    tp_text_add(t, "  Nothing holds it where it is set down: it lets go there.\n");
+    return;
+  }
   if (isnan(c->least_deg)) {
     tp_text_add(t,
                 "  No run is known to stand: of the tilt at which it lets go nothing is told.\n");
@@ -130,6 +156,7 @@ static void add_bracket(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *t
     }
   }
   tp_text_add(t, ".\n");
+  add_path(t, c);
   if (!c->converged) tp_text_add(t, "  The bracket is wider than was asked.\n");
 }
 
@@ -143,8 +170,11 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
   if (test->settings.protocol == TP_TILT_RELEASE) return;
   const bool wide = c->limit_deg - c->onset_deg > 1e-6;
   if (c->place == TP_PLACE_WITHIN && wide) {
-    tp_text_add(t, "  Between them history decides: here how the block came to lie at the tilt, "
-                   "and\n  the ratio of the contact's stiffnesses where it has any.\n");
+    tp_text_add(t,
+                "  Between them history decides: here how the block came to lie at the tilt,\n"
+                "  %sthe ratio of the contact's stiffnesses where it has any.\n",
+                test->settings.traction_count > 0 ? "the stress locked in on its contact, and\n  "
+                                                  : "and ");
   } else if (c->place == TP_PLACE_BELOW) {
     tp_text_add(t, "  It let go below α_s, where rest is the only motion of rigid contacts: by "
                    "what\n  springs, damping, time step or speed of the table add; vary them.\n");

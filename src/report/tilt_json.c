@@ -22,6 +22,7 @@ static void json_settings(tp_json *j, const tp_tilt_settings *s) {
   if (s->protocol == TP_TILT_RELEASE) {
     tp_json_double(j, "release_deg", s->release_deg);
   } else {
+    if (s->from_deg > 0) tp_json_double(j, "from_deg", s->from_deg);
     tp_json_double(j, "until_deg", s->until_deg);
     tp_json_double(j, "tolerance_deg", s->tolerance_deg);
   }
@@ -31,6 +32,7 @@ static void json_settings(tp_json *j, const tp_tilt_settings *s) {
     tp_json_double(j, "normal_stiffness_pa_m", s->normal_stiffness_pa_m);
     tp_json_double(j, "shear_stiffness_pa_m", s->shear_stiffness_pa_m);
     tp_json_truth(j, "stiffness_given", s->stiffness_given);
+    if (s->traction_count > 0) tp_json_count(j, "tractions", s->traction_count);
   }
   if (s->engine == TP_TILT_SPRINGS) {
     tp_json_double(j, "damping", s->damping);
@@ -87,6 +89,13 @@ static void json_mechanism(tp_json *j, const tp_tilt_case *c) {
   if (!c->has_centre) return;
   tp_json_double(j, "centre_x_m", c->centre_x_m);
   tp_json_double(j, "centre_y_m", c->centre_y_m);
+}
+
+static void json_path(tp_json *j, const tp_tilt_case *c) {
+  if (c->has_softening) tp_json_double(j, "softening_deg", c->softening_deg);
+  if (c->jumps == 0) return;
+  tp_json_count(j, "jumps", c->jumps);
+  tp_json_double(j, "first_jump_deg", c->first_jump_deg);
 }
 
 static void json_facets(tp_json *j, const tp_tilt_case *c) {
@@ -161,6 +170,7 @@ static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *tes
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "towards", tp_text_direction(c->towards));
   if (test->settings.protocol != TP_TILT_RELEASE) json_critical(j, c);
+  json_path(j, c);
   json_mechanism(j, c);
   json_statics(j, c);
   tp_json_string(j, "end", tp_tilt_end_name(c->end));

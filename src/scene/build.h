@@ -50,6 +50,9 @@ TP_MUST_USE tp_status tp_build_set(tp_scene *scene, const char *call, tp_given g
 /* Make room for one more of `count` items, and name its place, which counts from 1. */
 TP_MUST_USE tp_status tp_build_grow(tp_build *build, void **items, long count, size_t size);
 
+/* The number of a facet, as a call has it. */
+TP_MUST_USE tp_status tp_build_facet_number(const tp_build *build, long *number, size_t facet);
+
 /* Nothing is known of the base but that it is mated, or not. */
 void tp_base_drop(tp_base_description *base);
 

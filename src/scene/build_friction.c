@@ -148,7 +148,7 @@ static tp_status add_facets(tp_build *build, const tp_facet_friction_description
   return status;
 }
 
-static tp_status read_number(long *number, size_t facet, const tp_build *build) {
+tp_status tp_build_facet_number(const tp_build *build, long *number, size_t facet) {
   fmpq_t value;
   fmpq_init(value);
   fmpz_set_ui(fmpq_numref(value), facet);
@@ -165,8 +165,8 @@ tp_status tp_scene_add_friction_facets(tp_scene *scene, size_t first, size_t las
   tp_facet_friction_description facets = {.first = 0};
   tp_build build;
   tp_status status = begin(&build, scene, __func__, &given, 1, message);
-  if (status == TP_OK) status = read_number(&facets.first, first, &build);
-  if (status == TP_OK) status = read_number(&facets.last, last, &build);
+  if (status == TP_OK) status = tp_build_facet_number(&build, &facets.first, first);
+  if (status == TP_OK) status = tp_build_facet_number(&build, &facets.last, last);
   if (status == TP_OK) status = add_facets(&build, &facets);
   tp_build_end(&build);
   return status;

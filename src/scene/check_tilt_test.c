@@ -77,6 +77,23 @@ static tp_status check_stiffness(const tp_tilt_test_description *t, tp_tilt_engi
                  "1000 and 10");
 }
 
+static tp_status check_tractions(const tp_tilt_test_description *t, tp_tilt_engine engine,
+                                 tp_message *message) {
+  if (t->traction_count > 0 && engine != TP_TILT_PATH) {
+    return tp_fail(message, TP_BAD_INPUT, t->tractions[0].place,
+                   "stress locked in before the start belongs to 'engine: path'; leave 'tractions' "
+                   "out, or choose that");
+  }
+  for (long k = 0; k < t->traction_count; k++) {
+    for (long j = 0; j < k; j++) {
+      if (t->tractions[j].facet != t->tractions[k].facet) continue;
+      return tp_fail(message, TP_BAD_INPUT, t->tractions[k].place,
+                     "the stress locked in on facet %ld is given twice", t->tractions[k].facet);
+    }
+  }
+  return TP_OK;
+}
+
 static tp_status check_protocol(const tp_scene *scene, tp_tilt_engine engine,
                                 tp_tilt_protocol protocol, tp_message *message) {
   const tp_tilt_test_description *t = &scene->tilt_test;
@@ -111,9 +128,11 @@ static tp_status check_protocol(const tp_scene *scene, tp_tilt_engine engine,
                    "'protocol: ramp', or 'start: set_down'");
   }
   if (protocol == TP_TILT_RAMP && set_down) {
+    if (engine == TP_TILT_PATH && scene->tilt_angle_deg.given) return TP_OK;
     return tp_fail(message, TP_BAD_INPUT, t->start_place,
-                   "a ramp starts level; a block that is set down at each angle goes with "
-                   "'protocol: steps'");
+                   "a ramp starts level, or by 'engine: path' set down at the scene's 'tilt: "
+                   "{angle_deg: …}'; a block that is set down at each angle goes with 'protocol: "
+                   "steps'");
   }
   if (protocol == TP_TILT_RELEASE && !set_down) {
     return tp_fail(message, TP_BAD_INPUT, t->start_place,
@@ -129,5 +148,6 @@ tp_status tp_check_simulation(const tp_scene *scene, tp_message *message) {
   tp_status status = check_protocol(scene, engine, protocol, message);
   if (status == TP_OK) status = check_stiffness(&scene->tilt_test, engine, message);
   if (status == TP_OK) status = check_settings(scene, engine, protocol, message);
+  if (status == TP_OK) status = check_tractions(&scene->tilt_test, engine, message);
   return status;
 }

@@ -120,6 +120,10 @@ static const size_t of_facets[] = {offsetof(tp_facet_friction_description, x0.va
                                    offsetof(tp_facet_friction_description, x1.value),
                                    offsetof(tp_facet_friction_description, angle_deg.value)};
 
+static const size_t of_traction[] = {offsetof(tp_traction_description, first_kpa.value),
+                                     offsetof(tp_traction_description, last_kpa.value),
+                                     offsetof(tp_traction_description, shear_kpa.value)};
+
 #define ITEMS(list, number, type)                                                                  \
   .items = IN_SCENE(list), .count = IN_SCENE(number), .size = sizeof(type)
 
@@ -137,9 +141,12 @@ const tp_list tp_scene_lists[TP_LISTS] = {
                             .numbers = OFFSETS(of_line_load)},
     [TP_LIST_ANCHORS] = {ITEMS(loads.anchors, loads.anchor_count, tp_anchor_description),
                          .numbers = OFFSETS(of_anchor)},
-    [TP_LIST_FRICTIONS] = {
-        ITEMS(friction.facets, friction.facet_count, tp_facet_friction_description),
-        .numbers = OFFSETS(of_facets)}};
+    [TP_LIST_FRICTIONS] = {ITEMS(friction.facets, friction.facet_count,
+                                 tp_facet_friction_description),
+                           .numbers = OFFSETS(of_facets)},
+    [TP_LIST_TRACTIONS] = {
+        ITEMS(tilt_test.tractions, tilt_test.traction_count, tp_traction_description),
+        .numbers = OFFSETS(of_traction)}};
 
 fmpq *tp_member_number(void *of, size_t offset) {
   return (fmpq *)(void *)((char *)of + offset);

@@ -28,6 +28,7 @@ typedef enum tp_list_kind {
   TP_LIST_SURCHARGES,
   TP_LIST_ANCHORS,
   TP_LIST_FRICTIONS,
+  TP_LIST_TRACTIONS,
   TP_LISTS
 } tp_list_kind;
 

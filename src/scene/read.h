@@ -41,6 +41,10 @@ TP_MUST_USE tp_status tp_read_bool(const tp_reader *reader, bool *value, const t
 TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_quantity *y,
                                     const tp_node *node, const char *name);
 
+/* The number of a facet of the base. */
+TP_MUST_USE tp_status tp_read_facet_number(const tp_reader *reader, long *number,
+                                           const tp_node *node);
+
 /* A list of [x, y], or the name of a CSV file beside the scene. */
 TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
                                      const tp_node *node, bool closed, const char *name);
@@ -72,6 +76,9 @@ TP_MUST_USE tp_status tp_read_generated(const tp_reader *reader, const tp_node *
 TP_MUST_USE tp_status tp_read_contact(const tp_reader *reader, const tp_node *node);
 /* The key joint, after base and contact. */
 TP_MUST_USE tp_status tp_read_joint(const tp_reader *reader, const tp_node *node);
+
+/* The key result_units. */
+TP_MUST_USE tp_status tp_read_result_units(const tp_reader *reader, const tp_node *node);
 
 /* The keys tilt_test and shaking. */
 TP_MUST_USE tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node);

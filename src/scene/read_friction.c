@@ -91,7 +91,7 @@ static tp_status read_barton(const tp_reader *reader, const tp_node *node) {
   return tp_check_law_weighed(reader->scene, tp_read_place(reader, node), reader->message);
 }
 
-static tp_status read_facet_number(const tp_reader *reader, long *number, const tp_node *node) {
+tp_status tp_read_facet_number(const tp_reader *reader, long *number, const tp_node *node) {
   fmpq_t value;
   fmpq_init(value);
   tp_status status = tp_read_number(reader, value, node, "facet");
@@ -106,9 +106,9 @@ static tp_status read_facet_number(const tp_reader *reader, long *number, const 
 static tp_status read_numbers(const tp_reader *reader, tp_facet_friction_description *facets,
                               const tp_node *node) {
   const bool two = node->kind == TP_NODE_SEQUENCE && node->count == 2;
-  const tp_status status = read_facet_number(reader, &facets->first, two ? node->first : node);
+  const tp_status status = tp_read_facet_number(reader, &facets->first, two ? node->first : node);
   if (status != TP_OK || two) {
-    return status == TP_OK ? read_facet_number(reader, &facets->last, node->last) : status;
+    return status == TP_OK ? tp_read_facet_number(reader, &facets->last, node->last) : status;
   }
   facets->last = facets->first;
   return TP_OK;

@@ -99,6 +99,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
       "topple", "title",   "length_unit", "parameters",         "block",
       "base",   "loads",   "tilt",        "friction_angle_deg", "friction",
       "frame",  "contact", "joint",       "tilt_test",          "shaking",
+      "result_units",
       NULL};
   tp_scene *scene = reader->scene;
   const tp_node *block = NULL;
@@ -110,6 +111,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
     status = tp_node_expect_keys(root, keys, "the scene", scene->path, reader->message);
   if (status == TP_OK) status = read_title(reader, tp_node_get(root, "title"));
   if (status == TP_OK) status = read_length_unit(reader, root);
+  if (status == TP_OK) status = tp_read_result_units(reader, tp_node_get(root, "result_units"));
   if (status == TP_OK) status = read_parameters(reader, tp_node_get(root, "parameters"));
   if (status == TP_OK)
     status =

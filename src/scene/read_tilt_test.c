@@ -6,6 +6,7 @@
 #include "scene/check_tilt_test.h"
 #include "scene/read.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const char *text_of(const tp_node *node) {
@@ -60,6 +61,48 @@ static tp_status read_protocol(const tp_reader *reader, const tp_node *node) {
                       "start must be level (placed level, and tilted) or set_down (at the angle)");
 }
 
+static tp_status read_traction(const tp_reader *reader, tp_traction_description *own,
+                               const tp_node *node) {
+  static const char *const keys[] = {"facet", "normal_kpa", "shear_kpa", NULL};
+  own->place = tp_read_place(reader, node);
+  tp_status status =
+      tp_node_expect_keys(node, keys, "tractions", reader->scene->path, reader->message);
+  if (status != TP_OK) return status;
+  const tp_node *facet = tp_node_get(node, "facet"), *normal = tp_node_get(node, "normal_kpa");
+  const tp_node *shear = tp_node_get(node, "shear_kpa");
+  if (facet == NULL || normal == NULL || shear == NULL) {
+    return tp_read_fail(reader, node,
+                        "stress locked in on a facet is {facet: 1, normal_kpa: [20, 10], "
+                        "shear_kpa: 5}: normal at its left end and its right one, shear above 0 "
+                        "where it pushes the block to the right");
+  }
+  status = tp_read_facet_number(reader, &own->facet, facet);
+  if (status == TP_OK) {
+    status = tp_read_point(reader, &own->first_kpa, &own->last_kpa, normal, "normal_kpa");
+  }
+  return status == TP_OK
+             ? tp_read_quantity(reader, &own->shear_kpa, shear, "shear_kpa", TP_RULE_ANY)
+             : status;
+}
+
+static tp_status read_tractions(const tp_reader *reader, const tp_node *node) {
+  tp_tilt_test_description *test = &reader->scene->tilt_test;
+  if (node == NULL) return TP_OK;
+  if (node->kind != TP_NODE_SEQUENCE || node->count == 0) {
+    return tp_read_fail(reader, node,
+                        "tractions are a list of {facet: 1, normal_kpa: [20, 10], shear_kpa: 5}");
+  }
+  test->tractions = calloc((size_t)node->count, sizeof *test->tractions);
+  if (test->tractions == NULL) return tp_fail_memory(reader->message, "the tractions");
+  tp_status status = TP_OK;
+  for (const tp_node *n = node->first; n != NULL && status == TP_OK; n = n->next) {
+    tp_traction_description *own = test->tractions + test->traction_count++;
+    tp_traction_description_init(own);
+    status = read_traction(reader, own, n);
+  }
+  return status;
+}
+
 tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node) {
   static const char *const keys[] = {"engine",
                                      "method",
@@ -75,6 +118,7 @@ tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node) {
                                      "rounding",
                                      "time_step_s",
                                      "restitution",
+                                     "tractions",
                                      NULL};
   tp_tilt_test_description *test = &reader->scene->tilt_test;
   if (node == NULL) return TP_OK;
@@ -101,5 +145,5 @@ tp_status tp_read_tilt_test(const tp_reader *reader, const tp_node *node) {
     status = tp_read_quantity(reader, numbers[k].quantity, tp_node_get(node, numbers[k].key),
                               numbers[k].key, numbers[k].rule);
   }
-  return status;
+  return status == TP_OK ? read_tractions(reader, tp_node_get(node, "tractions")) : status;
 }

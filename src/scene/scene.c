@@ -76,6 +76,12 @@ void tp_facet_friction_description_init(tp_facet_friction_description *facets) {
   fmpq_init(facets->angle_deg.value);
 }
 
+void tp_traction_description_init(tp_traction_description *traction) {
+  fmpq_init(traction->first_kpa.value);
+  fmpq_init(traction->last_kpa.value);
+  fmpq_init(traction->shear_kpa.value);
+}
+
 size_t tp_scene_source_count(const tp_scene *scene) {
   return 1 + (scene->file != NULL ? (size_t)scene->file->name_count : 0);
 }

@@ -179,6 +179,22 @@ typedef struct tp_override {
                   */
 } tp_override;
 
+/* What a unit of reports is of, in the order of the keys of result_units. */
+typedef enum tp_unit_kind {
+  TP_UNIT_LENGTH,
+  TP_UNIT_FORCE,
+  TP_UNIT_MOMENT,
+  TP_UNIT_STRESS,
+  TP_UNIT_KINDS
+} tp_unit_kind;
+
+/* A unit that reports print in: one of it is `si` of m, N, N m or Pa, rounded once. */
+typedef struct tp_unit {
+  tp_unit_kind kind;
+  const char *name;
+  double si;
+} tp_unit;
+
 /* Its numbers, chains and lists are listed once more in scene/members.c, and the keys of what a
  * scene in memory can be given in scene/slot_table.c. */
 struct tp_scene {
@@ -186,6 +202,7 @@ struct tp_scene {
   char *title;
   const char *length_unit;
   fmpq_t metres_per_unit;
+  const tp_unit *result_units[TP_UNIT_KINDS]; /* NULL: reports choose */
   tp_parameters parameters;
   tp_block_description block;
   tp_base_description base;

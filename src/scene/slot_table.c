@@ -182,6 +182,8 @@ static tp_status settle_surcharge(tp_scene *scene, void *holder, tp_message *mes
 
 /* Of the tilt test; of the shaking along one axis. */
 #define OF_TEST(member, rule) OF_SCENE("tilt_test." #member, tilt_test.member, rule, NULL, NULL)
+#define TRACTION(key, member)                                                                      \
+  OF_ITEM("tilt_test.tractions.#." key, TRACTIONS, tp_traction_description, member, ANY, NULL)
 #define OF_PULSE(way, axis, member, rule, has)                                                     \
   OF_SCENE("shaking." way "." #member, shaking[axis].member, rule, has, NULL)
 
@@ -301,6 +303,9 @@ static const tp_slot_row rows[] = {
     OF_TEST(rounding, ABOVE_ZERO),
     OF_TEST(time_step_s, ABOVE_ZERO),
     OF_TEST(restitution, SHARE),
+    TRACTION("normal_kpa.1", first_kpa),
+    TRACTION("normal_kpa.2", last_kpa),
+    TRACTION("shear_kpa", shear_kpa),
     OF_PULSE("horizontal.half_sine", 0, peak_g, ANY, is_half_sine_across),
     OF_PULSE("horizontal.half_sine", 0, frequency_hz, ABOVE_ZERO, is_half_sine_across),
     OF_PULSE("horizontal.full_sine", 0, peak_g, ANY, is_full_sine_across),

@@ -10,6 +10,16 @@
 #include "scene/quantity.h"
 #include "topple_tilt.h"
 
+/* Stress locked in on a facet of the base before the start, as the call has it. */
+typedef struct tp_traction_description {
+  tp_place place;
+  long facet;
+  tp_quantity first_kpa, last_kpa; /* normal, at its left end and its right one */
+  tp_quantity shear_kpa;
+} tp_traction_description;
+
+void tp_traction_description_init(tp_traction_description *traction);
+
 /* What is not given is as the test has it (tilt/settings.h). */
 typedef struct tp_tilt_test_description {
   tp_place place; /* no file: the scene calls for no test */
@@ -23,6 +33,8 @@ typedef struct tp_tilt_test_description {
   tp_quantity normal_stiffness_gpa_m, shear_stiffness_gpa_m;
   tp_quantity damping, rounding, time_step_s; /* of springs */
   tp_quantity restitution;                    /* of rigid contacts */
+  long traction_count;                        /* of the path */
+  tp_traction_description *tractions;
 } tp_tilt_test_description;
 
 typedef enum tp_shaking_form {

@@ -4,6 +4,7 @@
 #include "stability/solution.h"
 
 #include "notes.h"
+#include "scene/result_unit.h"
 #include "scene/settings.h"
 #include "stability/effects.h"
 #include "stability/loaded.h"
@@ -48,6 +49,11 @@ bool tp_solution_is_undecided(const tp_solution *solution) {
 static tp_status describe_scene(tp_solution *solution, const tp_scene *scene, tp_message *message) {
   solution->length_unit = scene->length_unit;
   solution->metres_per_unit = fmpq_get_d(scene->metres_per_unit);
+  solution->result_units = tp_result_units_of(scene);
+  if (solution->result_units.length.name != NULL) {
+    solution->length_unit = solution->result_units.length.name;
+    solution->metres_per_unit = solution->result_units.length.si;
+  }
   solution->has_tilt_angle = scene->tilt_angle_deg.given;
   solution->tilt_angle_deg = tp_result_rational(scene->tilt_angle_deg.value);
   solution->has_friction = scene->friction_angle_deg.given;

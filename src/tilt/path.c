@@ -21,10 +21,15 @@ static tp_status run(tp_path_result *result, tp_tilting *tilting, double from_de
   path.shear_pa_m = s->shear_stiffness_pa_m;
   path.from_angle = tp_tilt_radians(from_deg);
   path.to_angle = tp_tilt_radians(to_deg);
-  path.tolerance = fmin(path.tolerance, tp_tilt_radians(s->tolerance_deg) / 4);
+  path.tolerance = tilting->path_tolerance_deg > 0
+                       ? tp_tilt_radians(tilting->path_tolerance_deg)
+                       : fmin(path.tolerance, tp_tilt_radians(s->tolerance_deg) / 4);
+  path.weight_moves = tilting->weight_moves;
   if (history != NULL) {
     path.moments_every = tp_tilt_radians(s->until_deg) / (double)(tilting->options->moments - 1);
   }
+  path.tractions = tilting->tractions;
+  path.asks_softening = s->stiffness_given && history != NULL;
   path.stop = tilting->options->stop;
   path.context = tilting->options->context;
   const double began = tp_clock_now();
@@ -33,6 +38,14 @@ static tp_status run(tp_path_result *result, tp_tilting *tilting, double from_de
   tilting->own->runs++;
   if (status != TP_OK || result->end != TP_RUN_NO_MEMORY) return status;
   return tp_fail_memory(tilting->message, "the path");
+}
+
+/* What a path that is told came to beside its angles. */
+static void take_path(tp_tilt_case *own, const tp_path_result *result) {
+  own->has_softening = result->has_softening;
+  own->softening_deg = result->has_softening ? tp_tilt_degrees(result->softening) : 0;
+  own->jumps = (size_t)result->jumps;
+  own->first_jump_deg = result->jumps > 0 ? tp_tilt_degrees(result->first_jump) : 0;
 }
 
 static void take_motion(tp_tilt_case *own, const tp_path_result *result,
@@ -52,18 +65,21 @@ static tp_tilt_end end_of(const tp_path_result *result, const tp_tilting *tiltin
 
 static tp_status ramp(tp_tilting *tilting) {
   tp_tilt_case *own = tilting->own;
-  const double until = fmin(tilting->settings->until_deg, most_deg_of_path);
+  const double from = tilting->settings->from_deg;
+  const double until = fmax(from, fmin(tilting->settings->until_deg, most_deg_of_path));
   tp_path_result result;
-  const tp_status status = run(&result, tilting, 0, until, &tilting->history);
+  const tp_status status = run(&result, tilting, from, until, &tilting->history);
   if (status != TP_OK) return status;
   own->end = end_of(&result, tilting);
+  take_path(own, &result);
   own->least_deg = own->end == TP_TILT_STANDS ? until : tp_tilt_degrees(result.stands_to);
   own->most_deg = own->end == TP_TILT_COLLAPSES ? tp_tilt_degrees(result.collapses_at) : until;
-  own->has_bracket = own->end == TP_TILT_COLLAPSES;
+  own->has_bracket = own->end == TP_TILT_COLLAPSES && (result.stood || from == 0);
+  if (!result.stood && from > 0) own->least_deg = NAN; /* nothing holds it where it is set down */
   own->converged =
-      own->end == TP_TILT_STANDS ||
+      own->end == TP_TILT_STANDS || (own->end == TP_TILT_COLLAPSES && isnan(own->least_deg)) ||
       (own->has_bracket && own->most_deg - own->least_deg <= tilting->settings->tolerance_deg);
-  if (own->has_bracket) take_motion(own, &result, tilting->body);
+  if (own->end == TP_TILT_COLLAPSES) take_motion(own, &result, tilting->body);
   tp_tilting_tell(tilting, own->least_deg, own->most_deg);
   return TP_OK;
 }
@@ -90,7 +106,9 @@ static tp_status steps(tp_tilting *tilting, double least_deg, double most_deg) {
   if (own->has_bracket) own->end = TP_TILT_COLLAPSES;
   tp_path_result highest;
   if (own->has_bracket && own->most_deg == 0) return TP_OK;
-  return run(&highest, tilting, own->least_deg, own->least_deg, &tilting->history);
+  const tp_status told = run(&highest, tilting, own->least_deg, own->least_deg, &tilting->history);
+  if (told == TP_OK) take_path(own, &highest);
+  return told;
 }
 
 tp_status tp_tilting_path(tp_tilting *tilting, double least_deg, double most_deg) {

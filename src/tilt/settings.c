@@ -3,6 +3,7 @@
 
 #include "tilt/settings.h"
 
+#include "message.h"
 #include "scene/check_tilt_test.h"
 
 #include <math.h>
@@ -23,6 +24,9 @@ tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepa
   if (release) {
     s.release_deg = fmpq_get_d(prepared->tilt_angle_deg.value);
   } else {
+    if (s.protocol == TP_TILT_RAMP && s.set_down) {
+      s.from_deg = fmpq_get_d(prepared->tilt_angle_deg.value);
+    }
     s.until_deg = number(&test->until_deg, 90);
     s.tolerance_deg = number(&test->tolerance_deg, 0.01);
   }
@@ -39,8 +43,20 @@ tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepa
                        : 1e-7;
     s.time_step_s = number(&test->time_step_s, 0);
   }
+  s.traction_count = (size_t)test->traction_count;
   if (s.engine == TP_TILT_RIGID) s.restitution = number(&test->restitution, 0);
   return s;
+}
+
+tp_status tp_tilt_check_scene(const tp_scene *scene, tp_message *message) {
+  if (!tp_scene_is_simulated(scene)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
+                   "the scene calls for no simulation: add 'tilt_test: {engine: path}', or "
+                   "'shaking: …'");
+  }
+  if (scene->friction_angle_deg.given) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
+                 "'friction_angle_deg' is missing: without it no contact can be simulated");
 }
 
 double tp_tilt_time_scale(const tp_rigid_body *body) {

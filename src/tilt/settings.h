@@ -16,6 +16,9 @@
  * base. */
 tp_tilt_settings tp_tilt_settings_of(const tp_scene *asks, const tp_scene *prepared);
 
+/* Bad input where the scene calls for no simulation, or lacks what each of them needs. */
+TP_MUST_USE tp_status tp_tilt_check_scene(const tp_scene *scene, tp_message *message);
+
 /* A time that scales with the block: of a fall from its extent, sqrt(extent / g). */
 double tp_tilt_time_scale(const tp_rigid_body *body);
 

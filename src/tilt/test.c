@@ -19,6 +19,7 @@
 #include "tilt/path.h"
 #include "tilt/result.h"
 #include "tilt/settings.h"
+#include "tilt/tractions.h"
 #include "tilt/words.h"
 
 #include <stdlib.h>
@@ -59,8 +60,9 @@ typedef struct stage {
   const tp_problem *problem;
   const tp_tilt_options *options;
   tp_base_shaking *shaking; /* NULL: none */
-  tp_place place;           /* that calls for the test */
-  tp_place of_step;         /* for the time step of springs */
+  const tp_tilt_test_description *asked;
+  tp_place place;   /* that calls for the test */
+  tp_place of_step; /* for the time step of springs */
   tp_message *message;
 } stage;
 
@@ -131,7 +133,11 @@ static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const
   }
   own->towards = statics->towards;
   tp_tilt_result_window(own, statics);
-  status = run_case(&tilting, g);
+  tp_path_traction *tractions = NULL;
+  status = tp_tilt_tractions_of(&tractions, &body, g->asked, g->message);
+  tilting.tractions = tractions;
+  if (status == TP_OK) status = run_case(&tilting, g);
+  free(tractions);
   if (status == TP_OK) {
     tp_tilt_result_take(own, &tilting.history, &body);
     tp_tilt_result_place(own, g->test->settings.tolerance_deg);
@@ -210,6 +216,7 @@ static tp_status fill(tp_tilt_test *test, const tp_scene *scene, const tp_tilt_o
                      .problem = &problem,
                      .options = options,
                      .shaking = shaken ? &shaking : NULL,
+                     .asked = asked,
                      .place = place,
                      .of_step = asked->time_step_s.given ? asked->time_step_s.place : place,
                      .message = message};
@@ -227,19 +234,14 @@ static tp_status check(const tp_scene *scene, const tp_tilt_options *options, tp
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "moments must lie between 2 and %d",
                    MOST_MOMENTS);
   }
-  if (!tp_scene_is_simulated(scene)) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                   "the scene calls for no simulation: add 'tilt_test: {engine: path}', or "
-                   "'shaking: …'");
-  }
+  const tp_status status = tp_tilt_check_scene(scene, message);
+  if (status != TP_OK) return status;
   if (options->overturning && !tp_scene_is_shaken(scene)) {
     return tp_fail(message, TP_BAD_INPUT, scene->tilt_test.place,
                    "the least shaking that overturns is asked for, and the scene gives no "
                    "'shaking'");
   }
-  if (scene->friction_angle_deg.given) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){scene->path, 0, 0},
-                 "'friction_angle_deg' is missing: without it no contact can be simulated");
+  return TP_OK;
 }
 
 tp_status tp_tilt_test_run(tp_tilt_test **test, const tp_scene *scene,

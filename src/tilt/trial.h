@@ -6,6 +6,7 @@
 #ifndef TP_TILT_TRIAL_H
 #define TP_TILT_TRIAL_H
 
+#include "quasi_static/path.h"
 #include "rigid_body/history.h"
 #include "topple_tilt_test.h"
 
@@ -21,12 +22,15 @@ typedef struct tp_tilting {
   const tp_tilt_settings *settings;
   const tp_tilt_options *options;
   tp_tilt_dynamics engine;
-  const tp_base_motion *shaking; /* NULL: none */
-  double shaking_s;              /* how long it lasts */
-  tp_tilt_case *own;             /* what is found */
-  tp_history history;            /* that is told */
-  tp_body_state moves_off;       /* as it let go at the least tilt so far */
-  tp_message why;                /* the last run that was undecided was so; empty: none was */
+  const tp_base_motion *shaking;     /* NULL: none */
+  double shaking_s;                  /* how long it lasts */
+  const tp_path_traction *tractions; /* of the path; NULL: none */
+  tp_tilt_case *own;                 /* what is found */
+  tp_history history;                /* that is told */
+  tp_body_state moves_off;           /* as it let go at the least tilt so far */
+  bool weight_moves;         /* with the springs of a path: not in the limit of stiff ones */
+  double path_tolerance_deg; /* of a path; 0: chosen */
+  tp_message why;            /* the last run that was undecided was so; empty: none was */
   tp_message *message;
 } tp_tilting;
 

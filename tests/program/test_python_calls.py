@@ -8,6 +8,7 @@ import json
 import math
 import pathlib
 import pickle
+import re
 import tempfile
 import unittest
 import xml.dom.minidom
@@ -238,6 +239,25 @@ class Find(unittest.TestCase):
         self.assertEqual(topple.find(scene, key, topple.FindTarget.CRITICAL_ANGLE, 23.5, low=0, high=0.001).solutions, ())
         self.assertRaises(topple.BadInput, topple.find, scene, "nonsense", "fos", 1)
         self.assertRaises(ValueError, topple.find, scene, key, "nonsense", 1)
+
+    def test_convergence(self):
+        """What the program prints over the settings of a test, but for times; a chart of it; and with an account of accuracy."""
+        path = ROOT / "examples" / "tilt_block_a_peak.yaml"
+        own = topple.tilt_converge(topple.Scene.read(path))
+
+        def timeless(text):
+            return re.sub(r'"seconds": [^,}]*', "", text)
+
+        self.assertEqual(timeless(own.to_json()), timeless(printed("tilt", "--converge", "--json", path)))
+        self.assertTrue(own.cases[0].converged)
+        self.assertEqual({finding.setting for finding in own.cases[0].findings},
+                         {topple.ConvergeSetting.STIFFNESS, topple.ConvergeSetting.STIFFNESS_RATIO,
+                          topple.ConvergeSetting.TOLERANCE})
+        self.assertIn("Converged to the 0.01°", own.report())
+        self.assertEqual(len(own.chart().csv().splitlines()), 1 + len(own.cases[0].levels))
+        self.assertEqual(topple.accuracy_of_scene(topple.Scene.read(path)).simulated.cases[0].least, own.cases[0].least)
+        with self.assertRaisesRegex(topple.BadInput, "calls for no simulation"):
+            topple.tilt_converge(topple.Scene.read(BLOCK))
 
     def test_of_a_built_scene(self):
         """A slab topples at atan(width / height): the width for 20 degrees."""

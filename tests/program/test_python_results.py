@@ -168,7 +168,7 @@ class Solutions(unittest.TestCase):
 
 #: Structs and the records that mirror them.
 MIRRORS = {
-    "tp_note": "Note", "tp_setting": "Setting", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
+    "tp_note": "Note", "tp_setting": "Setting", "tp_result_unit": "ResultUnit", "tp_result_units": "ResultUnits", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
     "tp_block_result": "Block", "tp_teeth_result": "Teeth", "tp_element": "Element", "tp_account": "Account",
     "tp_reaction": "Reaction", "tp_limit": "Limit", "tp_window": "Window", "tp_motion_range": "MotionRange",
     "tp_motion_contact": "MotionContact", "tp_motion_resistance": "MotionResistance", "tp_motion": "Motion",
@@ -194,6 +194,8 @@ MIRRORS = {
     "tp_tilt_event": "TiltEvent", "tp_tilt_moment": "TiltMoment", "tp_tilt_reaction": "TiltReaction",
     "tp_tilt_facet": "TiltFacet", "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
     "tp_tilt_case": "TiltCase", "tp_tilt_test": "TiltTest",
+    "tp_converge_level": "ConvergeLevel", "tp_converge_finding": "ConvergeFinding",
+    "tp_tilt_convergence_case": "ConvergenceCase", "tp_tilt_convergence": "Convergence",
     "tp_profile_density": "ProfileDensity", "tp_profile_estimate": "ProfileEstimate", "tp_profile_jrc": "ProfileJrc",
 }
 #: Fields that say whether, or how many, of others there are, which in Python are None, or a tuple; or that own memory.
@@ -228,7 +230,9 @@ class Mirrors(unittest.TestCase):
                  "ProfileWindow": lib.tp_profile_window_name, "JrcState": lib.tp_jrc_state_name,
                  "StudyOutcome": lib.tp_study_outcome_name, "StudyQuantity": lib.tp_study_quantity_name,
                  "TiltEngine": lib.tp_tilt_engine_name, "TiltProtocol": lib.tp_tilt_protocol_name,
-                 "TiltEventKind": lib.tp_tilt_event_name, "TiltEnd": lib.tp_tilt_end_name}
+                 "TiltEventKind": lib.tp_tilt_event_name, "TiltEnd": lib.tp_tilt_end_name,
+                 "ConvergeSetting": lib.tp_converge_setting_name, "ConvergeQuantity": lib.tp_converge_quantity_name,
+                 "ConvergeVerdict": lib.tp_converge_verdict_name}
         found = set()
         for kind in Word.__subclasses__():
             struct = "tp_" + re.sub(r"(?<!^)(?=[A-Z])", "_", kind.__name__).lower()

@@ -91,6 +91,9 @@ SAID = [
       "tilt_test_restitution": "0.5"},
      "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: dynamics, speed_deg_min: 30,"
      " restitution: 0.5}"),
+    ({"slab": (50, 100), "friction_angle_deg": 30, "tilt_test": ("path",), "tilt_test_tractions": [(1, 20, "10.5", -3)]},
+     "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\ntilt_test: {engine: path,"
+     " tractions: [{facet: 1, normal_kpa: [20, 10.5], shear_kpa: -3}]}"),
     ({"slab": (50, 100), "friction_angle_deg": 30, "shaking_pulses": [("horizontally", "half sine", "0.4", 2)],
       "shaking_records": [("vertically", [(0, 0), (0.5, 0.1), (1, 0)], 2)]},
      "block: {slab: {width: 50, height: 100}}\nfriction_angle_deg: 30\n"

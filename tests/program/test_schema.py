@@ -96,7 +96,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "derive", "profile", "solve", "study", "sweep", "tilt", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "converge", "derive", "profile", "solve", "study", "sweep", "tilt", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -182,6 +182,7 @@ class Schema(unittest.TestCase):
         for scene in ("block_e_valley", "block_a_worn", "boulder"):
             self.prints("accuracy", "--json", ROOT / "examples" / f"{scene}.yaml")
         self.prints("accuracy", "--json", "--sweep=10:100")
+        self.prints("accuracy", "--json", ROOT / "examples" / "tilt_block_a_peak.yaml")
 
     def test_2_chart(self):
         for kind in ("fos", "mechanisms", "ranges"):
@@ -217,7 +218,25 @@ class Schema(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 (pathlib.Path(folder) / "scene.yaml").write_text(slab + test + "\n")
                 self.prints("tilt", "--json", "scene.yaml", folder=folder, statuses=(0, 4))
+        text = (ROOT / "examples" / "tilt_block_f.yaml").read_text()  # with k_s = k_n it gives way, and rests again
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "scene.yaml").write_text(
+                text + "  normal_stiffness_gpa_m: 1000\n  shear_stiffness_gpa_m: 1000\n")
+            self.prints("tilt", "--json", "scene.yaml", folder=folder)
+        self.prints("tilt", "--json", ROOT / "examples" / "tilt_locked_stress.yaml")
         self.prints("tilt", "--json", "--overturning", ROOT / "examples" / "shaken_boulder.yaml")
+
+    def test_2_converge(self):
+        """A critical angle by the path, with a caution, and the least shaking that overturns by events."""
+        slab = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 3}, unit_weight_kn_m3: 2600}\n" \
+               "friction_angle_deg: 40\ntilt: {towards: left}\n"
+        for test in ("tilt_test: {engine: path}", "tilt_test: {engine: path, until_deg: 10}",
+                     "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}"):
+            with tempfile.TemporaryDirectory() as folder:
+                (pathlib.Path(folder) / "scene.yaml").write_text(slab + test + "\n")
+                status, out, err = run("tilt", "--converge", "--json", "scene.yaml", folder=folder)
+                self.assertIn(status, (0, 4), err)
+                self.fits("converge", out)
 
     def test_2_study(self):
         for name in ("slab", "block_above_road", "rough_base"):

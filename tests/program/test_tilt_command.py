@@ -8,6 +8,7 @@ import io
 import json
 import math
 import pathlib
+import re
 import tempfile
 import unittest
 import xml.etree.ElementTree
@@ -92,6 +93,64 @@ class Tilt(unittest.TestCase):
         angles = [event["angle_deg"] for event in own["events"]]
         self.assertEqual(angles, sorted(angles))
 
+    def test_locked_stress(self):
+        """Between onset and limit history decides: stress locked in holds a block that falls without it, up to a tilt that
+        depends on the ratio of the stiffnesses (22.767 and 23.342 degrees: docs/tilt_path.md); the result says on what."""
+        scene = ROOT / "examples" / "tilt_locked_stress.yaml"
+        for shear, truth in ((10, 22.767), (1000, 23.342)):
+            status, out, err = run("tilt", "--json", "--set", f"tilt_test.shear_stiffness_gpa_m={shear}", scene)
+            self.assertEqual(status, 0, err)
+            told = json.loads(out)
+            self.assertEqual((told["settings"]["from_deg"], told["settings"]["tractions"]), (21, 2))
+            angle = told["cases"][0]["critical_angle_deg"]
+            self.assertAlmostEqual(angle["stands_at"], truth, delta=5e-3)
+            self.assertLess(told["cases"][0]["statics"]["onset_deg"], 21)
+            self.assertLess(angle["lets_go_at"], told["cases"][0]["statics"]["limit_deg"])
+        self.assertIn("the stress locked in on its contact", run("tilt", scene)[1])
+        none = ("--set", "tilt_test.tractions.1.shear_kpa=0", "--set", "tilt_test.tractions.2.shear_kpa=0")
+        status, out, err = run("tilt", *none, scene)
+        self.assertEqual(status, 0, err)
+        self.assertIn("Nothing holds it where it is set down", out)
+        mirrored = [part for key in ("1", "2") for part in
+                    ("--set", f"tilt_test.tractions.{key}.shear_kpa={'20456' if key == '1' else '-6612'}")]
+        self.assertIn("Nothing holds it", run("tilt", *mirrored, scene)[1])  # the same stress the other way round
+
+    def test_softening(self):
+        """What springs give takes (W h / k)^(1/3) of a toe: ten times softer, 10^(1/3) as much, within a tenth. A scene that
+        gives no stiffness is not asked."""
+        def told(*settings):
+            return json.loads(run("tilt", "--json", *settings, ROOT / "examples" / "tilt_block_e_valley.yaml")[1])["cases"][0]
+        self.assertNotIn("softening_deg", told())
+        text = (ROOT / "examples" / "tilt_block_e_valley.yaml").read_text()
+        softening = []
+        for stiffness in (1000, 100):
+            own = self.told(text + f"  normal_stiffness_gpa_m: {stiffness}\n  shear_stiffness_gpa_m: {stiffness / 100}\n")
+            softening.append(own["cases"][0]["softening_deg"])
+        self.assertAlmostEqual(softening[0], 0.115, delta=1e-3)  # docs/tilt_path.md
+        self.assertAlmostEqual(softening[1] / softening[0], 10 ** (1 / 3), delta=0.1 * 10 ** (1 / 3))
+
+    def test_gives_way(self):
+        """With k_s = k_n one facet of block F slips for good at phi - i, the paper's 20.5 degrees, where the block gives way; it
+        comes to rest on the other within the reach of its springs."""
+        text = (ROOT / "examples" / "tilt_block_f.yaml").read_text()
+        own = self.told(text + "  normal_stiffness_gpa_m: 1000\n  shear_stiffness_gpa_m: 1000\n")["cases"][0]
+        self.assertEqual(own["jumps"], 1)
+        self.assertAlmostEqual(own["first_jump_deg"], 30 - math.degrees(math.atan2(5, 30)), delta=0.01)
+        self.assertGreater(own["critical_angle_deg"]["stands_at"], 23)
+
+    def test_stable_step(self):
+        """A step above the longest stable one is refused with one that would do: that one is taken."""
+        head = HEAD.format(w=1, h=3, phi=40).replace("{towards: left}", "{towards: left, angle_deg: 5}")
+        scene = head + "tilt_test: {engine: dynamics, protocol: release, "
+        err = self.refused(scene + f"{SPRINGS}, time_step_s: 1}}\n", "are not stable")
+        would = re.search(r"has (\S+) s; (\S+) s would do", err.replace("\n", " "))
+        for step, stable in ((would[2], True), (str(1.1 * float(would[1])), False), (str(0.9 * float(would[1])), True)):
+            text = scene + f"{SPRINGS}, duration_s: 0.01, time_step_s: {step}}}\n"
+            if stable:
+                self.assertAlmostEqual(self.told(text, statuses=(0, 4))["settings"]["time_step_s"], float(step), delta=1e-12)
+            else:
+                self.refused(text, "are not stable")
+
     def test_until(self):
         """A table that stops below the limit says that the block stands, and tells no angle that was not tried."""
         own = self.told(HEAD.format(w=1, h=1, phi=30) + "tilt_test: {engine: path, until_deg: 29}\n")["cases"][0]
@@ -165,6 +224,15 @@ class Tilt(unittest.TestCase):
                 ("tilt_test: {protocol: release}", "a release needs 'engine: dynamics'", "6:23"),
                 ("tilt_test: {engine: dynamics, protocol: release}", "'tilt: {angle_deg: …}'", "6:41"),
                 ("tilt_test: {start: set_down}", "a ramp starts level", "6:20"),
+                ("tilt_test: {tractions: []}", "tractions are a list", "6:24"),
+                ("tilt_test: {tractions: [{facet: 1, normal_kpa: [1, 2]}]}", "stress locked in on a facet is", "6:25"),
+                ("tilt_test: {tractions: [{facet: 0, normal_kpa: [1, 2], shear_kpa: 1}]}", "counted from 1", "6:"),
+                ("tilt_test: {tractions: [{facet: 1, normal_kpa: 1, shear_kpa: 1}]}", "normal_kpa", "6:"),
+                ("tilt_test: {tractions: [{facet: 9, normal_kpa: [1, 2], shear_kpa: 1}]}", "none of the block rests on it", "6:25"),
+                ("tilt_test: {tractions: [{facet: 1, normal_kpa: [1, 2], shear_kpa: 1}, {facet: 1, normal_kpa: [1, 2], "
+                 "shear_kpa: 1}]}", "given twice", "6:71"),
+                ("tilt_test: {engine: dynamics, tractions: [{facet: 1, normal_kpa: [1, 2], shear_kpa: 1}]}",
+                 "belongs to 'engine: path'", "6:43"),
                 ("tilt_test: {protocol: steps, start: level}", "one ramp to all angles", "6:37"),
                 ("tilt_test: {speed: 20}", "'speed' lacks its unit: write 'speed_deg_min'", "6:13"),
                 ("tilt_test: {engine: path}\n" + PULSE, "knows no shaking", "6:21"),

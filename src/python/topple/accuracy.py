@@ -8,6 +8,7 @@ import dataclasses
 
 from ._library import ffi, lib
 from .chart import Chart, made
+from .converge import Convergence
 from .errors import checked
 from .record import Bounded, Record, field, record, struct_of, text
 from .report import written
@@ -53,6 +54,7 @@ class Accuracy(Record):
     runs: tuple[AccuracyRun, ...] = field(count="run_count")
     values: tuple[AccuracyValue, ...] = field(count="value_count")
     sources: tuple[str, ...] = field(read=_sources)  #: files that the scene was read from
+    simulated: Convergence | None  #: of a scene that calls for a tilt test or for shaking
 
     def report(self) -> str:
         """The report, as `topple accuracy` prints it."""

@@ -104,6 +104,10 @@ class Builder(TiltBuilder):
         unless set."""
         self._change(lib.tp_scene_set_rounding_keeps_mass, keeps_mass)
 
+    def set_result_unit(self, name: str) -> None:
+        """Print in this unit what is of its kind, as "kip ft"; results stay SI."""
+        self._change(lib.tp_scene_set_result_unit, c_text(name))
+
     def set_repair(self, repair: bool) -> None:
         """Move vertices where rings meet themselves by less than a last digit."""
         self._change(lib.tp_scene_set_repair, repair)

@@ -22,6 +22,24 @@ class Setting(Record):
     value: Bounded
 
 
+@dataclasses.dataclass(frozen=True)
+class ResultUnit(Record):
+    """A unit that reports print in: one of it is `si` of m, N, N m or Pa."""
+
+    name: str | None  #: None: the scene asks for none
+    si: float
+
+
+@dataclasses.dataclass(frozen=True)
+class ResultUnits(Record):
+    """Those that a scene asks for."""
+
+    length: ResultUnit
+    force: ResultUnit
+    moment: ResultUnit
+    stress: ResultUnit
+
+
 def settings_of(c, owner) -> tuple[Setting, ...]:
     """The settings of a list."""
     return tuple([record(Setting, own, owner) for own in c.settings.items[0:c.settings.count]])

@@ -79,6 +79,7 @@ class Scene(Builder):
                  tilt_test_rounding: Number | None = None,
                  tilt_test_time_step_s: Number | None = None,
                  tilt_test_restitution: Number | None = None,
+                 tilt_test_tractions: Iterable[Given] = (),
                  shaking_pulses: Iterable[Given] = (),
                  shaking_records: Iterable[Given] = ()) -> None:
         given = locals()
@@ -307,6 +308,7 @@ ADD = {
     "pressures": _spread(Scene.add_pressure),
     "surcharges": _spread(Scene.add_surcharge),
     "anchors": _spread(Scene.add_anchor),
+    "tilt_test_tractions": _spread(Scene.add_tilt_test_traction),
     "shaking_pulses": _spread(Scene.set_shaking_pulse),
     "shaking_records": _spread(Scene.set_shaking_record),
 }

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Iterable
 
 from ._library import ffi, lib
 from .case import Case
-from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, Setting,
+from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, ResultUnits, Setting,
                       Teeth, Within, notes_of, settings_of)
 from .given import c_path, c_text
 from .options import options_of
@@ -34,8 +34,9 @@ class Solution(Record):
     Every computed number is a `Bounded`. What is not asked for or does not exist is None."""
 
     title: str | None
-    length_unit: str
+    length_unit: str  #: that reports print in
     metres_per_unit: float
+    result_units: ResultUnits
     tilt_angle_deg: Bounded | None = field(when="has_tilt_angle")
     friction_angle_deg: Bounded | None = field(when="has_friction")
     friction_is_residual: bool  #: Barton's law: the angle at a stress is above it

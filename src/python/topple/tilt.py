@@ -89,6 +89,7 @@ class TiltSettings(Record):
     speed_deg_min: float
     until_deg: float
     release_deg: float
+    from_deg: float  #: of a ramp: where it starts
     tolerance_deg: float
     duration_s: float
     normal_stiffness_pa_m: float
@@ -98,6 +99,7 @@ class TiltSettings(Record):
     rounding_m: float
     time_step_s: float  #: 0: chosen
     restitution: float
+    traction_count: int  #: facets with stress locked in before the start
 
 
 @dataclasses.dataclass(frozen=True)
@@ -119,6 +121,9 @@ class TiltCase(Record):
     least_deg: float  #: it stands there; of one that never lets go the last tilt tried
     most_deg: float | None = field(when="has_bracket")  #: it lets go there
     converged: bool  #: the bracket is as narrow as was asked
+    softening_deg: float | None = field(when="has_softening")  #: sooner on springs as given
+    jumps: int  #: times that a path gave way and came to rest at the same tilt
+    first_jump_deg: float  #: of the first of these
     mechanism: Mechanism | None = field(when="has_mechanism")
     centre_x_m: float | None = field(when="has_centre")
     centre_y_m: float | None = field(when="has_centre")

@@ -57,6 +57,13 @@ class TiltBuilder(BaseBuilder):
         """The restitution of impacts of rigid contacts, 0 to 1."""
         self._change_numbers(lib.tp_scene_set_tilt_test_restitution, restitution)
 
+    def add_tilt_test_traction(self, facet: int, first_kpa: Number, last_kpa: Number,
+                               shear_kpa: Number) -> None:
+        """Stress locked in on a facet of the base before a path: normal at its left end and its
+        right one, shear above 0 where it pushes the block to the right."""
+        self._change(lib.tp_scene_add_tilt_test_traction, facet, c_number(first_kpa),
+                     c_number(last_kpa), c_number(shear_kpa))
+
     def set_shaking_pulse(self, axis: ShakingAxis | str, shape: PulseShape | str, peak_g: Number,
                           frequency_hz: Number) -> None:
         """A sine pulse of the base, along the horizontal or the vertical."""

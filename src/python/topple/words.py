@@ -370,6 +370,35 @@ class TiltPlace(Word):
     BEYOND = "beyond the limit"
 
 
+class ConvergeSetting(Word):
+    """What is varied of a simulated test."""
+
+    TOLERANCE = "bracket"
+    STIFFNESS = "normal stiffness"
+    STIFFNESS_RATIO = "shear over normal stiffness"
+    TIME_STEP = "time step"
+    DAMPING = "damping"
+    ROUNDING = "radius of corners"
+    STEP_TOLERANCE = "tolerance of steps"
+    LEAST_BOUNCE = "least bounce"
+
+
+class ConvergeQuantity(Word):
+    """What is asked to converge."""
+
+    ANGLE = "critical angle"
+    OVERTURNING = "overturning factor"
+
+
+class ConvergeVerdict(Word):
+    """What comes out for one setting."""
+
+    HOLDS = "holds"
+    REFINED = "refined"
+    DEPENDS = "not converged"
+    OPEN = "undecided"
+
+
 class ShakingAxis(Word):
     """Along what a base shakes."""
 

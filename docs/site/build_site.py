@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The documentation as a site: build_site.py FOLDER puts it into FOLDER, by MkDocs (Debian: apt install mkdocs).
+
+Pages are those of docs/, with README.md for the front and CONTRIBUTING.md. What they link to outside of docs/ (examples, a
+table in the source) is copied along, and a folder gets a page that lists it. MkDocs ends with an error where a link leads
+nowhere."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+import site_markdown
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LINK = re.compile(r"\]\(([^)\s#]+)(#[^)\s]*)?\)")
+PAGES = {"README.md": "index.md", "CONTRIBUTING.md": "contributing.md"}
+
+
+def place_of(path):
+    """Where a file of the project lies among the pages."""
+    name = str(path.relative_to(ROOT))
+    if name in PAGES:
+        return PAGES[name]
+    return name.removeprefix("docs/") if name.startswith("docs/") else "sources/" + name
+
+
+class Site:
+    def __init__(self, folder):
+        self.folder, self.done = folder, set()
+
+    def write(self, place, text):
+        target = self.folder / place
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+
+    def link(self, page, place, name, anchor):
+        """A link of a page that lies at a place: what it leads to is put among the pages, and the way there."""
+        if re.match(r"[a-z]+:", name):
+            return name + anchor
+        path = (page.parent / name).resolve()
+        return os.path.relpath(self.put(path), os.path.dirname(place) or ".") + anchor
+
+    def put(self, path):
+        """The place of a file, a page or a folder, once it is there."""
+        place = place_of(path)
+        if path.is_dir():
+            place += "/index.md"
+        if place in self.done:
+            return place
+        self.done.add(place)
+        if path.is_dir():
+            self.put_folder(path, place)
+        elif path.suffix == ".md":
+            text = LINK.sub(lambda match: f"]({self.link(path, place, match[1], match[2] or '')})",
+                            path.read_text(encoding="utf-8"))
+            self.write(place, site_markdown.spaced(text))
+        else:
+            (self.folder / place).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(path, self.folder / place)
+        return place
+
+    def put_folder(self, path, place):
+        lines = [f"# {path.relative_to(ROOT)}\n"]
+        for entry in sorted(path.iterdir()):
+            if entry.name.startswith((".", "__")):
+                continue
+            way = os.path.relpath(self.put(entry), os.path.dirname(place))
+            lines.append(f"- [{entry.name}{'/' if entry.is_dir() else ''}]({way})")
+        self.write(place, "\n".join([lines[0], *lines[1:]]) + "\n")
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: build_site.py FOLDER")
+    if shutil.which("mkdocs") is None:
+        sys.exit("the site is built by MkDocs, which is not installed: apt install mkdocs")
+    target = pathlib.Path(sys.argv[1]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        stage = pathlib.Path(name)
+        site = Site(stage / "pages")
+        for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+            site.put(page)
+        for file in ("mkdocs.yml", "site_markdown.py"):
+            shutil.copy(ROOT / "docs" / "site" / file, stage)
+        environment = {**os.environ, "PYTHONPATH": str(stage), "PYTHONDONTWRITEBYTECODE": "1"}
+        done = subprocess.run(["mkdocs", "build", "--strict", "--quiet", "--clean", "--site-dir", target], cwd=stage,
+                              env=environment, check=False)
+    sys.exit(done.returncode)
+
+
+if __name__ == "__main__":
+    main()

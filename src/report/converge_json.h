@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the settings of a tilt test take from its answer, within other reports. */
+
+#ifndef TP_REPORT_CONVERGE_JSON_H
+#define TP_REPORT_CONVERGE_JSON_H
+
+#include "output/json.h"
+
+/* The quantity, what was asked and the cases, into an object that is open. */
+void tp_json_convergence(tp_json *json, const tp_tilt_convergence *convergence);
+
+/* The cases as text. */
+void tp_text_convergence(tp_text *text, const tp_tilt_convergence *convergence);
+
+#endif

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "tilt/converge.h"
+
+#include <math.h>
+
+const char *tp_converge_setting_name(tp_converge_setting setting) {
+  static const char *const names[TP_CONVERGE_SETTINGS] = {
+      [TP_CONVERGE_TOLERANCE] = "bracket",
+      [TP_CONVERGE_STIFFNESS] = "normal stiffness",
+      [TP_CONVERGE_STIFFNESS_RATIO] = "shear over normal stiffness",
+      [TP_CONVERGE_TIME_STEP] = "time step",
+      [TP_CONVERGE_DAMPING] = "damping",
+      [TP_CONVERGE_ROUNDING] = "radius of corners",
+      [TP_CONVERGE_STEP_TOLERANCE] = "tolerance of steps",
+      [TP_CONVERGE_LEAST_BOUNCE] = "least bounce"};
+  return (int)setting >= 0 && (int)setting < TP_CONVERGE_SETTINGS ? names[setting]
+                                                                  : "unknown setting";
+}
+
+const char *tp_converge_quantity_name(tp_converge_quantity quantity) {
+  static const char *const names[] = {
+      [TP_CONVERGE_ANGLE] = "critical angle", [TP_CONVERGE_OVERTURNING] = "overturning factor"};
+  return (int)quantity >= 0 && quantity <= TP_CONVERGE_OVERTURNING ? names[quantity]
+                                                                   : "unknown quantity";
+}
+
+const char *tp_converge_verdict_name(tp_converge_verdict verdict) {
+  static const char *const names[] = {[TP_CONVERGE_HOLDS] = "holds",
+                                      [TP_CONVERGE_REFINED] = "refined",
+                                      [TP_CONVERGE_DEPENDS] = "not converged",
+                                      [TP_CONVERGE_OPEN] = "undecided"};
+  return (int)verdict >= 0 && verdict <= TP_CONVERGE_OPEN ? names[verdict] : "unknown verdict";
+}
+
+/* What must agree of two brackets: all of both; of brackets whose width is what is varied, how far
+ * they are apart. */
+static double apart(const tp_converge_level *a, const tp_converge_level *b) {
+  if (a->setting == TP_CONVERGE_TOLERANCE) {
+    return fmax(0, fmax(a->least, b->least) - fmin(a->most, b->most));
+  }
+  return fmax(a->most, b->most) - fmin(a->least, b->least);
+}
+
+/* The largest of a level against those behind it. */
+static double spread_from(const tp_converge_level *levels, size_t from, size_t count) {
+  double spread = 0;
+  for (size_t k = from; k + 1 < count; k++) {
+    for (size_t j = k + 1; j < count; j++) {
+      spread = fmax(spread, apart(levels + k, levels + j));
+    }
+  }
+  return spread;
+}
+
+bool tp_converge_settled(const tp_converge_level *levels, size_t count, double asked) {
+  const tp_converge_level *last = levels + count - 1;
+  bool past_own = false;
+  if (last->setting == TP_CONVERGE_STIFFNESS_RATIO || last->setting == TP_CONVERGE_TOLERANCE) {
+    return false;
+  }
+  for (size_t k = 0; k + 1 < count; k++) past_own = past_own || levels[k].own;
+  return past_own && last->known && last[-1].known && apart(last - 1, last) <= asked;
+}
+
+void tp_converge_judge(tp_converge_finding *finding, const tp_converge_level *levels,
+                       double asked) {
+  const tp_converge_level *own = levels + finding->first;
+  const size_t count = finding->count;
+  const bool ordered = finding->setting != TP_CONVERGE_STIFFNESS_RATIO;
+  size_t set = count, needed = count - 1;
+  finding->verdict = TP_CONVERGE_OPEN;
+  for (size_t k = 0; k < count; k++) {
+    if (!own[k].known) return;
+    if (own[k].own) set = k;
+  }
+  while (needed > 0 && spread_from(own, needed - 1, count) <= asked) needed--;
+  if (!ordered) {
+    finding->spread = spread_from(own, 0, count);
+    finding->verdict = finding->spread <= asked ? TP_CONVERGE_HOLDS : TP_CONVERGE_DEPENDS;
+    return;
+  }
+  finding->has_needed = needed + 1 < count;
+  finding->needed = finding->has_needed ? own[needed].value : 0;
+  const size_t last = count > 1 ? count - 2 : 0;
+  finding->verdict = !finding->has_needed ? TP_CONVERGE_DEPENDS
+                     : set >= needed      ? TP_CONVERGE_HOLDS
+                                          : TP_CONVERGE_REFINED;
+  finding->spread = spread_from(
+      own, finding->verdict == TP_CONVERGE_HOLDS ? (set < last ? set : last) : last, count);
+}
+
+static void take_in(tp_tilt_convergence_case *own, const tp_converge_level *level) {
+  own->least = fmin(own->least, level->least);
+  own->most = fmax(own->most, level->most);
+}
+
+/* The finest levels from the last setting on that was refined; what held before stays so. */
+void tp_converge_summarise(tp_tilt_convergence_case *own) {
+  size_t from = 0;
+  own->converged = own->known && own->finding_count > 0;
+  own->least = own->own_least;
+  own->most = own->own_most;
+  for (size_t k = 0; k < own->finding_count; k++) {
+    const tp_converge_finding *f = own->findings + k;
+    own->converged = own->converged && f->verdict <= TP_CONVERGE_REFINED;
+    if (f->verdict != TP_CONVERGE_REFINED) continue;
+    from = k;
+    own->least = INFINITY;
+    own->most = -INFINITY;
+  }
+  for (size_t k = from; k < own->finding_count; k++) {
+    const tp_converge_finding *f = own->findings + k;
+    const bool all = f->setting == TP_CONVERGE_STIFFNESS_RATIO;
+    if (f->verdict == TP_CONVERGE_OPEN || f->setting == TP_CONVERGE_TOLERANCE) continue;
+    for (size_t j = all ? 0 : f->count - 1; j < f->count; j++) {
+      take_in(own, own->levels + f->first + j);
+    }
+  }
+}

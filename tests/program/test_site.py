@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The documentation as a site: every page is in its table of contents once, and, where MkDocs is installed, the site that it
+builds is whole: each link leads to a file that is there and to a heading in it, and nothing is fetched from elsewhere."""
+
+import html.parser
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import urllib.parse
+
+from harness import ROOT, main
+
+SITE = ROOT / "docs" / "site"
+
+
+class Page(html.parser.HTMLParser):
+    """Where a page leads to, what it loads, and the names in it that can be led to."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.loads, self.names = [], [], set()
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        own = dict(attributes)
+        self.names |= {own[key] for key in ("id", "name") if own.get(key)}
+        if tag == "a" and own.get("href"):
+            self.links.append(own["href"])
+        for key in ("src", "data", "poster") + (("href",) if tag == "link" else ()):
+            if own.get(key) and tag != "meta" and own.get("rel") not in ("canonical",):
+                self.loads.append(own[key])
+
+
+class Contents(unittest.TestCase):
+    def test_every_page_once(self):
+        text = (SITE / "mkdocs.yml").read_text(encoding="utf-8")
+        listed = re.findall(r": ([\w/]+\.md)$", text, re.MULTILINE)
+        pages = {path.name for path in (ROOT / "docs").glob("*.md")} | {"index.md", "contributing.md", "schema/index.md"}
+        self.assertEqual(sorted(listed), sorted(pages))
+
+    def test_markdown(self):
+        """Lists below a paragraph, not in code, and names of headings as the links of the pages have them."""
+        sys.path.insert(0, str(SITE))
+        sys.dont_write_bytecode = True
+        import site_markdown
+        self.assertEqual(site_markdown.spaced("a\n- b\n- c\n\n```\nx\n- y\n```\n"), "a\n\n- b\n- c\n\n```\nx\n- y\n```\n")
+        self.assertEqual(site_markdown.spaced("- b\n  more\n- c\n"), "- b\n  more\n- c\n")
+        self.assertEqual(site_markdown.slug("`block: {rounded: …}`", "-"), "block-rounded")
+
+
+@unittest.skipIf(shutil.which("mkdocs") is None, "MkDocs is not installed")
+class Built(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        own = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(own.cleanup)
+        cls.folder = pathlib.Path(own.name) / "site"
+        done = subprocess.run([sys.executable, SITE / "build_site.py", cls.folder], capture_output=True, encoding="utf-8",
+                              check=False)
+        if done.returncode != 0:
+            raise AssertionError(done.stderr + done.stdout)
+        cls.pages = {path: Page(path) for path in cls.folder.rglob("*.html") if path.name != "404.html"}
+
+    def target(self, path, link):
+        """(file, anchor) of a link that stays within the site."""
+        way, _, anchor = link.partition("#")
+        if re.match(r"[a-z]+:|//", way):
+            return None
+        return (path.parent / urllib.parse.unquote(way.partition("?")[0])).resolve() if way else path.resolve(), urllib.parse.unquote(anchor)
+
+    def test_links(self):
+        count = anchors = 0
+        for path, page in self.pages.items():
+            for link in page.links:
+                found = self.target(path, link)
+                if found is None:
+                    continue
+                file, anchor = found
+                count += 1
+                file = file / "index.html" if file.is_dir() else file
+                self.assertTrue(file.exists(), f"{path.name}: {link}")
+                if anchor and file in {own.resolve() for own in self.pages}:
+                    anchors += 1
+                    own = next(own for own in self.pages if own.resolve() == file)
+                    self.assertIn(anchor, self.pages[own].names, f"{path.name}: {link}")
+        self.assertGreater(len(self.pages), 40)
+        self.assertGreater(count, 2000)
+        self.assertGreater(anchors, 200)
+
+    def test_nothing_from_elsewhere(self):
+        count = 0
+        for path, page in self.pages.items():
+            for link in page.loads:
+                found = self.target(path, link)
+                self.assertIsNotNone(found, f"{path.name} loads {link}")
+                self.assertTrue(found[0].exists(), f"{path.name}: {link}")
+                count += 1
+        self.assertGreater(count, 200)
+
+    def test_pages_are_whole(self):
+        """A table, a figure and the front page came through; a scene of the examples lies beside them."""
+        text = (self.folder / "glossary.html").read_text(encoding="utf-8")
+        self.assertIn("<td><strong>factor of safety</strong> FoS</td>", text)
+        self.assertIn("Does a rock block stand", (self.folder / "index.html").read_text(encoding="utf-8"))
+        self.assertTrue((self.folder / "figures" / "block_e_valley.svg").exists())
+        self.assertTrue((self.folder / "sources" / "examples" / "block_e_valley.yaml").exists())
+
+
+if __name__ == "__main__":
+    main()
