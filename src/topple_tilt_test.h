@@ -159,10 +159,10 @@ typedef struct tp_tilt_point {
 
 /* A facet of the base that events or reactions name, from its left end to its right one. */
 typedef struct tp_tilt_facet {
-  long facet;                    /* as they count it: of the base, from 1, from left to right */
-  size_t contact;                /* as statics counts the facets of the contact (tp_reaction,
-                                    tp_motion_contact), from 1: the first on it; 0: the block does
-                                    not rest on it at the start */
+  long facet;     /* as they count it: of the base, from 1, from left to right */
+  size_t contact; /* as the page of tp_solve counts the facets of the contact, from 1 (their index
+                     in its results is one less): the first on it; 0: the block does not rest on it
+                     at the start */
   double x0_m, y0_m, x1_m, y1_m; /* its ends */
 } tp_tilt_facet;
 

@@ -63,7 +63,7 @@ typedef struct tp_panel_axis {
   const char *label; /* a copy, in a panel of a chart */
   bool plain;        /* a user's text: no markup */
   tp_chart_range range;
-  double tick; /* 0: as it comes */
+  double tick; /* 0: as it comes; of a logarithmic axis above 0: labels within decades, too */
   bool logarithmic;
 } tp_panel_axis;
 

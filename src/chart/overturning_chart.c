@@ -115,9 +115,9 @@ static void take_ranges(tp_chart_range *x, tp_chart_range *y, const tp_overturni
   if (own->has_static) take(y, own->static_m_s2 / standard_gravity);
 }
 
-/* Labels at powers of two, of many decades at those of ten. */
+/* Of some decades labels within them, of many none. */
 static double tick_of(tp_chart_range range) {
-  return range.to < 100 * range.from ? 2 : 0;
+  return range.to < 100 * range.from ? 1 : 0;
 }
 
 /* A tenth more on either side. */

@@ -3,6 +3,7 @@
 
 #include "chart/script.h"
 
+#include "chart/log_ticks.h"
 #include "output/encode.h"
 
 #include <math.h>
@@ -162,7 +163,9 @@ static void add_style(tp_text *t, const tp_chart_style *style) {
 static void add_axis(tp_text *t, const tp_panel_axis *axis, char name) {
   tp_text_add(t, "%s logscale %c\n", axis->logarithmic ? "set" : "unset", name);
   tp_text_add(t, "set %crange [%.12g:%.12g]\n", name, axis->range.from, axis->range.to);
-  if (axis->tick > 0) {
+  if (axis->tick > 0 && axis->logarithmic) {
+    tp_script_log_ticks(t, axis, name);
+  } else if (axis->tick > 0) {
     tp_text_add(t, "set %ctics %.12g\n", name, axis->tick);
   } else {
     tp_text_add(t, "set %ctics autofreq\n", name);
