@@ -123,6 +123,14 @@ static void solve_limit_precisely(void) {
   tp_scene_free(scene);
 }
 
+/* A section of a mesh of two objects: block and ground. */
+static void read_mesh(void) {
+  tp_scene *scene = NULL;
+  tp_message message = {""};
+  DONE(tp_scene_read(&scene, EXAMPLE("scanned_boulder.yaml"), &message), scene);
+  tp_scene_free(scene);
+}
+
 /* With notes: cautions, and what a repair moved. */
 static void solve_repaired(void) {
   static const char text[] =
@@ -273,6 +281,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"solve blocks", solve_blocks, 200},
                                     {"solve repaired", solve_repaired, 100},
                                     {"solve bond", solve_bond, 100},
+                                    {"read a mesh", read_mesh, 60},
                                     {"solve at rest", solve_at_rest, 100},
                                     {"solve all poses", solve_all_poses, 40},
                                     {"solve a limit precisely", solve_limit_precisely, 2000},

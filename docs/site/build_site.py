@@ -45,6 +45,8 @@ class Site:
         if re.match(r"[a-z]+:", name):
             return name + anchor
         path = (page.parent / name).resolve()
+        if not path.exists():
+            sys.exit(f"{page.relative_to(ROOT)}: a link leads to {name}, which is not there")
         return os.path.relpath(self.put(path), os.path.dirname(place) or ".") + anchor
 
     def put(self, path):

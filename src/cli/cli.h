@@ -25,6 +25,7 @@ int tp_cli_profile(int argc, char **argv);
 int tp_cli_study(int argc, char **argv);
 int tp_cli_sweep(int argc, char **argv);
 int tp_cli_tilt(int argc, char **argv);
+int tp_cli_trace(int argc, char **argv);
 int tp_cli_verify(int argc, char **argv);
 
 /* Where FLINT and GMP run out of memory the program ends with a message and TP_EXIT_SYSTEM. */

@@ -27,6 +27,7 @@ static const struct command {
      tp_cli_profile},
     {"tilt", "A simulated tilt test, or the shaking of the base: how it lets go, and after",
      tp_cli_tilt},
+    {"trace", "The outline of a block in a photograph, as a scene", tp_cli_trace},
     {"study", "How probable is each verdict, where numbers of a scene vary?", tp_cli_study},
     {"new", "Begin a scene: by five questions, or from options", tp_cli_new},
     {"examples", "List the example scenes, or write one", tp_cli_examples},

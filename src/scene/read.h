@@ -15,6 +15,7 @@ typedef struct tp_reading {
   bool again;  /* the file was read before: its chains are known */
   bool varies; /* the last numbers depend on a parameter, or are not those of the file */
   long next_chain;
+  bool cut; /* a mesh was cut by the plane that the scene gives */
 } tp_reading;
 
 typedef struct tp_reader {
@@ -45,9 +46,16 @@ TP_MUST_USE tp_status tp_read_point(const tp_reader *reader, tp_quantity *x, tp_
 TP_MUST_USE tp_status tp_read_facet_number(const tp_reader *reader, long *number,
                                            const tp_node *node);
 
-/* A list of [x, y], or the name of a CSV file beside the scene. */
+/* A list of [x, y], the name of a CSV file beside the scene, or a mesh. */
 TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
                                      const tp_node *node, bool closed, const char *name);
+
+/* The same of a map that names a mesh, which is cut by the plane of the key section of the scene.
+ */
+TP_MUST_USE tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, const tp_node *node,
+                                   bool closed, tp_notes *notes);
+/* The key section: has it a mesh to cut? After all chains. */
+TP_MUST_USE tp_status tp_read_section_used(const tp_reader *reader, const tp_node *node);
 
 /* A chain that is made of numbers under a node, all read since `varies` was last set to false: what
  * the same numbers made before, or NULL; and keep what they made now, ready to be shared, for when

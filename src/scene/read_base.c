@@ -168,7 +168,8 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
       return tp_check_base_is_mated(reader->scene, odd->key, tp_read_place(reader, odd),
                                     reader->message);
     }
-    if (profile->kind == TP_NODE_MAPPING) return tp_read_generated(reader, profile);
+    const bool by_rule = profile->kind == TP_NODE_MAPPING && tp_node_get(profile, "mesh") == NULL;
+    if (by_rule) return tp_read_generated(reader, profile);
     return tp_read_points(reader, &base->profile, profile, false, "the profile");
   }
   status = read_between(reader, between);

@@ -112,7 +112,11 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
       "topple",       "title",   "length_unit", "parameters",         "block",
       "base",         "loads",   "tilt",        "friction_angle_deg", "friction",
       "frame",        "contact", "joint",       "tilt_test",          "shaking",
+<<<<<<< HEAD
       "result_units", "drawing", NULL};
+=======
+      "result_units", "section", NULL};
+>>>>>>> main
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
     return tp_read_fail(reader, root, "this is no scene: it does not begin with 'topple: 1'");
@@ -135,6 +139,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   if (status == TP_OK) status = tp_read_tilt_test(reader, tp_node_get(root, "tilt_test"));
   if (status == TP_OK) status = tp_read_shaking(reader, tp_node_get(root, "shaking"));
+  if (status == TP_OK) status = tp_read_section_used(reader, tp_node_get(root, "section"));
   if (status == TP_OK) status = tp_check_simulation(scene, reader->message);
   return status == TP_OK ? tp_scene_cautions(&scene->notes, scene, reader->message) : status;
 }

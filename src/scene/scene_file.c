@@ -34,8 +34,13 @@ void tp_scene_file_free(tp_scene_file *file) {
     tp_notes_clear(&file->chains[k].notes);
   }
   free(file->chains);
+<<<<<<< HEAD
   if (file->drawn != NULL) tp_drawn_clear(file->drawn);
   free(file->drawn);
+=======
+  for (long k = 0; k < file->mesh_count; k++) tp_mesh_clear(file->meshes + k);
+  free(file->meshes);
+>>>>>>> main
   for (long k = 0; k < file->name_count; k++) free(file->names[k]);
   free(file->names);
   tp_node_free(file->root);
@@ -43,9 +48,14 @@ void tp_scene_file_free(tp_scene_file *file) {
   free(file);
 }
 
-const char *tp_scene_file_name(tp_scene_file *file, const char *name) {
+/* Bytes of the scene's own path that stand before that of a file that it names. */
+static size_t folder_length(const tp_scene_file *file, const char *name) {
   const char *slash = strrchr(file->path, '/');
-  const size_t folder = name[0] == '/' || slash == NULL ? 0 : (size_t)(slash - file->path) + 1;
+  return name[0] == '/' || slash == NULL ? 0 : (size_t)(slash - file->path) + 1;
+}
+
+const char *tp_scene_file_name(tp_scene_file *file, const char *name) {
+  const size_t folder = folder_length(file, name);
   char **names = realloc(file->names, ((size_t)file->name_count + 1) * sizeof *names);
   if (names == NULL) return NULL;
   file->names = names;
@@ -55,6 +65,29 @@ const char *tp_scene_file_name(tp_scene_file *file, const char *name) {
   strcpy(path + folder, name);
   names[file->name_count++] = path;
   return path;
+}
+
+static bool is_path_of(const tp_scene_file *file, const char *path, const char *name) {
+  const size_t folder = folder_length(file, name);
+  return strncmp(path, file->path, folder) == 0 && strcmp(path + folder, name) == 0;
+}
+
+tp_status tp_scene_file_mesh(const tp_mesh **mesh, tp_scene_file *file, const char *name,
+                             tp_message *message) {
+  for (long k = 0; k < file->mesh_count; k++) {
+    if (!is_path_of(file, file->meshes[k].file, name)) continue;
+    *mesh = file->meshes + k;
+    return TP_OK;
+  }
+  tp_mesh *meshes = tp_grow(file->meshes, file->mesh_count, &file->mesh_room, sizeof *file->meshes);
+  if (meshes == NULL) return tp_fail_memory(message, "a mesh");
+  file->meshes = meshes;
+  const char *path = tp_scene_file_name(file, name);
+  if (path == NULL) return tp_fail_memory(message, "a mesh");
+  const tp_status status = tp_mesh_read(meshes + file->mesh_count, path, message);
+  if (status != TP_OK) return status;
+  *mesh = meshes + file->mesh_count++;
+  return TP_OK;
 }
 
 tp_file_chain *tp_scene_file_add_chain(tp_scene_file *file, const tp_node *node) {

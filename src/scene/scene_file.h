@@ -8,6 +8,7 @@
 #ifndef TP_SCENE_FILE_H
 #define TP_SCENE_FILE_H
 
+#include "format/mesh.h"
 #include "message.h"
 #include "plane/polyline.h"
 #include "scene/drawn.h"
@@ -31,7 +32,12 @@ typedef struct tp_scene_file {
   char **names;
   long chain_count, chain_room;
   tp_file_chain *chains;
+<<<<<<< HEAD
   tp_drawn *drawn; /* what its drawing gives; NULL: it has none, or that varies */
+=======
+  long mesh_count, mesh_room; /* that its sections are cut through */
+  tp_mesh *meshes;
+>>>>>>> main
 } tp_scene_file;
 
 /* Of one user. It takes the nodes over, but for where memory is exhausted: then it is NULL. */
@@ -42,6 +48,9 @@ void tp_scene_file_free(tp_scene_file *file);
 /* The path of a file that the scene names, relative to the scene's folder; kept here. NULL when
  * memory is exhausted. */
 const char *tp_scene_file_name(tp_scene_file *file, const char *name);
+/* The mesh of a name that the scene gives, read once; it may move when another one is read. */
+TP_MUST_USE tp_status tp_scene_file_mesh(const tp_mesh **mesh, tp_scene_file *file,
+                                         const char *name, tp_message *message);
 /* Room for the next chain; NULL when memory is exhausted. */
 tp_file_chain *tp_scene_file_add_chain(tp_scene_file *file, const tp_node *node);
 

@@ -17,9 +17,11 @@
 #include "tilt/bracket.h"
 #include "tilt/engines.h"
 #include "tilt/follow.h"
+#include "tilt/overturning.h"
 #include "tilt/path.h"
 #include "tilt/result.h"
 #include "tilt/settings.h"
+#include "tilt/tractions.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -54,14 +56,12 @@ void tp_tilt_convergence_free(tp_tilt_convergence *convergence) {
 typedef struct stage {
   const tp_rigid_body *body;
   const tp_tilt_options *options;
-  tp_base_shaking *shaking; /* NULL: none */
+  tp_base_shaking *shaking;                    /* NULL: none */
+  const tp_tilt_test_description *description; /* of the scene */
+  const tp_path_traction *tractions;           /* of the path; NULL: none */
   tp_place place;
   tp_message *message;
 } stage;
-
-static void scale_shaking(void *shaking, double factor) {
-  tp_base_shaking_scale(shaking, factor);
-}
 
 /* The bracket, and nothing after it; where to look first is between `least` and `most`. */
 static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, double least,
@@ -69,6 +69,7 @@ static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, doubl
   tp_tilting tilting = {.body = g->body,
                         .settings = &run->settings,
                         .options = g->options,
+                        .tractions = g->tractions,
                         .own = found,
                         .weight_moves = run->weight_moves,
                         .path_tolerance_deg = run->path_tolerance_deg,
@@ -88,11 +89,10 @@ static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, doubl
     engines.rigid.least_bounce = run->least_bounce;
     if (status == TP_OK) {
       const tp_tilt_protocol protocol = run->settings.protocol;
-      status =
-          protocol == TP_TILT_RELEASE ? tp_tilting_overturning(&tilting, scale_shaking, g->shaking)
-          : protocol == TP_TILT_RAMP
-              ? tp_tilting_ramp(&tilting)
-              : tp_tilting_bracket(&tilting, tp_tilting_look, least, most, run->settings.until_deg);
+      status = protocol == TP_TILT_RELEASE ? tp_tilting_overturning(&tilting, g->shaking)
+               : protocol == TP_TILT_RAMP  ? tp_tilting_ramp(&tilting)
+                                           : tp_tilting_bracket(&tilting, tp_tilting_look, least,
+                                                                most, run->settings.until_deg);
     }
     tilting.engine = (tp_tilt_dynamics){NULL, NULL};
   }
@@ -108,7 +108,7 @@ static tp_status run_level(tp_converge_level *level, const tp_converge_run *run,
   *level = (tp_converge_level){
       .setting = run->setting, .value = run->value, .own = run->own, .seconds = INFINITY};
   for (int k = 0; k < REPEATS && (k == 0 || level->seconds < short_s); k++) {
-    tp_tilt_case found = {.end = TP_TILT_STANDS};
+    tp_tilt_case found = {.end = TP_TILT_STANDS, .converged = true};
     const tp_status status = run_once(&found, run, least, most, g);
     if (status != TP_OK) return status;
     const bool factor = run->settings.protocol == TP_TILT_RELEASE;
@@ -212,7 +212,11 @@ static tp_status run_direction(tp_tilt_convergence_case *own, const tp_case *sta
   own->onset_deg = window.onset_deg;
   own->limit_deg = window.limit_deg;
   g->body = &body;
-  status = run_settings(own, c, g);
+  tp_path_traction *tractions = NULL;
+  status = tp_tilt_tractions_of(&tractions, &body, g->description, g->message);
+  g->tractions = tractions;
+  if (status == TP_OK) status = run_settings(own, c, g);
+  free(tractions);
   tp_converge_summarise(own);
   tp_rigid_body_clear(&body);
   return status;
@@ -283,6 +287,7 @@ static tp_status fill(tp_tilt_convergence *c, const tp_scene *scene, const tp_ti
     const bool shaken = tp_scene_is_shaken(scene), asked = scene->tilt_test.place.file != NULL;
     stage g = {.options = options,
                .shaking = shaken ? &shaking : NULL,
+               .description = &scene->tilt_test,
                .place = asked ? scene->tilt_test.place : scene->shaking_place,
                .message = message};
     status = describe(c, scene, &problem, message);

@@ -13,7 +13,7 @@ import unittest
 from harness import PROGRAM, ROOT, main, run
 
 FOLDER = ROOT / "docs" / "packaging" / "completion"
-COMMANDS = ("solve", "sweep", "derive", "verify", "accuracy", "chart", "profile", "tilt", "study", "new",
+COMMANDS = ("solve", "sweep", "derive", "verify", "accuracy", "chart", "profile", "tilt", "study", "trace", "new",
             "examples", "explain")
 # The function that `complete -F` names, called as bash calls it.
 ASK = r"""

@@ -55,6 +55,8 @@ class Pages(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             commands, lines = self.follow((ROOT / "docs/tutorial.md").read_text(encoding="utf-8"), folder)
+            self.assertIn("Signatures", (folder / "block.html").read_text(encoding="utf-8"))
+            self.assertTrue((folder / "block.pdf").read_bytes().startswith(b"%PDF"))
             self.assertIn("</svg>", (folder / "block.svg").read_text(encoding="utf-8"))
         self.assertGreaterEqual(commands, 9)
         self.assertGreater(lines, 6)

@@ -17,7 +17,7 @@ except ImportError as missing:
     raise SystemExit("python3-jsonschema is missing: apt-get install python3-jsonschema") from missing
 
 import hard_case
-from harness import ROOT, main, run
+from harness import PROGRAM, ROOT, main, run
 
 SCHEMAS = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in (ROOT / "docs" / "schema").glob("*.json")}
 EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
@@ -96,7 +96,7 @@ class Schema(unittest.TestCase):
 
     def test_1_schemas(self):
         """They are schemas, closed to keys that they do not describe, and describe each that they know."""
-        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "converge", "derive", "profile", "solve", "study", "sweep", "tilt", "verify"})
+        self.assertEqual(set(SCHEMAS), {"accuracy", "chart", "converge", "derive", "profile", "solve", "study", "sweep", "tilt", "trace", "verify"})
         for name, schema in SCHEMAS.items():
             jsonschema.Draft202012Validator.check_schema(schema)
             self.assertEqual(schema["$schema"], "https://json-schema.org/draft/2020-12/schema")
@@ -237,6 +237,13 @@ class Schema(unittest.TestCase):
                 status, out, err = run("tilt", "--converge", "--json", "scene.yaml", folder=folder)
                 self.assertIn(status, (0, 4), err)
                 self.fits("converge", out)
+
+    def test_2_trace(self):
+        if not (pathlib.Path(PROGRAM).parent / "libtopple-trace.so").exists():
+            self.skipTest("topple trace was not built")
+        with tempfile.TemporaryDirectory() as folder:
+            self.prints("trace", "--json", ROOT / "examples" / "pictures" / "painted_boulder.png", "--around=70,70,420,300",
+                        "--scale=30.7,306.7,190.3,317.9,2", "-o", f"{folder}/boulder.yaml")
 
     def test_2_study(self):
         for name in ("slab", "block_above_road", "rough_base"):

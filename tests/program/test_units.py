@@ -99,6 +99,26 @@ class Units(unittest.TestCase):
         self.assertIn("(kip ft)", out)
         self.holds(re.search(r"  sum +(\S+) ", out).group(1), WEIGHT * Fraction(3, 2) / EXACT["moment"]["kip ft"])
 
+    def test_sheet(self):
+        """A calculation sheet has the same units in its tables and in its formulas, whose quotient stays what it was."""
+        sheets = []
+        for more in ("", "result_units: {force: kip, moment: kip ft, stress: psf, length: ft}\n"):
+            for load in ("", DEEP):
+                self.report(SLAB + load + more, "--report", "sheet.md")
+                sheets.append((self.folder / "sheet.md").read_text(encoding="utf-8"))
+        account, loads = sheets[2], sheets[3]
+        for word in ("Weight (kip)", "Stabilising (kip ft)", "lengths and coordinates in ft"):
+            self.assertIn(word, account)
+        self.assertIn("Moment (kip ft)", loads)
+        for sheet in (account, loads):
+            body = sheet.split("result_units:")[0]
+            self.assertNotRegex(body, r"\d (?:N|kN|N m|Pa|kPa)\b|\((?:N|N m|Pa)\)")
+        one, other = (re.search(r"frac\{([^{}]+)\}\{([^{}]+)\} = ([\d.]+)", sheet[sheet.index("table of loads"):]) for sheet in sheets[1::2])
+        self.assertEqual(one.group(3), other.group(3))
+        self.assertNotEqual(one.group(1), other.group(1))
+        over, under = (sum(map(float, part.replace(" ", "").replace("−", " -").replace("+", " ").split())) for part in other.groups()[:2])
+        self.assertAlmostEqual(over / under, float(other.group(3)), 3)
+
     def test_shares_have_no_unit_of_force(self):
         """Without a unit weight the account is in shares of the weight, whatever unit is asked for."""
         text = SLAB.replace(", unit_weight_kn_m3: 26.5", "") + "result_units: {force: kip, moment: kip ft}\n"

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* From pixels to the coordinates of a scene. */
+
+#include "trace/trace.h"
+
+#include <math.h>
+
+void tp_trace_place(tp_trace *trace, const tp_trace_options *options) {
+  const tp_trace_point a = options->scale[0], b = options->scale[1];
+  trace->per_pixel = options->length / hypot(b.x - a.x, b.y - a.y);
+  trace->down = (tp_trace_point){0, 1};
+  trace->origin = (tp_trace_point){0, 0};
+  if (options->plumb_given) {
+    const tp_trace_point p = options->plumb[0], q = options->plumb[1];
+    const double length = hypot(q.x - p.x, q.y - p.y), sign = q.y >= p.y ? 1 : -1;
+    trace->down = (tp_trace_point){sign * (q.x - p.x) / length, sign * (q.y - p.y) / length};
+  }
+  tp_trace_point least = {INFINITY, INFINITY};
+  for (long k = 0; k < trace->ring.count; k++) {
+    const tp_trace_point own = tp_trace_to_scene(trace, trace->ring.points[k]);
+    least.x = fmin(least.x, own.x);
+    least.y = fmin(least.y, own.y);
+  }
+  trace->origin = least;
+}
+
+tp_trace_point tp_trace_to_scene(const tp_trace *trace, tp_trace_point pixel) {
+  const tp_trace_point d = trace->down;
+  return (tp_trace_point){trace->per_pixel * (pixel.x * d.y - pixel.y * d.x) - trace->origin.x,
+                          -trace->per_pixel * (pixel.x * d.x + pixel.y * d.y) - trace->origin.y};
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What was traced, as a scene and as a report. */
+
+#include "trace/trace.h"
+
+#include "output/encode.h"
+#include "output/json.h"
+#include "scene/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Decimals of a length: a twentieth of the deviation is seen. */
+static int decimals_of(const tp_trace *trace) {
+  const double seen = trace->deviation_px * trace->per_pixel / 20;
+  return (int)fmax(0, fmin(12, ceil(-log10(seen))));
+}
+
+static const char *base_name(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash != NULL ? slash + 1 : path;
+}
+
+/* One coordinate: where it is, and how it moves. */
+static void add_coordinate(tp_text *text, int decimals, double at, double move) {
+  if (fabs(move) < 0.0005) {
+    tp_text_add(text, "%.*f", decimals, at);
+  } else {
+    tp_text_add(text, "%.*f %c %.3f*outline_offset", decimals, at, move < 0 ? '-' : '+',
+                fabs(move));
+  }
+}
+
+static void add_points(tp_text *text, const tp_trace *trace) {
+  const int decimals = decimals_of(trace);
+  const tp_trace_point d = trace->down;
+  for (long k = trace->ring.count - 1; k >= 0; k--) { /* counter-clockwise where y runs up */
+    const tp_trace_point at = tp_trace_to_scene(trace, trace->ring.points[k]), m = trace->moves[k];
+    tp_text_add(text, "  - [");
+    add_coordinate(text, decimals, at.x, m.x * d.y - m.y * d.x);
+    tp_text_add(text, ", ");
+    add_coordinate(text, decimals, at.y, -(m.x * d.x + m.y * d.y));
+    tp_text_add(text, "]\n");
+  }
+}
+
+tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace_options *options) {
+  tp_text own = {0};
+  const double deviation = trace->deviation_px * trace->per_pixel;
+  char title[600];
+  snprintf(title, sizeof title, "Traced in %.500s", base_name(options->image));
+  tp_text_add(&own, "# Traced by topple trace. x runs to the right and y up, %s.\n",
+              options->plumb_given ? "along the plumb line of the picture"
+                                   : "as the picture is held: no plumb line was given");
+  tp_text_add(&own,
+              "# outline_offset moves the outline outwards as a whole; its standard deviation "
+              "is\n# %.3g %s, so that a study that takes it for normal says\n"
+              "#   vary: {outline_offset: {normal: {mean: 0, deviation: %.3g}}}\n",
+              deviation, options->unit, deviation);
+  tp_text_add(&own, "topple: 1\ntitle: ");
+  tp_encode_json(&own, title);
+  tp_text_add(&own,
+              "\nlength_unit: %s\nframe: world\nparameters: {outline_offset: 0}\nblock:\n"
+              "  outline:\n",
+              options->unit);
+  add_points(&own, trace);
+  tp_text_add(&own, "  unit_weight_kn_m3: 26    # of rock of middling density: put in its own\n"
+                    "base: {mated: true}        # it lies on the counterpart of its underside\n"
+                    "# friction_angle_deg: 30   # without it sliding is not judged\n");
+  return tp_text_finish(&own, text);
+}
+
+/* ---- report ------------------------------------------------------------------------------------
+ */
+
+static void add_cautions(tp_text *text, const tp_trace *trace, const tp_trace_options *options) {
+  const tp_trace_point a = options->scale[0], b = options->scale[1];
+  const double bar = hypot(b.x - a.x, b.y - a.y);
+  if (!options->plumb_given) {
+    tp_text_add(text, "Caution  no plumb line is given: down is taken to be that of the picture\n");
+  }
+  if (trace->touching > 0.02) {
+    tp_text_add(text, "Caution  %.0f %% of the outline lies on the rough polygon: draw it wider\n",
+                100 * trace->touching);
+  }
+  if (trace->runs_px > 2 * trace->edge_px + 1) {
+    tp_text_add(
+        text, "Caution  a rough polygon a little larger finds another outline: draw it nearer to\n"
+              "         the block, as a polygon\n");
+  }
+  if (trace->weak > 0.2) {
+    tp_text_add(text,
+                "Caution  along %.0f %% of the outline the colours hardly change: look at the\n"
+                "         figure there\n",
+                100 * trace->weak);
+  }
+  if (bar < 0.2 * sqrt(fabs(tp_trace_ring_area(&trace->ring)))) {
+    tp_text_add(text,
+                "Caution  the scale is short, %.0f pixels: each by which it is off makes all\n"
+                "         lengths wrong by %.2g %%\n",
+                bar, 100 / bar);
+  }
+}
+
+/* A number of no proven bound, to as many digits as a picture can tell. */
+static void add_number(tp_json *json, const char *key, double value) {
+  tp_json_significant(json, key, value, 9);
+}
+
+/* In metres, whatever the unit of the scene. */
+static tp_status report_json(char **text, const tp_trace *trace, const tp_trace_options *options) {
+  const tp_trace_point a = options->scale[0], b = options->scale[1], down = trace->down;
+  tp_json json = {0};
+  fmpq_t unit;
+  fmpq_init(unit);
+  const double metres = tp_length_unit(unit, options->unit) ? fmpq_get_d(unit) : 0;
+  fmpq_clear(unit);
+  const double scale = trace->per_pixel * metres;
+  tp_json_report(&json);
+  tp_json_string(&json, "image", options->image);
+  tp_json_string(&json, "length_unit", options->unit);
+  tp_json_break(&json);
+  tp_json_integer(&json, "points", trace->ring.count);
+  add_number(&json, "area_m2", fabs(tp_trace_ring_area(&trace->ring)) * scale * scale);
+  add_number(&json, "m_per_px", scale);
+  add_number(&json, "tolerance_m", trace->tolerance_px * scale);
+  tp_json_break(&json);
+  add_number(&json, "deviation_m", trace->deviation_px * scale);
+  add_number(&json, "deviation_px", trace->deviation_px);
+  add_number(&json, "edge_px", trace->edge_px);
+  add_number(&json, "runs_px", trace->runs_px);
+  tp_json_break(&json);
+  add_number(&json, "scale_px", hypot(b.x - a.x, b.y - a.y));
+  tp_json_truth(&json, "plumb_given", options->plumb_given);
+  add_number(&json, "plumb_deg", atan2(down.x, down.y) * 180 / acos(-1));
+  add_number(&json, "weak_share", trace->weak);
+  add_number(&json, "touching_share", trace->touching);
+  tp_json_close(&json);
+  return tp_json_finish(&json, text);
+}
+
+tp_status tp_trace_report(char **text, const tp_trace *trace, const tp_trace_options *options) {
+  tp_text own = {0};
+  const double scale = trace->per_pixel;
+  const double area = fabs(tp_trace_ring_area(&trace->ring)) * scale * scale;
+  if (options->json) return report_json(text, trace, options);
+  tp_text_add(&own, "Outline  %ld points, area %.5g %s², one pixel is %.3g %s\n", trace->ring.count,
+              area, options->unit, scale, options->unit);
+  tp_text_add(&own,
+              "Band     standard deviation %.3g %s, %.2f pixels: %.2f across its edge,\n"
+              "         %.2f from one rough polygon to another, 0.29 within a pixel; two of\n"
+              "         them are %.2g %% of the area\n",
+              scale * trace->deviation_px, options->unit, trace->deviation_px, trace->edge_px,
+              trace->runs_px,
+              200 * trace->deviation_px * tp_trace_ring_length(&trace->ring) /
+                  fabs(tp_trace_ring_area(&trace->ring)));
+  add_cautions(&own, trace, options);
+  return tp_text_finish(&own, text);
+}
