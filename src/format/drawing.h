@@ -6,15 +6,9 @@
  *
  * Coordinates are in the unit of the file, x to the right and y upwards. A point that stands in the
  * file is taken to the last digit of its decimals; one that was computed (an end of an arc by its
-<<<<<<< HEAD
  * angles) may be meant up to `uncertainty` beside it, and what was made chords of leaves them by at
  * most `deviation`. Which object is the block, and which the base, is told apart by layer and name
  * (format/roles.h), and pieces are joined end to end before (format/join.h). */
-=======
- * angles) is off by at most `uncertainty`, and what was made chords of leaves them by at most
- * `deviation`. Which object is the block, and which the base, is told apart by layer and name,
- * and pieces are joined end to end before. */
->>>>>>> main
 
 #ifndef TP_DRAWING_H
 #define TP_DRAWING_H

@@ -108,15 +108,25 @@ static tp_status read_block(const tp_reader *reader, const tp_node *root) {
 }
 
 static tp_status read_root(const tp_reader *reader, const tp_node *root) {
-  static const char *const keys[] = {
-      "topple",       "title",   "length_unit", "parameters",         "block",
-      "base",         "loads",   "tilt",        "friction_angle_deg", "friction",
-      "frame",        "contact", "joint",       "tilt_test",          "shaking",
-<<<<<<< HEAD
-      "result_units", "drawing", NULL};
-=======
-      "result_units", "section", NULL};
->>>>>>> main
+  static const char *const keys[] = {"topple",
+                                     "title",
+                                     "length_unit",
+                                     "parameters",
+                                     "block",
+                                     "base",
+                                     "loads",
+                                     "tilt",
+                                     "friction_angle_deg",
+                                     "friction",
+                                     "frame",
+                                     "contact",
+                                     "joint",
+                                     "tilt_test",
+                                     "shaking",
+                                     "result_units",
+                                     "drawing",
+                                     "section",
+                                     NULL};
   tp_scene *scene = reader->scene;
   if (root->kind != TP_NODE_MAPPING) {
     return tp_read_fail(reader, root, "this is no scene: it does not begin with 'topple: 1'");

@@ -11,20 +11,18 @@ static const struct {
 } units[] = {{"mm", 1, 1000}, {"cm", 1, 100},    {"m", 1, 1},
              {"km", 1000, 1}, {"in", 127, 5000}, {"ft", 381, 1250}};
 
-<<<<<<< HEAD
 bool tp_unit_find(fmpq_t metres, const char **unit) {
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
     if (strcmp(*unit, units[k].name) != 0) continue;
     *unit = units[k].name;
-=======
-bool tp_length_unit(fmpq_t metres, const char *name) {
-  for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
-    if (strcmp(name, units[k].name) != 0) continue;
->>>>>>> main
     fmpq_set_si(metres, units[k].numerator, (unsigned long)units[k].denominator);
     return true;
   }
   return false;
+}
+
+bool tp_length_unit(fmpq_t metres, const char *name) {
+  return tp_unit_find(metres, &name);
 }
 
 tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,

@@ -245,14 +245,11 @@ const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node)
 size_t tp_scene_source_count(const tp_scene *scene);
 const char *tp_scene_source(const tp_scene *scene, size_t index);
 
-<<<<<<< HEAD
-/* The metres of a unit of length by its name, which becomes a static text; false: there is none. */
-bool tp_unit_find(fmpq_t metres, const char **unit);
-=======
 /* The metres of a unit of length, by its name; false where there is none of this name. */
 bool tp_length_unit(fmpq_t metres, const char *name);
+/* The same of a name that becomes a static text. */
+bool tp_unit_find(fmpq_t metres, const char **unit);
 
->>>>>>> main
 TP_MUST_USE tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,
                                         tp_message *message);
 

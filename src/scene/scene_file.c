@@ -34,13 +34,10 @@ void tp_scene_file_free(tp_scene_file *file) {
     tp_notes_clear(&file->chains[k].notes);
   }
   free(file->chains);
-<<<<<<< HEAD
   if (file->drawn != NULL) tp_drawn_clear(file->drawn);
   free(file->drawn);
-=======
   for (long k = 0; k < file->mesh_count; k++) tp_mesh_clear(file->meshes + k);
   free(file->meshes);
->>>>>>> main
   for (long k = 0; k < file->name_count; k++) free(file->names[k]);
   free(file->names);
   tp_node_free(file->root);

@@ -32,12 +32,9 @@ typedef struct tp_scene_file {
   char **names;
   long chain_count, chain_room;
   tp_file_chain *chains;
-<<<<<<< HEAD
-  tp_drawn *drawn; /* what its drawing gives; NULL: it has none, or that varies */
-=======
+  tp_drawn *drawn;            /* what its drawing gives; NULL: it has none, or that varies */
   long mesh_count, mesh_room; /* that its sections are cut through */
   tp_mesh *meshes;
->>>>>>> main
 } tp_scene_file;
 
 /* Of one user. It takes the nodes over, but for where memory is exhausted: then it is NULL. */
