@@ -4,10 +4,10 @@
 #define _GNU_SOURCE /* getline */
 #include "study/column.h"
 
+#include "format/csv_row.h"
 #include "grow.h"
 #include "number/ratio.h"
 #include "outside.h"
-#include "format/csv_row.h"
 #include "study/hash.h"
 
 #include <errno.h>
