@@ -12,7 +12,7 @@ static const double bracket_share = 0.25;
 
 /* Of the longest stable step, that which springs take where none is given; and beyond which a step
  * is not tried. */
-static const double chosen_share = 0.1, most_share = 0.9;
+static const double chosen_share = 0.2, most_share = 0.9;
 
 /* The ratios of stiffness that contacts of rock have; the paper's is the first. */
 static const double ratios[] = {0.01, 0.1, 1};
