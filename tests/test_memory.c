@@ -71,7 +71,7 @@ START_TEST(every_request) {
   (void)run(own->run, 0, false); /* what libraries keep for good */
   long kept = run(own->run, 0, false);
   const long requests = failing_memory_state.requests;
-  ck_assert_int_gt(requests, 10);
+  ck_assert_int_ge(requests, 2);
   const long points = getenv("TOPPLE_EVERY_REQUEST") != NULL ? MOST_POINTS : own->points;
   const long step = 1 + (requests - 1) / points;
   for (long n = 1; n <= requests; n += step) {
