@@ -6,13 +6,14 @@
 #include "guard.hpp"
 
 #include <rapidjson/error/en.h>
+#include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>
 
 namespace {
 
 class Handler {
 public:
-  Handler(const rapidjson::StringStream &stream, tp_json_visitor visitor, void *context)
+  Handler(const rapidjson::MemoryStream &stream, tp_json_visitor visitor, void *context)
       : stream(stream), visitor(visitor), context(context) {
   }
 
@@ -65,7 +66,7 @@ private:
     return visitor(context, &event);
   }
 
-  const rapidjson::StringStream &stream;
+  const rapidjson::MemoryStream &stream;
   tp_json_visitor visitor;
   void *context;
 };
@@ -76,13 +77,13 @@ bool tp_json_events_are_there(void) {
   return true;
 }
 
-tp_geom_status tp_json_visit(const char *text, tp_json_visitor visitor, void *context,
-                             const char **problem, size_t *at) {
+tp_geom_status tp_json_visit(const char *text, size_t length, tp_json_visitor visitor,
+                             void *context, const char **problem, size_t *at) {
   return tp::guard([&] {
     constexpr unsigned flags = rapidjson::kParseIterativeFlag |
                                rapidjson::kParseNumbersAsStringsFlag |
                                rapidjson::kParseValidateEncodingFlag;
-    rapidjson::StringStream stream(text);
+    rapidjson::MemoryStream stream(text, length); /* ends there, also within a character */
     Handler handler(stream, visitor, context);
     rapidjson::Reader reader;
     const rapidjson::ParseResult result = reader.Parse<flags>(stream, handler);

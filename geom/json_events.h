@@ -39,8 +39,8 @@ bool tp_json_events_are_there(void);
 
 /* `*problem` is NULL, or what is wrong with the text, which is static, at the byte `*at`; NULL too
  * where the visitor ended it. */
-tp_geom_status tp_json_visit(const char *text, tp_json_visitor visitor, void *context,
-                             const char **problem, size_t *at);
+tp_geom_status tp_json_visit(const char *text, size_t length, tp_json_visitor visitor,
+                             void *context, const char **problem, size_t *at);
 
 #ifdef __cplusplus
 }

@@ -9,9 +9,10 @@ bool tp_json_events_are_there(void) {
   return false;
 }
 
-tp_geom_status tp_json_visit(const char *text, tp_json_visitor visitor, void *context,
-                             const char **problem, size_t *at) {
+tp_geom_status tp_json_visit(const char *text, size_t length, tp_json_visitor visitor,
+                             void *context, const char **problem, size_t *at) {
   (void)text;
+  (void)length;
   (void)visitor;
   (void)context;
   (void)problem;

@@ -28,6 +28,7 @@ typedef struct level {
 typedef struct reader {
   tp_drawing *drawing;
   const char *text;
+  size_t length;
   tp_message *message;
   tp_status status;
   level levels[DEEPEST];
@@ -238,7 +239,7 @@ static bool visit(void *context, const tp_json_event *e) {
 static tp_status read_text(reader *r) {
   const char *problem = NULL;
   size_t at = 0;
-  const tp_geom_status visited = tp_json_visit(r->text, visit, r, &problem, &at);
+  const tp_geom_status visited = tp_json_visit(r->text, r->length, visit, r, &problem, &at);
   while (r->depth > 0) end(r);
   if (r->status != TP_OK) return r->status;
   if (visited != TP_GEOM_OK) return tp_fail_memory(r->message, "a drawing");
@@ -261,7 +262,12 @@ tp_status tp_geojson_read(tp_drawing *drawing, const tp_text_file *file,
   if (memchr(file->text, '\0', file->length) != NULL) {
     return tp_fail(message, TP_BAD_INPUT, whole, "no text: it has bytes of zero");
   }
-  reader r = {.drawing = drawing, .text = file->text, .message = message, .line = 1, .outer = -1};
+  reader r = {.drawing = drawing,
+              .text = file->text,
+              .length = file->length,
+              .message = message,
+              .line = 1,
+              .outer = -1};
   for (int k = 0; k < NUMBERS; k++) fmpq_init(r.position + k);
   fmpq_init(r.height);
   const tp_status status = read_text(&r);

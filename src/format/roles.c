@@ -202,6 +202,10 @@ static tp_status check_chain(const choosing *c, const tp_drawing_object *chain,
     return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(chain), "this %s %s", chain->kind,
                    chain->problem);
   }
+  if (chain->line.count < 2) {
+    return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(chain),
+                   "this %s has fewer than two points", chain->kind);
+  }
   if (role == TP_DRAWING_BASE) {
     if (chain->closure != TP_DRAWING_CLOSED) return TP_OK;
     return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(chain),

@@ -271,6 +271,7 @@ class Refused(Drawing):
         self.refused(dxf(light_polyline("BLOCK", RING) + light_polyline("BASE", RING), unit=6), "base", "open line")
         self.refused(dxf(light_polyline("BLOCK", RING, more=[(210, 1), (220, 0), (230, 0)]), unit=6), "plane")
         self.refused(dxf(light_polyline("BLOCK", RING) + circle("PART", 1, 1, 1), unit=6), "PART", "unit_weight_kn_m3")
+        self.refused(dxf(light_polyline("BLOCK", [], closed=False), unit=6), "fewer than two points")
         star = "".join(line("BLOCK", 0, 0, x, y) for x, y in ((1, 0), (0, 1), (1, 1)))
         self.refused(dxf(star, unit=6), "more than two ends")
         self.refused(dxf(light_polyline("BLOCK", [("0", "0"), ("1", "0"), ("1", "nan")]), unit=6), "number")
