@@ -16,8 +16,10 @@ static const double share_chosen = 0.2;
 /* Rounded corners are points of the block: the radius is below this share of its extent. */
 static const double most_rounding_share = 0.01;
 
-/* Of the block's extent: what has moved by less lies where it was. */
-static const double moved_share = 1e-4;
+/* What has moved by less than the first of the block's extent, or by a hundred times what springs
+ * give under its weight on the whole contact, as they do near a limit, lies where it was; what has
+ * moved by the last of its extent does not. */
+static const double moved_share = 1e-4, near_limit = 100, most_share = 1e-2;
 
 /* Observations in a window of the watch; steps between two times that `stop` is asked. */
 enum { OBSERVATIONS = 8, STEPS_UNASKED = 100000 };
@@ -93,7 +95,8 @@ static bool has_moved(const running *r) {
   if (r->has_settled && r->run->drive->shaking == NULL) return false;
   const tp_xy moved = tp_xy_minus(state->moved, r->settled.moved);
   const double turned = fabs(state->turned - r->settled.turned);
-  return hypot(moved.x, moved.y) + turned * extent > moved_share * extent;
+  const double gives = fmax(moved_share * extent, near_limit * r->watch.give_m);
+  return hypot(moved.x, moved.y) + turned * extent > fmin(gives, most_share * extent);
 }
 
 /* Is no part of the block above the base? */
