@@ -187,7 +187,9 @@ START_TEST(blocks_of_table_3_collapse_at_their_limit) {
   ck_assert_int_eq(glob(TP_EXAMPLES "/block_[a-g]_*.yaml", 0, NULL, &found), 0);
   ck_assert_int_eq(glob(TP_EXAMPLES "/block_[cdfg].yaml", GLOB_APPEND, NULL, &found), 0);
   for (size_t k = 0; k < found.gl_pathc; k++) {
-    if (strstr(found.gl_pathv[k], "shifted") != NULL) continue;
+    if (strstr(found.gl_pathv[k], "shifted") != NULL || strstr(found.gl_pathv[k], "_wkt") != NULL) {
+      continue; /* of another window; named by a drawing */
+    }
     compared += compare_limit(found.gl_pathv[k], TP_TOWARDS_LEFT);
     compared += compare_limit(found.gl_pathv[k], TP_TOWARDS_RIGHT);
   }

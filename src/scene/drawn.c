@@ -29,7 +29,7 @@ void tp_drawn_clear(tp_drawn *drawn) {
   free(drawn->part_words);
   free(drawn->objects);
   tp_notes_clear(&drawn->notes);
-  *drawn = (tp_drawn){.path = drawn->path, .unit = drawn->unit};
+  *drawn = (tp_drawn){.path = drawn->path, .length_unit = drawn->length_unit};
 }
 
 /* Sign of the area within the chords; an outline that has none is refused where arcs are applied.

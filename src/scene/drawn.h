@@ -29,7 +29,7 @@ typedef struct tp_drawn_arc {
 
 typedef struct tp_drawn {
   const char *path;          /* borrowed */
-  const char *unit;          /* of the drawing's lengths */
+  const char *length_unit;   /* of the drawing's lengths */
   bool fixed;                /* no number that varies bears upon it */
   tp_polyline outline, base; /* no point: the drawing has no base */
   long arc_count, hole_count, part_count, object_count;

@@ -202,7 +202,7 @@ static tp_status make_drawn(const tp_reader *reader, tp_drawn *drawn, const draw
                                reader->message);
     if (status == TP_OK) {
       set_scale(scale, reader->scene, &drawing);
-      *drawn = (tp_drawn){.path = path, .unit = drawing.unit};
+      *drawn = (tp_drawn){.path = path, .length_unit = drawing.unit};
       status = tp_drawn_make(drawn, &choice, &drawing, &k->options, scale, reader->message);
       tp_drawing_choice_clear(&choice);
     }
@@ -218,7 +218,7 @@ static tp_status find_drawn(const tp_reader *reader, const drawing_keys *k, cons
   tp_drawn *kept = scene->file->drawn;
   if (kept != NULL && kept->fixed && !k->varies) {
     scene->drawn = kept;
-    return use_drawing_unit(reader, kept->unit, node);
+    return use_drawing_unit(reader, kept->length_unit, node);
   }
   tp_drawn *own = calloc(1, sizeof *own);
   if (own == NULL) return tp_fail_memory(reader->message, "the drawing");

@@ -20,6 +20,7 @@ EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
 ELSEWHERE = {
     "Contact": {"left_end": lambda c: (c.left_end, c.left_x_m, c.left_y_m),
                 "right_end": lambda c: (c.right_end, c.right_x_m, c.right_y_m), "share_of_height": lambda c: c.reach},
+    "Frame": {"turned_about": lambda f: (f.about_x_m, f.about_y_m)},
     "Rest": {"contacts": lambda r: r.touches},
     "Pivot": {"fos": lambda p: p.fos_resultant},
     "Sliding": {"facet": lambda s: ((s.facet_x0_m, s.facet_y0_m), (s.facet_x1_m, s.facet_y1_m))},
