@@ -63,7 +63,6 @@ static bool finds_equilibrium(tp_stepper *s, const tp_body_state *start, double 
   s->load_share = 1;
   tp_spring_watch watch;
   tp_spring_watch_init(&watch, s);
-  watch.takes_creep = false;
   const double longest = s->time_s + LONGEST * sqrt(s->body->extent_m / TP_GRAVITY_M_S2);
   tp_spring_watch_news news = TP_WATCH_NOTHING;
   while (news == TP_WATCH_NOTHING && s->time_s < longest) {

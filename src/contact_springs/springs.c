@@ -188,10 +188,12 @@ static bool take_news(running *r, tp_spring_watch_news news, tp_run_end *end) {
   return ends || !done;
 }
 
+/* A block that still creeps is not known to rest: where that alone is asked, it counts as one that
+ * lets go. */
 static tp_run_end end_of_time(const running *r) {
   if (r->overturned) return TP_RUN_OVERTURNED;
   if (r->collapsed) return TP_RUN_MOVES;
-  if (r->watch.resting == 0) return TP_RUN_UNDECIDED;
+  if (r->watch.resting == 0) return r->run->until_collapse ? TP_RUN_MOVES : TP_RUN_UNDECIDED;
   return has_moved(r) ? TP_RUN_RESTS : TP_RUN_STANDS;
 }
 

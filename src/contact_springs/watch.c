@@ -48,7 +48,6 @@ void tp_spring_watch_init(tp_spring_watch *w, const tp_stepper *s) {
   *w = (tp_spring_watch){.weight_n = body->mass_kg * TP_GRAVITY_M_S2,
                          .extent_m = body->extent_m,
                          .window_s = sqrt(body->extent_m / TP_GRAVITY_M_S2) / WINDOWS,
-                         .takes_creep = true,
                          .from = place_of(s),
                          .give_m = give(s)};
   w->window_end_s = s->time_s + w->window_s;
@@ -112,8 +111,7 @@ static tp_spring_watch_news judge(tp_spring_watch *w, tp_body_force force, doubl
   const double speed = slowest(w, stepper);
   const bool fast = kinetic > speed * speed / (2 * TP_GRAVITY_M_S2 * w->extent_m);
   const bool grew = w->growing >= GROWING_WINDOWS && fast;
-  const bool creeps = w->takes_creep && w->drifting >= DRIFTING_TIMES;
-  if (!grew && !creeps) return TP_WATCH_NOTHING;
+  if (!grew && w->drifting < DRIFTING_TIMES) return TP_WATCH_NOTHING;
   w->begun_s =
       begin_of(w, stepper->time_s, grew ? w->growing : (long)(DRIFTING_TIMES + 1) * WINDOWS);
   return TP_WATCH_COLLAPSES;

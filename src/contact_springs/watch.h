@@ -40,8 +40,7 @@ typedef struct tp_spring_watch {
   tp_drift from, last_drift;
   double slower_until_s[TP_WATCH_DECADES]; /* the kinetic energy was below 10^-k until then */
   double give_m;                           /* how far springs give under the weight, about */
-  bool takes_creep; /* for collapse; not so where dashpots make it of what comes to rest */
-  double begun_s;   /* when what is told began */
+  double begun_s;                          /* when what is told began */
 } tp_spring_watch;
 
 typedef enum tp_spring_watch_news {
