@@ -52,11 +52,12 @@ static void draw_frame(cairo_t *cr, const tp_tilt_view *view, const tp_tilt_mome
 static void draw_row(cairo_t *cr, const tp_tilt_test *test, const tp_tilt_view *view, double top) {
   size_t chosen[TP_TILT_FRAMES] = {0};
   const size_t count = tp_tilt_frames_choose(chosen, view);
+  const tp_tilt_engine engine = test->settings.engine;
   char words[160];
   tp_figure_ink(cr, TP_INK_BLACK);
   tp_figure_font(cr, 12, false);
   snprintf(words, sizeof words, "%s, %s: %s", tp_text_table(test, view->own),
-           tp_tilt_engine_name(test->settings.engine), tp_tilt_end_name(view->own->end));
+           tp_tilt_engine_name(engine), tp_tilt_end_name(view->own->end));
   tp_figure_text(cr, 8, top + 16, words);
   for (size_t k = 0; k < count; k++) {
     const tp_tilt_moment *m = view->own->moments + chosen[k];
@@ -67,7 +68,7 @@ static void draw_row(cairo_t *cr, const tp_tilt_test *test, const tp_tilt_view *
     cairo_restore(cr);
     tp_figure_ink(cr, TP_INK_BLACK);
     tp_figure_font(cr, 12, false);
-    if (test->settings.engine == TP_TILT_PATH) {
+    if (engine == TP_TILT_PATH) {
       snprintf(words, sizeof words, "tilt %.2f°", m->angle_deg);
     } else {
       snprintf(words, sizeof words, "tilt %.2f°, %.3g s", m->angle_deg, m->time_s);

@@ -166,12 +166,12 @@ static void add_window(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *te
               c->onset_deg, c->limit_deg);
   if (test->settings.protocol == TP_TILT_RELEASE) return;
   const bool wide = c->limit_deg - c->onset_deg > 1e-6;
+  const bool locked = test->settings.traction_count > 0;
   if (c->place == TP_PLACE_WITHIN && wide) {
     tp_text_add(t,
                 "  Between them history decides: here how the block came to lie at the tilt,\n"
                 "  %sthe ratio of the contact's stiffnesses where it has any.\n",
-                test->settings.traction_count > 0 ? "the stress locked in on its contact, and\n  "
-                                                  : "and ");
+                locked ? "the stress locked in on its contact, and\n  " : "and ");
   } else if (c->place == TP_PLACE_BELOW) {
     tp_text_add(t, "  It let go below α_s, where rest is the only motion of rigid contacts: by "
                    "what\n  springs, damping, time step or speed of the table add; vary them.\n");
