@@ -1,19 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
-"""gnuplot, and ffmpeg, as other programs: what the user has set for them, and what they do wrong.
+"""gnuplot as another program: what the user has set for it, and what it does wrong.
 
-`GNUTERM`, a `~/.gnuplot`, POSIXLY_CORRECT and a locale changed or broke the figures; a gnuplot that
-hung hung the program."""
+`GNUTERM`, a `~/.gnuplot`, POSIXLY_CORRECT and a locale changed or broke the figures."""
 
 import os
-import pathlib
 import subprocess
-import tempfile
-import unittest
 
-from harness import PROGRAM, ROOT, main
-
-CHARTS = (("fos",), ("--x", "block.slab.width=20:150", "map", "examples/slab_left.yaml"))
+from harness import ROOT, main
+from stand_ins import CHARTS, StandIns
 
 # A gnuplot that ends in some wrong way, and what the program says of it.
 FAILURES = {
@@ -26,30 +21,9 @@ FAILURES = {
     "yes complaint | head -c 3000000 >&2; cat >/dev/null; exit 1": "complaint complaint",
     "exit 127": "gnuplot failed",
 }
-# A gnuplot that does not end.
-HANGS = ("exec sleep 100", "cat >/dev/null; echo half; exec sleep 100",
-         "exec 0<&- 1>&- 2>&-; exec sleep 100", "sleep 100 & cat >/dev/null; echo half; exit 0",
-         "trap '' TERM INT HUP; sleep 100; sleep 100")
 
 
-class Gnuplot(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="topple gnuplot ")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def command(self, name, chart=CHARTS[0]):
-        # options first, as POSIXLY_CORRECT wants them of this program too
-        return [PROGRAM, "chart", "--output", self.folder / name, *chart]
-
-    def stand_in(self, name, script, program="gnuplot"):
-        """A folder with a gnuplot of our own, or an ffmpeg."""
-        tools = self.folder / name
-        tools.mkdir()
-        (tools / program).write_text(f"#!/bin/sh\n{script}\n")
-        (tools / program).chmod(0o755)
-        return {**os.environ, "PATH": f"{tools}:/usr/bin:/bin"}
-
+class Gnuplot(StandIns):
     def test_what_the_user_has_set(self):
         """One byte of difference, and the setting has reached gnuplot."""
         home = self.folder / "home"
@@ -103,27 +77,6 @@ class Gnuplot(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout), (5, ""))
             self.assertIn("gnuplot", done.stderr)
         self.assertEqual([p.name for p in self.folder.iterdir()], ["tools"])
-
-    def test_hangs(self):
-        """Every kind of hanging ends after a minute, all at the same time here."""
-        processes = []
-        for k, script in enumerate(HANGS):
-            (self.folder / f"{k}.svg").write_text("as before")
-            processes.append(subprocess.Popen(  # pylint: disable=consider-using-with
-                self.command(f"{k}.svg"), cwd=ROOT, env=self.stand_in(f"tools {k}", script),
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8"))
-        animation = [PROGRAM, "tilt", "--json", "--animation", self.folder / "a.webm", "examples/tilt_block_f.yaml"]
-        with subprocess.Popen(animation, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8",
-                              env=self.stand_in("moving", "cat >/dev/null; exec sleep 100", "ffmpeg")) as film:
-            self.assertIn("ffmpeg failed: it did nothing for 60 seconds", film.communicate(timeout=300)[1])
-            self.assertEqual(film.returncode, 5)
-        self.assertFalse((self.folder / "a.webm").exists())
-        for k, process in enumerate(processes):
-            out, err = process.communicate(timeout=300)
-            self.assertEqual((process.returncode, out), (5, ""), HANGS[k])
-            self.assertIn("did nothing for 60 seconds", err)
-            self.assertEqual((self.folder / f"{k}.svg").read_text(), "as before")
-        self.assertEqual(list(self.folder.glob("**/*.part")), [])
 
 
 if __name__ == "__main__":
