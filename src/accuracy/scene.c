@@ -119,19 +119,6 @@ tp_status tp_accuracy_add_scene(tp_accuracy *accuracy, const tp_scene *scene, un
   return status;
 }
 
-/* The files that the scene was read from. */
-static tp_status keep_sources(tp_accuracy *accuracy, const tp_scene *scene, tp_message *message) {
-  const size_t count = tp_scene_source_count(scene);
-  accuracy->sources = calloc(count, sizeof *accuracy->sources);
-  if (accuracy->sources == NULL) return tp_fail_memory(message, "the names of files");
-  for (; accuracy->source_count < count; accuracy->source_count++) {
-    const size_t k = accuracy->source_count;
-    accuracy->sources[k] = strdup(tp_scene_source(scene, k));
-    if (accuracy->sources[k] == NULL) return tp_fail_memory(message, "the names of files");
-  }
-  return TP_OK;
-}
-
 /* The test over its settings, where the scene calls for one that has a critical angle, or a least
  * shaking. */
 static tp_status add_simulated(tp_accuracy *accuracy, const tp_scene *scene, tp_message *message) {
@@ -148,7 +135,7 @@ tp_status tp_accuracy_of_scene(tp_accuracy **accuracy, const tp_scene *scene, tp
   TP_REFUSE_NULL(message, scene);
   tp_accuracy *own = tp_accuracy_new();
   if (own == NULL) return tp_fail_memory(message, "the account of accuracy");
-  tp_status status = keep_sources(own, scene, message);
+  tp_status status = tp_scene_copy_sources(&own->sources, &own->source_count, scene, message);
   if (status == TP_OK) status = tp_accuracy_add_scene(own, scene, ~0U, false, message);
   if (status == TP_OK) status = add_simulated(own, scene, message);
   if (status == TP_OK && scene->title != NULL) {

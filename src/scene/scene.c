@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const struct {
@@ -96,4 +97,18 @@ size_t tp_scene_source_count(const tp_scene *scene) {
 
 const char *tp_scene_source(const tp_scene *scene, size_t index) {
   return index == 0 ? scene->path : scene->file->names[index - 1];
+}
+
+tp_status tp_scene_copy_sources(char ***names, size_t *count, const tp_scene *scene,
+                                tp_message *message) {
+  const size_t all = tp_scene_source_count(scene);
+  char **own = calloc(all, sizeof *own);
+  *names = own;
+  *count = 0;
+  for (size_t k = 0; own != NULL && k < all; k++) {
+    own[k] = strdup(tp_scene_source(scene, k));
+    if (own[k] == NULL) break;
+    *count = k + 1;
+  }
+  return *count == all ? TP_OK : tp_fail_memory(message, "the names of files");
 }

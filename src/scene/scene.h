@@ -245,6 +245,11 @@ const tp_override *tp_scene_override(const tp_scene *scene, const tp_node *node)
 size_t tp_scene_source_count(const tp_scene *scene);
 const char *tp_scene_source(const tp_scene *scene, size_t index);
 
+/* Names of them all, for a result to own. Where memory is exhausted, `names` and `count` hold those
+ * that were copied by then. */
+TP_MUST_USE tp_status tp_scene_copy_sources(char ***names, size_t *count, const tp_scene *scene,
+                                            tp_message *message);
+
 /* The metres of a unit of length by its name, which becomes a static text; false: there is none. */
 bool tp_unit_find(fmpq_t metres, const char **unit);
 TP_MUST_USE tp_status tp_scene_use_unit(tp_scene *scene, const char *length_unit, tp_place place,

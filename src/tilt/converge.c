@@ -225,18 +225,6 @@ static tp_status run_direction(tp_tilt_convergence_case *own, const tp_case *sta
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
-static tp_status keep_sources(tp_tilt_convergence *c, const tp_scene *scene, tp_message *message) {
-  const size_t count = tp_scene_source_count(scene);
-  c->sources = calloc(count + 1, sizeof *c->sources);
-  if (c->sources == NULL) return tp_fail_memory(message, "the names of files");
-  for (; c->source_count < count; c->source_count++) {
-    const size_t k = c->source_count;
-    c->sources[k] = strdup(tp_scene_source(scene, k));
-    if (c->sources[k] == NULL) return tp_fail_memory(message, "the names of files");
-  }
-  return TP_OK;
-}
-
 static tp_status describe(tp_tilt_convergence *c, const tp_scene *scene, const tp_problem *problem,
                           tp_message *message) {
   c->settings = tp_tilt_settings_of(scene, problem->scene);
@@ -252,7 +240,7 @@ static tp_status describe(tp_tilt_convergence *c, const tp_scene *scene, const t
     c->title = strdup(scene->title);
     if (c->title == NULL) return tp_fail_memory(message, "the title");
   }
-  tp_status status = keep_sources(c, scene, message);
+  tp_status status = tp_scene_copy_sources(&c->sources, &c->source_count, scene, message);
   if (status == TP_OK) status = tp_scene_notes(&c->notes, scene, message);
   return status == TP_OK ? tp_problem_cautions(&c->notes, problem, message) : status;
 }
