@@ -9,6 +9,7 @@
 #include <dl_dxf.h>
 
 #include <map>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -37,6 +38,10 @@ public:
 
   void read() {
     DL_Dxf dxf;
+    /* Its constructor leaves open what it is in the midst of; reading a stream, here a comment,
+     * sets that. */
+    std::istringstream comment("999\n \n");
+    dxf.in(comment, this);
     bool wanted = false;
     for (size_t k = 0; k < count && going; k++) {
       const tp_dxf_group &group = groups[k];
