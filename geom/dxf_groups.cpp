@@ -9,7 +9,6 @@
 #include <dl_dxf.h>
 
 #include <map>
-#include <sstream>
 #include <string>
 
 namespace {
@@ -38,10 +37,9 @@ public:
 
   void read() {
     DL_Dxf dxf;
-    /* Its constructor leaves open what it is in the midst of; reading a stream, here a comment,
-     * sets that. */
-    std::istringstream comment("999\n \n");
-    dxf.in(comment, this);
+    /* Its constructor leaves open what it is in the midst of; to begin with a file, here none, sets
+     * that, and asks for no memory as a stream would. */
+    dxf.in(std::string(), this);
     bool wanted = false;
     for (size_t k = 0; k < count && going; k++) {
       const tp_dxf_group &group = groups[k];

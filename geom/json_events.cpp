@@ -9,7 +9,34 @@
 #include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>
 
+#include <cstdlib>
+#include <new>
+
 namespace {
+
+/* RapidJSON writes into what its own allocator gives without asking whether that gave anything. */
+class ThrowingAllocator {
+public:
+  static constexpr bool kNeedFree = true;
+
+  void *Malloc(size_t size) {
+    return Realloc(nullptr, 0, size);
+  }
+  void *Realloc(void *memory, size_t, size_t size) {
+    if (size == 0) {
+      Free(memory);
+      return nullptr;
+    }
+    void *given = std::realloc(memory, size);
+    if (given == nullptr) throw std::bad_alloc();
+    return given;
+  }
+  static void Free(void *memory) {
+    std::free(memory);
+  }
+};
+
+using Reader = rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, ThrowingAllocator>;
 
 class Handler {
 public:
@@ -85,7 +112,7 @@ tp_geom_status tp_json_visit(const char *text, size_t length, tp_json_visitor vi
                                rapidjson::kParseValidateEncodingFlag;
     rapidjson::MemoryStream stream(text, length); /* ends there, also within a character */
     Handler handler(stream, visitor, context);
-    rapidjson::Reader reader;
+    Reader reader;
     const rapidjson::ParseResult result = reader.Parse<flags>(stream, handler);
     const bool ended = result.Code() == rapidjson::kParseErrorTermination;
     *problem = result.IsError() && !ended ? rapidjson::GetParseError_En(result.Code()) : nullptr;
