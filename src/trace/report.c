@@ -47,11 +47,45 @@ static void add_points(tp_text *text, const tp_trace *trace) {
   }
 }
 
+/* What is known of the rock, and a comment for what is not: nothing is supposed of it. Of the lines
+ * of a block the first two, then the base and its friction. */
+static void add_rock(tp_text *text, const tp_trace_rock *rock) {
+  if (rock->unit_weight != NULL) {
+    tp_text_add(text, "  unit_weight_kn_m3: %s\n", rock->unit_weight);
+  } else {
+    tp_text_add(text, "  # unit_weight_kn_m3: 26   # missing: forces and loads need it\n");
+  }
+  if (rock->thickness != NULL) {
+    tp_text_add(text, "  thickness: %s\n", rock->thickness);
+  } else {
+    tp_text_add(text, "  # thickness: 1            # 1 m where it is not given\n");
+  }
+  tp_text_add(text, "base: {mated: true}         # the counterpart of its underside; NOT cautious "
+                    "where it touches in less\n");
+  if (rock->friction != NULL) {
+    tp_text_add(text, "friction_angle_deg: %s\n", rock->friction);
+  } else {
+    tp_text_add(text, "# friction_angle_deg: 30    # missing: sliding is not judged, and no design "
+                      "factor is met\n");
+  }
+}
+
+tp_status tp_trace_rock_text(char **text, const tp_trace_options *options) {
+  tp_text own = {0};
+  tp_text_add(&own,
+              "topple: 1\nlength_unit: %s\nblock:\n"
+              "  slab: {width: 1, height: 1}\n",
+              options->unit);
+  add_rock(&own, options->rock);
+  return tp_text_finish(&own, text);
+}
+
 tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace_options *options) {
   tp_text own = {0};
   const double deviation = trace->deviation_px * trace->per_pixel;
   char title[600];
   snprintf(title, sizeof title, "Traced in %.500s", base_name(options->image));
+  TP_OUTSIDE const char *own_title = options->rock->title;
   tp_text_add(&own, "# Traced by topple trace. x runs to the right and y up, %s.\n",
               options->plumb_given ? "along the plumb line of the picture"
                                    : "as the picture is held: no plumb line was given");
@@ -61,16 +95,24 @@ tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace
               "#   vary: {outline_offset: {normal: {mean: 0, deviation: %.3g}}}\n",
               deviation, options->unit, deviation);
   tp_text_add(&own, "topple: 1\ntitle: ");
-  tp_encode_json(&own, title);
+  tp_encode_json(&own, own_title != NULL ? own_title : title);
   tp_text_add(&own,
               "\nlength_unit: %s\nframe: world\nparameters: {outline_offset: 0}\nblock:\n"
               "  outline:\n",
               options->unit);
   add_points(&own, trace);
-  tp_text_add(&own, "  unit_weight_kn_m3: 26    # of rock of middling density: put in its own\n"
-                    "base: {mated: true}        # it lies on the counterpart of its underside\n"
-                    "# friction_angle_deg: 30   # without it sliding is not judged\n");
+  add_rock(&own, options->rock);
   return tp_text_finish(&own, text);
+}
+
+/* What the scene does not say, as no picture shows it. */
+static void add_missing(tp_text *text, const tp_trace_rock *rock) {
+  if (rock->friction == NULL) {
+    tp_text_add(text, "Missing  a friction angle (--friction): sliding is not judged without it\n");
+  }
+  if (rock->unit_weight == NULL) {
+    tp_text_add(text, "Missing  a unit weight (--unit-weight): forces and loads need it\n");
+  }
 }
 
 /* ---- report ------------------------------------------------------------------------------------
@@ -158,6 +200,7 @@ tp_status tp_trace_report(char **text, const tp_trace *trace, const tp_trace_opt
               trace->runs_px,
               200 * trace->deviation_px * tp_trace_ring_length(&trace->ring) /
                   fabs(tp_trace_ring_area(&trace->ring)));
+  add_missing(&own, options->rock);
   add_cautions(&own, trace, options);
   return tp_text_finish(&own, text);
 }

@@ -38,6 +38,23 @@ static tp_status check(const tp_trace_options *options, const tp_picture *pictur
       picture->width, picture->height);
 }
 
+/* Would a scene take what is said of the rock? Told before the picture is read. */
+static tp_status check_rock(const tp_trace_options *options, tp_message *message) {
+  char *text = NULL;
+  tp_scene *scene = NULL;
+  tp_message own = {""};
+  tp_status status = tp_trace_rock_text(&text, options);
+  if (status != TP_OK) return tp_fail_memory(message, "a scene");
+  status = tp_scene_read_text(&scene, text, "options", &own);
+  tp_scene_free(scene);
+  free(text);
+  if (status == TP_OK) return TP_OK;
+  const char *after = strstr(own.text, ": "); /* the place, which is in no file of the user's */
+  return tp_fail(message, status, (tp_place){NULL, 0, 0},
+                 "no scene takes what the options say: %.400s",
+                 after != NULL ? after + 2 : own.text);
+}
+
 /* The rough polygon, made larger about the mean of its points by a share. */
 static bool grow_rough(tp_trace_ring *ring, const tp_trace_ring *rough, double share,
                        const tp_picture *picture) {
@@ -186,7 +203,9 @@ static tp_status tell(char **report, const tp_trace *trace, const tp_picture *pi
 static tp_status run(char **report, const tp_trace_options *options, tp_message *message) {
   tp_picture picture;
   tp_trace trace = {.origin = {0, 0}};
-  tp_status status = tp_picture_read(&picture, options->image, message);
+  tp_status status = check_rock(options, message);
+  if (status != TP_OK) return status;
+  status = tp_picture_read(&picture, options->image, message);
   if (status == TP_OK) status = check(options, &picture, message);
   if (status == TP_OK) status = find_outline(&trace, &picture, options, message);
   if (status == TP_OK) status = tell(report, &trace, &picture, options, message);
@@ -198,15 +217,17 @@ static tp_status run(char **report, const tp_trace_options *options, tp_message 
 
 tp_status tp_trace_run(char **report, const char *image, const double *around, size_t corners,
                        const double scale[5], const double *plumb, double tolerance,
-                       const char *unit, const char *scene, const char *figure, bool json,
-                       tp_message *message) {
+                       const char *unit, const char *const rock[4], const char *scene,
+                       const char *figure, bool json, tp_message *message) {
   TP_GUARD_HOST;
+  const tp_trace_rock known = {rock[0], rock[1], rock[2], rock[3]};
   tp_trace_options options = {.image = image,
                               .scale = {{scale[0], scale[1]}, {scale[2], scale[3]}},
                               .length = scale[4],
                               .unit = unit,
                               .plumb_given = plumb != NULL,
                               .tolerance = tolerance,
+                              .rock = &known,
                               .scene = scene,
                               .figure = figure,
                               .json = json};

@@ -15,6 +15,15 @@
 
 #include "trace/refine.h"
 
+/* What no picture shows: texts as the scene is to have them, numbers or expressions of numbers;
+ * NULL where not known. */
+typedef struct tp_trace_rock {
+  TP_OUTSIDE const char *title;
+  const char *unit_weight; /* kN/m3 */
+  const char *thickness;   /* in the unit of the scene */
+  const char *friction;    /* degrees */
+} tp_trace_rock;
+
 typedef struct tp_trace_options {
   const char *image;
   tp_trace_ring rough; /* around the block */
@@ -24,9 +33,10 @@ typedef struct tp_trace_options {
   bool plumb_given;
   tp_trace_point plumb[2]; /* two points of a line that hangs down */
   double tolerance;        /* of the outline's points, in `unit`; 0: half of that across its edge */
-  const char *scene;       /* file to write; NULL: the scene is the report */
-  const char *figure;      /* .png to write; NULL: none */
-  bool json;               /* the report as JSON */
+  const tp_trace_rock *rock;
+  const char *scene;  /* file to write; NULL: the scene is the report */
+  const char *figure; /* .png to write; NULL: none */
+  bool json;          /* the report as JSON */
 } tp_trace_options;
 
 /* What was traced. */
@@ -41,12 +51,14 @@ typedef struct tp_trace {
 } tp_trace;
 
 /* What the program calls, by this name. `around` has x and y of each corner of the rough polygon,
- * `scale` two points and their distance, `plumb` two points, NULL where there is none; files may be
- * NULL. `report`, to be freed, is what is to be printed. */
+ * `scale` two points and their distance, `plumb` two points, NULL where there is none; `rock`
+ * title, unit weight, thickness and friction as above; files may be NULL. `report`, to be freed, is
+ * what is to be printed. */
 TP_MUST_USE tp_status tp_trace_run(char **report, const char *image, const double *around,
                                    size_t corners, const double scale[5], const double *plumb,
-                                   double tolerance, const char *unit, const char *scene,
-                                   const char *figure, bool json, tp_message *message);
+                                   double tolerance, const char *unit, const char *const rock[4],
+                                   const char *scene, const char *figure, bool json,
+                                   tp_message *message);
 
 /* Parts of it: scale, down and the origin, the lower left corner of the outline's box; a point in
  * the scene's coordinates, x to the right and y up, by the plumb line; the outline as the text of a
@@ -55,6 +67,8 @@ void tp_trace_place(tp_trace *trace, const tp_trace_options *options);
 tp_trace_point tp_trace_to_scene(const tp_trace *trace, tp_trace_point pixel);
 TP_MUST_USE tp_status tp_trace_scene_text(char **text, const tp_trace *trace,
                                           const tp_trace_options *options);
+/* The least scene with what is known of the rock: a slab, to learn whether a scene takes it. */
+TP_MUST_USE tp_status tp_trace_rock_text(char **text, const tp_trace_options *options);
 TP_MUST_USE tp_status tp_trace_report(char **text, const tp_trace *trace,
                                       const tp_trace_options *options);
 TP_MUST_USE tp_status tp_trace_draw(char **bytes, size_t *length, const tp_trace *trace,

@@ -129,6 +129,32 @@ class Trace(unittest.TestCase):
                                folder=self.folder)
         self.assertEqual((status, out.encode(), err), (0, first, ""))
 
+    def test_what_no_picture_shows(self):
+        """The scene is whole where the options say the rest: its weight is the area times what they say, its friction
+        theirs. What is not said is in no scene, neither as a supposition, and both are told."""
+        paint(self.folder / "p.png", SHAPES["slab"])
+        words = ("trace", "p.png", "--around=25,20,295,222", BAR, "-o", "scene.yaml")
+        status, out, err = run(*words, folder=self.folder)
+        self.assertEqual((status, err), (0, ""))
+        for missing in ("Missing  a friction angle (--friction)", "Missing  a unit weight (--unit-weight)"):
+            self.assertIn(missing, out)
+        case, text = self.solve(), (self.folder / "scene.yaml").read_text()
+        self.assertNotIn("sliding", case)
+        self.assertIsNone(case["block"].get("weight_n"))
+        self.assertIn("# friction_angle_deg: 30    # missing: ", text)
+        self.assertIn("# unit_weight_kn_m3: 26   # missing: ", text)
+        title = 'A "slab": \x1b[1m<b>'
+        status, out, err = run(*words, "--friction=41.5", "--unit-weight", "78/3", "--thickness=0.5", "--title", title,
+                               folder=self.folder)
+        self.assertEqual((status, err), (0, ""))
+        self.assertNotIn("Missing", out)
+        case = self.solve()
+        self.assertNotIn("missing", (self.folder / "scene.yaml").read_text())
+        self.assertAlmostEqual(case["block"]["weight_n"]["value"], 26e3 * 0.5 * case["block"]["area_m2"]["value"], 5)
+        status, out, err = run("solve", "scene.yaml", folder=self.folder)
+        self.assertTrue(out.startswith('A "slab": \\x1B[1m<b>\n'), out[:60])
+        self.assertEqual(case["sliding"]["friction_angle_deg"], {"value": 41.5, "error": 0})
+
     def test_the_band_in_a_study(self):
         """outline_offset moves the outline by its own amount: the area by the perimeter times it. A study draws it."""
         paint(self.folder / "p.png", SHAPES["boulder"])

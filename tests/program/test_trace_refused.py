@@ -60,6 +60,14 @@ class TraceRefused(unittest.TestCase):
             err = self.refuse(3, "topple: p.png: ")
             self.assertTrue("pictures of at most 100 million are read" in err or "a broken PNG" in err, err)
 
+    def test_what_no_rock_has(self):
+        for words, option in (("no scene takes what the options say: friction_angle_deg must lie in [0", "--friction=90"),
+                              ("no scene takes what the options say: unit_weight_kn_m3 must be above zero", "--unit-weight=0"),
+                              ("no scene takes what the options say: thickness must be above zero", "--thickness=-1")):
+            self.refuse(3, words, *WORDS, option, picture="none.png")
+        for option in ("--friction=30 deg", "--friction=", "--unit-weight=26,5", "--thickness=1}"):
+            self.refuse(2, option.split("=")[0] + ": ", *WORDS, option)
+
     def test_no_picture(self):
         for content in (b"", b"GIF89a", b"root:x:0:0:", b"\xff\xd8"):
             self.picture.write_bytes(content)
