@@ -16,9 +16,9 @@
 /* tp_trace_run of src/trace/trace.h. */
 typedef tp_status (*trace_function)(char **report, const char *image, const double *around,
                                     size_t corners, const double scale[5], const double *plumb,
-                                    double tolerance, const char *unit, const char *const rock[4],
-                                    const char *scene, const char *figure, bool json,
-                                    tp_message *message);
+                                    const double *between, double tolerance, const char *unit,
+                                    const char *const rock[4], const char *scene,
+                                    const char *figure, bool json, tp_message *message);
 
 enum {
   MOST_POINTS = 200,
@@ -27,6 +27,7 @@ enum {
   KEY_PLUMB,
   KEY_TOLERANCE,
   KEY_FIGURE,
+  KEY_BETWEEN,
   KEY_UNIT_WEIGHT,
   KEY_THICKNESS,
   KEY_FRICTION
@@ -37,9 +38,9 @@ enum { TITLE, UNIT_WEIGHT, THICKNESS, FRICTION, OF_ROCK };
 
 typedef struct arguments {
   const char *image, *scene, *figure, *unit, *rock[OF_ROCK];
-  double around[2 * MOST_POINTS], scale[5], plumb[4], tolerance;
+  double around[2 * MOST_POINTS], scale[5], plumb[4], between[4], tolerance;
   size_t corners;
-  bool scaled, plumbed, json;
+  bool scaled, plumbed, ended, json;
 } arguments;
 
 static const struct argp_option options[] = {
@@ -53,6 +54,11 @@ static const struct argp_option options[] = {
      0},
     {"plumb", KEY_PLUMB, "X,Y,X,Y", 0,
      "Two points of a line that hangs down; without it down is that of the picture", 0},
+    {"between", KEY_BETWEEN, "X,Y,X,Y", 0,
+     "Where the contact with the base begins and ends: two points of the picture, each near to a "
+     "vertex of the outline; without it the contact goes on to where sides begin, steeper than 45 "
+     "degrees",
+     0},
     {"tolerance", KEY_TOLERANCE, "LENGTH", 0,
      "Leave out points nearer to the outline than this (half of the standard deviation across its "
      "edge)",
@@ -122,6 +128,12 @@ static void read_plumb(arguments *a, const char *text, const struct argp_state *
   tp_cli_refuse(state, "--plumb takes two different points, X,Y,X,Y, not '%s'", text);
 }
 
+static void read_between(arguments *a, const char *text, const struct argp_state *state) {
+  a->ended = read_pair(a->between, 4, text);
+  if (a->ended) return;
+  tp_cli_refuse(state, "--between takes two different points, X,Y,X,Y, not '%s'", text);
+}
+
 static void read_unit(arguments *a, const char *text, const struct argp_state *state) {
   static const char *const units[] = {"mm", "cm", "m", "km", "in", "ft"};
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
@@ -171,6 +183,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_PLUMB:
     read_plumb(a, argument, state);
+    return 0;
+  case KEY_BETWEEN:
+    read_between(a, argument, state);
     return 0;
   case KEY_TOLERANCE:
     read_tolerance(a, argument, state);
@@ -243,7 +258,8 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
   }
   const tp_status status =
       run(&report, a->image, a->around, a->corners, a->scale, a->plumbed ? a->plumb : NULL,
-          a->tolerance, a->unit, a->rock, a->scene, a->figure, a->json, message);
+          a->ended ? a->between : NULL, a->tolerance, a->unit, a->rock, a->scene, a->figure,
+          a->json, message);
   return tp_cli_print_report(status, report, ended);
 }
 

@@ -24,8 +24,9 @@ static tp_status check(const tp_trace_options *options, const tp_picture *pictur
   const tp_place place = {options->image, 0, 0};
   bool within =
       is_in_picture(picture, options->scale[0]) && is_in_picture(picture, options->scale[1]);
-  for (int k = 0; k < 2 && options->plumb_given; k++) {
-    within = within && is_in_picture(picture, options->plumb[k]);
+  for (int k = 0; k < 2; k++) {
+    if (options->plumb_given) within = within && is_in_picture(picture, options->plumb[k]);
+    if (options->between_given) within = within && is_in_picture(picture, options->between[k]);
   }
   for (long k = 0; k < options->rough.count; k++) {
     within = within && is_in_picture(picture, options->rough.points[k]);
@@ -138,7 +139,10 @@ static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
   if (trace->moves == NULL) return tp_fail_memory(message, "an outline");
   tp_trace_moves(trace->moves, &trace->ring);
   tp_trace_place(trace, options);
-  return TP_OK;
+  if (tp_trace_find_between(trace, options)) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){options->image, 0, 0},
+                 "both ends of the contact are nearest to one point of the outline; take them "
+                 "farther apart, or a smaller --tolerance, which keeps more of its points");
 }
 
 /* ---- results -----------------------------------------------------------------------------------
@@ -159,8 +163,8 @@ static tp_status check_scene(const char *text, const tp_trace_options *options,
   return tp_fail(
       message, status, (tp_place){options->image, 0, 0},
       "the outline that was found makes no block (%.400s); draw the rough polygon nearer "
-      "to it, or give a larger --tolerance",
-      own.text);
+      "to it, or give a larger --tolerance%s",
+      own.text, options->between_given ? ", or other ends of the contact by --between" : "");
 }
 
 static tp_status write_all(const char *scene, const char *bytes, size_t length,
@@ -216,9 +220,9 @@ static tp_status run(char **report, const tp_trace_options *options, tp_message 
 }
 
 tp_status tp_trace_run(char **report, const char *image, const double *around, size_t corners,
-                       const double scale[5], const double *plumb, double tolerance,
-                       const char *unit, const char *const rock[4], const char *scene,
-                       const char *figure, bool json, tp_message *message) {
+                       const double scale[5], const double *plumb, const double *between,
+                       double tolerance, const char *unit, const char *const rock[4],
+                       const char *scene, const char *figure, bool json, tp_message *message) {
   TP_GUARD_HOST;
   const tp_trace_rock known = {rock[0], rock[1], rock[2], rock[3]};
   tp_trace_options options = {.image = image,
@@ -226,13 +230,15 @@ tp_status tp_trace_run(char **report, const char *image, const double *around, s
                               .length = scale[4],
                               .unit = unit,
                               .plumb_given = plumb != NULL,
+                              .between_given = between != NULL,
                               .tolerance = tolerance,
                               .rock = &known,
                               .scene = scene,
                               .figure = figure,
                               .json = json};
-  for (int k = 0; k < 2 && plumb != NULL; k++) {
-    options.plumb[k] = (tp_trace_point){plumb[2 * k], plumb[2 * k + 1]};
+  for (int k = 0; k < 2; k++) {
+    if (plumb != NULL) options.plumb[k] = (tp_trace_point){plumb[2 * k], plumb[2 * k + 1]};
+    if (between != NULL) options.between[k] = (tp_trace_point){between[2 * k], between[2 * k + 1]};
   }
   tp_status status = TP_OK;
   for (size_t k = 0; k < corners && status == TP_OK; k++) {
