@@ -4,6 +4,8 @@
 #define _GNU_SOURCE
 #include "cli/new_scene.h"
 
+#include "cli/new_drawing.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,8 +69,7 @@ const char *tp_cli_wrong_towards(const char *text) {
 /* ---- the scene ---------------------------------------------------------------------------------
  */
 
-/* As a scalar of YAML in double quotes. */
-static void write_quoted(FILE *out, const char *text) {
+void tp_cli_write_quoted(FILE *out, const char *text) {
   char plain[4 * TP_CLI_ANSWER];
   tp_plain_text(plain, sizeof plain, text);
   fputc('"', out);
@@ -79,11 +80,30 @@ static void write_quoted(FILE *out, const char *text) {
   fputc('"', out);
 }
 
+static void write_drawn_block(FILE *out, const tp_cli_new_scene *scene) {
+  if (scene->unit_weight[0] != '\0') {
+    fprintf(out,
+            "block:                     # its outline is the drawing's\n"
+            "  unit_weight_kn_m3: %s     # weight per volume, for forces; angles need none\n"
+            "  # thickness: 1           # of the section; 1 m where not given\n",
+            scene->unit_weight);
+  } else {
+    fprintf(out, "# block:                   # its outline is the drawing's\n"
+                 "#   unit_weight_kn_m3: 26  # weight per volume: forces and loads need it, angles "
+                 "do not\n"
+                 "#   thickness: 1           # of the section; 1 m where not given\n");
+  }
+}
+
 static void write_block(FILE *out, const tp_cli_new_scene *scene) {
+  if (scene->drawing[0] != '\0') {
+    write_drawn_block(out, scene);
+    return;
+  }
   fprintf(out, "block:\n");
   if (scene->outline[0] != '\0') {
     fprintf(out, "  outline: ");
-    write_quoted(out, scene->outline);
+    tp_cli_write_quoted(out, scene->outline);
     fprintf(out, "\n  # its vertices: a file of x and y, or here: [[0, 0], [2, 0], [1, 3]]\n");
   } else {
     size_t first = 0;
@@ -104,7 +124,12 @@ static void write_block(FILE *out, const tp_cli_new_scene *scene) {
   fprintf(out, "  # thickness: 1           # of the section; 1 m where not given\n");
 }
 
-static void write_base(FILE *out) {
+static void write_base(FILE *out, const tp_cli_new_scene *scene) {
+  if (scene->drawn_base) {
+    fprintf(out, "# The base is the drawing's profile. base: {place: rest} would set a block of "
+                 "straight edges\n# down on it, wherever it is drawn.\n");
+    return;
+  }
   fprintf(out,
           "base:\n"
           "  mated: true              # the counterpart of the underside. NOT cautious where the "
@@ -145,7 +170,7 @@ static void write_rest(FILE *out, const tp_cli_new_scene *scene) {
   if (scene->frame[0] != '\0') {
     fprintf(out, "frame: %s               # base: x runs along its mean plane; world: y is up\n",
             scene->frame);
-  } else if (scene->outline[0] != '\0') {
+  } else if (scene->outline[0] != '\0' || scene->drawing[0] != '\0') {
     fprintf(out, "# frame: world             # for coordinates as the block lies, y upwards\n");
   }
   fprintf(out, "# Nothing else acts unless it is named, which is NOT cautious where there is water "
@@ -164,11 +189,16 @@ tp_status tp_cli_new_scene_text(char **text, const tp_cli_new_scene *scene) {
   fprintf(out, "# Begun by 'topple new'. docs/scene.md tells of every key that a scene may have.\n"
                "topple: 1                  # the version of this format\n"
                "title: ");
-  write_quoted(out, scene->title[0] != '\0' ? scene->title : "A new block");
-  fprintf(out, "\nlength_unit: %s             # of every length in this file\n",
-          scene->length_unit);
+  tp_cli_write_quoted(out, scene->title[0] != '\0' ? scene->title : "A new block");
+  if (scene->drawing[0] != '\0') {
+    fprintf(out, "\n");
+    tp_cli_write_drawing(out, scene);
+  } else {
+    fprintf(out, "\nlength_unit: %s             # of every length in this file\n",
+            scene->length_unit);
+  }
   write_block(out, scene);
-  write_base(out);
+  write_base(out, scene);
   write_friction(out, scene);
   write_tilt(out, scene);
   write_rest(out, scene);
