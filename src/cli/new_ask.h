@@ -6,7 +6,7 @@
 #ifndef TP_CLI_NEW_ASK_H
 #define TP_CLI_NEW_ASK_H
 
-#include "cli/new_scene.h"
+#include "cli/new_answers.h"
 
 /* All that a scene is begun of; of a file, an outline or a drawing, only what does not stand in it.
  * A file that is answered is kept as `outline`. False: the answers ended. */

@@ -8,6 +8,7 @@
 #include "cli/files.h"
 #include "cli/manner.h"
 #include "cli/new_drawing.h"
+#include "cli/new_scene.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #ifndef TP_CLI_NEW_BEGIN_H
 #define TP_CLI_NEW_BEGIN_H
 
-#include "cli/new_scene.h"
+#include "cli/new_answers.h"
 
 /* The file of the block, of an outline or a drawing, as a scene at `output` is to name it. */
 TP_MUST_USE tp_status tp_cli_new_scene_of(tp_cli_new_scene *scene, const char *file,

@@ -6,7 +6,7 @@
 #ifndef TP_CLI_NEW_DRAWING_H
 #define TP_CLI_NEW_DRAWING_H
 
-#include "cli/new_scene.h"
+#include "cli/new_answers.h"
 
 #include <stdio.h>
 
