@@ -21,7 +21,8 @@ enum {
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
   KEY_WATCH,
-  KEY_REPORT
+  KEY_REPORT,
+  KEY_OUTLINES
 };
 
 static const struct argp_option options[] = {
@@ -37,6 +38,8 @@ static const struct argp_option options[] = {
      "given "
      "all, up to 300 of them",
      0},
+    {"outlines", KEY_OUTLINES, NULL, 0,
+     "Print in JSON where everything lies too, for a program that draws it", 0},
     {"verbose", 'v', NULL, 0, "Tell what ran, what called for it, and what it cost", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
@@ -163,6 +166,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
   }
+  if (a->outlines && (!a->json || a->find.key != NULL)) {
+    tp_cli_refuse(state, "--outlines goes with --json, without --find");
+  }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -185,6 +191,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 'v':
     a->verbose = true;
+    return 0;
+  case KEY_OUTLINES:
+    a->outlines = true;
     return 0;
   case KEY_PIVOTS:
     read_pivots(a, argument, state);
