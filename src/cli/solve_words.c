@@ -23,7 +23,8 @@ enum {
   KEY_SET,
   KEY_UNIT,
   KEY_WATCH,
-  KEY_REPORT
+  KEY_REPORT,
+  KEY_OUTLINES
 };
 
 static const struct argp_option options[] = {
@@ -39,6 +40,8 @@ static const struct argp_option options[] = {
      "given "
      "all, up to 300 of them",
      0},
+    {"outlines", KEY_OUTLINES, NULL, 0,
+     "Print in JSON where everything lies too, for a program that draws it", 0},
     {"set", KEY_SET, "KEY=VALUE", 0,
      "Solve with this number at KEY, as friction_angle_deg=30: a number or a formula, as the scene "
      "could have it; may be given several times",
@@ -171,6 +174,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
   }
+  if (a->outlines && (!a->json || a->find.key != NULL)) {
+    tp_cli_refuse(state, "--outlines goes with --json, without --find");
+  }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -193,6 +199,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case 'v':
     a->verbose = true;
+    return 0;
+  case KEY_OUTLINES:
+    a->outlines = true;
     return 0;
   case KEY_PIVOTS:
     read_pivots(a, argument, state);
