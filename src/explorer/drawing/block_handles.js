@@ -7,6 +7,7 @@ import { lengthHandle, vertexHandle } from "./handle.js";
 
 /** @param {import("./handle.js").Context} context @returns {import("./handle.js").Handle[]} */
 export function blockHandles(context) {
+  if (context.block === null) return [];
   const kinds = context.scene.keys(["block"]) ?? [];
   if (kinds.includes("outline")) return outlineHandles(context);
   if (kinds.includes("slab")) return slabHandles(context);
@@ -21,46 +22,49 @@ function outlineHandles(context) {
   for (let i = 0; i < (context.scene.count(["block", "parts"]) ?? 0); i++) {
     rings.push([["block", "parts", i, "outline"], "part " + (i + 1)]);
   }
-  return rings.flatMap(([path, name]) => listHandles(context, path, name));
+  return rings.flatMap(([path, name]) => listHandles(context, context.block, path, name));
 }
 
-/** @param {(string|number)[]} path of a list of points */
-export function listHandles(context, path, name) {
+/** @param {import("./view.js").Placement} placement @param {(string|number)[]} path of a list of points */
+export function listHandles(context, placement, path, name) {
   const count = context.scene.count(path) ?? 0;
   const handles = [];
   for (let i = 0; i < count; i++) {
-    const handle = vertexHandle(context, [...path, i], "vertex " + (i + 1) + " of " + name);
+    const handle = vertexHandle(context, placement, [...path, i], "vertex " + (i + 1) + " of " + name);
     if (handle !== null) handles.push(handle);
   }
   return handles;
 }
 
+/** A size of a block that is made from numbers; at and value in the scene's own coordinates. */
+function sizeHandle(context, { path, name, moves, at, value }) {
+  return lengthHandle(context, {
+    name, of: context.number(path), kind: "size", moves, least: 1, at: context.block.toFrame(at.x, at.y),
+    value: (hand) => value(context.block.toScene(hand.x, hand.y)),
+  });
+}
+
 function slabHandles(context) {
-  const width = context.number(["block", "slab", "width"]);
-  const height = context.number(["block", "slab", "height"]);
-  if (width.value === null || height.value === null) return [];
+  const path = (key) => ["block", "slab", key];
+  const [width, height] = ["width", "height"].map((key) => context.number(path(key)).value);
+  if (width === null || height === null) return [];
   return [
-    lengthHandle(context, {
-      name: "width of the slab", of: width, kind: "size", moves: "x", least: 1,
-      at: { x: width.value, y: height.value / 2 }, value: (hand) => hand.x,
-    }),
-    lengthHandle(context, {
-      name: "height of the slab", of: height, kind: "size", moves: "y", least: 1,
-      at: { x: width.value / 2, y: height.value }, value: (hand) => hand.y,
-    }),
+    sizeHandle(context, { path: path("width"), name: "width of the slab", moves: "x", at: { x: width, y: height / 2 }, value: (hand) => hand.x }),
+    sizeHandle(context, { path: path("height"), name: "height of the slab", moves: "y", at: { x: width / 2, y: height }, value: (hand) => hand.y }),
   ];
 }
 
 /** An ellipse of width w and height h cut off where it is f wide: its centre is at h/2 sqrt(1 - f²/w²) over the flat. */
 function ellipseHandles(context) {
-  const [width, height, flat] = ["width", "height", "flat"].map((key) => context.number(["block", "ellipse", key]));
-  if (width.value === null || height.value === null || flat.value === null) return [];
-  const rise = Math.sqrt(Math.max(0, 1 - (flat.value / width.value) ** 2));
-  const size = (name, of, moves, at, value) => lengthHandle(context, { name, of, kind: "size", moves, least: 1, at, value });
+  const [width, height, flat] = ["width", "height", "flat"].map((key) => context.number(["block", "ellipse", key]).value);
+  if (width === null || height === null || flat === null) return [];
+  const rise = Math.sqrt(Math.max(0, 1 - (flat / width) ** 2));
+  const size = (key, moves, at, value) =>
+    sizeHandle(context, { path: ["block", "ellipse", key], name: key + " of the ellipse", moves, at, value });
   return [
-    size("width of the ellipse", width, "x", { x: width.value / 2, y: (height.value / 2) * rise }, (hand) => 2 * hand.x),
-    size("height of the ellipse", height, "y", { x: 0, y: (height.value / 2) * (1 + rise) }, (hand) => (2 * hand.y) / (1 + rise)),
-    size("flat of the ellipse", flat, "x", { x: flat.value / 2, y: 0 }, (hand) => 2 * hand.x),
+    size("width", "x", { x: width / 2, y: (height / 2) * rise }, (hand) => 2 * hand.x),
+    size("height", "y", { x: 0, y: (height / 2) * (1 + rise) }, (hand) => (2 * hand.y) / (1 + rise)),
+    size("flat", "x", { x: flat / 2, y: 0 }, (hand) => 2 * hand.x),
   ];
 }
 
@@ -86,8 +90,7 @@ function teethHandles(context) {
   if (teeth === null) return [];
   const { count, a, b, c, valley, general } = teeth;
   const peak = valley ? a : 0;
-  const size = (key, name, moves, at, value) =>
-    lengthHandle(context, { name, of: context.number(["block", "teeth", key]), kind: "size", moves, least: 1, at, value });
+  const size = (key, name, moves, at, value) => sizeHandle(context, { path: ["block", "teeth", key], name, moves, at, value });
   const top = { x: (count * a) / 2, y: b + c };
   if (general) {
     return [

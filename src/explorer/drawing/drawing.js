@@ -10,10 +10,10 @@
 
 import { select } from "d3-selection";
 import { zoom, zoomIdentity } from "d3-zoom";
-import { parameterValues } from "../scene/quantity.js";
 import { stepExponent } from "../scene/decimal.js";
 import { Context } from "./handle.js";
-import { View, Placement } from "./view.js";
+import { View } from "./view.js";
+import { waterPath } from "./water.js";
 import { shapesOf, drawShapes } from "./shapes.js";
 import { symbolsOf } from "./symbols.js";
 import { previewPath } from "./preview.js";
@@ -58,7 +58,7 @@ export class Drawing extends EventTarget {
 
   /** The step of dragged numbers, as an exponent of ten in the scene's unit. */
   get exponent() {
-    const unit = this.context?.placement.unit ?? 1;
+    const unit = this.context?.metres ?? 1;
     return stepExponent(1 / (this.view.dotsPerMetre * unit), SNAP_DOTS);
   }
 
@@ -91,6 +91,7 @@ export class Drawing extends EventTarget {
     this.frame = frame;
     this.layers = {
       still: frame.append("g"),
+      water: frame.append("path").attr("class", "shape water"),
       moving: frame.append("g").append("g").attr("class", "moving"),
       front: frame.append("g"),
       preview: frame.append("path").attr("class", "shape preview"),
@@ -120,10 +121,9 @@ export class Drawing extends EventTarget {
     this.context = null;
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
-    const parameters = parameterValues(store.parsed);
     this.#fitOnce(outlines);
-    this.view.turn = this.#turn(parameters);
-    this.context = new Context(store.parsed, parameters, new Placement(outlines.of_scene, this.origin), kase);
+    this.context = new Context(store.parsed, kase, outlines, this.origin);
+    this.view.turn = this.#turn();
     this.#drawShapes(outlines);
     this.#drawPreview(stale);
     this.#place();
@@ -134,15 +134,16 @@ export class Drawing extends EventTarget {
     if (this.#fitted === this.store.openings || this.store.solution === null) return;
     this.#fitted = this.store.openings;
     this.origin = { x: outlines.origin_x_m, y: outlines.origin_y_m };
-    this.view.fit(outlines.box_m);
+    this.view.fit(roomOf(outlines));
     this.#drawn = null;
   }
 
-  /** The tilt of the text, which is the newer one; towards the side that is drawn. */
-  #turn(parameters) {
-    const context = new Context(this.store.parsed, parameters, null, null);
-    const degrees = context.number(["tilt", "angle_deg"]).value ?? this.case.tilt_angle_deg?.value ?? 0;
-    return (this.sign * Math.min(90, Math.max(0, degrees)) * Math.PI) / 180;
+  /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
+  #turn() {
+    const { kase } = this.context;
+    const own = this.context.number(["tilt", "angle_deg"]).value ?? 0;
+    const dip = kase.frame?.inclined ? kase.frame.inclination_deg.value : 0;
+    return (this.sign * Math.min(180, Math.max(0, own) + Math.abs(dip)) * Math.PI) / 180;
   }
 
   /** 1: the tilt turns counter-clockwise on the screen. */
@@ -162,7 +163,8 @@ export class Drawing extends EventTarget {
   }
 
   #drawPreview(stale) {
-    const path = stale && this.handles.dragged !== null ? previewPath(this.context) : null;
+    const path = stale ? previewPath(this.context) : null;
+    this.layers.water.attr("d", waterPath(this.context, this.store.lastSolution.outlines, this.view.turn));
     this.layers.preview.attr("d", path ?? "").classed("wrong", this.store.problem !== null);
   }
 
@@ -236,7 +238,13 @@ export class Drawing extends EventTarget {
     if (!(width > 0 && height > 0)) return;
     [this.view.width, this.view.height] = [width, height];
     this.svg.attr("viewBox", "0 0 " + width + " " + height);
-    if (this.store.lastSolution?.outlines !== undefined) this.view.fit(this.store.lastSolution.outlines.box_m);
+    if (this.store.lastSolution?.outlines !== undefined) this.view.fit(roomOf(this.store.lastSolution.outlines));
     this.#later();
   }
+}
+
+/** The block, and room below it for the rock and the reactions that it bears. */
+function roomOf({ box_m: [x0, y0, x1, y1] }) {
+  const below = 0.2 * Math.max(y1 - y0, 0.4 * (x1 - x0));
+  return [x0, y0 - below, x1, y1];
 }

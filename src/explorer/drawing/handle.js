@@ -18,23 +18,36 @@
  * @property {(dx: number, dy: number, exponent: number) => Edit[]} step by so many steps of 10^exponent
  */
 
-import { quantity } from "../scene/quantity.js";
+import { parameterValues, quantity } from "../scene/quantity.js";
 import { snap } from "../scene/decimal.js";
+import { Placement } from "./view.js";
 
 /** What all handles are made from. */
 export class Context {
   /**
    * @param {import("../scene/scene_text.js").SceneText} scene
-   * @param {Map<string, number>} parameters
-   * @param {import("./view.js").Placement} placement
-   * @param {object|null} kase the case that is drawn
+   * @param {object} kase the case that is drawn
+   * @param {object} outlines of the same answer
+   * @param {{x: number, y: number}} origin of the drawing, among the results, metres
    */
-  constructor(scene, parameters, placement, kase) {
+  constructor(scene, kase, outlines, origin) {
     this.scene = scene;
-    this.parameters = parameters;
-    this.placement = placement;
+    this.parameters = parameterValues(scene);
     this.kase = kase;
     this.unit = scene.scalar(["length_unit"]) ?? "";
+    this.origin = origin;
+    const { metres_per_unit: metres, block, base } = outlines.placed;
+    const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
+    this.metres = metres;
+    /** Null where the outline is not the scene's point by point. @type {Placement|null} */
+    this.block = block === null ? null : new Placement(block, metres, shift);
+    /** Null where the base has no profile with the scene's points. @type {Placement|null} */
+    this.base = base === null ? null : new Placement(base, metres, shift);
+  }
+
+  /** A point of the results in the frame of the drawing. */
+  result(x, y) {
+    return { x: x.value - this.origin.x, y: y.value - this.origin.y };
   }
 
   /** @param {(string|number)[]} path */
@@ -54,8 +67,8 @@ export function whyFixed(name, ...numbers) {
   return stuck.length === numbers.length ? name + " " + stuck[0].fixed : null;
 }
 
-/** A vertex [x, y] of a list. @param {Context} context @param {(string|number)[]} path @returns {Handle|null} */
-export function vertexHandle(context, path, label) {
+/** A vertex [x, y] of a list. @param {Context} context @param {Placement} placement @param {(string|number)[]} path @returns {Handle|null} */
+export function vertexHandle(context, placement, path, label) {
   const x = context.number([...path, 0]);
   const y = context.number([...path, 1]);
   if (x.value === null || y.value === null) return null;
@@ -64,9 +77,9 @@ export function vertexHandle(context, path, label) {
   return {
     key: path.join("."), kind: "vertex", moves: "xy", fixed: whyFixed(label, x, y),
     label: label + " at " + x.value + ", " + y.value + " " + context.unit,
-    at: context.placement.toFrame(x.value, y.value),
+    at: placement.toFrame(x.value, y.value),
     drag: (hand, exponent) => {
-      const scene = context.placement.toScene(hand.x, hand.y);
+      const scene = placement.toScene(hand.x, hand.y);
       return put(scene.x, scene.y, exponent);
     },
     step: (dx, dy, exponent) => put(x.value + dx * 10 ** exponent, y.value + dy * 10 ** exponent, exponent),
@@ -83,19 +96,18 @@ function sameOnce(edits) {
  * A length that is read off one axis of the drawing.
  * @param {Context} context
  * @param {{name: string, of: import("../scene/quantity.js").Quantity, at: Point, moves: "x"|"y", kind: Handle["kind"],
- *   value: (scene: Point) => number, least: number, sign?: number}} says at: in the scene's units; value: what the hand's
- *   place makes of it; least: what it stays above (a step above 0 where it must be positive); sign: -1 where it grows
- *   against the axis
+ *   value: (hand: Point) => number, least: number, sign?: number}} says at: where it is, in the frame; value: what the
+ *   hand's place there makes of it; least: 0, or 1 where it must stay above 0 by a step; sign: -1 where it grows against
+ *   the axis
  * @returns {Handle}
  */
 export function lengthHandle(context, { name, of, at, moves, kind, value, least, sign = 1 }) {
-  const put = (number, exponent) => [edit(of, Math.max(number, least > 0 ? 10 ** exponent : 0), exponent)];
+  const put = (number, exponent) => [edit(of, Math.max(number, least * 10 ** exponent), exponent)];
   const along = of.parameter === null ? "" : " (parameter " + of.parameter + ")";
   return {
-    key: name, kind, moves, fixed: of.fixed === null ? null : name + " " + of.fixed,
+    key: name, kind, moves, at, fixed: of.fixed === null ? null : name + " " + of.fixed,
     label: name + along + " " + (of.value ?? 0) + " " + context.unit,
-    at: context.placement.toFrame(at.x, at.y),
-    drag: (hand, exponent) => put(value(context.placement.toScene(hand.x, hand.y)), exponent),
+    drag: (hand, exponent) => put(value(hand), exponent),
     step: (dx, dy, exponent) => put((of.value ?? 0) + sign * (moves === "x" ? dx : dy) * 10 ** exponent, exponent),
   };
 }

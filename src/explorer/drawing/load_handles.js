@@ -12,7 +12,7 @@ const DEGREES = 180 / Math.PI;
 export function loadHandles(context, view) {
   const handles = waterHandles(context);
   for (let i = 0; i < (context.scene.count(["loads", "anchors"]) ?? 0); i++) {
-    const point = vertexHandle(context, ["loads", "anchors", i, "at"], "anchor " + (i + 1));
+    const point = context.block && vertexHandle(context, context.block, ["loads", "anchors", i, "at"], "anchor " + (i + 1));
     if (point === null) continue;
     point.kind = "load";
     handles.push(point);
@@ -25,22 +25,19 @@ export function loadHandles(context, view) {
 /** Its height counts from the up-dip end of the contact. */
 function waterHandles(context) {
   const of = context.number(["loads", "water", "height"]);
-  if (of.value === null || context.kase === null) return [];
+  if (of.value === null) return [];
   const end = context.kase.contact[context.kase.towards === "left" ? "right_end" : "left_end"];
-  const { placement } = context;
-  const foot = { x: end.x_m.value - placement.origin.x, y: end.y_m.value - placement.origin.y };
-  const handle = lengthHandle(context, {
-    name: "height of the water", of, kind: "load", moves: "y", least: 0, at: { x: 0, y: 0 }, value: () => 0,
-  });
-  handle.at = { x: foot.x, y: foot.y + of.value * placement.unit };
-  handle.drag = (hand, exponent) => [edit(of, Math.max(0, (hand.y - foot.y) / placement.unit), exponent)];
-  return [handle];
+  const foot = context.result(end.x_m, end.y_m);
+  return [lengthHandle(context, {
+    name: "height of the water", of, kind: "load", moves: "y", least: 0,
+    at: { x: foot.x, y: foot.y + of.value * context.metres }, value: (hand) => (hand.y - foot.y) / context.metres,
+  })];
 }
 
 function directionHandle(context, view, i, at) {
   const of = context.number(["loads", "anchors", i, "direction_deg"]);
   if (of.value === null) return null;
-  const { cosine, sine } = context.placement.of;
+  const { cosine, sine } = context.block.of;
   const angle = of.value / DEGREES;
   const along = view.direction(cosine * Math.cos(angle) - sine * Math.sin(angle), sine * Math.cos(angle) + cosine * Math.sin(angle));
   const foot = view.toScreen(at.x, at.y);

@@ -10,10 +10,11 @@ import { teethOf } from "./block_handles.js";
 
 /** @param {import("./handle.js").Context} context @returns {string|null} a path in the frame of the drawing */
 export function previewPath(context) {
+  if (context.block === null) return null;
   const ring = slabRing(context) ?? teethRing(context) ?? outlineRing(context);
   if (ring === null || ring.length < 3) return null;
   return ring.map(({ x, y }, i) => {
-    const at = context.placement.toFrame(x, y);
+    const at = context.block.toFrame(x, y);
     return (i === 0 ? "M" : "L") + at.x + " " + at.y;
   }).join("") + "Z";
 }

@@ -11,6 +11,8 @@ import { contactFaces, normalAt } from "./contact_normals.js";
 const PIVOTS_MAX = 60;
 const FORCE_DOTS = 120; // of the block's weight
 const HEAD = 9;
+const COMB = 6; // gaps between the arrows of a pressure
+const COMB_DOTS = 30;
 
 /**
  * @typedef {{kind: string, d?: string, x?: number, y?: number, text?: string, title?: string}} Symbol
@@ -21,7 +23,7 @@ const HEAD = 9;
 export function symbolsOf(kase, outlines, view, origin) {
   const on = (x, y) => view.toScreen(x.value - origin.x, y.value - origin.y);
   return [
-    ...reactions(kase, outlines, view, origin, on),
+    ...reactions(kase, outlines, view, on),
     ...loads(outlines, view, origin),
     ...weight(kase, on),
     ...centre(kase, on),
@@ -66,10 +68,11 @@ function centre(kase, on) {
   return [{ kind: "centre", d: disc(at, 7) + cross, title: "centre of rotation at the limit: " + limit.mechanism }];
 }
 
-function reactions(kase, outlines, view, origin, on) {
+function reactions(kase, outlines, view, on) {
   const found = kase.limit?.reactions ?? [];
   if (found.length === 0) return [];
   const faces = contactFaces(outlines.contact);
+  const shift = { x: outlines.origin_x_m, y: outlines.origin_y_m };
   const cone = (kase.limit.friction_angle_deg.value * Math.PI) / 180;
   return found.flatMap((one) => {
     const share = [one.share_x.value, one.share_y.value];
@@ -77,7 +80,7 @@ function reactions(kase, outlines, view, origin, on) {
     const size = Math.hypot(...share);
     const along = view.direction(...share);
     const long = FORCE_DOTS * size;
-    const point = [one.x_m.value - origin.x, one.y_m.value - origin.y];
+    const point = [one.x_m.value - shift.x, one.y_m.value - shift.y];
     const normal = normalAt(faces, point, share, 2 / view.dotsPerMetre);
     const force = { kind: "reaction", d: arrow({ x: at.x - long * along.x, y: at.y - long * along.y }, at),
       title: "reaction at the limit: " + (100 * size).toFixed(1) + " % of the weight" };
@@ -96,30 +99,29 @@ function wedge(at, view, [nx, ny], half, long) {
   return "M" + at.x + " " + at.y + "L" + side(half) + "L" + side(-half) + "Z";
 }
 
-function loads(outlines, view) {
+function loads(outlines, view, origin) {
+  const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
   const anchors = (outlines.anchors ?? []).map((anchor, i) => {
-    const at = view.toScreen(anchor.x, anchor.y);
+    const at = view.toScreen(anchor.x_m + shift.x, anchor.y_m + shift.y);
     const angle = (anchor.direction_deg * Math.PI) / 180;
     const along = view.direction(Math.cos(angle), Math.sin(angle));
     return { kind: "anchor", d: arrow(at, { x: at.x + 58 * along.x, y: at.y + 58 * along.y }), title: "anchor " + (i + 1) };
   });
-  const spread = (list, kind) => (list ?? []).map((one) => ({ kind, d: comb(one, view, kind), title: kind }));
+  const spread = (list, kind) => (list ?? []).map((one) => ({ kind, d: comb(one, view, shift, kind), title: kind }));
   return [...anchors, ...spread(outlines.pressures, "pressure"), ...spread(outlines.surcharges, "surcharge")];
 }
 
-/** Arrows along a line: normal to it for a pressure, from the left of its direction's outer side; down for a surcharge. */
-function comb(one, view, kind) {
-  const [from, to] = [view.toScreen(one.x0, one.y0), view.toScreen(one.x1, one.y1)];
-  const outwards = view.direction(one.y1 - one.y0, one.x0 - one.x1);
-  const strongest = Math.max(Math.abs(one.first_kpa ?? one.kpa ?? 1), Math.abs(one.last_kpa ?? one.kpa ?? 1)) || 1;
+/** Arrows along a line, their heads on it: a pressure comes from the right of the line, a surcharge from above. */
+function comb(one, view, shift, kind) {
+  const [from, to] = [view.toScreen(one.x0_m + shift.x, one.y0_m + shift.y), view.toScreen(one.x1_m + shift.x, one.y1_m + shift.y)];
+  const back = kind === "surcharge" ? { x: 0, y: -1 } : view.direction(one.y1_m - one.y0_m, one.x0_m - one.x1_m);
+  const strongest = Math.max(Math.abs(one.first_kpa), Math.abs(one.last_kpa)) || 1;
   let path = "";
-  for (let i = 0; i <= 6; i++) {
-    const share = i / 6;
-    const at = { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
-    const value = (one.first_kpa ?? one.kpa ?? 1) * (1 - share) + (one.last_kpa ?? one.kpa ?? 1) * share;
-    const long = (30 * value) / strongest;
+  for (let i = 0; i <= COMB; i++) {
+    const share = i / COMB;
+    const long = (COMB_DOTS * (one.first_kpa * (1 - share) + one.last_kpa * share)) / strongest;
     if (Math.abs(long) < 3) continue;
-    const back = kind === "surcharge" ? { x: 0, y: -1 } : outwards;
+    const at = { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
     path += arrow({ x: at.x + long * back.x, y: at.y + long * back.y }, at);
   }
   return path || "M0 0";

@@ -6,6 +6,15 @@
 const LONG = 60_000;
 const COMMAND = /([MLCZ])([^MLCZ]*)/g;
 
+/** @param {string} path @returns {number[][]} the ends of its edges */
+export function pathPoints(path) {
+  return [...path.matchAll(COMMAND)].filter(([, command]) => command !== "Z").map(([, , numbers]) => ends(numbers));
+}
+
+function ends(numbers) {
+  return numbers.trim().split(/[\s,]+/).slice(-2).map(Number);
+}
+
 /**
  * @param {string} path M, L, C, Z with absolute coordinates
  * @param {number} dot the length of a dot of the screen
@@ -22,8 +31,7 @@ export function thinPath(path, dot) {
       last = left = null;
       continue;
     }
-    const values = numbers.trim().split(/[\s,]+/).map(Number);
-    const [x, y] = values.slice(-2);
+    const [x, y] = ends(numbers);
     if (command === "M") {
       pieces.push("M" + x + " " + y);
     } else if (last !== null && Math.abs(x - last.x) < dot && Math.abs(y - last.y) < dot) {

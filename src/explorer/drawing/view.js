@@ -68,32 +68,28 @@ export class View {
 
 /**
  * Between the scene's own coordinates and the frame that is drawn, as the core told it.
- * @typedef {{cosine: number, sine: number, x_m: number, y_m: number, metres_per_unit: number}} OfScene
+ * @typedef {{cosine: number, sine: number, x_m: number, y_m: number}} Placed
  */
 export class Placement {
-  /** @param {OfScene} of @param {{x: number, y: number}} origin what is subtracted, metres */
-  constructor(of, origin) {
+  /**
+   * @param {Placed} of
+   * @param {number} unit metres per length of the scene
+   * @param {{x: number, y: number}} shift from the answer's origin to that of the drawing, metres
+   */
+  constructor(of, unit, shift) {
     this.of = of;
-    this.origin = origin;
+    this.unit = unit;
+    this.shift = { x: of.x_m + shift.x, y: of.y_m + shift.y };
   }
 
   toFrame(x, y) {
-    const { cosine, sine, x_m, y_m, metres_per_unit: unit } = this.of;
-    return {
-      x: (cosine * x - sine * y) * unit + (x_m - this.origin.x),
-      y: (sine * x + cosine * y) * unit + (y_m - this.origin.y),
-    };
+    const { cosine, sine } = this.of;
+    return { x: (cosine * x - sine * y) * this.unit + this.shift.x, y: (sine * x + cosine * y) * this.unit + this.shift.y };
   }
 
   toScene(x, y) {
-    const { cosine, sine, x_m, y_m, metres_per_unit: unit } = this.of;
-    const across = x - (x_m - this.origin.x);
-    const up = y - (y_m - this.origin.y);
-    return { x: (cosine * across + sine * up) / unit, y: (cosine * up - sine * across) / unit };
-  }
-
-  /** How far a point of the drawing is from the zero of the scene, units of the scene. */
-  get unit() {
-    return this.of.metres_per_unit;
+    const { cosine, sine } = this.of;
+    const [across, up] = [x - this.shift.x, y - this.shift.y];
+    return { x: (cosine * across + sine * up) / this.unit, y: (cosine * up - sine * across) / this.unit };
   }
 }

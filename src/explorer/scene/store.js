@@ -21,8 +21,10 @@ export const SOLVE_MAX_MS = 15_000;
  * @typedef {{name: string, text: string, files: Files}} State
  */
 
+const historyOf = (first) => new History(first, (state) => state.text.length);
+
 export class SceneStore extends EventTarget {
-  #history = new History({ name: "scene.yaml", text: "", files: {} }, (state) => state.text.length);
+  #history = historyOf({ name: "scene.yaml", text: "", files: {} });
   #parsed = null;
   #asked = 0;
   #waiting = 0;
@@ -93,8 +95,9 @@ export class SceneStore extends EventTarget {
 
   /** Another scene. @param {State} state */
   open({ name, text, files = {} }) {
-    this.openings++;
-    this.#put({ name, text, files }, null);
+    if (this.openings++ === 0) this.#history = historyOf({ name, text, files });
+    else this.#history.push({ name, text, files });
+    this.#changed();
   }
 
   /** One more file beside the scene. @param {string} name @param {string|Uint8Array} content */
