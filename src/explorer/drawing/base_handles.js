@@ -14,14 +14,13 @@ export function baseHandles(context) {
   return [beyondHandle(context, "left", -1), beyondHandle(context, "right", 1)];
 }
 
-/** It counts from the end of the contact outwards. */
+/** It counts from the end of the contact outwards; the handle is where the base ends. */
 function beyondHandle(context, side, sign) {
   const of = context.number(["base", "beyond", side]);
   const end = context.kase.contact[side + "_end"];
   const foot = context.result(end.x_m, end.y_m);
   return lengthHandle(context, {
     name: "base beyond the block to the " + side, of, kind: "base", moves: "x", least: 0, sign,
-    at: { x: foot.x + sign * (of.value ?? 0) * context.metres, y: foot.y },
-    value: (hand) => (sign * (hand.x - foot.x)) / context.metres,
+    at: context.baseEnd(sign) ?? foot, value: (hand) => (sign * (hand.x - foot.x)) / context.metres,
   });
 }

@@ -23,10 +23,12 @@ import { tiltArc } from "./tilt_handle.js";
 import { Motion, motionOf } from "./motion.js";
 
 const SNAP_DOTS = 3;
+const OTHER_SIZE = 2.5;
 const ZOOM_MAX = 1e6;
 
 export class Drawing extends EventTarget {
   #fitted = -1; // which of the scenes that were opened the window was fitted to
+  #box = null; // what it was fitted to, metres from the origin
   #drawn = null; // of which answer the paths are
   #waits = null;
 
@@ -101,18 +103,18 @@ export class Drawing extends EventTarget {
     };
     this.layers.arc.append("path");
     this.layers.arc.append("text");
+    this.layers.note = this.svg.append("text").attr("class", "note").attr("x", 10).attr("y", 20);
   }
 
   /** Several changes within a frame are drawn once. */
   #later() {
     if (this.#waits !== null) return;
-    this.#waits = requestAnimationFrame(() => {
-      this.#waits = null;
-      this.#draw();
-    });
+    this.#waits = requestAnimationFrame(() => this.#draw());
   }
 
   #draw() {
+    cancelAnimationFrame(this.#waits);
+    this.#waits = null;
     const { store } = this;
     const answer = store.lastSolution;
     const kase = this.case;
@@ -129,13 +131,25 @@ export class Drawing extends EventTarget {
     this.#place();
   }
 
-  /** A scene that was opened is fitted once; while it is dragged the window stays. */
+  /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
   #fitOnce(outlines) {
-    if (this.#fitted === this.store.openings || this.store.solution === null) return;
+    const opened = this.#fitted !== this.store.openings;
+    if (this.store.solution === null || (!opened && !(this.handles.dragged === null && this.#otherSize(outlines)))) return;
     this.#fitted = this.store.openings;
     this.origin = { x: outlines.origin_x_m, y: outlines.origin_y_m };
-    this.view.fit(roomOf(outlines));
+    this.#box = roomOf(outlines);
+    this.view.fit(this.#box);
     this.#drawn = null;
+    if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
+  }
+
+  /** Than what was fitted: by far larger or smaller, or by far elsewhere. */
+  #otherSize(outlines) {
+    const box = roomOf(outlines);
+    const size = Math.hypot(box[2] - box[0], box[3] - box[1]);
+    const before = Math.hypot(this.#box[2] - this.#box[0], this.#box[3] - this.#box[1]);
+    const away = Math.hypot(outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y);
+    return size > OTHER_SIZE * before || before > OTHER_SIZE * size || away > OTHER_SIZE * before;
   }
 
   /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
@@ -192,6 +206,8 @@ export class Drawing extends EventTarget {
       });
     this.#drawArc();
     this.handles.set(handlesOf(this.context, view, this.sign));
+    const { hidden } = this.handles;
+    layers.note.text(hidden > 0 ? hidden + " more handles: come closer to see them" : "");
   }
 
   #drawArc() {
@@ -238,7 +254,7 @@ export class Drawing extends EventTarget {
     if (!(width > 0 && height > 0)) return;
     [this.view.width, this.view.height] = [width, height];
     this.svg.attr("viewBox", "0 0 " + width + " " + height);
-    if (this.store.lastSolution?.outlines !== undefined) this.view.fit(roomOf(this.store.lastSolution.outlines));
+    if (this.#box !== null) this.view.fit(this.#box);
     this.#later();
   }
 }

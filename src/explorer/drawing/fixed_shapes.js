@@ -6,20 +6,16 @@
 /** @param {import("../scene/scene_text.js").SceneText} scene @returns {string[]} */
 export function fixedShapes(scene) {
   if (scene.unread !== null) return [scene.unread];
-  const said = [];
-  const file = (path, what) => {
-    const name = scene.scalar(path);
-    if (name !== null) said.push(what + " stands in the file " + name + "; change it there and open it again");
-  };
-  file(["block", "outline"], "The outline");
-  file(["base", "profile"], "The profile");
-  file(["drawing", "file"], "The drawing");
-  file(["drawing"], "The drawing");
-  if (scene.keys(["block", "outline"])?.includes("mesh")) said.push("The outline is a section of a mesh");
-  const rule = scene.keys(["base", "profile"]);
-  if (rule !== null) said.push("The profile is made by the rule " + rule[0] + "; its numbers stand in the text");
-  if (scene.scalar(["base", "place"]) === "rest" || scene.keys(["joint"]) !== null || scene.keys(["contact"]) !== null) {
-    said.push("The block is drawn where it came to rest; its handles lie where the scene put it");
-  }
-  return said;
+  const drawing = scene.scalar(["drawing"]) ?? scene.scalar(["drawing", "file"]);
+  const said = drawing === null ? [] : ["Block and base stand in the file " + drawing + "; change it there and open it again"];
+  return said.concat(shapeOf(scene, ["block", "outline"], "The outline"), shapeOf(scene, ["base", "profile"], "The profile"));
+}
+
+function shapeOf(scene, path, what) {
+  const file = scene.scalar(path);
+  if (file !== null) return [what + " stands in the file " + file + "; change it there and open it again"];
+  const keys = scene.keys(path);
+  if (keys === null) return [];
+  if (keys.includes("mesh")) return [what + " is a section of the mesh " + scene.scalar([...path, "mesh"])];
+  return [what + " is made by a rule (" + keys[0] + "); its numbers stand in the text"];
 }

@@ -20,6 +20,7 @@
 
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { snap } from "../scene/decimal.js";
+import { pathEnds } from "./thin_path.js";
 import { Placement } from "./view.js";
 
 /** What all handles are made from. */
@@ -36,6 +37,7 @@ export class Context {
     this.kase = kase;
     this.unit = scene.scalar(["length_unit"]) ?? "";
     this.origin = origin;
+    this.outlines = outlines;
     const { metres_per_unit: metres, block, base } = outlines.placed;
     const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
     this.metres = metres;
@@ -43,6 +45,14 @@ export class Context {
     this.block = block === null ? null : new Placement(block, metres, shift);
     /** Null where the base has no profile with the scene's points. @type {Placement|null} */
     this.base = base === null ? null : new Placement(base, metres, shift);
+  }
+
+  /** Where the base ends to the right (sign 1) or to the left (-1), in the frame of the drawing. @returns {Point|null} */
+  baseEnd(sign) {
+    const ends = pathEnds(this.outlines.base);
+    if (ends === null) return null;
+    const [x, y] = ends[sign > 0 ? 1 : 0];
+    return { x: x + this.outlines.origin_x_m - this.origin.x, y: y + this.outlines.origin_y_m - this.origin.y };
   }
 
   /** A point of the results in the frame of the drawing. */

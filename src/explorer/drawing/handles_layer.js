@@ -41,10 +41,16 @@ export class HandlesLayer {
     this.hidden = Math.max(0, seen.length - HANDLES_MAX);
     this.group.selectAll("g.handle").data(seen.slice(0, HANDLES_MAX), (one) => one.handle.key)
       .join((enter) => this.#made(enter))
-      .attr("class", ({ handle }) => "handle " + handle.kind + (handle.fixed === null ? "" : " fixed"))
-      .attr("aria-label", ({ handle }) => handle.fixed ?? handle.label + ". Arrow keys move it.")
       .attr("transform", ({ x, y }) => "translate(" + x + " " + y + ")")
-      .select("title").text(({ handle }) => handle.fixed ?? handle.label);
+      .each(function ({ handle }) {
+        // of a hundred handles one is dragged: the others' words stay, and are not laid out again
+        const words = handle.fixed ?? handle.label;
+        if (this.words === words) return;
+        this.words = words;
+        this.setAttribute("class", "handle " + handle.kind + (handle.fixed === null ? "" : " fixed"));
+        this.setAttribute("aria-label", handle.fixed ?? handle.label + ". Arrow keys move it.");
+        this.querySelector("title").textContent = words;
+      });
   }
 
   #made(enter) {

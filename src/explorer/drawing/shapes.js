@@ -5,7 +5,7 @@
 
 import { pathPoints, thinPath } from "./thin_path.js";
 
-const ROCK_DEPTH = 0.22; // of the block's height
+const ROCK_DEPTH = 0.3; // of the block's height
 
 /**
  * @param {object} outlines of the answer

@@ -10,6 +10,7 @@ import { contactFaces, normalAt } from "./contact_normals.js";
 
 const PIVOTS_MAX = 60;
 const FORCE_DOTS = 120; // of the block's weight
+const NAME_DOTS = 20; // that two numbers need between them
 const HEAD = 9;
 const COMB = 6; // gaps between the arrows of a pressure
 const COMB_DOTS = 30;
@@ -49,15 +50,21 @@ function weight(kase, on) {
   ];
 }
 
+/** Those that matter most are named first; a number that another one would lie on is left out. */
 function pivots(kase, on) {
   const governing = kase.toppling?.pivot;
-  return (kase.pivots ?? []).slice(0, PIVOTS_MAX).map((pivot) => {
+  const rank = (pivot) => (pivot.index === governing ? 0 : pivot.admissible ? 1 : 2);
+  const named = [];
+  const drawn = (kase.pivots ?? []).toSorted((one, other) => rank(one) - rank(other)).slice(0, PIVOTS_MAX).map((pivot) => {
     const at = on(pivot.x_m, pivot.y_m);
-    const kind = "pivot" + (pivot.index === governing ? " governing" : pivot.admissible ? " admissible" : "");
+    const kind = ["pivot governing", "pivot admissible", "pivot"][rank(pivot)];
     const angle = pivot.critical_angle_deg?.value;
     const title = "pivot " + (pivot.index + 1) + (angle === undefined ? "" : ": passes the weight at " + angle.toFixed(2) + "°");
-    return { kind, d: disc(at, 4), x: at.x, y: at.y + 17, text: String(pivot.index + 1), title };
+    const free = named.every((other) => Math.hypot(other.x - at.x, other.y - at.y) > NAME_DOTS);
+    if (free) named.push(at);
+    return { kind, d: disc(at, 4), x: at.x, y: at.y + 17, text: free ? String(pivot.index + 1) : "", title };
   });
+  return drawn.reverse();
 }
 
 function centre(kase, on) {

@@ -11,6 +11,13 @@ export function pathPoints(path) {
   return [...path.matchAll(COMMAND)].filter(([, command]) => command !== "Z").map(([, , numbers]) => ends(numbers));
 }
 
+/** @param {string} path of one open chain @returns {number[][]|null} its first and its last point, without reading the rest */
+export function pathEnds(path) {
+  const first = /^M([^MLCZ]*)/.exec(path);
+  const last = /[ML]([^MLCZ]*)$/.exec(path.slice(-100));
+  return first === null || last === null ? null : [ends(first[1]), ends(last[1])];
+}
+
 function ends(numbers) {
   return numbers.trim().split(/[\s,]+/).slice(-2).map(Number);
 }

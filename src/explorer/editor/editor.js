@@ -14,8 +14,14 @@ import { colours } from "./colours.js";
 import { difference } from "./difference.js";
 
 const fromStore = Annotation.define();
+const OFTEN_MS = 60;
+const FOLLOW_MS = 150;
 
 export class Editor {
+  #changed = -Infinity; // when the text did so elsewhere
+  #timer = null;
+  #marked = 0; // lines with a complaint
+
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
     this.store = store;
@@ -40,6 +46,7 @@ export class Editor {
       keymap.of([...this.#historyKeys(), ...searchKeymap, ...defaultKeymap, indentWithTab]),
       EditorView.contentAttributes.of({ "aria-label": "The scene as text, in YAML" }),
       EditorView.updateListener.of((update) => this.#typed(update)),
+      EditorView.domEventHandlers({ focusin: () => this.#catchUp() }),
     ];
   }
 
@@ -58,15 +65,32 @@ export class Editor {
     this.store.setText(update.state.doc.toString(), { mergeWith: "typing" });
   }
 
-  /** The text changed elsewhere: only what differs is put in, so that the cursor stays. */
+  /**
+   * The text changed elsewhere. While a hand drags, it does so every frame, and to lay out a long line each time would
+   * cost the drawing its frames: then the editor follows some times a second, unless it has the focus itself.
+   */
   #follow() {
+    const now = performance.now();
+    const quick = now - this.#changed < OFTEN_MS && !this.view.hasFocus;
+    this.#changed = now;
+    if (!quick) this.#catchUp();
+    else this.#timer ??= setTimeout(() => this.#catchUp(), FOLLOW_MS);
+  }
+
+  /** Only what differs is put in, so that the cursor stays. */
+  #catchUp() {
+    clearTimeout(this.#timer);
+    this.#timer = null;
     const change = difference(this.view.state.doc.toString(), this.store.text);
     if (change !== null) this.view.dispatch({ changes: change, annotations: fromStore.of(true) });
   }
 
   /** @param {import("../scene/complaint.js").Complaint|null} problem */
   #mark(problem) {
+    if (problem === null && this.#marked === 0) return;
+    if (this.#timer !== null) this.#catchUp();
     const found = problem === null || problem.line === null || problem.file !== this.store.name ? [] : [this.#diagnostic(problem)];
+    this.#marked = found.length;
     this.view.dispatch(setDiagnostics(this.view.state, found));
   }
 
