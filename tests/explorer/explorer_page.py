@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "tests" / "program"))
 import browser  # noqa: E402
 
 # The page as it was built; TOPPLE_EXPLORER names another one, a file or an address
-PLACE = os.environ.get("TOPPLE_EXPLORER", str(ROOT / "build" / "explorer.html"))
+PLACE = os.environ.get("TOPPLE_EXPLORER", str(ROOT / "build-explorer" / "explorer.html"))
 
 
 class Address:
