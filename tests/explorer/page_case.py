@@ -127,7 +127,8 @@ class PageCase(unittest.TestCase):
         self.browser.call("Input.insertText", text=text)
 
     def knob(self, key):
-        """Where a handle is on the screen."""
+        """Where a handle is on the screen, the drawing scrolled into it."""
+        self.value("document.getElementById('drawing').scrollIntoView({block: 'end'})")
         return self.value(f"(() => {{ const r = document.querySelector('[data-handle={json.dumps(key)}] .knob')"
                           ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")
 

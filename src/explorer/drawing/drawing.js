@@ -31,6 +31,8 @@ export class Drawing extends EventTarget {
   #box = null; // what it was fitted to, metres from the origin
   #drawn = null; // of which answer the paths are
   #waits = null;
+  #editing = false;
+  #byHand = false; // the present text came from a handle
 
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
@@ -52,7 +54,10 @@ export class Drawing extends EventTarget {
       told: (words) => this.#tell(words),
     });
     this.motion = new Motion(() => this.#motion(), (transform) => this.layers.moving.attr("transform", transform));
-    store.addEventListener("text", () => this.#later());
+    store.addEventListener("text", () => {
+      this.#byHand = this.#editing;
+      this.#later();
+    });
     store.addEventListener("solution", () => this.#later());
     store.addEventListener("problem", () => this.#later());
     new ResizeObserver(() => this.#resized(element)).observe(element);
@@ -134,7 +139,7 @@ export class Drawing extends EventTarget {
   /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
   #fitOnce(outlines) {
     const opened = this.#fitted !== this.store.openings;
-    if (this.store.solution === null || (!opened && !(this.handles.dragged === null && this.#otherSize(outlines)))) return;
+    if (this.store.solution === null || (!opened && (this.#byHand || !this.#otherSize(outlines)))) return;
     this.#fitted = this.store.openings;
     this.origin = { x: outlines.origin_x_m, y: outlines.origin_y_m };
     this.#box = roomOf(outlines);
@@ -236,7 +241,9 @@ export class Drawing extends EventTarget {
   }
 
   #edit(handle, edits) {
+    this.#editing = true;
     this.store.setNumbers(edits, { mergeWith: "drag " + handle.key });
+    this.#editing = false;
     // the next key press or report of the hand counts from what is drawn now
     this.#draw();
   }
