@@ -79,5 +79,6 @@ export class Panel {
     this.#drawn = solution;
     this.place.dataset.scene = this.store.name;
     this.draw(solution);
+    this.terms.forget();
   }
 }

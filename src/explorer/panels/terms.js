@@ -59,6 +59,11 @@ export class Terms {
     );
   }
 
+  /** What a panel drew anew took its words along: none of them can be left any more. */
+  forget() {
+    if (this.#wanted !== null && !this.#wanted.isConnected) this.#hide();
+  }
+
   async #show(anchor, term) {
     this.#wanted = anchor;
     const explained = await this.#explanation(term);
