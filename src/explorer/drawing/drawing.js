@@ -143,13 +143,19 @@ export class Drawing extends EventTarget {
     if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
   }
 
-  /** Than what was fitted: by far larger or smaller, or by far elsewhere. */
+  /** Than what was fitted: by far larger or smaller, by far elsewhere, or out of a window that no hand has moved. */
   #otherSize(outlines) {
+    const [dx, dy] = [outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y];
     const box = roomOf(outlines);
     const size = Math.hypot(box[2] - box[0], box[3] - box[1]);
     const before = Math.hypot(this.#box[2] - this.#box[0], this.#box[3] - this.#box[1]);
-    const away = Math.hypot(outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y);
-    return size > OTHER_SIZE * before || before > OTHER_SIZE * size || away > OTHER_SIZE * before;
+    if (size > OTHER_SIZE * before || before > OTHER_SIZE * size || Math.hypot(dx, dy) > OTHER_SIZE * before) return true;
+    const out = (x, y) => {
+      const at = this.view.toScreen(x + dx, y + dy);
+      return at.x < 0 || at.y < 0 || at.x > this.view.width || at.y > this.view.height;
+    };
+    const [x0, y0, x1, y1] = outlines.box_m;
+    return this.view.zoom === zoomIdentity && [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].some(([x, y]) => out(x, y));
   }
 
   /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */

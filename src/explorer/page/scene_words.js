@@ -19,7 +19,12 @@ export function sceneWords(element, store) {
       return item;
     }));
   };
+  const state = (name) => (document.body.dataset.answer = name);
   store.addEventListener("text", words);
+  store.addEventListener("text", () => state("awaited"));
+  store.addEventListener("solution", () => state("there"));
+  store.addEventListener("problem", () => state("none"));
+  store.addEventListener("solution", () => performance.mark("first answer"), { once: true });
   store.addEventListener("busy", () => {
     clearTimeout(timer);
     if (store.busy) timer = setTimeout(() => (element("busy").textContent = "solving…"), LATE_MS);
