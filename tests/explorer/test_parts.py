@@ -14,10 +14,9 @@ import shutil
 import subprocess
 import unittest
 
-import explorer_page
-from harness import main
+from page_case import ROOT, main
 
-PANELS = explorer_page.ROOT / "src" / "explorer" / "panels"
+PANELS = ROOT / "src" / "explorer" / "panels"
 NODE = shutil.which("node")
 
 
