@@ -107,12 +107,15 @@ export class MapPanel extends Panel {
     const onTilt = [this.x.key, this.y.key].includes(TILT);
     const grid = new MapGrid(POINTS, POINTS);
     const began = performance.now();
-    const solve = async (row, columns) => {
-      const args = ["sweep", this.store.name, "--x", this.x.key + "=" + columns.map((column) => x[column]).join(","), "--y", this.y.key + "=" + y[row]];
+    const solve = async (rows, columns) => {
+      const list = (number, all, chosen) => number.key + "=" + chosen.map((at) => all[at]).join(",");
+      const args = ["sweep", this.store.name, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows)];
       const answer = await this.background.run(args, files, { timeoutMs: ROW_MAX_MS });
       if (!current()) return false;
       if (answer.out === "") throw new Error(answer.err.trim());
-      readTable(answer.out).forEach((point, index) => grid.put(columns[index], row, kindOf(point, onTilt)));
+      readTable(answer.out).forEach((point, index) => {
+        grid.put(columns[index % columns.length], rows[Math.floor(index / columns.length)], kindOf(point, onTilt));
+      });
       return true;
     };
     await grid.refine(solve, () => this.#show(grid, performance.now() - began));
