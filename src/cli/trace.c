@@ -5,7 +5,7 @@
 
 #include "cli/cli.h"
 #include "cli/library.h"
-#include "cli/new_scene.h"
+#include "cli/new_answers.h"
 
 #include <dlfcn.h>
 #include <math.h>
