@@ -5,8 +5,9 @@
 
 #include "cli/cli.h"
 #include "cli/files.h"
-#include "cli/manner.h"
-#include "cli/new_scene.h"
+#include "cli/new_ask.h"
+#include "cli/new_begin.h"
+#include "cli/new_drawing.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,13 +21,28 @@ typedef struct arguments {
   bool given;         /* anything of the scene */
 } arguments;
 
-enum { KEY_SLAB = 256, KEY_UNIT, KEY_UNIT_WEIGHT, KEY_FRICTION, KEY_TILT, KEY_TOWARDS, KEY_FRAME };
+enum {
+  KEY_SLAB = 256,
+  KEY_UNIT,
+  KEY_UNIT_WEIGHT,
+  KEY_FRICTION,
+  KEY_TILT,
+  KEY_TOWARDS,
+  KEY_FRAME,
+  KEY_BLOCK,
+  KEY_BASE,
+  KEY_HOLE,
+  KEY_PART,
+  KEY_REFERENCE,
+  KEY_GAP
+};
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "Write the scene into FILE (scene.yaml unless given), - for stdout",
      0},
     {"slab", KEY_SLAB, "WxH", 0, "A rectangle of this width and height, as 2x4", 1},
-    {"unit", KEY_UNIT, "UNIT", 0, "The length unit: mm, cm, m, km, in or ft (m unless given)", 1},
+    {"unit", KEY_UNIT, "UNIT", 0,
+     "The length unit: mm, cm, m, km, in or ft (m unless given, or what a drawing says)", 1},
     {"title", 't', "TEXT", 0, "What the scene is of", 1},
     {"unit-weight", KEY_UNIT_WEIGHT, "NUMBER", 0, "Of the rock, kN/m3, as 26", 1},
     {"friction", KEY_FRICTION, "DEGREES", 0, "Friction angle of the contact", 1},
@@ -34,6 +50,15 @@ static const struct argp_option options[] = {
     {"towards", KEY_TOWARDS, "SIDE", 0, "The side that is lowered: left, right or both", 1},
     {"frame", KEY_FRAME, "FRAME", 0,
      "Of the outline: base (x along its mean plane) or world (y upwards)", 1},
+    {NULL, 0, NULL, 0, "Of a drawing:", 2},
+    {"block", KEY_BLOCK, "LAYER", 0, "Layer or name of the outline (BLOCK unless given)", 2},
+    {"base", KEY_BASE, "LAYER", 0, "Layer or name of the profile of the base (BASE)", 2},
+    {"hole", KEY_HOLE, "LAYER", 0, "Layer or name of holes (HOLE)", 2},
+    {"part", KEY_PART, "LAYER=NUMBER", 0,
+     "A layer of parts of the block and their unit weight, kN/m3; may be given again", 2},
+    {"reference", KEY_REFERENCE, "NAME=LENGTH", 0,
+     "An object and its true length, by which all is scaled", 2},
+    {"gap", KEY_GAP, "LENGTH", 0, "By how much ends of pieces may miss each other (0)", 2},
     {0}};
 
 static void keep(char answer[TP_CLI_ANSWER], const char *text, const char *option,
@@ -51,6 +76,14 @@ static void keep(char answer[TP_CLI_ANSWER], const char *text, const char *optio
   a->given = true;
 }
 
+static void keep_part(const char *text, arguments *a, struct argp_state *state) {
+  if (a->scene.part_count == TP_CLI_PARTS) {
+    tp_cli_refuse(state, "--part is given at most %d times", TP_CLI_PARTS);
+    return;
+  }
+  keep(a->scene.parts[a->scene.part_count++], text, "--part", tp_cli_wrong_part, a, state);
+}
+
 static const char *wrong_frame(const char *text) {
   return strcmp(text, "base") == 0 || strcmp(text, "world") == 0 ? NULL
                                                                  : "a frame is base or world";
@@ -59,6 +92,9 @@ static const char *wrong_frame(const char *text) {
 static void check(const arguments *a, struct argp_state *state) {
   if (a->file != NULL && a->scene.block[0] != '\0') {
     tp_cli_refuse(state, "a block is either a slab or the outline of '%s'", a->file);
+  }
+  if (a->file == NULL && tp_cli_says_of_drawing(&a->scene)) {
+    tp_cli_refuse(state, "which drawing? Layers, parts, a reference and a gap are of its FILE");
   }
   const bool has_block = a->file != NULL || a->scene.block[0] != '\0';
   if (a->given && !has_block) {
@@ -100,6 +136,24 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_FRAME:
     keep(a->scene.frame, argument, "--frame", wrong_frame, a, state);
     return 0;
+  case KEY_BLOCK:
+    keep(a->scene.block_layer, argument, "--block", NULL, a, state);
+    return 0;
+  case KEY_BASE:
+    keep(a->scene.base_layer, argument, "--base", NULL, a, state);
+    return 0;
+  case KEY_HOLE:
+    keep(a->scene.hole_layer, argument, "--hole", NULL, a, state);
+    return 0;
+  case KEY_PART:
+    keep_part(argument, a, state);
+    return 0;
+  case KEY_REFERENCE:
+    keep(a->scene.reference, argument, "--reference", tp_cli_wrong_reference, a, state);
+    return 0;
+  case KEY_GAP:
+    keep(a->scene.gap, argument, "--gap", tp_cli_wrong_number, a, state);
+    return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->file, argument, "outline", state);
     return 0;
@@ -115,167 +169,40 @@ static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "[FILE]",
-    .doc = "Begin a scene: of a slab, or of the outline in FILE; without either by five questions, "
-           "on a terminal.\v"
+    .doc = "Begin a scene: of a slab, of the outline in FILE, or of a drawing (DXF, SVG, WKT, "
+           "GeoJSON, CSV with layers); what is not given is asked for on a terminal.\v"
            "The scene is solved once before it is written, and says in comments what each key "
            "means and which defaults are cautious. What is there is never overwritten. Exit "
            "status: 0 done, 2 wrong usage, 3 bad input or a file in the way, 4 undecided, 5 system "
            "failed."};
 
-/* ---- questions ---------------------------------------------------------------------------------
- */
-
-/* A line of the standard input without its end, into an answer of that size; false: there is none,
- * or memory is exhausted. A longer one is cut, and then refused by what is asked. */
-static bool read_answer(char answer[TP_CLI_ANSWER]) {
-  char *line = NULL;
-  size_t size = 0;
-  const ssize_t length = getline(&line, &size, stdin);
-  if (length >= 0) {
-    const char *text = line + strspn(line, " \t");
-    size_t own = strcspn(text, "\r\n");
-    while (own > 0 && (text[own - 1] == ' ' || text[own - 1] == '\t')) own--;
-    snprintf(answer, TP_CLI_ANSWER, "%.*s", (int)(own < TP_CLI_ANSWER ? own : TP_CLI_ANSWER), text);
-  }
-  free(line);
-  return length >= 0;
-}
-
-/* Until it is answered; false: the input ended. */
-static bool ask(const char *question, char answer[TP_CLI_ANSWER], const char *unless_given,
-                const char *(*wrong)(const char *)) {
-  for (;;) {
-    tp_cli_ask(question);
-    if (!read_answer(answer)) return false;
-    if (answer[0] == '\0') strcpy(answer, unless_given);
-    const char *complaint = wrong != NULL ? wrong(answer) : NULL;
-    if (complaint == NULL) return true;
-    tp_cli_complain("%s", complaint);
-  }
-}
-
-/* A size, or a file that can be read. */
-static const char *wrong_block(const char *text) {
-  return access(text, R_OK) == 0 || tp_cli_wrong_size(text) == NULL
-             ? NULL
-             : "a block is its width and height, as 2x4, or the name of a file that is there";
-}
-
-/* "20", "20 left", or nothing. */
-static const char *wrong_tilt(const char *text) {
-  char angle[TP_CLI_ANSWER];
-  strcpy(angle, text);
-  char *blank = strchr(angle, ' ');
-  if (blank != NULL) *blank = '\0';
-  if (tp_cli_wrong_number(angle) != NULL || (blank != NULL && angle[0] == '\0') ||
-      (blank != NULL && tp_cli_wrong_towards(blank + 1 + strspn(blank + 1, " ")) != NULL)) {
-    return "a tilt is an angle, and may name the lowered side, as 20 or 20 left";
-  }
-  return NULL;
-}
-
-static bool ask_all(arguments *a) {
-  tp_cli_new_scene *s = &a->scene;
-  char block[TP_CLI_ANSWER], tilt[TP_CLI_ANSWER];
-  if (!ask("1 of 5. Length unit (mm, cm, m, km, in, ft) [m]? ", s->length_unit, "m",
-           tp_cli_wrong_unit) ||
-      !ask("2 of 5. The block: width and height, as 2x4, or the file of its outline? ", block, "",
-           wrong_block) ||
-      !ask("3 of 5. Unit weight of the rock in kN/m3 [not known]? ", s->unit_weight, "",
-           tp_cli_wrong_number) ||
-      !ask("4 of 5. Friction angle of the contact in degrees [not known: sliding is not judged]? ",
-           s->friction, "", tp_cli_wrong_number) ||
-      !ask("5 of 5. Tilt of the base in degrees, and the lowered side, as 20 left [both]? ", tilt,
-           "", wrong_tilt)) {
-    return false;
-  }
-  strcpy(tp_cli_wrong_size(block) == NULL ? s->block : s->outline, block);
-  char *blank = strchr(tilt, ' ');
-  if (blank != NULL) {
-    strcpy(s->towards, blank + 1 + strspn(blank + 1, " "));
-    *blank = '\0';
-  }
-  strcpy(s->tilt, tilt);
-  return true;
-}
-
-/* ---- the scene ---------------------------------------------------------------------------------
- */
-
-/* The outline's file as the scene names it: from the scene's folder. */
-static bool name_outline(arguments *a, const char *file, const char *output) {
-  char whole[PATH_MAX];
-  const size_t folder = tp_cli_folder_length(output);
-  const char *name = file;
-  if (folder > 0 && strncmp(file, output, folder) == 0) {
-    name = file + folder;
-  } else if (folder > 0 && realpath(file, whole) != NULL) {
-    name = whole;
-  }
-  if (strlen(name) >= TP_CLI_ANSWER) return false;
-  strcpy(a->scene.outline, name);
-  return true;
-}
-
-/* Does it solve? What it comes to is for `topple solve` to tell. */
-static tp_status try_scene(const char *text, const char *name, tp_message *message) {
-  tp_scene *scene = NULL;
-  tp_solution *solution = NULL;
-  const tp_solve_options solve = tp_solve_options_default();
-  tp_status status = tp_scene_read_text(&scene, text, name, message);
-  if (status == TP_OK) status = tp_solve(&solution, scene, &solve, message);
-  tp_solution_free(solution);
-  tp_scene_free(scene);
-  if (status == TP_BAD_INPUT) {
-    tp_message own = *message;
-    snprintf(message->text, sizeof message->text,
-             "nothing is written, as it would not solve: %.900s", own.text);
-  }
-  return status;
-}
-
-static tp_status write_scene(const char *text, const char *output, int *ended,
-                             tp_message *message) {
-  if (strcmp(output, "-") == 0) {
-    *ended = tp_cli_print(text);
-    return TP_OK;
-  }
-  bool created = false;
-  const tp_status status = tp_cli_create_file(output, text, strlen(text), false, &created, message);
-  if (status != TP_OK) return status;
-  char plain[PATH_MAX];
-  tp_plain_text(plain, sizeof plain, output);
-  if (!tp_cli_is_quiet()) printf("Wrote %s\nNext: topple solve %s\n", plain, plain);
-  return TP_OK;
+/* What the options leave open, on a terminal; false: the answers ended. */
+static bool ask(arguments *a) {
+  if (a->file == NULL && a->scene.block[0] == '\0') return tp_cli_ask_scene(&a->scene);
+  if (a->file == NULL || a->given || isatty(STDIN_FILENO) == 0) return true;
+  return tp_cli_ask_of_file(&a->scene, tp_cli_is_drawing(a->file));
 }
 
 static tp_status run(const void *words, int *ended, tp_message *message) {
   arguments a = *(const arguments *)words;
   const char *output = a.output != NULL ? a.output : "scene.yaml";
-  const bool to_file = strcmp(output, "-") != 0;
-  tp_status status = to_file ? tp_cli_may_create(output, "", 0, false, message) : TP_OK;
+  tp_status status =
+      strcmp(output, "-") != 0 ? tp_cli_may_create(output, "", 0, false, message) : TP_OK;
   if (status != TP_OK) return status;
-  if (a.file == NULL && a.scene.block[0] == '\0' && !ask_all(&a)) {
+  if (!ask(&a)) {
     snprintf(message->text, sizeof message->text,
              "the answers ended before the scene was known; nothing is written");
     return TP_BAD_INPUT;
   }
   const char *file = a.file != NULL ? a.file : a.scene.outline;
-  char own[TP_CLI_ANSWER];
-  if (*file != '\0') {
-    snprintf(own, sizeof own, "%s", file);
-    if (strlen(file) >= sizeof own || !name_outline(&a, own, output)) {
-      snprintf(message->text, sizeof message->text, "the name of the outline's file is too long");
-      return TP_BAD_INPUT;
-    }
+  char own[PATH_MAX];
+  snprintf(own, sizeof own, "%s", file);
+  if (*own != '\0') status = tp_cli_new_scene_of(&a.scene, own, output, message);
+  if (status != TP_OK) return status;
+  if (a.scene.length_unit[0] == '\0' && a.scene.drawing[0] == '\0') {
+    strcpy(a.scene.length_unit, "m");
   }
-  if (a.scene.length_unit[0] == '\0') strcpy(a.scene.length_unit, "m");
-  char *text = NULL;
-  status = tp_cli_new_scene_text(&text, &a.scene);
-  if (status == TP_OK) status = try_scene(text, to_file ? output : "scene.yaml", message);
-  if (status == TP_OK) status = write_scene(text, output, ended, message);
-  free(text);
-  return status;
+  return tp_cli_begin_scene(&a.scene, output, ended, message);
 }
 
 int tp_cli_new(int argc, char **argv) {

@@ -7,25 +7,7 @@
 #ifndef TP_CLI_NEW_SCENE_H
 #define TP_CLI_NEW_SCENE_H
 
-#include "topple.h"
-
-enum { TP_CLI_ANSWER = 256 };
-
-/* What is asked for. Texts as they were given; an empty one was not. */
-typedef struct tp_cli_new_scene {
-  char title[TP_CLI_ANSWER], length_unit[TP_CLI_ANSWER];
-  char block[TP_CLI_ANSWER];   /* width and height, as 2x4 */
-  char outline[TP_CLI_ANSWER]; /* or a file of the outline, as seen from the scene */
-  char unit_weight[TP_CLI_ANSWER], friction[TP_CLI_ANSWER];
-  char tilt[TP_CLI_ANSWER], towards[TP_CLI_ANSWER], frame[TP_CLI_ANSWER];
-} tp_cli_new_scene;
-
-/* What is wrong with a text for it, with what would be right; NULL: nothing. Whether the scene
- * solves is found by solving it. */
-const char *tp_cli_wrong_unit(const char *text);
-const char *tp_cli_wrong_size(const char *text);
-const char *tp_cli_wrong_number(const char *text); /* a decimal or a fraction; empty: none */
-const char *tp_cli_wrong_towards(const char *text);
+#include "cli/new_answers.h"
 
 /* To be freed. All texts passed the checks above. */
 TP_MUST_USE tp_status tp_cli_new_scene_text(char **text, const tp_cli_new_scene *scene);

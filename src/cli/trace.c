@@ -5,6 +5,7 @@
 
 #include "cli/cli.h"
 #include "cli/library.h"
+#include "cli/new_answers.h"
 
 #include <dlfcn.h>
 #include <math.h>
@@ -15,16 +16,31 @@
 /* tp_trace_run of src/trace/trace.h. */
 typedef tp_status (*trace_function)(char **report, const char *image, const double *around,
                                     size_t corners, const double scale[5], const double *plumb,
-                                    double tolerance, const char *unit, const char *scene,
+                                    const double *between, double tolerance, const char *unit,
+                                    const char *const rock[4], const char *scene,
                                     const char *figure, bool json, tp_message *message);
 
-enum { MOST_POINTS = 200, KEY_AROUND = 256, KEY_SCALE, KEY_PLUMB, KEY_TOLERANCE, KEY_FIGURE };
+enum {
+  MOST_POINTS = 200,
+  KEY_AROUND = 256,
+  KEY_SCALE,
+  KEY_PLUMB,
+  KEY_TOLERANCE,
+  KEY_FIGURE,
+  KEY_BETWEEN,
+  KEY_UNIT_WEIGHT,
+  KEY_THICKNESS,
+  KEY_FRICTION
+};
+
+/* What no picture shows, in the order in which tp_trace_run takes it. */
+enum { TITLE, UNIT_WEIGHT, THICKNESS, FRICTION, OF_ROCK };
 
 typedef struct arguments {
-  const char *image, *scene, *figure, *unit;
-  double around[2 * MOST_POINTS], scale[5], plumb[4], tolerance;
+  const char *image, *scene, *figure, *unit, *rock[OF_ROCK];
+  double around[2 * MOST_POINTS], scale[5], plumb[4], between[4], tolerance;
   size_t corners;
-  bool scaled, plumbed, json;
+  bool scaled, plumbed, ended, json;
 } arguments;
 
 static const struct argp_option options[] = {
@@ -38,10 +54,21 @@ static const struct argp_option options[] = {
      0},
     {"plumb", KEY_PLUMB, "X,Y,X,Y", 0,
      "Two points of a line that hangs down; without it down is that of the picture", 0},
+    {"between", KEY_BETWEEN, "X,Y,X,Y", 0,
+     "Where the contact with the base begins and ends: two points of the picture, each near to a "
+     "vertex of the outline; without it the contact goes on to where sides begin, steeper than 45 "
+     "degrees",
+     0},
     {"tolerance", KEY_TOLERANCE, "LENGTH", 0,
      "Leave out points nearer to the outline than this (half of the standard deviation across its "
      "edge)",
      0},
+    {"title", 't', "TEXT", 0, "What the scene is of (unless given, that it was traced)", 0},
+    {"unit-weight", KEY_UNIT_WEIGHT, "NUMBER", 0,
+     "Of the rock, kN/m3, as 26; without it the scene has none, and no forces are reported", 0},
+    {"thickness", KEY_THICKNESS, "LENGTH", 0, "Of the section, in the unit of the scene (1 m)", 0},
+    {"friction", KEY_FRICTION, "DEGREES", 0,
+     "Friction angle of the contact; without it the scene has none, and sliding is not judged", 0},
     {"output", 'o', "FILE", 0, "Write the scene to FILE and print what was found", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Lay the outline and its band over the picture, in a .png",
      0},
@@ -101,6 +128,12 @@ static void read_plumb(arguments *a, const char *text, const struct argp_state *
   tp_cli_refuse(state, "--plumb takes two different points, X,Y,X,Y, not '%s'", text);
 }
 
+static void read_between(arguments *a, const char *text, const struct argp_state *state) {
+  a->ended = read_pair(a->between, 4, text);
+  if (a->ended) return;
+  tp_cli_refuse(state, "--between takes two different points, X,Y,X,Y, not '%s'", text);
+}
+
 static void read_unit(arguments *a, const char *text, const struct argp_state *state) {
   static const char *const units[] = {"mm", "cm", "m", "km", "in", "ft"};
   for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
@@ -114,6 +147,13 @@ static void read_unit(arguments *a, const char *text, const struct argp_state *s
 static void read_tolerance(arguments *a, const char *text, const struct argp_state *state) {
   if (read_numbers(&a->tolerance, 1, text) == 1 && a->tolerance > 0) return;
   tp_cli_refuse(state, "--tolerance takes a length above 0, not '%s'", text);
+}
+
+static void read_number(arguments *a, int which, const char *option, const char *text,
+                        const struct argp_state *state) {
+  const char *complaint = *text != '\0' ? tp_cli_wrong_number(text) : "say what";
+  if (complaint != NULL) tp_cli_refuse(state, "%s: %s, not '%s'", option, complaint, text);
+  a->rock[which] = text;
 }
 
 static void check(const arguments *a, const struct argp_state *state) {
@@ -144,8 +184,23 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_PLUMB:
     read_plumb(a, argument, state);
     return 0;
+  case KEY_BETWEEN:
+    read_between(a, argument, state);
+    return 0;
   case KEY_TOLERANCE:
     read_tolerance(a, argument, state);
+    return 0;
+  case 't':
+    a->rock[TITLE] = argument;
+    return 0;
+  case KEY_UNIT_WEIGHT:
+    read_number(a, UNIT_WEIGHT, "--unit-weight", argument, state);
+    return 0;
+  case KEY_THICKNESS:
+    read_number(a, THICKNESS, "--thickness", argument, state);
+    return 0;
+  case KEY_FRICTION:
+    read_number(a, FRICTION, "--friction", argument, state);
     return 0;
   case KEY_FIGURE:
     tp_cli_take_file(&a->figure, argument, "--figure", state);
@@ -203,7 +258,8 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
   }
   const tp_status status =
       run(&report, a->image, a->around, a->corners, a->scale, a->plumbed ? a->plumb : NULL,
-          a->tolerance, a->unit, a->scene, a->figure, a->json, message);
+          a->ended ? a->between : NULL, a->tolerance, a->unit, a->rock, a->scene, a->figure,
+          a->json, message);
   return tp_cli_print_report(status, report, ended);
 }
 

@@ -110,6 +110,21 @@ static void add_segment(cairo_t *cr, const tp_trace_point ends[2]) {
   cairo_line_to(cr, ends[1].x, ends[1].y);
 }
 
+/* The part of the outline that touches the base, from the left end to the right one; the ring runs
+ * clockwise as it is seen. */
+static void draw_contact(cairo_t *cr, const tp_trace *trace, double scale) {
+  const long count = trace->ring.count;
+  cairo_new_path(cr);
+  for (long k = trace->between[1];; k = (k + 1) % count) {
+    cairo_line_to(cr, trace->ring.points[k].x, trace->ring.points[k].y);
+    if (k == trace->between[0]) break;
+  }
+  cairo_save(cr);
+  cairo_scale(cr, 1 / scale, 1 / scale);
+  stroke(cr, 4, 0, 0.62, 0.45);
+  cairo_restore(cr);
+}
+
 static void draw_lines(cairo_t *cr, const tp_trace *trace, const tp_trace_options *options,
                        double scale) {
   cairo_new_path(cr);
@@ -127,6 +142,7 @@ static void draw_lines(cairo_t *cr, const tp_trace *trace, const tp_trace_option
   cairo_set_line_width(cr, 1.5);
   cairo_stroke(cr);
   cairo_restore(cr);
+  if (options->between_given) draw_contact(cr, trace, scale);
   add_segment(cr, options->scale);
   cairo_save(cr);
   cairo_scale(cr, 1 / scale, 1 / scale);
@@ -149,8 +165,9 @@ static void draw_words(cairo_t *cr, const tp_trace *trace, const tp_trace_option
   cairo_set_font_size(cr, 15);
   cairo_set_source_rgb(cr, 0, 0, 0);
   snprintf(line, sizeof line,
-           "Blue: outline, %ld points. Yellow: two standard deviations, ±%.3g %s",
-           trace->ring.count, 2 * trace->deviation_px * trace->per_pixel, options->unit);
+           "Blue: outline, %ld points. Yellow: two standard deviations, ±%.3g %s.%s",
+           trace->ring.count, 2 * trace->deviation_px * trace->per_pixel, options->unit,
+           options->between_given ? " Green: contact" : "");
   cairo_move_to(cr, 10, top + 24);
   cairo_show_text(cr, line);
   snprintf(line, sizeof line, "Black: scale, %.6g %s.%s", options->length, options->unit,

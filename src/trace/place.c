@@ -31,3 +31,28 @@ tp_trace_point tp_trace_to_scene(const tp_trace *trace, tp_trace_point pixel) {
   return (tp_trace_point){trace->per_pixel * (pixel.x * d.y - pixel.y * d.x) - trace->origin.x,
                           -trace->per_pixel * (pixel.x * d.x + pixel.y * d.y) - trace->origin.y};
 }
+
+/* The point of the ring nearest to one of the picture. */
+static long nearest(const tp_trace *trace, tp_trace_point to, double *distance) {
+  long best = 0;
+  *distance = INFINITY;
+  for (long k = 0; k < trace->ring.count; k++) {
+    const tp_trace_point p = trace->ring.points[k];
+    const double own = hypot(p.x - to.x, p.y - to.y);
+    if (own >= *distance) continue;
+    *distance = own;
+    best = k;
+  }
+  return best;
+}
+
+bool tp_trace_find_between(tp_trace *trace, const tp_trace_options *options) {
+  if (!options->between_given) return true;
+  const tp_trace_point a = options->between[0], b = options->between[1];
+  const bool first_is_left = tp_trace_to_scene(trace, a).x <= tp_trace_to_scene(trace, b).x;
+  double left = 0, right = 0;
+  trace->between[0] = nearest(trace, first_is_left ? a : b, &left);
+  trace->between[1] = nearest(trace, first_is_left ? b : a, &right);
+  trace->between_px = fmax(left, right);
+  return trace->between[0] != trace->between[1];
+}

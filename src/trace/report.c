@@ -34,17 +34,75 @@ static void add_coordinate(tp_text *text, int decimals, double at, double move) 
   }
 }
 
-static void add_points(tp_text *text, const tp_trace *trace) {
+static void add_point(tp_text *text, const tp_trace *trace, long k) {
   const int decimals = decimals_of(trace);
-  const tp_trace_point d = trace->down;
+  const tp_trace_point d = trace->down, m = trace->moves[k];
+  const tp_trace_point at = tp_trace_to_scene(trace, trace->ring.points[k]);
+  tp_text_add(text, "[");
+  add_coordinate(text, decimals, at.x, m.x * d.y - m.y * d.x);
+  tp_text_add(text, ", ");
+  add_coordinate(text, decimals, at.y, -(m.x * d.x + m.y * d.y));
+  tp_text_add(text, "]");
+}
+
+static void add_points(tp_text *text, const tp_trace *trace) {
   for (long k = trace->ring.count - 1; k >= 0; k--) { /* counter-clockwise where y runs up */
-    const tp_trace_point at = tp_trace_to_scene(trace, trace->ring.points[k]), m = trace->moves[k];
-    tp_text_add(text, "  - [");
-    add_coordinate(text, decimals, at.x, m.x * d.y - m.y * d.x);
-    tp_text_add(text, ", ");
-    add_coordinate(text, decimals, at.y, -(m.x * d.x + m.y * d.y));
-    tp_text_add(text, "]\n");
+    tp_text_add(text, "  - ");
+    add_point(text, trace, k);
+    tp_text_add(text, "\n");
   }
+}
+
+/* The contact: two vertices of the outline, which move with it. */
+static void add_base(tp_text *text, const tp_trace *trace, const tp_trace_options *options) {
+  tp_text_add(text, "base:\n"
+                    "  mated: true               # the counterpart of its underside: NOT cautious "
+                    "where there are gaps\n");
+  if (!options->between_given) {
+    tp_text_add(text, "  # between: [[x, y], [x, y]] # missing: the contact goes on to where "
+                      "sides begin, steeper than 45°\n");
+    return;
+  }
+  tp_text_add(text, "  between:                  # where the contact begins and ends\n");
+  for (int k = 0; k < 2; k++) {
+    tp_text_add(text, "  - ");
+    add_point(text, trace, trace->between[k]);
+    tp_text_add(text, "\n");
+  }
+}
+
+/* What is known of the rock, and a comment for what is not: nothing is supposed of it. */
+static void add_weight(tp_text *text, const tp_trace_rock *rock) {
+  if (rock->unit_weight != NULL) {
+    tp_text_add(text, "  unit_weight_kn_m3: %s\n", rock->unit_weight);
+  } else {
+    tp_text_add(text, "  # unit_weight_kn_m3: 26   # missing: forces and loads need it\n");
+  }
+  if (rock->thickness != NULL) {
+    tp_text_add(text, "  thickness: %s\n", rock->thickness);
+  } else {
+    tp_text_add(text, "  # thickness: 1            # 1 m where it is not given\n");
+  }
+}
+
+static void add_friction(tp_text *text, const tp_trace_rock *rock) {
+  if (rock->friction != NULL) {
+    tp_text_add(text, "friction_angle_deg: %s\n", rock->friction);
+  } else {
+    tp_text_add(text, "# friction_angle_deg: 30    # missing: sliding is not judged, and no design "
+                      "factor is met\n");
+  }
+}
+
+tp_status tp_trace_rock_text(char **text, const tp_trace_options *options) {
+  tp_text own = {0};
+  tp_text_add(&own,
+              "topple: 1\nlength_unit: %s\nblock:\n"
+              "  slab: {width: 1, height: 1}\n",
+              options->unit);
+  add_weight(&own, options->rock);
+  add_friction(&own, options->rock);
+  return tp_text_finish(&own, text);
 }
 
 tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace_options *options) {
@@ -52,6 +110,7 @@ tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace
   const double deviation = trace->deviation_px * trace->per_pixel;
   char title[600];
   snprintf(title, sizeof title, "Traced in %.500s", base_name(options->image));
+  TP_OUTSIDE const char *own_title = options->rock->title;
   tp_text_add(&own, "# Traced by topple trace. x runs to the right and y up, %s.\n",
               options->plumb_given ? "along the plumb line of the picture"
                                    : "as the picture is held: no plumb line was given");
@@ -61,16 +120,32 @@ tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace
               "#   vary: {outline_offset: {normal: {mean: 0, deviation: %.3g}}}\n",
               deviation, options->unit, deviation);
   tp_text_add(&own, "topple: 1\ntitle: ");
-  tp_encode_json(&own, title);
+  tp_encode_json(&own, own_title != NULL ? own_title : title);
   tp_text_add(&own,
               "\nlength_unit: %s\nframe: world\nparameters: {outline_offset: 0}\nblock:\n"
               "  outline:\n",
               options->unit);
   add_points(&own, trace);
-  tp_text_add(&own, "  unit_weight_kn_m3: 26    # of rock of middling density: put in its own\n"
-                    "base: {mated: true}        # it lies on the counterpart of its underside\n"
-                    "# friction_angle_deg: 30   # without it sliding is not judged\n");
+  add_weight(&own, options->rock);
+  add_base(&own, trace, options);
+  add_friction(&own, options->rock);
   return tp_text_finish(&own, text);
+}
+
+/* What the scene does not say, as no picture shows it. */
+static void add_missing(tp_text *text, const tp_trace_options *options) {
+  const tp_trace_rock *rock = options->rock;
+  if (!options->between_given) {
+    tp_text_add(text,
+                "Missing  where the contact ends (--between): it is taken to go on to where the\n"
+                "         sides begin, steeper than 45°, which may be above the ground\n");
+  }
+  if (rock->friction == NULL) {
+    tp_text_add(text, "Missing  a friction angle (--friction): sliding is not judged without it\n");
+  }
+  if (rock->unit_weight == NULL) {
+    tp_text_add(text, "Missing  a unit weight (--unit-weight): forces and loads need it\n");
+  }
 }
 
 /* ---- report ------------------------------------------------------------------------------------
@@ -137,6 +212,7 @@ static tp_status report_json(char **text, const tp_trace *trace, const tp_trace_
   add_number(&json, "scale_px", hypot(b.x - a.x, b.y - a.y));
   tp_json_truth(&json, "plumb_given", options->plumb_given);
   add_number(&json, "plumb_deg", atan2(down.x, down.y) * 180 / acos(-1));
+  if (options->between_given) add_number(&json, "between_px", trace->between_px);
   add_number(&json, "weak_share", trace->weak);
   add_number(&json, "touching_share", trace->touching);
   tp_json_close(&json);
@@ -158,6 +234,12 @@ tp_status tp_trace_report(char **text, const tp_trace *trace, const tp_trace_opt
               trace->runs_px,
               200 * trace->deviation_px * tp_trace_ring_length(&trace->ring) /
                   fabs(tp_trace_ring_area(&trace->ring)));
+  if (options->between_given) {
+    tp_text_add(
+        &own, "Contact  ends in vertices of the outline %.1f pixels or less from what was given\n",
+        ceil(10 * trace->between_px) / 10);
+  }
+  add_missing(&own, options);
   add_cautions(&own, trace, options);
   return tp_text_finish(&own, text);
 }

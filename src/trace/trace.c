@@ -24,8 +24,9 @@ static tp_status check(const tp_trace_options *options, const tp_picture *pictur
   const tp_place place = {options->image, 0, 0};
   bool within =
       is_in_picture(picture, options->scale[0]) && is_in_picture(picture, options->scale[1]);
-  for (int k = 0; k < 2 && options->plumb_given; k++) {
-    within = within && is_in_picture(picture, options->plumb[k]);
+  for (int k = 0; k < 2; k++) {
+    if (options->plumb_given) within = within && is_in_picture(picture, options->plumb[k]);
+    if (options->between_given) within = within && is_in_picture(picture, options->between[k]);
   }
   for (long k = 0; k < options->rough.count; k++) {
     within = within && is_in_picture(picture, options->rough.points[k]);
@@ -36,6 +37,23 @@ static tp_status check(const tp_trace_options *options, const tp_picture *pictur
       "a point that is given lies outside of the picture, which is %d pixels wide and %d "
       "high; points are X,Y in pixels from its upper left corner",
       picture->width, picture->height);
+}
+
+/* Would a scene take what is said of the rock? Told before the picture is read. */
+static tp_status check_rock(const tp_trace_options *options, tp_message *message) {
+  char *text = NULL;
+  tp_scene *scene = NULL;
+  tp_message own = {""};
+  tp_status status = tp_trace_rock_text(&text, options);
+  if (status != TP_OK) return tp_fail_memory(message, "a scene");
+  status = tp_scene_read_text(&scene, text, "options", &own);
+  tp_scene_free(scene);
+  free(text);
+  if (status == TP_OK) return TP_OK;
+  const char *after = strstr(own.text, ": "); /* the place, which is in no file of the user's */
+  return tp_fail(message, status, (tp_place){NULL, 0, 0},
+                 "no scene takes what the options say: %.400s",
+                 after != NULL ? after + 2 : own.text);
 }
 
 /* The rough polygon, made larger about the mean of its points by a share. */
@@ -121,7 +139,10 @@ static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
   if (trace->moves == NULL) return tp_fail_memory(message, "an outline");
   tp_trace_moves(trace->moves, &trace->ring);
   tp_trace_place(trace, options);
-  return TP_OK;
+  if (tp_trace_find_between(trace, options)) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){options->image, 0, 0},
+                 "both ends of the contact are nearest to one point of the outline; take them "
+                 "farther apart, or a smaller --tolerance, which keeps more of its points");
 }
 
 /* ---- results -----------------------------------------------------------------------------------
@@ -142,8 +163,8 @@ static tp_status check_scene(const char *text, const tp_trace_options *options,
   return tp_fail(
       message, status, (tp_place){options->image, 0, 0},
       "the outline that was found makes no block (%.400s); draw the rough polygon nearer "
-      "to it, or give a larger --tolerance",
-      own.text);
+      "to it, or give a larger --tolerance%s",
+      own.text, options->between_given ? ", or other ends of the contact by --between" : "");
 }
 
 static tp_status write_all(const char *scene, const char *bytes, size_t length,
@@ -186,7 +207,9 @@ static tp_status tell(char **report, const tp_trace *trace, const tp_picture *pi
 static tp_status run(char **report, const tp_trace_options *options, tp_message *message) {
   tp_picture picture;
   tp_trace trace = {.origin = {0, 0}};
-  tp_status status = tp_picture_read(&picture, options->image, message);
+  tp_status status = check_rock(options, message);
+  if (status != TP_OK) return status;
+  status = tp_picture_read(&picture, options->image, message);
   if (status == TP_OK) status = check(options, &picture, message);
   if (status == TP_OK) status = find_outline(&trace, &picture, options, message);
   if (status == TP_OK) status = tell(report, &trace, &picture, options, message);
@@ -197,21 +220,25 @@ static tp_status run(char **report, const tp_trace_options *options, tp_message 
 }
 
 tp_status tp_trace_run(char **report, const char *image, const double *around, size_t corners,
-                       const double scale[5], const double *plumb, double tolerance,
-                       const char *unit, const char *scene, const char *figure, bool json,
-                       tp_message *message) {
+                       const double scale[5], const double *plumb, const double *between,
+                       double tolerance, const char *unit, const char *const rock[4],
+                       const char *scene, const char *figure, bool json, tp_message *message) {
   TP_GUARD_HOST;
+  const tp_trace_rock known = {rock[0], rock[1], rock[2], rock[3]};
   tp_trace_options options = {.image = image,
                               .scale = {{scale[0], scale[1]}, {scale[2], scale[3]}},
                               .length = scale[4],
                               .unit = unit,
                               .plumb_given = plumb != NULL,
+                              .between_given = between != NULL,
                               .tolerance = tolerance,
+                              .rock = &known,
                               .scene = scene,
                               .figure = figure,
                               .json = json};
-  for (int k = 0; k < 2 && plumb != NULL; k++) {
-    options.plumb[k] = (tp_trace_point){plumb[2 * k], plumb[2 * k + 1]};
+  for (int k = 0; k < 2; k++) {
+    if (plumb != NULL) options.plumb[k] = (tp_trace_point){plumb[2 * k], plumb[2 * k + 1]};
+    if (between != NULL) options.between[k] = (tp_trace_point){between[2 * k], between[2 * k + 1]};
   }
   tp_status status = TP_OK;
   for (size_t k = 0; k < corners && status == TP_OK; k++) {

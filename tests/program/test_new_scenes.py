@@ -123,10 +123,10 @@ class New(Folder):
     def begin(self, *words):
         return run("new", *words, folder=self.folder)
 
-    def ask(self, *answers):
+    def ask(self, *answers, words=()):
         """On a terminal, where each answer is a line; exit status and all that the terminal showed."""
         terminal, own = pty.openpty()
-        with subprocess.Popen([PROGRAM, "new"], cwd=self.folder, stdin=own, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        with subprocess.Popen([PROGRAM, "new", *words], cwd=self.folder, stdin=own, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               encoding="utf-8") as program:
             os.close(own)
             os.write(terminal, "".join(answer + "\n" for answer in answers).encode() + b"\x04")
@@ -206,6 +206,82 @@ class New(Folder):
         status, shown = self.ask("m", "2x4")
         self.assertEqual((status, self.files()), (3, []))
         self.assertIn("nothing is written", shown)
+
+    DRAWINGS = {
+        "section_arcs": ("section_arcs.dxf", "--friction=35", "--unit-weight=26", "--tilt=12"),
+        "boulder_traced": ("boulder_traced.svg", "--friction=33", "--unit-weight=26.5", "--tilt=10", "--unit=m",
+                           "--reference=scale_bar=1"),
+        "block_with_seam": ("block_with_seam.geojson", "--friction=38", "--unit-weight=26", "--tilt=15", "--towards=left",
+                            "--unit=m", "--part=SEAM=20"),
+        "block_e_wkt": ("block_e_valley.wkt", "--friction=30", "--unit-weight=25.8", "--tilt=20", "--towards=left", "--unit=mm"),
+    }
+
+    def test_drawings(self):
+        """Each drawing of examples/ has a scene written by hand beside it: one begun by options says the same of stability,
+        to the last digit, and what became of the objects is told before. The drawing may lie elsewhere."""
+        for name, (drawing, *options) in self.DRAWINGS.items():
+            shutil.copy(EXAMPLES / drawing, self.folder)
+            for file, output in ((drawing, name + ".yaml"), (EXAMPLES / drawing, "deep/" + name + ".yaml")):
+                status, out, err = self.begin(str(file), *options, "-o", output)
+                self.assertEqual((status, err), (0, ""), name)
+                self.assertTrue(out.startswith("The drawing "), out)
+                self.assertIn("  block\n", out)
+                self.assertTrue(out.endswith(f"Wrote {output}\nNext: topple solve {output}\n"))
+                begun, own = (solve(path, folder=self.folder)["cases"] for path in (output, EXAMPLES / (name + ".yaml")))
+                self.assertEqual(len(begun), len(own))
+                for one, other in zip(begun, own):
+                    for key in ("towards", "pivots", "toppling", "mechanism"):
+                        self.assertEqual(one[key], other[key], (name, key))
+                    for key in ("kind", "critical_angle_deg"):
+                        self.assertEqual(one["limit"].get(key), other["limit"].get(key), (name, key))
+        self.assertIn("mated: true", (self.folder / "block_e_wkt.yaml").read_text())
+        self.assertNotIn("mated: true", (self.folder / "section_arcs.yaml").read_text())
+
+    def test_layers_and_a_csv_with_names(self):
+        """A CSV with a column of layers is a drawing, one of x and y alone an outline; layers go by other names where
+        options say so. By hand: 2 by 3 topples at atan(2/3)."""
+        (self.folder / "own.csv").write_text('layer,x,y\nrock A,0,0\nrock A,2,0\nrock A,2,3\nrock A,0,3\n'
+                                             'rock A,0,0\nfloor,-1,0\nfloor,3,0\n')
+        status, out, err = self.begin("own.csv", "--unit=m", "--block=rock A", "--base=floor", "-o", "one.yaml")
+        self.assertEqual((status, err), (0, ""), out)
+        for case in solve("one.yaml", folder=self.folder)["cases"]:
+            self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"], math.degrees(math.atan(2 / 3)), 9)
+            self.assertFalse(case["contact"]["mated"])
+        shutil.copy(EXAMPLES / "boulder.csv", self.folder)
+        self.assertEqual(self.begin("boulder.csv", "-o", "two.yaml")[1], "Wrote two.yaml\nNext: topple solve two.yaml\n")
+        for words, status, said in ((("boulder.csv", "--base=floor"), 3, "and this is an outline"),
+                                    (("own.csv", "--unit=m", "--block=floor"), 3, "own.csv"), (("--gap=1",), 2, "which drawing?"),
+                                    (("own.csv", "--part=CLAY"), 2, "as CLAY=20"), (("own.csv", "--part==2"), 2, "as CLAY=20"),
+                                    (("own.csv", "--reference=a=b"), 2, "as scale_bar=2"), (("own.csv", "--unit=m"), 3, "BLOCK")):
+            got, out, err = self.begin(*words, "-o", "three.yaml")
+            self.assertEqual((got, out), (status, ""), (words, err))
+            self.assertIn(said, err, words)
+
+    def test_a_drawing_asks(self):
+        """On a terminal for what no drawing tells; an empty unit is that of the drawing."""
+        shutil.copy(EXAMPLES / "section_arcs.dxf", self.folder)
+        status, shown = self.ask("", "26", "35", "12 left", words=("section_arcs.dxf",))
+        self.assertEqual(status, 0, shown)
+        self.assertIn("4 of 4. Tilt of the base", shown)
+        (case,) = solve("scene.yaml", folder=self.folder)["cases"]
+        own = solve(EXAMPLES / "section_arcs.yaml")["cases"][0]
+        self.assertEqual((case["towards"], case["limit"]["critical_angle_deg"]), (own["towards"], own["limit"]["critical_angle_deg"]))
+        (self.folder / "scene.yaml").unlink()
+        status, shown = self.ask("", "section_arcs.dxf", "", "", "")
+        self.assertEqual(status, 0, shown)
+        self.assertIn('file: "section_arcs.dxf"\n  # unit:', (self.folder / "scene.yaml").read_text())
+
+    def test_every_key_offered_of_a_drawing_is_one(self):
+        shutil.copy(EXAMPLES / "section_arcs.dxf", self.folder)
+        _, out, _ = self.begin("section_arcs.dxf", "-o", "-")
+        for marked, bare in (("  # unit: mm ", "  unit: mm "), ("# block: ", "block: "), ("#   unit_w", "  unit_w"),
+                             ("#   thickness", "  thickness"), ("# friction_angle", "friction_angle")):
+            self.assertEqual(out.count(marked), 1, marked)
+            out = out.replace(marked, bare)
+        (self.folder / "s.yaml").write_text(out)
+        cases = solve("s.yaml", folder=self.folder)["cases"]
+        self.assertIn("sliding", cases[0])
+        self.assertAlmostEqual(cases[0]["block"]["area_m2"]["value"] * 1e6, (2.4 * 2 + math.pi * 1.44 / 2), 6)
 
     def test_refused(self):
         (self.folder / "crossed.csv").write_text("0,0\n2,2\n2,0\n0,2\n")

@@ -114,6 +114,7 @@ class Schema(unittest.TestCase):
             self.prints("solve", "--json", scene)
             self.prints("solve", "--json", "--digits", "40", scene)
             self.prints("solve", "--json", "--pivots=governing", scene)
+            self.prints("solve", "--json", "--outlines", scene)
             if not any(word in scene.read_text(encoding="utf-8") for word in LOADED):
                 self.prints("solve", "--json", "--elements", scene)
 
@@ -243,7 +244,7 @@ class Schema(unittest.TestCase):
             self.skipTest("topple trace was not built")
         with tempfile.TemporaryDirectory() as folder:
             self.prints("trace", "--json", ROOT / "examples" / "pictures" / "painted_boulder.png", "--around=70,70,420,300",
-                        "--scale=30.7,306.7,190.3,317.9,2", "-o", f"{folder}/boulder.yaml")
+                        "--scale=30.7,306.7,190.3,317.9,2", "--between=131,254,322,266", "-o", f"{folder}/boulder.yaml")
 
     def test_2_study(self):
         for name in ("slab", "block_above_road", "rough_base"):

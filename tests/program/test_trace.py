@@ -129,6 +129,62 @@ class Trace(unittest.TestCase):
                                folder=self.folder)
         self.assertEqual((status, out.encode(), err), (0, first, ""))
 
+    def test_what_no_picture_shows(self):
+        """The scene is whole where the options say the rest: its weight is the area times what they say, its friction
+        theirs. What is not said is in no scene, neither as a supposition, and both are told."""
+        paint(self.folder / "p.png", SHAPES["slab"])
+        words = ("trace", "p.png", "--around=25,20,295,222", BAR, "-o", "scene.yaml")
+        status, out, err = run(*words, folder=self.folder)
+        self.assertEqual((status, err), (0, ""))
+        for missing in ("Missing  a friction angle (--friction)", "Missing  a unit weight (--unit-weight)"):
+            self.assertIn(missing, out)
+        case, text = self.solve(), (self.folder / "scene.yaml").read_text()
+        self.assertNotIn("sliding", case)
+        self.assertIsNone(case["block"].get("weight_n"))
+        self.assertIn("# friction_angle_deg: 30    # missing: ", text)
+        self.assertIn("# unit_weight_kn_m3: 26   # missing: ", text)
+        title = 'A "slab": \x1b[1m<b>'
+        status, out, err = run(*words, "--friction=41.5", "--unit-weight", "78/3", "--thickness=0.5", "--title", title,
+                               "--between=" + ",".join(str(c) for p in SHAPES["slab"][2:] for c in p), folder=self.folder)
+        self.assertEqual((status, err), (0, ""))
+        self.assertNotIn("Missing", out)
+        case = self.solve()
+        self.assertNotIn("missing", (self.folder / "scene.yaml").read_text())
+        self.assertAlmostEqual(case["block"]["weight_n"]["value"], 26e3 * 0.5 * case["block"]["area_m2"]["value"], 5)
+        status, out, err = run("solve", "scene.yaml", folder=self.folder)
+        self.assertTrue(out.startswith('A "slab": \\x1B[1m<b>\n'), out[:60])
+        self.assertEqual(case["sliding"]["friction_angle_deg"], {"value": 41.5, "error": 0})
+
+    def test_where_the_contact_ends(self):
+        """An ellipse whose underside would be contact up to where it is steeper than 45°: between two points of the picture
+        it touches there alone, within the tolerance, whichever is named first, however the outline moves in and out; the
+        figure shows the part in green. Without them the report says what is taken."""
+        paint(self.folder / "p.png", SHAPES["boulder"])
+        words = ("trace", "p.png", "--around=25,20,295,222", BAR, "-o", "scene.yaml", "--figure=f.png")
+        status, out, err = run(*words, folder=self.folder)
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("Missing  where the contact ends (--between)", out)
+        wide = self.solve()["contact"]["length_m"]["value"]
+        under = [p for p in SHAPES["boulder"] if p[1] > 130]
+        ends = [min(under, key=lambda p: abs(p[0] - x)) for x in (140, 200)]
+        found = []
+        for first, second in (ends, ends[::-1]):
+            status, out, err = run(*words, f"--between={first[0]},{first[1]},{second[0]},{second[1]}", folder=self.folder)
+            self.assertEqual((status, err), (0, ""))
+            self.assertNotIn("where the contact ends", out)
+            self.assertLessEqual(json.loads(run(*words, "--json", f"--between={first[0]},{first[1]},{second[0]},{second[1]}",
+                                                folder=self.folder)[1])["between_px"], 12)
+            away_px = float(re.search(r"Contact  ends in vertices of the outline ([\d.]+) pixels", out)[1])
+            self.assertLess(away_px, 12)
+            for offset in (-0.05, 0, 0.05):
+                contact = self.solve(f"--set=outline_offset={offset}")["contact"]["length_m"]["value"]
+                self.assertAlmostEqual(contact, math.dist(*ends) * PER_PIXEL, delta=2.5 * away_px * PER_PIXEL)
+                self.assertLess(contact, 0.7 * wide)
+            found.append((self.folder / "scene.yaml").read_bytes())
+        self.assertEqual(found[0], found[1])
+        _, _, rows = read_png(self.folder / "f.png")
+        self.assertGreater(sum(g > 140 and r < 40 and b < 140 for row in rows for r, g, b in row), 500)
+
     def test_the_band_in_a_study(self):
         """outline_offset moves the outline by its own amount: the area by the perimeter times it. A study draws it."""
         paint(self.folder / "p.png", SHAPES["boulder"])

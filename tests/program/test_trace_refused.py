@@ -60,6 +60,20 @@ class TraceRefused(unittest.TestCase):
             err = self.refuse(3, "topple: p.png: ")
             self.assertTrue("pictures of at most 100 million are read" in err or "a broken PNG" in err, err)
 
+    def test_what_no_rock_has(self):
+        for words, option in (("no scene takes what the options say: friction_angle_deg must lie in [0", "--friction=90"),
+                              ("no scene takes what the options say: unit_weight_kn_m3 must be above zero", "--unit-weight=0"),
+                              ("no scene takes what the options say: thickness must be above zero", "--thickness=-1")):
+            self.refuse(3, words, *WORDS, option, picture="none.png")
+        for option in ("--friction=30 deg", "--friction=", "--unit-weight=26,5", "--thickness=1}"):
+            self.refuse(2, option.split("=")[0] + ": ", *WORDS, option)
+
+    def test_contact_between(self):
+        self.refuse(3, "both ends of the contact are nearest to one point of the outline", *WORDS, "--between=5,5,6,6")
+        self.refuse(3, "lies outside of the picture", *WORDS, "--between=50,70,190,70")
+        for words in ("50,70", "50,70,50,70", "a", "1,2,3,4,5"):
+            self.refuse(2, "--between takes two different points", *WORDS, "--between=" + words)
+
     def test_no_picture(self):
         for content in (b"", b"GIF89a", b"root:x:0:0:", b"\xff\xd8"):
             self.picture.write_bytes(content)
