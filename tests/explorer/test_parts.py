@@ -14,10 +14,9 @@ import shutil
 import subprocess
 import unittest
 
-import explorer_page
-from harness import main
+from page_case import ROOT, main
 
-PANELS = explorer_page.ROOT / "src" / "explorer" / "panels"
+PANELS = ROOT / "src" / "explorer" / "panels"
 NODE = shutil.which("node")
 
 
@@ -117,7 +116,7 @@ class Parts(unittest.TestCase):
         asked, wrong = node("map_grid.js", """
           const kind = (x, y) => (x * x + y * y < 0.1 ? 1 : Math.hypot(x - 0.7, y - 0.6) < 0.15 ? 4 : y > 0.3 + 0.5 * Math.sin(4 * x) ? 2 : 3);
           const grid = new it.MapGrid(201, 201);
-          await grid.refine(async (row, columns) => { columns.forEach((c) => grid.put(c, row, kind(c / 200, row / 200))); return true; }, () => {});
+          await grid.refine(async (rows, columns) => { rows.forEach((r) => columns.forEach((c) => grid.put(c, r, kind(c / 200, r / 200)))); return true; }, () => {});
           let wrong = 0;
           for (let r = 0; r <= 200; r++) for (let c = 0; c <= 200; c++) if (grid.kinds[r * 201 + c] !== kind(c / 200, r / 200)) wrong++;
           console.log(JSON.stringify([grid.count, wrong]));""", None)

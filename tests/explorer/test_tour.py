@@ -5,10 +5,9 @@ a base that goes on would hold it. What the tour says on the way is what the nat
 read: narrow, light, dark, printed, without a complaint of the browser."""
 
 import re
-import unittest
 
-import explorer_page
 from harness import main, solve, table
+from panel_case import PanelCase
 from test_report_browser import contrast
 
 # What has no room, but for what scrolls in a box of its own
@@ -26,58 +25,50 @@ def degrees(text):
     return [float(each) for each in re.findall(r"(-?\d+(?:\.\d+)?)°", text)]
 
 
-class Tour(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        reason = explorer_page.missing()
-        if reason is not None:
-            raise unittest.SkipTest(reason)
-        cls.page = explorer_page.Page()
-        cls.addClassCleanup(cls.page.close)
-
+class Tour(PanelCase):
     def begin(self, step):
-        self.page.open()
-        self.page.button("Guided tour: seven steps")
-        self.page.click(f".tour ol li:nth-child({step}) button")
+        self.load()
+        self.button("Guided tour: seven steps")
+        self.click(f".tour ol li:nth-child({step}) button")
 
     def found(self, pattern):
         """What the tour has found, once it says so."""
-        self.page.wait(f"/{pattern}/.test(document.querySelector('.tour .found').textContent)", pattern)
-        return self.page.text(".tour .found")
+        self.awaits(f"/{pattern}/.test(document.querySelector('.tour .found').textContent)")
+        return self.said(".tour .found")
 
     def test_block_e(self):
         """From the button of the tour, by Next alone, to the puzzle and its answer."""
-        self.page.open()
-        self.page.button("Guided tour: seven steps")
-        self.assertEqual(self.page.value("document.activeElement.textContent"), "1. A slab")
+        self.load()
+        self.button("Guided tour: seven steps")
+        self.assertEqual(self.value("document.activeElement.textContent"), "1. A slab")
         for title in ("2. Teeth", "3. Table 3", "4. Block E's puzzle"):
-            self.page.button("Next", ".tour")
-            self.assertEqual(self.page.text(".tour h2"), title)
+            self.button("Next", ".tour")
+            self.assertEqual(self.said(".tour h2"), title)
         case = solve("examples/block_e_valley.yaml")["cases"][0]
         said = degrees(self.found("lets go at"))
         for shown, key in zip(said, (case["toppling"], case["toe"], case["limit"])):
             value = key.get("critical_angle_deg", key.get("limit_angle_deg"))["value"]
             self.assertAlmostEqual(shown, value, delta=0.0005)
         self.assertAlmostEqual(said[2], 28.735, delta=0.0005)
-        self.page.wait("document.querySelectorAll('#panel-forces .cone').length === 2", "two cones")
-        self.page.button("by 28.8°", ".tour")
-        self.page.wait("/^Slides and topples/.test(document.querySelector('#panel-verdict .verdict').textContent)", "it lets go")
-        self.page.button("Tilt it by 28.7°", ".tour")
-        self.page.wait("/^Stands/.test(document.querySelector('#panel-verdict .verdict').textContent)", "it stands")
-        self.page.button("Next", ".tour")
+        self.awaits("document.querySelectorAll('#panel-forces .cone').length === 2")
+        self.button("by 28.8°", ".tour")
+        self.awaits("/^Slides and topples/.test(document.querySelector('#panel-verdict .verdict').textContent)")
+        self.button("Tilt it by 28.7°", ".tour")
+        self.awaits("/^Stands/.test(document.querySelector('#panel-verdict .verdict').textContent)")
+        self.button("Next", ".tour")
         self.found("ends at the toe block E is held up to 28.735°")
-        self.page.button("Let the base go on by 30 mm", ".tour")
+        self.button("Let the base go on by 30 mm", ".tour")
         self.found("goes on past the toe block E is held up to 35.201°, then it topples")
         longer = solve("examples/block_e_valley.yaml", "--set", "base.beyond.left=30")["cases"][0]
         self.assertAlmostEqual(longer["limit"]["critical_angle_deg"]["value"], 35.201, delta=0.0005)
-        self.assertIn("left: 30", self.page.text("#editor"))
+        self.assertIn("left: 30", self.text())
 
     def test_table_3(self):
         """Each row is the printed one, solved: by moments it agrees, and the rows marked let go earlier."""
         self.begin(3)
-        self.page.wait("document.querySelectorAll('.tour tbody tr').length === 14", "Table 3")
-        marked = self.page.value("[...document.querySelectorAll('.tour tbody tr')].map(r => r.classList.contains('governs'))")
-        for row, printed, mark in zip(self.page.rows(".tour"), table("table3.csv"), marked):
+        self.awaits("document.querySelectorAll('.tour tbody tr').length === 14")
+        marked = self.value("[...document.querySelectorAll('.tour tbody tr')].map(r => r.classList.contains('governs'))")
+        for row, printed, mark in zip(self.rows(".tour"), table("table3.csv"), marked):
             self.assertEqual(row[0], printed["model"])
             self.assertEqual(row[1], f"{printed['axis'].lower()}, {printed['towards']}")
             self.assertEqual(float(row[2].rstrip("°")), float(printed["alpha_ana"]))
@@ -90,63 +81,61 @@ class Tour(unittest.TestCase):
 
     def test_every_step_finds_something(self):
         """All steps, and all that each offers to try, without a complaint of the browser."""
-        self.page.open()
-        self.page.button("Guided tour: seven steps")
+        self.load()
+        self.button("Guided tour: seven steps")
         for step in range(1, 8):
-            self.page.click(f".tour ol li:nth-child({step}) button")
-            self.assertEqual(self.page.value("document.querySelector('.tour [aria-current=step]').textContent"), str(step))
+            self.click(f".tour ol li:nth-child({step}) button")
+            self.assertEqual(self.value("document.querySelector('.tour [aria-current=step]').textContent"), str(step))
             if step != 3:
                 self.found("°")
-            for label in self.page.texts(".tour .choices button"):
-                self.page.button(label, ".tour")
+            for label in self.texts(".tour .choices button"):
+                self.button(label, ".tour")
                 self.found("°")
-        self.page.button("End the tour")
-        self.assertEqual(self.page.value("document.activeElement.textContent"), "Guided tour: seven steps")
-        self.assertEqual(self.page.complaints(), [])
+        self.button("End the tour")
+        self.assertEqual(self.value("document.activeElement.textContent"), "Guided tour: seven steps")
 
     def test_history(self):
         """Between certain to stand and certain to move the verdict says that it may, and the map is of friction."""
         self.begin(6)
         self.found("history has no say")
-        self.page.button("of 60°, tilted by 28°", ".tour")
+        self.button("of 60°, tilted by 28°", ".tour")
         case = solve("examples/block_a_peak.yaml", "--set", "friction_angle_deg=60")["cases"][0]
         said = degrees(self.found("it may move"))
         self.assertAlmostEqual(said[0], case["onset"]["critical_angle_deg"]["value"], delta=0.0005)
         self.assertAlmostEqual(said[1], case["limit"]["critical_angle_deg"]["value"], delta=0.0005)
-        self.assertEqual(self.page.value("document.querySelector('#panel-map select').value"), "friction_angle_deg")
+        self.assertEqual(self.value("document.querySelector('#panel-map select').value"), "friction_angle_deg")
 
     def test_narrow_window(self):
         """On a telephone nothing of the panels leaves the page but what scrolls in its own box."""
-        self.page.open(width=400)
+        self.load(width=400)
         for name in TABS:
-            self.page.tab(name)
-            self.page.wait("true", name)
-            self.assertEqual(self.page.value(TOO_WIDE), [], name)
+            self.tab(name)
+            self.assertEqual(self.value(TOO_WIDE), [], name)
 
     def test_contrast(self):
         """4.5 to 1 at least (WCAG 2, AA), light and dark; and the two differ."""
         seen = {}
         for scheme in ("light", "dark"):
-            self.page.scheme(scheme)
+            self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
             self.begin(2)
             self.found("°")
             pairs = set()
             for name in TABS:
-                self.page.tab(name)
-                pairs |= set(self.page.value(COLOURS))
+                self.tab(name)
+                pairs |= set(self.value(COLOURS))
             for pair in pairs:
                 self.assertGreaterEqual(contrast(*pair.split("|")), 4.5, (scheme, pair))
             seen[scheme] = pairs
-        self.page.scheme("light")
+        self.browser.call("Emulation.setEmulatedMedia", features=[])
         self.assertNotEqual(seen["light"], seen["dark"])
 
     def test_print(self):
         """Printed, the panels show results and none of what is pressed."""
-        self.page.open()
-        self.page.browser.call("Emulation.setEmulatedMedia", media="print")
-        hidden = self.page.value("['.tour', '.tabs'].every(s => getComputedStyle(document.querySelector(s)).display === 'none')")
-        shown = self.page.value("document.querySelector('#panel-verdict .verdict').getClientRects().length > 0")
-        self.page.browser.call("Emulation.setEmulatedMedia", media="")
+        self.load()
+        self.browser.call("Emulation.setEmulatedMedia", media="print")
+        hidden = self.value("['.tour', '.tabs'].every(s => getComputedStyle(document.querySelector(s)).display === 'none')")
+        shown = self.value("document.querySelector('#panel-verdict .verdict').getClientRects().length > 0")
+        self.browser.call("Emulation.setEmulatedMedia", media="")
         self.assertTrue(hidden and shown)
 
 
