@@ -7,6 +7,7 @@ import decimal
 import fractions
 import json
 import random
+import re
 import shutil
 import subprocess
 import unittest
@@ -220,6 +221,17 @@ class Texts(unittest.TestCase):
     def test_what_is_no_yaml_has_no_tree(self):
         for text, why in (("topple: {", "indent"), ("a: {\nb: 1\n}", "line"), ("a: b: c", "no YAML"), ("x" * 300_000, "too long")):
             self.assertIn(why, node("scene_text.js", "return new it.SceneText(given).unread;", text))
+
+
+class Sources(unittest.TestCase):
+    def test_no_source_makes_markup_of_text(self):
+        """None of the calls by which text becomes markup stands in the page's sources."""
+        calls = re.compile(r"\b(innerHTML|outerHTML|insertAdjacentHTML|document\.write|DOMParser|createContextualFragment|eval|new Function)\b|\.html\(")
+        for path in sorted((ROOT / "src" / "explorer").rglob("*.js")):
+            if "node_modules" in path.parts:
+                continue
+            with self.subTest(path.name):
+                self.assertIsNone(calls.search(path.read_text(encoding="utf-8")))
 
 
 if __name__ == "__main__":
