@@ -280,7 +280,7 @@ class Panels(PanelCase):
         self.assertEqual(self.value("document.activeElement.id"), "tab-forces")
         self.assertFalse(self.value("document.getElementById('panel-forces').hidden"))
         self.key("End")
-        self.assertEqual(self.value("document.activeElement.id"), "tab-report")
+        self.assertEqual(self.value("document.activeElement.id"), "tab-about")
         self.key("Home")
         self.assertEqual(self.value("[...document.querySelectorAll('[role=tab]')].filter(t => t.tabIndex === 0).length"), 1)
 
