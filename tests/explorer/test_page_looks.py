@@ -55,7 +55,7 @@ class Looks(PageCase):
     def test_drawn_in_light_and_in_dark(self):
         """The block's colour fills a good part of the drawing, on a light ground or a dark one; by the system or by the
         switch."""
-        for scheme, block, ground in (("light", (242, 206, 147), (255, 255, 255)), ("dark", (117, 89, 35), (20, 22, 26))):
+        for scheme, block, ground in (("light", (242, 206, 147), (255, 255, 255)), ("dark", (95, 69, 16), (20, 22, 26))):
             with self.subTest(scheme):
                 self.scheme(scheme)
                 self.load()
@@ -78,12 +78,18 @@ class Looks(PageCase):
                     self.assertGreaterEqual(contrast(*pair.split("|")), CONTRAST, pair)
 
     def test_colours_of_two_kinds_differ_for_every_eye(self):
-        """Block, rock, contact and cones differ in lightness or by their edges, not by hue alone: of the fills that
-        touch, lightness differs by a quarter of the scale or an edge of contrast 3 parts them."""
-        edge = self.value("getComputedStyle(document.querySelector('.shape.block')).stroke")
-        fill = self.value("getComputedStyle(document.querySelector('.shape.block')).fill")
-        parts = [",".join(re.findall(r"\d+", colour)[:3]) for colour in (edge, fill)]
-        self.assertGreaterEqual(contrast(*parts), 3)
+        """No two neighbours are told apart by hue alone: the block's edge has a contrast of 3 to the block, and the
+        contact's line one of 3 to the block and to the rock (WCAG 2, 1.4.11)."""
+        def of(shape, key):
+            colour = self.value(f"getComputedStyle(document.querySelector('.shape.{shape}')).{key}")
+            return ",".join(re.findall(r"\d+", colour)[:3])
+        for scheme in ("light", "dark"):
+            self.scheme(scheme)
+            self.load()
+            with self.subTest(scheme):
+                self.assertGreaterEqual(contrast(of("block", "stroke"), of("block", "fill")), 3)
+                self.assertGreaterEqual(contrast(of("contact", "stroke"), of("block", "fill")), 3)
+                self.assertGreaterEqual(contrast(of("contact", "stroke"), of("rock", "fill")), 3)
 
     def test_narrow_window(self):
         """On a telephone nothing leaves the page, and the drawing is as wide as it."""

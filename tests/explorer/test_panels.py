@@ -159,6 +159,8 @@ class Panels(PanelCase):
         self.tab("map")
         self.awaits("document.querySelector('#panel-map canvas').width === 201")
         x, y = self.middle("#panel-map .scene-point .touch")
+        self.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y - 100)
+        self.assertRegex(self.said("#panel-map .pointed"), r"^a [\d.]+, tilt [\d.]+: [a-z ]+$")
         self.pull((x, y), (x, y - 60))
         self.awaits("Number(document.querySelector('#numbers input[type=number]').value) > 24")
         before = float(self.value("document.querySelector('#numbers input[type=number]').value"))
@@ -229,6 +231,16 @@ class Panels(PanelCase):
             self.assertAlmostEqual(int(row[4]), -each["bound_log10"], delta=1.001)
             self.assertGreater(float(row[3]), 0)
 
+    def test_light_and_dark(self):
+        """Curves and maps take the colours that are chosen: their ink is light on dark, and the map's colours are others."""
+        self.shown("block_e_valley")
+        self.tab("map")
+        pixel = "document.querySelector('#panel-map canvas').toDataURL()"
+        self.awaits("document.querySelector('#panel-map .told').textContent.includes('roots')")
+        light = self.value(pixel)
+        self.value("{ const s = document.getElementById('theme'); s.value = 'dark'; s.dispatchEvent(new Event('change')); } 0")
+        self.awaits(f"{pixel} !== {json.dumps(light)}")
+
     def test_reports(self):
         """The report as text but for its time, and the figure byte for byte."""
         self.shown("block_e_valley")
@@ -268,7 +280,7 @@ class Panels(PanelCase):
         self.assertEqual(self.value("document.activeElement.id"), "tab-forces")
         self.assertFalse(self.value("document.getElementById('panel-forces').hidden"))
         self.key("End")
-        self.assertEqual(self.value("document.activeElement.id"), "tab-report")
+        self.assertEqual(self.value("document.activeElement.id"), "tab-about")
         self.key("Home")
         self.assertEqual(self.value("[...document.querySelectorAll('[role=tab]')].filter(t => t.tabIndex === 0).length"), 1)
 
