@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import sys
+import tempfile
 import time
 import unittest
 
@@ -99,12 +100,11 @@ class PageCase(unittest.TestCase):
                    " s.dispatchEvent(new Event('change')); })()")
         self.answered()
 
-    def solved(self):
-        """The native program's answer for the text on the page."""
-        path = pathlib.Path(self.id() + ".yaml")
-        folder = pathlib.Path(self.enterContext(__import__("tempfile").TemporaryDirectory()))
-        (folder / path).write_text(self.text(), encoding="utf-8")
-        status, out, err = run("solve", "--json", "--outlines", folder / path)
+    def solved(self, folder=None):
+        """The native program's answer for the text on the page, in a folder with the files that it names."""
+        folder = pathlib.Path(folder or self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "scene.yaml").write_text(self.text(), encoding="utf-8")
+        status, out, err = run("solve", "--json", "--outlines", "scene.yaml", folder=folder)
         self.assertEqual(status, 0, err)
         return json.loads(out)
 
@@ -127,7 +127,8 @@ class PageCase(unittest.TestCase):
         self.browser.call("Input.insertText", text=text)
 
     def knob(self, key):
-        """Where a handle is on the screen."""
+        """Where a handle is on the screen, the drawing scrolled into it."""
+        self.value("document.getElementById('drawing').scrollIntoView({block: 'end'})")
         return self.value(f"(() => {{ const r = document.querySelector('[data-handle={json.dumps(key)}] .knob')"
                           ".getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()")
 
