@@ -9,6 +9,8 @@
 #include <dl_dxf.h>
 
 #include <map>
+#include <memory>
+#include <new>
 #include <string>
 
 namespace {
@@ -36,10 +38,10 @@ public:
   }
 
   void read() {
-    DL_Dxf dxf;
-    /* Its constructor leaves open what it is in the midst of; to begin with a file, here none, sets
-     * that, and asks for no memory as a stream would. */
-    dxf.in(std::string(), this);
+    /* Its constructor leaves members open that it decides by: they are what the memory was. */
+    alignas(DL_Dxf) unsigned char memory[sizeof(DL_Dxf)] = {};
+    const std::unique_ptr<DL_Dxf, void (*)(DL_Dxf *)> dxf(new (memory) DL_Dxf,
+                                                          [](DL_Dxf *own) { own->~DL_Dxf(); });
     bool wanted = false;
     for (size_t k = 0; k < count && going; k++) {
       const tp_dxf_group &group = groups[k];
@@ -48,10 +50,10 @@ public:
         end = k;
         next = k;
         wanted = is_wanted(group);
-        dxf.processDXFGroup(this, group.code,
-                            wanted ? std::string(group.text, group.length) : "OTHER");
+        dxf->processDXFGroup(this, group.code,
+                             wanted ? std::string(group.text, group.length) : "OTHER");
       } else if (wanted) {
-        dxf.processDXFGroup(this, group.code, value(k));
+        dxf->processDXFGroup(this, group.code, value(k));
       }
     }
   }

@@ -113,6 +113,12 @@ TP_MUST_USE tp_status tp_report_effects(char **text, const tp_solution *solution
 TP_MUST_USE tp_status tp_report_json_pivots(char **text, const tp_solution *solution,
                                             tp_pivots_listed listed);
 
+/* The same, with the geometry of the scene that was solved, for programs that draw it: outlines as
+ * path data of SVG, in metres from an origin, y up, without a bound (docs/solve.md). */
+TP_MUST_USE tp_status tp_report_json_outlines(char **text, const tp_scene *scene,
+                                              const tp_solution *solution, tp_pivots_listed listed,
+                                              tp_message *message);
+
 /* A table of `count` solutions, a row for each direction of each: tilt, verdict, governing factor,
  * and the angles by every way. In Markdown, with the limit on a base that ends at the toe and on
  * one that goes on; in CSV, each number followed by its bound, with the limit on the scene's base.

@@ -45,11 +45,13 @@ static void solve_scene(const char *path, bool elements) {
   options.elements = elements;
   if (DONE(tp_scene_read(&scene, path, &message), scene) &&
       DONE(tp_solve(&solution, scene, &options, &message), solution)) {
-    char *text = NULL, *json = NULL, *account = NULL, *table = NULL;
+    char *text = NULL, *json = NULL, *outlines = NULL, *account = NULL, *table = NULL;
     tp_status status = tp_report_text(&text, solution);
     expect_report(status, text);
     status = tp_report_json(&json, solution);
     expect_report(status, json);
+    status = tp_report_json_outlines(&outlines, scene, solution, TP_PIVOTS_ALL, &message);
+    expect_report(status, outlines);
     status = tp_report_elements(&account, solution);
     expect_report(status, account);
     status = tp_report_table(&table, (const tp_solution *const *)&solution, 1);

@@ -98,6 +98,9 @@ void say_solved(sayings *s, const tp_scene *scene, bool elements, int digits, bo
   if (solution == NULL) return;
   same_times(solution);
   say_reports(s, solution);
+  if (tp_report_json_outlines(next_saying(s), scene, solution, TP_PIVOTS_ALL, &message) != TP_OK) {
+    s->count--;
+  }
   if (figure) say_figures(s, scene, solution);
   tp_solution_free(solution);
 }

@@ -91,6 +91,9 @@ START_TEST(solutions) {
   UNWRITTEN(tp_report_drawing(&text, NULL));
   UNWRITTEN(tp_report_json_pivots(NULL, own, TP_PIVOTS_ALL));
   UNWRITTEN(tp_report_json_pivots(&text, NULL, TP_PIVOTS_ALL));
+  REFUSED(tp_report_json_outlines(NULL, scene, own, TP_PIVOTS_ALL, &message), "'text'");
+  REFUSED(tp_report_json_outlines(&text, NULL, own, TP_PIVOTS_ALL, &message), "'scene'");
+  REFUSED(tp_report_json_outlines(&text, scene, NULL, TP_PIVOTS_ALL, &message), "'solution'");
   ck_assert_int_eq(tp_solution_meets(NULL, 1), TP_DESIGN_OPEN);
   ck_assert_int_eq(tp_solution_meets(own, NAN), TP_DESIGN_OPEN);
   ck_assert_int_eq(tp_case_meets(NULL, 1), TP_DESIGN_OPEN);

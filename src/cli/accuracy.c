@@ -18,17 +18,13 @@ typedef struct arguments {
   tp_cli_settings settings;
 } arguments;
 
-enum { KEY_SWEEP = 256, KEY_SET };
+enum { KEY_SWEEP = 256 };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the measurements as JSON", 0},
     {"output", 'o', "FILE", 0, "Write a figure, or a table where FILE ends in .csv", 0},
     {"sweep", KEY_SWEEP, "FROM:TO", OPTION_ARG_OPTIONAL,
      "Measure rough blocks of FROM to TO vertices (10:10000000 unless given) instead of a scene",
-     0},
-    {"set", KEY_SET, "KEY=VALUE", 0,
-     "Measure with this number at KEY, as friction_angle_deg=30: a number or a formula; may be "
-     "given several times",
      0},
     {0}};
 
@@ -63,8 +59,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_SWEEP:
     read_sweep(a, argument, state);
     return 0;
-  case KEY_SET:
-    tp_cli_take_setting(&a->settings, argument, state);
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
     return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
@@ -73,9 +69,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     if (a->sweep == (a->scene != NULL)) {
       tp_cli_refuse(state, "give a scene, for example examples/block_a_worn.yaml, or --sweep");
     }
-    if (a->sweep && a->settings.count > 0) {
-      tp_cli_refuse(state,
-                    "--set changes a scene, and --sweep measures blocks of its own; not both");
+    if (a->sweep && tp_cli_settings_given(&a->settings)) {
+      tp_cli_refuse(state, "--set and --unit are of a scene, and --sweep measures blocks of its "
+                           "own; not both");
     }
     if (a->json && a->output != NULL) tp_cli_refuse(state, "--json or --output, not both");
     return 0;
@@ -87,6 +83,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "SCENE",
     .doc =
         "What does accuracy cost? Time, proven bound and true error of every arithmetic\v"

@@ -11,15 +11,7 @@
 
 const char *const tp_chart_kinds[TP_CHART_KINDS] = {"fos", "mechanisms", "ranges", "map"};
 
-enum {
-  KEY_SLENDERNESS = 256,
-  KEY_AMPLITUDE,
-  KEY_COUNTS,
-  KEY_TILT,
-  KEY_FRICTION,
-  KEY_ROUGHNESS,
-  KEY_SET
-};
+enum { KEY_SLENDERNESS = 256, KEY_AMPLITUDE, KEY_COUNTS, KEY_TILT, KEY_FRICTION, KEY_ROUGHNESS };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "Write FILE: .svg, .pdf, .png, or .csv", 0},
@@ -36,8 +28,6 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Of map:", 3},
     {"x", 'x', "KEY=FROM:TO", 0, "A number of the scene, as block.slab.width, or tilt", 3},
     {"y", 'y', "KEY=FROM:TO", 0, "The same upwards (tilt=0:90)", 3},
-    {"set", KEY_SET, "KEY=VALUE", 0,
-     "With this number at KEY throughout: a number or a formula; may be given several times", 3},
     {0}};
 
 /* A decimal or a quotient of two, up to the first character that belongs to none. */
@@ -133,6 +123,7 @@ static void read_argument(tp_chart_arguments *a, const char *text, struct argp_s
 
 static void check(tp_chart_arguments *a, struct argp_state *state) {
   const tp_chart_list *amplitude = &a->fos.amplitude;
+  if (tp_cli_settings_given(&a->settings)) a->given |= 1U << TP_CHART_KIND_MAP;
   if (a->has_amplitude && a->kind == TP_CHART_KIND_MECHANISMS) {
     if (amplitude->count > 1) tp_cli_refuse(state, "a map of mechanisms takes one amplitude");
     a->mechanisms.amplitude = amplitude->values[0];
@@ -196,9 +187,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     a->given |= map;
     read_axis(&a->map.y, a->keys[1], argument, state);
     return 0;
-  case KEY_SET:
-    a->given |= map;
-    tp_cli_take_setting(&a->settings, argument, state);
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
     return 0;
   case ARGP_KEY_ARG:
     read_argument(a, argument, state);
@@ -217,6 +207,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 const struct argp tp_chart_parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "fos\nmechanisms\nranges\nmap SCENE --x KEY=FROM:TO [--y KEY=FROM:TO]",
     .doc =
         "Charts as figures of a journal, and the numbers behind them.\v"

@@ -50,12 +50,14 @@ static error_t parse_manner(int key, char *argument, struct argp_state *state) {
 }
 
 static const struct argp manner = {.options = manner_options, .parser = parse_manner};
-static const struct argp_child children[] = {{&manner, 0, NULL, 0}, {0}};
 
 /* 0, or the exit status, complained about. */
 static int parse(const struct argp *own, void *words, int argc, char **argv) {
+  struct argp_child children[3] = {{.argp = NULL}}; /* the command's, and those of all */
   struct argp whole = *own;
   const struct argp *parser = &whole;
+  if (own->children != NULL) children[0] = own->children[0];
+  children[own->children != NULL ? 1 : 0].argp = &manner;
   whole.children = children;
   const char *strange = tp_cli_strange_option(parser, argc, argv);
   if (strange != NULL) {

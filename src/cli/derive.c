@@ -15,7 +15,7 @@ typedef struct arguments {
   tp_cli_settings settings;
 } arguments;
 
-enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL, KEY_UNCHECKED, KEY_SET };
+enum { KEY_LATEX = 256, KEY_C, KEY_FOR_ALL, KEY_UNCHECKED };
 
 static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print the formulas as JSON", 0},
@@ -27,11 +27,6 @@ static const struct argp_option options[] = {
     {"unchecked", KEY_UNCHECKED, NULL, 0, "Do not look at both sides of its conditions in numbers",
      0},
     {"for-all", KEY_FOR_ALL, "count", 0, "One formula for every number of teeth", 0},
-    {"set", KEY_SET, "KEY=VALUE", 0,
-     "Derive with this number at KEY, as a=30, or with a formula in other parameters, as b=4*a; "
-     "may "
-     "be given several times",
-     0},
     {0}};
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -64,8 +59,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
     a->for_all_counts = true;
     return 0;
-  case KEY_SET:
-    tp_cli_take_setting(&a->settings, argument, state);
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
     return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->scene, argument, "scene", state);
@@ -86,6 +81,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "SCENE",
     .doc = "The closed formulas of a scene in its parameters: area, moments, and for every pivot "
            "the tangent of the critical angle in lowest terms.\v"

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* topple profile FILE: a scene where the name ends in .yaml or .yml, else a CSV file of x, y. */
+/* topple profile FILE: a scene, or a drawing, by its name, else a CSV file of x, y. */
 
-#include "cli/cli.h"
+#include "cli/settings.h"
 
 #include <argp.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 typedef struct arguments {
-  const char *file, *unit;
+  const char *file;
   bool json, csv, all;
   const char *output; /* NULL: the page */
   tp_chart_format format;
   tp_profile_options options;
+  tp_cli_settings settings; /* of a scene; the unit of a CSV file too */
 } arguments;
 
 enum {
@@ -26,7 +26,6 @@ enum {
   KEY_WINDOW,
   KEY_MIRROR,
   KEY_SCALE,
-  KEY_UNIT,
   KEY_JCS,
   KEY_STRESS,
   KEY_CSV,
@@ -44,7 +43,6 @@ static const struct argp_option options[] = {
     {"window", KEY_WINDOW, "WINDOW", 0, "Of the spectrum: hann or none", 0},
     {"mirror", KEY_MIRROR, NULL, 0, "Exchange left and right", 0},
     {"scale", KEY_SCALE, "FACTOR", 0, "Multiply all lengths", 0},
-    {"unit", KEY_UNIT, "UNIT", 0, "Of a CSV file: mm (unless given), cm, m, km, in or ft", 0},
     {"jcs", KEY_JCS, "MPA", 0, "Joint wall compressive strength, for JRC by Eq. (10)", 0},
     {"stress", KEY_STRESS, "KPA", 0,
      "Normal stress, for the same; of a scene the block's, unless given", 0},
@@ -78,6 +76,9 @@ static void check(const arguments *a, struct argp_state *state) {
   if (a->json + a->csv + (a->output != NULL) > 1) {
     tp_cli_refuse(state, "one of --json, --csv and --output");
   }
+  if (a->settings.count > 0 && a->file != NULL && !tp_cli_is_scene(a->file)) {
+    tp_cli_refuse(state, "--set changes a scene, and '%s' is a file of points", a->file);
+  }
   if (a->all && !a->json) tp_cli_refuse(state, "--all goes with --json");
 }
 
@@ -110,9 +111,6 @@ static error_t parse_measure(int key, char *argument, struct argp_state *state) 
   case KEY_SCALE:
     o->scale = read_above_zero("scale", argument, state);
     return 0;
-  case KEY_UNIT:
-    a->unit = argument;
-    return 0;
   case KEY_JCS:
     o->jcs_mpa = read_above_zero("jcs", argument, state);
     return 0;
@@ -139,6 +137,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case 'o':
     read_output(a, argument, state);
     return 0;
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
+    return 0;
   case ARGP_KEY_ARG:
     tp_cli_take_file(&a->file, argument, "file", state);
     return 0;
@@ -153,29 +154,20 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "FILE",
     .doc = "How rough is a profile, and which JRC follows from it?\v"
-           "FILE is a CSV file of x, y from left to right, or a scene (.yaml, .yml), whose base is "
-           "measured. Lengths are in the file's unit. docs/profile.md tells what each number is."};
-
-static bool is_scene(const char *file) {
-  const size_t length = strlen(file);
-  return (length >= 5 && strcmp(file + length - 5, ".yaml") == 0) ||
-         (length >= 4 && strcmp(file + length - 4, ".yml") == 0);
-}
+           "FILE is a CSV file of x, y from left to right, or a scene or a drawing, whose base is "
+           "measured. Lengths are in the file's unit; --unit says that of a CSV file, too (mm "
+           "unless given). docs/profile.md tells what each number is."};
 
 static tp_status measure(tp_profile **profile, const arguments *a, tp_message *message) {
-  if (!is_scene(a->file)) {
-    const char *unit = a->unit != NULL ? a->unit : "mm";
-    return tp_profile_of_file(profile, a->file, unit, &a->options, message);
-  }
-  if (a->unit != NULL) {
-    (void)snprintf(message->text, sizeof message->text,
-                   "--unit is of a CSV file; a scene says its own length_unit");
-    return TP_BAD_INPUT;
+  const char *unit = a->settings.unit;
+  if (!tp_cli_is_scene(a->file)) {
+    return tp_profile_of_file(profile, a->file, unit != NULL ? unit : "mm", &a->options, message);
   }
   tp_scene *scene = NULL;
-  tp_status status = tp_scene_read(&scene, a->file, message);
+  tp_status status = tp_cli_read_scene(&scene, a->file, &a->settings, message);
   if (status == TP_OK) status = tp_profile_of_scene(profile, scene, &a->options, message);
   tp_scene_free(scene);
   return status;

@@ -4,8 +4,20 @@
 #include "cli/settings.h"
 
 #include <string.h>
+#include <strings.h>
 
-void tp_cli_take_setting(tp_cli_settings *settings, const char *word,
+enum { KEY_SET = 0x5e7, KEY_UNIT }; /* apart from the keys of every command */
+
+static const struct argp_option options[] = {
+    {"set", KEY_SET, "KEY=VALUE", 0,
+     "With this number at KEY, as friction_angle_deg=30: a number or a formula, as the scene could "
+     "have it; may be given several times",
+     0},
+    {"unit", KEY_UNIT, "UNIT", 0,
+     "Of the lengths of a drawing that is given in place of the scene: mm, cm, m, km, in or ft", 0},
+    {0}};
+
+static void take_setting(tp_cli_settings *settings, const char *word,
                          const struct argp_state *state) {
   const char *equals = strchr(word, '=');
   if (equals == NULL || equals == word || equals[1] == '\0') {
@@ -15,6 +27,38 @@ void tp_cli_take_setting(tp_cli_settings *settings, const char *word,
   } else {
     settings->items[settings->count++] = word;
   }
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+  tp_cli_settings *settings = state->input;
+  switch (key) {
+  case KEY_SET:
+    take_setting(settings, argument, state);
+    return 0;
+  case KEY_UNIT:
+    settings->unit = argument;
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+static const struct argp parser = {.options = options, .parser = parse};
+/* Behind a command's own options, of whose groups none is greater. */
+const struct argp_child tp_cli_settings_child[] = {{.argp = &parser, .group = 3}, {.argp = NULL}};
+
+bool tp_cli_settings_given(const tp_cli_settings *settings) {
+  return settings->count > 0 || settings->unit != NULL;
+}
+
+bool tp_cli_is_scene(const char *path) {
+  static const char *const endings[] = {".yaml", ".yml",     ".dxf", ".svg",
+                                        ".wkt",  ".geojson", ".shp", ".gpkg"};
+  const char *ending = strrchr(path, '.');
+  for (size_t k = 0; ending != NULL && k < sizeof endings / sizeof endings[0]; k++) {
+    if (strcasecmp(ending, endings[k]) == 0) return true;
+  }
+  return false;
 }
 
 tp_status tp_cli_read_scene(tp_scene **scene, const char *path, const tp_cli_settings *settings,

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The option --set KEY=VALUE, given any number of times. */
+/* How a command takes its scene: the options --set KEY=VALUE, given any number of times, and
+ * --unit, of a drawing that stands in place of the scene. Every command that takes one has these by
+ * its children of argp, and says in ARGP_KEY_INIT whose they are. */
 
 #ifndef TP_CLI_SETTINGS_H
 #define TP_CLI_SETTINGS_H
@@ -16,11 +18,16 @@ typedef struct tp_cli_settings {
   const char *unit; /* of a drawing that is given in place of a scene; NULL: as it says */
 } tp_cli_settings;
 
-/* Take one more word of the command line. */
-void tp_cli_take_setting(tp_cli_settings *settings, const char *word,
-                         const struct argp_state *state);
+/* The child, whose input is a tp_cli_settings. */
+extern const struct argp_child tp_cli_settings_child[];
 
-/* Read a scene, with all of them. */
+/* Was any of the options given? */
+bool tp_cli_settings_given(const tp_cli_settings *settings);
+
+/* Is a file read as a scene: a scene, or a drawing by its name? All else is points. */
+bool tp_cli_is_scene(const char *path);
+
+/* Read a scene, or a drawing in place of one, with all of them. */
 TP_MUST_USE tp_status tp_cli_read_scene(tp_scene **scene, const char *path,
                                         const tp_cli_settings *settings, tp_message *message);
 

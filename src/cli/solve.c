@@ -106,10 +106,12 @@ static tp_status print_text(const tp_scene *scene, const tp_solution *solution,
 }
 
 static tp_status print_solution(const tp_scene *scene, const tp_solution *solution,
-                                const tp_solve_words *a, int *ended) {
+                                const tp_solve_words *a, int *ended, tp_message *message) {
   if (!a->json) return print_text(scene, solution, a, ended);
   char *report = NULL;
-  const tp_status status = tp_report_json_pivots(&report, solution, a->pivots);
+  const tp_status status =
+      a->outlines ? tp_report_json_outlines(&report, scene, solution, a->pivots, message)
+                  : tp_report_json_pivots(&report, solution, a->pivots);
   return tp_cli_print_report(status, report, ended);
 }
 
@@ -205,22 +207,23 @@ typedef struct report {
   const tp_solve_words *words;
   int *ended;
   tp_status status;
+  tp_message message;
 } report;
 
 /* The figure is ready: it is left behind only if the report is written. */
 static bool print_with_figure(void *context) {
   report *own = context;
-  own->status = print_solution(own->scene, own->solution, own->words, own->ended);
+  own->status = print_solution(own->scene, own->solution, own->words, own->ended, &own->message);
   return own->status == TP_OK && *own->ended == 0;
 }
 
 static tp_status print_and_draw(const tp_solve_words *a, const tp_scene *scene,
                                 const tp_solution *solution, int *ended, tp_message *message) {
-  report own = {scene, solution, a, ended, TP_OK};
+  report own = {scene, solution, a, ended, TP_OK, {""}};
   const tp_status drawn = tp_cli_draw(a->figure, scene, solution,
                                       (tp_figure_consent){print_with_figure, &own}, message);
   if (own.status == TP_OK && *ended == 0) return drawn;
-  message->text[0] = '\0'; /* of the figure, for want of the report */
+  *message = own.message; /* not that of the figure, for want of the report */
   return own.status;
 }
 
@@ -240,7 +243,7 @@ static tp_status print_one(const tp_solve_words *a, int *ended, tp_message *mess
   if (status == TP_OK) {
     status = a->find.key != NULL ? print_found(scene, solution, a, ended, message)
              : a->figure != NULL ? print_and_draw(a, scene, solution, ended, message)
-                                 : print_solution(scene, solution, a, ended);
+                                 : print_solution(scene, solution, a, ended, message);
   }
   if (status == TP_OK && *ended == 0 && a->report != NULL) {
     status = write_report(a, scene, solution, message);

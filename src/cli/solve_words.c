@@ -20,10 +20,9 @@ enum {
   KEY_FAIL_BELOW,
   KEY_PIVOTS,
   KEY_WRITE_PROFILE,
-  KEY_SET,
-  KEY_UNIT,
   KEY_WATCH,
-  KEY_REPORT
+  KEY_REPORT,
+  KEY_OUTLINES
 };
 
 static const struct argp_option options[] = {
@@ -39,12 +38,8 @@ static const struct argp_option options[] = {
      "given "
      "all, up to 300 of them",
      0},
-    {"set", KEY_SET, "KEY=VALUE", 0,
-     "Solve with this number at KEY, as friction_angle_deg=30: a number or a formula, as the scene "
-     "could have it; may be given several times",
-     0},
-    {"unit", KEY_UNIT, "UNIT", 0,
-     "Of the lengths of a drawing that is given in place of SCENE: mm, cm, m, km, in or ft", 0},
+    {"outlines", KEY_OUTLINES, NULL, 0,
+     "Print in JSON where everything lies too, for a program that draws it", 0},
     {"verbose", 'v', NULL, 0, "Tell what ran, what called for it, and what it cost", 0},
     {"elements", 'e', NULL, 0, "Print the account of moments by elements too", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
@@ -171,6 +166,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
   if (a->pivots != TP_PIVOTS_BY_COUNT && !a->json) {
     tp_cli_refuse(state, "--pivots goes with --json");
   }
+  if (a->outlines && (!a->json || a->find.key != NULL)) {
+    tp_cli_refuse(state, "--outlines goes with --json, without --find");
+  }
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -188,11 +186,14 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_CSV:
     a->csv = true;
     return 0;
-  case KEY_UNIT:
-    a->settings.unit = argument;
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
     return 0;
   case 'v':
     a->verbose = true;
+    return 0;
+  case KEY_OUTLINES:
+    a->outlines = true;
     return 0;
   case KEY_PIVOTS:
     read_pivots(a, argument, state);
@@ -216,9 +217,6 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_WRITE_PROFILE:
     a->profile = argument;
-    return 0;
-  case KEY_SET:
-    tp_cli_take_setting(&a->settings, argument, state);
     return 0;
   case KEY_WATCH:
     a->watch = true;
@@ -256,6 +254,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 const struct argp tp_solve_parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "SCENE…",
     .doc = "Does the block of a scene stand, slide or topple, and at which tilt?\v"
            "SCENE is a YAML file; README.md shows one, docs/scene.md lists every key. Every "

@@ -16,6 +16,7 @@ typedef struct tp_solve_words {
   const char *report;  /* file to write a calculation sheet into; NULL: none */
   const char *profile; /* file to write the base's profile into; NULL: none */
   bool json, elements, table, csv, verbose;
+  bool outlines;            /* the geometry beside the JSON */
   bool watch;               /* again whenever a file changes */
   tp_cli_settings settings; /* numbers of the scenes that are others */
   tp_pivots_listed pivots;

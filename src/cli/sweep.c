@@ -18,15 +18,13 @@ typedef struct arguments {
   tp_sweep_options sweep;
 } arguments;
 
-enum { KEY_SET = 256, KEY_X, KEY_Y, KEY_THREADS, KEY_LEVEL };
+enum { KEY_X = 256, KEY_Y, KEY_THREADS, KEY_LEVEL };
 
 static const struct argp_option options[] = {
     {"x", KEY_X, "KEY=FIRST:LAST:STEP", 0,
      "Sweep the number at KEY, as friction_angle_deg=20:40:0.5, or a list, b=60,90,120", 0},
     {"y", KEY_Y, "KEY=FIRST:LAST:STEP", 0, "And another one, at each of whose values x is swept",
      0},
-    {"set", KEY_SET, "KEY=VALUE", 0,
-     "With this number at KEY throughout: a number or a formula; may be given several times", 0},
     {"json", 'j', NULL, 0, "Print JSON instead of CSV", 0},
     {"output", 'o', "FILE", 0, "Write FILE, .csv or .json, whole or not at all", 0},
     {"digits", 'd', "N", 0, "Make every number certain to N digits, 1 to 1000 (9 unless given)", 0},
@@ -79,8 +77,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_Y:
     tp_cli_take_file(&a->sweep.y, argument, "--y", state);
     return 0;
-  case KEY_SET:
-    tp_cli_take_setting(&a->settings, argument, state);
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
     return 0;
   case 'j':
     a->json = true;
@@ -116,6 +114,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "SCENE",
     .doc =
         "Solve a scene at each point of a range of one or two of its numbers, and print a table: "

@@ -23,8 +23,7 @@ typedef struct arguments {
 } arguments;
 
 enum {
-  KEY_SET = 256,
-  KEY_CSV,
+  KEY_CSV = 256,
   KEY_FIGURE,
   KEY_ANIMATION,
   KEY_REACTIONS,
@@ -38,8 +37,6 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {"set", KEY_SET, "KEY=VALUE", 0,
-     "With this number at KEY: a number or a formula; may be given several times", 0},
     {"json", 'j', NULL, 0, "Print JSON instead of text", 0},
     {"csv", KEY_CSV, NULL, 0, "Print the moments of the motion as CSV instead of text", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Write FILE, .svg, with the block at some moments", 0},
@@ -98,8 +95,8 @@ static void check_converge(arguments *a, const struct argp_state *state) {
 static error_t parse(int key, char *argument, struct argp_state *state) {
   arguments *a = state->input;
   switch (key) {
-  case KEY_SET:
-    tp_cli_take_setting(&a->settings, argument, state);
+  case ARGP_KEY_INIT:
+    state->child_inputs[0] = &a->settings;
     return 0;
   case 'j':
     a->json = true;
@@ -155,6 +152,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
+    .children = tp_cli_settings_child,
     .args_doc = "SCENE",
     .doc = "Simulate the tilt test, or the shaking of the base, that a scene calls for by "
            "'tilt_test' or 'shaking': at which tilt the block lets go and how, what its contacts "

@@ -6,36 +6,27 @@
 #include "figure/figure.h"
 #include "host.h"
 
-#include <stdlib.h>
+/* What is done with the figure of a solution. */
+typedef struct task {
+  const tp_solution *solution;
+  tp_figure_work *work;
+  void *context;
+} task;
 
-static tp_status work_on(const tp_problem *problem, const tp_solution *solution,
-                         tp_figure_work *work, void *context, tp_message *message) {
-  const bool elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
-  tp_figure figure = {.problem = problem, .solution = solution};
-  tp_status status = tp_shape_init(&figure.shape, problem, elements, message);
-  if (status != TP_OK) return status;
-  for (size_t k = 0; k < solution->case_count; k++) {
-    tp_state_init(figure.states + figure.panel_count++, &figure, solution->cases + k);
+static tp_status work_on(const tp_problem *problem, const tp_shape *shape, void *context,
+                         tp_message *message) {
+  const task *own = context;
+  tp_figure figure = {.problem = problem, .solution = own->solution, .shape = *shape};
+  for (size_t k = 0; k < own->solution->case_count; k++) {
+    tp_state_init(figure.states + figure.panel_count++, &figure, own->solution->cases + k);
   }
-  status = work(&figure, context, message);
-  tp_shape_clear(&figure.shape);
-  return status;
+  return own->work(&figure, own->context, message);
 }
 
 tp_status tp_figure_prepare(const tp_scene *scene, const tp_solution *solution,
                             tp_figure_work *work, void *context, tp_message *message) {
-  tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
-  if (notes == NULL) return tp_fail_memory(message, "the figure");
-  tp_problem problem;
-  tp_solve_options options = tp_solve_options_default();
-  options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
-  tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
-  if (status == TP_OK) {
-    status = work_on(&problem, solution, work, context, message);
-    tp_problem_clear(&problem);
-  }
-  tp_solution_free(notes);
-  return status;
+  task own = {solution, work, context};
+  return tp_shape_work_on(scene, solution, work_on, &own, message);
 }
 
 /* A file to draw into, and who is asked. */

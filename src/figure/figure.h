@@ -9,8 +9,8 @@
 #ifndef TP_FIGURE_H
 #define TP_FIGURE_H
 
-#include "figure/shape.h"
 #include "report/page.h"
+#include "shape/shape.h"
 
 #include <cairo.h>
 

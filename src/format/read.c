@@ -8,6 +8,7 @@
 #include "format/csv_drawing.h"
 #include "format/dxf.h"
 #include "format/geojson.h"
+#include "format/gis.h"
 #include "format/svg.h"
 #include "format/wkt.h"
 
@@ -20,11 +21,16 @@ typedef tp_status (*reader)(tp_drawing *drawing, const tp_text_file *file,
 
 static const struct {
   const char *ending;
-  reader read;
+  reader read;     /* of its text; NULL: by GDAL */
   bool is_drawing; /* whoever names it */
-} formats[] = {{".dxf", tp_dxf_read, true},       {".svg", tp_svg_read, true},
-               {".wkt", tp_wkt_read, true},       {".geojson", tp_geojson_read, true},
-               {".json", tp_geojson_read, false}, {".csv", tp_csv_drawing_read, false}};
+} formats[] = {{".dxf", tp_dxf_read, true},
+               {".svg", tp_svg_read, true},
+               {".wkt", tp_wkt_read, true},
+               {".geojson", tp_geojson_read, true},
+               {".json", tp_geojson_read, false},
+               {".csv", tp_csv_drawing_read, false},
+               {".shp", NULL, true},
+               {".gpkg", NULL, true}};
 
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
@@ -47,9 +53,10 @@ tp_status tp_drawing_read(tp_drawing *drawing, const tp_drawing_options *options
   const int format = format_of(drawing->path);
   if (format < 0) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, 0, 0},
-                   "no drawing by its name; drawings end in .dxf, .svg, .wkt, .geojson, .json or "
-                   ".csv");
+                   "no drawing by its name; drawings end in .dxf, .svg, .wkt, .geojson, .json, "
+                   ".csv, .shp or .gpkg");
   }
+  if (formats[format].read == NULL) return tp_gis_drawing_read(drawing, message);
   tp_text_file file;
   tp_status status = tp_text_file_read(&file, drawing->path, message);
   if (status != TP_OK) return status;

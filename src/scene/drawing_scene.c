@@ -27,17 +27,25 @@ static tp_node *make_root(const char *path, const char *unit) {
 }
 
 /* The node of a part of a key, made where there is none; NULL when memory is exhausted. */
-static tp_node *step(tp_node *at, const char *key, size_t length, const char *formula) {
+static tp_node *step(tp_node *at, const char *key, size_t length, const char *formula, bool *made) {
   char *own = strndup(key, length);
   if (own == NULL) return NULL;
   const bool last = key[length] == '=';
   tp_node *found = at->first;
   while (found != NULL && strcmp(found->key, own) != 0) found = found->next;
-  if (found == NULL) {
+  *made = found == NULL;
+  if (*made) {
     found = tp_node_add(at, own, last ? TP_NODE_SCALAR : TP_NODE_MAPPING, last ? formula : NULL);
   }
   free(own);
   return found;
+}
+
+/* One word, as in tilt.towards=left: what stands in the file, and no number that is set. Where a
+ * number belongs its reader says so. */
+static bool is_word(const char *formula) {
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+  return strspn(formula, letters) == strlen(formula);
 }
 
 /* The scalar that a setting "a.b=formula" is of. */
@@ -50,22 +58,23 @@ static tp_status add_setting(tp_override *overrides, long *count, tp_node *root,
                    tp_quote_all(setting).text);
   }
   tp_node *at = root;
+  bool made = false;
   for (const char *key = setting;;) {
     const size_t length = strcspn(key, ".=");
     if (at->kind != TP_NODE_MAPPING) {
       return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "'%s' sets no number of a scene",
                      tp_quote_all(setting).text);
     }
-    at = step(at, key, length, setting + whole + 1);
+    at = step(at, key, length, setting + whole + 1, &made);
     if (at == NULL) return tp_fail_memory(message, "the scene");
     if (key[length] == '=') break;
     key += length + 1;
   }
-  for (long k = 0; k < *count; k++) {
-    if (overrides[k].node != at) continue;
+  if (!made) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "'%s' is set twice; leave out one of them",
                    tp_quote_of(setting, whole).text);
   }
+  if (is_word(setting + whole + 1)) return TP_OK;
   return tp_overrides_put(overrides, count, at, NULL, setting)
              ? TP_OK
              : tp_fail_memory(message, "the scene");

@@ -7,6 +7,14 @@
 #include "host.h"
 #include "scene/drawing_scene.h"
 
+#include <string.h>
+#include <strings.h>
+
+static bool is_scene_by_name(const char *path) {
+  const char *ending = strrchr(path, '.');
+  return ending != NULL && (strcasecmp(ending, ".yaml") == 0 || strcasecmp(ending, ".yml") == 0);
+}
+
 tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
@@ -41,6 +49,11 @@ tp_status tp_scene_read_with(tp_scene **scene, const char *path, const char *uni
     if (settings[k] != NULL) continue;
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
                    "tp_scene_read_with: setting %zu must not be NULL", k + 1);
+  }
+  if (unit[0] != '\0' && is_scene_by_name(path)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+                   "the unit is of a drawing in place of a scene; a scene says its own "
+                   "length_unit");
   }
   if (unit[0] != '\0' || tp_drawing_is_named(path)) {
     return tp_scene_read_drawing(scene, path, unit, settings, count, message);

@@ -3,9 +3,9 @@
 
 #include "study/field.h"
 
+#include "number/shortest.h"
 #include "scene/unit.h"
 #include "study/roughness.h"
-#include "study/shortest.h"
 
 #include <string.h>
 
@@ -124,7 +124,7 @@ void tp_study_field_name(tp_text *text, const tp_study *study, size_t field) {
   }
   tp_text_add(text, "%s", own_columns[own].name);
   if (own == TILT_OUTCOME || own == TILT_FOS) {
-    tp_text_add(text, "_at_%s_deg", tp_study_shortest(tilt, study->tilts[of]));
+    tp_text_add(text, "_at_%s_deg", tp_shortest(tilt, study->tilts[of]));
   }
 }
 

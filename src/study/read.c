@@ -10,6 +10,7 @@
 #include "study/plan.h"
 #include "study/roughness.h"
 #include "study/sample_filter.h"
+#include "study/scene.h"
 #include "study/variable.h"
 
 #include <stdlib.h>
@@ -21,7 +22,7 @@ static tp_status read_version(const tp_study_reader *reader, const tp_node *root
   static const char *const keys[] = {"topple_study", "title",       "scene",       "samples",
                                      "sampling",     "vary",        "tilts_deg",   "until",
                                      "correlations", "sensitivity", "reliability", "design_values",
-                                     "roughness",    NULL};
+                                     "roughness",    "unit",        "set",         NULL};
   const tp_node *node = tp_node_get(root, "topple_study");
   if (node == NULL) {
     return tp_study_fail(reader, root, "this is no study: 'topple_study: 1' is missing");
@@ -36,40 +37,6 @@ static tp_status read_version(const tp_study_reader *reader, const tp_node *root
     return tp_study_fail(reader, title, "title must be text");
   }
   return tp_node_expect_keys(root, keys, "the study", reader->study->path, reader->message);
-}
-
-/* ---- the scene ---------------------------------------------------------------------------------
- */
-
-static tp_status hash_scene(const tp_study_reader *reader) {
-  tp_study *study = reader->study;
-  tp_status status = TP_OK;
-  for (size_t k = 0; k < tp_scene_source_count(study->scene) && status == TP_OK; k++) {
-    status = tp_hash_file(&study->hash, tp_scene_source(study->scene, k), reader->message);
-  }
-  study->hash_of_scene = study->hash;
-  return status;
-}
-
-static tp_status read_scene(const tp_study_reader *reader, const tp_node *root) {
-  tp_study *study = reader->study;
-  const tp_node *node = tp_node_get(root, "scene");
-  if (node == NULL || node->kind != TP_NODE_SCALAR) {
-    return tp_study_fail(reader, node != NULL ? node : root,
-                         "'scene' names the scene file, for example 'scene: block.yaml'");
-  }
-  study->scene_path = tp_study_beside(study, node->text);
-  if (study->scene_path == NULL) return tp_fail_memory(reader->message, "the study");
-  tp_message inner = {""};
-  const tp_status status = tp_scene_read(&study->scene, study->scene_path, &inner);
-  if (status != TP_OK) return tp_study_fail_of(reader, node, status, &inner);
-  const tp_scene *scene = study->scene;
-  if (scene->towards_left && scene->towards_right && scene->frame != TP_FRAME_WORLD) {
-    return tp_study_fail(reader, node,
-                         "this scene tilts both ways; let it say which, 'tilt: "
-                         "{towards: left}'");
-  }
-  return hash_scene(reader);
 }
 
 static tp_status find_key(const tp_study_reader *reader, tp_scene_key *key, const tp_node *node,
@@ -225,7 +192,7 @@ static tp_status read_until(const tp_study_reader *reader, const tp_node *root) 
 
 static tp_status read_root(const tp_study_reader *reader, const tp_node *root) {
   tp_status status = read_version(reader, root);
-  if (status == TP_OK) status = read_scene(reader, root);
+  if (status == TP_OK) status = tp_study_read_scene(reader, root);
   if (status == TP_OK) status = read_vary(reader, root);
   if (status == TP_OK) status = tp_study_read_plan(reader, root);
   if (status == TP_OK) status = read_tilts(reader, root);

@@ -6,8 +6,8 @@
  * A whole number of ten digits over, or times, a power of ten up to 10^22 is a quotient or product
  * of two doubles, so that its rounding is that of the decimal. */
 
+#include "number/shortest.h"
 #include "study/row.h"
-#include "study/shortest.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,9 +3,9 @@
 
 #include "study/row_csv.h"
 
+#include "number/shortest.h"
 #include "output/encode.h"
 #include "study/field.h"
-#include "study/shortest.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -16,7 +16,7 @@ static void add_number(tp_text *text, double value) {
   if (isinf(value)) {
     tp_text_add(text, value > 0 ? "inf" : "-inf");
   } else if (!isnan(value)) {
-    tp_text_add(text, "%s", tp_study_shortest(out, value));
+    tp_text_add(text, "%s", tp_shortest(out, value));
   }
 }
 
@@ -65,6 +65,6 @@ void tp_study_write_settings(tp_text *text, const tp_study *study, const double 
     const char *key = study->variables[k].node->key;
     if (k > 0) tp_text_add(text, " ");
     tp_text_append(text, key, strlen(key));
-    tp_text_add(text, "=%s", tp_study_shortest(out, values[k]));
+    tp_text_add(text, "=%s", tp_shortest(out, values[k]));
   }
 }

@@ -3,12 +3,12 @@
 
 /* The tally made a result: shares of outcomes, quantiles, rank correlations. */
 
+#include "number/shortest.h"
 #include "statistics/quantiles.h"
 #include "study/field.h"
 #include "study/law.h"
 #include "study/ranks.h"
 #include "study/roughness.h"
-#include "study/shortest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -187,7 +187,7 @@ static char *column_name(const tp_study *study, size_t k) {
                         tp_study_field_of_measure(study, k - tp_tally_measures(study)));
     return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
   }
-  tp_text_add(&text, "outcome_at_%s_deg", tp_study_shortest(tilt, study->tilts[k - outcomes - 1]));
+  tp_text_add(&text, "outcome_at_%s_deg", tp_shortest(tilt, study->tilts[k - outcomes - 1]));
   return tp_text_finish(&text, &name) == TP_OK ? name : NULL;
 }
 

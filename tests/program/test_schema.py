@@ -114,6 +114,7 @@ class Schema(unittest.TestCase):
             self.prints("solve", "--json", scene)
             self.prints("solve", "--json", "--digits", "40", scene)
             self.prints("solve", "--json", "--pivots=governing", scene)
+            self.prints("solve", "--json", "--outlines", scene)
             if not any(word in scene.read_text(encoding="utf-8") for word in LOADED):
                 self.prints("solve", "--json", "--elements", scene)
 

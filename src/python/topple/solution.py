@@ -15,7 +15,7 @@ from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note,
 from .given import c_path
 from .record import Bounded, Record, field, record, struct_of
 from .poses import Poses
-from .report import drawing, drawn, sheet_options, written
+from .report import drawing, drawn, sheet_options, taken, written
 from .words import Design, Direction, Level, Mechanism, PivotsListed, number_of
 
 if TYPE_CHECKING:
@@ -103,6 +103,16 @@ class Solution(Record):
     def to_json(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
         """JSON, as `topple solve --json` prints it (docs/schema/solve.json)."""
         return written(lib.tp_report_json_pivots, struct_of(self), number_of(PivotsListed, pivots))
+
+    def to_json_outlines(self, pivots: PivotsListed | str = PivotsListed.BY_COUNT) -> str:
+        """The same with where everything lies, for a program that draws it: `outlines`. They are of
+        the scene, which must be as it was when it was solved."""
+        solution = struct_of(self)
+        scene: Scene = self.__dict__["_scene"]
+        receives = ffi.new("char **")
+        scene._use(lib.tp_report_json_outlines, receives, scene._c, solution,
+                   number_of(PivotsListed, pivots), of=self.__dict__["_version"])
+        return taken(receives[0])
 
     def csv(self) -> str:
         """A table with a row for each case, each number followed by its bound."""

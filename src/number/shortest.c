@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "study/shortest.h"
+#include "number/shortest.h"
 
 #include "number/ratio.h"
 
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value) {
+const char *tp_shortest(char out[TP_SHORTEST_SIZE], double value) {
   for (int digits = 15; digits <= 17; digits++) {
     snprintf(out, TP_SHORTEST_SIZE, "%.*g", digits, value);
     if (strtod(out, NULL) == value) break;
@@ -17,9 +17,9 @@ const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value) {
   return out;
 }
 
-bool tp_study_exact(fmpq_t number, double value) {
+bool tp_shortest_exact(fmpq_t number, double value) {
   char text[TP_SHORTEST_SIZE];
   const char *problem = NULL;
-  tp_study_shortest(text, value);
+  tp_shortest(text, value);
   return tp_ratio_read_field(number, text, strlen(text), &problem);
 }

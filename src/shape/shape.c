@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#include "figure/shape.h"
+#include "shape/shape.h"
+
+#include "message.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +11,7 @@
 
 enum { MOST_ELEMENTS = 400 };
 
-void tp_shape_clear(tp_shape *shape) {
+static void clear(tp_shape *shape) {
   tp_chain_clear(&shape->outline);
   for (size_t k = 0; k < shape->part_count; k++) tp_chain_clear(shape->parts + k);
   free(shape->parts);
@@ -28,8 +30,7 @@ static double rounded(const fmpz *steps, const fmpq *step_m) {
   return value;
 }
 
-/* A point of the lattice. */
-static tp_spot spot(const tp_shape *shape, const tp_lattice *l, long point) {
+tp_spot tp_shape_of_point(const tp_shape *shape, const tp_lattice *l, long point) {
   return (tp_spot){rounded(l->x + point, l->step_m) / shape->unit_m,
                    rounded(l->y + point, l->step_m) / shape->unit_m};
 }
@@ -69,12 +70,14 @@ static void measure(tp_shape *shape, const tp_lattice *l) {
     if (fmpz_cmp(l->y + k, l->y + high_y) > 0) high_y = k;
   }
   shape->unit_m = 1;
-  shape->unit_m = fmax(spot(shape, l, high_x).x - spot(shape, l, low_x).x,
-                       spot(shape, l, high_y).y - spot(shape, l, low_y).y);
+  shape->unit_m =
+      fmax(tp_shape_of_point(shape, l, high_x).x - tp_shape_of_point(shape, l, low_x).x,
+           tp_shape_of_point(shape, l, high_y).y - tp_shape_of_point(shape, l, low_y).y);
   shape->origin_x_m = rounded(l->origin_x, l->step_m);
   shape->origin_y_m = rounded(l->origin_y, l->step_m);
-  shape->box = (tp_box){spot(shape, l, low_x).x, spot(shape, l, low_y).y, spot(shape, l, high_x).x,
-                        spot(shape, l, high_y).y};
+  shape->box =
+      (tp_box){tp_shape_of_point(shape, l, low_x).x, tp_shape_of_point(shape, l, low_y).y,
+               tp_shape_of_point(shape, l, high_x).x, tp_shape_of_point(shape, l, high_y).y};
 }
 
 /* A rounded corner: tangent points r / tan(theta / 2) from the vertex, towards both neighbours. */
@@ -89,9 +92,9 @@ static tp_spot unit_vector(tp_spot from, tp_spot to) {
 }
 
 static round_corner find_round(const tp_shape *shape, const tp_lattice *l, const tp_corner *c) {
-  const tp_spot p = spot(shape, l, c->vertex);
-  const tp_spot u = unit_vector(p, spot(shape, l, c->before));
-  const tp_spot w = unit_vector(p, spot(shape, l, c->after));
+  const tp_spot p = tp_shape_of_point(shape, l, c->vertex);
+  const tp_spot u = unit_vector(p, tp_shape_of_point(shape, l, c->before));
+  const tp_spot w = unit_vector(p, tp_shape_of_point(shape, l, c->after));
   const double half = atan2(w.x * u.y - w.y * u.x, u.x * w.x + u.y * w.y) / 2;
   fmpq_t metres;
   fmpq_init(metres);
@@ -152,8 +155,8 @@ static bool add_ellipse(tp_shape *shape, const tp_problem *problem) {
 static bool add_ring(tp_chain *chain, const tp_shape *shape, const tp_lattice *l, long ring) {
   bool done = true;
   for (long k = l->start[ring]; k < l->start[ring + 1] && done; k++) {
-    done =
-        tp_chain_add(chain, k == l->start[ring] ? TP_STEP_JUMP : TP_STEP_LINE, spot(shape, l, k));
+    done = tp_chain_add(chain, k == l->start[ring] ? TP_STEP_JUMP : TP_STEP_LINE,
+                        tp_shape_of_point(shape, l, k));
   }
   return done;
 }
@@ -172,15 +175,15 @@ static bool add_outline(tp_shape *shape, const tp_problem *problem) {
     } else if (corner != NULL) {
       done = add_corner(chain, shape, l, corner);
     } else {
-      done =
-          tp_chain_add(chain, chain->count == 0 ? TP_STEP_JUMP : TP_STEP_LINE, spot(shape, l, k));
+      done = tp_chain_add(chain, chain->count == 0 ? TP_STEP_JUMP : TP_STEP_LINE,
+                          tp_shape_of_point(shape, l, k));
     }
   }
   return done;
 }
 
 static tp_spot contact_spot(const tp_shape *shape, const tp_problem *problem, tp_outline_point at) {
-  if (at.cut == NULL) return spot(shape, &problem->lattice, at.point);
+  if (at.cut == NULL) return tp_shape_of_point(shape, &problem->lattice, at.point);
   const round_corner c = find_round(shape, &problem->lattice, at.cut);
   return at.after ? c.after : c.before;
 }
@@ -204,9 +207,12 @@ static bool add_contact(tp_shape *shape, const tp_problem *problem) {
 static bool add_element(tp_chain *chain, const tp_shape *shape, const tp_lattice *l,
                         const tp_exact_element *element) {
   const bool slab = element->kind == TP_ELEMENT_SLAB;
-  const tp_spot p = spot(shape, l, element->corner[0]), q = spot(shape, l, element->corner[1]);
-  const tp_spot corners[4] = {
-      p, slab ? (tp_spot){q.x, p.y} : q, slab ? q : spot(shape, l, element->corner[2]), {p.x, q.y}};
+  const tp_spot p = tp_shape_of_point(shape, l, element->corner[0]),
+                q = tp_shape_of_point(shape, l, element->corner[1]);
+  const tp_spot corners[4] = {p,
+                              slab ? (tp_spot){q.x, p.y} : q,
+                              slab ? q : tp_shape_of_point(shape, l, element->corner[2]),
+                              {p.x, q.y}};
   bool done = true;
   for (int k = 0; k < (slab ? 4 : 3) && done; k++) {
     done = tp_chain_add(chain, k == 0 ? TP_STEP_JUMP : TP_STEP_LINE, corners[k]);
@@ -227,7 +233,7 @@ static bool fill(tp_shape *shape, const tp_problem *problem, bool elements) {
   }
   for (long k = 0; k <= problem->base.edge_count && done; k++) {
     done = tp_chain_add(&shape->base, k == 0 ? TP_STEP_JUMP : TP_STEP_LINE,
-                        spot(shape, l, l->start[section->ring_count] + k));
+                        tp_shape_of_point(shape, l, l->start[section->ring_count] + k));
   }
   if (!elements || !problem->has_elements || problem->elements.count > MOST_ELEMENTS) return done;
   for (long k = 0; k < problem->elements.count && done; k++) {
@@ -236,8 +242,9 @@ static bool fill(tp_shape *shape, const tp_problem *problem, bool elements) {
   return done;
 }
 
-tp_status tp_shape_init(tp_shape *shape, const tp_problem *problem, bool elements,
-                        tp_message *message) {
+/* On failure `shape` is cleared. */
+static tp_status init(tp_shape *shape, const tp_problem *problem, bool elements,
+                      tp_message *message) {
   memset(shape, 0, sizeof *shape);
   shape->outline.closed = shape->elements.closed = true;
   measure(shape, &problem->lattice);
@@ -245,6 +252,27 @@ tp_status tp_shape_init(tp_shape *shape, const tp_problem *problem, bool element
   shape->parts = calloc(shape->part_count + 1, sizeof *shape->parts);
   if (shape->parts != NULL && fill(shape, problem, elements)) return TP_OK;
   if (shape->parts == NULL) shape->part_count = 0;
-  tp_shape_clear(shape);
+  clear(shape);
   return tp_fail_memory(message, "the figure");
+}
+
+tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution, tp_shape_work *work,
+                           void *context, tp_message *message) {
+  tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
+  if (notes == NULL) return tp_fail_memory(message, "the figure");
+  tp_problem problem;
+  tp_solve_options options = tp_solve_options_default();
+  options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
+  tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
+  if (status == TP_OK) {
+    tp_shape shape;
+    status = init(&shape, &problem, options.elements, message);
+    if (status == TP_OK) {
+      status = work(&problem, &shape, context, message);
+      clear(&shape);
+    }
+    tp_problem_clear(&problem);
+  }
+  tp_solution_free(notes);
+  return status;
 }

@@ -3,8 +3,8 @@
 
 /* A double as the shortest decimal that names it, and that decimal as it is. */
 
-#ifndef TP_STUDY_SHORTEST_H
-#define TP_STUDY_SHORTEST_H
+#ifndef TP_SHORTEST_H
+#define TP_SHORTEST_H
 
 #include "topple_basics.h"
 
@@ -13,9 +13,10 @@
 enum { TP_SHORTEST_SIZE = 32 };
 
 /* The shortest of the decimals of 15 to 17 digits that name the double, which is finite. */
-const char *tp_study_shortest(char out[TP_SHORTEST_SIZE], double value);
+const char *tp_shortest(char out[TP_SHORTEST_SIZE], double value);
 
-/* The number that this decimal is; false: outside of the range that a scene takes. */
-TP_MUST_USE bool tp_study_exact(fmpq_t number, double value);
+/* The number that this decimal is; false: outside of the range that a scene takes, or not finite.
+ */
+TP_MUST_USE bool tp_shortest_exact(fmpq_t number, double value);
 
 #endif

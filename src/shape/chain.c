@@ -3,7 +3,7 @@
 
 /* Outlines of figures as chains of straight and curved steps; arcs become cubic curves. */
 
-#include "figure/shape.h"
+#include "shape/shape.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,8 +7,8 @@
  * origin of its lattice, which is subtracted exactly: a block far from the origin of its scene is
  * drawn as well as one near it. */
 
-#ifndef TP_FIGURE_SHAPE_H
-#define TP_FIGURE_SHAPE_H
+#ifndef TP_SHAPE_H
+#define TP_SHAPE_H
 
 #include "stability/problem.h"
 
@@ -54,12 +54,14 @@ typedef struct tp_shape {
   tp_box box;        /* around the block's vertices */
 } tp_shape;
 
-/* On failure `shape` is cleared. */
-TP_MUST_USE tp_status tp_shape_init(tp_shape *shape, const tp_problem *problem, bool elements,
-                                    tp_message *message);
-void tp_shape_clear(tp_shape *shape);
+/* What is done with the shape of a solved scene, and doing it. */
+typedef tp_status tp_shape_work(const tp_problem *problem, const tp_shape *shape, void *context,
+                                tp_message *message);
+TP_MUST_USE tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution,
+                                       tp_shape_work *work, void *context, tp_message *message);
 
-/* A point given in metres, and one given exactly in scene lengths. */
+/* A point of the lattice, one given in metres, and one given exactly in scene lengths. */
+tp_spot tp_shape_of_point(const tp_shape *shape, const tp_lattice *lattice, long point);
 tp_spot tp_shape_of_metres(const tp_shape *shape, tp_bounded x_m, tp_bounded y_m);
 tp_spot tp_shape_of_scene(const tp_shape *shape, const tp_problem *problem, const fmpq_t x,
                           const fmpq_t y);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** What of a scene has a shape that cannot be dragged, and why: words for below the drawing. */
+
+/** @param {import("../scene/scene_text.js").SceneText} scene @returns {string[]} */
+export function fixedShapes(scene) {
+  if (scene.unread !== null) return [scene.unread];
+  const drawing = scene.scalar(["drawing"]) ?? scene.scalar(["drawing", "file"]);
+  const said = drawing === null ? [] : ["Block and base stand in the file " + drawing + "; change it there and open it again"];
+  return said.concat(shapeOf(scene, ["block", "outline"], "The outline"), shapeOf(scene, ["base", "profile"], "The profile"));
+}
+
+function shapeOf(scene, path, what) {
+  const file = scene.scalar(path);
+  if (file !== null) return [what + " stands in the file " + file + "; change it there and open it again"];
+  const keys = scene.keys(path);
+  if (keys === null) return [];
+  if (keys.includes("mesh")) return [what + " is a section of the mesh " + scene.scalar([...path, "mesh"])];
+  return [what + " is made by a rule (" + keys[0] + "); its numbers stand in the text"];
+}

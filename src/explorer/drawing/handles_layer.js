@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Handles on the screen: each can be dragged by mouse, pen and finger, and moved by the arrow keys. */
+
+import { drag } from "d3-drag";
+
+/** So many at most: more of them could not be told apart. */
+export const HANDLES_MAX = 150;
+const RADIUS = 7;
+
+const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+export class HandlesLayer {
+  #waiting = null;
+
+  /**
+   * @param group a d3 selection @param {import("./view.js").View} view
+   * @param {{edit: (handle: object, edits: object[]) => void, ended: () => void, exponent: () => number,
+   *   told: (text: string) => void}} hand
+   */
+  constructor(group, view, hand) {
+    this.group = group;
+    this.view = view;
+    this.hand = hand;
+    this.handles = [];
+    /** The key of the handle that is dragged. @type {string|null} */
+    this.dragged = null;
+  }
+
+  /** @param {import("./handle.js").Handle[]} handles */
+  set(handles) {
+    this.handles = handles;
+    this.place();
+  }
+
+  /** Put them where they are now; those outside of the window are not drawn. */
+  place() {
+    const seen = this.handles.map((handle) => ({ handle, ...(handle.dots ?? this.view.toScreen(handle.at.x, handle.at.y)) }))
+      .filter(({ handle, x, y }) => handle.key === this.dragged || (x > -20 && y > -20 && x < this.view.width + 20 && y < this.view.height + 20));
+    this.hidden = Math.max(0, seen.length - HANDLES_MAX);
+    this.group.selectAll("g.handle").data(seen.slice(0, HANDLES_MAX), (one) => one.handle.key)
+      .join((enter) => this.#made(enter))
+      .attr("transform", ({ x, y }) => "translate(" + x + " " + y + ")")
+      .each(function ({ handle }) {
+        // of a hundred handles one is dragged: the others' words stay, and are not laid out again
+        const words = handle.fixed ?? handle.label;
+        if (this.words === words) return;
+        this.words = words;
+        this.setAttribute("class", "handle " + handle.kind + (handle.fixed === null ? "" : " fixed"));
+        this.setAttribute("aria-label", handle.fixed ?? handle.label + ". Arrow keys move it.");
+        this.querySelector("title").textContent = words;
+      });
+  }
+
+  #made(enter) {
+    const made = enter.append("g").attr("tabindex", 0).attr("role", "button").attr("aria-roledescription", "handle")
+      .attr("data-handle", ({ handle }) => handle.key)
+      .on("keydown", (event, { handle }) => this.#key(event, handle))
+      .on("focus", (event, { handle }) => this.hand.told(handle.fixed ?? handle.label))
+      .on("pointerenter", (event, { handle }) => this.hand.told(handle.fixed ?? handle.label))
+      .call(this.#dragging());
+    made.append("title");
+    made.append("circle").attr("class", "reach").attr("r", 2.4 * RADIUS);
+    made.append("circle").attr("class", "knob").attr("r", RADIUS);
+    return made;
+  }
+
+  #dragging() {
+    return drag()
+      .container((event) => this.group.node().ownerSVGElement)
+      .clickDistance(3)
+      .subject((event, { x, y }) => ({ x, y }))
+      .on("start", (event, { handle }) => {
+        this.dragged = handle.fixed === null ? handle.key : null;
+        if (handle.fixed !== null) this.hand.told(handle.fixed);
+      })
+      .on("drag", (event) => this.#dragTo({ x: event.x, y: event.y }))
+      .on("end", () => {
+        this.#apply();
+        this.dragged = null;
+        this.hand.ended();
+      });
+  }
+
+  /** The scene is changed once a frame, however often the hand reports. */
+  #dragTo(dots) {
+    if (this.dragged === null) return;
+    if (this.#waiting === null) requestAnimationFrame(() => this.#apply());
+    this.#waiting = dots;
+  }
+
+  #apply() {
+    const dots = this.#waiting;
+    this.#waiting = null;
+    const handle = this.handles.find((one) => one.key === this.dragged);
+    if (dots === null || handle === undefined) return;
+    const hand = handle.dots === undefined ? this.view.toFrame(dots.x, dots.y) : dots;
+    this.hand.edit(handle, handle.drag(hand, this.hand.exponent()));
+    this.hand.told(handle.label);
+  }
+
+  #key(event, handle) {
+    const way = KEYS[event.key];
+    if (way === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (handle.fixed !== null) {
+      this.hand.told(handle.fixed);
+      return;
+    }
+    const many = event.shiftKey ? 10 : 1;
+    const edits = handle.step(way[0] * many, way[1] * many, this.hand.exponent());
+    if (edits.length > 0) this.hand.edit(handle, edits);
+    const after = this.handles.find((one) => one.key === handle.key);
+    if (after !== undefined) this.hand.told(after.label);
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Handles of loads: the level of the water behind the block, where an anchor pulls, and which way. */
+
+import { edit, lengthHandle, vertexHandle } from "./handle.js";
+
+const ARROW_DOTS = 64;
+const DEGREES = 180 / Math.PI;
+
+/** @param {import("./handle.js").Context} context @param {import("./view.js").View} view */
+export function loadHandles(context, view) {
+  const handles = waterHandles(context);
+  for (let i = 0; i < (context.scene.count(["loads", "anchors"]) ?? 0); i++) {
+    const point = context.block && vertexHandle(context, context.block, ["loads", "anchors", i, "at"], "anchor " + (i + 1));
+    if (point === null) continue;
+    point.kind = "load";
+    handles.push(point);
+    const direction = directionHandle(context, view, i, point.at);
+    if (direction !== null) handles.push(direction);
+  }
+  return handles;
+}
+
+/** Its height counts from the up-dip end of the contact. */
+function waterHandles(context) {
+  const of = context.number(["loads", "water", "height"]);
+  if (of.value === null) return [];
+  const end = context.kase.contact[context.kase.towards === "left" ? "right_end" : "left_end"];
+  const foot = context.result(end.x_m, end.y_m);
+  return [lengthHandle(context, {
+    name: "height of the water", of, kind: "load", moves: "y", least: 0,
+    at: { x: foot.x, y: foot.y + of.value * context.metres }, value: (hand) => (hand.y - foot.y) / context.metres,
+  })];
+}
+
+function directionHandle(context, view, i, at) {
+  const of = context.number(["loads", "anchors", i, "direction_deg"]);
+  if (of.value === null) return null;
+  const { cosine, sine } = context.block.of;
+  const angle = of.value / DEGREES;
+  const along = view.direction(cosine * Math.cos(angle) - sine * Math.sin(angle), sine * Math.cos(angle) + cosine * Math.sin(angle));
+  const foot = view.toScreen(at.x, at.y);
+  const name = "direction of anchor " + (i + 1);
+  return {
+    key: "loads.anchors." + i + ".direction_deg", kind: "load", moves: "y", fixed: of.fixed === null ? null : name + " " + of.fixed,
+    label: name + " " + of.value + " degrees",
+    dots: { x: foot.x + ARROW_DOTS * along.x, y: foot.y + ARROW_DOTS * along.y },
+    drag: (hand) => {
+      const frame = view.toFrame(hand.x, hand.y);
+      const [dx, dy] = [frame.x - at.x, frame.y - at.y];
+      return [edit(of, Math.atan2(cosine * dy - sine * dx, cosine * dx + sine * dy) * DEGREES, 0)];
+    },
+    step: (dx, dy) => [edit(of, of.value + dy - dx, 0)],
+  };
+}

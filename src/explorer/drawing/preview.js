@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * The block as the text has it now, for the moment until the core has answered: a ring of straight edges, in the
+ * scene's own coordinates. Shapes of arcs have none, and wait for the core.
+ */
+
+import { teethOf } from "./block_handles.js";
+
+/** @param {import("./handle.js").Context} context @returns {string|null} a path in the frame of the drawing */
+export function previewPath(context) {
+  if (context.block === null) return null;
+  const ring = slabRing(context) ?? teethRing(context) ?? outlineRing(context);
+  if (ring === null || ring.length < 3) return null;
+  return ring.map(({ x, y }, i) => {
+    const at = context.block.toFrame(x, y);
+    return (i === 0 ? "M" : "L") + at.x + " " + at.y;
+  }).join("") + "Z";
+}
+
+function slabRing(context) {
+  const width = context.number(["block", "slab", "width"]).value;
+  const height = context.number(["block", "slab", "height"]).value;
+  if (width === null || height === null) return null;
+  return [{ x: 0, y: 0 }, { x: width, y: 0 }, { x: width, y: height }, { x: 0, y: height }];
+}
+
+function teethRing(context) {
+  if (context.scene.keys(["block", "teeth"]) === null) return null;
+  const teeth = teethOf(context);
+  if (teeth === null) return null;
+  const { count, a, b, c, valley } = teeth;
+  const ring = [];
+  for (let i = 0; i <= count; i++) ring.push({ x: i * a, y: (i % 2 === 0) === valley ? 0 : c });
+  return [...ring, { x: count * a, y: b + c }, { x: 0, y: b + c }];
+}
+
+function outlineRing(context) {
+  const count = context.scene.count(["block", "outline"]);
+  if (count === null || context.scene.count(["block", "arcs"]) !== null) return null;
+  const ring = [];
+  for (let i = 0; i < count; i++) {
+    const x = context.number(["block", "outline", i, 0]).value;
+    const y = context.number(["block", "outline", i, 1]).value;
+    if (x === null || y === null) return null;
+    ring.push({ x, y });
+  }
+  return ring;
+}

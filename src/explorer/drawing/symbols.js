@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * What is drawn over the block in dots of the screen: weight, pivots by number, reactions with their friction cones at
+ * the limit, the centre of rotation, loads. All numbers are those of the answer.
+ */
+
+import { contactFaces, normalAt } from "./contact_normals.js";
+
+const PIVOTS_MAX = 60;
+const FORCE_DOTS = 120; // of the block's weight
+const NAME_DOTS = 20; // that two numbers need between them
+const HEAD = 9;
+const COMB = 6; // gaps between the arrows of a pressure
+const COMB_DOTS = 30;
+
+/**
+ * @typedef {{kind: string, d?: string, x?: number, y?: number, text?: string, title?: string}} Symbol
+ * @param {object} kase of the answer @param {object} outlines
+ * @param {import("./view.js").View} view @param {{x: number, y: number}} origin metres
+ * @returns {Symbol[]} from the back to the front
+ */
+export function symbolsOf(kase, outlines, view, origin) {
+  const on = (x, y) => view.toScreen(x.value - origin.x, y.value - origin.y);
+  return [
+    ...reactions(kase, outlines, view, on),
+    ...loads(outlines, view, origin),
+    ...weight(kase, on),
+    ...centre(kase, on),
+    ...pivots(kase, on),
+  ];
+}
+
+/** @returns {string} a line from one dot to another with a head at its end */
+export function arrow(from, to) {
+  const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
+  const [ux, uy] = [(to.x - from.x) / length, (to.y - from.y) / length];
+  const barb = (side) => "M" + to.x + " " + to.y + "L" + (to.x - HEAD * (ux - 0.45 * side * uy)) + " " + (to.y - HEAD * (uy + 0.45 * side * ux));
+  return "M" + from.x + " " + from.y + "L" + to.x + " " + to.y + barb(1) + barb(-1);
+}
+
+function weight(kase, on) {
+  const { block } = kase;
+  const from = on(block.centroid_x_m, block.centroid_y_m);
+  const title = block.weight_n === undefined ? "weight" : "weight " + block.weight_n.value.toPrecision(4) + " N";
+  return [
+    { kind: "weight", d: arrow(from, { x: from.x, y: from.y + FORCE_DOTS }), title },
+    { kind: "centroid", d: disc(from, 4.5), title: "centroid" },
+  ];
+}
+
+/** Those that matter most are named first; a number that another one would lie on is left out. */
+function pivots(kase, on) {
+  const governing = kase.toppling?.pivot;
+  const rank = (pivot) => (pivot.index === governing ? 0 : pivot.admissible ? 1 : 2);
+  const named = [];
+  const drawn = (kase.pivots ?? []).toSorted((one, other) => rank(one) - rank(other)).slice(0, PIVOTS_MAX).map((pivot) => {
+    const at = on(pivot.x_m, pivot.y_m);
+    const kind = ["pivot governing", "pivot admissible", "pivot"][rank(pivot)];
+    const angle = pivot.critical_angle_deg?.value;
+    const title = "pivot " + (pivot.index + 1) + (angle === undefined ? "" : ": passes the weight at " + angle.toFixed(2) + "°");
+    const free = named.every((other) => Math.hypot(other.x - at.x, other.y - at.y) > NAME_DOTS);
+    if (free) named.push(at);
+    return { kind, d: disc(at, 4), x: at.x, y: at.y + 17, text: free ? String(pivot.index + 1) : "", title };
+  });
+  return drawn.reverse();
+}
+
+function centre(kase, on) {
+  const { limit } = kase;
+  if (limit?.centre_x_m === undefined || limit.centre_x_m === null) return [];
+  const at = on(limit.centre_x_m, limit.centre_y_m);
+  const cross = "M" + (at.x - 7) + " " + at.y + "h14M" + at.x + " " + (at.y - 7) + "v14";
+  return [{ kind: "centre", d: disc(at, 7) + cross, title: "centre of rotation at the limit: " + limit.mechanism }];
+}
+
+function reactions(kase, outlines, view, on) {
+  const found = kase.limit?.reactions ?? [];
+  if (found.length === 0) return [];
+  const faces = contactFaces(outlines.contact);
+  const shift = { x: outlines.origin_x_m, y: outlines.origin_y_m };
+  const cone = (kase.limit.friction_angle_deg.value * Math.PI) / 180;
+  return found.flatMap((one) => {
+    const share = [one.share_x.value, one.share_y.value];
+    const at = on(one.x_m, one.y_m);
+    const size = Math.hypot(...share);
+    const along = view.direction(...share);
+    const long = FORCE_DOTS * size;
+    const point = [one.x_m.value - shift.x, one.y_m.value - shift.y];
+    const normal = normalAt(faces, point, share, 2 / view.dotsPerMetre);
+    const force = { kind: "reaction", d: arrow({ x: at.x - long * along.x, y: at.y - long * along.y }, at),
+      title: "reaction at the limit: " + (100 * size).toFixed(1) + " % of the weight" };
+    if (normal === null) return [force];
+    return [{ kind: "cone", d: wedge(at, view, normal, cone, Math.max(long, 30)), title: "friction cone" }, force];
+  });
+}
+
+/** The cone of forces that the base can put on the block, drawn where these forces come from. */
+function wedge(at, view, [nx, ny], half, long) {
+  const side = (angle) => {
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    const along = view.direction(nx * c - ny * s, nx * s + ny * c);
+    return (at.x - long * along.x) + " " + (at.y - long * along.y);
+  };
+  return "M" + at.x + " " + at.y + "L" + side(half) + "L" + side(-half) + "Z";
+}
+
+function loads(outlines, view, origin) {
+  const shift = { x: outlines.origin_x_m - origin.x, y: outlines.origin_y_m - origin.y };
+  const anchors = (outlines.anchors ?? []).map((anchor, i) => {
+    const at = view.toScreen(anchor.x_m + shift.x, anchor.y_m + shift.y);
+    const angle = (anchor.direction_deg * Math.PI) / 180;
+    const along = view.direction(Math.cos(angle), Math.sin(angle));
+    return { kind: "anchor", d: arrow(at, { x: at.x + 58 * along.x, y: at.y + 58 * along.y }), title: "anchor " + (i + 1) };
+  });
+  const spread = (list, kind) => (list ?? []).map((one) => ({ kind, d: comb(one, view, shift, kind), title: kind }));
+  return [...anchors, ...spread(outlines.pressures, "pressure"), ...spread(outlines.surcharges, "surcharge")];
+}
+
+/** Arrows along a line, their heads on it: a pressure comes from the right of the line, a surcharge from above. */
+function comb(one, view, shift, kind) {
+  const [from, to] = [view.toScreen(one.x0_m + shift.x, one.y0_m + shift.y), view.toScreen(one.x1_m + shift.x, one.y1_m + shift.y)];
+  const back = kind === "surcharge" ? { x: 0, y: -1 } : view.direction(one.y1_m - one.y0_m, one.x0_m - one.x1_m);
+  const strongest = Math.max(Math.abs(one.first_kpa), Math.abs(one.last_kpa)) || 1;
+  let path = "";
+  for (let i = 0; i <= COMB; i++) {
+    const share = i / COMB;
+    const long = (COMB_DOTS * (one.first_kpa * (1 - share) + one.last_kpa * share)) / strongest;
+    if (Math.abs(long) < 3) continue;
+    const at = { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) };
+    path += arrow({ x: at.x + long * back.x, y: at.y + long * back.y }, at);
+  }
+  return path || "M0 0";
+}
+
+function disc({ x, y }, radius) {
+  return "M" + (x - radius) + " " + y + "a" + radius + " " + radius + " 0 1 0 " + 2 * radius + " 0a" + radius + " " + radius + " 0 1 0 " + -2 * radius + " 0Z";
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** The tilt as an arc in a corner of the drawing: its arm lies as the base does. */
+
+import { edit } from "./handle.js";
+
+const DEGREES = 180 / Math.PI;
+const EDGE = 30;
+
+/**
+ * @param {import("./handle.js").Context} context
+ * @param {import("./view.js").View} view
+ * @param {number} sign 1 where the tilt turns counter-clockwise on the screen, that is towards the left
+ */
+export function tiltHandle(context, view, sign) {
+  const of = context.number(["tilt", "angle_deg"]);
+  const shape = tiltArc(view, sign);
+  const angle = (of.value ?? 0) / DEGREES;
+  const put = (degrees, exponent) => [edit(of, Math.min(90, Math.max(0, degrees)), exponent)];
+  return {
+    key: "tilt.angle_deg", kind: "tilt", moves: "xy", fixed: of.fixed === null ? null : "the tilt " + of.fixed,
+    label: of.present ? "tilt " + of.value + " degrees" : "tilt: the scene gives none; drag to give it one",
+    dots: { x: shape.x + sign * shape.radius * Math.cos(angle), y: shape.y - shape.radius * Math.sin(angle) },
+    drag: (hand) => put(Math.atan2(shape.y - hand.y, sign * (hand.x - shape.x)) * DEGREES, -1),
+    step: (dx, dy) => put((of.value ?? 0) + (dx + dy) * 0.1, -1),
+  };
+}
+
+/** Where its arc is, dots. */
+export function tiltArc(view, sign) {
+  const radius = Math.max(60, Math.min(150, 0.25 * view.width, 0.4 * view.height));
+  return { x: sign > 0 ? EDGE : view.width - EDGE, y: view.height - EDGE, radius };
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** The strip for what went wrong. A complaint about the scene leads to its line; every text here is text, never markup. */
+
+export class Messages {
+  #fromScene = false;
+
+  /** @param {HTMLElement} element @param {{store: import("../scene/store.js").SceneStore, editor: import("../editor/editor.js").Editor}} page */
+  constructor(element, { store, editor }) {
+    this.element = element;
+    this.store = store;
+    this.editor = editor;
+    store.addEventListener("problem", () => this.#complain());
+    store.addEventListener("solution", () => this.#fromScene && this.clear());
+  }
+
+  /** @param {string} words */
+  say(words) {
+    this.#fromScene = false;
+    this.element.textContent = words;
+    this.element.hidden = false;
+  }
+
+  clear() {
+    this.element.replaceChildren();
+    this.element.hidden = true;
+  }
+
+  #complain() {
+    const { file, line, column, message } = this.store.problem;
+    this.say(message);
+    this.#fromScene = true;
+    if (line === null || file !== this.store.name) {
+      if (file !== null) this.element.prepend(file + (line === null ? "" : ", line " + line) + ": ");
+      return;
+    }
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = "Line " + line;
+    button.addEventListener("click", () => this.editor.show(line, column ?? 1));
+    this.element.prepend(button, " ");
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Tilt and friction as numbers with sliders: what every scene can have, whatever its shape. */
+
+import { parameterValues, quantity } from "../scene/quantity.js";
+import { snap } from "../scene/decimal.js";
+
+const NUMBERS = [
+  { path: ["tilt", "angle_deg"], label: "Tilt, °", max: 60, greatest: 90 },
+  { path: ["friction_angle_deg"], label: "Friction angle, °", max: 60, greatest: 89.9 },
+];
+
+/** @param {HTMLFormElement} form @param {import("../scene/store.js").SceneStore} store */
+export function numbersForm(form, store) {
+  form.addEventListener("submit", (event) => event.preventDefault());
+  const rows = NUMBERS.map((number) => numberRow(form, store, number));
+  store.addEventListener("text", () => rows.forEach((update) => update()));
+}
+
+/** @returns {() => void} brings it up to the scene */
+function numberRow(form, store, { path, label, max, greatest }) {
+  const row = document.createElement("label");
+  const slider = input("range", { min: 0, max, step: 0.1 });
+  const field = input("number", { min: 0, max: greatest, step: "any" });
+  field.setAttribute("aria-label", label);
+  row.append(label + " ", slider, field);
+  form.append(row);
+  const put = (text) => {
+    const value = Number(text);
+    if (text === "" || !(value >= 0 && value <= greatest)) return;
+    const now = quantity(store.parsed, path, parameterValues(store.parsed));
+    if (now.fixed === null) store.setNumber(now.path, text, { mergeWith: "slide " + path.join(".") });
+  };
+  slider.addEventListener("input", () => put(snap(slider.valueAsNumber, -1)));
+  field.addEventListener("input", () => put(field.value));
+  for (const one of [slider, field]) one.addEventListener("change", () => store.endGesture());
+  return () => {
+    if (store.parsed.unread !== null) return;
+    const now = quantity(store.parsed, path, parameterValues(store.parsed));
+    slider.disabled = field.disabled = now.fixed !== null;
+    row.title = now.fixed === null ? "" : label + " " + now.fixed;
+    if (now.value === null) slider.value = field.value = "";
+    else {
+      slider.value = String(now.value);
+      if (document.activeElement !== field) field.value = String(now.value);
+    }
+  };
+}
+
+function input(type, attributes) {
+  const made = document.createElement("input");
+  made.type = type;
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  return made;
+}

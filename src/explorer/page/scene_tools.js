@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Open, save, undo, redo, and a link that carries the scene. */
+
+import { linkOfScene } from "../scene/link.js";
+import { readFiles } from "../scene/open.js";
+import { offer } from "./offer.js";
+
+/** @param {(id: string) => HTMLElement} element @param {import("../scene/store.js").SceneStore} store @param messages */
+export function sceneTools(element, store, messages) {
+  const openFiles = async (files) => {
+    try {
+      messages.clear();
+      await readFiles([...files], store);
+    } catch (error) {
+      messages.say(error.message);
+    }
+  };
+  element("open").addEventListener("click", () => element("file").click());
+  element("file").addEventListener("change", async () => {
+    await openFiles(element("file").files);
+    element("file").value = "";
+  });
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    if (event.dataTransfer.files.length > 0) openFiles(event.dataTransfer.files);
+  });
+  const save = () => offer(store.name, store.text, "application/yaml");
+  element("save").addEventListener("click", save);
+  element("link").addEventListener("click", () => copyLink(store, messages));
+  undoTools(element, store);
+  addEventListener("keydown", (event) => {
+    if ((event.ctrlKey || event.metaKey) && event.key === "s") {
+      event.preventDefault();
+      save();
+    }
+  });
+}
+
+function undoTools(element, store) {
+  element("undo").addEventListener("click", () => store.undo());
+  element("redo").addEventListener("click", () => store.redo());
+  store.addEventListener("history", () => {
+    element("undo").disabled = !store.canUndo;
+    element("redo").disabled = !store.canRedo;
+  });
+  addEventListener("keydown", (event) => {
+    // a field of its own undoes its own typing; the editor has these keys itself
+    if (!(event.ctrlKey || event.metaKey) || event.target.closest?.("input, textarea, .cm-editor")) return;
+    const key = event.key.toLowerCase();
+    if (key !== "z" && key !== "y") return;
+    event.preventDefault();
+    if (key === "y" || event.shiftKey) store.redo();
+    else store.undo();
+  });
+}
+
+async function copyLink(store, messages) {
+  try {
+    const hash = await linkOfScene({ name: store.name, text: store.text, files: store.files });
+    history.replaceState(null, "", hash);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      messages.say("The link is copied: it carries the whole scene.");
+    } catch {
+      messages.say("The link is in the address bar: it carries the whole scene.");
+    }
+  } catch (error) {
+    messages.say(error.message);
+  }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** What accuracy costs, measured on the reader's own machine: certain digits against the time that they take. */
+
+import { element, table } from "./element.js";
+import { boundText } from "./certain.js";
+import { drawChart, saveLink } from "./chart.js";
+import { Panel } from "./panel.js";
+
+const MEASURE_MAX_MS = 120_000;
+const COLOURS = ["--blue", "--vermilion", "--green", "--purple", "--orange", "--sky"];
+
+export class AccuracyPanel extends Panel {
+  #text = null;
+
+  constructor(place, context) {
+    super(place, context);
+    this.chart = element("div", { class: "chart" });
+    this.told = element("p", { class: "told", role: "status" });
+    this.rows = element("div", {});
+    this.button = element("button", { type: "button", onclick: () => this.measure() }, "Measure on this machine");
+    this.body.append(
+      element(
+        "p", {}, "Each way to the critical angle, to the static limit and to the onset is evaluated at every ",
+        this.terms.word("level"), ", timed, and compared with its value at 6144 bits.",
+      ),
+      element("p", { class: "choices" }, this.button), this.told, this.chart, this.rows,
+    );
+  }
+
+  /** Measured when it is first shown; again when asked, for times are worth nothing beside a drag. */
+  draw() {
+    if (this.#text === null) this.measure();
+    else if (this.#text !== this.store.text) this.told.textContent = "The scene has changed since it was measured.";
+  }
+
+  async measure() {
+    if (this.button.disabled) return;
+    this.button.disabled = true;
+    this.#text = this.store.text;
+    this.told.textContent = "Measuring: seven samples of each …";
+    try {
+      const answer = await this.background.run(["accuracy", "--json", this.store.name], this.files(), { latest: "accuracy", timeoutMs: MEASURE_MAX_MS });
+      if (answer.out === "") throw new Error(answer.err.trim());
+      this.#show(answer.out);
+    } catch (error) {
+      this.told.textContent = error.message;
+      this.#text = null;
+    } finally {
+      this.button.disabled = false;
+    }
+  }
+
+  #show(json) {
+    const runs = JSON.parse(json).runs.filter(({ bound_log10: digits }) => digits !== null && digits !== undefined && digits < 0);
+    const methods = [...new Set(runs.map(({ method }) => method))];
+    const times = [...new Set(runs.map(({ seconds }) => seconds * 1e6))].sort((a, b) => a - b);
+    drawChart(this.chart, {
+      x: times, xLabel: "microseconds", yLabel: "certain digits", logarithmic: true,
+      curves: methods.map((method, at) => {
+        const own = new Map(runs.filter((run) => run.method === method).map((run) => [run.seconds * 1e6, -run.bound_log10]));
+        return { name: method, colour: COLOURS[at % COLOURS.length], dots: true, values: times.map((time) => own.get(time) ?? null) };
+      }),
+    });
+    this.rows.replaceChildren(
+      table("Measurements", ["way", "level", "bits", "microseconds", "certain digits", "bound (degrees)"], runs.map((run) => ({
+        cells: [run.method, run.level, run.bits, (run.seconds * 1e6).toPrecision(3), Math.floor(-run.bound_log10), boundOf(run)],
+      }))),
+    );
+    this.told.replaceChildren("Measured in this browser. ", saveLink("accuracy.json", json, "The numbers as JSON"));
+  }
+}
+
+/** Logarithms go on where doubles end. */
+function boundOf({ bound, bound_log10: log }) {
+  if (bound > 1e-300) return boundText(bound);
+  return "1e" + Math.ceil(log);
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * Numbers with their bounds as text, in which every digit is certain: the value and both ends of its bound round to
+ * the same digits. What has no certain digit is printed with its bound.
+ */
+
+/** @typedef {{value: number, error: number}} Bounded */
+
+/** Doubles near a value are so far apart at most, as a share of it: what a change of the unit may add to the bound. */
+const SPACING = 2 ** -52;
+
+/**
+ * @param {Bounded|null|undefined} number
+ * @param {number} decimals at most so many
+ * @param {number} [unit] what one of the unit printed is in that of the number
+ * @returns {string} an em dash where there is no number
+ */
+export function certainText(number, decimals, unit = 1) {
+  if (number === null || number === undefined || !Number.isFinite(number.value)) return "—";
+  const value = number.value / unit;
+  const slack = unit === 1 ? number.error : number.error / unit + Math.abs(value) * SPACING;
+  if (number.error === 0) return noMinusZero(String(Number(value.toFixed(decimals))));
+  for (let count = decimals; count >= 0; count--) {
+    const low = noMinusZero((value - slack).toFixed(count));
+    if (low === noMinusZero((value + slack).toFixed(count))) return low;
+  }
+  return value.toPrecision(3) + " ± " + boundText(slack);
+}
+
+/** As certainText, with so many digits in all. @param {Bounded|null|undefined} number @param {number} digits */
+export function certainDigits(number, digits, unit = 1) {
+  if (number === null || number === undefined || !Number.isFinite(number.value)) return "—";
+  const size = Math.abs(number.value / unit);
+  const before = size > 0 ? Math.floor(Math.log10(size)) + 1 : 1;
+  return certainText(number, Math.min(digits, Math.max(0, digits - before)), unit);
+}
+
+/** One digit, rounded up: a bound printed must not be less than the bound. @param {number} bound */
+export function boundText(bound) {
+  if (bound === 0) return "0";
+  const power = Math.floor(Math.log10(bound));
+  const digit = Math.ceil(bound / 10 ** power);
+  return digit >= 10 ? "1e" + (power + 1) : digit + "e" + power;
+}
+
+/** @param {Bounded|null|undefined} angle in degrees */
+export function degreesText(angle) {
+  return angle === null || angle === undefined ? "—" : certainText(angle, 3) + "°";
+}
+
+/** @param {Bounded|null|undefined} fos */
+export function fosText(fos) {
+  return certainText(fos, 3);
+}
+
+function noMinusZero(text) {
+  return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text;
+}

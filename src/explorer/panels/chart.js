@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Curves over one number, drawn by uPlot, with upright and level marks. Colours follow light and dark. */
+
+import uPlot from "uplot";
+import { element } from "./element.js";
+
+const HEIGHT = 300;
+const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3], [4, 4], [12, 4]];
+
+/**
+ * @typedef {object} Curve
+ * @property {string} name
+ * @property {(number|null)[]} values
+ * @property {string} colour a custom property of the page's style, as --blue
+ * @property {boolean} [dots] points alone
+ * @property {(index: number) => string} [told] what the legend says there
+ */
+
+/**
+ * @param {HTMLElement} place what stood there goes
+ * @param {object} drawn
+ * @param {number[]} drawn.x in order
+ * @param {Curve[]} drawn.curves
+ * @param {string} drawn.xLabel
+ * @param {string} drawn.yLabel
+ * @param {[number, number]} [drawn.yRange]
+ * @param {{x?: number, y?: number, name: string, colour: string}[]} [drawn.marks]
+ * @param {boolean} [drawn.logarithmic] both axes
+ */
+export function drawChart(place, drawn) {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name) => style.getPropertyValue(name).trim() || "gray";
+  const axis = (label) => ({
+    label, stroke: colour("--ink"), labelFont: "13px system-ui", font: "12px system-ui",
+    grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line"), width: 1 },
+  });
+  const scale = drawn.logarithmic ? { distr: 3 } : {};
+  const chart = new uPlot(
+    {
+      width: Math.max(260, place.clientWidth), height: HEIGHT,
+      scales: { x: { time: false, ...scale }, y: { ...scale, ...(drawn.yRange ? { range: drawn.yRange } : {}) } },
+      axes: [axis(drawn.xLabel), axis(drawn.yLabel)],
+      series: [
+        { label: drawn.xLabel, value: (_, value) => shortNumber(value) },
+        ...drawn.curves.map((curve, index) => ({
+          label: curve.name, stroke: colour(curve.colour), width: curve.dots ? 1 : 2, dash: DASHES[index % DASHES.length],
+          ...(curve.dots ? { paths: () => null } : {}), points: { show: curve.dots === true, size: 7 },
+          value: (_, value, __, at) => (value === null || at === null || at === undefined ? "—" : curve.told?.(at) ?? shortNumber(value)),
+        })),
+      ],
+      hooks: { draw: [(plot) => (drawn.marks ?? []).forEach((mark) => drawMark(plot, mark, colour))] },
+    },
+    [drawn.x, ...drawn.curves.map((curve) => curve.values)],
+  );
+  chart.root.setAttribute("role", "img");
+  chart.root.setAttribute("aria-label", drawn.yLabel + " against " + drawn.xLabel);
+  place.replaceChildren(chart.root);
+  return chart;
+}
+
+function drawMark(plot, mark, colour) {
+  const { ctx, bbox } = plot;
+  const upright = mark.x !== undefined;
+  const at = Math.round(plot.valToPos(upright ? mark.x : mark.y, upright ? "x" : "y", true));
+  if (upright ? at < bbox.left || at > bbox.left + bbox.width : at < bbox.top || at > bbox.top + bbox.height) return;
+  ctx.save();
+  ctx.strokeStyle = ctx.fillStyle = colour(mark.colour);
+  ctx.lineWidth = devicePixelRatio;
+  ctx.setLineDash([5, 4]);
+  ctx.beginPath();
+  ctx.moveTo(upright ? at : bbox.left, upright ? bbox.top : at);
+  ctx.lineTo(upright ? at : bbox.left + bbox.width, upright ? bbox.top + bbox.height : at);
+  ctx.stroke();
+  ctx.font = 12 * devicePixelRatio + "px system-ui";
+  ctx.fillText(mark.name, upright ? at + 4 : bbox.left + 6, upright ? bbox.top + 14 * devicePixelRatio : at - 5);
+  ctx.restore();
+}
+
+/** For an eye on a curve: the numbers with their bounds are in the table. @param {number|null} value */
+export function shortNumber(value) {
+  return value === null || value === undefined ? "—" : String(Number(value.toPrecision(5)));
+}
+
+/** A text as a file that can be saved. @param {string} name @param {string|Uint8Array} content @param {string} label */
+export function saveLink(name, content, label = name) {
+  const link = element("a", { download: name, href: URL.createObjectURL(new Blob([content])) }, label);
+  // the address keeps the content in memory until it is given back
+  link.addEventListener("click", () => setTimeout(() => URL.revokeObjectURL(link.href), 60_000), { once: true });
+  return link;
+}

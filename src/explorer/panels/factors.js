@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** All factors of safety of each direction, of which the least governs, and what each is the quotient of. */
+
+import { element, table } from "./element.js";
+import { fosText } from "./certain.js";
+import { Panel } from "./panel.js";
+import { againstText, definitionText, directionText, termOfDefinition } from "./words.js";
+
+export class FactorsPanel extends Panel {
+  draw(solution) {
+    this.body.replaceChildren(...solution.cases.map((each) => this.#direction(each)));
+  }
+
+  #direction(theCase) {
+    const factors = theCase.factors ?? [];
+    return element(
+      "section",
+      { "data-towards": theCase.towards },
+      element("h3", {}, directionText(theCase, null)),
+      factors.length === 0
+        ? element("p", {}, "There is none: ", theCase.governing_fos?.fos_is ?? "no factor is judged", ".")
+        : table("Factors of safety", [this.terms.word("FoS"), "against", "by"], factors.map((each) => this.#row(each, theCase))),
+    );
+  }
+
+  #row(factor, theCase) {
+    const governing = theCase.governing_fos;
+    const marked = factor.definition === governing.definition && factor.mechanism === governing.mechanism;
+    const by = definitionText(factor.definition, theCase);
+    return {
+      marked,
+      cells: [
+        factor.fos === null ? (factor.fos_is ?? "none") : fosText(factor.fos),
+        againstText(factor.mechanism) + (factor.pivot === undefined ? "" : " about pivot " + (factor.pivot + 1)),
+        [
+          this.terms.word(by, termOfDefinition(factor.definition)),
+          factor.counts ? null : " (a contact stands in the way: it does not count)",
+        ],
+      ],
+    };
+  }
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Lengths of results, which are metres, in the unit of the scene. */
+
+import { certainDigits } from "./certain.js";
+
+const METRES = { mm: 0.001, cm: 0.01, m: 1, km: 1000, in: 0.0254, ft: 0.3048 };
+const DIGITS = 6;
+
+/** @param {import("../scene/store.js").SceneStore} store @returns {{name: string, metres: number}} */
+export function lengthUnit(store) {
+  const name = store.parsed.scalar(["length_unit"]);
+  return name !== null && Object.hasOwn(METRES, name) ? { name, metres: METRES[name] } : { name: "m", metres: 1 };
+}
+
+/** @param {import("./certain.js").Bounded|null} metres @param {{name: string, metres: number}} unit */
+export function lengthText(metres, unit) {
+  const text = certainDigits(metres, DIGITS, unit.metres);
+  return text.includes(".") && !text.includes(" ") ? text.replace(/\.?0+$/, "") : text;
+}
+
+/** @param {any} x @param {any} y @param {{name: string, metres: number}} unit */
+export function pointText(x, y, unit) {
+  return "(" + lengthText(x, unit) + ", " + lengthText(y, unit) + ")";
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** The candidate pivots: where each lies, at which tilt moments about it balance, and whether turning about it is free. */
+
+import { element, table } from "./element.js";
+import { degreesText, fosText } from "./certain.js";
+import { lengthText, lengthUnit } from "./lengths.js";
+import { Panel } from "./panel.js";
+import { directionText } from "./words.js";
+
+/** More rows than this are for files, not for a page. */
+const ROWS_MAX = 200;
+
+export class PivotsPanel extends Panel {
+  draw(solution) {
+    this.body.replaceChildren(...solution.cases.map((each) => this.#direction(each)));
+  }
+
+  #direction(theCase) {
+    const unit = lengthUnit(this.store);
+    const governs = theCase.toppling?.pivot;
+    const heads = [
+      this.terms.word("Pivot", "pivot"), "x (" + unit.name + ")", "y (" + unit.name + ")",
+      this.terms.word("topples at", "critical angle"), this.terms.word("FoS"), this.terms.word("elements", "elements"),
+      this.terms.word("turning", "admissible pivot"),
+    ];
+    const listed = theCase.pivots.slice(0, ROWS_MAX);
+    return element(
+      "section",
+      { "data-towards": theCase.towards },
+      element("h3", {}, directionText(theCase, null)),
+      table("Candidate pivots", heads, listed.map((pivot) => ({
+        marked: pivot.index === governs,
+        cells: [
+          pivot.index + 1 + " " + pivot.kind,
+          lengthText(pivot.x_m, unit),
+          lengthText(pivot.y_m, unit),
+          pivot.critical_angle_deg === null ? (pivot.critical_angle_is ?? "—") : degreesText(pivot.critical_angle_deg),
+          factorText(pivot.fos, pivot.fos_is),
+          factorText(pivot.fos_elements, pivot.fos_elements_is),
+          pivot.index === governs ? "governs" : pivot.admissible ? "free" : "blocked",
+        ],
+      }))),
+      theCase.pivot_count > listed.length
+        ? element("p", {}, listed.length + " of " + theCase.pivot_count + " candidates are listed.")
+        : null,
+    );
+  }
+}
+
+function factorText(fos, is) {
+  if (fos) return fosText(fos);
+  return is === undefined ? "—" : is.split(":")[0];
+}

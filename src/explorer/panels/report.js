@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * What the command line prints and writes of the scene, the same bytes: its report as text, the calculation sheet to
+ * check and sign, the figure, the JSON.
+ */
+
+import { element } from "./element.js";
+import { offer } from "../page/offer.js";
+import { Panel } from "./panel.js";
+
+const WRITE_MAX_MS = 60_000;
+
+/** @type {{label: string, option: string, ending: string, type: string}[]} */
+const FILES = [
+  { label: "Calculation sheet, HTML", option: "--report", ending: "html", type: "text/html" },
+  { label: "Calculation sheet, Markdown", option: "--report", ending: "md", type: "text/markdown" },
+  { label: "Calculation sheet, PDF", option: "--report", ending: "pdf", type: "application/pdf" },
+  { label: "Figure, SVG", option: "--figure", ending: "svg", type: "image/svg+xml" },
+  { label: "Figure, PDF", option: "--figure", ending: "pdf", type: "application/pdf" },
+  { label: "Figure, PNG", option: "--figure", ending: "png", type: "image/png" },
+];
+
+export class ReportPanel extends Panel {
+  #asked = 0;
+
+  constructor(place, context) {
+    super(place, context);
+    this.told = element("p", { class: "told", role: "status" });
+    this.figure = element("div", { class: "figure" });
+    this.text = element("pre", { class: "wide", tabindex: 0, "aria-label": "Report of the command line" });
+    this.body.append(
+      element("p", { class: "choices" }, FILES.map((file) => element("button", { type: "button", onclick: () => this.write(file) }, file.label)),
+        element("button", { type: "button", onclick: () => this.#json() }, "Solution, JSON")),
+      this.told, this.figure, this.text,
+    );
+  }
+
+  async draw() {
+    const asked = ++this.#asked;
+    try {
+      const answer = await this.core.run(["solve", this.store.name], this.files(), { latest: "report", timeoutMs: WRITE_MAX_MS });
+      if (asked === this.#asked) this.text.textContent = answer.out + answer.err;
+    } catch (error) {
+      if (asked === this.#asked && error.name !== "AbortError") this.text.textContent = error.message;
+    }
+  }
+
+  /** @param {typeof FILES[number]} file */
+  async write({ label, option, ending, type }) {
+    const name = this.store.name.replace(/\.[^.]*$/, "") + "." + ending;
+    this.told.textContent = label + " …";
+    try {
+      const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
+      const answer = await this.background.run(["solve", "--quiet", option, name, this.store.name], this.files(), options);
+      const written = answer.files[name];
+      if (written === undefined) throw new Error(answer.err.trim() || "nothing was written");
+      offer(name, written, type);
+      this.told.textContent = label + ": " + name + ", the bytes that the command line writes.";
+    } catch (error) {
+      this.told.textContent = label + ": " + error.message;
+    }
+  }
+
+  #json() {
+    const { name } = this.store;
+    const args = ["solve", "--json", name];
+    this.core.run(args, this.files(), { timeoutMs: WRITE_MAX_MS }).then(
+      (answer) => offer(name.replace(/\.[^.]*$/, "") + ".json", answer.out, "application/json"),
+      (error) => (this.told.textContent = error.message),
+    );
+  }
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * A scene in the fragment of the page's address, which no server ever sees: JSON of its name, text and files, deflated
+ * where the browser can, in base64url. What comes in is bounded before it is unpacked whole.
+ */
+
+const LINK_MAX = 2_000_000; // characters of a fragment
+const SCENE_MAX = 8_000_000; // bytes unpacked: a fragment of zeros could unpack to a thousand times its size
+const PACKED = "#z=";
+const PLAIN = "#t=";
+
+/** @param {import("./store.js").State} state @returns {Promise<string>} */
+export async function linkOfScene({ name, text, files }) {
+  if (Object.values(files).some((content) => typeof content !== "string")) {
+    throw new Error("A file beside the scene is no text: it goes into no link. Save the scene and send both files.");
+  }
+  const bytes = new TextEncoder().encode(JSON.stringify({ name, text, files }));
+  const packs = typeof CompressionStream === "function";
+  const body = packs ? await through(bytes, new CompressionStream("deflate-raw"), SCENE_MAX) : bytes;
+  const hash = (packs ? PACKED : PLAIN) + toBase64(body);
+  if (hash.length > LINK_MAX) throw new Error("The scene is too long for a link. Save it and send the file.");
+  return hash;
+}
+
+/** @param {string} hash of an address @returns {Promise<import("./store.js").State|null>} null: it carries none */
+export async function sceneOfLink(hash) {
+  const packed = hash.startsWith(PACKED);
+  if (!packed && !hash.startsWith(PLAIN)) return null;
+  if (hash.length > LINK_MAX) throw new Error("it is longer than a link of this page can be");
+  const body = fromBase64(hash.slice(PACKED.length));
+  const bytes = packed ? await through(body, new DecompressionStream("deflate-raw"), SCENE_MAX) : body;
+  return checked(JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes)));
+}
+
+/** Only what a scene is made of, with names that are names of files. */
+function checked(state) {
+  const named = (name) => typeof name === "string" && /^[\w][\w .-]{0,120}(\/[\w][\w .-]{0,120}){0,3}$/.test(name);
+  if (!named(state?.name) || typeof state.text !== "string") throw new Error("it has no scene in it");
+  const files = Object.entries(state.files ?? {});
+  if (files.some(([name, content]) => !named(name) || typeof content !== "string")) throw new Error("its files have no plain names");
+  return { name: state.name, text: state.text, files: Object.fromEntries(files) };
+}
+
+/** @param {Uint8Array} bytes @param {number} most bytes that may come out @returns {Promise<Uint8Array>} */
+async function through(bytes, transform, most) {
+  const reader = new Blob([bytes]).stream().pipeThrough(transform).getReader();
+  const pieces = [];
+  let size = 0;
+  for (let { done, value } = await reader.read(); !done; { done, value } = await reader.read()) {
+    size += value.length;
+    if (size > most) {
+      await reader.cancel();
+      throw new Error("it holds more than " + most / 1e6 + " MB");
+    }
+    pieces.push(value);
+  }
+  return new Uint8Array(await new Blob(pieces).arrayBuffer());
+}
+
+function toBase64(bytes) {
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  return btoa(text).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
+}
+
+function fromBase64(text) {
+  const plain = atob(text.replace(/-/g, "+").replace(/_/g, "/"));
+  return Uint8Array.from(plain, (character) => character.charCodeAt(0));
+}

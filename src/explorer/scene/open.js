@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * Files of the reader become the scene. A YAML file is one, and what is opened with it stands beside it; a file that
+ * the present scene names takes that place; a drawing, or points, alone begin a scene that names it.
+ */
+
+const FILE_MAX = 64_000_000; // bytes: a scene of a million vertices has 20 MB
+const DRAWINGS = /\.(dxf|svg|wkt|geojson|json)$/i;
+
+/** @param {File[]} chosen @param {import("./store.js").SceneStore} store */
+export async function readFiles(chosen, store) {
+  const large = chosen.find((file) => file.size > FILE_MAX);
+  if (large !== undefined) throw new Error(large.name + " has more than " + FILE_MAX / 1e6 + " MB: open it with the command line.");
+  const files = Object.fromEntries(await Promise.all(chosen.map(async (file) => [file.name, await content(file)])));
+  const names = Object.keys(files);
+  const scene = names.find((name) => /\.ya?ml$/i.test(name));
+  if (scene !== undefined) {
+    const { [scene]: text, ...beside } = files;
+    if (typeof text !== "string") throw new Error(scene + " is no text in UTF-8.");
+    store.open({ name: scene, text, files: beside });
+    return;
+  }
+  for (const name of names) openOne(name, files[name], store);
+}
+
+/** @param {File} file @returns {Promise<string|Uint8Array>} text where it is one */
+async function content(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  try {
+    return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
+  } catch {
+    return bytes;
+  }
+}
+
+function openOne(name, content, store) {
+  if (store.text.includes(name)) {
+    store.addFile(name, content);
+    return;
+  }
+  const text = DRAWINGS.test(name) ? sceneOfDrawing(name) : /\.csv$/i.test(name) ? sceneOfPoints(name) : null;
+  if (text === null) throw new Error(name + " is no scene, no drawing (DXF, SVG, WKT, GeoJSON) and no points (CSV); the scene does not name it either.");
+  store.open({ name: name.replace(/\.\w+$/, "") + ".yaml", text, files: { [name]: content } });
+}
+
+/** DXF says its unit itself, and the core asks for it where it does not. */
+function sceneOfDrawing(name) {
+  const unit = /\.dxf$/i.test(name) ? "" : ", unit: m";
+  const comment = unit === "" ? "" : "      # the file says no unit: is it metres?";
+  return "topple: 1\ndrawing: {file: " + quoted(name) + unit + "}" + comment + rest("block: {unit_weight_kn_m3: 26}");
+}
+
+function sceneOfPoints(name) {
+  return "topple: 1\nlength_unit: m      # the file says no unit: is it metres?" + rest("block: {outline: " + quoted(name) + ", unit_weight_kn_m3: 26}");
+}
+
+function rest(block) {
+  return "\n" + block + "\nfriction_angle_deg: 30      # taken until you say it\ntilt: {towards: both, angle_deg: 0}\n";
+}
+
+/** A name as a scalar of YAML that can hold any. */
+function quoted(name) {
+  return "'" + name.replace(/'/g, "''") + "'";
+}

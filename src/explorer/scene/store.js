@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * The scene: its text is the one truth, and everything on the page follows it. Each change of the text is solved by
+ * the core; of changes that come faster than answers only the latest is.
+ *
+ * Events: "text" (the text, its name or its files are others), "solution" (an answer for the present text), "problem"
+ * (it has none, and why), "busy" (the core began or ended to work on it), "history" (what can be undone changed).
+ */
+
+import { History } from "./history.js";
+import { SceneText } from "./scene_text.js";
+import { readComplaint } from "./complaint.js";
+
+/** How long one solve may take before the core is stopped, milliseconds. */
+export const SOLVE_MAX_MS = 15_000;
+
+/**
+ * @typedef {Record<string, string|Uint8Array>} Files
+ * @typedef {{name: string, text: string, files: Files}} State
+ */
+
+const historyOf = (first) => new History(first, (state) => state.text.length);
+
+export class SceneStore extends EventTarget {
+  #history = historyOf({ name: "scene.yaml", text: "", files: {} });
+  #parsed = null;
+  #asked = 0;
+  #waiting = 0;
+
+  /** @param {{run: Function}} core */
+  constructor(core) {
+    super();
+    this.core = core;
+    /** The answer for the present text, JSON of `topple solve`; null while there is none. */
+    this.solution = null;
+    /** The last answer there was, of whatever text: what the drawing keeps. */
+    this.lastSolution = null;
+    /** @type {import("./complaint.js").Complaint|null} */
+    this.problem = null;
+    /** How many scenes were opened: another number, another scene. */
+    this.openings = 0;
+  }
+
+  get text() {
+    return this.#history.present.text;
+  }
+
+  get name() {
+    return this.#history.present.name;
+  }
+
+  /** Files that the scene names, beside it. @returns {Files} */
+  get files() {
+    return this.#history.present.files;
+  }
+
+  get canUndo() {
+    return this.#history.canUndo;
+  }
+
+  get canRedo() {
+    return this.#history.canRedo;
+  }
+
+  get busy() {
+    return this.#waiting > 0;
+  }
+
+  /** The text as a tree, read once for each text. @returns {SceneText} */
+  get parsed() {
+    if (this.#parsed === null || this.#parsed.text !== this.text) this.#parsed = new SceneText(this.text);
+    return this.#parsed;
+  }
+
+  /**
+   * @param {string} text
+   * @param {{mergeWith?: string}} [options] mergeWith: changes in a row of the same gesture are undone together
+   */
+  setText(text, { mergeWith = null } = {}) {
+    if (text === this.text) return;
+    this.#put({ ...this.#history.present, text }, mergeWith);
+  }
+
+  /** @param {(string|number)[]} path @param {string} decimal @param {{mergeWith?: string}} [options] */
+  setNumber(path, decimal, options = {}) {
+    this.setNumbers([{ path, text: decimal }], options);
+  }
+
+  /** Several numbers at once, as the x and y of a vertex. @param {{path: (string|number)[], text: string}[]} numbers */
+  setNumbers(numbers, options = {}) {
+    this.setText(this.parsed.withNumbers(numbers), options);
+  }
+
+  /** Another scene. @param {State} state */
+  open({ name, text, files = {} }) {
+    if (this.openings++ === 0) this.#history = historyOf({ name, text, files });
+    else this.#history.push({ name, text, files });
+    this.#changed();
+  }
+
+  /** One more file beside the scene. @param {string} name @param {string|Uint8Array} content */
+  addFile(name, content) {
+    this.#put({ ...this.#history.present, files: { ...this.files, [name]: content } }, null);
+  }
+
+  /** What comes next is undone by itself: a drag has ended. */
+  endGesture() {
+    this.#history.endGesture();
+  }
+
+  undo() {
+    if (this.#history.undo() !== null) this.#changed();
+  }
+
+  redo() {
+    if (this.#history.redo() !== null) this.#changed();
+  }
+
+  /** @param {State} state */
+  #put(state, gesture) {
+    this.#history.push(state, gesture);
+    this.#changed();
+  }
+
+  #changed() {
+    this.solution = null;
+    this.#tell("text");
+    this.#tell("history");
+    this.#solve();
+  }
+
+  async #solve() {
+    const asked = ++this.#asked;
+    this.#waits(1);
+    try {
+      const answer = await this.core.run(
+        ["solve", "--json", "--outlines", this.name],
+        { ...this.files, [this.name]: this.text },
+        { latest: "solve", timeoutMs: SOLVE_MAX_MS },
+      );
+      if (asked === this.#asked) this.#answered(answer);
+    } catch (error) {
+      // a request that a later one replaced says so by the usual name, and is no failure
+      if (asked === this.#asked && error.name !== "AbortError") this.#failed(error);
+    } finally {
+      this.#waits(-1);
+    }
+  }
+
+  #answered(answer) {
+    if (answer.out !== "") {
+      this.solution = JSON.parse(answer.out);
+      this.lastSolution = this.solution;
+      this.problem = null;
+      this.#tell("solution");
+    } else {
+      this.problem = readComplaint(answer.err);
+      this.#tell("problem");
+    }
+  }
+
+  #failed(error) {
+    this.problem = { file: null, line: null, column: null, message: error.message };
+    this.#tell("problem");
+  }
+
+  #waits(more) {
+    const before = this.busy;
+    this.#waiting += more;
+    if (before !== this.busy) this.#tell("busy");
+  }
+
+  #tell(what) {
+    this.dispatchEvent(new Event(what));
+  }
+}

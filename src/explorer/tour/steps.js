@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * The seven steps of the tour: which scene, what to look at, what to try, and what is found: sentences of the present
+ * answer, so that they follow what the reader does.
+ */
+
+import { degreesText, fosText } from "../panels/certain.js";
+import { againstText } from "../panels/words.js";
+
+/**
+ * @typedef {object} Step
+ * @property {string} title
+ * @property {string} example the scene that it begins with
+ * @property {string} tab what to look at
+ * @property {string[]} says
+ * @property {{label: string, example?: string, numbers?: {path: (string|number)[], text: string}[]}[]} tries
+ * @property {(solution: any) => string|null} finds
+ * @property {string} [across] the number that runs across on the map
+ * @property {boolean} [table] Table 3 stands below it
+ */
+
+const tilt = (text) => ({ path: ["tilt", "angle_deg"], text });
+const friction = (text) => ({ path: ["friction_angle_deg"], text });
+const beyond = (text) => ({ path: ["base", "beyond", "left"], text });
+
+/** @type {Step[]} */
+export const STEPS = [
+  {
+    title: "A slab",
+    example: "slab_left.yaml",
+    tab: "curves",
+    says: [
+      "A block topples about its toe when its weight passes it. This slab is half as wide as high, so that happens at " +
+        "arctan ½ = 26.565°; before, the factor of safety is what holds it over what turns it, tan 26.565° / tan α.",
+      "Drag the handle of the tilt, or try these.",
+    ],
+    tries: [
+      { label: "Tilt it by 20°", numbers: [tilt("20")] },
+      { label: "by 26°", numbers: [tilt("26")] },
+      { label: "by 27°", numbers: [tilt("27")] },
+    ],
+    finds: (solution) => {
+      const { tilt_angle_deg: at, mechanism, governing_fos: governing } = solution.cases[0];
+      if (!at) return "It topples at " + degreesText(solution.cases[0].toppling?.critical_angle_deg) + ".";
+      const factor = governing.fos ? " with a factor of safety of " + fosText(governing.fos) + " against " + againstText(governing.mechanism) : "";
+      return "At " + degreesText(at) + " it " + mechanism + factor + ".";
+    },
+  },
+  {
+    title: "Teeth",
+    example: "block_a_peak.yaml",
+    tab: "pivots",
+    says: [
+      "Now the base is rough: block A of the paper by Alejano and others stands on three teeth. It cannot turn about every " +
+        "vertex: about some, another tooth is in the way. Pivots that are free and those that are blocked stand in the table.",
+      "Tilted one way its toe is a peak of the underside, the other way a valley; the height of its centroid over that decides.",
+    ],
+    tries: [
+      { label: "Towards its peak", example: "block_a_peak.yaml" },
+      { label: "Towards its valley", example: "block_a_valley.yaml" },
+    ],
+    finds: (solution) => {
+      const { pivots, toppling } = solution.cases[0];
+      if (!toppling) return null;
+      const free = pivots.filter(({ admissible }) => admissible).length;
+      return "By moments it topples about its " + pivots[toppling.pivot].kind + " at " + degreesText(toppling.critical_angle_deg) +
+        "; " + free + " of " + pivots.length + " pivots " + (free === 1 ? "is" : "are") + " free.";
+    },
+  },
+  {
+    title: "Table 3",
+    example: "block_a_valley.yaml",
+    tab: "pivots",
+    table: true,
+    says: [
+      "The paper's Table 3 has such angles for seven blocks. Each row below is solved here and now, from the example of " +
+        "its name: the angle by moments agrees with the printed one.",
+      "But moments do not ask whether friction can hold the toe. Contact forces do, and let some blocks go earlier: the " +
+        "rows that are marked.",
+    ],
+    tries: [],
+    finds: () => null,
+  },
+  {
+    title: "Block E's puzzle",
+    example: "block_e_valley.yaml",
+    tab: "forces",
+    says: [
+      "Block E towards its valley: the formula says 35.2°, and the paper saw it slide long before. Why?",
+      "At 35.2° all of its weight would rest on the toe. The facet there falls away down-dip, and friction on it ends at " +
+        "φ − 9.5°. So the next facet has to bear a share; the two forces below are the last ones that hold it, each at the " +
+        "edge of its cone.",
+    ],
+    tries: [{ label: "Tilt it by 28.7°", numbers: [tilt("28.7")] }, { label: "by 28.8°", numbers: [tilt("28.8")] }],
+    finds: (solution) => {
+      const { limit, toppling, toe } = solution.cases[0];
+      if (!limit?.critical_angle_deg || !toppling) return null;
+      return "Moments alone say " + degreesText(toppling.critical_angle_deg) + ", but the toe can bear all the weight up to " +
+        degreesText(toe.limit_angle_deg) + " only: it lets go at " + degreesText(limit.critical_angle_deg) + " and " + limit.mechanism + ".";
+    },
+  },
+  {
+    title: "A base that goes on",
+    example: "block_e_valley.yaml",
+    tab: "forces",
+    says: [
+      "The base of step 4 ends at the toe. If it goes on, the block's toe lies in a notch of the rock: the flank of the next " +
+        "tooth stands against it and holds it. Let the base go on by the width of a tooth.",
+      "In the scene that is base: beyond: left. Where a base ends decides, and so a scene has to say it.",
+    ],
+    tries: [
+      { label: "Let the base go on by 30 mm", numbers: [beyond("30")] },
+      { label: "End it at the toe", numbers: [beyond("0")] },
+    ],
+    finds: (solution) => {
+      const { limit, contact } = solution.cases[0];
+      if (!limit?.critical_angle_deg || !contact) return null;
+      const base = limit.base_beyond_toe ? "goes on past the toe" : "ends at the toe";
+      return "On a base that " + base + " block E is held up to " + degreesText(limit.critical_angle_deg) + ", then it " + limit.mechanism + ".";
+    },
+  },
+  {
+    title: "History",
+    example: "block_a_peak.yaml",
+    tab: "map",
+    across: "friction_angle_deg",
+    says: [
+      "That some forces would hold a block does not mean that they are there. Very rough, block A stands for certain up to " +
+        "one tilt and moves for certain beyond another; between them it depends on how it came to lie there.",
+      "The map shows where: drag the point through it.",
+    ],
+    tries: [
+      { label: "Friction of 30°", numbers: [friction("30")] },
+      { label: "of 60°, tilted by 28°", numbers: [friction("60"), tilt("28")] },
+    ],
+    finds: (solution) => {
+      const { onset, limit, mechanism, tilt_angle_deg: at } = solution.cases[0];
+      if (onset?.kind !== "angle" || !limit?.critical_angle_deg) return null;
+      const there = at ? " At " + degreesText(at) + " it " + mechanism + "." : "";
+      if (!onset.below_limit) return "Both are " + degreesText(onset.critical_angle_deg) + ": history has no say." + there;
+      return "Certain to stand up to " + degreesText(onset.critical_angle_deg) + ", certain to move beyond " +
+        degreesText(limit.critical_angle_deg) + "." + there;
+    },
+  },
+  {
+    title: "An irregular base",
+    example: "partial_contact.yaml",
+    tab: "pivots",
+    says: [
+      "No formula is needed: any outline on any profile is solved the same way. Here teeth rest on a base that is worn " +
+        "between them, and touch it on three facets of five.",
+      "Drag a vertex of the base or of the block, or write your own points into the text.",
+    ],
+    tries: [
+      { label: "A worn base", example: "partial_contact.yaml" },
+      { label: "A boulder on rough ground", example: "boulder_on_rough_ground.yaml" },
+      { label: "A block set down on uneven ground", example: "resting_block.yaml" },
+    ],
+    finds: (solution) => {
+      const { contact, first, towards } = solution.cases[0];
+      const points = contact.points > 0 ? contact.points + " points" : "";
+      const facets = contact.facets > 0 ? contact.facets + " facets" : "";
+      const touches = [facets, points].filter((each) => each !== "").join(" and ");
+      const angle = first.critical_angle_deg ? " at " + degreesText(first.critical_angle_deg) : "";
+      return "It touches in " + touches + "; tilted towards the " + towards + " it " + first.mechanism + angle + ".";
+    },
+  },
+];

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* In place of gis.c and its like, where Topple is built without GDAL. */
+
+#include "format/gis.h"
+
+tp_status tp_gis_drawing_read(tp_drawing *drawing, tp_message *message) {
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, 0, 0},
+                 "this Topple was built without GDAL, which Shapefile and GeoPackage are read "
+                 "with: install libgdal-dev and build it again, or save the drawing as GeoJSON");
+}
