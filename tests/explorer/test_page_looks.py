@@ -3,14 +3,13 @@
 """How the explorer looks: something is drawn in light and in dark, text has contrast, nothing leaves a narrow window;
 and Firefox shows the same page."""
 
-import json
 import re
 import time
 import unittest
 
 import firefox
 import picture
-from page_case import ADDRESS, BUILT, PAGE, ROOT, PageCase, main
+from page_case import ADDRESS, BUILT, PAGE, PageCase, main
 
 # A text, and all grounds below it from the root to itself, painted one on the other by the browser
 PAIRS = """(() => {
@@ -91,22 +90,6 @@ class Looks(PageCase):
                 self.assertGreaterEqual(contrast(of("block", "stroke"), of("block", "fill")), 3)
                 self.assertGreaterEqual(contrast(of("contact", "stroke"), of("block", "fill")), 3)
                 self.assertGreaterEqual(contrast(of("contact", "stroke"), of("rock", "fill")), 3)
-
-    def test_about_lists_what_is_inlined(self):
-        """Each package of the lock that is not for building alone, the core's libraries, each with its notice."""
-        self.click("#about")
-        names = self.value("[...document.querySelectorAll('.licences summary')].map(s => s.textContent)")
-        lock = json.loads((ROOT / "src" / "explorer" / "package-lock.json").read_text(encoding="utf-8"))["packages"]
-        for place, about in lock.items():
-            if place and not about.get("dev") and not about.get("optional"):
-                name = place.removeprefix("node_modules/")
-                self.assertIn(f"{name} {about['version']}: {about['license']}", names)
-        for library in ("GMP: LGPL", "MPFR: ", "FLINT: ", "CGAL: GPL", "libyaml: MIT", "Topple: GPL-3.0-or-later"):
-            self.assertTrue(any(name.startswith(library) for name in names), library)
-        self.value("[...document.querySelectorAll('.licences details')].forEach(d => d.open = true)")
-        self.awaits("[...document.querySelectorAll('.licences pre')].every(p => p.textContent.length > 300)")
-        self.click("#about-dialog form button")
-        self.assertFalse(self.value("document.getElementById('about-dialog').open"))
 
     def test_narrow_window(self):
         """On a telephone nothing leaves the page, and the drawing is as wide as it."""

@@ -15,6 +15,7 @@ import subprocess
 import unittest
 
 from page_case import ROOT, main
+from harness import solve
 
 PANELS = ROOT / "src" / "explorer" / "panels"
 NODE = shutil.which("node")
@@ -109,6 +110,29 @@ class Parts(unittest.TestCase):
         given = ["", "a +", "(a", "a)", "2 b", "a**2", "<b>", "(" * 5000 + "a", "-" * 100000 + "a"]
         self.assertEqual(node("expression.js", "console.log(JSON.stringify(given.map((text) => it.readExpression(text))));", given),
                          [None] * len(given))
+
+    def test_stretches_of_tilts(self):
+        """The bar of the verdict: from level to upright without a gap, and in the middle of each stretch the native program's
+        verdict at that tilt is what the bar says."""
+        scenes = (("block_a_peak", "friction_angle_deg=60"), ("block_e_valley", "friction_angle_deg=30"), ("tilt_locked_stress", None),
+                  ("block_on_clay", None), ("boulder", None), ("l_shaped_block", None), ("block_bonded", None))
+        kinds = set()
+        for name, setting in scenes:
+            text = (ROOT / "examples" / f"{name}.yaml").read_text(encoding="utf-8")
+            options = ["--set", setting] if setting else []
+            cases = solve(f"examples/{name}.yaml", *options)["cases"]
+            given = [{key: case[key] for key in ("onset", "limit")} for case in cases]
+            for case, parts in zip(cases, node("window_gauge.js", "console.log(JSON.stringify(given.map(it.stretches)));", given)):
+                self.assertEqual([parts[0]["from"], parts[-1]["to"]], [0, 90])
+                for part, following in zip(parts, parts[1:]):
+                    self.assertEqual(part["to"], following["from"])
+                for part in parts if re.search(r"tilt:.* angle_deg", text) else ():
+                    tilt = ["--set", f"tilt.angle_deg={(part['from'] + part['to']) / 2}"]
+                    at = next(each for each in solve(f"examples/{name}.yaml", *options, *tilt)["cases"] if each["towards"] == case["towards"])
+                    told = {"stands": "stands", "interlocked": "stands", "may move": "may-move"}.get(at["mechanism"], "moves")
+                    self.assertEqual(part["kind"], told, (name, part, at["mechanism"]))
+                    kinds.add(told)
+        self.assertEqual(kinds, {"stands", "may-move", "moves"})
 
     def test_map_of_few_points(self):
         """A plane of three regions with a curved border, a disc and a corner: every one of 201 × 201 points is right, and

@@ -3,8 +3,7 @@
 """The page as one file: its modules and style sheets bundled by esbuild, and put into index.html. The same sources
 give the same bytes: nothing in them tells when or where they were made.
 
-Modules that no file is: topple:examples and topple:licences (JSON of this package), and those that the caller gives, as
-the core's bytes."""
+Modules that no file is: topple:examples, topple:licence_texts, and those that the caller gives, as the core's bytes."""
 
 import hashlib
 import json
@@ -13,11 +12,11 @@ import shutil
 import subprocess
 
 from .examples import examples
-from .licences import licences
 
 EXPLORER = pathlib.Path(__file__).resolve().parents[1]
 MODULES = EXPLORER / "node_modules"
 STAMP = MODULES / ".installed"
+COMMON_LICENCES = pathlib.Path("/usr/share/common-licenses")  # of Debian's package base-files
 STYLE = '<link rel="stylesheet" href="style.css">'
 SCRIPT = '<script type="module" src="main.js"></script>'
 
@@ -43,12 +42,22 @@ def esbuild(entry, *options):
     return done.stdout
 
 
+def licence_texts():
+    """Of the GNU licences and the one that part of Emscripten has: who gets the page gets them with it."""
+    texts = {"GNU General Public License, version 3": (EXPLORER.parents[1] / "LICENSE").read_text(encoding="utf-8")}
+    for name, title in (("LGPL-3", "GNU Lesser General Public License, version 3"),
+                        ("LGPL-2.1", "GNU Lesser General Public License, version 2.1"),
+                        ("GPL-2", "GNU General Public License, version 2"), ("Apache-2.0", "Apache License, version 2.0")):
+        texts[title] = (COMMON_LICENCES / name).read_text(encoding="utf-8")
+    return texts
+
+
 def bundled(folder, modules):
     """The page's text. `folder`: where files that it is made from may be written; `modules`: names of modules that no
     file is, and what each is, as JSON."""
     folder.mkdir(parents=True, exist_ok=True)
     options = []
-    for name, value in {"topple:examples": examples(), "topple:licences": licences(), **modules}.items():
+    for name, value in {"topple:examples": examples(), "topple:licence_texts": licence_texts(), **modules}.items():
         path = folder / (name.replace(":", "_") + ".json")
         path.write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
         options.append(f"--alias:{name}={path}")

@@ -3,7 +3,6 @@
 
 /** The page, put together: the core, the scene, and what shows it. */
 
-import { aboutDialog } from "../about/about.js";
 import { Core } from "../core/core.js";
 import { SceneStore } from "../scene/store.js";
 import { Drawing } from "../drawing/drawing.js";
@@ -34,7 +33,6 @@ async function begin() {
   sceneTools(element, store, messages);
   const menu = new ExamplesMenu(element("examples"), store);
   addPanels(element("panels"), { store, core, drawing, editor, messages, menu });
-  aboutDialog(element("about"), element("about-dialog"), core);
   await openFirst(store, menu, messages);
   addEventListener("hashchange", () => openLink(store, messages));
 }

@@ -6,6 +6,7 @@
 import { element, table } from "./element.js";
 import { Panel } from "./panel.js";
 import licences from "../licences/licences.json";
+import texts from "topple:licence_texts";
 
 const VERSION_MAX_MS = 5000;
 
@@ -22,7 +23,10 @@ export class AboutPanel extends Panel {
       table("What is inlined", ["library", "licence", "for"], licences.libraries.map(({ name, licence, for: purpose }) => ({
         cells: [name, licence, purpose],
       }))),
-      element("p", {}, "The texts of the GNU licences stand at gnu.org/licenses. The notices of the others:"),
+      element("p", {}, "The texts of the licences, and the notices that go with them:"),
+      ...Object.entries(texts).map(([name, text]) =>
+        element("details", {}, element("summary", {}, name), element("pre", { class: "wide", tabindex: 0 }, text)),
+      ),
       ...licences.notices.map((notice, at) =>
         element("details", {}, element("summary", {}, named(at)), element("pre", { class: "wide", tabindex: 0 }, notice)),
       ),
