@@ -7,7 +7,7 @@ import shlex
 import shutil
 from pathlib import Path
 
-from . import fetch, toolchain
+from . import fetch, toolchain, tools
 
 HERE = Path(__file__).parent
 PRIVATE = HERE / "include" / "private"
@@ -57,7 +57,7 @@ def put_headers(work: Path) -> None:
     shutil.copy(flint / "fmpz-conversions-single.in", flint / "fmpz-conversions.h")
     shutil.copy(flint / "fmpz" / "link" / "fmpz_single.c", flint / "fmpz" / "fmpz.c")
     # No table of Conway polynomials, which has a megabyte: where one is missing FLINT finds another that serves.
-    toolchain.written(flint / "CPimport.h", "")
+    tools.written(flint / "CPimport.h", "")
     linked(include / "flint", [*sorted(flint.glob("*.h")), PRIVATE / "flint-config.h"])
     linked(include, sorted(source_of(work, "arb").glob("*.h")))
     fractions = (source_of(work, "calcium").parent / "fmpz_mpoly_q.h").read_text()
@@ -66,7 +66,7 @@ def put_headers(work: Path) -> None:
         if before not in fractions:
             raise SystemExit(f"fmpz_mpoly_q.h of FLINT 3 includes no {name}")
         fractions = fractions.replace(before, "")
-    toolchain.written(include / "calcium" / "flint_3_fmpz_mpoly_q.h", fractions)
+    tools.written(include / "calcium" / "flint_3_fmpz_mpoly_q.h", fractions)
     linked(include / "calcium", [HERE / "include" / "calcium" / "fmpz_mpoly_q.h"])
     linked(include, [source_of(work, "yaml") / "include" / "yaml.h"])
     linked(include, sorted((source_of(work, "expat") / "expat" / "lib").glob("expat*.h")))
@@ -133,7 +133,7 @@ def write_ninja(work: Path) -> None:
     """work/build.ninja, and the headers that it supposes."""
     put_headers(work)
     wrapper = work / "wasmcc"
-    toolchain.written(
+    tools.written(
         wrapper,
         "#!/bin/sh\n# A compiler for configure, which also links; what is linked is never run.\n"
         'case " $* " in *" -c "* | *" -E "* | *" -S "*) link= ;;\n'
@@ -166,4 +166,4 @@ def write_ninja(work: Path) -> None:
             objects.append(made)
         lines.insert(2, f"flags_{library} = {shlex.join(flags_of(work, library))}")
         lines.append(f"build lib/lib{library}.a: archive {' '.join(objects)}")
-    toolchain.written(work / "build.ninja", "\n".join(lines) + "\n")
+    tools.written(work / "build.ninja", "\n".join(lines) + "\n")

@@ -11,6 +11,7 @@
 #include <spawn.h>
 #include <sys/inotify.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 
 static int refuse(void) {
   errno = ENOSYS;
@@ -53,5 +54,26 @@ int inotify_add_watch(int notifier, const char *path, uint32_t events) {
 
 int fallocate(int file, int mode, off_t offset, off_t length) {
   (void)file, (void)mode, (void)offset, (void)length;
+  return refuse();
+}
+
+/* emscripten's own would open connections to servers. */
+int socketpair(int domain, int type, int protocol, int sockets[2]) {
+  (void)domain, (void)type, (void)protocol, (void)sockets;
+  return refuse();
+}
+
+ssize_t send(int socket, const void *bytes, size_t count, int flags) {
+  (void)socket, (void)bytes, (void)count, (void)flags;
+  return refuse();
+}
+
+ssize_t recv(int socket, void *bytes, size_t count, int flags) {
+  (void)socket, (void)bytes, (void)count, (void)flags;
+  return refuse();
+}
+
+int shutdown(int socket, int how) {
+  (void)socket, (void)how;
   return refuse();
 }
