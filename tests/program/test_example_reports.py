@@ -11,6 +11,7 @@ import concurrent.futures
 import hashlib
 import os
 import pathlib
+import re
 import shlex
 import tempfile
 import unittest
@@ -56,6 +57,20 @@ class ExampleReports(unittest.TestCase):
             self.assertTrue(picture.get("src").startswith("data:image/svg+xml;base64,"))
             self.assertGreater(len(picture.get("alt")), 20)
         self.assertIn(hashlib.sha256((EXAMPLES / row["file"]).read_bytes()).hexdigest(), text)
+
+    def test_short_lines_stand_in_columns(self):
+        """A DXF has a word or a number a line: set in columns it is all there, in its order, and takes pages less, while the
+        figure stands on the first one. Lines of any length and few lines are one column."""
+        with tempfile.TemporaryDirectory() as folder:
+            for kind in ("html", "pdf"):
+                self.assertEqual(run("solve", "--quiet", "--report", f"{folder}/r.{kind}", "section_arcs.yaml", folder=EXAMPLES)[0], 0)
+            page = Page((pathlib.Path(folder) / "r.html").read_text(encoding="utf-8"))
+            classes = [pre.get("class") for pre in page.all("pre")]
+            self.assertEqual(classes, [None, "narrow"])
+            lines = "".join(page.all("pre")[1].itertext()).splitlines()
+            self.assertEqual(lines, (EXAMPLES / "section_arcs.dxf").read_text().splitlines())
+            pages = max(int(count) for count in re.findall(rb"/Count (\d+)", (pathlib.Path(folder) / "r.pdf").read_bytes()))
+            self.assertLessEqual(pages, 6)  # nine, where each line is one of the page
 
     def test_one_command_each(self):
         rows = [row for row in ROWS if row["command"]]

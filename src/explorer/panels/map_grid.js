@@ -8,7 +8,7 @@
  */
 
 const COARSE = 8;
-export const UNKNOWN = 0;
+const UNKNOWN = 0;
 
 export class MapGrid {
   /** @param {number} columns points along x, one more than a multiple of eight @param {number} rows likewise along y */

@@ -15,7 +15,7 @@ const EXPLAIN_MAX_MS = 5000;
  * What explain printed of its first meaning, as a title and paragraphs, the lines of each joined.
  * @param {string} printed
  */
-export function readExplanation(printed) {
+function readExplanation(printed) {
   const [title, ...lines] = printed.split("\n\n", 1)[0].split("\n");
   const rows = [];
   for (const line of lines.map((each) => each.trim())) {
