@@ -6,6 +6,7 @@
 #include "number/ratio.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 void tp_section_wish_init(tp_section_wish *wish) {
   *wish = (tp_section_wish){.closed = true, .unit = ""};
@@ -40,8 +41,8 @@ static void measure(fmpq_t size, const tp_section_chain *chain) {
   fmpq_clear(term);
 }
 
-static tp_status fail_several(const tp_mesh_section *section, const tp_section_wish *wish,
-                              tp_message *message) {
+static tp_status fail_several(const tp_mesh_section *section, long count,
+                              const tp_section_wish *wish, tp_message *message) {
   double width[2];
   for (int k = 0; k < 2; k++) {
     fmpq_t w, h;
@@ -56,26 +57,77 @@ static tp_status fail_several(const tp_mesh_section *section, const tp_section_w
       message, TP_BAD_INPUT, wish->place,
       "the plane cuts %ld %s where one is expected, the first two %.4g and %.4g %s wide; "
       "name one 'object' of the mesh, or say 'take: largest'",
-      section->count, wish->closed ? "outlines" : "separate lines", width[0], width[1], wish->unit);
+      count, wish->closed ? "outlines" : "separate lines", width[0], width[1], wish->unit);
 }
 
-/* The one, or where that is asked for the largest. */
-static tp_status choose(tp_section_chain **chosen, const tp_mesh_section *section,
-                        const tp_section_wish *wish, tp_message *message) {
+/* The largest, or -1 where none is of the kind. */
+static long find_largest(const tp_mesh_section *section, const tp_section_wish *wish) {
+  long largest = -1;
   fmpq_t size, most;
-  if (section->count > 1 && !wish->largest) return fail_several(section, wish, message);
   fmpq_init(size);
   fmpq_init(most);
   for (long k = 0; k < section->count; k++) {
     if (wish->closed && !section->chains[k].closed) continue;
     measure(size, section->chains + k);
-    if (*chosen != NULL && fmpq_cmp(size, most) <= 0) continue;
+    if (largest >= 0 && fmpq_cmp(size, most) <= 0) continue;
     fmpq_swap(size, most);
-    *chosen = section->chains + k;
+    largest = k;
   }
   fmpq_clear(size);
   fmpq_clear(most);
+  return largest;
+}
+
+/* What is taken of a section. */
+typedef struct choice {
+  long chosen;
+  long *within;          /* of each chain: tp_section_nest */
+  long beside, cavities; /* chains that lie elsewhere, and within the chosen one */
+} choice;
+
+/* What lies in a cavity is no part of the block, and nothing says where it goes. */
+static tp_status check_cavities(const choice *c, const tp_polylines *holes,
+                                const tp_mesh_section *section, const tp_section_wish *wish,
+                                tp_message *message) {
+  if (!wish->closed || c->cavities == 0) return TP_OK;
+  if (holes == NULL) {
+    return tp_fail(message, TP_BAD_INPUT, wish->place,
+                   "the plane cuts a cavity within this outline, and only the outline of the block "
+                   "may have holes; name one 'object' of the mesh");
+  }
+  for (long k = 0; k < section->count; k++) {
+    if (c->within[k] <= 0) continue;
+    return tp_fail(message, TP_BAD_INPUT, wish->place,
+                   "the plane cuts an outline that lies within a cavity of the solid, a loose "
+                   "piece; name one 'object' of the mesh, or mend the mesh");
+  }
   return TP_OK;
+}
+
+/* Rounding may have left nothing of one that is narrower than a billionth of the section. */
+static bool has_area(const tp_section_chain *chain) {
+  return chain->points.count >= 3;
+}
+
+/* The one, or where that is asked for the largest, with what lies within it. */
+static tp_status choose(choice *c, const tp_mesh_section *section, const tp_polylines *holes,
+                        const tp_section_wish *wish, tp_message *message) {
+  c->chosen = find_largest(section, wish);
+  c->within = calloc((size_t)section->count + 1, sizeof *c->within);
+  if (c->within == NULL) return tp_fail_memory(message, "a section");
+  if (section->chains[c->chosen].closed && !tp_section_nest(c->within, section, c->chosen)) {
+    return tp_fail_memory(message, "a section");
+  }
+  for (long k = 0; k < section->count; k++) {
+    if (k == c->chosen) continue;
+    const bool nested = section->chains[c->chosen].closed && c->within[k] >= 0;
+    if (!nested) c->beside++;
+    if (nested && has_area(section->chains + k)) c->cavities++;
+  }
+  if (c->beside > 0 && !wish->largest) {
+    return fail_several(section, section->count, wish, message);
+  }
+  return check_cavities(c, holes, section, wish, message);
 }
 
 /* Of the leftmost points, or with `right` the rightmost ones, the highest. */
@@ -116,8 +168,8 @@ static tp_status take(tp_polyline *line, tp_section_chain *chain, const tp_secti
 }
 
 static tp_status note(const tp_polyline *line, const tp_mesh_section *section,
-                      const tp_section_wish *wish, const fmpq_t resolution, long joined,
-                      double widest, tp_notes *notes, tp_message *message) {
+                      const tp_section_wish *wish, const choice *c, const fmpq_t resolution,
+                      long joined, double widest, tp_notes *notes, tp_message *message) {
   char rounding[160] = ", all of them exact", step[100], gaps[100] = "";
   fmpq_t width, height;
   fmpq_init(width);
@@ -135,11 +187,16 @@ static tp_status note(const tp_polyline *line, const tp_mesh_section *section,
       tp_notes_add(notes, message, TP_NOTE, wish->place,
                    "the section of this mesh has %ld points, %.6g wide and %.6g %s high%s%s",
                    line->count, fmpq_get_d(width), fmpq_get_d(height), wish->unit, rounding, gaps);
-  if (status == TP_OK && section->count > 1) {
+  if (status == TP_OK && c->beside > 0) {
     status = tp_notes_add(notes, message, TP_CAUTION, wish->place,
                           "of %ld %s that the plane cuts the largest is taken; the others are left "
                           "out, with their weight",
-                          section->count, wish->closed ? "outlines" : "separate lines");
+                          c->beside + 1, wish->closed ? "outlines" : "separate lines");
+  }
+  if (status == TP_OK && c->cavities > 0 && wish->closed) {
+    status = tp_notes_add(notes, message, TP_NOTE, wish->place,
+                          "%ld %s within the outline: cavities, which the block has for holes",
+                          c->cavities, c->cavities == 1 ? "outline lies" : "outlines lie");
   }
   if (status == TP_OK && section->flipped > 0) {
     status = tp_notes_add(
@@ -153,9 +210,35 @@ static tp_status note(const tp_polyline *line, const tp_mesh_section *section,
   return status;
 }
 
-tp_status tp_section_take(tp_polyline *line, tp_mesh_section *section, const tp_section_wish *wish,
-                          tp_notes *notes, tp_message *message) {
-  tp_section_chain *chosen = NULL;
+/* Each cavity that was found. */
+static tp_status take_holes(tp_polylines *holes, tp_mesh_section *section, const choice *c,
+                            tp_message *message) {
+  if (holes == NULL || c->cavities == 0) return TP_OK;
+  holes->lines = calloc((size_t)c->cavities, sizeof *holes->lines);
+  if (holes->lines == NULL) return tp_fail_memory(message, "a section");
+  for (long k = 0; k < section->count; k++) {
+    if (c->within[k] < 0 || !has_area(section->chains + k)) continue;
+    holes->lines[holes->count] = section->chains[k].points;
+    holes->lines[holes->count++].reversed = false;
+    section->chains[k].points = (tp_polyline){0};
+  }
+  return TP_OK;
+}
+
+static tp_status take_chosen(tp_polyline *line, tp_polylines *holes, tp_mesh_section *section,
+                             const choice *c, const tp_section_wish *wish, tp_message *message) {
+  tp_status status = take(line, section->chains + c->chosen, wish, message);
+  if (status == TP_OK && line->count < (wish->closed ? 3 : 2)) {
+    status = tp_fail(message, TP_BAD_INPUT, wish->place,
+                     "what the plane cuts of this mesh is narrower than a billionth of its height; "
+                     "turn the plane");
+  }
+  return status == TP_OK && wish->closed ? take_holes(holes, section, c, message) : status;
+}
+
+tp_status tp_section_take(tp_polyline *line, tp_polylines *holes, tp_mesh_section *section,
+                          const tp_section_wish *wish, tp_notes *notes, tp_message *message) {
+  choice c = {.chosen = -1};
   long joined = 0;
   double widest = 0;
   fmpq_t resolution;
@@ -169,17 +252,16 @@ tp_status tp_section_take(tp_polyline *line, tp_mesh_section *section, const tp_
   fmpq_init(resolution);
   tp_section_round(section, wish->factor, resolution);
   tp_status status = tp_section_join(section, wish, &joined, &widest, message);
-  if (status == TP_OK) status = choose(&chosen, section, wish, message);
-  if (status == TP_OK) status = take(line, chosen, wish, message);
-  if (status == TP_OK && line->count < (wish->closed ? 3 : 2)) {
-    status = tp_fail(message, TP_BAD_INPUT, wish->place,
-                     "what the plane cuts of this mesh is narrower than a billionth of its height; "
-                     "turn the plane");
-  }
+  if (status == TP_OK) status = choose(&c, section, holes, wish, message);
+  if (status == TP_OK) status = take_chosen(line, holes, section, &c, wish, message);
   if (status == TP_OK) {
-    status = note(line, section, wish, resolution, joined, widest, notes, message);
+    status = note(line, section, wish, &c, resolution, joined, widest, notes, message);
   }
   fmpq_clear(resolution);
-  if (status != TP_OK) tp_polyline_clear(line);
+  free(c.within);
+  if (status != TP_OK) {
+    tp_polyline_clear(line);
+    if (holes != NULL) tp_polylines_clear(holes);
+  }
   return status;
 }

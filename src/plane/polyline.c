@@ -27,6 +27,12 @@ void tp_polyline_clear(tp_polyline *line) {
   memset(line, 0, sizeof *line);
 }
 
+void tp_polylines_clear(tp_polylines *lines) {
+  for (long k = 0; k < lines->count; k++) tp_polyline_clear(lines->lines + k);
+  free(lines->lines);
+  *lines = (tp_polylines){.count = 0};
+}
+
 static bool grow(void **array, long capacity, size_t size) {
   void *grown = realloc(*array, (size_t)capacity * size);
   if (grown == NULL) return false;

@@ -27,6 +27,14 @@ typedef struct tp_polyline {
 
 void tp_polyline_clear(tp_polyline *line);
 
+/* Some of them, each of the list's own. */
+typedef struct tp_polylines {
+  long count;
+  tp_polyline *lines;
+} tp_polylines;
+
+void tp_polylines_clear(tp_polylines *lines);
+
 /* Make room for `count` points in all; append a point. False when memory is exhausted. */
 TP_MUST_USE bool tp_polyline_reserve(tp_polyline *line, long count);
 TP_MUST_USE bool tp_polyline_append(tp_polyline *line, const fmpq_t x, const fmpq_t y,

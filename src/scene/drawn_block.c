@@ -19,11 +19,9 @@ tp_status tp_read_drawn_holes(const tp_reader *reader) {
   const tp_drawn *drawn = reader->scene->drawn;
   tp_block_description *block = &reader->scene->block;
   if (drawn == NULL || drawn->hole_count == 0) return TP_OK;
-  void *holes = block->holes;
-  if (!widen(&holes, block->hole_count, drawn->hole_count, sizeof *block->holes)) {
+  if (!tp_read_hole_room(reader, drawn->hole_count)) {
     return tp_fail_memory(reader->message, "the holes");
   }
-  block->holes = holes;
   for (long k = 0; k < drawn->hole_count; k++) {
     block->holes[block->hole_count++] = tp_polyline_share(drawn->holes + k);
   }

@@ -50,10 +50,15 @@ TP_MUST_USE tp_status tp_read_facet_number(const tp_reader *reader, long *number
 TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
                                      const tp_node *node, bool closed, const char *name);
 
+/* The same of the outline of the block, whose holes are those that a mesh has there. */
+TP_MUST_USE tp_status tp_read_outline(const tp_reader *reader, const tp_node *node);
+/* Room for `more` holes of the block behind those that it has; false when memory is exhausted. */
+TP_MUST_USE bool tp_read_hole_room(const tp_reader *reader, long more);
+
 /* The same of a map that names a mesh, which is cut by the plane of the key section of the scene.
- */
-TP_MUST_USE tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, const tp_node *node,
-                                   bool closed, tp_notes *notes);
+ * `holes` NULL: of what may have none. */
+TP_MUST_USE tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines *holes,
+                                   const tp_node *node, bool closed, tp_notes *notes);
 /* The key section: has it a mesh to cut? After all chains. */
 TP_MUST_USE tp_status tp_read_section_used(const tp_reader *reader, const tp_node *node);
 

@@ -169,7 +169,15 @@ static tp_status read_form(const tp_reader *reader, const tp_node *node) {
   if (teeth != NULL) return read_teeth(reader, teeth);
   if (slab != NULL) return read_slab(reader, slab);
   reader->scene->block.form = TP_OUTLINE_VERTICES;
-  return tp_read_points(reader, &reader->scene->block.outline, outline, true, "the outline");
+  return tp_read_outline(reader, outline);
+}
+
+bool tp_read_hole_room(const tp_reader *reader, long more) {
+  tp_block_description *block = &reader->scene->block;
+  if (more == 0) return true;
+  tp_polyline *holes = realloc(block->holes, (size_t)(block->hole_count + more) * sizeof *holes);
+  if (holes != NULL) block->holes = holes;
+  return holes != NULL;
 }
 
 static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
@@ -178,8 +186,7 @@ static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, node, "holes must be a list of outlines");
   }
-  block->holes = calloc((size_t)node->count + 1, sizeof *block->holes);
-  if (block->holes == NULL) return tp_fail_memory(reader->message, "the holes");
+  if (!tp_read_hole_room(reader, node->count)) return tp_fail_memory(reader->message, "the holes");
   tp_status status = TP_OK;
   for (const tp_node *hole = node->first; hole != NULL && status == TP_OK; hole = hole->next) {
     status = tp_read_points(reader, block->holes + block->hole_count, hole, true, "a hole");

@@ -220,8 +220,8 @@ static tp_status check_points(const tp_reader *reader, const tp_polyline *line, 
   return TP_OK;
 }
 
-tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, const tp_node *node, bool closed,
-                       tp_notes *notes) {
+tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines *holes,
+                       const tp_node *node, bool closed, tp_notes *notes) {
   tp_section_wish wish;
   tp_mesh_section section = {0};
   tp_section_wish_init(&wish);
@@ -231,8 +231,12 @@ tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, const tp_node
   reader->reading->cut = true;
   tp_status status = read_wish(reader, &wish, node);
   if (status == TP_OK) status = cut(reader, &section, node, &wish, notes);
-  if (status == TP_OK) status = tp_section_take(line, &section, &wish, notes, reader->message);
+  if (status == TP_OK)
+    status = tp_section_take(line, holes, &section, &wish, notes, reader->message);
   if (status == TP_OK) status = check_points(reader, line, wish.place);
+  for (long k = 0; holes != NULL && k < holes->count && status == TP_OK; k++) {
+    status = check_points(reader, holes->lines + k, wish.place);
+  }
   tp_mesh_section_clear(&section);
   tp_section_wish_clear(&wish);
   return status;

@@ -25,9 +25,15 @@ static tp_status read_vertex(const tp_reader *reader, tp_polyline *line, const t
   return status;
 }
 
+/* What is read: a chain open or closed, or an outline that may have holes. */
+typedef struct chain_kind {
+  bool closed, holed;
+  const char *name; /* in messages */
+} chain_kind;
+
 /* A list of [x, y], or a file: `chain` gets the points, and what is noted of them. */
-static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, bool closed,
-                            const char *name) {
+static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, chain_kind kind) {
+  const char *name = kind.name;
   const tp_node *node = chain->node;
   tp_polyline *line = &chain->line;
   tp_status status = TP_OK;
@@ -36,47 +42,60 @@ static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, bool 
   if (node->kind == TP_NODE_SCALAR) {
     const char *path = tp_scene_file_name(reader->scene->file, node->text);
     if (path == NULL) return tp_fail_memory(reader->message, name);
-    status = tp_csv_read(line, path, closed, &chain->notes, reader->message);
+    status = tp_csv_read(line, path, kind.closed, &chain->notes, reader->message);
   } else if (node->kind == TP_NODE_SEQUENCE) {
     for (const tp_node *p = node->first; p != NULL && status == TP_OK; p = p->next) {
       status = read_vertex(reader, line, p, name);
     }
-    if (closed) tp_polyline_drop_closing_point(line);
+    if (kind.closed) tp_polyline_drop_closing_point(line);
   } else if (tp_node_get(node, "mesh") != NULL) {
-    status = tp_read_mesh(reader, line, node, closed, &chain->notes);
+    status = tp_read_mesh(reader, line, kind.holed ? &chain->holes : NULL, node, kind.closed,
+                          &chain->notes);
   } else {
     status = tp_read_fail(
         reader, node, "%s must be a list of [x, y], the name of a CSV file, or {mesh: FILE}", name);
   }
-  if (status == TP_OK && !tp_polyline_make_shared(line)) {
-    status = tp_fail_memory(reader->message, name);
+  bool shared = status != TP_OK || tp_polyline_make_shared(line);
+  for (long k = 0; k < chain->holes.count && shared; k++) {
+    shared = tp_polyline_make_shared(chain->holes.lines + k);
   }
+  if (!shared) status = tp_fail_memory(reader->message, name);
   chain->fixed = !reader->reading->varies;
   return status;
 }
 
-/* The points of a chain that is kept, and the notes on it. */
+/* The points of a chain, and the notes on it. Of its holes the block has its own. */
 static tp_status take_chain(const tp_reader *reader, tp_polyline *line,
                             const tp_file_chain *chain) {
+  tp_block_description *block = &reader->scene->block;
   const tp_status status = tp_notes_append(&reader->scene->notes, &chain->notes, reader->message);
-  if (status == TP_OK) *line = tp_polyline_share(&chain->line);
-  return status;
+  if (status != TP_OK) return status;
+  if (!tp_read_hole_room(reader, chain->holes.count)) {
+    return tp_fail_memory(reader->message, "the holes");
+  }
+  for (long k = 0; k < chain->holes.count; k++) {
+    block->holes[block->hole_count++] = tp_polyline_share(chain->holes.lines + k);
+  }
+  *line = tp_polyline_share(&chain->line);
+  return TP_OK;
+}
+
+/* What it holds is its own: a list of the file's keeps what is fixed. */
+static void clear_chain(tp_file_chain *chain) {
+  tp_polyline_clear(&chain->line);
+  tp_polylines_clear(&chain->holes);
+  tp_notes_clear(&chain->notes);
 }
 
 /* The file was never read before: what does not depend on a number that varies is kept. */
 static tp_status read_first(const tp_reader *reader, tp_polyline *line, const tp_node *node,
-                            bool closed, const char *name) {
+                            chain_kind kind) {
   tp_file_chain *chain = tp_scene_file_add_chain(reader->scene->file, node);
-  if (chain == NULL) return tp_fail_memory(reader->message, name);
-  const tp_status status = read_chain(reader, chain, closed, name);
-  if (status != TP_OK || chain->fixed) {
-    return status == TP_OK ? take_chain(reader, line, chain) : status;
-  }
-  const tp_status noted = tp_notes_append(&reader->scene->notes, &chain->notes, reader->message);
-  if (noted != TP_OK) return noted;
-  *line = chain->line;
-  chain->line = (tp_polyline){0};
-  return TP_OK;
+  if (chain == NULL) return tp_fail_memory(reader->message, kind.name);
+  tp_status status = read_chain(reader, chain, kind);
+  if (status == TP_OK) status = take_chain(reader, line, chain);
+  if (!chain->fixed) clear_chain(chain);
+  return status;
 }
 
 /* Of a mesh the plane that cuts it, too. */
@@ -94,29 +113,32 @@ static bool is_varied(const tp_scene *scene, const tp_node *node) {
 /* Chains come in the order in which they came before. What varies is a list or a section: no number
  * names a file. */
 static tp_status read_again(const tp_reader *reader, tp_polyline *line, const tp_node *node,
-                            bool closed, const char *name) {
+                            chain_kind kind) {
   const tp_file_chain *kept = reader->scene->file->chains + reader->reading->next_chain++;
   if (node->kind == TP_NODE_SCALAR || (kept->fixed && !is_varied(reader->scene, node))) {
     return take_chain(reader, line, kept);
   }
   tp_file_chain chain = {.node = node};
-  tp_status status = read_chain(reader, &chain, closed, name);
-  if (status == TP_OK) {
-    status = tp_notes_append(&reader->scene->notes, &chain.notes, reader->message);
-  }
-  if (status == TP_OK) {
-    *line = chain.line;
-  } else {
-    tp_polyline_clear(&chain.line);
-  }
-  tp_notes_clear(&chain.notes);
+  tp_status status = read_chain(reader, &chain, kind);
+  if (status == TP_OK) status = take_chain(reader, line, &chain);
+  clear_chain(&chain);
   return status;
+}
+
+static tp_status read_kind(const tp_reader *reader, tp_polyline *line, const tp_node *node,
+                           chain_kind kind) {
+  return reader->reading->again ? read_again(reader, line, node, kind)
+                                : read_first(reader, line, node, kind);
 }
 
 tp_status tp_read_points(const tp_reader *reader, tp_polyline *line, const tp_node *node,
                          bool closed, const char *name) {
-  return reader->reading->again ? read_again(reader, line, node, closed, name)
-                                : read_first(reader, line, node, closed, name);
+  return read_kind(reader, line, node, (chain_kind){.closed = closed, .name = name});
+}
+
+tp_status tp_read_outline(const tp_reader *reader, const tp_node *node) {
+  const chain_kind kind = {.closed = true, .holed = true, .name = "the outline"};
+  return read_kind(reader, &reader->scene->block.outline, node, kind);
 }
 
 const tp_polyline *tp_read_kept(const tp_reader *reader, const tp_node *node) {

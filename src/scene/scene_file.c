@@ -31,6 +31,7 @@ void tp_scene_file_free(tp_scene_file *file) {
   if (file == NULL || atomic_fetch_sub(&file->users, 1) > 1) return;
   for (long k = 0; k < file->chain_count; k++) {
     tp_polyline_clear(&file->chains[k].line);
+    tp_polylines_clear(&file->chains[k].holes);
     tp_notes_clear(&file->chains[k].notes);
   }
   free(file->chains);

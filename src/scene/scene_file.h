@@ -21,7 +21,8 @@ typedef struct tp_file_chain {
   const tp_node *node;
   bool fixed; /* no parameter bears upon it: the points are kept, */
   tp_polyline line;
-  tp_notes notes; /* and what was noted as they were read */
+  tp_polylines holes; /* of an outline that a mesh has cavities in */
+  tp_notes notes;     /* and what was noted as they were read */
 } tp_file_chain;
 
 typedef struct tp_scene_file {

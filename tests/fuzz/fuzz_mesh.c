@@ -28,6 +28,7 @@ static void judge_mesh(const tp_mesh *mesh) {
 static void take(tp_mesh_section *section, bool closed, bool largest) {
   tp_section_wish wish;
   tp_polyline line;
+  tp_polylines holes = {.count = 0};
   tp_notes notes = {0};
   tp_message message = {""};
   tp_section_wish_init(&wish);
@@ -35,15 +36,17 @@ static void take(tp_mesh_section *section, bool closed, bool largest) {
   wish.largest = largest;
   wish.unit = "m";
   fmpq_set_si(wish.gap, 1, 2);
-  const tp_status status = tp_section_take(&line, section, &wish, &notes, &message);
+  const tp_status status =
+      tp_section_take(&line, closed && !largest ? &holes : NULL, section, &wish, &notes, &message);
   if (status == TP_OK) {
     FUZZ_EXPECT(line.count >= 2 && notes.count > 0);
     for (long k = 0; k < line.count; k++) {
       FUZZ_EXPECT(fmpq_is_canonical(line.x + k) && fmpq_is_canonical(line.y + k));
     }
   } else {
-    FUZZ_EXPECT(message.text[0] != '\0' && line.count == 0);
+    FUZZ_EXPECT(message.text[0] != '\0' && line.count == 0 && holes.count == 0);
   }
+  tp_polylines_clear(&holes);
   tp_polyline_clear(&line);
   tp_notes_clear(&notes);
   tp_section_wish_clear(&wish);

@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: 2026 The Topple authors
 
-/** Handles of the base: points of its profile, or how far a mated base goes on beyond the block. */
+/** Handles of the base: points of its profile, or how far a mated base goes on beyond the block; the shift along it. */
 
 import { lengthHandle } from "./handle.js";
 import { listHandles } from "./block_handles.js";
 
 /** @param {import("./handle.js").Context} context @returns {import("./handle.js").Handle[]} */
 export function baseHandles(context) {
+  return [...jointHandle(context), ...baseEnds(context)];
+}
+
+function baseEnds(context) {
   const keys = context.scene.keys(["base"]) ?? [];
   if (keys.includes("profile")) return context.base === null ? [] : listHandles(context, context.base, ["base", "profile"], "the profile");
   if (!context.kase.contact?.mated) return [];
   return [beyondHandle(context, "left", -1), beyondHandle(context, "right", 1)];
+}
+
+/** At the centroid: the block is dragged along the base that it fits. What it was shifted by is the answer's number. */
+function jointHandle(context) {
+  const of = context.number(["joint", "shift"]);
+  const shifted = context.kase.joint?.shift_m;
+  if (of.value === null || shifted === undefined) return [];
+  const at = context.result(context.kase.block.centroid_x_m, context.kase.block.centroid_y_m);
+  const value = (hand) => (shifted.value + hand.x - at.x) / context.metres;
+  return [lengthHandle(context, { name: "shift along the joint", of, kind: "size", moves: "x", least: -Infinity, at, value })];
 }
 
 /** It counts from the end of the contact outwards; the handle is where the base ends. */

@@ -107,7 +107,7 @@ function sameOnce(edits) {
  * @param {Context} context
  * @param {{name: string, of: import("../scene/quantity.js").Quantity, at: Point, moves: "x"|"y", kind: Handle["kind"],
  *   value: (hand: Point) => number, least: number, sign?: number}} says at: where it is, in the frame; value: what the
- *   hand's place there makes of it; least: 0, or 1 where it must stay above 0 by a step; sign: -1 where it grows against
+ *   hand's place there makes of it; least: in steps: 0, 1 where it must stay above 0, or none; sign: -1 where it grows against
  *   the axis
  * @returns {Handle}
  */
