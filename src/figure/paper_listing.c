@@ -13,7 +13,7 @@
 static const double size = 7;
 static const double gutter = 14;
 
-enum { FEW_LINES = 24, MOST_COLUMNS = 6 };
+enum { FEW_LINES = 24, TOGETHER = 12, MOST_COLUMNS = 6 };
 
 static void set_letters(cairo_t *cr) {
   tp_figure_ink(cr, TP_INK_BLACK);
@@ -53,7 +53,7 @@ static void draw_columns(tp_paper *p, const char *text, long lines, int columns)
   const double step = TP_LINE_HEIGHT * size;
   const double width = (TP_PAPER_ROOM + gutter) / columns;
   while (lines > 0) {
-    tp_paper_need(p, fmin((double)lines, FEW_LINES / 2) * step);
+    tp_paper_need(p, fmin((double)lines, TOGETHER) * step);
     set_letters(p->cr);
     const long room = (long)floor((TP_PAPER_BOTTOM - p->y) / step);
     const long all = (lines + columns - 1) / columns, rows = all < room ? all : room;
