@@ -4,11 +4,14 @@
 what the command line makes of that text."""
 
 import math
+import pathlib
 import re
+import shutil
+import tempfile
 import time
 import unittest
 
-from page_case import PageCase, main
+from page_case import ROOT, PageCase, main
 
 POLYGON = """# kept: a comment above
 topple: 1
@@ -143,6 +146,72 @@ class Drawn(PageCase):
         before = self.text()
         self.drag("block.holes.0.1", 30, 30)
         self.assertEqual(self.text(), before)
+
+    def test_points_of_a_file_go_into_the_scene(self):
+        """The boulder's 66 points stand in a CSV file. Written into the scene they are the same block, to the digit,
+        and can be dragged."""
+        self.example("boulder")
+        drawn = self.value("document.querySelector('.shape.block').getAttribute('d')")
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        shutil.copy(ROOT / "examples" / "boulder.csv", folder)
+        factors = self.solved(folder)["cases"]
+        self.click("#fixed button")
+        self.answered()
+        self.assertEqual(self.value("document.querySelector('.shape.block').getAttribute('d')"), drawn)
+        now = self.solved()["cases"]
+        for one, other in zip(factors, now):
+            self.assertEqual(one["pivots"], other["pivots"])
+        self.drag("block.outline.40", -8, -8)
+        self.answered()
+        self.assertNotEqual(self.value("document.querySelector('.shape.block').getAttribute('d')"), drawn)
+
+    def test_block_is_dragged_along_its_joint(self):
+        """Block E, shifted by 5 mm: the handle at its centroid shifts it further, and it follows the hand."""
+        self.example("block_e_shifted")
+        x, y = self.drag("shift along the joint", -20, 8)
+        self.answered()
+        self.assertLess(float(re.search(r"shift: ([-\d.]+)", self.text()).group(1)), 3)
+        left, _ = self.knob("shift along the joint")
+        self.assertLess(abs(left - x), 8)
+
+    def test_a_law_of_friction_has_no_slider(self):
+        self.type_scene(self.text().replace("friction_angle_deg: 30", "friction: {law: patton, basic_angle_deg: 30, roughness_angle_deg: 5}"))
+        self.answered()
+        self.assertEqual(self.value("[...document.querySelectorAll('#numbers input')].map(i => i.disabled)"),
+                         [False, False, True, True])
+
+    def test_sliders(self):
+        """The tilt by its number, the friction by its slider: both stand in the text."""
+        self.value("(() => { const [, tilt, friction] = document.querySelectorAll('#numbers input'); tilt.value = '24.125';"
+                   " tilt.dispatchEvent(new Event('input')); friction.value = '41.5'; friction.dispatchEvent(new Event('input')); })()")
+        self.answered()
+        text = self.text()
+        self.assertIn("angle_deg: 24.125}", text)
+        self.assertIn("friction_angle_deg: 41.5\n", text)
+
+    def test_a_vertex_named_twice_moves_everywhere(self):
+        """The vault's foot is a vertex, where an arc begins, and where the contact ends: dragged, all three are moved."""
+        self.example("vault")
+        self.drag("block.outline.1", 20, 0)
+        self.answered()
+        text = self.text()
+        point = re.search(r"outline: \[\[-1, 0\], (\[[^]]+\])", text).group(1)
+        self.assertNotEqual(point, "[1, 0]")
+        self.assertEqual(text.count(point), 3)
+
+    def test_handles_that_share_a_place(self):
+        """Corners of a block that stand on points of the profile: both can be taken, the profile's stands off."""
+        self.example("partial_contact")
+        for key in ("block.outline.0", "base.profile.1"):
+            x, y = self.knob(key)
+            self.assertEqual(self.value(f"document.elementFromPoint({x}, {y}).closest('.handle').dataset.handle"), key)
+
+    def test_base_without_words_gets_both_ends(self):
+        """A scene that says nothing of how far the base goes on: the core wants both sides where one is told."""
+        self.example("block_e_wkt")
+        self.drag("base beyond the block to the right", 30, 0)
+        self.answered()
+        self.assertRegex(self.text(), r"beyond: {left: 0, right: [\d.]+}")
 
     def test_loads_have_handles(self):
         """Water, anchor and its direction, dragged, stand in the scene under their keys."""

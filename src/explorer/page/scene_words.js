@@ -4,11 +4,12 @@
 /** Title and name of the scene, whether the core is at work, and what of it cannot be dragged. */
 
 import { fixedShapes } from "../drawing/fixed_shapes.js";
+import { pointsButtons } from "./points_into_scene.js";
 
 const LATE_MS = 250;
 
-/** @param {(id: string) => HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
-export function sceneWords(element, store) {
+/** @param {(id: string) => HTMLElement} element @param {import("../scene/store.js").SceneStore} store @param messages */
+export function sceneWords(element, store, messages) {
   let timer = null;
   const words = () => {
     element("scene-title").textContent = store.parsed.scalar(["title"]) ?? "A scene without a title";
@@ -16,6 +17,10 @@ export function sceneWords(element, store) {
     element("fixed").replaceChildren(...fixedShapes(store.parsed).map((said) => {
       const item = document.createElement("li");
       item.textContent = said + ".";
+      return item;
+    }), ...pointsButtons(store, messages).map((button) => {
+      const item = document.createElement("li");
+      item.append(button);
       return item;
     }));
   };
