@@ -189,6 +189,30 @@ class Drawn(PageCase):
         self.assertIn("angle_deg: 24.125}", text)
         self.assertIn("friction_angle_deg: 41.5\n", text)
 
+    def test_a_vertex_named_twice_moves_everywhere(self):
+        """The vault's foot is a vertex, where an arc begins, and where the contact ends: dragged, all three are moved."""
+        self.example("vault")
+        self.drag("block.outline.1", 20, 0)
+        self.answered()
+        text = self.text()
+        point = re.search(r"outline: \[\[-1, 0\], (\[[^]]+\])", text).group(1)
+        self.assertNotEqual(point, "[1, 0]")
+        self.assertEqual(text.count(point), 3)
+
+    def test_handles_that_share_a_place(self):
+        """Corners of a block that stand on points of the profile: both can be taken, the profile's stands off."""
+        self.example("partial_contact")
+        for key in ("block.outline.0", "base.profile.1"):
+            x, y = self.knob(key)
+            self.assertEqual(self.value(f"document.elementFromPoint({x}, {y}).closest('.handle').dataset.handle"), key)
+
+    def test_base_without_words_gets_both_ends(self):
+        """A scene that says nothing of how far the base goes on: the core wants both sides where one is told."""
+        self.example("block_e_wkt")
+        self.drag("base beyond the block to the right", 30, 0)
+        self.answered()
+        self.assertRegex(self.text(), r"beyond: {left: 0, right: [\d.]+}")
+
     def test_loads_have_handles(self):
         """Water, anchor and its direction, dragged, stand in the scene under their keys."""
         self.example("block_under_water")

@@ -13,7 +13,7 @@ export function baseHandles(context) {
 
 function baseEnds(context) {
   const keys = context.scene.keys(["base"]) ?? [];
-  if (keys.includes("profile")) return context.base === null ? [] : listHandles(context, context.base, ["base", "profile"], "the profile");
+  if (keys.includes("profile")) return context.base === null ? [] : profileHandles(context);
   if (!context.kase.contact?.mated) return [];
   return [beyondHandle(context, "left", -1), beyondHandle(context, "right", 1)];
 }
@@ -28,13 +28,23 @@ function jointHandle(context) {
   return [lengthHandle(context, { name: "shift along the joint", of, kind: "size", moves: "x", least: -Infinity, at, value })];
 }
 
-/** It counts from the end of the contact outwards; the handle is where the base ends. */
+function profileHandles(context) {
+  return listHandles(context, context.base, ["base", "profile"], "the profile").map((handle) => ({ ...handle, kind: "base" }));
+}
+
+/**
+ * It counts from the end of the contact outwards; the handle is where the base ends. The core asks for both sides where
+ * the scene gives one.
+ */
 function beyondHandle(context, side, sign) {
   const of = context.number(["base", "beyond", side]);
   const end = context.kase.contact[side + "_end"];
   const foot = context.result(end.x_m, end.y_m);
-  return lengthHandle(context, {
+  const handle = lengthHandle(context, {
     name: "base beyond the block to the " + side, of, kind: "base", moves: "x", least: 0, sign,
     at: context.baseEnd(sign) ?? foot, value: (hand) => (sign * (hand.x - foot.x)) / context.metres,
   });
+  if (context.scene.keys(["base", "beyond"]) !== null) return handle;
+  const both = ([{ text }]) => [{ path: ["base", "beyond"], text: side === "left" ? "{left: " + text + ", right: 0}" : "{left: 0, right: " + text + "}" }];
+  return { ...handle, drag: (...hand) => both(handle.drag(...hand)), step: (...steps) => both(handle.step(...steps)) };
 }

@@ -88,7 +88,7 @@ export class MapPanel extends Panel {
     this.wanted = null;
   }
 
-  /** The plane does not depend on the two numbers themselves: as they are dragged it stays. */
+  /** The plane does not depend on the two numbers themselves, nor on the tilt: as they are dragged it stays. */
   #choose() {
     const chosen = [this.xMenu, this.yMenu].map((menu) => this.numbers.find(({ key }) => key === menu.value));
     if (chosen.includes(undefined) || chosen[0] === chosen[1]) {
@@ -97,7 +97,8 @@ export class MapPanel extends Panel {
     }
     [this.x, this.y] = chosen;
     const text = sweepable(this.store.parsed, this.towardsMenu.value);
-    const plane = new this.store.parsed.constructor(text).withNumbers(chosen.map(({ path }) => ({ path, text: "0" })));
+    const free = new Set([...chosen, this.numbers[0]]); // the tilt is an axis, or has no say in what lets go first
+    const plane = new this.store.parsed.constructor(text).withNumbers([...free].map(({ path }) => ({ path, text: "0" })));
     const key = JSON.stringify([plane, this.x.key, this.y.key]);
     if (key !== this.#key) {
       this.#key = key;
