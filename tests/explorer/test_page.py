@@ -94,6 +94,18 @@ class Drawn(PageCase):
         self.assertEqual(self.value("document.querySelector('.shape.block').getAttribute('d')"),
                          self.solved()["outlines"]["block"])
 
+    def test_far_from_the_origin(self):
+        """Coordinates of a national grid, seven digits before the point: the vertex still follows the hand, and its
+        neighbours keep every digit."""
+        far = "[[4500000.125, 5400000.5], [4500100.125, 5400000.5], [4500110, 5400060], [4500060, 5400140], [4499990, 5400090]]"
+        self.type_scene(re.sub(r"outline: .*?\]\]", "outline: " + far, POLYGON, flags=re.S))
+        self.answered()
+        x, y = self.drag("block.outline.3", 31, -17)
+        self.answered()
+        left, top = self.knob("block.outline.3")
+        self.assertLess(math.hypot(left - x, top - y), 3)
+        self.assertIn("[[4500000.125, 5400000.5], [4500100.125, 5400000.5], [4500110, 5400060], [45000", self.text())
+
     def test_a_drag_is_one_step_of_undo(self):
         self.type_scene(POLYGON)
         self.answered()
