@@ -267,7 +267,10 @@ class Panels(PanelCase):
         _, out, _ = run("solve", scene("block_e_valley"))
         self.assertEqual(self.said("#panel-report pre").splitlines()[:-1], out.splitlines()[:-1])
         saved = self.saved(self.folder(), lambda: self.button("Solution, JSON"), "block_e_valley.json")
-        self.assertEqual(json.loads(saved)["cases"][0]["limit"], solve(scene("block_e_valley"))["cases"][0]["limit"])
+        told, native = (each["cases"][0]["limit"] for each in (json.loads(saved), solve(scene("block_e_valley"))))
+        self.assertEqual(told.keys(), native.keys())
+        for key in ("critical_angle_deg", "centre_x_m", "fos"):  # elsewhere the bounds may differ, but not the truth
+            self.assertLessEqual(abs(told[key]["value"] - native[key]["value"]), told[key]["error"] + native[key]["error"])
 
     def test_words_are_explained(self):
         """By the keyboard: a word that has the focus tells what it means, in the program's own words; Escape hides it."""
