@@ -109,9 +109,9 @@ static double time_repeats(tp_status *status, arb_t degrees, bool *found,
 }
 
 /* Seconds of one evaluation: the median of seven samples of at least 2 ms, of fewer where one alone
- * takes long. How many evaluations that is, a run of them tells that takes a sixteenth of it: a
- * clock may tick by a tenth of a millisecond, as browsers' do, and then one alone seems to take no
- * time. `degrees` and `*found` are those of the last. */
+ * takes long. How many evaluations a sample has is raised until it lasts so long: a clock may tick
+ * by a tenth of a millisecond, as browsers' do, and the first evaluation may take longer than
+ * others. `degrees` and `*found` are those of the last. */
 static tp_status time_way(double *seconds, arb_t degrees, bool *found, const tp_accuracy_way *way,
                           tp_rung rung) {
   enum { MOST_SAMPLES = 7, MOST_REPEATS = 1 << 24 };
@@ -122,12 +122,10 @@ static tp_status time_way(double *seconds, arb_t degrees, bool *found, const tp_
   const int count = once > very_long_s ? 0 : once > long_s ? 2 : MOST_SAMPLES;
   long repeats = 1;
   double took = once;
-  while (took < sample_s / 16 && repeats < MOST_REPEATS && status == TP_OK && *found) {
-    repeats *= 8;
+  while (took < sample_s && repeats < MOST_REPEATS && status == TP_OK && *found) {
+    const double raised = took > 0 ? ceil((double)repeats * sample_s / took) : INFINITY;
+    repeats = (long)fmax(2.0 * (double)repeats, fmin(8.0 * (double)repeats, raised));
     took = time_repeats(&status, degrees, found, way, rung, repeats);
-  }
-  if (took > 0 && took < sample_s && status == TP_OK && *found) {
-    repeats = (long)ceil((double)repeats * sample_s / took);
   }
   for (int s = 0; s < count && status == TP_OK && *found; s++) {
     samples[s] = time_repeats(&status, degrees, found, way, rung, repeats) / (double)repeats;
