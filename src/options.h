@@ -11,9 +11,11 @@
 #include "message.h"
 
 /* Beside the defaults of a struct of options: it ends with its last field. In padding behind it an
- * older program leaves what it likes, and a field that were added there would read that. */
+ * older program leaves what it likes, and a field that were added there would read that. Where a
+ * pointer has 32 bits it may: there the library is built into its program. */
 #define TP_OPTIONS_END(type, last)                                                                 \
-  _Static_assert(offsetof(type, last) + sizeof(((type *)NULL)->last) == sizeof(type),              \
+  _Static_assert(offsetof(type, last) + sizeof(((type *)NULL)->last) == sizeof(type) ||            \
+                     sizeof(void *) < 8,                                                           \
                  #type " ends in padding")
 
 /* The first `size` bytes of `defaults`, which know their size; what the caller has beyond is zero,

@@ -98,23 +98,39 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
+/* Seconds that so many evaluations take together. */
+static double time_repeats(tp_status *status, arb_t degrees, bool *found,
+                           const tp_accuracy_way *way, tp_rung rung, long repeats) {
+  const double began = tp_clock_now();
+  for (long k = 0; k < repeats && *status == TP_OK; k++) {
+    *status = way->evaluate(degrees, found, way->subject, rung);
+  }
+  return tp_clock_now() - began;
+}
+
 /* Seconds of one evaluation: the median of seven samples of at least 2 ms, of fewer where one alone
- * takes long. `degrees` and `*found` are those of the last. */
+ * takes long. How many evaluations that is, a run of them tells that takes a sixteenth of it: a
+ * clock may tick by a tenth of a millisecond, as browsers' do, and then one alone seems to take no
+ * time. `degrees` and `*found` are those of the last. */
 static tp_status time_way(double *seconds, arb_t degrees, bool *found, const tp_accuracy_way *way,
                           tp_rung rung) {
-  enum { MOST_SAMPLES = 7 };
+  enum { MOST_SAMPLES = 7, MOST_REPEATS = 1 << 24 };
   static const double sample_s = 2e-3, long_s = 0.1, very_long_s = 1;
-  double samples[MOST_SAMPLES], began = tp_clock_now();
-  tp_status status = way->evaluate(degrees, found, way->subject, rung);
-  const double once = tp_clock_now() - began;
+  double samples[MOST_SAMPLES];
+  tp_status status = TP_OK;
+  const double once = time_repeats(&status, degrees, found, way, rung, 1);
   const int count = once > very_long_s ? 0 : once > long_s ? 2 : MOST_SAMPLES;
-  const long repeats = once < sample_s ? (long)ceil(sample_s / fmax(once, 1e-8)) : 1;
+  long repeats = 1;
+  double took = once;
+  while (took < sample_s / 16 && repeats < MOST_REPEATS && status == TP_OK && *found) {
+    repeats *= 8;
+    took = time_repeats(&status, degrees, found, way, rung, repeats);
+  }
+  if (took > 0 && took < sample_s && status == TP_OK && *found) {
+    repeats = (long)ceil((double)repeats * sample_s / took);
+  }
   for (int s = 0; s < count && status == TP_OK && *found; s++) {
-    began = tp_clock_now();
-    for (long k = 0; k < repeats && status == TP_OK; k++) {
-      status = way->evaluate(degrees, found, way->subject, rung);
-    }
-    samples[s] = (tp_clock_now() - began) / (double)repeats;
+    samples[s] = time_repeats(&status, degrees, found, way, rung, repeats) / (double)repeats;
   }
   qsort(samples, (size_t)count, sizeof *samples, compare);
   *seconds = count > 0 ? samples[count / 2] : once;

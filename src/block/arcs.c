@@ -3,6 +3,7 @@
 
 #include "block/arcs.h"
 
+#include "block/arc_begins.h"
 #include "block/check_ring.h"
 #include "block/circle.h"
 #include "grow.h"
@@ -101,20 +102,6 @@ static bool add_arc(tp_arc_tips *tips, tp_polyline *ring, const tp_circle_arc *a
   return done;
 }
 
-/* The arc of an edge of the outline, or NULL. */
-static const tp_arc_description *find_arc(const tp_block_description *block,
-                                          const tp_polyline *outline, long edge) {
-  const long next = edge + 1 == outline->count ? 0 : edge + 1;
-  const long own = outline->reversed ? next : edge; /* the end that its author names */
-  for (long k = 0; k < block->arc_count; k++) {
-    if (fmpq_equal(block->arcs[k].x.value, outline->x + own) &&
-        fmpq_equal(block->arcs[k].y.value, outline->y + own)) {
-      return block->arcs + k;
-    }
-  }
-  return NULL;
-}
-
 /* A point that the arc goes through: given, or the middle of the chord moved outwards by half of
  * the bulge times the chord. */
 static void set_through(tp_point *m, const tp_circle_arc *a, const tp_arc_description *d) {
@@ -191,10 +178,12 @@ static tp_status build(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *
                        const tp_block_description *block, int fineness, tp_message *message) {
   begin(ring, outline);
   begin(&tips->other, outline);
-  tp_status status = TP_OK;
+  tp_arc_begins begins;
+  tp_status status =
+      tp_arc_begins_init(&begins, block) ? TP_OK : tp_fail_memory(message, "the arcs");
   long found = 0;
   for (long k = 0; k < outline->count && status == TP_OK; k++) {
-    const tp_arc_description *d = find_arc(block, outline, k);
+    const tp_arc_description *d = tp_arc_begins_find(&begins, outline, k);
     found += d != NULL;
     status = add_edge(tips, ring, outline, k, d, fineness, message);
   }
@@ -202,6 +191,7 @@ static tp_status build(tp_arc_tips *tips, tp_polyline *ring, const tp_polyline *
     status = tp_fail(message, TP_BAD_INPUT, block->arcs[0].place,
                      "an arc begins in no vertex of the outline, or two begin in the same");
   }
+  tp_arc_begins_clear(&begins);
   if (status != TP_OK) {
     tp_polyline_clear(ring);
     tp_arc_tips_clear(tips);

@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -66,7 +67,7 @@ static void share_out(work *w, int threads) {
 /* Blocks pairwise: level k holds the sum of 2^k blocks where bit k of `filled` is set. */
 static void join_blocks(double rows[TP_ROW_COUNT], const work *w) {
   double levels[LEVELS][TP_ROW_COUNT];
-  unsigned long filled = 0;
+  uint64_t filled = 0;
   for (long block = 0; block < w->block_count; block++) {
     if (w->results != NULL) {
       memcpy(rows, w->results[block], sizeof w->results[block]);

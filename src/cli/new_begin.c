@@ -100,7 +100,9 @@ tp_status tp_cli_new_scene_of(tp_cli_new_scene *scene, const char *file, const c
   if (drawing) scene->outline[0] = '\0';
   if (drawing && scene->title[0] == '\0') {
     const char *slash = strrchr(name, '/');
-    snprintf(scene->title, TP_CLI_ANSWER, "Drawn in %.200s", slash != NULL ? slash + 1 : name);
+    char drawn_in[TP_CLI_ANSWER];
+    snprintf(drawn_in, sizeof drawn_in, "Drawn in %.200s", slash != NULL ? slash + 1 : name);
+    memcpy(scene->title, drawn_in, sizeof drawn_in);
   }
   return TP_OK;
 }

@@ -43,7 +43,8 @@ static bool has_objects(const char *path) {
 }
 
 bool tp_cli_is_drawing(const char *path) {
-  static const char *const endings[] = {".dxf", ".svg", ".wkt", ".geojson", ".json"};
+  static const char *const endings[] = {".dxf",  ".svg", ".wkt", ".geojson",
+                                        ".json", ".shp", ".gpkg"};
   const char *ending = strrchr(path, '.');
   if (ending == NULL) return false;
   for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++) {

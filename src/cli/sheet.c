@@ -40,6 +40,17 @@ tp_status tp_cli_sheet_options(tp_sheet_options *options, tp_cli_date *date, tp_
   return status;
 }
 
+tp_status tp_cli_solve_for_sheet(tp_solution **solution, const tp_scene *scene,
+                                 const tp_solve_options *options, tp_message *message) {
+  tp_solve_options own = *options;
+  own.pivots = TP_PIVOTS_ALL;
+  own.elements = true;
+  tp_status status = tp_solve(solution, scene, &own, message);
+  if (status != TP_BAD_INPUT) return status;
+  own.elements = false;
+  return tp_solve(solution, scene, &own, message);
+}
+
 void tp_cli_take_sheet(const char **path, const char *word, struct argp_state *state) {
   if (!tp_sheet_is_file_name(word)) {
     tp_cli_refuse(state, "--report takes a file that ends in .html, .md or .pdf, not '%s'", word);

@@ -17,6 +17,11 @@ typedef struct tp_cli_date {
 TP_MUST_USE tp_status tp_cli_sheet_options(tp_sheet_options *options, tp_cli_date *date,
                                            tp_message *message);
 
+/* Solved with what a sheet shows beside what the options say: all pivots, and the account by
+ * elements where there is one, which blocks with rounded corners have not. */
+TP_MUST_USE tp_status tp_cli_solve_for_sheet(tp_solution **solution, const tp_scene *scene,
+                                             const tp_solve_options *options, tp_message *message);
+
 /* The word of --report: refused where it is no name of a sheet. */
 void tp_cli_take_sheet(const char **path, const char *word, struct argp_state *state);
 

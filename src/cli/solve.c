@@ -134,17 +134,15 @@ static tp_status print_found(const tp_scene *scene, const tp_solution *solution,
 static tp_status solve_scene(tp_solution **solution, tp_scene **scene, const char *path,
                              const tp_solve_words *a, tp_message *message) {
   tp_solve_options solve = tp_solve_options_default();
-  solve.elements = a->elements || a->report != NULL;
+  solve.elements = a->elements;
   solve.digits = a->digits;
   solve.level = a->level;
   solve.pivots = a->figure != NULL || a->report != NULL ? TP_PIVOTS_ALL : a->pivots;
   tp_status status = tp_cli_read_scene(scene, path, &a->settings, message);
-  if (status == TP_OK) status = tp_solve(solution, *scene, &solve, message);
-  if (status == TP_BAD_INPUT && *scene != NULL && solve.elements && !a->elements) {
-    solve.elements = false; /* of rounded corners: the report goes without that account */
-    status = tp_solve(solution, *scene, &solve, message);
-  }
-  return status;
+  if (status != TP_OK) return status;
+  return a->report != NULL && !a->elements
+             ? tp_cli_solve_for_sheet(solution, *scene, &solve, message)
+             : tp_solve(solution, *scene, &solve, message);
 }
 
 /* ---- several scenes ----------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 #include "cli/library.h"
 #include "cli/new_answers.h"
+#include "cli/sheet.h"
 
 #include <dlfcn.h>
 #include <math.h>
@@ -27,6 +28,7 @@ enum {
   KEY_PLUMB,
   KEY_TOLERANCE,
   KEY_FIGURE,
+  KEY_REPORT,
   KEY_BETWEEN,
   KEY_UNIT_WEIGHT,
   KEY_THICKNESS,
@@ -37,7 +39,7 @@ enum {
 enum { TITLE, UNIT_WEIGHT, THICKNESS, FRICTION, OF_ROCK };
 
 typedef struct arguments {
-  const char *image, *scene, *figure, *unit, *rock[OF_ROCK];
+  const char *image, *scene, *figure, *report, *unit, *rock[OF_ROCK];
   double around[2 * MOST_POINTS], scale[5], plumb[4], between[4], tolerance;
   size_t corners;
   bool scaled, plumbed, ended, json;
@@ -71,6 +73,10 @@ static const struct argp_option options[] = {
      "Friction angle of the contact; without it the scene has none, and sliding is not judged", 0},
     {"output", 'o', "FILE", 0, "Write the scene to FILE and print what was found", 0},
     {"figure", KEY_FIGURE, "FILE", 0, "Lay the outline and its band over the picture, in a .png",
+     0},
+    {"report", KEY_REPORT, "FILE", 0,
+     "Solve the scene, too, and write a calculation sheet to check and sign into FILE, .html, .pdf "
+     "or .md; with --output",
      0},
     {"json", 'j', NULL, 0, "Print what was found as JSON", 0},
     {0}};
@@ -169,6 +175,8 @@ static void check(const arguments *a, const struct argp_state *state) {
     tp_cli_refuse(state, "--figure takes a file whose name ends in .png, not '%s'", figure);
   } else if (a->json && a->scene == NULL) {
     tp_cli_refuse(state, "--json prints in place of the scene: name a file for that by --output");
+  } else if (a->report != NULL && a->scene == NULL) {
+    tp_cli_refuse(state, "a report is of a scene in a file: name one by --output");
   }
 }
 
@@ -189,6 +197,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case KEY_TOLERANCE:
     read_tolerance(a, argument, state);
+    return 0;
+  case KEY_REPORT:
+    tp_cli_take_sheet(&a->report, argument, state);
     return 0;
   case 't':
     a->rock[TITLE] = argument;
@@ -241,6 +252,23 @@ static const struct argp parser = {
 /* ---- work --------------------------------------------------------------------------------------
  */
 
+static tp_status write_report(const arguments *a, tp_message *message) {
+  tp_scene *scene = NULL;
+  tp_solution *solution = NULL;
+  tp_sheet_options sheet;
+  tp_cli_date date;
+  const tp_solve_options solve = tp_solve_options_default();
+  tp_status status = tp_cli_sheet_options(&sheet, &date, message);
+  if (status == TP_OK) status = tp_scene_read(&scene, a->scene, message);
+  if (status == TP_OK) status = tp_cli_solve_for_sheet(&solution, scene, &solve, message);
+  if (status == TP_OK) {
+    status = tp_cli_write_sheet(a->report, scene, solution, &sheet, message);
+  }
+  tp_solution_free(solution);
+  tp_scene_free(scene);
+  return status;
+}
+
 static tp_status trace(const void *words, int *ended, tp_message *message) {
   const arguments *a = words;
   trace_function run = NULL;
@@ -256,11 +284,11 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
              why != NULL ? why : "no reason is given");
     return TP_DEPENDENCY_FAILED;
   }
-  const tp_status status =
-      run(&report, a->image, a->around, a->corners, a->scale, a->plumbed ? a->plumb : NULL,
-          a->ended ? a->between : NULL, a->tolerance, a->unit, a->rock, a->scene, a->figure,
-          a->json, message);
-  return tp_cli_print_report(status, report, ended);
+  tp_status status = run(&report, a->image, a->around, a->corners, a->scale,
+                         a->plumbed ? a->plumb : NULL, a->ended ? a->between : NULL, a->tolerance,
+                         a->unit, a->rock, a->scene, a->figure, a->json, message);
+  status = tp_cli_print_report(status, report, ended);
+  return status == TP_OK && *ended == 0 && a->report != NULL ? write_report(a, message) : status;
 }
 
 int tp_cli_trace(int argc, char **argv) {

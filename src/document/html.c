@@ -89,10 +89,22 @@ static void add_figure(tp_text *t, const tp_passage *passage) {
   tp_text_add(t, "</figure>\n");
 }
 
+/* Many lines of a word or a number each, as a DXF has them: they stand in columns. */
+static bool is_narrow(const char *text) {
+  enum { FEW_LINES = 24, NARROW = 24 };
+  long lines = 0;
+  for (; *text != '\0'; lines++) {
+    const size_t length = strcspn(text, "\n");
+    if (length > NARROW) return false;
+    text += length + (text[length] == '\n');
+  }
+  return lines > FEW_LINES;
+}
+
 /* Line by line: what a line is stays one. */
 static void add_listing(tp_text *t, const tp_passage *passage) {
   const char *at = passage->text;
-  tp_text_add(t, "<pre tabindex=\"0\"><code>");
+  tp_text_add(t, "<pre tabindex=\"0\"%s><code>", is_narrow(at) ? " class=\"narrow\"" : "");
   while (*at != '\0') {
     const size_t length = strcspn(at, "\n");
     char *line = strndup(at, length);

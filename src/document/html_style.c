@@ -44,6 +44,7 @@ const char tp_html_style[] =
     "figcaption{font-style:italic;font-size:.875rem;padding:.2rem 0}\n"
     "pre{background:var(--tint);border:1px solid var(--line);padding:.6rem;font-size:.8rem;"
     "line-height:1.4}\n"
+    ".narrow{columns:7.5rem;column-gap:1rem}\n"
     "footer{border-top:1px solid var(--line);margin-top:2rem;font-size:.8rem}\n"
     "@page{size:A4;margin:18mm 16mm}\n"
     "@media print{:root{--ink:#000;--page:#fff;--line:#777;--tint:#f2f2f2;--edge:#000}"
@@ -54,4 +55,4 @@ const char tp_html_style[] =
     "3.5pt}table{font-size:8pt;max-width:100%}pre{white-space:pre-wrap;overflow-wrap:anywhere}"
     "thead{display:table-header-group}tr,figure,.short,.answer,.caution,.equation{break-inside:"
     "avoid}"
-    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:200mm}}\n";
+    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:165mm}}\n";

@@ -3,6 +3,7 @@
 
 /* The block, the rock below it, and where they touch. */
 
+#include "figure/drawn_names.h"
 #include "figure/figure.h"
 
 #include <math.h>
@@ -97,7 +98,8 @@ void tp_figure_draw_block(const tp_panel *p) {
   cairo_fill(p->cr);
   for (size_t k = 0; k < shape->part_count; k++) {
     tp_view_path(p->cr, &p->view, shape->parts + k);
-    tp_figure_ink(p->cr, k % 2 == 0 ? TP_INK_PART : TP_INK_OTHER_PART);
+    const int tint = tp_part_tint(p->figure->problem->scene, (long)k);
+    tp_figure_ink(p->cr, tint == 0 ? TP_INK_PART : TP_INK_OTHER_PART);
     cairo_fill_preserve(p->cr);
     tp_figure_ink(p->cr, TP_INK_GREY);
     cairo_set_line_width(p->cr, 0.5);

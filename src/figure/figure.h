@@ -164,6 +164,11 @@ void tp_figure_font(cairo_t *cr, double size, bool bold);
 double tp_figure_text_width(cairo_t *cr, const char *text);
 void tp_figure_text(cairo_t *cr, double x, double y, const char *text);
 
+/* Cut a line that is wider, between two characters, in the font set. Its room is that of all lines.
+ */
+enum { TP_LINE_SIZE = 512 };
+void tp_figure_shorten(cairo_t *cr, char line[TP_LINE_SIZE], double width);
+
 /* A label in the middle of a box. */
 void tp_figure_text_in(cairo_t *cr, tp_box box, const char *text);
 
@@ -178,11 +183,12 @@ TP_MUST_USE bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figu
 TP_MUST_USE bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure,
                                    const tp_state *state, double x, double width);
 
-/* The pivots, and the legend; where they end. */
+/* The pivots; where they end. The legend, from *y down to where it moves *y; false when memory is
+ * exhausted. */
 double tp_figure_table(cairo_t *cr, const tp_figure *figure, const tp_state *state, double x,
                        double y, double width);
-double tp_figure_legend(cairo_t *cr, const tp_figure *figure, double scale, double x, double y,
-                        double width);
+TP_MUST_USE bool tp_figure_legend(double *y, cairo_t *cr, const tp_figure *figure, double scale,
+                                  double x, double width);
 
 /* The whole page, and its height. False when memory is exhausted. */
 #define TP_FIGURE_MARGIN 14.0

@@ -3,6 +3,7 @@
 
 /* The scale bar, and what the colours and signs mean: those that the figure uses. */
 
+#include "figure/drawn_names.h"
 #include "figure/figure.h"
 
 #include <math.h>
@@ -100,8 +101,26 @@ static void draw_swatch(cairo_t *cr, const entry *e, double x, double y) {
   cairo_restore(cr);
 }
 
-double tp_figure_legend(cairo_t *cr, const tp_figure *figure, double scale, double x, double y,
-                        double width) {
+/* Where an entry ends on its line; before it a new one where it does not fit. */
+static double draw_entry(double *y, cairo_t *cr, const entry *e, double at, double x,
+                         double width) {
+  char text[TP_LINE_SIZE];
+  snprintf(text, sizeof text, "%s", e->text);
+  tp_figure_font(cr, TP_BODY_SIZE, false);
+  tp_figure_shorten(cr, text, width - SWATCH_WIDTH);
+  const double needed = SWATCH_WIDTH + tp_figure_text_width(cr, text);
+  if (at > x && at + needed > x + width) {
+    at = x;
+    *y += PITCH;
+  }
+  draw_swatch(cr, e, at, *y);
+  tp_figure_ink(cr, TP_INK_BLACK);
+  tp_figure_text(cr, at + SWATCH_WIDTH, *y, text);
+  return at + needed + 10;
+}
+
+static void draw_legend(double *y, cairo_t *cr, const tp_figure *figure,
+                        const tp_drawn_names *names, double scale, double x, double width) {
   bool reacts = false, turns = false, combined = false, governs = false;
   for (size_t k = 0; k < figure->panel_count; k++) {
     const tp_state *s = figure->states + k;
@@ -111,38 +130,42 @@ double tp_figure_legend(cairo_t *cr, const tp_figure *figure, double scale, doub
     governs = governs || s->own->has_governing;
   }
   const tp_loads_description *loads = &figure->problem->scene->loads;
-  const entry entries[] = {{true, TINT, TP_INK_BLOCK, "block"},
-                           {figure->shape.part_count > 0, TINT, TP_INK_PART, "of other density"},
-                           {figure->shape.part_count > 1, TINT, TP_INK_OTHER_PART, "of another"},
-                           {figure->shape.elements.count > 0, THIN, TP_INK_GREY, "element"},
-                           {true, TINT, TP_INK_ROCK, "base"},
-                           {figure->shape.contact.count > 0, LINE, TP_INK_GREEN, "contact"},
-                           {true, CENTROID, TP_INK_BLACK, "centroid"},
-                           {true, ARROW, TP_INK_BLACK, "weight W"},
-                           {combined, ARROW, TP_INK_ORANGE, "weight and loads"},
-                           {reacts, ARROW, TP_INK_BLUE, "reaction R of the base"},
-                           {reacts, DASHES, TP_INK_GREY, "line of action"},
-                           {turns, CROSS, TP_INK_VERMILION, "centre of rotation"},
-                           {true, DISC, TP_INK_WHITE, "pivot"},
-                           {governs, DISC, TP_INK_VERMILION, "governing pivot"},
-                           {loads->water.given, TINT, TP_INK_SKY, "water pressure"},
-                           {loads->anchor_count > 0, ARROW, TP_INK_PURPLE, "anchor"},
-                           {loads->pressure_count + loads->surcharge_count > 0, ARROW,
-                            TP_INK_PURPLE, "pressure or surcharge"}};
-  double at = x + scale_bar(cr, figure, scale, x, y + PITCH) + 14;
-  y += PITCH;
+  const tp_drawn *drawn = figure->problem->scene->drawn;
+  const entry entries[] = {
+      {true, TINT, TP_INK_BLOCK, names->block.data},
+      {drawn != NULL && drawn->hole_count > 0, TINT, TP_INK_WHITE, names->hole.data},
+      {names->has_part[0], TINT, TP_INK_PART, names->parts[0].data},
+      {names->has_part[1], TINT, TP_INK_OTHER_PART, names->parts[1].data},
+      {figure->shape.elements.count > 0, THIN, TP_INK_GREY, "element"},
+      {true, TINT, TP_INK_ROCK, names->base.data},
+      {figure->shape.contact.count > 0, LINE, TP_INK_GREEN, "contact"},
+      {true, CENTROID, TP_INK_BLACK, "centroid"},
+      {true, ARROW, TP_INK_BLACK, "weight W"},
+      {combined, ARROW, TP_INK_ORANGE, "weight and loads"},
+      {reacts, ARROW, TP_INK_BLUE, "reaction R of the base"},
+      {reacts, DASHES, TP_INK_GREY, "line of action"},
+      {turns, CROSS, TP_INK_VERMILION, "centre of rotation"},
+      {true, DISC, TP_INK_WHITE, "pivot"},
+      {governs, DISC, TP_INK_VERMILION, "governing pivot"},
+      {loads->water.given, TINT, TP_INK_SKY, "water pressure"},
+      {loads->anchor_count > 0, ARROW, TP_INK_PURPLE, "anchor"},
+      {loads->pressure_count + loads->surcharge_count > 0, ARROW, TP_INK_PURPLE,
+       "pressure or surcharge"}};
+  *y += PITCH;
+  double at = x + scale_bar(cr, figure, scale, x, *y) + 14;
   for (size_t k = 0; k < sizeof entries / sizeof entries[0]; k++) {
-    if (!entries[k].shown) continue;
-    tp_figure_font(cr, TP_BODY_SIZE, false);
-    const double needed = SWATCH_WIDTH + tp_figure_text_width(cr, entries[k].text);
-    if (at > x && at + needed > x + width) {
-      at = x;
-      y += PITCH;
-    }
-    draw_swatch(cr, entries + k, at, y);
-    tp_figure_ink(cr, TP_INK_BLACK);
-    tp_figure_text(cr, at + SWATCH_WIDTH, y, entries[k].text);
-    at += needed + 10;
+    if (entries[k].shown) at = draw_entry(y, cr, entries + k, at, x, width);
   }
-  return y + 2;
+  *y += 2;
+  if (names->unused.length == 0) return;
+  *y = tp_figure_paragraph(cr, x, *y + 3, width, TP_BODY_SIZE, false, names->unused.data);
+}
+
+bool tp_figure_legend(double *y, cairo_t *cr, const tp_figure *figure, double scale, double x,
+                      double width) {
+  tp_drawn_names names;
+  const bool done = tp_drawn_names_init(&names, figure->problem->scene);
+  if (done) draw_legend(y, cr, figure, &names, scale, x, width);
+  tp_drawn_names_clear(&names);
+  return done;
 }

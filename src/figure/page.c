@@ -153,7 +153,8 @@ bool tp_figure_page(double *height, cairo_t *cr, const tp_figure *figure) {
     const double x = left + (double)k * (width + GAP);
     below[k] = tp_figure_table(cr, figure, figure->states + k, x, y, width);
   }
-  y = tp_figure_legend(cr, figure, scale, left, fmax(below[0], below[1]) + 4, all);
+  y = fmax(below[0], below[1]) + 4;
+  if (!tp_figure_legend(&y, cr, figure, scale, left, all)) return false;
   y = add_cautions(cr, figure, left, y, all);
   *height = y + left;
   return true;

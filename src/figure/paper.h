@@ -51,6 +51,7 @@ enum { TP_PAPER_LINE = 512 };
 bool tp_paper_line(cairo_t *cr, char line[TP_PAPER_LINE], const char **text, double width);
 
 void tp_paper_add_table(tp_paper *paper, const tp_passage *passage);
+void tp_paper_add_listing(tp_paper *paper, const char *text);
 void tp_paper_add_equation(tp_paper *paper, const char *equation);
 
 /* The document as PDF. */

@@ -10,15 +10,16 @@
 
 #include <cairo-pdf.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define TEXT_SIZE 9.0
-#define LISTING_SIZE 7.0
 
-/* Below a heading; the height of a figure, of the page's. */
-static const double after_heading = 100, figure_share = 0.62;
+/* Below a heading; the height of a figure, of the page's; by how much it may be smaller to stand on
+ * the page where it is spoken of; its caption. */
+static const double after_heading = 100, figure_share = 0.62, smaller = 0.78, caption = 20;
 
 /* A paragraph, line by line; with a bar before it where it is set off: a double one of a caution.
  */
@@ -62,32 +63,6 @@ static void add_heading(tp_paper *p, const char *text, int level, double after) 
   p->y += 3;
 }
 
-/* In letters of one width, each line of the file cut where the page ends. */
-static void add_listing(tp_paper *p, const char *text) {
-  cairo_t *cr = p->cr;
-  const double step = TP_LINE_HEIGHT * LISTING_SIZE;
-  while (*text != '\0') {
-    size_t length = strcspn(text, "\n");
-    size_t left = length;
-    do {
-      char line[TP_PAPER_LINE];
-      tp_paper_need(p, step);
-      tp_figure_ink(cr, TP_INK_BLACK);
-      cairo_select_font_face(cr, "DejaVu Sans Mono", CAIRO_FONT_SLANT_NORMAL,
-                             CAIRO_FONT_WEIGHT_NORMAL);
-      cairo_set_font_size(cr, LISTING_SIZE);
-      const size_t part = left > 0 ? tp_paper_fitting(cr, text, left, TP_PAPER_ROOM) : 0;
-      snprintf(line, sizeof line, "%.*s", (int)part, text);
-      tp_figure_text(cr, TP_PAPER_LEFT, p->y + LISTING_SIZE, line);
-      p->y += step;
-      text += part;
-      left -= part;
-    } while (left > 0);
-    text += *text == '\n';
-  }
-  p->y += 4;
-}
-
 typedef struct source {
   const char *bytes;
   size_t left;
@@ -107,31 +82,49 @@ static void draw_png(cairo_t *cr, cairo_surface_t *image) {
   cairo_paint(cr);
 }
 
-/* As wide as the page, or as high as two thirds of it. */
+/* Of a PNG by its head, of a figure of our own; 0: neither is there. */
+static void measure_figure(double *width, double *height, const tp_paper *p,
+                           const tp_passage *passage) {
+  const unsigned char *head = (const unsigned char *)passage->picture.png;
+  *width = p->drawing->width;
+  *height = p->drawing->height;
+  if (head == NULL) return;
+  uint32_t sides[2] = {0, 0};
+  for (int k = 0; k < 8 && passage->picture.png_length >= 24; k++) {
+    sides[k / 4] = sides[k / 4] << 8 | head[16 + k];
+  }
+  *width = sides[0];
+  *height = sides[1];
+}
+
+/* As wide as the page, or as high as a share of it. */
+static double figure_scale(double width, double height) {
+  return fmin(TP_PAPER_ROOM / width, figure_share * TP_PAPER_HEIGHT / height);
+}
+
 static void add_figure(tp_paper *p, const tp_passage *passage) {
+  double width = 0, height = 0;
   cairo_surface_t *image = NULL;
-  tp_vector_picture own = *p->drawing;
+  measure_figure(&width, &height, p, passage);
   if (passage->picture.png != NULL) {
     source from = {passage->picture.png, passage->picture.png_length};
     image = cairo_image_surface_create_from_png_stream(read_bytes, &from);
     if (cairo_surface_status(image) != CAIRO_STATUS_SUCCESS) p->why = cairo_surface_status(image);
-    own = (tp_vector_picture){.width = cairo_image_surface_get_width(image),
-                              .height = cairo_image_surface_get_height(image)};
   }
-  if (own.width > 0 && own.height > 0) {
-    const double scale =
-        fmin(TP_PAPER_ROOM / own.width, figure_share * TP_PAPER_HEIGHT / own.height);
-    tp_paper_need(p, scale * own.height + 20);
+  if (width > 0 && height > 0) {
+    double scale = figure_scale(width, height);
+    tp_paper_need(p, smaller * scale * height + caption);
+    scale = fmin(scale, (TP_PAPER_BOTTOM - p->y - caption) / height);
     cairo_save(p->cr);
     cairo_translate(p->cr, TP_PAPER_LEFT, p->y);
     cairo_scale(p->cr, scale, scale);
     if (image != NULL) {
       draw_png(p->cr, image);
-    } else if (!own.draw(p->cr, own.context)) {
+    } else if (!p->drawing->draw(p->cr, p->drawing->context)) {
       p->why = CAIRO_STATUS_NO_MEMORY;
     }
     cairo_restore(p->cr);
-    p->y += scale * own.height + 4;
+    p->y += scale * height + 4;
   }
   if (image != NULL) cairo_surface_destroy(image);
   add_paragraph(p, passage->text, TP_BODY_SIZE, false, 0);
@@ -140,10 +133,13 @@ static void add_figure(tp_paper *p, const tp_passage *passage) {
 /* What a heading has below it on its page: some lines, a heading with its own, a whole figure. */
 static double room_after(const tp_paper *p, const tp_passage *passage) {
   const tp_passage *next = passage + 1;
+  double width = 0, height = 0;
   const bool last = next == p->document->passages + p->document->count;
   if (!last && next->kind == TP_PASSAGE_HEADING) return 1.4 * after_heading;
-  if (!last && next->kind == TP_PASSAGE_FIGURE) return figure_share * TP_PAPER_HEIGHT + 20;
-  return after_heading;
+  if (last || next->kind != TP_PASSAGE_FIGURE) return after_heading;
+  measure_figure(&width, &height, p, next);
+  if (width <= 0 || height <= 0) return after_heading;
+  return smaller * figure_scale(width, height) * height + 2 * caption;
 }
 
 /* An equation stands below the words that lead to it. */
@@ -179,7 +175,7 @@ static void add_passage(tp_paper *p, const tp_passage *passage) {
     add_figure(p, passage);
     return;
   case TP_PASSAGE_LISTING:
-    add_listing(p, passage->text);
+    tp_paper_add_listing(p, passage->text);
     return;
   }
 }

@@ -33,21 +33,18 @@ void tp_figure_text_in(cairo_t *cr, tp_box box, const char *text) {
                  (box.y0 + box.y1 - extents.height) / 2 - extents.y_bearing, text);
 }
 
-enum { LINE_SIZE = 512 };
-
-/* Cut a word that alone is wider than the page, between two characters of UTF-8. */
-static void shorten(cairo_t *cr, char line[LINE_SIZE], double width) {
+void tp_figure_shorten(cairo_t *cr, char line[TP_LINE_SIZE], double width) {
   size_t length = strlen(line);
   while (length > 0 && tp_figure_text_width(cr, line) > width) {
     length--;
     while (length > 0 && ((unsigned char)line[length] & 0xC0) == 0x80) length--;
-    snprintf(line + length, LINE_SIZE - length, "…");
+    snprintf(line + length, TP_LINE_SIZE - length, "…");
   }
 }
 
 /* Append a word, control characters as spaces; a word that does not fit in memory is cut. */
-static void append(char line[LINE_SIZE], const char *word, size_t length) {
-  const size_t own = strlen(line), room = LINE_SIZE - 8 - own;
+static void append(char line[TP_LINE_SIZE], const char *word, size_t length) {
+  const size_t own = strlen(line), room = TP_LINE_SIZE - 8 - own;
   if (length > room) {
     length = room;
     while (length > 0 && ((unsigned char)word[length] & 0xC0) == 0x80) length--;
@@ -58,7 +55,7 @@ static void append(char line[LINE_SIZE], const char *word, size_t length) {
 
 double tp_figure_paragraph(cairo_t *cr, double x, double y, double width, double size, bool bold,
                            const char *text) {
-  char line[LINE_SIZE] = "", longer[LINE_SIZE];
+  char line[TP_LINE_SIZE] = "", longer[TP_LINE_SIZE];
   tp_figure_font(cr, size, bold);
   const char *word = text;
   for (;;) {
@@ -71,7 +68,7 @@ double tp_figure_paragraph(cairo_t *cr, double x, double y, double width, double
     if (length > 0 && (line[0] == '\0' || tp_figure_text_width(cr, longer) <= width)) {
       memcpy(line, longer, sizeof line);
     } else if (line[0] != '\0') {
-      shorten(cr, line, width);
+      tp_figure_shorten(cr, line, width); /* a word that alone is wider than the page */
       tp_figure_text(cr, x, y + size, line);
       y += TP_LINE_HEIGHT * size;
       line[0] = '\0';

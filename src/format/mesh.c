@@ -5,6 +5,7 @@
 
 #include "grow.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -37,15 +38,16 @@ void tp_mesh_clear(tp_mesh *mesh) {
 /* ---- equal vertices ----------------------------------------------------------------------------
  */
 
-static unsigned long mix(unsigned long hash, const fmpz *part) {
-  const unsigned long prime = 0xffffffffffffffc5UL; /* below 2^64 */
-  const unsigned long own = fmpz_fdiv_ui(part, prime);
-  hash = (hash ^ own) * 0x9e3779b97f4a7c15UL;
+static uint64_t mix(uint64_t hash, const fmpz *part) {
+  /* the largest below 2^64, or below 2^32 where that is FLINT's word */
+  const ulong prime = (ulong)(FLINT_BITS == 64 ? 0xffffffffffffffc5 : 0xfffffffb);
+  const uint64_t own = fmpz_fdiv_ui(part, prime);
+  hash = (hash ^ own) * 0x9e3779b97f4a7c15;
   return hash ^ (hash >> 29);
 }
 
-static unsigned long hash_of(const fmpq *coordinates) {
-  unsigned long hash = 0;
+static uint64_t hash_of(const fmpq *coordinates) {
+  uint64_t hash = 0;
   for (int k = 0; k < 3; k++) {
     hash = mix(hash, fmpq_numref(coordinates + k));
     hash = mix(hash, fmpq_denref(coordinates + k));
@@ -59,8 +61,8 @@ static bool are_equal(const fmpq *a, const fmpq *b) {
 
 /* Where the vertex is, or is to be put. */
 static int *find_slot(const tp_mesh *mesh, const fmpq *coordinates) {
-  const unsigned long mask = (unsigned long)mesh->slot_count - 1;
-  unsigned long at = hash_of(coordinates) & mask;
+  const uint64_t mask = (uint64_t)mesh->slot_count - 1;
+  uint64_t at = hash_of(coordinates) & mask;
   while (mesh->slots[at] != 0 &&
          !are_equal(mesh->vertices + 3L * (mesh->slots[at] - 1), coordinates)) {
     at = (at + 1) & mask;

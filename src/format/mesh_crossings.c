@@ -5,6 +5,7 @@
 
 #include "grow.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 void tp_crossings_clear(tp_crossings *crossings) {
@@ -54,8 +55,8 @@ static void find_point(const tp_crossings *c, tp_crossing *own) {
 }
 
 static int *find_slot(const tp_crossings *c, int a, int b) {
-  const unsigned long mask = (unsigned long)c->slot_count - 1;
-  unsigned long at = ((unsigned long)a << 32 | (unsigned long)b) * 0x9e3779b97f4a7c15UL;
+  const uint64_t mask = (uint64_t)c->slot_count - 1;
+  uint64_t at = ((uint64_t)a << 32 | (uint64_t)b) * 0x9e3779b97f4a7c15;
   at = (at ^ (at >> 29)) & mask;
   while (c->slots[at] != 0 &&
          (c->items[c->slots[at] - 1].a != a || c->items[c->slots[at] - 1].b != b)) {

@@ -4,6 +4,7 @@
 #include "format/mesh_source.h"
 
 #include "number/ratio.h"
+#include "number/word.h"
 
 #include <limits.h>
 #include <math.h>
@@ -127,23 +128,24 @@ tp_status tp_mesh_read_coordinate(fmpq_t value, const tp_mesh_source *source, tp
 
 bool tp_mesh_read_whole(long *value, tp_mesh_word word) {
   size_t k = word.length > 0 && (word.text[0] == '-' || word.text[0] == '+');
-  long sum = 0;
+  int64_t sum = 0;
   if (k == word.length || word.length > 18) return false;
   for (; k < word.length; k++) {
     if (word.text[k] < '0' || word.text[k] > '9') return false;
     sum = 10 * sum + (word.text[k] - '0');
   }
-  *value = word.text[0] == '-' ? -sum : sum;
+  if (sum > LONG_MAX) return false;
+  *value = (long)(word.text[0] == '-' ? -sum : sum);
   return true;
 }
 
 bool tp_mesh_set_double(fmpq_t value, double number) {
   int exponent = 0;
   if (!isfinite(number)) return false;
-  long mantissa = (long)ldexp(frexp(number, &exponent), 53);
+  int64_t mantissa = (int64_t)ldexp(frexp(number, &exponent), 53);
   exponent -= 53;
   while (mantissa != 0 && mantissa % 2 == 0) mantissa /= 2, exponent++;
-  fmpz_set_si(fmpq_numref(value), mantissa);
+  tp_word_set(fmpq_numref(value), mantissa);
   fmpz_one(fmpq_denref(value));
   if (mantissa == 0) return true;
   fmpz *const side = exponent < 0 ? fmpq_denref(value) : fmpq_numref(value);

@@ -6,7 +6,6 @@
 #include "format/join.h"
 #include "outside.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,11 +18,6 @@ typedef struct choosing {
   tp_place place;
   tp_message *message;
 } choosing;
-
-const char *tp_drawing_role_name(tp_drawing_role role) {
-  static const char *const names[] = {"not used", "block", "base", "hole", "part"};
-  return names[role];
-}
 
 static bool bears(const tp_drawing_object *object, const char *word) {
   return strcasecmp(object->layer, word) == 0 || strcasecmp(object->name, word) == 0;
@@ -165,77 +159,8 @@ static tp_status choose_only(choosing *c) {
       tp_quote_all(c->words->block).text, base ? ", and the only open line for its base" : "");
 }
 
-/* ---- what each role must be --------------------------------------------------------------------
- */
-
-/* Of an open chain: how wide it gapes, and between which places. */
-static tp_status fail_open(const choosing *c, const tp_drawing_object *chain, const char *what) {
-  const tp_polyline *line = &chain->line;
-  const long last = line->count - 1;
-  double nearest = tp_drawing_distance(line, last, line, 0);
-  tp_place other = tp_polyline_place(line, 0);
-  for (long k = 0; k < c->choice->chains.count; k++) {
-    const tp_drawing_object *own = c->choice->chains.objects + k;
-    if (own == chain || own->closure != TP_DRAWING_OPEN || own->line.count == 0) continue;
-    for (int end = 0; end < 2; end++) {
-      const long point = end == 0 ? 0 : own->line.count - 1;
-      const double distance = tp_drawing_distance(line, last, &own->line, point);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      other = tp_polyline_place(&own->line, point);
-    }
-  }
-  char there[64];
-  tp_place_text(there, sizeof there, (tp_place){"", other.line, other.column});
-  return tp_fail(c->message, TP_BAD_INPUT, tp_polyline_place(line, last),
-                 "%s is open: from its end here to the nearest other end, at line %s, %.6g are "
-                 "missing; close it in the drawing, or say drawing: {gap: …}, not less than that",
-                 what, there + 1, nearest);
-}
-
-static tp_status check_chain(const choosing *c, const tp_drawing_object *chain,
-                             tp_drawing_role role) {
-  const char *what = role == TP_DRAWING_BLOCK  ? "the outline of the block"
-                     : role == TP_DRAWING_HOLE ? "a hole"
-                                               : "a part";
-  if (chain->problem != NULL) {
-    return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(chain), "this %s %s", chain->kind,
-                   chain->problem);
-  }
-  if (chain->line.count < 2) {
-    return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(chain),
-                   "this %s has fewer than two points", chain->kind);
-  }
-  if (role == TP_DRAWING_BASE) {
-    if (chain->closure != TP_DRAWING_CLOSED) return TP_OK;
-    return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(chain),
-                   "the base is a closed outline; it must be an open line from left to right");
-  }
-  return chain->closure == TP_DRAWING_OPEN ? fail_open(c, chain, what) : TP_OK;
-}
-
-/* The block is one outline, and the base one line. */
 static tp_status check_only(const choosing *c, tp_drawing_role role) {
-  const tp_drawing_object *first = NULL;
-  for (long k = 0; k < c->choice->chains.count; k++) {
-    const tp_drawing_object *own = c->choice->chains.objects + k;
-    if (c->choice->roles[k] != role) continue;
-    if (first == NULL) {
-      first = own;
-      continue;
-    }
-    char there[64];
-    tp_place_text(there, sizeof there,
-                  (tp_place){"", first->line.mark.line, first->line.mark.column});
-    return tp_fail(c->message, TP_BAD_INPUT, tp_drawing_place(own),
-                   role == TP_DRAWING_BLOCK
-                       ? "a second outline of the block, besides the one at line %s; put holes on "
-                         "the layer of holes, and other blocks on layers of their own"
-                       : "a second line of the base, which does not meet the one at line %s; join "
-                         "them, or say drawing: {gap: …}",
-                   there + 1);
-  }
-  return TP_OK;
+  return tp_role_check_only(&c->choice->chains, c->choice->roles, role, c->message);
 }
 
 /* Copies of inner rings lose their outer one, which is no object of the chains. */
@@ -262,26 +187,9 @@ static tp_status add_role(choosing *c, tp_drawing_role role, long part) {
     parts[k] = part;
   }
   for (long k = before; k < c->choice->chains.count && status == TP_OK; k++) {
-    status = check_chain(c, c->choice->chains.objects + k, role);
+    status = tp_role_check(&c->choice->chains, c->choice->chains.objects + k, role, c->message);
   }
   return status;
-}
-
-static bool same_point(const tp_polyline *line, long one, long other) {
-  return fmpq_equal(line->x + one, line->x + other) && fmpq_equal(line->y + one, line->y + other);
-}
-
-/* Closed where a role wants it; the base from left to right. */
-static bool finish_chain(tp_drawing_object *chain, tp_drawing_role role) {
-  tp_polyline *line = &chain->line;
-  if (role != TP_DRAWING_BASE) {
-    chain->closure = TP_DRAWING_CLOSED;
-    if (line->count > 2 && same_point(line, 0, line->count - 1)) tp_drawing_drop_point(chain);
-    return true;
-  }
-  chain->closure = TP_DRAWING_OPEN;
-  return line->count == 0 || fmpq_cmp(line->x, line->x + line->count - 1) <= 0 ||
-         tp_drawing_reverse(chain);
 }
 
 static tp_status choose(choosing *c) {
@@ -302,7 +210,7 @@ static tp_status choose(choosing *c) {
     status = add_role(c, TP_DRAWING_PART, k);
   }
   for (long k = 0; k < c->choice->chains.count && status == TP_OK; k++) {
-    if (!finish_chain(c->choice->chains.objects + k, c->choice->roles[k])) {
+    if (!tp_role_finish(c->choice->chains.objects + k, c->choice->roles[k])) {
       status = tp_fail_memory(c->message, "a drawing");
     }
   }

@@ -6,21 +6,12 @@
  * An object has the role whose word is its layer or its name, whatever the case of letters. Where
  * none has the block's, and the scene did not choose that word itself, the only closed outline is
  * the block and an only open line its base. Inner rings of the polygon that is the block are holes.
- * Pieces of a role are joined (format/join.h). The block is then one closed outline, the base one
- * open line that runs from left to right, holes and parts are closed; what is not says so. */
+ * Pieces of a role are joined (format/join.h) into chains that it takes (format/role.h). */
 
 #ifndef TP_ROLES_H
 #define TP_ROLES_H
 
-#include "format/drawing.h"
-
-typedef enum tp_drawing_role {
-  TP_DRAWING_UNUSED,
-  TP_DRAWING_BLOCK,
-  TP_DRAWING_BASE,
-  TP_DRAWING_HOLE,
-  TP_DRAWING_PART
-} tp_drawing_role;
+#include "format/role.h"
 
 /* The words of the roles. */
 typedef struct tp_drawing_words {
@@ -43,8 +34,5 @@ TP_MUST_USE tp_status tp_drawing_choose(tp_drawing_choice *choice, const tp_draw
                                         const tp_drawing_words *words, tp_place place,
                                         tp_message *message);
 void tp_drawing_choice_clear(tp_drawing_choice *choice);
-
-/* "block", "base", "hole", "part", "not used". */
-const char *tp_drawing_role_name(tp_drawing_role role);
 
 #endif

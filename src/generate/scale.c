@@ -8,6 +8,7 @@
 
 #include "generate/generate.h"
 #include "generate/ticks.h"
+#include "number/word.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,11 +18,14 @@ static const double least_rise = 1e-290;
 
 /* Decimals of a few digits, as most are, by words. */
 static double difference(const fmpq *to, const fmpq *from, fmpq_t room) {
-  static const long whole = 1L << 31;
-  const fmpz a = *fmpq_numref(to), b = *fmpq_denref(to);
-  const fmpz c = *fmpq_numref(from), d = *fmpq_denref(from);
-  if (labs(a) < whole && b < whole && labs(c) < whole && d < whole) {
-    return (double)(a * d - c * b) / (double)(b * d);
+  static const int64_t whole = INT64_C(1) << 31;
+  if (tp_word_is_small(fmpq_numref(to)) && tp_word_is_small(fmpq_denref(to)) &&
+      tp_word_is_small(fmpq_numref(from)) && tp_word_is_small(fmpq_denref(from))) {
+    const int64_t a = tp_word_get(fmpq_numref(to)), b = tp_word_get(fmpq_denref(to));
+    const int64_t c = tp_word_get(fmpq_numref(from)), d = tp_word_get(fmpq_denref(from));
+    if (llabs(a) < whole && b < whole && llabs(c) < whole && d < whole) {
+      return (double)(a * d - c * b) / (double)(b * d);
+    }
   }
   fmpq_sub(room, to, from);
   return fmpq_get_d(room);
@@ -70,7 +74,8 @@ bool tp_roughness_of(tp_roughness *roughness, const tp_polyline *line,
 static void set_double(fmpq_t value, double d) {
   int exponent = 0;
   const double part = frexp(d, &exponent);
-  fmpq_set_si(value, (slong)ldexp(part, 53), 1);
+  fmpq_one(value);
+  tp_word_set(fmpq_numref(value), (int64_t)ldexp(part, 53));
   if (exponent >= 53) {
     fmpq_mul_2exp(value, value, (flint_bitcnt_t)(exponent - 53));
   } else {

@@ -13,6 +13,7 @@
 #include "generate/random.h"
 #include "generate/ticks.h"
 #include "generate/waves.h"
+#include "number/word.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -139,7 +140,8 @@ static void find_rms(fmpq_t rms, const tp_self_affine_options *o, double own_rms
   }
   int exponent = 0;
   const double part = frexp(own_rms / own_z2, &exponent);
-  fmpq_set_si(rms, (slong)ldexp(part, 53), 1);
+  fmpq_one(rms);
+  tp_word_set(fmpq_numref(rms), (int64_t)ldexp(part, 53));
   if (exponent >= 53) {
     fmpq_mul_2exp(rms, rms, (flint_bitcnt_t)(exponent - 53));
   } else {

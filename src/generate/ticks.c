@@ -3,6 +3,8 @@
 
 #include "generate/ticks.h"
 
+#include "number/word.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -27,13 +29,13 @@ void tp_ticks_init(tp_ticks *ticks, const fmpq_t origin, const fmpq_t unit) {
     fmpz_divexact(part, below, fmpq_denref(origin));
     fmpz_mul(part, part, fmpq_numref(origin));
     const bool fits = fmpz_bits(part) <= BITS;
-    if (fits) ticks->first = fmpz_get_si(part);
+    if (fits) ticks->first = tp_word_get(part);
     fmpz_divexact(part, below, fmpq_denref(unit));
     fmpz_mul(part, part, fmpq_numref(unit));
     if (fits && fmpz_bits(part) <= BITS) {
-      ticks->each = fmpz_get_si(part);
+      ticks->each = tp_word_get(part);
       ticks->most = (INT64_C(1) << BITS) / llabs(ticks->each);
-      ticks->below = fmpz_get_si(below);
+      ticks->below = tp_word_get(below);
       ticks->twos = __builtin_ctzll((unsigned long long)ticks->below);
       ticks->other = ticks->below >> ticks->twos;
       while (ticks->other % 5 == 0) ticks->other /= 5;
@@ -79,15 +81,19 @@ static void set_words(fmpq_t value, const tp_ticks *ticks, int64_t above) {
     size /= shared;
     below /= shared;
   }
-  fmpz_set_si(fmpq_numref(value), above < 0 ? -size : size);
-  fmpz_set_si(fmpq_denref(value), below);
+  tp_word_set(fmpq_numref(value), above < 0 ? -size : size);
+  tp_word_set(fmpq_denref(value), below);
 }
 
 void tp_ticks_at(fmpq_t value, const tp_ticks *ticks, int64_t m) {
   if (ticks->below != 0 && llabs(m) <= ticks->most) {
     set_words(value, ticks, ticks->first + m * ticks->each);
   } else {
-    fmpq_mul_si(value, ticks->unit, m);
+    fmpz_t steps;
+    fmpz_init(steps);
+    tp_word_set(steps, m);
+    fmpq_mul_fmpz(value, ticks->unit, steps);
+    fmpz_clear(steps);
     fmpq_add(value, value, ticks->origin);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "number/ball.h"
 #include "number/binary.h"
+#include "number/word.h"
 
 #include <float.h>
 #include <math.h>
@@ -176,18 +177,18 @@ static void set_column(tp_scaled *s, const tp_cones *cones, long k, tp_vector *e
  * that err by w, by 2 (5 + 2 + 2) + 4 = 22 w. */
 static bool set_edges_in_double(tp_scaled *s, const tp_cones *cones, long point, doubles *d) {
   static const double error = 22 * (DBL_EPSILON / 2);
-  static const slong most = 1L << DBL_MANT_DIG;
+  static const int64_t most = INT64_C(1) << DBL_MANT_DIG;
   const fmpz *x = cones->tx + point, *y = cones->ty + point;
   double dx = 0, dy = 0;
   const long kind = cones->points[point].own;
   if (!away_in_double(&dx, &dy, d, cones, point)) return false;
   if (d->own != kind) set_friction(d, tp_cones_friction(cones, point), kind);
   if (!d->friction_known) return false;
-  if (fmpz_cmp_si(x, most) > 0 || fmpz_cmp_si(x, -most) < 0) return false;
-  if (fmpz_cmp_si(y, most) > 0 || fmpz_cmp_si(y, -most) < 0) return false;
+  if (!tp_word_is_small(x) || llabs(tp_word_get(x)) > most) return false;
+  if (!tp_word_is_small(y) || llabs(tp_word_get(y)) > most) return false;
   const double unit = ldexp(1, (int)-edge_exponent(cones, point, d->log2_friction));
   const double length = ldexp(1, (int)-s->length_exponent);
-  const double tx = (double)fmpz_get_si(x) * unit, ty = (double)fmpz_get_si(y) * unit;
+  const double tx = (double)tp_word_get(x) * unit, ty = (double)tp_word_get(y) * unit;
   for (int against = 0; against < 2; against++) {
     const double friction = against ? -d->friction : d->friction;
     double *own = s->columns[2 * point + against];

@@ -4,6 +4,7 @@
 #include "motion/normals.h"
 
 #include "number/ball.h"
+#include "number/word.h"
 
 #include <math.h>
 
@@ -15,7 +16,7 @@ double tp_normals_top(const arf_struct *middle, slong exponent) {
   ARF_GET_MPN_READONLY(limbs, count, middle);
   const slong own = ARF_EXP(middle) - exponent;
   if (own < -MOST / 2) return 0;
-  const double size = ldexp((double)limbs[count - 1], (int)(own > MOST ? MOST : own) - FLINT_BITS);
+  const double size = ldexp((double)tp_word_top(limbs, count), (int)(own > MOST ? MOST : own) - 64);
   return ARF_SGNBIT(middle) ? -size : size;
 }
 

@@ -6,6 +6,8 @@
 
 #include "motion/normals_order.h"
 
+#include "number/ball.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -76,8 +78,8 @@ static int sense_of(const fmpz *tx, const fmpz *ty) {
   return along != 0 ? along : fmpz_sgn(ty);
 }
 
-static long word_of(const arb_t whole) {
-  return arf_get_si(arb_midref(whole), ARF_RND_DOWN);
+static int64_t word_of(const arb_t whole) {
+  return (int64_t)tp_ball_nearest(arb_midref(whole));
 }
 
 static long tag_of(long point, bool is_short, bool is_against) {
@@ -170,10 +172,10 @@ int tp_normals_order_same_line(const tp_normals_order *order, long k, long other
 }
 
 /* As tp_normals_near does with balls: over the power of two next above the largest. */
-static void set_near(double near[3], const long h[3]) {
-  unsigned long all = 0;
-  for (int k = 0; k < 3; k++) all |= (unsigned long)labs(h[k]);
-  const double unit = ldexp(1, -(int)FLINT_BIT_COUNT(all));
+static void set_near(double near[3], const int64_t h[3]) {
+  uint64_t all = 0;
+  for (int k = 0; k < 3; k++) all |= (uint64_t)llabs(h[k]);
+  const double unit = ldexp(1, all == 0 ? 0 : __builtin_clzll(all) - 64);
   for (int k = 0; k < 3; k++) near[k] = (double)h[k] * unit;
 }
 
@@ -181,7 +183,7 @@ void tp_normals_order_near(double near[3], const tp_normals_order *order, long k
                            const tp_normals *n, long alike) {
   const tp_normal_entry *e = order->entries + k;
   if (order->is_whole) {
-    set_near(near, (long[3]){-n->ty[alike], n->tx[alike], e->as.whole.along});
+    set_near(near, (int64_t[3]){-n->ty[alike], n->tx[alike], e->as.whole.along});
     return;
   }
   tp_vector h;

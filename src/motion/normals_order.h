@@ -9,6 +9,8 @@
 
 #include "motion/normals.h"
 
+#include <stdint.h>
+
 /* What doubles and words do not tell of a point. */
 typedef struct tp_normal_place {
   fmpz axis_x, axis_y; /* t times its sense */
@@ -23,7 +25,8 @@ typedef struct tp_normal_entry {
   double slope; /* of the axis, rounded: another one is another axis */
   union {
     struct {
-      long along, site;
+      int64_t along;
+      long site;
     } whole;
     struct {
       double along; /* rounded */

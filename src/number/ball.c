@@ -4,6 +4,7 @@
 #include "number/ball.h"
 
 #include "number/binary.h"
+#include "number/word.h"
 
 #include <float.h>
 #include <math.h>
@@ -16,18 +17,18 @@ static bool is_moderate(fmpz exponent) {
 
 /* By hand, as arf_get_d goes by way of MPFR. */
 double tp_ball_nearest(const arf_struct *number) {
-  enum { LOST_BITS = FLINT_BITS - DBL_MANT_DIG };
+  enum { LOST_BITS = 64 - DBL_MANT_DIG };
   mp_srcptr words;
   mp_size_t count;
   if (arf_is_special(number) || !is_moderate(ARF_EXP(number))) {
     return arf_get_d(number, ARF_RND_NEAR);
   }
   ARF_GET_MPN_READONLY(words, count, number);
-  const mp_limb_t top = words[count - 1], half = (mp_limb_t)1 << (LOST_BITS - 1);
-  const mp_limb_t lost = top & (2 * half - 1);
-  mp_limb_t kept = top >> LOST_BITS;
+  const uint64_t top = tp_word_top(words, count), half = (uint64_t)1 << (LOST_BITS - 1);
+  const uint64_t lost = top & (2 * half - 1);
+  uint64_t kept = top >> LOST_BITS;
   /* the lowest word is not zero: where there is one below the top, something is lost in it */
-  if (lost > half || (lost == half && (count > 1 || (kept & 1) != 0))) kept++;
+  if (lost > half || (lost == half && (count > TP_WORD_LIMBS || (kept & 1) != 0))) kept++;
   const double size = (double)kept * tp_two_to(ARF_EXP(number) - DBL_MANT_DIG);
   return ARF_SGNBIT(number) ? -size : size;
 }
@@ -44,22 +45,23 @@ static double above(const mag_t size) {
   return result;
 }
 
-/* What the nearest double leaves out of a number of one word, as arf_get_mag bounds it; false for
+/* What the nearest double leaves out of a number of 64 bits, as arf_get_mag bounds it; false for
  * any other number. */
 static bool rest_of_word(mag_t rest, const arf_struct *number) {
   mp_srcptr words;
   mp_size_t count;
   if (arf_is_special(number) || !is_moderate(ARF_EXP(number))) return false;
   ARF_GET_MPN_READONLY(words, count, number);
-  if (count != 1) return false;
-  const mp_limb_t unit = (mp_limb_t)1 << (FLINT_BITS - DBL_MANT_DIG), lost = words[0] & (unit - 1);
-  const mp_limb_t size = lost > unit / 2 ? unit - lost : lost;
+  if (count > TP_WORD_LIMBS) return false;
+  const uint64_t unit = (uint64_t)1 << (64 - DBL_MANT_DIG);
+  const uint64_t lost = tp_word_top(words, count) & (unit - 1);
+  const uint64_t size = lost > unit / 2 ? unit - lost : lost;
   if (size == 0) {
     mag_zero(rest);
     return true;
   }
-  const int zeros = __builtin_clzl(size);
-  MAG_MAN(rest) = ((size << zeros) >> (FLINT_BITS - MAG_BITS)) + 1;
+  const int zeros = __builtin_clzll(size);
+  MAG_MAN(rest) = (mp_limb_t)((size << zeros) >> (64 - MAG_BITS)) + 1;
   fmpz_set_si(MAG_EXPREF(rest), ARF_EXP(number) - zeros);
   return true;
 }
@@ -94,7 +96,7 @@ tp_near tp_ball_near(const arb_t ball) {
 }
 
 tp_near tp_near_whole(const fmpz_t number) {
-  const double value = COEFF_IS_MPZ(*number) ? fmpz_get_d(number) : (double)*number;
+  const double value = tp_word_is_small(number) ? (double)tp_word_get(number) : fmpz_get_d(number);
   const bool exact = fabs(value) < 1 / DBL_EPSILON;
   return (tp_near){value, exact ? 0 : fabs(value) * DBL_EPSILON};
 }

@@ -3,6 +3,9 @@
 
 #include "number/ratio.h"
 
+#include "number/word.h"
+
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,30 +17,30 @@ static bool is_digit(char c) {
 
 /* value = mantissa * 10^exponent for a mantissa of one word, without a general gcd: only factors
  * of 2 and 5 can cancel. */
-static void set_small_decimal(fmpq_t value, unsigned long mantissa, int exponent) {
-  static const unsigned long power[19] = {1UL,
-                                          10UL,
-                                          100UL,
-                                          1000UL,
-                                          10000UL,
-                                          100000UL,
-                                          1000000UL,
-                                          10000000UL,
-                                          100000000UL,
-                                          1000000000UL,
-                                          10000000000UL,
-                                          100000000000UL,
-                                          1000000000000UL,
-                                          10000000000000UL,
-                                          100000000000000UL,
-                                          1000000000000000UL,
-                                          10000000000000000UL,
-                                          100000000000000000UL,
-                                          1000000000000000000UL};
+static void set_small_decimal(fmpq_t value, uint64_t mantissa, int exponent) {
+  static const uint64_t power[19] = {1,
+                                     10,
+                                     100,
+                                     1000,
+                                     10000,
+                                     100000,
+                                     1000000,
+                                     10000000,
+                                     100000000,
+                                     1000000000,
+                                     10000000000,
+                                     100000000000,
+                                     1000000000000,
+                                     10000000000000,
+                                     100000000000000,
+                                     1000000000000000,
+                                     10000000000000000,
+                                     100000000000000000,
+                                     1000000000000000000};
   while (exponent < 0 && mantissa % 10 == 0) mantissa /= 10, exponent++;
   if (mantissa == 0) exponent = 0;
   if (exponent >= 0) {
-    fmpz_set_ui(fmpq_numref(value), mantissa);
+    tp_word_set_unsigned(fmpq_numref(value), mantissa);
     if (exponent > 0) {
       fmpz_t ten;
       fmpz_init_set_ui(ten, 10);
@@ -48,11 +51,11 @@ static void set_small_decimal(fmpq_t value, unsigned long mantissa, int exponent
     fmpz_one(fmpq_denref(value));
     return;
   }
-  unsigned long denominator = power[-exponent];
+  uint64_t denominator = power[-exponent];
   while (mantissa % 2 == 0 && denominator % 2 == 0) mantissa /= 2, denominator /= 2;
   while (mantissa % 5 == 0 && denominator % 5 == 0) mantissa /= 5, denominator /= 5;
-  fmpz_set_ui(fmpq_numref(value), mantissa);
-  fmpz_set_ui(fmpq_denref(value), denominator);
+  tp_word_set_unsigned(fmpq_numref(value), mantissa);
+  tp_word_set_unsigned(fmpq_denref(value), denominator);
 }
 
 static void set_large_decimal(fmpq_t value, const char *digits, long exponent) {
@@ -87,7 +90,7 @@ size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, cons
   char digits[TP_RATIO_DIGITS + 1];
   size_t at = 0, count = 0, seen = 0;
   long exponent = 0;
-  unsigned long mantissa = 0;
+  uint64_t mantissa = 0;
   bool point = false;
   for (; at < length; at++) {
     if (text[at] == '.' && !point) {
@@ -103,7 +106,7 @@ size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, cons
       return 0;
     }
     digits[count++] = text[at];
-    if (count <= 18) mantissa = 10 * mantissa + (unsigned long)(text[at] - '0');
+    if (count <= 18) mantissa = 10 * mantissa + (uint64_t)(text[at] - '0');
   }
   if (seen == 0) {
     *problem = "is no number";
@@ -175,19 +178,19 @@ static bool decimal_text(char *text, size_t size, const fmpq_t value) {
   fmpz_init(scaled);
   fmpz_init_set_ui(ten, 1);
   bool found = false;
+  uint64_t one = 1; /* ten as a word: 10^19 is below 2^64 */
   for (int decimals = 0; decimals <= MOST_DECIMALS && !found;
-       decimals++, fmpz_mul_ui(ten, ten, 10)) {
+       decimals++, one *= 10, fmpz_mul_ui(ten, ten, 10)) {
     if (!fmpz_divisible(ten, fmpq_denref(value))) continue;
     fmpz_mul(scaled, ten, fmpq_numref(value));
     fmpz_divexact(scaled, scaled, fmpq_denref(value));
-    if (!fmpz_fits_si(scaled)) break;
-    const long n = fmpz_get_si(scaled);
-    const unsigned long magnitude = n < 0 ? 0UL - (unsigned long)n : (unsigned long)n;
-    const unsigned long one = fmpz_get_ui(ten);
+    if (!tp_word_fits(scaled)) break;
+    const int64_t n = tp_word_get(scaled);
+    const uint64_t magnitude = n < 0 ? 0 - (uint64_t)n : (uint64_t)n;
     if (decimals == 0) {
-      snprintf(text, size, "%ld", n);
+      snprintf(text, size, "%" PRId64, n);
     } else {
-      snprintf(text, size, "%s%lu.%0*lu", n < 0 ? "-" : "", magnitude / one, decimals,
+      snprintf(text, size, "%s%" PRIu64 ".%0*" PRIu64, n < 0 ? "-" : "", magnitude / one, decimals,
                magnitude % one);
     }
     found = true;
@@ -203,7 +206,8 @@ void tp_ratio_text(char *text, size_t size, const fmpq_t value) {
     snprintf(text, size, "%.17g", fmpq_get_d(value));
     return;
   }
-  snprintf(text, size, "%ld/%ld", fmpz_get_si(fmpq_numref(value)), fmpz_get_si(fmpq_denref(value)));
+  snprintf(text, size, "%" PRId64 "/%" PRId64, tp_word_get(fmpq_numref(value)),
+           tp_word_get(fmpq_denref(value)));
 }
 
 /* How many decimals the value has; -1: no end of them. */

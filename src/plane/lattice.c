@@ -3,6 +3,8 @@
 
 #include "plane/lattice.h"
 
+#include "number/word.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,7 +85,7 @@ static long largest_bits(const fmpz *values, long count) {
  * bits and one sticky bit for the rest are rounded by the machine, which decides every tie. */
 static void to_doubles(double *rounded, const fmpz *values, long count, long exponent) {
   if (exponent == 0) {
-    for (long k = 0; k < count; k++) rounded[k] = (double)fmpz_get_si(values + k);
+    for (long k = 0; k < count; k++) rounded[k] = (double)tp_word_get(values + k);
     return;
   }
   fmpz_t head;
@@ -91,13 +93,14 @@ static void to_doubles(double *rounded, const fmpz *values, long count, long exp
   for (long k = 0; k < count; k++) {
     const long shift = (long)fmpz_bits(values + k) - 60;
     if (shift <= 0) {
-      rounded[k] = ldexp((double)fmpz_get_si(values + k), (int)-exponent);
+      rounded[k] = ldexp((double)tp_word_get(values + k), (int)-exponent);
       continue;
     }
     fmpz_tdiv_q_2exp(head, values + k, (unsigned long)shift);
-    const long word = fmpz_get_si(head);
+    const int64_t word = tp_word_get(head);
     const bool sticky = fmpz_val2(values + k) < (unsigned long)shift;
-    const long size = labs(word) | (sticky ? 1 : 0); /* the size, so that it moves away from zero */
+    const int64_t size =
+        llabs(word) | (sticky ? 1 : 0); /* the size, so that it moves away from zero */
     rounded[k] = ldexp((double)(word < 0 ? -size : size), (int)(shift - exponent));
   }
   fmpz_clear(head);

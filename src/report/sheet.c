@@ -56,7 +56,7 @@ static void add_input(tp_sheet *s) {
   add_settings(d, &own->settings);
   tp_page_add_poses(&poses);
   if (poses.text.length > 0) {
-    tp_document_take(d, TP_PASSAGE_LISTING, 0, &poses.text);
+    tp_sheet_take_lines(d, &poses.text);
   } else {
     tp_text_drop(&poses.text);
   }

@@ -61,6 +61,9 @@ void tp_sheet_add_charts(tp_document *document, const tp_sheet_picture *charts, 
 
 /* The title, or words that stand for it where there is none to be seen. */
 void tp_sheet_add_title(tp_document *document, const char *title, const char *otherwise);
+
+/* Lines of the page for a terminal, which are taken over, without the empty ones before them. */
+void tp_sheet_take_lines(tp_document *document, tp_text *lines);
 /* Program, date, files with their hashes: what the sheet is of. */
 void tp_sheet_add_origin(tp_document *document, const tp_sheet_files *files,
                          const tp_sheet_options *options);

@@ -173,7 +173,7 @@ static void add_analyses(tp_document *d, const tp_study_result *r) {
     return;
   }
   tp_document_heading(d, 2, "Sensitivity, reliability and design values");
-  tp_document_take(d, TP_PASSAGE_LISTING, 0, &text);
+  tp_sheet_take_lines(d, &text);
 }
 
 static void add_price(tp_document *d, const tp_study_result *r) {

@@ -49,7 +49,7 @@ static void add_case(tp_document *d, const tp_tilt_case *c, const tp_tilt_test *
   tp_tilt_add_events(&events, c, test);
   if (events.length > 0) {
     tp_document_heading(d, 3, "What happened");
-    tp_document_take(d, TP_PASSAGE_LISTING, 0, &events);
+    tp_sheet_take_lines(d, &events);
   } else {
     tp_text_drop(&events);
   }

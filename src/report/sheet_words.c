@@ -109,3 +109,12 @@ tp_sheet_number tp_sheet_share(tp_bounded share) {
   char n[TP_NUMBER_SIZE];
   return number_of(tp_text_fixed(n, share, 6));
 }
+
+void tp_sheet_take_lines(tp_document *document, tp_text *lines) {
+  const size_t empty = lines->data != NULL ? strspn(lines->data, "\n") : 0;
+  if (empty > 0) {
+    memmove(lines->data, lines->data + empty, lines->length - empty + 1);
+    lines->length -= empty;
+  }
+  tp_document_take(document, TP_PASSAGE_LISTING, 0, lines);
+}

@@ -4,6 +4,7 @@
 #include "rest/bodies.h"
 
 #include "message.h"
+#include "number/word.h"
 
 #include <arb.h>
 #include <float.h>
@@ -62,15 +63,15 @@ static void body_clear(tp_body *body) {
 
 /* Numerator and denominator of one word each? */
 static bool is_short(const fmpq *value) {
-  return !COEFF_IS_MPZ(*fmpq_numref(value)) && !COEFF_IS_MPZ(*fmpq_denref(value));
+  return tp_word_is_small(fmpq_numref(value)) && tp_word_is_small(fmpq_denref(value));
 }
 
 /* Rounded three times: a whole number of 126 bits, another, and their quotient; or cut off once. */
 double tp_bodies_round(const tp_bodies *bodies, const fmpq *a, const fmpq *b) {
   const long exponent = bodies->exponent;
   if (is_short(a) && is_short(b)) {
-    const __int128 p = *fmpq_numref(a), q = *fmpq_denref(a), r = *fmpq_numref(b),
-                   s = *fmpq_denref(b);
+    const __int128 p = tp_word_get(fmpq_numref(a)), q = tp_word_get(fmpq_denref(a)),
+                   r = tp_word_get(fmpq_numref(b)), s = tp_word_get(fmpq_denref(b));
     const double value = (double)(p * s - r * q) / (double)(q * s);
     return exponent == 0 ? value : ldexp(value, (int)-exponent);
   }

@@ -5,6 +5,7 @@
  * profile anew, and exchanges the two where all of that went well. */
 
 #include "host.h"
+#include "number/word.h"
 #include "options.h"
 #include "scene/build.h"
 #include "scene/profile_make.h"
@@ -71,7 +72,8 @@ static tp_status put(change *c, tp_quantity *quantity, tp_exact value, const cha
 }
 
 static void put_whole(change *c, tp_quantity *quantity, long long value) {
-  fmpq_set_si(quantity->value, value, 1);
+  fmpq_one(quantity->value);
+  tp_word_set(fmpq_numref(quantity->value), value);
   quantity->given = true;
   quantity->place = c->build.place;
 }

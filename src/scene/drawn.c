@@ -19,6 +19,7 @@ void tp_drawn_clear(tp_drawn *drawn) {
   }
   for (long k = 0; k < drawn->hole_count; k++) tp_polyline_clear(drawn->holes + k);
   for (long k = 0; k < drawn->part_count; k++) tp_polyline_clear(drawn->parts + k);
+  for (long k = 0; k < drawn->part_count; k++) free(drawn->part_layers[k]);
   for (long k = 0; k < drawn->object_count; k++) {
     free(drawn->objects[k].layer);
     free(drawn->objects[k].name);
@@ -27,6 +28,7 @@ void tp_drawn_clear(tp_drawn *drawn) {
   free(drawn->holes);
   free(drawn->parts);
   free(drawn->part_words);
+  free(drawn->part_layers);
   free(drawn->objects);
   tp_notes_clear(&drawn->notes);
   *drawn = (tp_drawn){.path = drawn->path, .length_unit = drawn->length_unit};
@@ -111,7 +113,8 @@ static tp_status flatten(tp_drawing_object *chain, const tp_drawing_options *opt
 }
 
 static tp_status take_chain(tp_drawn *drawn, tp_drawing_object *chain, tp_drawing_role role,
-                            long part, const tp_drawing_options *options, const tp_affine_map *map,
+                            long part, const tp_drawing_words *words,
+                            const tp_drawing_options *options, const tp_affine_map *map,
                             tp_message *message) {
   bool done = role != TP_DRAWING_BLOCK || tp_curve_split_lens(chain);
   tp_status status = TP_OK;
@@ -131,7 +134,9 @@ static tp_status take_chain(tp_drawn *drawn, tp_drawing_object *chain, tp_drawin
     break;
   default:
     drawn->part_words[drawn->part_count] = part;
-    done = take_line(drawn->parts + drawn->part_count++, chain);
+    drawn->part_layers[drawn->part_count] = strdup(words->parts[part]);
+    done = drawn->part_layers[drawn->part_count] != NULL;
+    done = take_line(drawn->parts + drawn->part_count++, chain) && done;
     break;
   }
   return done ? TP_OK : tp_fail_memory(message, "a drawing");
@@ -158,14 +163,15 @@ static bool take_objects(tp_drawn *drawn, const tp_drawing_choice *choice,
 }
 
 tp_status tp_drawn_make(tp_drawn *drawn, tp_drawing_choice *choice, const tp_drawing *drawing,
-                        const tp_drawing_options *options, const fmpq_t scale,
-                        tp_message *message) {
+                        const tp_drawing_words *words, const tp_drawing_options *options,
+                        const fmpq_t scale, tp_message *message) {
   const size_t count = (size_t)choice->chains.count + 1;
   drawn->holes = calloc(count, sizeof *drawn->holes);
   drawn->parts = calloc(count, sizeof *drawn->parts);
   drawn->part_words = calloc(count, sizeof *drawn->part_words);
+  drawn->part_layers = calloc(count, sizeof *drawn->part_layers);
   const bool room = drawn->holes != NULL && drawn->parts != NULL && drawn->part_words != NULL &&
-                    take_objects(drawn, choice, drawing);
+                    drawn->part_layers != NULL && take_objects(drawn, choice, drawing);
   tp_affine_map map;
   tp_affine_map_init(&map);
   tp_affine_map_scale(&map, scale, scale);
@@ -174,7 +180,7 @@ tp_status tp_drawn_make(tp_drawn *drawn, tp_drawing_choice *choice, const tp_dra
   if (status == TP_OK) status = tp_notes_append(&drawn->notes, &choice->chains.notes, message);
   for (long k = 0; k < choice->chains.count && status == TP_OK; k++) {
     status = take_chain(drawn, choice->chains.objects + k, choice->roles[k], choice->parts[k],
-                        options, &map, message);
+                        words, options, &map, message);
   }
   tp_affine_map_clear(&map);
   if (status != TP_OK) tp_drawn_clear(drawn);

@@ -36,6 +36,7 @@ typedef struct tp_drawn {
   tp_drawn_arc *arcs;
   tp_polyline *holes, *parts;
   long *part_words; /* of each part, the number of its layer among those that the scene names */
+  TP_OUTSIDE char **part_layers; /* and that layer */
   tp_drawn_object *objects;
   tp_notes notes;
 } tp_drawn;
@@ -43,8 +44,9 @@ typedef struct tp_drawn {
 /* Chains by their roles, scaled; arcs of all but the outline become chords. `drawn` is empty, but
  * for its path and unit, and cleared on failure. */
 TP_MUST_USE tp_status tp_drawn_make(tp_drawn *drawn, tp_drawing_choice *choice,
-                                    const tp_drawing *drawing, const tp_drawing_options *options,
-                                    const fmpq_t scale, tp_message *message);
+                                    const tp_drawing *drawing, const tp_drawing_words *words,
+                                    const tp_drawing_options *options, const fmpq_t scale,
+                                    tp_message *message);
 void tp_drawn_clear(tp_drawn *drawn);
 
 #endif

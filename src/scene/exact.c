@@ -4,6 +4,7 @@
 #include "scene/exact.h"
 
 #include "number/ratio.h"
+#include "number/word.h"
 #include "outside.h"
 #include "scene/check.h"
 
@@ -32,15 +33,15 @@ tp_coordinates tp_coordinates_text(const char *const *xy, size_t count) {
  */
 static void set_double(fmpq_t value, double given) {
   int exponent = 0;
-  long mantissa = (long)ldexp(frexp(given, &exponent), 53);
+  int64_t mantissa = (int64_t)ldexp(frexp(given, &exponent), 53);
   if (mantissa == 0) {
     fmpq_zero(value);
     return;
   }
-  const int zeros = __builtin_ctzl((unsigned long)mantissa);
+  const int zeros = __builtin_ctzll((unsigned long long)mantissa);
   exponent += zeros - 53;
-  mantissa /= 1L << zeros;
-  fmpz_set_si(fmpq_numref(value), mantissa);
+  mantissa /= INT64_C(1) << zeros;
+  tp_word_set(fmpq_numref(value), mantissa);
   fmpz_one(fmpq_denref(value));
   if (exponent > 0) {
     fmpz_mul_2exp(fmpq_numref(value), fmpq_numref(value), (unsigned long)exponent);

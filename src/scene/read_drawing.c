@@ -203,7 +203,8 @@ static tp_status make_drawn(const tp_reader *reader, tp_drawn *drawn, const draw
     if (status == TP_OK) {
       set_scale(scale, reader->scene, &drawing);
       *drawn = (tp_drawn){.path = path, .length_unit = drawing.unit};
-      status = tp_drawn_make(drawn, &choice, &drawing, &k->options, scale, reader->message);
+      status =
+          tp_drawn_make(drawn, &choice, &drawing, &k->words, &k->options, scale, reader->message);
       tp_drawing_choice_clear(&choice);
     }
   }

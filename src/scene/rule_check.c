@@ -4,6 +4,7 @@
 #include "scene/rule_check.h"
 
 #include "number/ratio.h"
+#include "number/word.h"
 #include "scene/check.h"
 #include "scene/rule_jrc.h"
 
@@ -40,7 +41,7 @@ tp_status tp_check_seed(uint64_t *seed, const tp_quantity *quantity, tp_message 
     return tp_fail(message, TP_BAD_INPUT, quantity->place,
                    "a seed is a whole number from 0 to 9223372036854775807");
   }
-  *seed = fmpz_get_ui(fmpq_numref(value));
+  *seed = (uint64_t)tp_word_get(fmpq_numref(value));
   return TP_OK;
 }
 

@@ -63,8 +63,8 @@ static size_t source_of(const tp_picture *from, int orientation, int x, int y) {
 static tp_status turn(tp_picture *picture, int orientation, tp_message *message) {
   if (orientation < 2 || orientation > 8) return TP_OK;
   const bool swapped = orientation >= 5;
-  tp_picture own = {swapped ? picture->height : picture->width,
-                    swapped ? picture->width : picture->height, NULL};
+  tp_picture own = {.width = swapped ? picture->height : picture->width,
+                    .height = swapped ? picture->width : picture->height};
   own.rgb = malloc(3 * (size_t)own.width * (size_t)own.height);
   if (own.rgb == NULL) return tp_fail_memory(message, "a picture");
   unsigned char *to = own.rgb;
@@ -126,6 +126,7 @@ tp_status tp_picture_read(tp_picture *picture, const char *path, tp_message *mes
   tp_status status = read_all(&bytes, &length, file, path, message);
   fclose(file);
   if (status == TP_OK) status = tp_picture_read_bytes(picture, bytes, length, path, message);
+  if (status == TP_OK) tp_sha256(picture->hash, bytes, length);
   free(bytes);
   return status;
 }

@@ -10,12 +10,14 @@
 #define TP_PICTURE_H
 
 #include "message.h"
+#include "output/sha256.h"
 
 enum { TP_PICTURE_BYTES = 1 << 28, TP_PICTURE_PIXELS = 100000000, TP_PICTURE_SIDE = 32767 };
 
 typedef struct tp_picture {
   int width, height;
   unsigned char *rgb;
+  uint8_t hash[TP_SHA256_SIZE]; /* of the file, where it was read from one */
 } tp_picture;
 
 TP_MUST_USE tp_status tp_picture_read(tp_picture *picture, const char *path, tp_message *message);

@@ -105,13 +105,39 @@ tp_status tp_trace_rock_text(char **text, const tp_trace_options *options) {
   return tp_text_finish(&own, text);
 }
 
-tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_trace_options *options) {
+/* What the outline can be traced again by: the picture and what was said of it. */
+static void add_origin(tp_text *text, const tp_picture *picture, const tp_trace_options *options) {
+  tp_text_add(text, "# Traced by topple trace in ");
+  tp_encode_plain(text, base_name(options->image));
+  tp_text_add(text, ", SHA-256\n# ");
+  for (int k = 0; k < TP_SHA256_SIZE; k++) tp_text_add(text, "%02x", picture->hash[k]);
+  tp_text_add(text, "\n# --around=");
+  for (long k = 0; k < options->rough.count; k++) {
+    const tp_trace_point p = options->rough.points[k];
+    tp_text_add(text, "%s%.10g,%.10g", k == 0 ? "" : ",", p.x, p.y);
+  }
+  const tp_trace_point *s = options->scale, *p = options->plumb, *b = options->between;
+  tp_text_add(text, "\n# --scale=%.10g,%.10g,%.10g,%.10g,%.10g --unit=%s", s[0].x, s[0].y, s[1].x,
+              s[1].y, options->length, options->unit);
+  if (options->plumb_given) {
+    tp_text_add(text, " --plumb=%.10g,%.10g,%.10g,%.10g", p[0].x, p[0].y, p[1].x, p[1].y);
+  }
+  if (options->between_given) {
+    tp_text_add(text, " --between=%.10g,%.10g,%.10g,%.10g", b[0].x, b[0].y, b[1].x, b[1].y);
+  }
+  if (options->tolerance > 0) tp_text_add(text, " --tolerance=%.10g", options->tolerance);
+  tp_text_add(text, "\n");
+}
+
+tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_picture *picture,
+                              const tp_trace_options *options) {
   tp_text own = {0};
   const double deviation = trace->deviation_px * trace->per_pixel;
   char title[600];
   snprintf(title, sizeof title, "Traced in %.500s", base_name(options->image));
   TP_OUTSIDE const char *own_title = options->rock->title;
-  tp_text_add(&own, "# Traced by topple trace. x runs to the right and y up, %s.\n",
+  add_origin(&own, picture, options);
+  tp_text_add(&own, "# x runs to the right and y up, %s.\n",
               options->plumb_given ? "along the plumb line of the picture"
                                    : "as the picture is held: no plumb line was given");
   tp_text_add(&own,

@@ -184,7 +184,7 @@ static tp_status tell(char **report, const tp_trace *trace, const tp_picture *pi
                       const tp_trace_options *options, tp_message *message) {
   char *scene = NULL, *bytes = NULL, *own = NULL;
   size_t length = 0;
-  tp_status status = tp_trace_scene_text(&scene, trace, options);
+  tp_status status = tp_trace_scene_text(&scene, trace, picture, options);
   if (status == TP_OK) status = check_scene(scene, options, message);
   if (status == TP_OK && options->figure != NULL) {
     status = tp_trace_draw(&bytes, &length, trace, picture, options, message);

@@ -72,6 +72,7 @@ void tp_trace_place(tp_trace *trace, const tp_trace_options *options);
 tp_trace_point tp_trace_to_scene(const tp_trace *trace, tp_trace_point pixel);
 TP_MUST_USE bool tp_trace_find_between(tp_trace *trace, const tp_trace_options *options);
 TP_MUST_USE tp_status tp_trace_scene_text(char **text, const tp_trace *trace,
+                                          const tp_picture *picture,
                                           const tp_trace_options *options);
 /* The least scene with what is known of the rock: a slab, to learn whether a scene takes it. */
 TP_MUST_USE tp_status tp_trace_rock_text(char **text, const tp_trace_options *options);

@@ -26,7 +26,7 @@ class Browser:
             pass_fds=(to_read, to_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_read)
         os.close(to_write)
-        self.number, self.events, self.buffer, self.session = 0, [], b"", None
+        self.number, self.events, self.buffer, self.session = 0, [], bytearray(), None
         targets = self.call("Target.getTargets")["targetInfos"]
         target = next(t["targetId"] for t in targets if t["type"] == "page")
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
@@ -45,12 +45,15 @@ class Browser:
         self.profile.cleanup()
 
     def read(self):
-        while b"\0" not in self.buffer:
-            more = os.read(self.answers, 1 << 16)
+        seen = 0  # a message may have many megabytes: each byte is looked at once
+        while (end := self.buffer.find(b"\0", seen)) < 0:
+            seen = len(self.buffer)
+            more = os.read(self.answers, 1 << 20)
             if not more:
                 raise EOFError("the browser ended")
             self.buffer += more
-        message, self.buffer = self.buffer.split(b"\0", 1)
+        message = bytes(self.buffer[:end])
+        del self.buffer[:end + 1]
         return json.loads(message)
 
     def call(self, method, **words):

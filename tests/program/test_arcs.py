@@ -33,6 +33,23 @@ class Arcs(unittest.TestCase):
     def assert_close(self, found, expected):
         self.assertLessEqual(abs(found["value"] - expected), found["error"] + 4e-15 * max(1, abs(expected)))
 
+    def test_many_arcs_in_any_order(self):
+        """Four hundred scallops along a box's top, arcs by their bulges, listed in an order by chance: the area of the box
+        and of 400 segments of a circle, within the bound. One that is listed twice is refused, as is one that begins in no vertex."""
+        count = 400
+        tops = [(Fraction(k, 100), 1) for k in range(count + 1)]
+        outline = "[[0, 0], [4, 0], " + ", ".join(f"[{float(x)}, {y}]" for x, y in reversed(tops)) + "]"
+        arcs = [f"{{from: [{float(x)}, {y}], bulge: 0.25}}" for x, y in tops[1:]]
+        random.Random(7).shuffle(arcs)
+        turn, radius = 4 * math.atan(0.25), 0.01 * (1 + 0.25 ** 2) / (4 * 0.25)
+        case = self.solve(outline, "[" + ", ".join(arcs) + "]")
+        self.assert_close(case["block"]["area_m2"], 4 + count * radius ** 2 * (turn - math.sin(turn)) / 2)
+        for wrong in (arcs + [arcs[17]], arcs[:-1] + ["{from: [2.005, 1], bulge: 1}"]):
+            self.scene.write_text(SCENE % (outline, "[" + ", ".join(wrong) + "]", "{mated: true}"))
+            status, _, err = run("solve", self.scene)
+            self.assertEqual(status, 3)
+            self.assertIn("an arc begins in no vertex of the outline, or two begin in the same", err)
+
     def test_vault(self):
         """A box of 2 by 2 under half a circle: area 4 + pi / 2, the half circle's centroid 4 / (3 pi) over its
         diameter; by a point, by its bulge of 1, from either end of the edge, written either way round."""

@@ -22,15 +22,28 @@ function outlineHandles(context) {
   for (let i = 0; i < (context.scene.count(["block", "parts"]) ?? 0); i++) {
     rings.push([["block", "parts", i, "outline"], "part " + (i + 1)]);
   }
-  return rings.flatMap(([path, name]) => listHandles(context, context.block, path, name));
+  const places = namedVertices(context.scene);
+  return rings.flatMap(([path, name]) => listHandles(context, context.block, path, name, places));
+}
+
+/** Where a scene names vertices of the outline by their coordinates. @returns {(string|number)[][]} */
+function namedVertices(scene) {
+  const each = (list, ...keys) => {
+    const count = scene.count(list) ?? 0;
+    return Array.from({ length: count }, (_, i) => keys.map((key) => [...list, i, ...key])).flat();
+  };
+  return [
+    ...each(["block", "arcs"], ["from"]), ...each(["block", "rounded", "corners"], ["at"]), ...each(["base", "between"], []),
+    ...each(["loads", "surcharges"], ["from"], ["to"]), ...each(["loads", "pressures"], ["from"], ["to"]),
+  ];
 }
 
 /** @param {import("./view.js").Placement} placement @param {(string|number)[]} path of a list of points */
-export function listHandles(context, placement, path, name) {
+export function listHandles(context, placement, path, name, places = []) {
   const count = context.scene.count(path) ?? 0;
   const handles = [];
   for (let i = 0; i < count; i++) {
-    const handle = vertexHandle(context, placement, [...path, i], "vertex " + (i + 1) + " of " + name);
+    const handle = vertexHandle(context, placement, [...path, i], "vertex " + (i + 1) + " of " + name, places);
     if (handle !== null) handles.push(handle);
   }
   return handles;

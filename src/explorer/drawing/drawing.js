@@ -24,6 +24,7 @@ import { Motion, motionOf } from "./motion.js";
 
 const SNAP_DOTS = 3;
 const OTHER_SIZE = 2.5;
+const CENTRE_NEAR = 0.6; // of the block's size
 const ZOOM_MAX = 1e6;
 
 export class Drawing extends EventTarget {
@@ -31,6 +32,8 @@ export class Drawing extends EventTarget {
   #box = null; // what it was fitted to, metres from the origin
   #drawn = null; // of which answer the paths are
   #waits = null;
+  #editing = false;
+  #byHand = false; // the present text came from a handle
 
   /** @param {HTMLElement} element @param {import("../scene/store.js").SceneStore} store */
   constructor(element, store) {
@@ -52,7 +55,10 @@ export class Drawing extends EventTarget {
       told: (words) => this.#tell(words),
     });
     this.motion = new Motion(() => this.#motion(), (transform) => this.layers.moving.attr("transform", transform));
-    store.addEventListener("text", () => this.#later());
+    store.addEventListener("text", () => {
+      this.#byHand = this.#editing;
+      this.#later();
+    });
     store.addEventListener("solution", () => this.#later());
     store.addEventListener("problem", () => this.#later());
     new ResizeObserver(() => this.#resized(element)).observe(element);
@@ -134,22 +140,28 @@ export class Drawing extends EventTarget {
   /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
   #fitOnce(outlines) {
     const opened = this.#fitted !== this.store.openings;
-    if (this.store.solution === null || (!opened && !(this.handles.dragged === null && this.#otherSize(outlines)))) return;
+    if (this.store.solution === null || (!opened && (this.#byHand || !this.#otherSize(outlines)))) return;
     this.#fitted = this.store.openings;
     this.origin = { x: outlines.origin_x_m, y: outlines.origin_y_m };
-    this.#box = roomOf(outlines);
+    this.#box = roomOf(outlines, this.case);
     this.view.fit(this.#box);
     this.#drawn = null;
     if (this.view.zoom !== zoomIdentity) this.svg.call(this.zooming.transform, zoomIdentity);
   }
 
-  /** Than what was fitted: by far larger or smaller, or by far elsewhere. */
+  /** Than what was fitted: by far larger or smaller, by far elsewhere, or out of a window that no hand has moved. */
   #otherSize(outlines) {
+    const [dx, dy] = [outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y];
     const box = roomOf(outlines);
     const size = Math.hypot(box[2] - box[0], box[3] - box[1]);
     const before = Math.hypot(this.#box[2] - this.#box[0], this.#box[3] - this.#box[1]);
-    const away = Math.hypot(outlines.origin_x_m - this.origin.x, outlines.origin_y_m - this.origin.y);
-    return size > OTHER_SIZE * before || before > OTHER_SIZE * size || away > OTHER_SIZE * before;
+    if (size > OTHER_SIZE * before || before > OTHER_SIZE * size || Math.hypot(dx, dy) > OTHER_SIZE * before) return true;
+    const out = (x, y) => {
+      const at = this.view.toScreen(x + dx, y + dy);
+      return at.x < 0 || at.y < 0 || at.x > this.view.width || at.y > this.view.height;
+    };
+    const [x0, y0, x1, y1] = outlines.box_m;
+    return this.view.zoom === zoomIdentity && [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].some(([x, y]) => out(x, y));
   }
 
   /** The tilt of the text, which is the newer one, over the dip at which the section lies; towards the side that is drawn. */
@@ -230,7 +242,9 @@ export class Drawing extends EventTarget {
   }
 
   #edit(handle, edits) {
+    this.#editing = true;
     this.store.setNumbers(edits, { mergeWith: "drag " + handle.key });
+    this.#editing = false;
     // the next key press or report of the hand counts from what is drawn now
     this.#draw();
   }
@@ -259,8 +273,15 @@ export class Drawing extends EventTarget {
   }
 }
 
-/** The block, and room below it for the rock and the reactions that it bears. */
-function roomOf({ box_m: [x0, y0, x1, y1] }) {
-  const below = 0.2 * Math.max(y1 - y0, 0.4 * (x1 - x0));
-  return [x0, y0 - below, x1, y1];
+/** The block, room below it for the rock and the reactions that it bears, and its centre of rotation where that is near. */
+function roomOf(outlines, kase) {
+  const [x0, y0, x1, y1] = outlines.box_m;
+  const size = Math.max(y1 - y0, 0.4 * (x1 - x0));
+  const room = [x0, y0 - 0.2 * size, x1, y1];
+  const { centre_x_m: x, centre_y_m: y } = kase?.limit ?? {};
+  if (x == null || y == null) return room;
+  const at = [x.value - outlines.origin_x_m, y.value - outlines.origin_y_m];
+  const grown = [Math.min(room[0], at[0]), Math.min(room[1], at[1]), Math.max(room[2], at[0]), Math.max(room[3], at[1])];
+  const much = grown[2] - grown[0] > x1 - x0 + CENTRE_NEAR * size || grown[3] - grown[1] > y1 - y0 + CENTRE_NEAR * size;
+  return much ? room : grown;
 }

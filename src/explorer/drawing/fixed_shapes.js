@@ -3,12 +3,18 @@
 
 /** What of a scene has a shape that cannot be dragged, and why: words for below the drawing. */
 
+/** Whose points may stand in a CSV file instead of in the scene. */
+export const SHAPES = [
+  { path: ["block", "outline"], what: "The outline" },
+  { path: ["base", "profile"], what: "The profile" },
+];
+
 /** @param {import("../scene/scene_text.js").SceneText} scene @returns {string[]} */
 export function fixedShapes(scene) {
   if (scene.unread !== null) return [scene.unread];
   const drawing = scene.scalar(["drawing"]) ?? scene.scalar(["drawing", "file"]);
   const said = drawing === null ? [] : ["Block and base stand in the file " + drawing + "; change it there and open it again"];
-  return said.concat(shapeOf(scene, ["block", "outline"], "The outline"), shapeOf(scene, ["base", "profile"], "The profile"));
+  return said.concat(...SHAPES.map(({ path, what }) => shapeOf(scene, path, what)));
 }
 
 function shapeOf(scene, path, what) {

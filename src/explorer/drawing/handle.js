@@ -77,13 +77,21 @@ export function whyFixed(name, ...numbers) {
   return stuck.length === numbers.length ? name + " " + stuck[0].fixed : null;
 }
 
-/** A vertex [x, y] of a list. @param {Context} context @param {Placement} placement @param {(string|number)[]} path @returns {Handle|null} */
-export function vertexHandle(context, placement, path, label) {
+/**
+ * A vertex [x, y] of a list.
+ * @param {Context} context @param {Placement} placement @param {(string|number)[]} path
+ * @param {(string|number)[][]} [places] of points that may be this vertex, named elsewhere: they go with it
+ * @returns {Handle|null}
+ */
+export function vertexHandle(context, placement, path, label, places = []) {
   const x = context.number([...path, 0]);
   const y = context.number([...path, 1]);
   if (x.value === null || y.value === null) return null;
+  const same = places.map((place) => [context.number([...place, 0]), context.number([...place, 1])])
+    .filter(([across, up]) => across.value === x.value && up.value === y.value);
   const free = (number, value, exponent) => (number.fixed === null ? [edit(number, value, exponent)] : []);
-  const put = (across, up, exponent) => sameOnce([...free(x, across, exponent), ...free(y, up, exponent)]);
+  const put = (across, up, exponent) =>
+    sameOnce([[x, y], ...same].flatMap((point) => [...free(point[0], across, exponent), ...free(point[1], up, exponent)]));
   return {
     key: path.join("."), kind: "vertex", moves: "xy", fixed: whyFixed(label, x, y),
     label: label + " at " + x.value + ", " + y.value + " " + context.unit,
@@ -107,7 +115,7 @@ function sameOnce(edits) {
  * @param {Context} context
  * @param {{name: string, of: import("../scene/quantity.js").Quantity, at: Point, moves: "x"|"y", kind: Handle["kind"],
  *   value: (hand: Point) => number, least: number, sign?: number}} says at: where it is, in the frame; value: what the
- *   hand's place there makes of it; least: 0, or 1 where it must stay above 0 by a step; sign: -1 where it grows against
+ *   hand's place there makes of it; least: in steps: 0, 1 where it must stay above 0, or none; sign: -1 where it grows against
  *   the axis
  * @returns {Handle}
  */

@@ -8,11 +8,13 @@ import { drag } from "d3-drag";
 /** So many at most: more of them could not be told apart. */
 export const HANDLES_MAX = 150;
 const RADIUS = 7;
+const APART = 24; // dots
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class HandlesLayer {
   #waiting = null;
+  #grip = null; // the handle that is dragged, and how far from its place it is drawn
 
   /**
    * @param group a d3 selection @param {import("./view.js").View} view
@@ -36,13 +38,16 @@ export class HandlesLayer {
 
   /** Put them where they are now; those outside of the window are not drawn. */
   place() {
-    const seen = this.handles.map((handle) => ({ handle, ...(handle.dots ?? this.view.toScreen(handle.at.x, handle.at.y)) }))
-      .filter(({ handle, x, y }) => handle.key === this.dragged || (x > -20 && y > -20 && x < this.view.width + 20 && y < this.view.height + 20));
+    const { width, height } = this.view;
+    const seen = apart(this.handles.map((handle) => ({ handle, ...(handle.dots ?? this.view.toScreen(handle.at.x, handle.at.y)) }))
+      .filter(({ handle, x, y }) => handle.key === this.dragged || (x > -20 && y > -20 && x < width + 20 && y < height + 20)),
+    this.view.direction(0, -1), this.#grip);
     this.hidden = Math.max(0, seen.length - HANDLES_MAX);
     this.group.selectAll("g.handle").data(seen.slice(0, HANDLES_MAX), (one) => one.handle.key)
       .join((enter) => this.#made(enter))
-      .attr("transform", ({ x, y }) => "translate(" + x + " " + y + ")")
-      .each(function ({ handle }) {
+      .attr("transform", ({ x, y, away }) => "translate(" + (x + away.x) + " " + (y + away.y) + ")")
+      .each(function ({ handle, away }) {
+        this.querySelector(".lead").setAttribute("d", away.x === 0 && away.y === 0 ? "" : "M0 0L" + -away.x + " " + -away.y);
         // of a hundred handles one is dragged: the others' words stay, and are not laid out again
         const words = handle.fixed ?? handle.label;
         if (this.words === words) return;
@@ -61,6 +66,7 @@ export class HandlesLayer {
       .on("pointerenter", (event, { handle }) => this.hand.told(handle.fixed ?? handle.label))
       .call(this.#dragging());
     made.append("title");
+    made.append("path").attr("class", "lead");
     made.append("circle").attr("class", "reach").attr("r", 2.4 * RADIUS);
     made.append("circle").attr("class", "knob").attr("r", RADIUS);
     return made;
@@ -71,14 +77,15 @@ export class HandlesLayer {
       .container((event) => this.group.node().ownerSVGElement)
       .clickDistance(3)
       .subject((event, { x, y }) => ({ x, y }))
-      .on("start", (event, { handle }) => {
+      .on("start", (event, { handle, away }) => {
+        this.#grip = { key: handle.key, away };
         this.dragged = handle.fixed === null ? handle.key : null;
         if (handle.fixed !== null) this.hand.told(handle.fixed);
       })
       .on("drag", (event) => this.#dragTo({ x: event.x, y: event.y }))
       .on("end", () => {
         this.#apply();
-        this.dragged = null;
+        this.dragged = this.#grip = null;
         this.hand.ended();
       });
   }
@@ -115,4 +122,17 @@ export class HandlesLayer {
     const after = this.handles.find((one) => one.key === handle.key);
     if (after !== undefined) this.hand.told(after.label);
   }
+}
+
+/**
+ * Handles of the base lie where those of the block do, as these touch it: they are drawn below, with a line to their place.
+ * One that is dragged stays as it was taken.
+ */
+function apart(seen, down, grip) {
+  const others = seen.filter(({ handle }) => handle.kind !== "base");
+  return seen.map((one) => {
+    const covered = one.handle.kind === "base" && others.some(({ x, y }) => Math.hypot(x - one.x, y - one.y) < 2 * RADIUS);
+    const away = grip?.key === one.handle.key ? grip.away : covered ? { x: APART * down.x, y: APART * down.y } : { x: 0, y: 0 };
+    return { ...one, away };
+  });
 }

@@ -43,7 +43,7 @@ export function arrow(from, to) {
 function weight(kase, on) {
   const { block } = kase;
   const from = on(block.centroid_x_m, block.centroid_y_m);
-  const title = block.weight_n === undefined ? "weight" : "weight " + block.weight_n.value.toPrecision(4) + " N";
+  const title = block.weight_n ? "weight " + block.weight_n.value.toPrecision(4) + " N" : "weight";
   return [
     { kind: "weight", d: arrow(from, { x: from.x, y: from.y + FORCE_DOTS }), title },
     { kind: "centroid", d: disc(from, 4.5), title: "centroid" },

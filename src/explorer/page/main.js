@@ -29,7 +29,7 @@ async function begin() {
   const drawing = new Drawing(element("drawing"), store);
   drawingTools(element, drawing, store);
   numbersForm(element("numbers"), store);
-  sceneWords(element, store);
+  sceneWords(element, store, messages);
   sceneTools(element, store, messages);
   const menu = new ExamplesMenu(element("examples"), store);
   addPanels(element("panels"), { store, core, drawing, editor, messages, menu });

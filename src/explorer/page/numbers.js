@@ -6,9 +6,14 @@
 import { parameterValues, quantity } from "../scene/quantity.js";
 import { snap } from "../scene/decimal.js";
 
+/** @param {import("../scene/scene_text.js").SceneText} scene @returns {string|null} why there is no one friction angle */
+function lawOfFriction(scene) {
+  return scene.keys(["friction"])?.includes("law") ? "stands in the friction law; its numbers are in the text" : null;
+}
+
 const NUMBERS = [
   { path: ["tilt", "angle_deg"], label: "Tilt, °", max: 60, greatest: 90 },
-  { path: ["friction_angle_deg"], label: "Friction angle, °", max: 60, greatest: 89.9 },
+  { path: ["friction_angle_deg"], label: "Friction angle, °", max: 60, greatest: 89.9, other: lawOfFriction },
 ];
 
 /** @param {HTMLFormElement} form @param {import("../scene/store.js").SceneStore} store */
@@ -19,17 +24,21 @@ export function numbersForm(form, store) {
 }
 
 /** @returns {() => void} brings it up to the scene */
-function numberRow(form, store, { path, label, max, greatest }) {
+function numberRow(form, store, { path, label, max, greatest, other = () => null }) {
   const row = document.createElement("label");
   const slider = input("range", { min: 0, max, step: 0.1 });
   const field = input("number", { min: 0, max: greatest, step: "any" });
   field.setAttribute("aria-label", label);
   row.append(label + " ", slider, field);
   form.append(row);
+  const present = () => {
+    const found = quantity(store.parsed, path, parameterValues(store.parsed));
+    return { ...found, fixed: found.fixed ?? other(store.parsed) };
+  };
   const put = (text) => {
     const value = Number(text);
     if (text === "" || !(value >= 0 && value <= greatest)) return;
-    const now = quantity(store.parsed, path, parameterValues(store.parsed));
+    const now = present();
     if (now.fixed === null) store.setNumber(now.path, text, { mergeWith: "slide " + path.join(".") });
   };
   slider.addEventListener("input", () => put(snap(slider.valueAsNumber, -1)));
@@ -37,7 +46,7 @@ function numberRow(form, store, { path, label, max, greatest }) {
   for (const one of [slider, field]) one.addEventListener("change", () => store.endGesture());
   return () => {
     if (store.parsed.unread !== null) return;
-    const now = quantity(store.parsed, path, parameterValues(store.parsed));
+    const now = present();
     slider.disabled = field.disabled = now.fixed !== null;
     row.title = now.fixed === null ? "" : label + " " + now.fixed;
     if (now.value === null) slider.value = field.value = "";

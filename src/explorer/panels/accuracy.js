@@ -35,6 +35,10 @@ export class AccuracyPanel extends Panel {
     else if (this.#text !== this.store.text) this.told.textContent = "The scene has changed since it was measured.";
   }
 
+  coloured() {
+    if (this.measured !== undefined) this.#show(this.measured);
+  }
+
   async measure() {
     if (this.button.disabled) return;
     this.button.disabled = true;
@@ -53,6 +57,7 @@ export class AccuracyPanel extends Panel {
   }
 
   #show(json) {
+    this.measured = json;
     const runs = JSON.parse(json).runs.filter(({ bound_log10: digits }) => digits !== null && digits !== undefined && digits < 0);
     const methods = [...new Set(runs.map(({ method }) => method))];
     const times = [...new Set(runs.map(({ seconds }) => seconds * 1e6))].sort((a, b) => a - b);

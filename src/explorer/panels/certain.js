@@ -8,8 +8,8 @@
 
 /** @typedef {{value: number, error: number}} Bounded */
 
-/** Doubles near a value are so far apart at most, as a share of it: what a change of the unit may add to the bound. */
-const SPACING = 2 ** -52;
+/** What a change of the unit, and the sum with a bound, may be off in doubles, as a share of the value. */
+const ROUNDING = 2 ** -51;
 
 /**
  * @param {Bounded|null|undefined} number
@@ -20,13 +20,14 @@ const SPACING = 2 ** -52;
 export function certainText(number, decimals, unit = 1) {
   if (number === null || number === undefined || !Number.isFinite(number.value)) return "—";
   const value = number.value / unit;
-  const slack = unit === 1 ? number.error : number.error / unit + Math.abs(value) * SPACING;
-  if (number.error === 0) return noMinusZero(String(Number(value.toFixed(decimals))));
+  const slack = number.error / unit + Math.abs(value) * ROUNDING;
+  if (number.error === 0 && unit === 1) return noMinusZero(String(Number(value.toFixed(decimals))));
   for (let count = decimals; count >= 0; count--) {
     const low = noMinusZero((value - slack).toFixed(count));
     if (low === noMinusZero((value + slack).toFixed(count))) return low;
   }
-  return value.toPrecision(3) + " ± " + boundText(slack);
+  const shown = Number(value.toPrecision(3));
+  return shown + " ± " + boundText((slack + Math.abs(value - shown)) * (1 + ROUNDING));
 }
 
 /** As certainText, with so many digits in all. @param {Bounded|null|undefined} number @param {number} digits */

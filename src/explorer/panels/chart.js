@@ -7,6 +7,8 @@ import uPlot from "uplot";
 import { element } from "./element.js";
 
 const HEIGHT = 300;
+/** Of each place its chart, which follows the place's width. */
+const drawnIn = new WeakMap();
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3], [4, 4], [12, 4]];
 
 /**
@@ -39,7 +41,7 @@ export function drawChart(place, drawn) {
   const scale = drawn.logarithmic ? { distr: 3 } : {};
   const chart = new uPlot(
     {
-      width: Math.max(260, place.clientWidth), height: HEIGHT,
+      ...sizeOf(place),
       scales: { x: { time: false, ...scale }, y: { ...scale, ...(drawn.yRange ? { range: drawn.yRange } : {}) } },
       axes: [axis(drawn.xLabel), axis(drawn.yLabel)],
       series: [
@@ -57,7 +59,14 @@ export function drawChart(place, drawn) {
   chart.root.setAttribute("role", "img");
   chart.root.setAttribute("aria-label", drawn.yLabel + " against " + drawn.xLabel);
   place.replaceChildren(chart.root);
+  if (!drawnIn.has(place)) new ResizeObserver(() => drawnIn.get(place).setSize(sizeOf(place))).observe(place);
+  drawnIn.get(place)?.destroy();
+  drawnIn.set(place, chart);
   return chart;
+}
+
+function sizeOf(place) {
+  return { width: Math.max(260, place.clientWidth), height: HEIGHT };
 }
 
 function drawMark(plot, mark, colour) {

@@ -54,6 +54,10 @@ export class CurvesPanel extends Panel {
     this.job.stop();
   }
 
+  coloured() {
+    this.job.start(0);
+  }
+
   #list() {
     const chosen = this.numberMenu.value || TILT;
     this.numbers = sceneNumbers(this.store.parsed);

@@ -155,8 +155,8 @@ export class DerivePanel extends Panel {
 
   #follow() {
     const names = parameterValues(this.store.parsed);
-    const friction = decimalValue(this.store.parsed.scalar(["friction_angle_deg"]) ?? "");
-    if (friction !== null) names.set("phi", friction);
+    const friction = readExpression(this.store.parsed.scalar(["friction_angle_deg"]) ?? "");
+    if (friction !== null) names.set("phi", valueOf(friction, names));
     for (const { trees, output } of this.live ?? []) {
       const [over, under] = trees.map((tree) => valueOf(tree, names));
       const angle = (Math.atan2(over, under) * 180) / Math.PI;

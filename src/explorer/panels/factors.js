@@ -20,7 +20,7 @@ export class FactorsPanel extends Panel {
       { "data-towards": theCase.towards },
       element("h3", {}, directionText(theCase, null)),
       factors.length === 0
-        ? element("p", {}, "There is none: ", theCase.governing_fos?.fos_is ?? "no factor is judged", ".")
+        ? element("p", {}, this.terms.word("FoS"), " ", theCase.governing_fos?.fos_is ?? "none: no factor is judged", ".")
         : table("Factors of safety", [this.terms.word("FoS"), "against", "by"], factors.map((each) => this.#row(each, theCase))),
     );
   }

@@ -13,16 +13,20 @@ const WEIGHT_LENGTH = 0.45;
 const MARGIN = 0.12;
 /** A centre of rotation farther off than so many diagonals is told in words alone. */
 const FAR = 1.5;
+/** SVG reckons in single precision: sizes beyond are left to the table. */
+const SIZES = { least: 1e-30, most: 1e30 };
 
 /**
  * @param {any} theCase
  * @param {any} outlines
  * @param {import("./friction_cones.js").Cone[]} cones
+ * @returns {SVGElement|null} null: too small or too large to be drawn
  */
 export function forcesFigure(theCase, outlines, cones) {
   const { limit, block } = theCase;
   const [x0, y0, x1, y1] = outlines.box_m;
   const diagonal = Math.hypot(x1 - x0, y1 - y0);
+  if (!(diagonal >= SIZES.least && diagonal <= SIZES.most)) return null;
   const scale = WEIGHT_LENGTH * diagonal;
   const tilt = (limit.critical_angle_deg.value * Math.PI) / 180;
   const sense = theCase.towards === "right" ? -1 : 1;

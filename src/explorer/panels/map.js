@@ -9,6 +9,7 @@
 import { element } from "./element.js";
 import { readTable } from "./csv.js";
 import { Job } from "./job.js";
+import { shortNumber } from "./chart.js";
 import { snap, stepExponent } from "../scene/decimal.js";
 import { blockWidth } from "./curves.js";
 import { MapFigure } from "./map_figure.js";
@@ -38,13 +39,18 @@ export class MapPanel extends Panel {
     this.yMenu = element("select", { onchange: again, "aria-label": "Upwards" });
     this.towardsMenu = element("select", { onchange: again, "aria-label": "Direction of tilt" });
     this.told = element("p", { class: "told" });
+    this.there = element("p", { class: "pointed" });
     this.legend = element("p", { class: "legend" });
     const room = element("div", {});
     this.body.append(
       element("p", { class: "choices" }, this.xMenu, " across, ", this.yMenu, " upwards, ", this.towardsMenu),
-      room, this.legend, this.told,
+      room, this.there, this.legend, this.told,
     );
-    this.figure = new MapFigure(room, (x, y) => this.#moveScene(x, y), () => this.store.endGesture());
+    this.figure = new MapFigure(room, {
+      moved: (x, y) => this.#moveScene(x, y),
+      left: () => this.store.endGesture(),
+      pointed: (x, y) => this.#tell(x, y),
+    });
     this.job = new Job((current, signal) => this.#compute(current, signal), (error) => (this.told.textContent = error.message));
   }
 
@@ -56,6 +62,11 @@ export class MapPanel extends Panel {
   hidden() {
     this.job.stop();
     this.#key = "";
+  }
+
+  coloured() {
+    this.colours = undefined;
+    if (this.grid !== undefined) this.figure.setPlane(this.grid, (kind) => this.#colour(kind));
   }
 
   /** Let this number run across, and the tilt upwards. @param {string} key */
@@ -77,7 +88,7 @@ export class MapPanel extends Panel {
     this.wanted = null;
   }
 
-  /** The plane does not depend on the two numbers themselves: as they are dragged it stays. */
+  /** The plane does not depend on the two numbers themselves, nor on the tilt: as they are dragged it stays. */
   #choose() {
     const chosen = [this.xMenu, this.yMenu].map((menu) => this.numbers.find(({ key }) => key === menu.value));
     if (chosen.includes(undefined) || chosen[0] === chosen[1]) {
@@ -86,7 +97,8 @@ export class MapPanel extends Panel {
     }
     [this.x, this.y] = chosen;
     const text = sweepable(this.store.parsed, this.towardsMenu.value);
-    const plane = new this.store.parsed.constructor(text).withNumbers(chosen.map(({ path }) => ({ path, text: "0" })));
+    const free = new Set([...chosen, this.numbers[0]]); // the tilt is an axis, or has no say in what lets go first
+    const plane = new this.store.parsed.constructor(text).withNumbers([...free].map(({ path }) => ({ path, text: "0" })));
     const key = JSON.stringify([plane, this.x.key, this.y.key]);
     if (key !== this.#key) {
       this.#key = key;
@@ -107,12 +119,15 @@ export class MapPanel extends Panel {
     const onTilt = [this.x.key, this.y.key].includes(TILT);
     const grid = new MapGrid(POINTS, POINTS);
     const began = performance.now();
-    const solve = async (row, columns) => {
-      const args = ["sweep", this.store.name, "--x", this.x.key + "=" + columns.map((column) => x[column]).join(","), "--y", this.y.key + "=" + y[row]];
+    const solve = async (rows, columns) => {
+      const list = (number, all, chosen) => number.key + "=" + chosen.map((at) => all[at]).join(",");
+      const args = ["sweep", this.store.name, "--x", list(this.x, x, columns), "--y", list(this.y, y, rows)];
       const answer = await this.background.run(args, files, { timeoutMs: ROW_MAX_MS });
       if (!current()) return false;
       if (answer.out === "") throw new Error(answer.err.trim());
-      readTable(answer.out).forEach((point, index) => grid.put(columns[index], row, kindOf(point, onTilt)));
+      readTable(answer.out).forEach((point, index) => {
+        grid.put(columns[index % columns.length], rows[Math.floor(index / columns.length)], kindOf(point, onTilt));
+      });
       return true;
     };
     await grid.refine(solve, () => this.#show(grid, performance.now() - began));
@@ -120,6 +135,7 @@ export class MapPanel extends Panel {
   }
 
   #show(grid, milliseconds) {
+    this.grid = grid;
     this.figure.setPlane(grid, (kind) => this.#colour(kind));
     const there = new Set(grid.kinds);
     this.legend.replaceChildren(
@@ -129,7 +145,8 @@ export class MapPanel extends Panel {
           : "",
       ),
     );
-    this.points = (POINTS - 1) + " × " + (POINTS - 1) + " cells in " + (milliseconds / 1000).toFixed(2) + " s: " + grid.count +
+    const what = [this.x.key, this.y.key].includes(TILT) ? "What it does at each tilt. " : "What lets go first, as the table is tilted. ";
+    this.points = what + (POINTS - 1) + " × " + (POINTS - 1) + " cells in " + (milliseconds / 1000).toFixed(2) + " s: " + grid.count +
       " points solved, the others lie in cells whose solved points agree.";
     this.told.textContent = this.points;
     this.told.dataset.milliseconds = milliseconds.toFixed(0);
@@ -143,6 +160,15 @@ export class MapPanel extends Panel {
     if (!current()) return;
     if (answer.out !== "") this.figure.setBorders(JSON.parse(answer.out).series);
     this.told.textContent = this.points + (answer.out === "" ? " No borders: " + answer.err.trim() : " Lines are proven: roots, not points.");
+  }
+
+  /** What the plane says under the pointer. */
+  #tell(x, y) {
+    if (this.grid === undefined || this.axes === undefined) return;
+    const at = (value, { from, to }) => Math.round(((value - from) / (to - from)) * (POINTS - 1));
+    const kind = this.grid.kinds[at(y, this.axes[1]) * POINTS + at(x, this.axes[0])];
+    const named = (number, value) => (number.key === TILT ? "tilt" : number.key) + " " + shortNumber(Number(value.toPrecision(3)));
+    this.there.textContent = named(this.x, x) + ", " + named(this.y, y) + ": " + (KINDS[kind] || "…");
   }
 
   #colour(kind) {

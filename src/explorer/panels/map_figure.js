@@ -19,10 +19,15 @@ const TICKS = 5;
  */
 
 export class MapFigure {
-  /** @param {HTMLElement} place @param {(x: number, y: number) => void} moved the scene is to be there @param {() => void} left */
-  constructor(place, moved, left) {
-    this.moved = moved;
-    this.left = left;
+  /**
+   * @param {HTMLElement} place
+   * @param {object} told
+   * @param {(x: number, y: number) => void} told.moved the scene is to be there
+   * @param {() => void} told.left the point was let go
+   * @param {(x: number, y: number) => void} told.pointed the pointer is there
+   */
+  constructor(place, { moved, left, pointed }) {
+    Object.assign(this, { moved, left, pointed });
     this.canvas = element("canvas", {});
     this.lines = svgElement("g", { class: "borders" });
     this.axes = svgElement("g", { class: "axes" });
@@ -107,12 +112,14 @@ export class MapFigure {
   }
 
   #listen() {
-    const move = (event) => {
+    const place = (event) => {
       const box = this.canvas.getBoundingClientRect();
       const x = clamped((event.clientX - box.left) / box.width);
       const y = clamped(1 - (event.clientY - box.top) / box.height);
-      this.moved(this.x.from + x * (this.x.to - this.x.from), this.y.from + y * (this.y.to - this.y.from));
+      return [this.x.from + x * (this.x.to - this.x.from), this.y.from + y * (this.y.to - this.y.from)];
     };
+    const move = (event) => this.moved(...place(event));
+    this.drawing.addEventListener("pointermove", (event) => this.x && this.pointed(...place(event)));
     this.drawing.addEventListener("pointerdown", (event) => {
       if (!this.point.contains(event.target)) return;
       event.preventDefault();

@@ -8,7 +8,7 @@
  */
 
 const COARSE = 8;
-export const UNKNOWN = 0;
+const UNKNOWN = 0;
 
 export class MapGrid {
   /** @param {number} columns points along x, one more than a multiple of eight @param {number} rows likewise along y */
@@ -32,19 +32,17 @@ export class MapGrid {
 
   /**
    * Solves what has to be.
-   * @param {(row: number, columns: number[]) => Promise<boolean>} solve puts the points of a row; false: leave
+   * @param {(rows: number[], columns: number[]) => Promise<boolean>} solve puts all points of these rows; false: leave
    * @param {() => void} drawn after each round the whole plane is told, ever finer
    */
   async refine(solve, drawn) {
-    for (let row = 0; row < this.rows; row += COARSE) {
-      if (!(await solve(row, everyEighth(this.columns)))) return;
-    }
+    if (!(await solve(everyEighth(this.rows), everyEighth(this.columns)))) return;
     for (let size = COARSE; size >= 2; size /= 2) {
       this.#fill(size);
       drawn();
       let wanted = this.#wanted(size);
       while (wanted.size > 0) {
-        for (const [row, columns] of wanted) if (!(await solve(row, columns))) return;
+        for (const { rows, columns } of alike(wanted)) if (!(await solve(rows, columns))) return;
         wanted = this.#wanted(size);
       }
     }
@@ -97,10 +95,21 @@ export class MapGrid {
   }
 }
 
-function everyEighth(columns) {
+function everyEighth(count) {
   const found = [];
-  for (let column = 0; column < columns; column += COARSE) found.push(column);
+  for (let at = 0; at < count; at += COARSE) found.push(at);
   return found;
+}
+
+/** Rows of which the same columns are wanted are solved together. @param {Map<number, number[]>} wanted */
+function alike(wanted) {
+  const groups = new Map();
+  for (const [row, columns] of wanted) {
+    const key = columns.join();
+    if (!groups.has(key)) groups.set(key, { rows: [], columns });
+    groups.get(key).rows.push(row);
+  }
+  return groups.values();
 }
 
 /** Corners, middles of edges and centre of a cell. */

@@ -11,7 +11,7 @@ const GREEK = {
 };
 
 /** @param {import("./expression.js").Tree} tree @returns {Element} */
-export function mathOf(tree) {
+function mathOf(tree) {
   switch (tree.kind) {
     case "number": return mathElement("mn", {}, tree.text);
     case "name": return name(tree.text);

@@ -33,6 +33,7 @@ export class Panel {
     place.append(this.stale, this.body);
     store.addEventListener("solution", () => this.#later());
     store.addEventListener("problem", () => this.#later());
+    new MutationObserver(() => this.shown && this.coloured()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   show() {
@@ -52,6 +53,9 @@ export class Panel {
 
   /** What runs for it can be left. */
   hidden() {}
+
+  /** Light and dark have changed: what has its colours from neither element nor style is drawn anew. */
+  coloured() {}
 
   /** The scene and what lies beside it, as files for the core. */
   files() {
@@ -79,5 +83,6 @@ export class Panel {
     this.#drawn = solution;
     this.place.dataset.scene = this.store.name;
     this.draw(solution);
+    this.terms.forget();
   }
 }

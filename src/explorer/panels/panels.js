@@ -4,6 +4,7 @@
 /** What stands beside the drawing: the verdict and its factors always, all else in tabs. */
 
 import { Core } from "../core/core.js";
+import { AboutPanel } from "./about.js";
 import { AccuracyPanel } from "./accuracy.js";
 import { CurvesPanel } from "./curves.js";
 import { DerivePanel } from "./derive.js";
@@ -33,6 +34,7 @@ const IN_TABS = [
   { id: "verify", title: "Verify", Panel: VerifyPanel },
   { id: "accuracy", title: "Accuracy", Panel: AccuracyPanel },
   { id: "report", title: "Report", Panel: ReportPanel },
+  { id: "about", title: "About", Panel: AboutPanel },
 ];
 
 /** A second core for what takes long, so that the answers to a drag never wait for a map; begun when first used. */

@@ -10,7 +10,7 @@ const COMMAND = /([MLCZ])([^MLCZ]*)/g;
  * @param {string} data
  * @returns {{points: {x: number, y: number}[], closed: boolean}[]}
  */
-export function polylines(data) {
+function polylines(data) {
   const found = [];
   for (const [, command, numbers] of data.matchAll(COMMAND)) {
     const values = numbers.trim().split(/[\s,]+/).filter((each) => each !== "").map(Number);

@@ -11,6 +11,8 @@ import { directionText } from "./words.js";
 
 /** More rows than this are for files, not for a page. */
 const ROWS_MAX = 200;
+/** Kinds that are terms of the glossary; the others are plain words. */
+const EXPLAINED = new Set(["peak", "valley"]);
 
 export class PivotsPanel extends Panel {
   draw(solution) {
@@ -33,7 +35,7 @@ export class PivotsPanel extends Panel {
       table("Candidate pivots", heads, listed.map((pivot) => ({
         marked: pivot.index === governs,
         cells: [
-          pivot.index + 1 + " " + pivot.kind,
+          [pivot.index + 1 + " ", EXPLAINED.has(pivot.kind) ? this.terms.word(pivot.kind) : pivot.kind],
           lengthText(pivot.x_m, unit),
           lengthText(pivot.y_m, unit),
           pivot.critical_angle_deg === null ? (pivot.critical_angle_is ?? "—") : degreesText(pivot.critical_angle_deg),

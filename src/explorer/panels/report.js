@@ -28,12 +28,11 @@ export class ReportPanel extends Panel {
   constructor(place, context) {
     super(place, context);
     this.told = element("p", { class: "told", role: "status" });
-    this.figure = element("div", { class: "figure" });
     this.text = element("pre", { class: "wide", tabindex: 0, "aria-label": "Report of the command line" });
     this.body.append(
       element("p", { class: "choices" }, FILES.map((file) => element("button", { type: "button", onclick: () => this.write(file) }, file.label)),
         element("button", { type: "button", onclick: () => this.#json() }, "Solution, JSON")),
-      this.told, this.figure, this.text,
+      this.told, this.text,
     );
   }
 
@@ -55,7 +54,7 @@ export class ReportPanel extends Panel {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
       const answer = await this.background.run(["solve", "--quiet", option, name, this.store.name], this.files(), options);
       const written = answer.files[name];
-      if (written === undefined) throw new Error(answer.err.trim() || "nothing was written");
+      if (written === undefined) throw new Error(reason(answer.err));
       offer(name, written, type);
       this.told.textContent = label + ": " + name + ", the bytes that the command line writes.";
     } catch (error) {
@@ -71,4 +70,11 @@ export class ReportPanel extends Panel {
       (error) => (this.told.textContent = error.message),
     );
   }
+}
+
+/** A core that was built without Cairo says that it cannot draw; a reader is told where it can be had. */
+function reason(err) {
+  const words = err.trim() || "nothing was written";
+  if (!/cannot be drawn/.test(words)) return words;
+  return words + ". The core of this page is built without Cairo, which draws the figures of sheets; `topple solve` writes them.";
 }

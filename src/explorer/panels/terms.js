@@ -15,7 +15,7 @@ const EXPLAIN_MAX_MS = 5000;
  * What explain printed of its first meaning, as a title and paragraphs, the lines of each joined.
  * @param {string} printed
  */
-export function readExplanation(printed) {
+function readExplanation(printed) {
   const [title, ...lines] = printed.split("\n\n", 1)[0].split("\n");
   const rows = [];
   for (const line of lines.map((each) => each.trim())) {
@@ -57,6 +57,11 @@ export class Terms {
       },
       shown,
     );
+  }
+
+  /** What a panel drew anew took its words along: none of them can be left any more. */
+  forget() {
+    if (this.#wanted !== null && !this.#wanted.isConnected) this.#hide();
   }
 
   async #show(anchor, term) {

@@ -31,6 +31,7 @@ export class VerdictPanel extends Panel {
       ...solution.notes.map((note) =>
         element("p", { class: "note " + note.kind }, element("strong", {}, sentence(note.kind) + ": "), note.text),
       ),
+      element("p", { class: "told" }, "Certain to every digit printed; by ", this.terms.word("level"), ": " + solution.level + "."),
     );
     clearTimeout(this.#told);
     this.#told = setTimeout(() => {
@@ -106,7 +107,7 @@ export class VerdictPanel extends Panel {
     if (limit.centre_x_m === null || limit.centre_x_m === undefined) return null;
     const unit = lengthUnit(this.store);
     const about = pointText(limit.centre_x_m, limit.centre_y_m, unit) + " " + unit.name;
-    return row(this.terms.word("Then it", "mechanism"), limit.mechanism + " about " + about, "centre");
+    return row(this.terms.word("Then it", "mechanism"), [this.terms.word(limit.mechanism), " about " + about], "centre");
   }
 
   /** A limit that depends on where the base ends is never left open. */
@@ -117,9 +118,9 @@ export class VerdictPanel extends Panel {
     return element(
       "p",
       { class: "base-matters" },
-      "On this base, which " + (goesOn ? "goes on past" : "ends at") + " the toe, it is held up to ",
+      "On this base, which " + (goesOn ? "goes on past" : "ends at") + " the ", this.terms.word("toe"), ", it is held up to ",
       element("strong", {}, degreesText(limit.critical_angle_deg)),
-      "; on one that " + (goesOn ? "ends at" : "goes on past") + " the toe it " + limit.otherwise.mechanism + " at ",
+      "; on one that " + (goesOn ? "ends at" : "goes on past") + " the toe it ", this.terms.word(limit.otherwise.mechanism), " at ",
       element("strong", { "data-number": "otherwise" }, degreesText(limit.otherwise.critical_angle_deg)),
       ".",
     );

@@ -13,6 +13,13 @@ export const PARSED_MAX = 200_000;
 
 /** @typedef {(string|number)[]} Path keys and, in lists, numbers from 0 */
 
+/** The core's reader takes brackets that end at the margin; the one that finds the numbers to be dragged does not. */
+function whyUnread(error) {
+  if (error.code !== "BAD_INDENT") return "The text is no YAML yet; see its message";
+  const line = error.linePos?.[0]?.line ?? 1;
+  return "Brackets go on at the margin at line " + line + "; indent that line, and the scene can be dragged";
+}
+
 export class SceneText {
   /** @param {string} text */
   constructor(text) {
@@ -21,15 +28,15 @@ export class SceneText {
     this.unread = null;
     this.root = null;
     if (text.length > PARSED_MAX) {
-      this.unread = "the scene is too long to be dragged; edit its text";
+      this.unread = "The scene is too long to be dragged; edit its text";
       return;
     }
     try {
       const document = parseDocument(text, { schema: "failsafe", logLevel: "silent", uniqueKeys: false });
-      if (document.errors.length > 0) this.unread = "the text is no YAML yet; see its message";
+      if (document.errors.length > 0) this.unread = whyUnread(document.errors[0]);
       else this.root = document.contents;
     } catch (error) {
-      this.unread = "the text is no YAML yet: " + error.message;
+      this.unread = "The text is no YAML yet: " + error.message;
     }
   }
 

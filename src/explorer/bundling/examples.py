@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """The scenes of examples/ and the files that they name, as JSON for the page: [{"name", "title", "text", "files"}],
-sorted by name. Usage: collect.py FILE"""
+sorted by name."""
 
-import json
 import pathlib
 import re
-import sys
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / "examples"
 NAMED = re.compile(r"[A-Za-z0-9_./-]+\.(?:csv|dxf|svg|wkt|geojson|ply|obj|stl|at2)\b")
@@ -20,10 +18,5 @@ def example(path):
     return {"name": path.name, "title": title.group(1).strip("\"'") if title else path.stem, "text": text, "files": files}
 
 
-def main():
-    found = [example(path) for path in sorted(EXAMPLES.glob("*.yaml"))]
-    pathlib.Path(sys.argv[1]).write_text(json.dumps(found, ensure_ascii=False, indent=0), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()
+def examples():
+    return [example(path) for path in sorted(EXAMPLES.glob("*.yaml"))]

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""The page as one file: its modules and style sheets bundled by esbuild, and put into index.html. The same sources
+give the same bytes: nothing in them tells when or where they were made.
+
+Modules that no file is: topple:examples, topple:licence_texts, and those that the caller gives, as the core's bytes."""
+
+import hashlib
+import json
+import pathlib
+import shutil
+import subprocess
+
+from .examples import examples
+
+EXPLORER = pathlib.Path(__file__).resolve().parents[1]
+MODULES = EXPLORER / "node_modules"
+STAMP = MODULES / ".installed"
+COMMON_LICENCES = pathlib.Path("/usr/share/common-licenses")  # of Debian's package base-files
+STYLE = '<link rel="stylesheet" href="style.css">'
+SCRIPT = '<script type="module" src="main.js"></script>'
+
+
+def install():
+    """The pinned packages, where they are not there yet."""
+    lock = hashlib.sha256((EXPLORER / "package-lock.json").read_bytes()).hexdigest()
+    if STAMP.is_file() and STAMP.read_text() == lock:
+        return
+    npm = shutil.which("npm")
+    if npm is None:
+        raise FileNotFoundError("there is no npm: install Debian's package npm")
+    subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"], cwd=EXPLORER, check=True,
+                   stdout=subprocess.DEVNULL)
+    STAMP.write_text(lock)
+
+
+def esbuild(entry, *options):
+    """What the bundler makes of a file, as text."""
+    program = MODULES / ".bin" / "esbuild"
+    done = subprocess.run([program, entry, "--bundle", "--minify", "--charset=utf8", "--legal-comments=none", "--target=es2022,chrome109,firefox115",
+                           "--log-level=warning", *options], cwd=EXPLORER, check=True, stdout=subprocess.PIPE, encoding="utf-8")
+    return done.stdout
+
+
+def licence_texts():
+    """Of the GNU licences and the one that part of Emscripten has: who gets the page gets them with it."""
+    texts = {"GNU General Public License, version 3": (EXPLORER.parents[1] / "LICENSE").read_text(encoding="utf-8")}
+    for name, title in (("LGPL-3", "GNU Lesser General Public License, version 3"),
+                        ("LGPL-2.1", "GNU Lesser General Public License, version 2.1"),
+                        ("GPL-2", "GNU General Public License, version 2"), ("Apache-2.0", "Apache License, version 2.0")):
+        texts[title] = (COMMON_LICENCES / name).read_text(encoding="utf-8")
+    return texts
+
+
+def bundled(folder, modules):
+    """The page's text. `folder`: where files that it is made from may be written; `modules`: names of modules that no
+    file is, and what each is, as JSON."""
+    folder.mkdir(parents=True, exist_ok=True)
+    options = []
+    for name, value in {"topple:examples": examples(), "topple:licence_texts": licence_texts(), **modules}.items():
+        path = folder / (name.replace(":", "_") + ".json")
+        path.write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
+        options.append(f"--alias:{name}={path}")
+    script = esbuild("page/main.js", "--format=iife", *options)
+    style = esbuild("page/style.css")
+    page = (EXPLORER / "page" / "index.html").read_text(encoding="utf-8")
+    for place in (STYLE, SCRIPT):
+        if page.count(place) != 1:
+            raise ValueError(f"page/index.html has not {place} once")
+    # neither may end its element before its end
+    script = script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
+    style = style.replace("</style", "<\\/style")
+    return page.replace(STYLE, f"<style>{style}</style>").replace(SCRIPT, f'<script type="module">{script}</script>')

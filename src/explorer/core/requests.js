@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * Requests to the core, which runs one at a time in a worker: a queue, in which a later request replaces a waiting one of
+ * the same name; time limits; a worker that is stopped and started anew where a run takes too long or breaks down.
+ */
+
+/**
+ * @typedef {object} Answer
+ * @property {number} status exit status: 0 done, 1 refuted, 2 wrong usage, 3 bad input, 4 undecided, 5 the system failed
+ * @property {string} out standard output
+ * @property {string} err standard error
+ * @property {Object<string, Uint8Array>} files those that were asked for and written, by name
+ * @property {number} seconds that the run took
+ *
+ * @typedef {object} Port a worker that has begun
+ * @property {(message: object) => void} post
+ * @property {() => void} end
+ */
+
+const LIMIT_MS = 20000;
+
+/** The core was stopped while it ran; it has been started again. */
+export class CoreStopped extends Error {
+  constructor(message) {
+    super(message);
+    this.name = "CoreStopped";
+  }
+}
+
+const replaced = () => new DOMException("a later request replaced this one", "AbortError");
+
+export class Requests {
+  #start;
+  #waiting = [];
+  #running = null;
+  /** @type {Port|null} */
+  #port = null;
+  #ready = false;
+  #count = 0;
+
+  /** Told of each change: "starting", "ready" or "running". @type {((state: string) => void)|null} */
+  onstate = null;
+
+  /** @param {(heard: (message: object) => void) => Port} start starts a worker, whose messages `heard` takes */
+  constructor(start) {
+    this.#start = start;
+    this.#begin();
+  }
+
+  /**
+   * Run the program.
+   * @param {string[]} args as on the command line
+   * @param {Object<string, string|Uint8Array>} files written beforehand where it runs
+   * @param {{latest?: string, timeoutMs?: number, collect?: string[], signal?: AbortSignal}} [options] latest: this
+   *   request replaces a waiting one of that name, which ends with an AbortError; collect: files to be read afterwards
+   * @returns {Promise<Answer>}
+   */
+  run(args, files, { latest = null, timeoutMs = LIMIT_MS, collect = [], signal = null } = {}) {
+    return new Promise((resolve, reject) => {
+      if (signal?.aborted) {
+        reject(signal.reason);
+        return;
+      }
+      const request = { id: ++this.#count, args, files, latest, timeoutMs, collect, resolve, reject, timer: 0 };
+      signal?.addEventListener("abort", () => this.#abandon(request, signal.reason), { once: true });
+      const before = latest === null ? -1 : this.#waiting.findIndex((other) => other.latest === latest);
+      if (before >= 0) {
+        this.#waiting[before].reject(replaced());
+        this.#waiting[before] = request;
+      } else {
+        this.#waiting.push(request);
+      }
+      this.#next();
+    });
+  }
+
+  /** Stop what runs, with an error of its own, and start anew; what waits is kept. */
+  restart() {
+    this.#stop(new CoreStopped("The core was stopped, as was asked for. It has been started again."));
+  }
+
+  /** End for good. */
+  close() {
+    this.#port?.end();
+    this.#port = null;
+  }
+
+  #begin() {
+    this.#ready = false;
+    this.onstate?.("starting");
+    const port = this.#start((message) => {
+      if (port === this.#port) this.#hear(message);
+    });
+    this.#port = port;
+  }
+
+  #next() {
+    if (!this.#ready || this.#running !== null || this.#waiting.length === 0) return;
+    const request = this.#waiting.shift();
+    this.#running = request;
+    request.timer = setTimeout(() => this.#stop(new CoreStopped(
+      `The core was stopped: it had taken ${request.timeoutMs / 1000} s. It has been started again; a scene with fewer vertices, or a ` +
+        "question that is less exact, takes less.")), request.timeoutMs);
+    this.onstate?.("running");
+    this.#port.post({ kind: "run", id: request.id, args: request.args, files: request.files, collect: request.collect });
+  }
+
+  #hear(message) {
+    if (message.kind === "ready") {
+      this.#ready = true;
+      this.onstate?.("ready");
+      this.#next();
+    } else if (message.kind === "broken") {
+      this.#stop(new CoreStopped(`The core cannot run here: ${message.why}`), this.#ready);
+    } else if (message.kind === "failed") {
+      this.#stop(new CoreStopped(`The core broke down on this scene (${message.why}). It has been started again.`));
+    } else if (message.id === this.#running?.id) {
+      const request = this.#take();
+      request.resolve(message.answer);
+      this.onstate?.("ready");
+      this.#next();
+    }
+  }
+
+  /** @returns the request that ran */
+  #take() {
+    const request = this.#running;
+    this.#running = null;
+    clearTimeout(request?.timer);
+    return request;
+  }
+
+  /** @param {Error} error for the request that runs; @param {boolean} [again] whether to start anew */
+  #stop(error, again = true) {
+    this.#port?.end();
+    this.#take()?.reject(error);
+    if (again) {
+      this.#begin();
+      return;
+    }
+    this.#port = null;
+    for (const request of this.#waiting.splice(0)) request.reject(error);
+  }
+
+  #abandon(request, reason) {
+    if (request === this.#running) {
+      this.#stop(reason);
+      return;
+    }
+    const at = this.#waiting.indexOf(request);
+    if (at < 0) return;
+    this.#waiting.splice(at, 1);
+    request.reject(reason);
+  }
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** Answers requests to run the program, one after the other, in a thread of its own: that of a page, or of node. */
+
+import { Program } from "./program.js";
+
+const KEPT_MAX = 512 * 2 ** 20; // bytes: an instance that has grown beyond gives them back by ending
+
+/**
+ * @param {{post: (message: object) => void, listen: (heard: (message: object) => void) => void}} port
+ * @param {Function} createCore what emscripten's loader exports
+ */
+export function serve(port, createCore) {
+  let module = null;
+  /** @type {Promise<Program>} */
+  let program = null;
+  const begin = () => {
+    program = Program.create(createCore, module);
+  };
+  port.listen(async (message) => {
+    if (message.kind === "begin") {
+      module = message.module;
+      begin();
+      await program;
+      port.post({ kind: "ready" });
+      return;
+    }
+    try {
+      const own = await program;
+      const answer = own.run(message.args, message.files, message.collect);
+      port.post({ kind: "done", id: message.id, answer });
+      if (own.size > KEPT_MAX) begin();
+    } catch (error) {
+      port.post({ kind: "failed", id: message.id, why: String(error) });
+    }
+  });
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/** What the page is, whose it is, and what is inlined into it, each with its licence and its notice. */
+
+import { element, table } from "./element.js";
+import { Panel } from "./panel.js";
+import licences from "../licences/licences.json";
+import texts from "topple:licence_texts";
+
+const VERSION_MAX_MS = 5000;
+
+export class AboutPanel extends Panel {
+  constructor(place, context) {
+    super(place, context);
+    const version = element("strong", {}, "topple");
+    this.body.append(
+      element(
+        "p", {}, version, ": does a rock block stand, slide or topple on its base? Free software under the GNU General Public " +
+          "License, version 3 or later, without any warranty. This page holds the whole program, works without a network, " +
+          "and sends nothing anywhere.",
+      ),
+      table("What is inlined", ["library", "licence", "for"], licences.libraries.map(({ name, licence, for: purpose }) => ({
+        cells: [name, licence, purpose],
+      }))),
+      element("p", {}, "The texts of the licences, and the notices that go with them:"),
+      ...Object.entries(texts).map(([name, text]) =>
+        element("details", {}, element("summary", {}, name), element("pre", { class: "wide", tabindex: 0 }, text)),
+      ),
+      ...licences.notices.map((notice, at) =>
+        element("details", {}, element("summary", {}, named(at)), element("pre", { class: "wide", tabindex: 0 }, notice)),
+      ),
+    );
+    this.core.run(["--version"], {}, { timeoutMs: VERSION_MAX_MS }).then(
+      (answer) => (version.textContent = answer.out.trim() || "topple"),
+      () => {}, // a core that was stopped has no version to tell; the page says so by itself
+    );
+  }
+
+  draw() {}
+}
+
+function named(notice) {
+  return licences.libraries.filter((each) => each.notice === notice).map(({ name }) => name).join(", ");
+}

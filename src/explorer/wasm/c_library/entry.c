@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What the page calls: a run of the program as a process has it, ended by exit, which writes what
+ * is buffered; and where the program's own data ends, which the page puts back before each run. */
+
+#include <emscripten/emscripten.h>
+#include <stdlib.h>
+
+int main(int argc, char **argv);
+
+extern char __data_end; /* of the linker */
+
+EMSCRIPTEN_KEEPALIVE void core_run(int argc, char **argv) {
+  exit(main(argc, argv));
+}
+
+EMSCRIPTEN_KEEPALIVE char *core_data_end(void) {
+  return &__data_end;
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Whole numbers of FLINT as words of 64 bits, whatever FLINT's own words have: where they have 32,
+ * as on machines with a `long` of 32 bits, a number of 40 bits is a large one to FLINT. The same
+ * paths are taken with either, so that doubles come out the same. */
+
+#ifndef TP_NUMBER_WORD_H
+#define TP_NUMBER_WORD_H
+
+#include <flint/fmpz.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+  TP_WORD_SMALL_BITS = 62, /* of the numbers that FLINT keeps within one word of 64 bits */
+  TP_WORD_LIMBS = 64 / FLINT_BITS
+};
+
+/* Of 62 bits at most? */
+static inline bool tp_word_is_small(const fmpz *number) {
+#if FLINT_BITS == 64
+  return !COEFF_IS_MPZ(*number);
+#else
+  return fmpz_bits(number) <= TP_WORD_SMALL_BITS;
+#endif
+}
+
+/* Does an int64_t hold it? */
+static inline bool tp_word_fits(const fmpz *number) {
+#if FLINT_BITS == 64
+  return fmpz_fits_si(number) != 0;
+#else
+  return fmpz_bits(number) < 64 ||
+         (fmpz_bits(number) == 64 && fmpz_sgn(number) < 0 && fmpz_val2(number) == 63);
+#endif
+}
+
+/* Of a number that an int64_t holds. */
+static inline int64_t tp_word_get(const fmpz *number) {
+#if FLINT_BITS == 64
+  return fmpz_get_si(number);
+#else
+  ulong high, low;
+  fmpz_get_signed_uiui(&high, &low, number);
+  return (int64_t)((uint64_t)high << 32 | low);
+#endif
+}
+
+static inline void tp_word_set_unsigned(fmpz *number, uint64_t word) {
+#if FLINT_BITS == 64
+  fmpz_set_ui(number, word);
+#else
+  fmpz_set_uiui(number, (ulong)(word >> 32), (ulong)word);
+#endif
+}
+
+static inline void tp_word_set(fmpz *number, int64_t word) {
+#if FLINT_BITS == 64
+  fmpz_set_si(number, word);
+#else
+  fmpz_set_uiui(number, (ulong)((word < 0 ? 0 - (uint64_t)word : (uint64_t)word) >> 32),
+                (ulong)(word < 0 ? 0 - (uint64_t)word : (uint64_t)word));
+  if (word < 0) fmpz_neg(number, number);
+#endif
+}
+
+/* The top 64 bits of a mantissa of one limb or more, the first of which is set; what else there is
+ * lies in limbs beyond TP_WORD_LIMBS. */
+static inline uint64_t tp_word_top(mp_srcptr limbs, mp_size_t count) {
+#if FLINT_BITS == 64
+  return limbs[count - 1];
+#else
+  return (uint64_t)limbs[count - 1] << 32 | (count > 1 ? limbs[count - 2] : 0);
+#endif
+}
+
+#endif

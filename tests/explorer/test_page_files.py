@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""What goes into the explorer and out of it: every example, files of all kinds, saved scenes, links that carry one,
+and all of it without a network."""
+
+import pathlib
+import tempfile
+import time
+import unittest
+
+from page_case import ADDRESS, ROOT, PageCase, main
+
+EXAMPLES = ROOT / "examples"
+BLOCK = "document.querySelector('.shape.block').getAttribute('d')"
+
+
+class Files(PageCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        super().setUp()
+
+    def test_every_example(self):
+        """The menu has each scene of examples/, and the page has an answer and a drawing for each."""
+        names = self.value("[...document.getElementById('examples').options].map(o => o.value).filter(v => v)")
+        self.assertEqual(names, sorted(path.name for path in EXAMPLES.glob("*.yaml")))
+        for name in names:
+            with self.subTest(name):
+                self.example(name.removesuffix(".yaml"))
+                self.assertGreater(len(self.value(BLOCK)), 12)
+                self.assertTrue(self.value("document.getElementById('message').hidden"))
+
+    def test_scene_with_its_csv(self):
+        """A scene alone misses its file and says so; opened after it, the file is taken; both at once are too."""
+        self.choose(EXAMPLES / "boulder.yaml")
+        self.refused()
+        self.assertIn("boulder.csv", self.message())
+        self.choose(EXAMPLES / "boulder.csv")
+        self.answered()
+        drawn = self.value(BLOCK)
+        self.load()
+        self.choose(EXAMPLES / "boulder.yaml", EXAMPLES / "boulder.csv")
+        self.awaits("document.getElementById('scene-name').textContent === 'boulder.yaml'")
+        self.answered()
+        self.assertEqual(self.value(BLOCK), drawn)
+
+    def test_drawings_become_scenes(self):
+        """A DXF, an SVG and a CSV by themselves: a scene is begun that names them, which the command line reads too."""
+        for name in ("section_arcs.dxf", "boulder_traced.svg", "boulder.csv", "block_e_valley.wkt"):
+            with self.subTest(name):
+                self.choose(EXAMPLES / name)
+                self.awaits(f"document.getElementById('scene-name').textContent === '{name.rsplit('.', 1)[0]}.yaml'")
+                self.answered()
+                self.assertIn(name, self.text())
+                (self.folder / name).write_bytes((EXAMPLES / name).read_bytes())
+                self.assertEqual(self.value(BLOCK), self.solved(self.folder)["outlines"]["block"])
+
+    def test_what_is_no_scene_is_refused_in_words(self):
+        path = self.folder / "letter.odt"
+        path.write_bytes(b"\xff\xfe\x00 no scene")
+        before = self.text()
+        self.choose(path)
+        self.awaits("!document.getElementById('message').hidden")
+        self.assertIn("letter.odt is no scene", self.message())
+        self.assertEqual(self.text(), before)
+
+    def test_saved_bytes_are_the_text(self):
+        self.browser.call("Page.setDownloadBehavior", behavior="allow", downloadPath=str(self.folder))
+        self.click("#save")
+        path = self.folder / "block_e_valley.yaml"
+        for _ in range(100):
+            if path.exists() and path.stat().st_size > 0:
+                break
+            time.sleep(0.05)
+        self.assertEqual(path.read_bytes(), (EXAMPLES / "block_e_valley.yaml").read_bytes())
+
+    def test_link_carries_the_scene_and_its_files(self):
+        """The address of a page that opened a boulder from a CSV, opened anew, shows that boulder."""
+        self.example("boulder")
+        drawn, text = self.value(BLOCK), self.text()
+        self.click("#link")
+        fragment = self.awaits("location.hash.length > 10 && location.hash")
+        self.assertRegex(fragment, r"^#z=[\w-]+$")
+        self.load(fragment)
+        self.assertEqual(self.value("document.getElementById('scene-name').textContent"), "boulder.yaml")
+        self.assertEqual((self.value(BLOCK), self.text()), (drawn, text))
+
+    def test_link_opened_in_the_open_page(self):
+        self.click("#link")
+        fragment = self.awaits("location.hash.length > 10 && location.hash")
+        self.example("slab")
+        self.value("history.replaceState(null, '', ' ')")
+        self.value(f"location.hash = '{fragment}'")
+        self.awaits("document.getElementById('scene-name').textContent === 'block_e_valley.yaml'")
+        self.answered()
+
+    def test_without_a_network(self):
+        """Loaded, the page needs none: examples are opened, dragged and solved with every network off."""
+        self.browser.call("Network.emulateNetworkConditions", offline=not ADDRESS.startswith("http"), latency=0,
+                          downloadThroughput=-1, uploadThroughput=-1)
+        self.example("block_f")
+        self.drag("tilt.angle_deg", -10, -30)
+        self.answered()
+        self.browser.call("Network.emulateNetworkConditions", offline=False, latency=0, downloadThroughput=-1,
+                          uploadThroughput=-1)
+
+    def test_prints(self):
+        """On paper: the drawing and the results, in pages that a printer has."""
+        import base64
+        printed = base64.b64decode(self.browser.call("Page.printToPDF")["data"])
+        self.assertTrue(printed.startswith(b"%PDF"))
+        self.assertGreater(len(printed), 10_000)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""How the explorer looks: something is drawn in light and in dark, text has contrast, nothing leaves a narrow window;
+and Firefox shows the same page."""
+
+import re
+import time
+import unittest
+
+import firefox
+import picture
+from page_case import ADDRESS, BUILT, PAGE, PageCase, main
+
+# A text, and all grounds below it from the root to itself, painted one on the other by the browser
+PAIRS = """(() => {
+  const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+  canvas.canvas.width = canvas.canvas.height = 1;
+  const painted = colours => { canvas.clearRect(0, 0, 1, 1);
+    for (const colour of colours) { canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1); }
+    return [...canvas.getImageData(0, 0, 1, 1).data].slice(0, 3).join(); };
+  const found = {};
+  for (const e of document.querySelectorAll('body *')) {
+    if (e.closest('svg, :disabled, [hidden]') || e.getClientRects().length === 0) continue;
+    if (![...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim())) continue;
+    const grounds = [];
+    for (let up = e; up; up = up.parentElement) grounds.unshift(getComputedStyle(up).backgroundColor);
+    const pair = painted([...grounds, getComputedStyle(e).color]) + '|' + painted(grounds);
+    found[pair] ??= e.tagName + '.' + e.className + ': ' + e.textContent.trim().slice(0, 30);
+  }
+  return Object.entries(found); })()"""
+TOO_WIDE = """[...document.querySelectorAll('main *, header *')].filter(e => e.getClientRects().length > 0 &&
+  !e.closest('.cm-scroller, svg, .wide, table, math') && e.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
+  .map(e => e.outerHTML.slice(0, 90))"""
+CONTRAST = 4.5  # WCAG 2, AA
+
+
+def luminance(colour):
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in (int(part) / 255 for part in colour.split(","))]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one, other):
+    high, low = sorted((luminance(one), luminance(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+class Looks(PageCase):
+    def scheme(self, name):
+        self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": name}])
+
+    def tearDown(self):
+        self.browser.call("Emulation.setEmulatedMedia", features=[])
+        super().tearDown()
+
+    def test_drawn_in_light_and_in_dark(self):
+        """The block's colour fills a good part of the drawing, on a light ground or a dark one; by the system or by the
+        switch."""
+        for scheme, block, ground in (("light", (242, 206, 147), (255, 255, 255)), ("dark", (95, 69, 16), (20, 22, 26))):
+            with self.subTest(scheme):
+                self.scheme(scheme)
+                self.load()
+                _, _, found = picture.dots(self.picture())
+                near = sum(count for colour, count in found.items() if max(abs(a - b) for a, b in zip(colour, block)) < 12)
+                self.assertGreater(near, 30_000)
+                self.assertGreater(found[ground], 200_000)
+        self.value("(() => { const s = document.getElementById('theme'); s.value = 'light'; s.dispatchEvent(new Event('change')); })()")
+        self.frame()
+        self.assertGreater(picture.dots(self.picture())[2][(255, 255, 255)], 200_000)
+
+    def test_contrast(self):
+        for scheme in ("light", "dark"):
+            self.scheme(scheme)
+            self.load()
+            pairs = self.value(PAIRS)
+            self.assertGreater(len(pairs), 4)
+            for pair, where in pairs:
+                with self.subTest(scheme, where=where):
+                    self.assertGreaterEqual(contrast(*pair.split("|")), CONTRAST, pair)
+
+    def test_colours_of_two_kinds_differ_for_every_eye(self):
+        """No two neighbours are told apart by hue alone: the block's edge has a contrast of 3 to the block, and the
+        contact's line one of 3 to the block and to the rock (WCAG 2, 1.4.11)."""
+        def of(shape, key):
+            colour = self.value(f"getComputedStyle(document.querySelector('.shape.{shape}')).{key}")
+            return ",".join(re.findall(r"\d+", colour)[:3])
+        for scheme in ("light", "dark"):
+            self.scheme(scheme)
+            self.load()
+            with self.subTest(scheme):
+                self.assertGreaterEqual(contrast(of("block", "stroke"), of("block", "fill")), 3)
+                self.assertGreaterEqual(contrast(of("contact", "stroke"), of("block", "fill")), 3)
+                self.assertGreaterEqual(contrast(of("contact", "stroke"), of("rock", "fill")), 3)
+
+    def test_narrow_window(self):
+        """On a telephone nothing leaves the page, and the drawing is as wide as it."""
+        self.load(width=400)
+        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 400)
+        self.assertEqual(self.value(TOO_WIDE), [])
+        self.assertGreater(self.value("document.getElementById('drawing').getBoundingClientRect().width"), 360)
+
+
+@unittest.skipIf(firefox.PROGRAM is None, "there is no Firefox: install Debian's package firefox-esr")
+@unittest.skipUnless(BUILT, f"there is no {PAGE}: ./run --explorer builds it")
+class InFirefox(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = firefox.Firefox()
+        cls.addClassCleanup(cls.browser.close)
+
+    def answered(self):
+        end = time.monotonic() + 60
+        while self.browser.value("document.body?.dataset.answer") != "there":
+            self.assertLess(time.monotonic(), end, self.browser.value("document.getElementById('message')?.textContent"))
+            time.sleep(0.05)
+
+    def setUp(self):
+        self.browser.open("about:blank")
+        self.browser.open(ADDRESS)
+        self.answered()
+
+    def test_opens_solves_and_draws(self):
+        time.sleep(0.3)
+        self.assertIn("Block E", self.browser.value("document.getElementById('scene-title').textContent"))
+        _, _, found = picture.dots(self.browser.picture())
+        near = sum(count for colour, count in found.items() if max(abs(a - b) for a, b in zip(colour, (242, 206, 147))) < 12)
+        self.assertGreater(near, 20_000)
+
+    def test_drags_and_types(self):
+        knob = """(() => { const r = document.querySelector('[data-handle="tilt.angle_deg"] .knob').getBoundingClientRect();
+          return [r.x + r.width / 2, r.y + r.height / 2]; })()"""
+        self.browser.drag(*self.browser.value(knob), -15, -40)
+        self.answered()
+        time.sleep(0.3)
+        words = "[...document.querySelectorAll('.cm-line')].map(l => l.textContent).join('\\n')"
+        text = self.browser.value(words)
+        self.assertRegex(text, r"angle_deg: (2[4-9]|3\d|4\d)")
+        self.browser.type(".cm-content", "oops: 1\n")
+        end = time.monotonic() + 20
+        while self.browser.value("document.body.dataset.answer") != "none":
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+        self.assertIn("oops", self.browser.value("document.getElementById('message').textContent"))
+
+    def test_every_example(self):
+        for name in self.browser.value("[...document.getElementById('examples').options].map(o => o.value).filter(v => v)"):
+            with self.subTest(name):
+                self.browser.value(f"(() => {{ const s = document.getElementById('examples'); s.value = '{name}';"
+                                   " s.dispatchEvent(new Event('change')); })()")
+                self.answered()
+                self.assertTrue(self.browser.value("document.getElementById('message').hidden"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""How the explorer changes a scene's text, without a page, by node: a number is put where it stands and all around it
+stays; decimals are exact; formulas have the values that Python gives them; undo leads back."""
+
+import decimal
+import fractions
+import json
+import random
+import re
+import shutil
+import subprocess
+import unittest
+
+from page_case import ROOT, run
+from harness import main
+
+SCENE = ROOT / "src" / "explorer" / "scene"
+NODE = shutil.which("node")
+INSTALLED = (ROOT / "src" / "explorer" / "node_modules" / "yaml").is_dir()
+
+# Layouts of one scene: {0}, {1}, ... are the numbers that are changed, and nothing else may be
+LAYOUTS = {
+    "flow": """topple: 1
+title: "a # that is no comment: {{x}}"   # one that is
+length_unit: mm
+block:
+  outline: [[0, 0], [{0},{1}] , [ {2}   ,140.50]]  # vertices
+tilt: {{towards: left, angle_deg: {3}}}
+""",
+    "block": """# a head
+topple: 1
+length_unit: mm
+block:
+    outline:
+    - - 0
+      - 0
+    # between
+    -   - {0}    # x
+        - {1}
+    - [{2}, 140]
+tilt:
+  towards: left
+
+  angle_deg:    {3} # degrees
+""",
+    "wide": """topple: 1\r
+length_unit: mm\r
+block: {{outline: [
+  [0, 0], [{0}, {1}],\r
+  ['{2}', 140]\r
+ ]}}\r
+tilt: {{
+  angle_deg: "{3}",
+  towards: left}}
+# end without a newline""",
+}
+PATHS = [["block", "outline", 1, 0], ["block", "outline", 1, 1], ["block", "outline", 2, 0], ["tilt", "angle_deg"]]
+
+
+def node(module, body, given):
+    """What `body` prints of `given`, with the names of a module as `it`."""
+    script = f"""import {{ readFileSync }} from "node:fs";
+      const it = await import({json.dumps((SCENE / module).as_uri())});
+      const given = JSON.parse(readFileSync(0, "utf8"));
+      console.log(JSON.stringify(await (async () => {{ {body} }})()));"""
+    done = subprocess.run([NODE, "--input-type=module", "-e", script], input=json.dumps(given), capture_output=True,
+                          encoding="utf-8", timeout=120)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+    return json.loads(done.stdout)
+
+
+@unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
+class Edits(unittest.TestCase):
+    def test_snapped_decimals(self):
+        """The text is the multiple of the step that is nearest to the double, as Python's decimals have it."""
+        draw = random.Random(1)
+        given = [[draw.uniform(-1, 1) * 10.0 ** draw.randrange(-4, 7), draw.randrange(-6, 3)] for _ in range(3000)]
+        given += [[0.0, 0], [-0.001, -1], [0.05, -2], [99.96, -1], [-0.5, 1]]
+        for (value, exponent), text in zip(given, node("decimal.js", "return given.map((one) => it.snap(...one));", given)):
+            step = decimal.Decimal(10) ** exponent
+            self.assertEqual(decimal.Decimal(text) % step, 0, (value, exponent, text))
+            self.assertLessEqual(abs(fractions.Fraction(text) - fractions.Fraction(value)),
+                                 fractions.Fraction(step) / 2 * (1 + fractions.Fraction(1, 10**9)), (value, exponent, text))
+            self.assertNotRegex(text, r"^-0$|e|\.$|\.\d*0$")
+
+    def test_steps_are_powers_of_ten_below_so_many_dots(self):
+        given = [[length, 3] for length in (1e-9, 0.0123, 0.333, 0.3334, 1, 7e5)]
+        found = node("decimal.js", "return given.map((one) => it.stepExponent(...one));", given)
+        for (length, dots), exponent in zip(given, found):
+            self.assertLessEqual(10.0 ** exponent, length * dots * (1 + 1e-12))
+            self.assertGreater(10.0 ** (exponent + 1), length * dots)
+
+    def test_formulas_have_python_s_values(self):
+        """Of 800 random formulas with parameters; what is no formula has no value."""
+        draw = random.Random(2)
+
+        def formula(depth):
+            if depth == 0 or draw.random() < 0.2:
+                return draw.choice(("a", "b_2", str(draw.randrange(1, 30)), f"{draw.uniform(0.1, 9):.3f}", ".5", "1e2"))
+            left, right = formula(depth - 1), formula(depth - 1)
+            return draw.choice((f"{left} + {right}", f"{left}-{right}", f"{left}*{right}", f"({left})/({right})",
+                                f"-({left})", f"({left})^2", f"-({left})^2"))
+
+        given = [formula(draw.randrange(1, 5)) for _ in range(800)]
+        names = {"a": 1.75, "b_2": 12.0}
+        found = node("formula.js", "const names = new Map([['a', 1.75], ['b_2', 12]]); return given.map((one) => it.formulaValue(one, names));", given)
+        told = 0
+        for text, value in zip(given, found):
+            try:
+                expected = eval(text.replace("^", "**"), {}, names)
+            except (ZeroDivisionError, OverflowError):
+                continue
+            self.assertAlmostEqual(value, expected, delta=1e-9 * max(1, abs(expected)), msg=text)
+            told += 1
+        self.assertGreater(told, 700)
+        bad = ["", "c", "1 +", "(1", "1)", "a b", "1/0", "alert(1)", "__proto__", "constructor", "2^^3", "(" * 5000 + "1" + ")" * 5000]
+        self.assertEqual(node("formula.js", "return given.map((one) => it.formulaValue(one, new Map()));", bad), [None] * len(bad))
+
+    def test_difference_of_texts(self):
+        draw = random.Random(3)
+        given = []
+        for _ in range(500):
+            texts = ["".join(draw.choice("ab\n") for _ in range(draw.randrange(12))) for _ in range(2)]
+            given.append(texts)
+        found = node("../editor/difference.js", "return given.map((one) => it.difference(...one));", given)
+        for (before, after), change in zip(given, found):
+            if change is None:
+                self.assertEqual(before, after)
+            else:
+                self.assertEqual(before[:change["from"]] + change["insert"] + before[change["to"]:], after)
+
+    def test_complaints_of_the_core(self):
+        """Place and words of each line that the program says when a scene is bad."""
+        for text, line in (("topple: 1\nblock: {slab: {width: oops, height: 1}}\nlength_unit: m\n", 2), ("topple: [", 2)):
+            path = ROOT / "build" / "explorer_complaint.yaml"
+            path.write_text(text)
+            self.addCleanup(path.unlink, missing_ok=True)
+            _, _, err = run("solve", "--json", path.name, folder=path.parent)
+            found = node("complaint.js", "return it.readComplaint(given);", err)
+            self.assertEqual((found["file"], found["line"]), (path.name, line))
+            self.assertNotIn(path.name, found["message"])
+            self.assertTrue(err.strip().endswith(found["message"]))
+        found = node("complaint.js", "return it.readComplaint(given);", "")
+        self.assertIn("without a word", found["message"])
+
+    def test_undo_leads_back_through_gestures(self):
+        """Against a list of all states: of a gesture only its last one is kept."""
+        draw = random.Random(4)
+        steps = []
+        for i in range(400):
+            steps.append(draw.choice((["push", f"s{i}", None], ["push", f"s{i}", draw.choice("gh")], ["undo"], ["redo"], ["end"])))
+        found = node("history.js", """const history = new it.History("s", (state) => state.length);
+          return given.map(([what, state, gesture]) => { if (what === "push") history.push(state, gesture);
+            else if (what === "end") history.endGesture(); else history[what](); return history.present; });""", steps)
+        states, at, last = ["s"], 0, None
+        for (what, *words), present in zip(steps, found):
+            if what == "push":
+                if words[1] is not None and words[1] == last:
+                    states[at:] = [words[0]]
+                else:
+                    states[at + 1:] = [words[0]]
+                    at += 1
+                last = words[1]
+            else:
+                moved = max(0, min(len(states) - 1, at + {"undo": -1, "redo": 1, "end": 0}[what]))
+                last = last if what != "end" and moved == at else None
+                at = moved
+            self.assertEqual(present, states[at])
+
+    def test_links_come_back(self):
+        state = {"name": "a b.yaml", "text": "title: ü — 漢\n" * 200, "files": {"meshes/x-1.csv": "0;1\n" * 1000}}
+        found = node("link.js", "const hash = await it.linkOfScene(given); return [hash, await it.sceneOfLink(hash)];", state)
+        self.assertEqual(found[1], state)
+        self.assertLess(len(found[0]), 400)
+        self.assertIsNone(node("link.js", "return it.sceneOfLink('#elsewhere');", None))
+
+
+@unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
+@unittest.skipUnless(INSTALLED, "src/explorer/node_modules is not there: ./run --explorer installs it")
+class Texts(unittest.TestCase):
+    def changed(self, text, numbers):
+        return node("scene_text.js", "return new it.SceneText(given.text).withNumbers(given.numbers);", {"text": text, "numbers": numbers})
+
+    def test_numbers_change_and_nothing_else(self):
+        """In each layout the text is the layout with other numbers in it, byte by byte. Quotes around a number go: it is
+        the number that was changed."""
+        for name, layout in LAYOUTS.items():
+            with self.subTest(name):
+                before = layout.format("110", "60", "75", "12")
+                numbers = [{"path": path, "text": text} for path, text in zip(PATHS, ("-1.25", "0.5", "1234567", "9"))]
+                expected = layout.replace("'{2}'", "{2}").replace('"{3}"', "{3}").format("-1.25", "0.5", "1234567", "9")
+                self.assertEqual(self.changed(before, numbers), expected)
+                one = layout.replace("'{2}'", "{2}").format("110", "60", "8", "12")
+                self.assertEqual(self.changed(before, numbers[2:3] and [{"path": PATHS[2], "text": "8"}]), one)
+
+    def test_keys_that_are_not_there_are_added(self):
+        cases = (
+            ("topple: 1\ntilt: {towards: left}\n", "topple: 1\ntilt: {towards: left, angle_deg: 5}\n"),
+            ("topple: 1\ntilt: {}  # none\nx: 1\n", "topple: 1\ntilt: {angle_deg: 5}  # none\nx: 1\n"),
+            ("tilt:\n    towards: left   # down\nx: 1\n", "tilt:\n    towards: left   # down\n    angle_deg: 5\nx: 1\n"),
+            ("topple: 1\nx: 1  # last", "topple: 1\nx: 1  # last\ntilt: {angle_deg: 5}"),
+        )
+        for before, after in cases:
+            with self.subTest(before):
+                self.assertEqual(self.changed(before, [{"path": ["tilt", "angle_deg"], "text": "5"}]), after)
+
+    def test_random_scenes_read_back(self):
+        """Edits of examples: what the program reads at the place is the number that was put there, and a second edit
+        that puts the old one back gives the old text."""
+        for name, path in (("block_e_valley", ["parameters", "a"]), ("slab", ["block", "slab", "width"]),
+                           ("block_under_water", ["loads", "anchors", 0, "at", 1]), ("vault", ["block", "outline", 2, 1])):
+            with self.subTest(name):
+                text = (ROOT / "examples" / f"{name}.yaml").read_text(encoding="utf-8")
+                old = node("scene_text.js", "return new it.SceneText(given[0]).scalar(given[1]);", [text, path])
+                there = self.changed(text, [{"path": path, "text": "17.125"}])
+                self.assertEqual(len(there), len(text) + len("17.125") - len(old))
+                self.assertEqual(self.changed(there, [{"path": path, "text": old}]), text)
+
+    def test_what_is_no_yaml_has_no_tree(self):
+        for text, why in (("topple: {", "indent"), ("a: {\nb: 1\n}", "line"), ("a: b: c", "no YAML"), ("x" * 300_000, "too long")):
+            self.assertIn(why, node("scene_text.js", "return new it.SceneText(given).unread;", text))
+
+
+class Sources(unittest.TestCase):
+    def test_no_source_makes_markup_of_text(self):
+        """None of the calls by which text becomes markup stands in the page's sources."""
+        calls = re.compile(r"\b(innerHTML|outerHTML|insertAdjacentHTML|document\.write|DOMParser|createContextualFragment|eval|new Function)\b|\.html\(")
+        for path in sorted((ROOT / "src" / "explorer").rglob("*.js")):
+            if "node_modules" in path.parts:
+                continue
+            with self.subTest(path.name):
+                self.assertIsNone(calls.search(path.read_text(encoding="utf-8")))
+
+
+if __name__ == "__main__":
+    main()
