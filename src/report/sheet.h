@@ -83,6 +83,9 @@ void tp_sheet_add_window(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_pivots(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_formulas(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_sliding_formulas(tp_sheet *sheet, const tp_case *own);
+
+/* Where a formula gives the onset, that with its numbers; else why there is none. */
+void tp_sheet_add_onset_formula(tp_sheet *sheet, const tp_case *c);
 void tp_sheet_add_loads(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_account(tp_sheet *sheet, const tp_case *own);
 void tp_sheet_add_limit(tp_sheet *sheet, const tp_case *own);

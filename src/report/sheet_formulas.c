@@ -134,5 +134,6 @@ void tp_sheet_add_formulas(tp_sheet *s, const tp_case *c) {
   if (s->solution->loaded && c->has_governing) add_loaded(s, c);
   if (c->has_governing) add_elements(s, c);
   tp_sheet_add_sliding_formulas(s, c);
+  tp_sheet_add_onset_formula(s, c);
   add_least(s, &c->governing_fos);
 }

@@ -6,6 +6,7 @@ import base64
 import json
 import math
 import pathlib
+import random
 import tempfile
 import time
 import zlib
@@ -132,6 +133,44 @@ class Hostile(PageCase):
         self.assertLess(slowest, 3)
         self.assertTrue(outcome == "there" or "stopped" in self.message())
         self.example("slab")
+        self.browser.call("Network.enable")
+
+    def test_a_solve_without_an_end_in_sight_is_stopped(self):
+        """A saw of 400 000 teeth set down to rest on another one takes a minute: after 15 s its worker is stopped, the
+        page says so, and has answered all the while; the next scene is solved by a new one."""
+        draw, count = random.Random(1), 400_000
+        x, under = 0, []
+        for _ in range(count):
+            x += draw.randrange(1, 9)
+            under.append(f"[{x},{3_000_000 - draw.randrange(1, 10**6)}]")
+        ground = ",".join(f"[{11 * i - 1000},{-draw.randrange(1, 10**6)}]" for i in range(count))
+        scene = (f"topple: 1\nlength_unit: mm\nblock: {{outline: [{','.join(under)},[{x},9000000],[0,9000000]]}}\n"
+                 f"base:\n  profile: [{ground}]\n  place: rest\nfriction_angle_deg: 30\n")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "saws.yaml"
+            path.write_text(scene)
+            self.browser.call("Network.disable")
+            self.choose(path)
+            self.awaits("document.getElementById('scene-name').textContent === 'saws.yaml'")
+            slowest, end = 0, time.monotonic() + 90
+            while self.value("document.body.dataset.answer") == "awaited":
+                began = time.monotonic()
+                self.value("1")
+                slowest = max(slowest, time.monotonic() - began)
+                self.assertLess(time.monotonic(), end)
+                time.sleep(0.05)
+            print(f"\ntoo long a solve: {self.message()!r}; the page was held up for {slowest:.2f} s at most")
+            self.assertIn("stopped", self.message())
+            self.assertLess(slowest, 3)
+            self.example("slab")
+            # once more, and another scene is opened meanwhile: that one does not wait for it
+            self.choose(path)
+            self.awaits("document.getElementById('scene-name').textContent === 'saws.yaml'")
+            time.sleep(3)
+            self.assertEqual(self.value("document.body.dataset.answer"), "awaited")
+            began = time.monotonic()
+            self.example("block_f")
+            self.assertLess(time.monotonic() - began, 8)
         self.browser.call("Network.enable")
 
     def test_the_policy_of_the_page(self):

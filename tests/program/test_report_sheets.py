@@ -16,11 +16,11 @@ import tempfile
 import unittest
 
 from harness import PROGRAM, ROOT, main, run, solve
-from report_case import Interval, Page, number
+from report_case import Interval, Page, number, words
 
 EXAMPLES = ("block_e_valley", "block_a_peak", "l_shaped_block", "two_density_block", "block_with_hole", "block_seismic",
             "block_under_water", "block_bonded", "block_a_worn", "vault", "boulder_on_rough_ground", "partial_contact",
-            "resting_poses", "block_f", "boulder_ellipse")
+            "resting_poses", "block_f", "boulder_ellipse", "block_on_clay")
 UNITS = {"mm": 1e-3, "cm": 1e-2, "m": 1.0}
 EPOCH = {**os.environ, "SOURCE_DATE_EPOCH": "1700000000"}
 
@@ -181,6 +181,38 @@ class Report(unittest.TestCase):
                     self.assertTrue(first.meets(second), f"{one} is not {other}")
                     compared += 1
         self.assertGreater(compared, 60)
+
+    def test_no_account(self):
+        """A block with arcs, rounded corners or an ellipse has none, and its sheet says why; others say nothing of the kind."""
+        said = {name: sum(text.startswith("No account of moments by elements") for text in map(words, page.all("p")))
+                for name, (page, _, _) in self.pages.items()}
+        self.assertEqual({name for name, count in said.items() if count}, {"vault", "block_a_worn", "boulder_ellipse"})
+        for name, count in said.items():
+            self.assertFalse(count and self.pages[name][0].tables("Moments about the governing pivot"), name)
+
+    def test_onset(self):
+        """Of each onset a formula, the limit that it is, or why neither: told by what the JSON has. Formulas are reckoned above."""
+        kinds = {"Onset: it can begin to topple": 0, "Onset: it can begin to slide": 0, "Onset: α_s is the static limit": 0,
+                 "The onset has no formula": 0}
+        run("solve", "examples/boulder.yaml", "--report", self.path / "boulder.html")  # whose onset is below its limit
+        below = Page((self.path / "boulder.html").read_text(encoding="utf-8")), solve("examples/boulder.yaml")["cases"], 1
+        for page, cases, _ in [*self.each(), below]:
+            told = [kind for text in map(words, page.all("p")) for kind in kinds if text.startswith(kind)]
+            at_angle = [case for case in cases if case.get("onset", {}).get("critical_angle_deg")]
+            self.assertEqual(len(told), len(at_angle))
+            for kind, case in zip(told, at_angle):
+                kinds[kind] += 1
+                onset, limit = case["onset"]["critical_angle_deg"]["value"], case["limit"].get("critical_angle_deg")
+                if "topple" in kind:
+                    self.assertEqual(case["onset"]["mechanism"], "topples")
+                elif "slide" in kind:
+                    self.assertEqual(case["onset"]["mechanism"], "slides")
+                    self.assertAlmostEqual(onset, case["sliding"]["critical_angle_deg"]["value"], 9)
+                elif "limit" in kind:
+                    self.assertLessEqual(abs(onset - limit["value"]), 1.1e-6)
+                else:
+                    self.assertTrue(limit is None or onset < limit["value"])
+        self.assertEqual([count > 0 for count in kinds.values()], [True] * 4, kinds)
 
     def test_structure(self):
         """Language, one title, headings in order, a text for each figure, heads of tables, and nothing that runs."""

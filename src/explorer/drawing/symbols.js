@@ -55,7 +55,7 @@ function pivots(kase, on) {
   const governing = kase.toppling?.pivot;
   const rank = (pivot) => (pivot.index === governing ? 0 : pivot.admissible ? 1 : 2);
   const named = [];
-  const drawn = (kase.pivots ?? []).toSorted((one, other) => rank(one) - rank(other)).slice(0, PIVOTS_MAX).map((pivot) => {
+  const drawn = [...(kase.pivots ?? [])].sort((one, other) => rank(one) - rank(other)).slice(0, PIVOTS_MAX).map((pivot) => {
     const at = on(pivot.x_m, pivot.y_m);
     const kind = ["pivot governing", "pivot admissible", "pivot"][rank(pivot)];
     const angle = pivot.critical_angle_deg?.value;

@@ -16,6 +16,9 @@ import { readComplaint } from "./complaint.js";
 /** How long one solve may take before the core is stopped, milliseconds. */
 export const SOLVE_MAX_MS = 15_000;
 
+/** How long a solve may hold up that of a newer text, milliseconds. */
+const PATIENCE_MS = 2_000;
+
 /**
  * @typedef {Record<string, string|Uint8Array>} Files
  * @typedef {{name: string, text: string, files: Files}} State
@@ -27,7 +30,9 @@ export class SceneStore extends EventTarget {
   #history = historyOf({ name: "scene.yaml", text: "", files: {} });
   #parsed = null;
   #asked = 0;
-  #waiting = 0;
+  #saidBusy = false;
+  /** Solves that have not ended, and when they were asked for. @type {Map<AbortController, number>} */
+  #pending = new Map();
 
   /** @param {{run: Function}} core */
   constructor(core) {
@@ -65,7 +70,7 @@ export class SceneStore extends EventTarget {
   }
 
   get busy() {
-    return this.#waiting > 0;
+    return this.#pending.size > 0;
   }
 
   /** The text as a tree, read once for each text. @returns {SceneText} */
@@ -131,21 +136,27 @@ export class SceneStore extends EventTarget {
     this.#solve();
   }
 
+  /** A solve of an older text that takes long is given up: the present one does not wait for it. */
   async #solve() {
     const asked = ++this.#asked;
-    this.#waits(1);
+    const now = performance.now();
+    for (const [control, since] of this.#pending) if (now - since > PATIENCE_MS) control.abort();
+    const control = new AbortController();
+    this.#pending.set(control, now);
+    this.#tellBusy();
     try {
       const answer = await this.core.run(
         ["solve", "--json", "--outlines", this.name],
         { ...this.files, [this.name]: this.text },
-        { latest: "solve", timeoutMs: SOLVE_MAX_MS },
+        { latest: "solve", timeoutMs: SOLVE_MAX_MS, signal: control.signal },
       );
       if (asked === this.#asked) this.#answered(answer);
     } catch (error) {
       // a request that a later one replaced says so by the usual name, and is no failure
       if (asked === this.#asked && error.name !== "AbortError") this.#failed(error);
     } finally {
-      this.#waits(-1);
+      this.#pending.delete(control);
+      this.#tellBusy();
     }
   }
 
@@ -166,10 +177,10 @@ export class SceneStore extends EventTarget {
     this.#tell("problem");
   }
 
-  #waits(more) {
-    const before = this.busy;
-    this.#waiting += more;
-    if (before !== this.busy) this.#tell("busy");
+  #tellBusy() {
+    if (this.busy === this.#saidBusy) return;
+    this.#saidBusy = this.busy;
+    this.#tell("busy");
   }
 
   #tell(what) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: 2026 The Topple authors
+
+/**
+ * The core in node. Each line of the standard input is a request, {"folder", "args", "collect"}: the program is run with
+ * the files of the folder around it. Each line of the output is its answer, with the bytes of memory held.
+ */
+
+import { readFileSync, readdirSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join, relative } from "node:path";
+import { createInterface } from "node:readline";
+import { Program } from "../../src/explorer/core/program.js";
+
+const build = new URL("../../build-explorer/", import.meta.url);
+const createCore = createRequire(import.meta.url)(new URL("core_loader.js", build).pathname);
+const module = await WebAssembly.compile(readFileSync(new URL("core_loader.wasm", build)));
+
+const filesOf = (folder) => readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
+  entry.isDirectory() ? filesOf(join(folder, entry.name)) : [join(folder, entry.name)]);
+const known = new Map();
+const carried = (folder) => {
+  if (!known.has(folder)) {
+    known.set(folder, Object.fromEntries(filesOf(folder).map((file) => [relative(folder, file), readFileSync(file)])));
+  }
+  return known.get(folder);
+};
+
+let program = await Program.create(createCore, module);
+for await (const line of createInterface({ input: process.stdin })) {
+  const { folder, args, collect } = JSON.parse(line);
+  let answer;
+  try {
+    answer = program.run(args, carried(folder), collect ?? []);
+    answer.files = Object.fromEntries(Object.entries(answer.files).map(([name, bytes]) => [name, Buffer.from(bytes).toString("latin1")]));
+  } catch (error) {
+    answer = { status: -1, out: "", err: `broke down: ${error}`, files: {}, seconds: 0 };
+    program = await Program.create(createCore, module);
+  }
+  process.stdout.write(JSON.stringify({ ...answer, memory: program.size }) + "\n");
+}
