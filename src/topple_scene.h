@@ -44,9 +44,9 @@ typedef struct tp_scene tp_scene;
 TP_MUST_USE tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message);
 
 /* The same with `count` settings "KEY=FORMULA" (tp_scene_with_settings). In place of a scene a
- * drawing may be given: then `unit` is that of its lengths, mm, cm, m, km, in or ft, or empty where
- * the file says it, and settings may have any key that takes a number or a word of letters, as
- * tilt.towards=left. Of a scene `unit` is empty. */
+ * drawing or a mesh (docs/mesh.md) may be given: then `unit` is that of its lengths, mm, cm, m, km,
+ * in or ft, or empty where the file says it, and settings may have any key that takes a number or a
+ * word of letters, as tilt.towards=left. Of a scene `unit` is empty. */
 TP_MUST_USE tp_status tp_scene_read_with(tp_scene **scene, const char *path, const char *unit,
                                          const char *const *settings, size_t count,
                                          tp_message *message);

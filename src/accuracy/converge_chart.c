@@ -44,11 +44,15 @@ static void find_ranges(tp_chart_range *time, tp_chart_range *answer,
   answer->to += room > 0 ? room : 1e-9;
 }
 
+/* Where along the axis of time its name begins, clear of the axis on the left. */
+static const double LABEL_AT = 0.02;
+
 static void add_statics(tp_chart *chart, double at, tp_chart_range time, const char *name) {
   tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_DASHED, 0});
   tp_chart_add_corner(chart, time.from, at);
   tp_chart_add_corner(chart, time.to, at);
-  tp_chart_add_label(chart, time.from, at, TP_LABEL_ALONG, name);
+  tp_chart_add_label(chart, time.from * pow(time.to / time.from, LABEL_AT), at, TP_LABEL_ALONG,
+                     name);
 }
 
 static void add_curve(tp_chart *chart, const tp_converge_finding *f,

@@ -167,8 +167,8 @@ static tp_answer infeasible_about(zeros *z, const tp_limit_question *q, tp_scale
   return answer;
 }
 
-tp_answer tp_infeasible_under(const tp_limit_question *q, tp_scaled *scaled, const tp_vector *push,
-                              const tp_vector *load) {
+tp_answer tp_infeasible_under(tp_face_motion *motion, const tp_limit_question *q, tp_scaled *scaled,
+                              const tp_vector *push, const tp_vector *load) {
   tp_face face;
   if (!tp_face_init(&face, q->cones)) {
     scaled->out_of_memory = true;
@@ -183,6 +183,7 @@ tp_answer tp_infeasible_under(const tp_limit_question *q, tp_scaled *scaled, con
     answer = arb_is_positive(above) ? TP_YES : TP_OPEN;
     arb_clear(above);
   }
+  if (answer == TP_YES && motion != NULL) *motion = tp_face_told_motion(&face, q->cones);
   tp_face_clear(&face);
   return answer;
 }
@@ -192,7 +193,7 @@ tp_answer tp_infeasible_at(const tp_limit_question *q, tp_scaled *scaled, const 
   tp_vector load;
   tp_vector_init(&load);
   tp_question_load_at_degrees(&load, q, degrees);
-  const tp_answer answer = tp_infeasible_under(q, scaled, push, &load);
+  const tp_answer answer = tp_infeasible_under(NULL, q, scaled, push, &load);
   tp_vector_clear(&load);
   return answer;
 }

@@ -11,9 +11,9 @@
 #include "certificate/face.h"
 
 /* Is there no equilibrium under a wrench? Without a push, NULL, by one in doubles, and by doubles
- * alone. */
-tp_answer tp_infeasible_under(const tp_limit_question *question, tp_scaled *scaled,
-                              const tp_vector *push, const tp_vector *load);
+ * alone. Where there is none `*motion` is that of the twist which proves it; NULL: not asked. */
+tp_answer tp_infeasible_under(tp_face_motion *motion, const tp_limit_question *question,
+                              tp_scaled *scaled, const tp_vector *push, const tp_vector *load);
 
 /* Is there none at the tilt? */
 tp_answer tp_infeasible_at(const tp_limit_question *question, tp_scaled *scaled,

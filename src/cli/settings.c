@@ -52,8 +52,8 @@ bool tp_cli_settings_given(const tp_cli_settings *settings) {
 }
 
 bool tp_cli_is_scene(const char *path) {
-  static const char *const endings[] = {".yaml", ".yml",     ".dxf", ".svg",
-                                        ".wkt",  ".geojson", ".shp", ".gpkg"};
+  static const char *const endings[] = {".yaml", ".yml",  ".dxf", ".svg", ".wkt", ".geojson",
+                                        ".shp",  ".gpkg", ".stl", ".ply", ".obj"};
   const char *ending = strrchr(path, '.');
   for (size_t k = 0; ending != NULL && k < sizeof endings / sizeof endings[0]; k++) {
     if (strcasecmp(ending, endings[k]) == 0) return true;

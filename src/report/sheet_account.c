@@ -8,6 +8,8 @@
 #include "report/account_units.h"
 #include "report/loads.h"
 
+#include <string.h>
+
 /* Elements that are listed; JSON has all. */
 enum { LISTED = 60 };
 
@@ -91,12 +93,27 @@ static void add_sums(tp_sheet *s, const tp_account *a, const tp_account_units *u
   tp_document_cell(d, "%s", tp_account_moment(&page, n, a->overturning, units));
 }
 
+/* Why there is none, of a block that no slabs and triangles make up. */
+static void add_reason(tp_sheet *s) {
+  bool round = s->solution->block.vertices == 0; /* an ellipse */
+  for (size_t k = 0; k < s->solution->effect_count; k++) {
+    const char *name = s->solution->effects[k].name;
+    round = round || strcmp(name, "arcs") == 0 || strcmp(name, "rounding") == 0;
+  }
+  if (!round || s->solution->loaded) return;
+  tp_document_add(&s->document, TP_PASSAGE_PARAGRAPH,
+                  "No account of moments by elements: slabs and triangles do not make up a block "
+                  "with arcs, which is why the factor by elements is missing too. Its area and "
+                  "centroid are integrals along the arcs, as certain as all numbers here.");
+}
+
 void tp_sheet_add_account(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   const tp_account *a = &c->account;
   const bool left = c->towards == TP_TOWARDS_LEFT;
   const tp_account_units units = tp_account_units_of(s->solution);
   char n[TP_NUMBER_SIZE];
+  if (a->count == 0 && c->has_governing) add_reason(s);
   if (a->count == 0 || !c->has_governing) return;
   tp_document_heading(d, 3, "Account of moments by elements");
   tp_document_add(d, TP_PASSAGE_PARAGRAPH,

@@ -3,6 +3,7 @@
 
 /* Holes, parts and arcs of the block that a drawing gives. */
 
+#include "scene/members.h"
 #include "scene/read.h"
 
 #include <stdlib.h>
@@ -19,7 +20,7 @@ tp_status tp_read_drawn_holes(const tp_reader *reader) {
   const tp_drawn *drawn = reader->scene->drawn;
   tp_block_description *block = &reader->scene->block;
   if (drawn == NULL || drawn->hole_count == 0) return TP_OK;
-  if (!tp_read_hole_room(reader, drawn->hole_count)) {
+  if (!tp_scene_hole_room(reader->scene, drawn->hole_count)) {
     return tp_fail_memory(reader->message, "the holes");
   }
   for (long k = 0; k < drawn->hole_count; k++) {

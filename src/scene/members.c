@@ -3,6 +3,7 @@
 
 #include "scene/members.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #define IN_SCENE(member) offsetof(tp_scene, member)
@@ -171,4 +172,12 @@ long tp_member_count(const tp_scene *scene, tp_list_kind list) {
 
 void tp_member_set_items(tp_scene *scene, tp_list_kind list, void *items) {
   memcpy((char *)scene + tp_scene_lists[list].items, &items, sizeof items);
+}
+
+bool tp_scene_hole_room(tp_scene *scene, long more) {
+  tp_block_description *block = &scene->block;
+  if (more == 0) return true;
+  tp_polyline *holes = realloc(block->holes, (size_t)(block->hole_count + more) * sizeof *holes);
+  if (holes != NULL) block->holes = holes;
+  return holes != NULL;
 }

@@ -50,4 +50,7 @@ char *tp_member_items(const tp_scene *scene, tp_list_kind list);
 long tp_member_count(const tp_scene *scene, tp_list_kind list);
 void tp_member_set_items(tp_scene *scene, tp_list_kind list, void *items);
 
+/* Room for `more` holes of the block behind those that it has; false when memory is exhausted. */
+TP_MUST_USE bool tp_scene_hole_room(tp_scene *scene, long more);
+
 #endif

@@ -52,8 +52,6 @@ TP_MUST_USE tp_status tp_read_points(const tp_reader *reader, tp_polyline *line,
 
 /* The same of the outline of the block, whose holes are those that a mesh has there. */
 TP_MUST_USE tp_status tp_read_outline(const tp_reader *reader, const tp_node *node);
-/* Room for `more` holes of the block behind those that it has; false when memory is exhausted. */
-TP_MUST_USE bool tp_read_hole_room(const tp_reader *reader, long more);
 
 /* The same of a map that names a mesh, which is cut by the plane of the key section of the scene.
  * `holes` NULL: of what may have none. */

@@ -3,6 +3,7 @@
 
 /* The section `block` of a scene. */
 
+#include "scene/members.h"
 #include "scene/read.h"
 
 #include <stdlib.h>
@@ -172,21 +173,14 @@ static tp_status read_form(const tp_reader *reader, const tp_node *node) {
   return tp_read_outline(reader, outline);
 }
 
-bool tp_read_hole_room(const tp_reader *reader, long more) {
-  tp_block_description *block = &reader->scene->block;
-  if (more == 0) return true;
-  tp_polyline *holes = realloc(block->holes, (size_t)(block->hole_count + more) * sizeof *holes);
-  if (holes != NULL) block->holes = holes;
-  return holes != NULL;
-}
-
 static tp_status read_holes(const tp_reader *reader, const tp_node *node) {
   tp_block_description *block = &reader->scene->block;
   if (node == NULL) return TP_OK;
   if (node->kind != TP_NODE_SEQUENCE) {
     return tp_read_fail(reader, node, "holes must be a list of outlines");
   }
-  if (!tp_read_hole_room(reader, node->count)) return tp_fail_memory(reader->message, "the holes");
+  if (!tp_scene_hole_room(reader->scene, node->count))
+    return tp_fail_memory(reader->message, "the holes");
   tp_status status = TP_OK;
   for (const tp_node *hole = node->first; hole != NULL && status == TP_OK; hole = hole->next) {
     status = tp_read_points(reader, block->holes + block->hole_count, hole, true, "a hole");

@@ -3,7 +3,6 @@
 
 /* The public calls that read a scene. */
 
-#include "format/read.h"
 #include "host.h"
 #include "scene/drawing_scene.h"
 
@@ -19,7 +18,7 @@ tp_status tp_scene_read(tp_scene **scene, const char *path, tp_message *message)
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);
   TP_REFUSE_NULL(message, path);
-  if (tp_drawing_is_named(path)) {
+  if (tp_scene_is_drawing(path)) {
     return tp_scene_read_drawing(scene, path, "", NULL, 0, message);
   }
   tp_node *root = NULL;
@@ -55,7 +54,7 @@ tp_status tp_scene_read_with(tp_scene **scene, const char *path, const char *uni
                    "the unit is of a drawing in place of a scene; a scene says its own "
                    "length_unit");
   }
-  if (unit[0] != '\0' || tp_drawing_is_named(path)) {
+  if (unit[0] != '\0' || tp_scene_is_drawing(path)) {
     return tp_scene_read_drawing(scene, path, unit, settings, count, message);
   }
   tp_scene *read = NULL;

@@ -228,7 +228,6 @@ tp_status tp_read_mesh(const tp_reader *reader, tp_polyline *line, tp_polylines 
   wish.closed = closed;
   wish.unit = reader->scene->length_unit;
   wish.place = tp_node_place(node, reader->scene->path);
-  reader->reading->cut = true;
   tp_status status = read_wish(reader, &wish, node);
   if (status == TP_OK) status = cut(reader, &section, node, &wish, notes);
   if (status == TP_OK)

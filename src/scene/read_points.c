@@ -5,6 +5,7 @@
  * as no number varies that it is made of. */
 
 #include "scene/csv.h"
+#include "scene/members.h"
 #include "scene/read.h"
 
 static tp_status read_vertex(const tp_reader *reader, tp_polyline *line, const tp_node *node,
@@ -70,7 +71,7 @@ static tp_status take_chain(const tp_reader *reader, tp_polyline *line,
   tp_block_description *block = &reader->scene->block;
   const tp_status status = tp_notes_append(&reader->scene->notes, &chain->notes, reader->message);
   if (status != TP_OK) return status;
-  if (!tp_read_hole_room(reader, chain->holes.count)) {
+  if (!tp_scene_hole_room(reader->scene, chain->holes.count)) {
     return tp_fail_memory(reader->message, "the holes");
   }
   for (long k = 0; k < chain->holes.count; k++) {
@@ -127,6 +128,7 @@ static tp_status read_again(const tp_reader *reader, tp_polyline *line, const tp
 
 static tp_status read_kind(const tp_reader *reader, tp_polyline *line, const tp_node *node,
                            chain_kind kind) {
+  if (tp_node_get(node, "mesh") != NULL) reader->reading->cut = true; /* now, or as it was kept */
   return reader->reading->again ? read_again(reader, line, node, kind)
                                 : read_first(reader, line, node, kind);
 }

@@ -134,16 +134,22 @@ static bool is_held(const tp_limit_question *q, tp_reduced *r, const tp_vector *
   return tp_equilibrium_bears(q, &r->reduced, push, &r->load) == TP_YES;
 }
 
-static bool is_lost(const tp_limit_question *q, tp_reduced *r, const tp_vector *push) {
-  return tp_infeasible_under(q, &r->reduced, push, &r->load) == TP_YES;
+static bool is_lost(tp_reduced_loss *loss, const tp_limit_question *q, tp_reduced *r,
+                    const tp_vector *push) {
+  tp_face_motion motion = TP_MOTION_TURN;
+  const bool lost = tp_infeasible_under(&motion, q, &r->reduced, push, &r->load) == TP_YES;
+  if (lost && loss != NULL) *loss = (tp_reduced_loss){true, motion};
+  return lost;
 }
 
-tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor, int expected) {
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced_loss *loss, tp_reduced *r,
+                                 const arf_t factor, int expected) {
   tp_limit_question strict = *r->question;
   strict.judge.settled = false; /* a proof takes nothing for zero that only is so to so many bits */
   *side = 0;
+  if (loss != NULL) loss->known = false;
   divide(r, factor);
-  if (expected < 0 && is_lost(&strict, r, NULL)) {
+  if (expected < 0 && is_lost(loss, &strict, r, NULL)) {
     *side = -1;
     return TP_LIMIT_PROVEN;
   }
@@ -152,7 +158,7 @@ tp_limit_outcome tp_reduced_side(int *side, tp_reduced *r, const arf_t factor, i
   tp_equilibrium_push(&push, &strict, &r->reduced);
   if (is_held(&strict, r, &push)) {
     *side = 1;
-  } else if (is_lost(&strict, r, &push)) {
+  } else if (is_lost(loss, &strict, r, &push)) {
     *side = -1;
   }
   tp_vector_clear(&push);

@@ -51,8 +51,16 @@ tp_limit_outcome tp_reduced_find(tp_reduced_limit *limit, tp_reduced *reduced, c
  * held: the loads between two that are borne are a sum of these. */
 bool tp_reduced_holds_below(const tp_reduced_limit *limit, tp_reduced *reduced);
 
+/* How a block moves that is lost at the tilt: the motion of the twist that proves it, up-dip as
+ * well as down-dip. */
+typedef struct tp_reduced_loss {
+  bool known; /* false: it was proven otherwise */
+  tp_face_motion motion;
+} tp_reduced_loss;
+
 /* With the strength divided by the factor, is the block proven to be held at the tilt, 1, or not,
- * -1? 0 where that is open. What is expected is tried first. */
-tp_limit_outcome tp_reduced_side(int *side, tp_reduced *reduced, const arf_t factor, int expected);
+ * -1? 0 where that is open. What is expected is tried first. `loss` NULL: not asked. */
+tp_limit_outcome tp_reduced_side(int *side, tp_reduced_loss *loss, tp_reduced *reduced,
+                                 const arf_t factor, int expected);
 
 #endif

@@ -91,7 +91,7 @@ static tp_limit_outcome prove_held(bool *held, tp_reduction *reduction, tp_reduc
     side = outcome == TP_LIMIT_PROVEN && tp_reduced_holds_below(&at, r) ? 1 : 0;
   }
   if (side == 0 && outcome != TP_LIMIT_OUT_OF_MEMORY && outcome != TP_LIMIT_FAILED) {
-    outcome = tp_reduced_side(&side, r, factor, 1);
+    outcome = tp_reduced_side(&side, NULL, r, factor, 1);
     if (settled && outcome == TP_LIMIT_PROVEN && side > 0) {
       outcome = tp_reduced_find(&at, r, factor);
       if (outcome == TP_LIMIT_OPEN) outcome = TP_LIMIT_PROVEN;
@@ -109,6 +109,7 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
                                     const arf_t estimate, slong wanted) {
   const long bits = r->question->judge.bits;
   arf_t width, low, high;
+  tp_reduced_loss loss = {.known = false};
   int side = 0;
   arf_init(width);
   arf_init(low);
@@ -118,8 +119,13 @@ static tp_limit_outcome prove_about(tp_reduction *reduction, bool *proven, tp_re
   arf_add(high, estimate, width, bits, ARF_RND_UP);
   tp_limit_outcome outcome = prove_held(proven, reduction, r, low);
   if (*proven) {
-    outcome = tp_reduced_side(&side, r, high, -1);
+    outcome = tp_reduced_side(&side, &loss, r, high, -1);
     *proven = outcome == TP_LIMIT_PROVEN && side < 0;
+  }
+  if (*proven &&
+      loss.known) { /* else it lies beyond the limit at the lower end, whose motion it is */
+    reduction->has_motion = true;
+    reduction->motion = loss.motion;
   }
   if (*proven) {
     arb_set_arf(reduction->factor, estimate);
@@ -177,7 +183,7 @@ static tp_limit_outcome halve(arf_t factor, tp_reduced *r, double least, double 
     if (arf_cmp(width, factor) < 0 || arf_cmp(factor, low) <= 0 || arf_cmp(factor, high) >= 0) {
       break;
     }
-    outcome = tp_reduced_side(&side, r, factor, 1);
+    outcome = tp_reduced_side(&side, NULL, r, factor, 1);
     arf_set(side > 0 ? low : high, factor);
   }
   arf_clear(low);
@@ -208,10 +214,10 @@ static tp_limit_outcome find_surely(tp_reduction *reduction, tp_reduced *r, doub
   arf_t about;
   arf_init(about);
   arf_set_d(about, high);
-  tp_limit_outcome outcome = tp_reduced_side(&weak, r, about, -1);
+  tp_limit_outcome outcome = tp_reduced_side(&weak, NULL, r, about, -1);
   if (weak <= 0 && (outcome == TP_LIMIT_PROVEN || outcome == TP_LIMIT_OPEN)) {
     arf_set_d(about, low);
-    outcome = tp_reduced_side(&strong, r, about, 1);
+    outcome = tp_reduced_side(&strong, NULL, r, about, 1);
   }
   reduction->kind = weak > 0 ? TP_REDUCTION_UNBOUNDED : TP_REDUCTION_NONE;
   if (strong > 0 && weak < 0) {

@@ -18,8 +18,9 @@ typedef enum tp_reduction_kind {
   TP_REDUCTION_NONE       /* no strength would hold it there */
 } tp_reduction_kind;
 
-/* A factor, and how the block moves at a strength divided by all but as much: at the lower end of
- * the factor's bound. */
+/* A factor, and how the block moves at the tilt at a strength divided by it: at the upper end of
+ * the factor's bound, by the twist that proves it lost there, or, where that was proven by the
+ * limit, at the limit that it has at the lower end. */
 typedef struct tp_reduction {
   tp_reduction_kind kind;
   arb_t factor;

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 from harness import main, run
+from mesh_case import box, obj
 
 DRAWING = "POLYGON ((0 0, 300 0, 300 1200, 0 1250, 0 0))\n"
 SCENE = """topple: 1
@@ -92,6 +93,31 @@ class InPlaceOfAScene(unittest.TestCase):
         self.assertEqual(len(told[0]), 50)
         self.assertEqual({line.split(",")[2] for line in told[0]}, {"stands", "slides"})
         self.assertEqual(told[0], told[1])
+
+    def test_a_mesh(self):
+        """Likewise a mesh, with the section that is laid through it."""
+        points, faces = box((0, 0, 0), (2, 3, 1))
+        (self.folder / "rock.obj").write_text(obj(points, faces, "rock1"))
+        (self.folder / "mesh.yaml").write_text("topple: 1\nlength_unit: ft\nsection: {at: [0, 1], azimuth_deg: 90}\nblock: {outline: "
+                                               "{mesh: rock.obj, object: rock1}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n")
+        own = ("section.at.1=0", "section.at.2=1", "section.azimuth_deg=90", "block.outline.object=rock1",
+               "block.unit_weight_kn_m3=26", "friction_angle_deg=30")
+        settings = [word for text in own for word in ("--set", text)]
+        for words in (("solve", "--json"), ("derive", "--json"), ("sweep", "--x", "friction_angle_deg=10:40:10")):
+            _, truth, _ = self.run_here(*words, "mesh.yaml")
+            status, out, err = self.run_here(*words, "rock.obj", "--unit", "ft", *settings)
+            self.assertEqual((status, err), (0, ""))
+            if words[0] == "sweep":
+                self.assertEqual([row.split(",done,")[1] for row in out.splitlines()[1:]],
+                                 [row.split(",done,")[1] for row in truth.splitlines()[1:]])
+            else:
+                self.assertEqual(self.plain(out, words), self.plain(truth, words))
+        for words, why in (((), "a mesh does not say what the unit of its lengths is"), (("--unit", "m"), "'section' is missing"),
+                           (("--unit", "m", "--set", "section.at.2=1"), "entries of a list come in their order"),
+                           (("--unit", "m", "--set", "section.at.1=1", "--set", "section.at.x=1"), "sets no number")):
+            status, out, err = self.run_here("solve", "rock.obj", *words)
+            self.assertEqual((status, out), (3, ""), err)
+            self.assertIn(why, err)
 
     def test_refused(self):
         for words, why in ((("solve", "--unit", "mm", "scene.yaml"), "a scene says its own length_unit"),

@@ -127,6 +127,22 @@ class Governing(GoverningCase):
         self.assertIsNone(case["governing_fos"]["fos"])
         self.assertEqual(case["governing_fos"]["fos_is"], "none: it lets go at a lesser tilt already")
 
+    def test_pulled_up_dip(self):
+        """An anchor near the base pulls a slender slab up-dip: as its strength is reduced it slides up-dip at its tilt, though
+        tilted further down-dip it would topple. The factor is tan(phi) over the forces along and across the base."""
+        for _ in range(10 * ROUNDS):
+            height, friction, tilt = random.randint(3, 6), random.randint(25, 40), random.randint(1, 5)
+            weight = 25 * height
+            along, across = weight * math.sin(tilt * DEGREE), weight * math.cos(tilt * DEGREE)
+            force = math.ceil(along + random.uniform(0.2, 0.3) * across)  # less than its friction, at least tan(25)
+            (case,) = self.solve(slab(1, height, friction, tilt) + "loads: {anchors: [{at: [0.5, 0.1], direction_deg: 0, "
+                                 f"force_kn: {force}}}]}}\n")
+            factor = self.by(case, "strength reduction")
+            with self.subTest(height=height, friction=friction, tilt=tilt, force=force):
+                self.assertEqual(case["limit"]["mechanism"], "topples")
+                self.assertEqual(factor["mechanism"], "slides")
+                self.near(factor["fos"], tan(friction) * across / (force - along))
+
     def test_what_is_not_judged(self):
         """Without friction sliding is not judged, without a tilt nothing is; up-dip there is no factor."""
         (case,) = self.solve(slab(1, 2, None, 20))

@@ -29,7 +29,8 @@ export class MapFigure {
   constructor(place, { moved, left, pointed }) {
     Object.assign(this, { moved, left, pointed });
     this.canvas = element("canvas", {});
-    this.lines = svgElement("g", { class: "borders" });
+    this.lines = svgElement("g", { class: "borders", "clip-path": "url(#map-frame)" });
+    const clip = svgElement("clipPath", { id: "map-frame" }, svgElement("rect", { width: SIDE, height: SIDE }));
     this.axes = svgElement("g", { class: "axes" });
     this.point = svgElement(
       "g",
@@ -41,7 +42,7 @@ export class MapFigure {
     this.drawing = svgElement(
       "svg",
       { viewBox: [-ROOM.left, -ROOM.top, SIDE + ROOM.left + ROOM.right, SIDE + ROOM.top + ROOM.bottom].join(" ") },
-      this.axes, this.lines, this.point,
+      clip, this.axes, this.lines, this.point,
     );
     const part = (length, whole) => (100 * length) / whole + "%";
     const [width, height] = [SIDE + ROOM.left + ROOM.right, SIDE + ROOM.top + ROOM.bottom];

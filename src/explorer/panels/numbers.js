@@ -57,7 +57,9 @@ function keyOf(path) {
 /** A range of a number that is worth a look. @param {SceneNumber} number @param {number} width of the block, in scene lengths */
 export function usualRange(number, width) {
   if (number.key === TILT) return { from: 0, to: 60 };
-  if (/(^|\.)(friction_angle_deg|basic_angle_deg|residual_angle_deg|angle_deg)$/.test(number.key)) return { from: 5, to: 60 };
+  if (/(^|\.)(friction_angle_deg|basic_angle_deg|residual_angle_deg|angle_deg)$/.test(number.key)) {
+    return { from: 5, to: number.value !== null && number.value > 50 ? 80 : 60 };
+  }
   if (number.value === null || number.value === 0) return { from: 0, to: rounded(/beyond|outline|profile|shift/.test(number.key) ? width : 1) };
   const [one, other] = [number.value * 0.25, number.value * 2].map(rounded);
   return { from: Math.min(one, other), to: Math.max(one, other) };

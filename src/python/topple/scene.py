@@ -104,7 +104,7 @@ class Scene(Builder):
     @classmethod
     def read_with(cls, path: str | os.PathLike, *settings: str, unit: str | None = None) -> Scene:
         """The same with settings KEY=FORMULA. In place of a scene a drawing may be given, DXF, SVG,
-        WKT, GeoJSON or CSV: `unit` is then that of its lengths, where its file does not say it:
+        WKT, GeoJSON, CSV, Shapefile or GeoPackage, or a mesh, STL, PLY or OBJ: `unit` is then that of its lengths, where its file does not say it:
         Scene.read_with("section.dxf", "friction_angle_deg=30", unit="mm")."""
         receives = ffi.new(RECEIVES_SCENE)
         texts = [c_text(setting) for setting in settings]
