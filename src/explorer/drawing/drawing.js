@@ -14,7 +14,8 @@ import { stepExponent } from "../scene/decimal.js";
 import { Context } from "./handle.js";
 import { View } from "./view.js";
 import { waterPath } from "./water.js";
-import { shapesOf, drawShapes } from "./shapes.js";
+import { drawShapes, isDrawable, reachOf, shapesOf } from "./shapes.js";
+import { nearPath } from "./thin_path.js";
 import { symbolsOf } from "./symbols.js";
 import { previewPath } from "./preview.js";
 import { HandlesLayer } from "./handles_layer.js";
@@ -129,12 +130,28 @@ export class Drawing extends EventTarget {
     this.context = null;
     if (answer?.outlines === undefined || kase === null) return;
     const { outlines } = answer;
+    if (!isDrawable(outlines)) {
+      this.#leaveOut();
+      return;
+    }
     this.#fitOnce(outlines);
     this.context = new Context(store.parsed, kase, outlines, this.origin);
     this.view.turn = this.#turn();
     this.#drawShapes(outlines);
     this.#drawPreview(stale);
     this.#place();
+  }
+
+  /** Nothing of the scene, and why. */
+  #leaveOut() {
+    const { layers } = this;
+    this.#drawn = null;
+    this.#fitted = -1;
+    drawShapes(layers, []);
+    for (const path of [layers.water, layers.preview]) path.attr("d", "");
+    layers.symbols.selectAll("g").remove();
+    this.handles.set([]);
+    layers.note.text("No browser can draw a block of this size; its numbers stand beside this");
   }
 
   /** A scene that was opened is fitted once, and one that was typed where it is of another size; dragged, it stays. */
@@ -189,9 +206,10 @@ export class Drawing extends EventTarget {
   }
 
   #drawPreview(stale) {
-    const path = stale ? previewPath(this.context) : null;
-    this.layers.water.attr("d", waterPath(this.context, this.store.lastSolution.outlines, this.view.turn));
-    this.layers.preview.attr("d", path ?? "").classed("wrong", this.store.problem !== null);
+    const { outlines } = this.store.lastSolution;
+    const path = (stale ? previewPath(this.context) : null) ?? "";
+    this.layers.water.attr("d", waterPath(this.context, outlines, this.view.turn));
+    this.layers.preview.attr("d", nearPath(path, reachOf(outlines))).classed("wrong", this.store.problem !== null);
   }
 
   /** What depends on the window alone: called while one zooms, too. */

@@ -3,9 +3,25 @@
 
 /** Block, base and contact as the core drew them: paths in metres inside a group that the view turns and scales. */
 
-import { pathPoints, thinPath } from "./thin_path.js";
+import { nearPath, pathPoints, thinPath } from "./thin_path.js";
 
+/** Browsers draw in single precision: diagonals beyond these are not drawn, in metres, ... */
+const SIZES = { least: 1e-15, most: 1e15 };
+/** ... and what lies farther off than so many of them is drawn nearer. */
+const REACH = 1e9;
 const ROCK_DEPTH = 0.3; // of the block's height
+
+const diagonal = ({ box_m: [x0, y0, x1, y1] }) => Math.hypot(x1 - x0, y1 - y0);
+
+/** @param {object} outlines of an answer @returns {boolean} */
+export function isDrawable(outlines) {
+  return diagonal(outlines) >= SIZES.least && diagonal(outlines) <= SIZES.most;
+}
+
+/** @param {object} outlines @returns {number} metres */
+export function reachOf(outlines) {
+  return REACH * diagonal(outlines);
+}
 
 /**
  * @param {object} outlines of the answer
@@ -13,7 +29,7 @@ const ROCK_DEPTH = 0.3; // of the block's height
  * @returns {{name: string, path: string, layer: "still"|"moving"|"front"}[]} from the back to the front
  */
 export function shapesOf(outlines, dot) {
-  const base = thinPath(outlines.base, dot);
+  const base = thinPath(nearPath(outlines.base, reachOf(outlines)), dot);
   const shapes = [["rock", rockPath(base, outlines.box_m), "still"], ["base", base, "still"], ["block", thinPath(outlines.block, dot), "moving"]];
   outlines.parts.forEach((path, i) => shapes.push([i % 2 === 0 ? "part" : "part other", thinPath(path, dot), "moving"]));
   shapes.push(["elements", outlines.elements, "moving"], ["contact", thinPath(outlines.contact, dot), "front"]);

@@ -4,6 +4,7 @@
 /** Paths with more points than a screen has dots are drawn with fewer: what lies within a dot of the point before goes. */
 
 const LONG = 60_000;
+const FAR_NUMBER = /e\+?(1[5-9]|[2-9]\d|\d{3})/;
 const COMMAND = /([MLCZ])([^MLCZ]*)/g;
 
 /** @param {string} path @returns {number[][]} the ends of its edges */
@@ -20,6 +21,23 @@ export function pathEnds(path) {
 
 function ends(numbers) {
   return numbers.trim().split(/[\s,]+/).slice(-2).map(Number);
+}
+
+/**
+ * Ends of edges that lie beyond all reach are drawn nearer, in their direction: browsers draw in single precision.
+ * @param {string} path M, L, Z @param {number} reach metres @returns {string}
+ */
+export function nearPath(path, reach) {
+  if (!FAR_NUMBER.test(path)) return path;
+  let last = null;
+  return [...path.matchAll(COMMAND)].map(([, command, numbers]) => {
+    if (command === "Z") return command;
+    const [x, y] = ends(numbers);
+    const from = last ?? { x: 0, y: 0 };
+    const share = Math.min(1, reach / Math.max(Math.abs(x - from.x), Math.abs(y - from.y)));
+    last = share < 1 ? { x: from.x + share * (x - from.x), y: from.y + share * (y - from.y) } : { x, y };
+    return command + last.x + " " + last.y;
+  }).join("");
 }
 
 /**
