@@ -55,4 +55,4 @@ const char tp_html_style[] =
     "3.5pt}table{font-size:8pt;max-width:100%}pre{white-space:pre-wrap;overflow-wrap:anywhere}"
     "thead{display:table-header-group}tr,figure,.short,.answer,.caution,.equation{break-inside:"
     "avoid}"
-    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:165mm}}\n";
+    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:145mm}}\n";
