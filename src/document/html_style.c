@@ -49,10 +49,11 @@ const char tp_html_style[] =
     "@page{size:A4;margin:18mm 16mm}\n"
     "@media print{:root{--ink:#000;--page:#fff;--line:#777;--tint:#f2f2f2;--edge:#000}"
     "body{font-size:10pt}main,footer{max-width:none;padding:0}"
-    "h1{font-size:16pt;margin-top:0}h2{font-size:13pt}h3{font-size:11pt}"
+    "h1{font-size:16pt;margin:0 0 4pt}h2{font-size:13pt;margin:10pt 0 4pt}h3{font-size:11pt}"
+    ".answer,.caution{padding:2pt 6pt;margin:3pt 0}figure{margin:6pt 0}"
     "h2,h3{break-after:avoid}.wide,.equation,pre{overflow:visible}"
     "th,td{padding:1.5pt "
     "3.5pt}table{font-size:8pt;max-width:100%}pre{white-space:pre-wrap;overflow-wrap:anywhere}"
     "thead{display:table-header-group}tr,figure,.short,.answer,.caution,.equation{break-inside:"
     "avoid}"
-    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:145mm}}\n";
+    "p:has(+.equation),caption{break-after:avoid}figure img{width:auto;max-height:140mm}}\n";
