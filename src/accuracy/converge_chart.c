@@ -45,7 +45,7 @@ static void find_ranges(tp_chart_range *time, tp_chart_range *answer,
 }
 
 /* Where along the axis of time its name begins, clear of the axis on the left. */
-static const double LABEL_AT = 0.02;
+#define LABEL_AT 0.02
 
 static void add_statics(tp_chart *chart, double at, tp_chart_range time, const char *name) {
   tp_chart_add_guide(chart, (tp_chart_style){TP_MARK_LINE, TP_COLOUR_GREY, TP_DASH_DASHED, 0});
