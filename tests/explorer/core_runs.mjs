@@ -26,7 +26,9 @@ const carried = (folder) => {
   return known.get(folder);
 };
 
-let program = await Program.create(createCore, module);
+const { SOURCE_DATE_EPOCH } = process.env;
+const environment = SOURCE_DATE_EPOCH === undefined ? {} : { SOURCE_DATE_EPOCH };
+let program = await Program.create(createCore, module, environment);
 for await (const line of createInterface({ input: process.stdin })) {
   const { folder, args, collect } = JSON.parse(line);
   let answer;
@@ -35,7 +37,7 @@ for await (const line of createInterface({ input: process.stdin })) {
     answer.files = Object.fromEntries(Object.entries(answer.files).map(([name, bytes]) => [name, Buffer.from(bytes).toString("latin1")]));
   } catch (error) {
     answer = { status: -1, out: "", err: `broke down: ${error}`, files: {}, seconds: 0 };
-    program = await Program.create(createCore, module);
+    program = await Program.create(createCore, module, environment);
   }
   process.stdout.write(JSON.stringify({ ...answer, memory: program.size }) + "\n");
 }

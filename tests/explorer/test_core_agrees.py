@@ -32,8 +32,8 @@ class Core:
         runner = pathlib.Path(__file__).with_name("core_runs.mjs")
         self.process = subprocess.Popen([NODE, runner], stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8")
 
-    def run(self, folder, *args):
-        self.process.stdin.write(json.dumps({"folder": str(folder), "args": args}) + "\n")
+    def run(self, folder, *args, collect=()):
+        self.process.stdin.write(json.dumps({"folder": str(folder), "args": args, "collect": collect}) + "\n")
         self.process.stdin.flush()
         return json.loads(self.process.stdout.readline())
 

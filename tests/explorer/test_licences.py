@@ -13,10 +13,12 @@ from page_case import ROOT, main
 EXPLORER = ROOT / "src" / "explorer"
 # Licences that go with the GNU General Public License, version 3 or later
 COMPATIBLE = {"MIT", "ISC", "BSD-3-Clause", "BSL-1.0", "Apache-2.0 WITH LLVM-exception", "LGPL-2.1-or-later", "LGPL-3.0-or-later",
-              "GPL-2.0-or-later", "GPL-3.0-or-later"}
-NEED_NOTICE = {"MIT", "ISC", "BSD-3-Clause", "BSL-1.0"}
+              "GPL-2.0-or-later", "GPL-3.0-or-later", "libpng-2.0", "Zlib",
+              # LGPL 2.1 may become GPL by its section 3; FreeType's is chosen as GPL; a font is data beside the program
+              "LGPL-2.1-only OR MPL-1.1", "FTL OR GPL-2.0-or-later", "Bitstream-Vera"}
+NEED_NOTICE = {"MIT", "ISC", "BSD-3-Clause", "BSL-1.0", "libpng-2.0", "Zlib", "FTL OR GPL-2.0-or-later", "Bitstream-Vera"}
 # What goes by another name than that of its source package
-NAMES = {"mpfr4": "mpfr", "flint-arb": "arb", "glibc": "argp"}
+NAMES = {"mpfr4": "mpfr", "flint-arb": "arb", "glibc": "argp", "libpng1.6": "libpng"}
 
 
 class Licences(unittest.TestCase):

@@ -35,10 +35,12 @@ export class Program {
   /**
    * @param {Function} createCore what emscripten's loader exports
    * @param {WebAssembly.Module} module
+   * @param {Object<string, string>} [environment] variables that the program finds, such as SOURCE_DATE_EPOCH
    * @returns {Promise<Program>}
    */
-  static async create(createCore, module) {
+  static async create(createCore, module, environment = {}) {
     const core = await createCore({
+      preRun: [({ ENV }) => Object.assign(ENV, environment)],
       instantiateWasm(imports, done) {
         WebAssembly.instantiate(module, imports).then((instance) => done(instance, module));
         return {};
@@ -54,7 +56,9 @@ export class Program {
     this.#core = core;
     core.FS.mkdirTree(HOME);
     core.FS.chdir(HOME);
-    this.#begun = core.HEAPU8.slice(DATA_BEGIN, core._core_data_end());
+    // Around the fonts, which nothing writes to.
+    const kept = [[DATA_BEGIN, core._core_fonts(0)], [core._core_fonts(1), core._core_data_end()]];
+    this.#begun = kept.map(([begin, end]) => ({ begin, bytes: core.HEAPU8.slice(begin, end) }));
   }
 
   /** Bytes of memory that the instance holds; it never gives any back. */
@@ -70,7 +74,7 @@ export class Program {
    */
   run(args, files, collect = []) {
     const { FS } = this.#core;
-    this.#core.HEAPU8.set(this.#begun, DATA_BEGIN);
+    for (const { begin, bytes } of this.#begun) this.#core.HEAPU8.set(bytes, begin);
     this.#clear(HOME);
     for (const [name, bytes] of Object.entries(files)) {
       const path = `${HOME}/${name}`;

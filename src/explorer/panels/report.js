@@ -54,7 +54,7 @@ export class ReportPanel extends Panel {
       const options = { collect: [name], timeoutMs: WRITE_MAX_MS };
       const answer = await this.background.run(["solve", "--quiet", option, name, this.store.name], this.files(), options);
       const written = answer.files[name];
-      if (written === undefined) throw new Error(reason(answer.err));
+      if (written === undefined) throw new Error(answer.err.trim() || "nothing was written");
       offer(name, written, type);
       this.told.textContent = label + ": " + name + ", the bytes that the command line writes.";
     } catch (error) {
@@ -70,11 +70,4 @@ export class ReportPanel extends Panel {
       (error) => (this.told.textContent = error.message),
     );
   }
-}
-
-/** A core that was built without Cairo says that it cannot draw; a reader is told where it can be had. */
-function reason(err) {
-  const words = err.trim() || "nothing was written";
-  if (!/cannot be drawn/.test(words)) return words;
-  return words + ". The core of this page is built without Cairo, which draws the figures of sheets; `topple solve` writes them.";
 }

@@ -8,7 +8,7 @@ import shlex
 import subprocess
 from pathlib import Path
 
-from . import toolchain, tools
+from . import fonts, toolchain, tools
 
 HERE = Path(__file__).resolve().parent
 TOP = HERE.parents[2]
@@ -30,6 +30,8 @@ DEFINED = [
 ]
 # Instead of what needs GDAL, whose library the native program loads.
 ABSENT = [TOP / "src" / "format" / "gis_absent.c"]
+# It draws in another process, by a library that it loads; c_library/draw.c stands in its place.
+REPLACED = [TOP / "src" / "cli" / "draw.c"]
 # CGAL's filters need directed rounding, which WebAssembly has not: they then widen each result by one double to either
 # side, which holds for all that is rounded to nearest.
 CGAL = [
@@ -39,10 +41,12 @@ CGAL = [
     "-DBOOST_NO_CXX98_FUNCTION_BASE",
 ]
 # An archive comes before those that it calls.
-LIBRARIES = ["argp", "calcium", "arb", "flint", "mpfr", "gmp", "gsl", "yaml", "expat", "dxflib"]
+LIBRARIES = ["argp", "calcium", "arb", "flint", "mpfr", "gmp", "gsl", "yaml", "expat", "dxflib", "cairo", "pixman", "freetype", "png", "zlib"]
 LINKED = [
     "-O2",
     "-fwasm-exceptions",
+    "-sSUPPORT_LONGJMP=wasm",
+    "-Wl,--wrap=cairo_select_font_face",
     "-sALLOW_MEMORY_GROWTH=1",
     "-sMAXIMUM_MEMORY=2147483648",
     "-sTOTAL_STACK=8388608",
@@ -52,8 +56,8 @@ LINKED = [
     "-sEXIT_RUNTIME=1",
     "-sFORCE_FILESYSTEM=1",
     "-sENVIRONMENT=worker,node",
-    "-sEXPORTED_RUNTIME_METHODS=FS,stackSave,stackRestore,stackAlloc",
-    "-sEXPORTED_FUNCTIONS=_main,_malloc,_core_run,_core_data_end",
+    "-sEXPORTED_RUNTIME_METHODS=ENV,FS,stackSave,stackRestore,stackAlloc",
+    "-sEXPORTED_FUNCTIONS=_main,_malloc,_core_run,_core_data_end,_core_fonts",
 ]
 
 
@@ -61,7 +65,7 @@ def targets() -> dict[str, list[str]]:
     """The sources of the targets of the native build that the core is made of."""
     asked = ["meson", "introspect", "--targets", str(NATIVE)]
     told = json.loads(subprocess.run(asked, capture_output=True, text=True, check=True).stdout)
-    wanted = {("topple-geom", "static library"), ("topple", "static library"), ("topple", "executable")}
+    wanted = {("topple-geom", "static library"), ("topple", "static library"), ("topple", "executable"), ("topple-figure", "static library")}
     sources = {}
     for target in told:
         if (target["name"], target["type"]) in wanted:
@@ -83,6 +87,8 @@ rule cxx
   command = {cxx} -MD -MF $out.d $flags -c $in -o $out
   depfile = $out.d
   deps = gcc
+rule as
+  command = {c} -Wno-unused-command-line-argument -c $in -o $out
 rule link
   command = NODE_PATH=/usr/share/nodejs em++ @$out.objects $flags -o $out
   rspfile = $out.objects
@@ -101,12 +107,17 @@ def write_ninja(libraries: Path) -> None:
     sources = sorted({file for files in targets().values() for file in files})
     sources += [str(file) for file in [*ABSENT, *sorted((HERE / "c_library").glob("*.c"))]]
     for source in sources:
+        if Path(source) in REPLACED:
+            continue
         inside = Path(source)
         name = inside.relative_to(TOP) if inside.is_relative_to(TOP) else inside.name
         language = "cpp" if inside.suffix == ".cpp" else "c"
         made = f"objects/{name}.o"
         lines += [f"build {made}: {'cxx' if language == 'cpp' else 'cc'} {source}", f"  flags = $flags_{language}"]
         objects.append(made)
+    tools.written(BUILD / "fonts.s", fonts.assembly())
+    lines.append(f"build objects/fonts.o: as fonts.s | {' '.join(str(fonts.FOLDER / file) for file in fonts.FILES.values())}")
+    objects.append("objects/fonts.o")
     archives = [str(libraries / "lib" / f"lib{name}.a") for name in LIBRARIES]
     lines += [
         f"build core_loader.js | core_loader.wasm: link {' '.join(objects)} {' '.join(archives)}",

@@ -65,6 +65,9 @@ def unpack(row: dict[str, str], downloaded: Path, into: Path) -> None:
     else:
         part.mkdir()
         run(["tar", "-xf", str(tarballs[0]), "-C", str(part), "--strip-components=1"], downloaded)
+    patch = HERE / "patches" / f"{row['package']}.patch"
+    if patch.is_file():
+        run(["patch", "-p1", "--input", str(patch)], part)
     part.rename(into)
 
 

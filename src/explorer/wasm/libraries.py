@@ -16,13 +16,21 @@ PRIVATE = HERE / "include" / "private"
 LIBRARIES = {
     "argp": ("glibc", "2", "."),
     "arb": ("flint-arb", "1:2", "."),
+    "cairo": ("cairo", "1", "."),
     "calcium": ("flint", "3", "src/fmpz_mpoly_q"),
     "dxflib": ("dxflib", "3", "."),
     "expat": ("expat", "2", "."),
     "flint": ("flint", "2", "."),
+    "freetype": ("freetype", "2", "."),
     "gsl": ("gsl", "2", "."),
+    "pixman": ("pixman", "0", "."),
+    "png": ("libpng1.6", "1", "."),
     "yaml": ("libyaml", "0", "."),
+    "zlib": ("zlib", "1:1", "."),
 }
+UNWINDING = ["-fwasm-exceptions", "-mllvm", "-wasm-enable-sjlj"]  # setjmp and longjmp, by exceptions
+# What FreeType is made of here, for it and for all that include it.
+FREETYPE = ["-DFT_CONFIG_OPTIONS_H=<core_options.h>", "-DFT_CONFIG_MODULES_H=<core_modules.h>"]
 
 
 def source_of(work: Path, library: str) -> Path:
@@ -72,12 +80,26 @@ def put_headers(work: Path) -> None:
     linked(include, sorted((source_of(work, "expat") / "expat" / "lib").glob("expat*.h")))
     linked(include, sorted((source_of(work, "dxflib") / "src").glob("dl_*.h")))
     linked(include / "gsl", sorted(source_of(work, "gsl").glob("gsl_*.h")) + sorted(source_of(work, "gsl").glob("*/gsl_*.h")))
+    put_drawing_headers(work, include)
     glibc = source_of(work, "argp")
     linked(include / "glibc", [glibc / "argp" / "argp.h", glibc / "posix" / "getopt_int.h"])
     linked(include / "glibc" / "bits", sorted((glibc / "posix" / "bits").glob("getopt_*.h")))
     linked(include, [HERE / "include" / "argp.h", HERE / "include" / "bits"])
     # Headers alone, from the packages that the native build has.
     linked(include, [Path("/usr/include/CGAL"), Path("/usr/include/boost"), Path("/usr/include/rapidjson")])
+
+
+def put_drawing_headers(work: Path, include: Path) -> None:
+    """What Cairo, what is under it, and the figures include."""
+    cairo, png = source_of(work, "cairo") / "src", source_of(work, "png")
+    # src/cairo-version.h has no numbers: the one above it has.
+    public = ["cairo.h", "cairo-deprecated.h", "cairo-ft.h", "cairo-pdf.h", "cairo-svg.h"]
+    linked(include, [*(cairo / name for name in public), cairo.parent / "cairo-version.h", *(HERE / "include" / "cairo").glob("cairo*.h")])
+    linked(include, sorted((source_of(work, "pixman") / "pixman").glob("pixman*.h")))
+    linked(include, sorted(path for path in (source_of(work, "freetype") / "include").iterdir() if path.name != "dlg"))
+    linked(include, [HERE / "include" / "freetype" / "core_options.h", HERE / "include" / "freetype" / "core_modules.h"])
+    linked(include, [source_of(work, "zlib") / "zlib.h", source_of(work, "zlib") / "zconf.h", png / "png.h", png / "pngconf.h"])
+    shutil.copy(png / "scripts" / "pnglibconf.h.prebuilt", include / "pnglibconf.h")
 
 
 def flags_of(work: Path, library: str) -> list[str]:
@@ -87,12 +109,17 @@ def flags_of(work: Path, library: str) -> list[str]:
     return {
         "argp": [*configured, "-D_GNU_SOURCE", "-fgnu89-inline", "-include", "config.h", f"-I{source}/argp", f"-I{work}/include/glibc", f"-I{HERE}/include"],
         "arb": [f"-I{source}", f"-I{work}/include"],
+        "cairo": ["-DHAVE_CONFIG_H", f"-I{HERE}/include/cairo", *FREETYPE, *UNWINDING, f"-I{work}/include"],
         "calcium": [f"-I{HERE}/include/flint_3", f"-I{work}/include", f"-I{work}/include/flint"],
         "dxflib": [f"-I{source}/src"],
         "expat": [*configured, f"-I{source}/expat/lib"],
         "flint": [f"-I{source}", f"-I{work}/include/flint", f"-I{work}/include"],
+        "freetype": ["-DFT2_BUILD_LIBRARY", *FREETYPE, *UNWINDING, f"-I{work}/include"],
         "gsl": [*configured, f"-I{work}/include", f"-I{source}"],
+        "pixman": ["-DHAVE_CONFIG_H", f"-I{HERE}/include/pixman", f"-I{source}/pixman"],
+        "png": [*UNWINDING, f"-I{work}/include"],
         "yaml": [*configured, f"-I{source}/include"],
+        "zlib": ["-DHAVE_UNISTD_H", "-D_LARGEFILE64_SOURCE=0", f"-I{source}"],
     }[library]
 
 
