@@ -11,9 +11,9 @@ import re
 import tempfile
 import time
 
-from harness import main, run, solve, ROOT
 from page_case import PAGE
 from panel_case import PanelCase
+from harness import main, run, solve, ROOT
 
 EXAMPLES = ("block_e_valley", "block_a_peak", "slab", "two_density_block", "block_under_water", "boulder",
             "tilt_locked_stress", "l_shaped_block", "partial_contact", "resting_block", "block_on_joint")

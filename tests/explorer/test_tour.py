@@ -6,8 +6,8 @@ read: narrow, light, dark, printed, without a complaint of the browser."""
 
 import re
 
-from harness import main, solve, table
 from panel_case import PanelCase
+from harness import main, solve, table
 from test_report_browser import contrast
 
 # What has no room, but for what scrolls in a box of its own
