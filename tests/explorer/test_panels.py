@@ -272,6 +272,24 @@ class Panels(PanelCase):
         for key in ("critical_angle_deg", "centre_x_m", "fos"):  # elsewhere the bounds may differ, but not the truth
             self.assertLessEqual(abs(told[key]["value"] - native[key]["value"]), told[key]["error"] + native[key]["error"])
 
+    def test_figures_and_sheets_are_the_command_line_s(self):
+        """By their buttons: the figure's bytes; the sheet line by line, but for times and the folder of the scene."""
+        self.shown("block_e_valley")
+        self.tab("report")
+        native = pathlib.Path(self.folder())
+        for option, label, ending in (("--figure", "Figure, SVG", "svg"), ("--figure", "Figure, PDF", "pdf"),
+                                      ("--report", "Calculation sheet, Markdown", "md")):
+            with self.subTest(label):
+                saved = self.saved(self.folder(), lambda: self.button(label), f"block_e_valley.{ending}")
+                own = native / f"own.{ending}"
+                status, _, err = run("solve", "--quiet", option, own, "block_e_valley.yaml", folder=ROOT / "examples")
+                self.assertEqual((status, err), (0, ""))
+                if ending != "md":
+                    self.assertEqual(saved, own.read_bytes())
+                    continue
+                timed = re.compile(r"\|[^|\n]*\|\n")
+                self.assertEqual(timed.sub("|\n", saved.decode()), timed.sub("|\n", own.read_text(encoding="utf-8")))
+
     def test_words_are_explained(self):
         """By the keyboard: a word that has the focus tells what it means, in the program's own words; Escape hides it."""
         self.shown("block_e_valley")
