@@ -30,7 +30,7 @@ def room_of(path):
     parts = pathlib.PurePath(path).parts
     if parts[0] == "geom":
         return "geom"
-    return parts[1] if len(parts) == 3 else "common"
+    return parts[1] if len(parts) > 2 else "common"
 
 
 def sources(root=ROOT):
