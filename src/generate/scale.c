@@ -16,17 +16,9 @@
 /* So small are only differences of numbers at the end of their range. */
 static const double least_rise = 1e-290;
 
-/* Decimals of a few digits, as most are, by words. */
 static double difference(const fmpq *to, const fmpq *from, fmpq_t room) {
-  static const int64_t whole = INT64_C(1) << 31;
-  if (tp_word_is_small(fmpq_numref(to)) && tp_word_is_small(fmpq_denref(to)) &&
-      tp_word_is_small(fmpq_numref(from)) && tp_word_is_small(fmpq_denref(from))) {
-    const int64_t a = tp_word_get(fmpq_numref(to)), b = tp_word_get(fmpq_denref(to));
-    const int64_t c = tp_word_get(fmpq_numref(from)), d = tp_word_get(fmpq_denref(from));
-    if (llabs(a) < whole && b < whole && llabs(c) < whole && d < whole) {
-      return (double)(a * d - c * b) / (double)(b * d);
-    }
-  }
+  double quick;
+  if (tp_word_difference(&quick, to, from)) return quick;
   fmpq_sub(room, to, from);
   return fmpq_get_d(room);
 }

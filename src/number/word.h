@@ -8,9 +8,10 @@
 #ifndef TP_NUMBER_WORD_H
 #define TP_NUMBER_WORD_H
 
-#include <flint/fmpz.h>
+#include <flint/fmpq.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 enum {
   TP_WORD_SMALL_BITS = 62, /* of the numbers that FLINT keeps within one word of 64 bits */
@@ -73,6 +74,21 @@ static inline uint64_t tp_word_top(mp_srcptr limbs, mp_size_t count) {
 #else
   return (uint64_t)limbs[count - 1] << 32 | (count > 1 ? limbs[count - 2] : 0);
 #endif
+}
+
+/* to - from, off by 3 u of its size at most, of fractions whose parts have 31 bits, as decimals of
+ * a few digits are; false for others. */
+static inline bool tp_word_difference(double *difference, const fmpq *to, const fmpq *from) {
+  const int64_t whole = INT64_C(1) << 31;
+  if (!tp_word_is_small(fmpq_numref(to)) || !tp_word_is_small(fmpq_denref(to)) ||
+      !tp_word_is_small(fmpq_numref(from)) || !tp_word_is_small(fmpq_denref(from))) {
+    return false;
+  }
+  const int64_t a = tp_word_get(fmpq_numref(to)), b = tp_word_get(fmpq_denref(to));
+  const int64_t c = tp_word_get(fmpq_numref(from)), d = tp_word_get(fmpq_denref(from));
+  if (llabs(a) >= whole || b >= whole || llabs(c) >= whole || d >= whole) return false;
+  *difference = (double)(a * d - c * b) / (double)(b * d);
+  return true;
 }
 
 #endif

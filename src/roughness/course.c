@@ -48,15 +48,13 @@ static tp_status check_chain(const tp_polyline *chain, tp_message *message) {
 
 /* Off by 3 u of its size at most: what FLINT makes of a rational it cuts off, by 2 u. */
 static double difference(const fmpq *from, const fmpq *to, fmpq_t room) {
-  static const int64_t whole = INT64_C(1) << 31, of_double = INT64_C(1) << DBL_MANT_DIG;
-  if (tp_word_is_small(fmpq_numref(to)) && tp_word_is_small(fmpq_denref(to)) &&
-      tp_word_is_small(fmpq_numref(from)) && tp_word_is_small(fmpq_denref(from))) {
+  static const int64_t of_double = INT64_C(1) << DBL_MANT_DIG;
+  double quick;
+  if (tp_word_difference(&quick, to, from)) return quick;
+  if (fmpq_is_zero(from) && tp_word_is_small(fmpq_numref(to)) &&
+      tp_word_is_small(fmpq_denref(to))) {
     const int64_t a = tp_word_get(fmpq_numref(to)), b = tp_word_get(fmpq_denref(to));
-    const int64_t c = tp_word_get(fmpq_numref(from)), d = tp_word_get(fmpq_denref(from));
-    if (llabs(a) < whole && b < whole && llabs(c) < whole && d < whole) {
-      return (double)(a * d - c * b) / (double)(b * d);
-    }
-    if (c == 0 && llabs(a) <= of_double && b <= of_double) return (double)a / (double)b;
+    if (llabs(a) <= of_double && b <= of_double) return (double)a / (double)b;
   }
   fmpq_sub(room, to, from);
   return fmpq_get_d(room);

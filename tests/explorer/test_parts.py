@@ -6,32 +6,16 @@ formulas are read as Python reads them, a map told from few points is the map of
 import csv
 import fractions
 import io
-import json
 import math
 import random
 import re
-import shutil
-import subprocess
 import unittest
 
+from node_case import NODE, node
 from page_case import ROOT, main
 from harness import solve
 
 PANELS = ROOT / "src" / "explorer" / "panels"
-NODE = shutil.which("node")
-
-
-def node(module, body, given):
-    """What `body` makes of `given`, with the names of a module of the page as `it`."""
-    script = f"""import {{ readFileSync }} from "node:fs";
-      const it = await import({json.dumps((PANELS / module).as_uri())});
-      const given = JSON.parse(readFileSync(0, "utf8"));
-      {body}"""
-    done = subprocess.run([NODE, "--input-type=module", "-e", script], input=json.dumps(given), capture_output=True,
-                          encoding="utf-8", timeout=120)
-    if done.returncode != 0:
-        raise AssertionError(done.stderr)
-    return json.loads(done.stdout)
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
@@ -46,7 +30,7 @@ class Parts(unittest.TestCase):
                                  draw.uniform(-1, 1) * 10.0 ** draw.randrange(-12, 9)))
             error = draw.choice((0.0, 10.0 ** draw.uniform(-18, 1), abs(value) * 2.0 ** -53))
             given.append([{"value": value, "error": error}, draw.randrange(7), draw.choice((1, 0.001, 0.3048))])
-        texts = node("certain.js", "console.log(JSON.stringify(given.map((each) => it.certainText(...each))));", given)
+        texts = node(PANELS / "certain.js", "return given.map((each) => it.certainText(...each));", given)
         bounded = 0
         for (number, decimals, unit), text in zip(given, texts):
             value, error = (fractions.Fraction(number[key]) / fractions.Fraction(str(unit)) for key in ("value", "error"))
@@ -67,7 +51,7 @@ class Parts(unittest.TestCase):
     def test_bounds_are_rounded_up(self):
         draw = random.Random(21)
         given = [10.0 ** draw.uniform(-300, 5) for _ in range(1000)] + [1e-5, 9.5e-7, 1.0, 0.0]
-        texts = node("certain.js", "console.log(JSON.stringify(given.map((each) => it.boundText(each))));", given)
+        texts = node(PANELS / "certain.js", "return given.map((each) => it.boundText(each));", given)
         for bound, text in zip(given, texts):
             self.assertGreaterEqual(fractions.Fraction(text), fractions.Fraction(bound))
             self.assertLessEqual(float(text), 2.0001 * bound)
@@ -78,7 +62,7 @@ class Parts(unittest.TestCase):
         rows = [["".join(draw.choice('ab,"1 .') for _ in range(draw.randrange(6))) for _ in range(5)] for _ in range(300)]
         out = io.StringIO()
         csv.writer(out, lineterminator="\n").writerows(rows)
-        self.assertEqual(node("csv.js", "console.log(JSON.stringify(it.readCsv(given)));", out.getvalue()), rows)
+        self.assertEqual(node(PANELS / "csv.js", "return it.readCsv(given);", out.getvalue()), rows)
 
     def test_formulas(self):
         """Random sums, products, quotients and powers have the value that Python's rationals give them."""
@@ -93,8 +77,8 @@ class Parts(unittest.TestCase):
                                 f"({one})^{draw.randrange(4)}", f"{one}*{other}"))
 
         given = [formula(draw.randrange(5)) for _ in range(500)]
-        values = node("expression.js", "const names = new Map(given.names); console.log(JSON.stringify(given.texts.map("
-                      "(text) => String(it.valueOf(it.readExpression(text), names)))));", {"texts": given, "names": [*names.items()]})
+        values = node(PANELS / "expression.js", "const names = new Map(given.names); return given.texts.map("
+                      "(text) => String(it.valueOf(it.readExpression(text), names)));", {"texts": given, "names": [*names.items()]})
         told = 0
         for text, value in zip(given, values):
             exact = re.sub(r"\b(\d+)\b", r"F(\1)", text.replace("^", "**"))
@@ -108,7 +92,7 @@ class Parts(unittest.TestCase):
 
     def test_what_is_no_formula(self):
         given = ["", "a +", "(a", "a)", "2 b", "a**2", "<b>", "(" * 5000 + "a", "-" * 100000 + "a"]
-        self.assertEqual(node("expression.js", "console.log(JSON.stringify(given.map((text) => it.readExpression(text))));", given),
+        self.assertEqual(node(PANELS / "expression.js", "return given.map((text) => it.readExpression(text));", given),
                          [None] * len(given))
 
     def test_stretches_of_tilts(self):
@@ -122,7 +106,7 @@ class Parts(unittest.TestCase):
             options = ["--set", setting] if setting else []
             cases = solve(f"examples/{name}.yaml", *options)["cases"]
             given = [{key: case[key] for key in ("onset", "limit")} for case in cases]
-            for case, parts in zip(cases, node("window_gauge.js", "console.log(JSON.stringify(given.map(it.stretches)));", given)):
+            for case, parts in zip(cases, node(PANELS / "window_gauge.js", "return given.map(it.stretches);", given)):
                 self.assertEqual([parts[0]["from"], parts[-1]["to"]], [0, 90])
                 for part, following in zip(parts, parts[1:]):
                     self.assertEqual(part["to"], following["from"])
@@ -137,13 +121,13 @@ class Parts(unittest.TestCase):
     def test_map_of_few_points(self):
         """A plane of three regions with a curved border, a disc and a corner: every one of 201 × 201 points is right, and
         fewer than a tenth of them were asked for."""
-        asked, wrong = node("map_grid.js", """
+        asked, wrong = node(PANELS / "map_grid.js", """
           const kind = (x, y) => (x * x + y * y < 0.1 ? 1 : Math.hypot(x - 0.7, y - 0.6) < 0.15 ? 4 : y > 0.3 + 0.5 * Math.sin(4 * x) ? 2 : 3);
           const grid = new it.MapGrid(201, 201);
           await grid.refine(async (rows, columns) => { rows.forEach((r) => columns.forEach((c) => grid.put(c, r, kind(c / 200, r / 200)))); return true; }, () => {});
           let wrong = 0;
           for (let r = 0; r <= 200; r++) for (let c = 0; c <= 200; c++) if (grid.kinds[r * 201 + c] !== kind(c / 200, r / 200)) wrong++;
-          console.log(JSON.stringify([grid.count, wrong]));""", None)
+          return [grid.count, wrong];""", None)
         self.assertEqual(wrong, 0)
         self.assertLess(asked, 4040)
 

@@ -5,18 +5,15 @@ stays; decimals are exact; formulas have the values that Python gives them; undo
 
 import decimal
 import fractions
-import json
 import random
 import re
-import shutil
-import subprocess
 import unittest
 
+from node_case import NODE, node
 from page_case import ROOT, run
 from harness import main
 
 SCENE = ROOT / "src" / "explorer" / "scene"
-NODE = shutil.which("node")
 INSTALLED = (ROOT / "src" / "explorer" / "node_modules" / "yaml").is_dir()
 
 # Layouts of one scene: {0}, {1}, ... are the numbers that are changed, and nothing else may be
@@ -58,19 +55,6 @@ tilt: {{
 PATHS = [["block", "outline", 1, 0], ["block", "outline", 1, 1], ["block", "outline", 2, 0], ["tilt", "angle_deg"]]
 
 
-def node(module, body, given):
-    """What `body` prints of `given`, with the names of a module as `it`."""
-    script = f"""import {{ readFileSync }} from "node:fs";
-      const it = await import({json.dumps((SCENE / module).as_uri())});
-      const given = JSON.parse(readFileSync(0, "utf8"));
-      console.log(JSON.stringify(await (async () => {{ {body} }})()));"""
-    done = subprocess.run([NODE, "--input-type=module", "-e", script], input=json.dumps(given), capture_output=True,
-                          encoding="utf-8", timeout=120)
-    if done.returncode != 0:
-        raise AssertionError(done.stderr)
-    return json.loads(done.stdout)
-
-
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
 class Edits(unittest.TestCase):
     def test_snapped_decimals(self):
@@ -78,7 +62,7 @@ class Edits(unittest.TestCase):
         draw = random.Random(1)
         given = [[draw.uniform(-1, 1) * 10.0 ** draw.randrange(-4, 7), draw.randrange(-6, 3)] for _ in range(3000)]
         given += [[0.0, 0], [-0.001, -1], [0.05, -2], [99.96, -1], [-0.5, 1]]
-        for (value, exponent), text in zip(given, node("decimal.js", "return given.map((one) => it.snap(...one));", given)):
+        for (value, exponent), text in zip(given, node(SCENE / "decimal.js", "return given.map((one) => it.snap(...one));", given)):
             step = decimal.Decimal(10) ** exponent
             self.assertEqual(decimal.Decimal(text) % step, 0, (value, exponent, text))
             self.assertLessEqual(abs(fractions.Fraction(text) - fractions.Fraction(value)),
@@ -87,7 +71,7 @@ class Edits(unittest.TestCase):
 
     def test_steps_are_powers_of_ten_below_so_many_dots(self):
         given = [[length, 3] for length in (1e-9, 0.0123, 0.333, 0.3334, 1, 7e5)]
-        found = node("decimal.js", "return given.map((one) => it.stepExponent(...one));", given)
+        found = node(SCENE / "decimal.js", "return given.map((one) => it.stepExponent(...one));", given)
         for (length, dots), exponent in zip(given, found):
             self.assertLessEqual(10.0 ** exponent, length * dots * (1 + 1e-12))
             self.assertGreater(10.0 ** (exponent + 1), length * dots)
@@ -105,7 +89,7 @@ class Edits(unittest.TestCase):
 
         given = [formula(draw.randrange(1, 5)) for _ in range(800)]
         names = {"a": 1.75, "b_2": 12.0}
-        found = node("formula.js", "const names = new Map([['a', 1.75], ['b_2', 12]]); return given.map((one) => it.formulaValue(one, names));", given)
+        found = node(SCENE / "formula.js", "const names = new Map([['a', 1.75], ['b_2', 12]]); return given.map((one) => it.formulaValue(one, names));", given)
         told = 0
         for text, value in zip(given, found):
             try:
@@ -116,7 +100,7 @@ class Edits(unittest.TestCase):
             told += 1
         self.assertGreater(told, 700)
         bad = ["", "c", "1 +", "(1", "1)", "a b", "1/0", "alert(1)", "__proto__", "constructor", "2^^3", "(" * 5000 + "1" + ")" * 5000]
-        self.assertEqual(node("formula.js", "return given.map((one) => it.formulaValue(one, new Map()));", bad), [None] * len(bad))
+        self.assertEqual(node(SCENE / "formula.js", "return given.map((one) => it.formulaValue(one, new Map()));", bad), [None] * len(bad))
 
     def test_difference_of_texts(self):
         draw = random.Random(3)
@@ -124,7 +108,7 @@ class Edits(unittest.TestCase):
         for _ in range(500):
             texts = ["".join(draw.choice("ab\n") for _ in range(draw.randrange(12))) for _ in range(2)]
             given.append(texts)
-        found = node("../editor/difference.js", "return given.map((one) => it.difference(...one));", given)
+        found = node(SCENE / "../editor/difference.js", "return given.map((one) => it.difference(...one));", given)
         for (before, after), change in zip(given, found):
             if change is None:
                 self.assertEqual(before, after)
@@ -138,11 +122,11 @@ class Edits(unittest.TestCase):
             path.write_text(text)
             self.addCleanup(path.unlink, missing_ok=True)
             _, _, err = run("solve", "--json", path.name, folder=path.parent)
-            found = node("complaint.js", "return it.readComplaint(given);", err)
+            found = node(SCENE / "complaint.js", "return it.readComplaint(given);", err)
             self.assertEqual((found["file"], found["line"]), (path.name, line))
             self.assertNotIn(path.name, found["message"])
             self.assertTrue(err.strip().endswith(found["message"]))
-        found = node("complaint.js", "return it.readComplaint(given);", "")
+        found = node(SCENE / "complaint.js", "return it.readComplaint(given);", "")
         self.assertIn("without a word", found["message"])
 
     def test_undo_leads_back_through_gestures(self):
@@ -151,7 +135,7 @@ class Edits(unittest.TestCase):
         steps = []
         for i in range(400):
             steps.append(draw.choice((["push", f"s{i}", None], ["push", f"s{i}", draw.choice("gh")], ["undo"], ["redo"], ["end"])))
-        found = node("history.js", """const history = new it.History("s", (state) => state.length);
+        found = node(SCENE / "history.js", """const history = new it.History("s", (state) => state.length);
           return given.map(([what, state, gesture]) => { if (what === "push") history.push(state, gesture);
             else if (what === "end") history.endGesture(); else history[what](); return history.present; });""", steps)
         states, at, last = ["s"], 0, None
@@ -171,17 +155,17 @@ class Edits(unittest.TestCase):
 
     def test_links_come_back(self):
         state = {"name": "a b.yaml", "text": "title: ü — 漢\n" * 200, "files": {"meshes/x-1.csv": "0;1\n" * 1000}}
-        found = node("link.js", "const hash = await it.linkOfScene(given); return [hash, await it.sceneOfLink(hash)];", state)
+        found = node(SCENE / "link.js", "const hash = await it.linkOfScene(given); return [hash, await it.sceneOfLink(hash)];", state)
         self.assertEqual(found[1], state)
         self.assertLess(len(found[0]), 400)
-        self.assertIsNone(node("link.js", "return it.sceneOfLink('#elsewhere');", None))
+        self.assertIsNone(node(SCENE / "link.js", "return it.sceneOfLink('#elsewhere');", None))
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
 @unittest.skipUnless(INSTALLED, "src/explorer/node_modules is not there: ./run --explorer installs it")
 class Texts(unittest.TestCase):
     def changed(self, text, numbers):
-        return node("scene_text.js", "return new it.SceneText(given.text).withNumbers(given.numbers);", {"text": text, "numbers": numbers})
+        return node(SCENE / "scene_text.js", "return new it.SceneText(given.text).withNumbers(given.numbers);", {"text": text, "numbers": numbers})
 
     def test_numbers_change_and_nothing_else(self):
         """In each layout the text is the layout with other numbers in it, byte by byte. Quotes around a number go: it is
@@ -213,14 +197,14 @@ class Texts(unittest.TestCase):
                            ("block_under_water", ["loads", "anchors", 0, "at", 1]), ("vault", ["block", "outline", 2, 1])):
             with self.subTest(name):
                 text = (ROOT / "examples" / f"{name}.yaml").read_text(encoding="utf-8")
-                old = node("scene_text.js", "return new it.SceneText(given[0]).scalar(given[1]);", [text, path])
+                old = node(SCENE / "scene_text.js", "return new it.SceneText(given[0]).scalar(given[1]);", [text, path])
                 there = self.changed(text, [{"path": path, "text": "17.125"}])
                 self.assertEqual(len(there), len(text) + len("17.125") - len(old))
                 self.assertEqual(self.changed(there, [{"path": path, "text": old}]), text)
 
     def test_what_is_no_yaml_has_no_tree(self):
         for text, why in (("topple: {", "indent"), ("a: {\nb: 1\n}", "line"), ("a: b: c", "no YAML"), ("x" * 300_000, "too long")):
-            self.assertIn(why, node("scene_text.js", "return new it.SceneText(given).unread;", text))
+            self.assertIn(why, node(SCENE / "scene_text.js", "return new it.SceneText(given).unread;", text))
 
 
 class Sources(unittest.TestCase):
