@@ -243,18 +243,21 @@ typedef struct tp_study_result {
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
   size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */
   tp_study_measure *measures;       /* in the order of the rows */
-  size_t bracketed, within; /* samples kept that have both angles of Eqs. (15) and (16), and of
-                               these those whose critical angle by moments lies between */
-  size_t design_count;      /* of the design values asked for; as reliability */
-  tp_study_design *designs; /* as the study lists them */
-  size_t step_count;        /* of the steps */
-  tp_study_step *steps;     /* at each power of two from 16 on, and at the end */
-  size_t bad_count;         /* of the first invalid samples, 5 at most */
-  tp_study_bad *bad;        /* these */
-  size_t column_count;      /* of the columns */
-  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt,
-                               tp_fos_definition of the factor that governs (NaN: none), and what is
-                               measured of the base */
+  size_t bracketed, within;  /* samples kept that have both angles of Eqs. (15) and (16), and of
+                                these those whose critical angle by moments lies between */
+  size_t design_count;       /* of the design values asked for; as reliability */
+  tp_study_design *designs;  /* as the study lists them */
+  size_t step_count;         /* of the steps */
+  tp_study_step *steps;      /* at each power of two from 16 on, and at the end */
+  size_t bad_count;          /* of the first invalid samples, 5 at most */
+  tp_study_bad *bad;         /* these */
+  size_t column_count;       /* of the columns */
+  tp_study_column *columns;  /* the numbers that vary, the quantities, outcomes at each tilt,
+                                tp_fos_definition of the factor that governs (NaN: none), and what is
+                                measured of the base */
+  size_t source_count;       /* of the sources */
+  TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it
+                                is written over them */
 } tp_study_result;
 
 /* How a study is run. */
@@ -265,7 +268,7 @@ typedef struct tp_study_options {
   const char *rows;     /* a CSV file for a row of each sample, or NULL. Beside it a file of that
                            name and .progress tells how far it is: a study that was interrupted goes
                            on from there */
-  bool restart;         /* do not go on, begin anew */
+  bool restart;         /* do not go on, begin anew, over rows of any study */
   void *context;        /* of the calls below */
   bool (*stop)(void *context); /* asked in any thread before each sample, or NULL: true ends it */
   void (*progress)(void *context, size_t done, size_t of); /* told by the thread that runs it after
@@ -283,7 +286,7 @@ static inline tp_study_options tp_study_options_default(void) {
 
 /* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
  * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
- * scene has changed since, or ends in .h5. */
+ * scene or the rows themselves have changed since, or is no file of rows, or ends in .h5. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
                                    const tp_study_options *options, tp_message *message);
 

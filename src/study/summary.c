@@ -253,6 +253,8 @@ void tp_study_result_free(tp_study_result *result) {
   }
   for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
   free(result->designs);
+  for (size_t k = 0; k < result->source_count; k++) free(result->sources[k]);
+  free(result->sources);
   free(result->measures);
   free(result->variables);
   free(result->columns);

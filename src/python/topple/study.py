@@ -12,7 +12,7 @@ from ._library import ffi, lib
 from .errors import checked
 from .given import NULL, c_path
 from .options import options_of
-from .record import Record, field, record, struct_of
+from .record import Record, field, record, struct_of, text
 from .report import drawing, sheet_options, written
 from .words import FosDefinition, StudyEnd, StudyOutcome, StudyQuantity
 
@@ -230,6 +230,8 @@ class StudyResult(Record):
     #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
     #: definitions `FosDefinition` or None
     columns: dict = field(read=lambda c, owner: _columns(c))
+    #: files that it was read from, and those of its rows: no chart of it is written over them
+    sources: tuple[str, ...] = field(read=lambda c, owner: _sources(c))
 
     def spread(self, quantity: StudyQuantity | str) -> StudySpread:
         """Of one quantity."""
@@ -252,6 +254,10 @@ class StudyResult(Record):
         own = ffi.gc(receives[0], lib.tp_study_free)
         options, _held = sheet_options(date, times, lines)
         checked(drawing().lib.tp_report_sheet_study, c_path(path), own, struct_of(self), options)
+
+
+def _sources(c) -> tuple[str | None, ...]:
+    return tuple(text(c.sources[k]) for k in range(c.source_count))
 
 
 def _columns(c) -> dict[str, numpy.ndarray]:
