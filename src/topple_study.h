@@ -118,7 +118,7 @@ typedef struct tp_study_index {
   double total, total_low, total_high; /* with all in which it takes part */
 } tp_study_index;
 
-/* A probability by samples drawn where it fails: around the design point (importance), or step by
+/* A probability by samples drawn where it fails: around the design points (importance), or step by
  * step towards where it fails (subset). */
 typedef struct tp_study_rare {
   bool asked;                    /* for this one, */
@@ -129,17 +129,28 @@ typedef struct tp_study_rare {
   char *why;                     /* where it is not known: plain; else NULL */
 } tp_study_rare;
 
-/* Reliability of first order at the scene's tilt: the design point is the most likely one at which
- * an angle is the tilt, or a factor of safety 1. */
+/* A design point: of the points at which an angle is the tilt, or a factor of safety 1, one that is
+ * more likely than all around it. Each way to fail has one of its own, or several. */
+typedef struct tp_study_design_point {
+  double beta;        /* its distance in deviations, below 0 where the means fail, */
+  double probability; /* and Phi(-beta) */
+  size_t value_count; /* as many as variables */
+  double *values;     /* the number of each variable there */
+} tp_study_design_point;
+
+/* Reliability of first order at the scene's tilt: of the nearest design point, the most likely. */
 typedef struct tp_study_reliability {
   bool known;                       /* it was asked for */
   tp_study_quantity quantity;       /* of which */
-  bool converged;                   /* else what is here is where the search stopped, */
+  bool converged;                   /* a design point was found; else there is no number, */
   const char *state;                /* and why, in words; a static string */
   double beta;                      /* the index: the distance of the design point in deviations */
-  double probability;               /* of first order, Phi(-beta), that the quantity is not above */
+  double probability;               /* of first order, Phi(-beta), that the quantity is not above;
+                                       both NaN where there is no design point */
   size_t calls;                     /* scenes solved for it */
   tp_study_rare importance, subset; /* sampling of rare events, where asked for */
+  size_t point_count;               /* of the design points */
+  tp_study_design_point *points;    /* the nearest first */
 } tp_study_reliability;
 
 /* The design value of one number: put into the scene, with all other numbers as they stand there,
@@ -168,7 +179,7 @@ typedef struct tp_study_variable {
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
-  double design_value; /* where reliability is known: at the design point, */
+  double design_value; /* where reliability is known: at the nearest design point, NaN: none, */
   double importance;   /* and its share of the variance there, as if all were independent */
 } tp_study_variable;
 

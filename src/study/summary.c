@@ -5,6 +5,7 @@
 
 #include "number/shortest.h"
 #include "statistics/quantiles.h"
+#include "study/analyses.h"
 #include "study/field.h"
 #include "study/law.h"
 #include "study/ranks.h"
@@ -261,8 +262,7 @@ void tp_study_result_free(tp_study_result *result) {
   free(result->bad);
   free(result->tilts);
   free(result->steps);
-  free(result->reliability.importance.why);
-  free(result->reliability.subset.why);
+  tp_study_reliability_clear(&result->reliability);
   free(result->title);
   free(result->scene);
   free(result);

@@ -109,6 +109,19 @@ class StudyRare(Record):
     why: str | None
 
 
+def _values(c, owner) -> tuple[float, ...]:
+    return tuple(c.values[k] for k in range(c.value_count))
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyDesignPoint(Record):
+    """A design point, more likely than all around it at which the quantity is what it is held against."""
+
+    beta: float  #: its distance in deviations
+    probability: float  #: of first order, by itself
+    values: tuple[float, ...] = field(read=_values)  #: the numbers there, as the variables
+
+
 @dataclasses.dataclass(frozen=True)
 class StudyReliability(Record):
     """Reliability of first order; None all where the study does not ask for it."""
@@ -119,8 +132,9 @@ class StudyReliability(Record):
     beta: float | None = field(when="known")
     probability: float | None = field(when="known")
     calls: int | None = field(when="known")  #: scenes solved for it
-    importance: StudyRare  #: by samples around the design point
+    importance: StudyRare  #: by samples around the design points
     subset: StudyRare  #: by subset simulation
+    points: tuple[StudyDesignPoint, ...] = field(count="point_count")  #: the nearest first
 
 
 @dataclasses.dataclass(frozen=True)
