@@ -43,6 +43,7 @@ typedef struct tp_drawing {
   const char *unit; /* "mm", "cm", "m", "km", "in", "ft"; NULL: the file does not say */
   long count, room;
   tp_drawing_object *objects;
+  long hidden;    /* objects of the file that are not shown, and were left out */
   tp_notes notes; /* on what was read */
 } tp_drawing;
 
