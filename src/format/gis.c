@@ -10,6 +10,7 @@
 #include "outside.h"
 
 #include <dlfcn.h>
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -147,9 +148,9 @@ static bool take(void *context, const tp_gis_part *part) {
 /* GDAL takes names of many things for files: only what is one, by the system, is opened. */
 static tp_status check_file(const char *path, tp_message *message) {
   struct stat own;
-  if (stat(path, &own) == 0 && S_ISREG(own.st_mode) && strncmp(path, "/vsi", 4) != 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                 "cannot be read: there is no such file");
+  if (stat(path, &own) != 0) return tp_fail_file(message, path, "opened", errno);
+  if (S_ISREG(own.st_mode) && strncmp(path, "/vsi", 4) != 0) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is no regular file");
 }
 
 static tp_status conclude(taking *t, tp_gis_outcome outcome, const char *why) {
