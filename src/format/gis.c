@@ -6,7 +6,7 @@
 #include "format/gis.h"
 
 #include "format/gis_library.h"
-#include "number/shortest.h"
+#include "number/ratio.h"
 #include "outside.h"
 
 #include <dlfcn.h>
@@ -100,8 +100,8 @@ static bool add_points(taking *t, tp_drawing_object *object, const tp_gis_part *
   tp_mark mark = {.line = part->feature <= INT_MAX ? (int)part->feature : 0};
   for (size_t k = 0; k < part->count; k++) {
     const double x = part->xy[2 * k], y = part->xy[2 * k + 1];
-    if (!isfinite(x) || !isfinite(y) || !tp_shortest_exact(t->x, x) ||
-        !tp_shortest_exact(t->y, y)) {
+    if (!isfinite(x) || !isfinite(y) || !tp_ratio_read_double(t->x, x) ||
+        !tp_ratio_read_double(t->y, y)) {
       return fail(t, part, "has a coordinate that is no number between 1e-308 and 1e308 in size");
     }
     if (t->feet) {

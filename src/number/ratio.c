@@ -163,6 +163,13 @@ bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const ch
   return true;
 }
 
+bool tp_ratio_read_double(fmpq_t value, double given) {
+  char text[TP_SHORTEST_SIZE];
+  const char *problem = NULL;
+  tp_shortest(text, given);
+  return tp_ratio_read_field(value, text, strlen(text), &problem);
+}
+
 bool tp_ratio_is_not_finite(const char *text) {
   static const char *const words[] = {"nan", "inf", "infinity", NULL};
   if (*text == '+' || *text == '-') text++;
