@@ -17,7 +17,7 @@ SCENE = ("topple: 1\nlength_unit: m\nblock: {{outline: [[0, 0], [1, 0], [1, 2], 
          "base: {{mated: true}}\n{}\n")
 
 
-class Cautions(unittest.TestCase):
+class Case(unittest.TestCase):
     def solve(self, text):
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "s.yaml").write_text(text)
@@ -28,6 +28,8 @@ class Cautions(unittest.TestCase):
         self.assertEqual((status, err), (0, ""), text)
         return json.loads(out)
 
+
+class Cautions(Case):
     def said(self, more):
         return [(note["kind"], note["text"]) for note in self.solution(SCENE.format(more))["notes"]]
 
@@ -67,7 +69,7 @@ class Cautions(unittest.TestCase):
             self.cautioned(load.format(degrees))
 
 
-class OnFace(Cautions):
+class OnFace(Case):
     LOADS = ("pressures: [{{from: [{0}, 0.5], to: [{0}, 1.5], kpa: 5}}]",
              "surcharges: [{{from: [0.2, {1}], to: [0.8, 2], kpa: 5}}]",
              "anchors: [{{at: [{2}, 1], direction_deg: -20, force_kn: 3}}]")
