@@ -57,7 +57,7 @@ class Examples(Folder):
             text = written.read_text(encoding="utf-8")
             self.assertEqual(command, "study" if "topple_study:" in text else "verify" if "topple_claims:" in text else
                              "tilt" if "\ntilt_test:" in text or "\nshaking:" in text else "solve")
-            if command in ("solve", "tilt"):
+            if command in ("solve", "tilt") and is_readable(EXAMPLES / (name + ".yaml")):
                 count += 1
                 here, there = solve(written), solve(EXAMPLES / (name + ".yaml"))
                 for one in here["cases"] + there["cases"]:
@@ -294,7 +294,7 @@ class New(Folder):
                                     (("--slab", "2*4"), 2, "as 2x4"), (("--slab", "2x4", "x.csv"), 2, "either a slab or"),
                                     (("--slab", "2x4", "--friction", "3O"), 2, "no unit, no comma, not '3O'"),
                                     (("--slab", "2x4", "--friction", "95"), 3, "scene.yaml:"), (("--slab", "0x4"), 3, "scene.yaml:"),
-                                    (("none.csv",), 3, "none.csv"), (("crossed.csv",), 3, "crossed.csv"),
+                                    (("none.csv",), 5, "none.csv"), (("crossed.csv",), 3, "crossed.csv"),
                                     (("--slab", "2x4", "-o", "there.yaml"), 3, "will not overwrite there.yaml"),
                                     (("--slab", "2x4", "--title", ""), 2, "--title"), (("--slab", "2x4", "--unit", "mi"), 2, "one of mm")):
             got, out, err = self.begin(*words)
