@@ -11,11 +11,11 @@ import re
 import unittest
 import warnings
 
-from harness import ROOT, main, run
+from harness import ROOT, example_scenes, main, run
 from python_case import ffi, lib, topple
 from topple.words import Word
 
-EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+EXAMPLES = example_scenes()
 #: Keys of JSON by the record that they stand in, and where Python has them.
 ELSEWHERE = {
     "Contact": {"left_end": lambda c: (c.left_end, c.left_x_m, c.left_y_m),
