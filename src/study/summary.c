@@ -5,6 +5,7 @@
 
 #include "number/shortest.h"
 #include "statistics/quantiles.h"
+#include "study/analyses.h"
 #include "study/field.h"
 #include "study/law.h"
 #include "study/ranks.h"
@@ -253,14 +254,15 @@ void tp_study_result_free(tp_study_result *result) {
   }
   for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
   free(result->designs);
+  for (size_t k = 0; k < result->source_count; k++) free(result->sources[k]);
+  free(result->sources);
   free(result->measures);
   free(result->variables);
   free(result->columns);
   free(result->bad);
   free(result->tilts);
   free(result->steps);
-  free(result->reliability.importance.why);
-  free(result->reliability.subset.why);
+  tp_study_reliability_clear(&result->reliability);
   free(result->title);
   free(result->scene);
   free(result);

@@ -189,6 +189,7 @@ MIRRORS = {
     "tp_study_share": "StudyShare", "tp_study_tilt": "StudyTilt", "tp_study_quantile": "StudyQuantile",
     "tp_study_spread": "StudySpread", "tp_study_rank": "StudyRank", "tp_study_variable": "StudyVariable",
     "tp_study_step": "StudyStep", "tp_study_index": "StudyIndex", "tp_study_reliability": "StudyReliability",
+    "tp_study_design_point": "StudyDesignPoint",
     "tp_study_rare": "StudyRare", "tp_study_factor": "StudyFactor", "tp_study_design": "StudyDesign",
     "tp_study_measure": "StudyMeasure", "tp_study_correlation": "StudyCorrelation",
     "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",

@@ -84,6 +84,8 @@ class Hdf5(StudyCase):
         self.study("study.yaml", "--rows", "rows.h5")
         self.assertEqual(self.read("rows.h5"), whole)
         (self.folder / "rows.h5").write_bytes(b"old")
+        self.assertIn("is not the rows of a study", self.study("study.yaml", "--rows", "rows.h5", "--restart", status=3))
+        (self.folder / "rows.h5").write_bytes(whole)
         self.study("study.yaml", "--rows", "rows.h5", "--restart", "--threads", "2")
         self.assertEqual(self.read("rows.h5"), whole)
         for k in (1, 2):

@@ -40,9 +40,10 @@ from .profile import (Profile, ProfileDensity, ProfileEstimate, ProfileFacing, P
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
-from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyFactor, StudyIndex, StudyMeasure,
-                    StudyQuantile, StudyRank, StudyRare, StudyReliability, StudyResult, StudyShare,
-                    StudySpread, StudyStep, StudyTilt, StudyVariable, study)
+from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyDesignPoint, StudyFactor,
+                    StudyIndex, StudyMeasure, StudyQuantile, StudyRank, StudyRare,
+                    StudyReliability, StudyResult, StudyShare, StudySpread, StudyStep, StudyTilt,
+                    StudyVariable, study)
 from .sweep import Sweep, sweep, write_sweep
 from .tilt import (TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
                    TiltSettings, TiltShaking, TiltTest, tilt_test)
