@@ -74,6 +74,23 @@ class Stories(unittest.TestCase):
                 for angle in story[1:]:
                     self.assertIn(f"{angle:.2f}°", PAGE.replace("°**", "°"))
 
+    def test_no_ratio_of_stiffnesses_gives_both_angles(self):
+        """The first slips of E and F at two ratios, as the page has them: each of the paper's angles is one of these, not of one
+        ratio; and 20.54 degrees is phi - i."""
+        first = {}
+        for name in ("e_valley", "f"):
+            for shear in (10, 1000):
+                status, out, err = run("tilt", "--json", "--set", f"tilt_test.shear_stiffness_gpa_m={shear}", "--set",
+                                       "tilt_test.normal_stiffness_gpa_m=1000", ROOT / "examples" / f"tilt_block_{name}.yaml")
+                self.assertEqual(status, 0, err)
+                # towards the left; block E's upper facet slips too, as it opens at 7 degrees
+                first[name, shear] = min(event["angle_deg"] for event in json.loads(out)["cases"][0]["events"]
+                                         if event["what"] == "slips" and event["facet"] < 3)
+        for key, angle in ((("e_valley", 10), "27.53°"), (("f", 10), "19.17°"), (("f", 1000), "20.54°"), (("e_valley", 1000), "22.27°")):
+            self.assertEqual(f"{first[key]:.2f}°", angle, key)
+            self.assertIn(angle, PAGE)
+        self.assertAlmostEqual(first["f", 1000], 30 - math.degrees(math.atan2(5, 30)), delta=1e-3)
+
     def test_weight_passes_the_peak_at_14_degrees(self):
         """The centroid of block E by its polygon: the vertical through it meets the peak (30, 5) at that tilt, where the middle
         facet bears most and the left one least."""
