@@ -195,6 +195,7 @@ MIRRORS = {
     "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
     "tp_tilt_event": "TiltEvent", "tp_tilt_moment": "TiltMoment", "tp_tilt_reaction": "TiltReaction",
     "tp_tilt_facet": "TiltFacet", "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
+    "tp_overturning_grid": "OverturningGrid", "tp_overturning_range": "OverturningRange",
     "tp_tilt_case": "TiltCase", "tp_tilt_test": "TiltTest",
     "tp_converge_level": "ConvergeLevel", "tp_converge_finding": "ConvergeFinding",
     "tp_tilt_convergence_case": "ConvergenceCase", "tp_tilt_convergence": "Convergence",

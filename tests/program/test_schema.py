@@ -226,7 +226,7 @@ class Schema(unittest.TestCase):
                 text + "  normal_stiffness_gpa_m: 1000\n  shear_stiffness_gpa_m: 1000\n")
             self.prints("tilt", "--json", "scene.yaml", folder=folder)
         self.prints("tilt", "--json", ROOT / "examples" / "tilt_locked_stress.yaml")
-        self.prints("tilt", "--json", "--overturning", ROOT / "examples" / "shaken_boulder.yaml")
+        self.prints("tilt", "--json", "--overturning", "--factors", "1:1.2:3", ROOT / "examples" / "shaken_boulder.yaml")
 
     def test_2_converge(self):
         """A critical angle by the path, with a caution, and the least shaking that overturns by events."""

@@ -45,7 +45,7 @@ from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyDesignPoint, S
                     StudyReliability, StudyResult, StudyShare, StudySpread, StudyStep, StudyTilt,
                     StudyVariable, study)
 from .sweep import Sweep, sweep, write_sweep
-from .tilt import (TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
+from .tilt import (OverturningGrid, OverturningRange, TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
                    TiltSettings, TiltShaking, TiltTest, tilt_test)
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,
