@@ -29,7 +29,8 @@ tp_status tp_earthquakes_asked(bool *several, const tp_scene *scene, tp_message 
 }
 
 bool tp_earthquake_is_one_sided(const tp_scene *scene) {
-  return scene->frame != TP_FRAME_WORLD && shakes(scene) && !scene->loads.direction_given &&
+  return scene->frame != TP_FRAME_WORLD && shakes(scene) &&
+         fmpq_sgn(scene->loads.horizontal.value) > 0 && !scene->loads.direction_given &&
          scene->towards_left != scene->towards_right;
 }
 
