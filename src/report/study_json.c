@@ -26,6 +26,7 @@ static void add_share(tp_json *j, const char *key, const tp_study_share *share) 
 static void add_tilt(tp_json *j, const tp_study_tilt *tilt) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_truth(j, "of_scene", tilt->of_scene);
+  tp_json_truth(j, "as_it_lies", tilt->as_it_lies);
   tp_json_truth(j, "tilt_varies", tilt->tilt_varies);
   if (tilt->has_tilt && !tilt->tilt_varies) {
     tp_json_double(j, "tilt_deg", tilt->tilt_deg);

@@ -43,6 +43,8 @@ SCENES = {
     "water overtops": "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 30\n"
                       "loads: {water: {height: 3, stays_level: true}}\ntilt: {towards: left, angle_deg: 5}\n",
     "frame of the world": "block: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]}\nframe: world\nfriction_angle_deg: 30\n",
+    "earthquakes": "block: {outline: [[0, 0], [2, 0.01], [3, 4], [1, 4]], unit_weight_kn_m3: 26}\nframe: world\n"
+                   "friction_angle_deg: 30\nloads: {seismic: {horizontal: 0.2, vertical: 0.1}}\n",
     "mean plane": "block: {outline: [[0, 0], [2, 1], [1, 3], [-1, 2]]}\nframe: {mean_plane: [[0, 0], [2, 1]]}\n"
                   "base: {mated: true, between: [[0, 0], [2, 1]]}\n",
     "upright toe": "block: {outline: [[0, 0], [1, 0], [1, 1], [3, 1], [3, 4], [0, 4]]}\nfriction_angle_deg: 30\n"
