@@ -91,10 +91,33 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength, mean plane: tan(φ+i)/tan α";
   case TP_FOS_BY_REDUCTION:
-    return factor->fos.state == TP_FOS_UNDEFINED ? "strength reduction: no strength holds it"
-                                                 : "strength reduction, by contact forces";
+    if (factor->fos.state == TP_FOS_UNDEFINED) {
+      return "strength reduction: no strength makes it certain to stand";
+    }
+    return !factor->raised ? "strength reduction, by contact forces"
+           : factor->fos.value.value < 1
+               ? "strength reduction, by contact forces: with less it would stand"
+               : "strength raised, by contact forces: with more it can move";
+  case TP_FOS_BY_TILT:
+    return "tilt: tan of that at which motions begin over tan α";
   }
   return "";
+}
+
+const char *tp_text_standing(tp_factor_standing standing) {
+  switch (standing) {
+  case TP_FACTOR_BLOCKED:
+    return "does not count: a facet stands in the way";
+  case TP_FACTOR_PREVENTED:
+    return "excluded: contact forces prevent it";
+  case TP_FACTOR_UNEVEN:
+    return "excluded: the facets that it slides on differ in friction";
+  case TP_FACTOR_SMOOTH:
+    return "excluded: without friction there is no strength to divide";
+  case TP_FACTOR_COUNTS:
+    break;
+  }
+  return "counts";
 }
 
 static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
@@ -106,7 +129,7 @@ static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
               tp_page_fos(n, factor->fos), against.failed ? "" : against.data,
               long_definition(factor, p->solution->loaded));
   if (!factor->counts) {
-    tp_text_add(&p->text, "%36s(does not count: a facet stands in the way)\n", "");
+    tp_text_add(&p->text, "%36s(%s)\n", "", tp_text_standing(factor->standing));
   }
   p->text.failed = p->text.failed || against.failed;
   tp_text_drop(&against);
@@ -118,9 +141,6 @@ void tp_page_add_governing(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  ");
   tp_text_governing(&p->text, c);
   tp_text_add(&p->text, "\n");
-  if (c->mechanism == TP_MAY_MOVE && g->fos.state == TP_FOS_NUMBER && g->fos.value.value >= 1) {
-    tp_text_add(&p->text, "  Caution: a motion can begin at this tilt all the same: see below.\n");
-  }
   if (g->factor_count < 2) {
     tp_text_add(&p->text, "\n");
     return;
@@ -161,6 +181,10 @@ static void add_factors(tp_json *j, const tp_governing_fos *g) {
     tp_json_fos(j, "fos", g->factors[k].fos);
     add_words(j, g->factors + k);
     tp_json_truth(j, "counts", g->factors[k].counts);
+    tp_json_string(j, "standing", tp_factor_standing_name(g->factors[k].standing));
+    if (g->factors[k].definition == TP_FOS_BY_REDUCTION) {
+      tp_json_truth(j, "raised", g->factors[k].raised);
+    }
     tp_json_close(j);
   }
   tp_json_close(j);

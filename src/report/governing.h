@@ -16,6 +16,9 @@ void tp_text_governing(tp_text *text, const tp_case *own);
 /* "toppling about the toe" */
 void tp_text_against(tp_text *text, const tp_factor *factor);
 
+/* "excluded: contact forces prevent it", why a factor does not count. */
+const char *tp_text_standing(tp_factor_standing standing);
+
 /* The line, and all factors with their definitions. */
 void tp_page_add_governing(tp_page *page, const tp_case *own);
 

@@ -85,8 +85,8 @@ static tp_status check_reach(const tp_search *s) {
                  tp_find_target_name(target), key.text,
                  reach.friction
                      ? "it is a balance of moments about a pivot, which the friction and "
-                       "the cohesion of the contact do not enter; limit_angle, limit_fos and "
-                       "onset_angle depend on them"
+                       "the cohesion of the contact do not enter; limit_angle, limit_fos, "
+                       "onset_angle and governing_fos depend on them"
                      : "it is a tilt at which the block lets go, whatever the tilt that "
                        "the scene gives; a factor of safety depends on that");
 }
@@ -101,8 +101,8 @@ static tp_status check_target(const tp_search *s) {
                    "%s needs friction; give the scene its 'friction_angle_deg: …'",
                    tp_find_target_name(target));
   }
-  const bool needs_tilt =
-      target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS;
+  const bool needs_tilt = target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS ||
+                          target == TP_FIND_LIMIT_FOS || target == TP_FIND_GOVERNING_FOS;
   /* one that it gives, or that of a slope */
   if (!needs_tilt || scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD) return TP_OK;
   return tp_fail(s->message, TP_BAD_INPUT, place,
@@ -114,7 +114,7 @@ static tp_status check_target(const tp_search *s) {
 static void set_options(tp_solve_options *solve, tp_find_target target) {
   *solve = tp_solve_options_default();
   solve->digits = 15;
-  solve->strength_reduction = target == TP_FIND_LIMIT_FOS;
+  solve->strength_reduction = target == TP_FIND_LIMIT_FOS || target == TP_FIND_GOVERNING_FOS;
   solve->limit =
       target == TP_FIND_LIMIT_ANGLE || target == TP_FIND_ONSET_ANGLE || solve->strength_reduction;
 }
@@ -128,7 +128,7 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   tp_find_options taken = tp_find_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   TP_REFUSE_NULL(message, options->key);
-  if ((int)options->target < 0 || options->target > TP_FIND_ONSET_ANGLE) {
+  if ((int)options->target < 0 || options->target > TP_FIND_GOVERNING_FOS) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");
   }
   if (!isfinite(options->value) ||
