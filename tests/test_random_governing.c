@@ -104,42 +104,48 @@ static void claim_law(counts *seen, const tp_case *c, double tilt) {
   }
 }
 
-/* How far from 1 the factor is at a tilt, or NAN. */
-static double distance(counts *seen, random_scene *scene, size_t number, double tilt,
-                       tp_case *out) {
-  double found = NAN;
+/* A case at a tilt: how far from 1 its factor is, or NAN, and whether it stands. */
+typedef struct beside {
+  double distance;
+  bool stands;
+  tp_case c; /* numbers alone */
+} beside;
+
+static beside look(counts *seen, random_scene *scene, size_t number, double tilt) {
+  beside at = {.distance = NAN};
   tp_solution *solution = solve_at(scene, tilt);
   if (solution != NULL && number < solution->case_count) {
     const tp_case *c = solution->cases + number;
+    const tp_fos *fos = &c->governing_fos.fos;
     claim_law(seen, c, tilt);
-    *out = *c;
-    if (c->governing_fos.fos.state == TP_FOS_NUMBER) {
-      found = fabs(log(fmax(c->governing_fos.fos.value.value, 1e-9)));
-    }
-    if (c->governing_fos.fos.state == TP_FOS_UNDEFINED ||
-        c->governing_fos.fos.state == TP_FOS_NO_OVERTURNING) {
-      found = INFINITY;
+    at.c = *c;
+    at.stands = stands(c);
+    if (fos->state == TP_FOS_NUMBER) at.distance = fabs(log(fmax(fos->value.value, 1e-9)));
+    if (fos->state == TP_FOS_UNDEFINED || fos->state == TP_FOS_NO_OVERTURNING) {
+      at.distance = INFINITY;
     }
   }
   tp_solution_free(solution);
-  return found;
+  return at;
 }
 
-/* Where motions begin or end, the factor comes to 1 as the tilt does: a hundredth of the way leaves
- * less than a third of the distance, where any is left to speak of. */
+/* Where motions begin or end, so that the verdict differs on both sides, the factor comes to 1 as
+ * the tilt does: a hundredth of the way leaves less than a third of the distance, where any is left
+ * to speak of. */
 static void claim_end(counts *seen, random_scene *scene, size_t number, double end) {
-  static const double far = 1e-3, near = 1e-5, nothing = 0.01, part = 0.3;
+  static const double far = 1e-3, near = 1e-5, nothing = 0.01, part = 0.3, upright = 89.9;
+  if (!(end > 2 * far && end < upright)) return;
+  const beside below = look(seen, scene, number, end - near);
+  const beside above = look(seen, scene, number, end + near);
+  if (below.stands == above.stands || isnan(below.distance) || isnan(above.distance)) return;
   for (int side = -1; side <= 1; side += 2) {
-    tp_case at;
-    const double from = end + side * far, to = end + side * near;
-    if (!(from > 0 && from < 89.9)) continue;
-    const double one = distance(seen, scene, number, from, &at);
-    const double other = distance(seen, scene, number, to, &at);
-    if (isnan(one) || isnan(other)) continue;
+    const beside *own = side < 0 ? &below : &above;
+    const beside farther = look(seen, scene, number, end + side * far);
+    if (isnan(farther.distance)) continue;
     seen->ends++;
-    if (other < nothing || other < part * one) continue;
+    if (own->distance < nothing || own->distance < part * farther.distance) continue;
     seen->leaps++;
-    show("a leap", &at, to);
+    show("a leap", &own->c, end + side * near);
   }
 }
 

@@ -59,15 +59,25 @@ static counting begins_from(const tp_case_told *told, tp_near critical, tp_near 
   return OPEN;
 }
 
-/* By its sign against 1, and whether its motion can begin; `critical`: the tangent at which it is
- * 1, where there is one. */
-static counting judge(const tp_case_told *told, const tp_filter_state *s, tp_near fos, bool begins,
-                      bool has_critical, tp_near critical) {
-  const int side = tp_near_sign(tp_near_sub(fos, (tp_near){1, 0}));
+/* A factor against one way to move. */
+typedef struct way {
+  tp_fos_state state; /* a number, or nothing overturns */
+  tp_near fos;
+  bool has_critical; /* it is 1 at a tilt, */
+  tp_near critical;  /* with this tangent */
+  bool begins;       /* its motion can at the block's own */
+  tp_fos_definition definition;
+  tp_mechanism mechanism;
+} way;
+
+/* By its side of 1, and whether its motion can begin. */
+static counting judge(const tp_case_told *told, const tp_filter_state *s, const way *own,
+                      int side) {
   if (side == 0) return OPEN;
-  if (side < 0 && !(s->moves && begins)) return EXCLUDED;
-  if ((side > 0 && s->moves) || !has_critical) return COUNTS;
-  return s->moves ? begins_from(told, critical, s->tangent) : begins_beside(told, critical);
+  if (side < 0 && !(s->moves && own->begins)) return EXCLUDED;
+  if ((side > 0 && s->moves) || !own->has_critical) return COUNTS;
+  return s->moves ? begins_from(told, own->critical, s->tangent)
+                  : begins_beside(told, own->critical);
 }
 
 /* ---- what governs ------------------------------------------------------------------------------
@@ -107,15 +117,12 @@ static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition de
 
 /* Takes what counts; of a block that moves, what is below 1 alone. */
 static bool take_judged(least *l, const tp_case_told *told, const tp_filter_state *s,
-                        tp_fos_state state, tp_near fos, tp_near critical, bool has_critical,
-                        bool begins, tp_fos_definition definition, tp_mechanism mechanism) {
-  if (state != TP_FOS_NUMBER) {
-    return s->moves || take(l, state, fos, definition, mechanism);
-  }
-  const counting own = judge(told, s, fos, begins, has_critical, critical);
-  if (own != COUNTS) return own == EXCLUDED;
-  const bool above = tp_near_sign(tp_near_sub(fos, (tp_near){1, 0})) > 0;
-  return (s->moves && above) || take(l, state, fos, definition, mechanism);
+                        const way *own) {
+  static const tp_near one = {1, 0};
+  const int side = own->state == TP_FOS_NUMBER ? tp_near_sign(tp_near_sub(own->fos, one)) : 1;
+  const counting counts = judge(told, s, own, side);
+  if (counts != COUNTS) return counts == EXCLUDED;
+  return (s->moves && side > 0) || take(l, own->state, own->fos, own->definition, own->mechanism);
 }
 
 /* Does a mode turn about the point: sticking there, or slipping there alone? */
@@ -156,23 +163,35 @@ static bool take_moments(least *l, const tp_case_told *told, const tp_filter_sta
     const tp_mechanism turn =
         s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
     const bool begins = turn != TP_MECHANISM_UNDECIDED;
-    const tp_near fos = level ? s->tangent : tp_near_div(x, tp_near_mul(y, s->tangent));
-    done =
-        take_judged(l, told, s, level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER, fos,
-                    tp_near_div(x, y), true, begins, TP_FOS_BY_MOMENTS, begins ? turn : TP_TOPPLES);
+    const way own = {.state = level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER,
+                     .fos = level ? s->tangent : tp_near_div(x, tp_near_mul(y, s->tangent)),
+                     .has_critical = true,
+                     .critical = tp_near_div(x, y),
+                     .begins = begins,
+                     .definition = TP_FOS_BY_MOMENTS,
+                     .mechanism = begins ? turn : TP_TOPPLES};
+    done = take_judged(l, told, s, &own);
   }
   return done;
 }
 
 static bool take_sliding(least *l, const tp_case_told *told, const tp_filter_state *s) {
-  tp_sliding_told own;
-  if (!tp_sliding_filter(&own, told, s->tangent)) return false;
-  if (!own.counts) return true;
-  const bool begins = s->moves && (s->beginnings & 1U << TP_SLIDES) != 0;
-  return take_judged(l, told, s, own.shear, own.by_shear, own.critical, own.has_critical, begins,
-                     TP_FOS_BY_SHEAR, TP_SLIDES) &&
-         (own.is_level || take_judged(l, told, s, own.rough, own.by_roughness, own.critical,
-                                      own.has_critical, begins, TP_FOS_BY_ROUGHNESS, TP_SLIDES));
+  tp_sliding_told sliding;
+  if (!tp_sliding_filter(&sliding, told, s->tangent)) return false;
+  if (!sliding.counts) return true;
+  way own = {.state = sliding.shear,
+             .fos = sliding.by_shear,
+             .has_critical = sliding.has_critical,
+             .critical = sliding.critical,
+             .begins = s->moves && (s->beginnings & 1U << TP_SLIDES) != 0,
+             .definition = TP_FOS_BY_SHEAR,
+             .mechanism = TP_SLIDES};
+  if (!take_judged(l, told, s, &own)) return false;
+  if (sliding.is_level) return true;
+  own.state = sliding.rough;
+  own.fos = sliding.by_roughness;
+  own.definition = TP_FOS_BY_ROUGHNESS;
+  return take_judged(l, told, s, &own);
 }
 
 /* Of a block that moves what comes nearer to 1; where no change of strength stops it, and nothing
