@@ -5,8 +5,7 @@
  * on both sides of every tilt at which motions begin or end: it is below 1 exactly where a motion
  * can begin at the tilt, it names a motion that can begin there, and it passes 1 without a leap.
  * The verdict, the windows and the motions are found by other rooms than the factor.
- *
- * TOPPLE_LONG=1 draws 3000 scenes. */
+ */
 
 #include "random_runs.h"
 #include "random_scenes.h"
@@ -15,7 +14,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { SWEEP = 10, SHORT = 120, LONG = 3000, SHOWN = 20 };
+enum { SWEEP = 10, SHORT = 120, SHOWN = 20 };
 
 typedef struct counts {
   long points, standing, moving, undecided, ends, told, law, names, leaps;
@@ -177,8 +176,7 @@ static void claim_scene(counts *seen, random_numbers *state) {
 
 START_TEST(test_governing_of_random_scenes) {
   const uint64_t begin = random_seed();
-  const char *is_long = getenv("TOPPLE_LONG");
-  const long count = random_scenes_or(is_long != NULL && *is_long == '1' ? LONG : SHORT);
+  const long count = random_scenes_or(SHORT);
   counts seen = {0};
   for (long k = 0; k < count; k++) {
     seed = begin + (uint64_t)k;

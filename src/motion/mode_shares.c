@@ -3,21 +3,7 @@
 
 #include "motion/mode_shares.h"
 
-#include "grow.h"
-
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-enum { DEGREE = 3, MOST_CONDITIONS = 4, MOST_ZEROS = 2 * MOST_CONDITIONS * DEGREE };
-
-/* ---- polynomials -------------------------------------------------------------------------------
- */
-
-typedef struct polynomial {
-  double of[DEGREE + 1];
-  int degree; /* -1 of none: zero, as far as its bounds tell */
-} polynomial;
 
 static tp_near determinant(const tp_near a[3], const tp_near b[3], const tp_near c[3]) {
   tp_near cross[3];
@@ -30,11 +16,10 @@ static bool rises(const tp_share_line *line) {
 }
 
 /* det(a, b, c) as a polynomial of the share; what its bound does not tell from zero is none. */
-static polynomial determinant_of(const tp_share_line *a, const tp_share_line *b,
-                                 const tp_share_line *c) {
+static tp_share_polynomial determinant_of(const tp_share_line *a, const tp_share_line *b,
+                                          const tp_share_line *c) {
   const tp_share_line *of[3] = {a, b, c};
-  polynomial p = {.degree = -1};
-  tp_near sums[DEGREE + 1] = {{0, 0}};
+  tp_near sums[TP_SHARE_DEGREE + 1] = {{0, 0}};
   for (unsigned choice = 0; choice < 8; choice++) {
     const tp_near *vectors[3];
     bool vanishes = false;
@@ -48,137 +33,7 @@ static polynomial determinant_of(const tp_share_line *a, const tp_share_line *b,
     if (vanishes) continue;
     sums[power] = tp_near_add(sums[power], determinant(vectors[0], vectors[1], vectors[2]));
   }
-  for (int k = 0; k <= DEGREE; k++) {
-    p.of[k] = tp_near_sign(sums[k]) != 0 ? sums[k].value : 0;
-    if (p.of[k] != 0) p.degree = k;
-  }
-  return p;
-}
-
-static double evaluate(const polynomial *p, double s) {
-  double value = 0;
-  for (int k = p->degree; k >= 0; k--) value = value * s + p->of[k];
-  return value;
-}
-
-/* Sign, but for what rounding may have made of a zero. */
-static int sign_at(const polynomial *p, double s) {
-  static const double share = 64 * DBL_EPSILON;
-  double size = 0;
-  for (int k = p->degree; k >= 0; k--) size = size * s + fabs(p->of[k]);
-  const double value = evaluate(p, s);
-  return fabs(value) <= share * size ? 0 : value > 0 ? 1 : -1;
-}
-
-typedef struct zeros {
-  int count;
-  double of[MOST_ZEROS + 2];
-} zeros;
-
-static void put(zeros *z, double s) {
-  if (s > TP_LEAST_SHARE && s < TP_MOST_SHARE) z->of[z->count++] = s;
-}
-
-/* Of degree 2 at most, the larger first by size, so that nothing cancels. */
-static void put_quadratic(zeros *z, const polynomial *p) {
-  if (p->degree == 1) put(z, -p->of[0] / p->of[1]);
-  if (p->degree != 2) return;
-  const double half = p->of[1] / 2, rest = half * half - p->of[0] * p->of[2];
-  if (rest < 0) {
-    /* a double zero that rounding has parted */
-    if (-rest <= 8 * DBL_EPSILON * half * half) put(z, -half / p->of[2]);
-    return;
-  }
-  const double sum = -(half + copysign(sqrt(rest), half));
-  put(z, sum / p->of[2]);
-  if (sum != 0) put(z, p->of[0] / sum);
-}
-
-/* The zero between two shares on which the signs differ. */
-static void put_between(zeros *z, const polynomial *p, double low, double high) {
-  enum { MOST_STEPS = 120 };
-  const bool rising = evaluate(p, high) > 0;
-  for (int k = 0; k < MOST_STEPS; k++) {
-    const double middle = high > 4 * low ? sqrt(low * high) : low + (high - low) / 2;
-    if (!(middle > low && middle < high)) break;
-    if ((evaluate(p, middle) > 0) == rising) {
-      high = middle;
-    } else {
-      low = middle;
-    }
-  }
-  put(z, low);
-}
-
-static int by_size(const void *left, const void *right) {
-  const double a = *(const double *)left, b = *(const double *)right;
-  return a < b ? -1 : a > b;
-}
-
-/* Of the third degree: between where it turns, it rises or falls throughout. */
-static void put_cubic(zeros *z, const polynomial *p) {
-  const polynomial slope = {{p->of[1], 2 * p->of[2], 3 * p->of[3]}, 2};
-  zeros turns = {.count = 0};
-  put(&turns, TP_LEAST_SHARE * (1 + DBL_EPSILON));
-  put_quadratic(&turns, &slope);
-  put(&turns, TP_MOST_SHARE * (1 - DBL_EPSILON));
-  qsort(turns.of, (size_t)turns.count, sizeof turns.of[0], by_size);
-  for (int k = 0; k < turns.count; k++) {
-    if (sign_at(p, turns.of[k]) == 0) put(z, turns.of[k]);
-    if (k == 0) continue;
-    const double low = turns.of[k - 1], high = turns.of[k];
-    if ((evaluate(p, low) > 0) != (evaluate(p, high) > 0)) put_between(z, p, low, high);
-  }
-}
-
-static void put_zeros(zeros *z, const polynomial *p) {
-  if (p->degree == DEGREE) {
-    put_cubic(z, p);
-  } else {
-    put_quadratic(z, p);
-  }
-}
-
-/* ---- conditions --------------------------------------------------------------------------------
- */
-
-/* Products of two that are not to be negative. */
-typedef struct conditions {
-  int count;
-  polynomial of[MOST_CONDITIONS][2];
-} conditions;
-
-static bool hold(const conditions *c, double s) {
-  for (int k = 0; k < c->count; k++) {
-    if (sign_at(c->of[k], s) * sign_at(c->of[k] + 1, s) < 0) return false;
-  }
-  return true;
-}
-
-static bool add_spans(tp_share_spans *spans, const conditions *c, tp_mechanism mechanism) {
-  zeros z = {.count = 0};
-  for (int k = 0; k < c->count; k++) {
-    put_zeros(&z, c->of[k]);
-    if (k == 0 || memcmp(c->of[k] + 1, c->of[k - 1] + 1, sizeof(polynomial)) != 0) {
-      put_zeros(&z, c->of[k] + 1);
-    }
-  }
-  qsort(z.of, (size_t)z.count, sizeof z.of[0], by_size);
-  tp_share_span own = {.low = TP_LEAST_SHARE, .high = 0, .mechanism = mechanism};
-  bool open = false;
-  for (int k = 0; k <= z.count; k++) {
-    const double low = k == 0 ? TP_LEAST_SHARE : z.of[k - 1];
-    const double high = k == z.count ? TP_MOST_SHARE : z.of[k];
-    const bool within = high > low && hold(c, sqrt(low) * sqrt(high));
-    if (within && !open) own.low = low;
-    if (within) own.high = high;
-    if (open && !within && high > low) {
-      if (!tp_share_spans_put(spans, own)) return false;
-      open = false;
-    }
-    open = open || within;
-  }
-  return !open || tp_share_spans_put(spans, own);
+  return tp_share_polynomial_of(sums);
 }
 
 /* ---- modes -------------------------------------------------------------------------------------
@@ -246,27 +101,27 @@ static bool next_choice(choice *c, const tp_share_mode *m) {
 static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const choice *own) {
   const tp_share_line loads = loads_of(m, own);
   const tp_share_line *g[3] = {m->of + own->of[0], m->of + own->of[1], m->of + own->of[2]};
-  const polynomial whole = determinant_of(g[0], g[1], g[2]);
-  conditions c = {.count = 0};
+  const tp_share_polynomial whole = determinant_of(g[0], g[1], g[2]);
+  tp_share_conditions c = {.count = 0};
   if (whole.degree < 0) return true;
   for (int k = 0; k < 3; k++) {
-    const polynomial part = determinant_of(&loads, g[(k + 1) % 3], g[(k + 2) % 3]);
-    polynomial *to = c.of[c.count++];
+    const tp_share_polynomial part = determinant_of(&loads, g[(k + 1) % 3], g[(k + 2) % 3]);
+    tp_share_polynomial *to = c.of[c.count++];
     to[0] = part;
     to[1] = whole;
     if (!is_free(m, own->of[k])) continue;
-    for (int e = 0; e <= DEGREE; e++) { /* from -1 to 1 */
+    for (int e = 0; e <= TP_SHARE_DEGREE; e++) { /* from -1 to 1 */
       to[0].of[e] = whole.of[e] - part.of[e];
       to[1].of[e] = whole.of[e] + part.of[e];
     }
     to[0].degree = to[1].degree = whole.degree > part.degree ? whole.degree : part.degree;
   }
-  return add_spans(spans, &c, m->mechanism);
+  return tp_share_spans_where(spans, &c, m->mechanism);
 }
 
-static polynomial work_of(const tp_share_line *loads, const tp_near h[3]) {
+static tp_share_polynomial work_of(const tp_share_line *loads, const tp_near h[3]) {
   const tp_near level = tp_near_dot(h, loads->at), rise = tp_near_dot(h, loads->rise);
-  polynomial p = {.of = {level.value, tp_near_sign(rise) != 0 ? rise.value : 0}};
+  tp_share_polynomial p = {.of = {level.value, tp_near_sign(rise) != 0 ? rise.value : 0}};
   p.degree = p.of[1] != 0 ? 1 : 0;
   return p;
 }
@@ -275,7 +130,7 @@ static polynomial work_of(const tp_share_line *loads, const tp_near h[3]) {
 static bool add_interior(tp_share_spans *spans, const tp_share_mode *m) {
   double low = TP_LEAST_SHARE, high = TP_MOST_SHARE;
   for (int k = 0; k < m->count; k++) {
-    const polynomial p = work_of(&m->loads, m->of[k].at);
+    const tp_share_polynomial p = work_of(&m->loads, m->of[k].at);
     if (p.degree == 0) {
       if (p.of[0] < 0) return true;
       continue;
@@ -298,23 +153,6 @@ bool tp_share_spans_add(tp_share_spans *spans, const tp_share_mode *m) {
     if (!is_flat(m, c.of) && !add_choice(spans, m, &c)) return false;
   } while (next_choice(&c, m));
   return true;
-}
-
-/* What rounding may have parted, or put between. */
-static const double joint = 1e-12;
-
-bool tp_share_spans_put(tp_share_spans *spans, tp_share_span span) {
-  if (span.high <= span.low * (1 + joint)) return true; /* at a single share at most */
-  tp_share_span *more = tp_grow(spans->items, spans->count, &spans->room, sizeof *more);
-  if (more == NULL) return false;
-  spans->items = more;
-  more[spans->count++] = span;
-  return true;
-}
-
-void tp_share_spans_clear(tp_share_spans *spans) {
-  free(spans->items);
-  memset(spans, 0, sizeof *spans);
 }
 
 /* ---- proofs ------------------------------------------------------------------------------------
@@ -391,52 +229,4 @@ int tp_share_mode_side(const tp_share_mode *m, double share) {
     if (side == 0) any = 0;
   } while (next_choice(&c, m));
   return any;
-}
-
-/* ---- the nearest change ------------------------------------------------------------------------
- */
-
-static int by_low(const void *left, const void *right) {
-  const tp_share_span *a = left, *b = right;
-  return a->low < b->low ? -1 : a->low > b->low;
-}
-
-static void nearer(tp_share_change *change, double share, tp_mechanism mechanism) {
-  if (share <= TP_LEAST_SHARE * (1 + joint) || share >= TP_MOST_SHARE * (1 - joint)) return;
-  if (change->found && fabs(log(share)) >= fabs(log(change->share))) return;
-  *change = (tp_share_change){true, share, mechanism};
-}
-
-tp_share_change tp_share_spans_change(tp_share_spans *spans, bool can_begin) {
-  tp_share_change change = {.found = false};
-  if (spans->count > 0) qsort(spans->items, (size_t)spans->count, sizeof *spans->items, by_low);
-  if (!can_begin) {
-    for (long k = 0; k < spans->count; k++) {
-      const tp_share_span *own = spans->items + k;
-      if (own->low > 1) nearer(&change, own->low, own->mechanism);
-      if (own->high < 1) nearer(&change, own->high, own->mechanism);
-      if (own->low <= 1 && own->high >= 1) nearer(&change, 1, own->mechanism);
-    }
-    return change;
-  }
-  /* spans that meet, put together: those that hold 1 end at the changes */
-  tp_share_span sum = {.low = 1, .high = 1};
-  bool any = false;
-  for (long k = 0; k < spans->count; k++) {
-    const tp_share_span *own = spans->items + k;
-    if (any && own->low <= sum.high * (1 + joint)) {
-      if (own->high > sum.high) {
-        sum.high = own->high;
-        sum.mechanism = own->mechanism;
-      }
-      continue;
-    }
-    if (any && sum.high >= 1) break;
-    sum = *own;
-    any = true;
-  }
-  const bool holds = any && sum.low <= 1 + joint && sum.high >= 1 - joint;
-  nearer(&change, holds ? sum.low : 1, sum.mechanism);
-  nearer(&change, holds ? sum.high : 1, sum.mechanism);
-  return change;
 }

@@ -17,14 +17,10 @@
 #define TP_MODE_SHARES_H
 
 #include "motion/mode.h"
-#include "number/near.h"
+#include "motion/share_spans.h"
 
-/* Shares that are tried: beyond these, strength does not matter. */
-#define TP_LEAST_SHARE 1e-6
-#define TP_MOST_SHARE 1e6
-
-/* at + s rise; forces of one bundle, from 1 on, act through one point or along one direction, so
- * that three of them span no solid; 0: of none. */
+/* at + s rise; forces of one site, from 1 on, act through one point, and parallel ones along one
+ * direction, so that three of them span no solid; 0: of none. */
 typedef struct tp_share_line {
   tp_near at[3], rise[3];
   long site, parallel;
@@ -41,34 +37,11 @@ typedef struct tp_share_mode {
   tp_share_line loads, of[TP_SHARE_LINES + TP_SHARE_FREE];
 } tp_share_mode;
 
-/* Between two shares. */
-typedef struct tp_share_span {
-  double low, high;
-  tp_mechanism mechanism;
-} tp_share_span;
-
-typedef struct tp_share_spans {
-  long count, room;
-  tp_share_span *items;
-} tp_share_spans;
-
 /* Adds the shares at which the mode can begin, as doubles have it; false when memory is exhausted.
  */
 TP_MUST_USE bool tp_share_spans_add(tp_share_spans *spans, const tp_share_mode *mode);
-TP_MUST_USE bool tp_share_spans_put(tp_share_spans *spans, tp_share_span span);
-void tp_share_spans_clear(tp_share_spans *spans);
 
 /* Can it begin with this share? 1, or -1: no; both proven; 0 where that is open. */
 int tp_share_mode_side(const tp_share_mode *mode, double share);
-
-/* Where what can begin with all of the strength, or cannot, first changes. */
-typedef struct tp_share_change {
-  bool found; /* false: nowhere within the shares that are tried */
-  double share;
-  tp_mechanism mechanism; /* of what begins or ends there */
-} tp_share_change;
-
-/* The change whose share is nearest to 1, as a ratio; sorts the spans. */
-tp_share_change tp_share_spans_change(tp_share_spans *spans, bool can_begin);
 
 #endif

@@ -3,9 +3,7 @@
 
 #include "motion/strength_change.h"
 
-#include "motion/mode_shares.h"
-#include "motion/newton.h"
-#include "motion/strength.h"
+#include "motion/mode_reading.h"
 #include "motion/windows.h"
 #include "number/ball.h"
 
@@ -21,216 +19,14 @@ void tp_strength_change_clear(tp_strength_change *change) {
   arb_clear(change->share);
 }
 
-/* ---- modes in doubles --------------------------------------------------------------------------
- */
-
-/* A linear function of the share in balls, at + share rise. */
-typedef struct ball_line {
-  tp_vector at, rise;
-} ball_line;
-
-/* The modes of a question at its tilt, one after another. */
-typedef struct reading {
-  const tp_strength_asked *asked;
-  tp_vector loads;
-  slong length; /* 2^length: about a length of the question, moments over forces */
-  ball_line line;
-  tp_strength strength;
-  tp_motion_outcome outcome;
-} reading;
-
-static void set_loads(tp_vector *loads, const tp_strength_asked *a) {
-  const tp_wrench *load = &a->question->load;
-  const tp_trig *rows[3] = {&load->x, &load->y, &load->moment};
-  const long bits = a->question->judge.bits;
-  arb_t sine, cosine;
-  arb_init(sine);
-  arb_init(cosine);
-  tp_ball_sin_cos(sine, cosine, a->degrees, bits);
-  for (int row = 0; row < 3; row++) {
-    tp_trig_evaluate(loads->of + row, rows[row], sine, cosine, bits);
-  }
-  arb_clear(sine);
-  arb_clear(cosine);
-}
-
-static void reading_init(reading *r, const tp_strength_asked *a) {
-  const double log2_gyration = tp_ball_log2_above(a->question->gyration);
-  r->asked = a;
-  r->outcome = TP_MOTION_PROVEN;
-  r->length = isfinite(log2_gyration) ? (slong)(log2_gyration / 2) : 0;
-  tp_vector_init(&r->loads);
-  tp_vector_init(&r->line.at);
-  tp_vector_init(&r->line.rise);
-  tp_strength_init(&r->strength);
-  set_loads(&r->loads, a);
-}
-
-static void reading_clear(reading *r) {
-  tp_vector_clear(&r->loads);
-  tp_vector_clear(&r->line.at);
-  tp_vector_clear(&r->line.rise);
-  tp_strength_clear(&r->strength);
-}
-
-/* The least power of two above all entries, moments over the length. */
-static double log2_of(const ball_line *line, slong length) {
-  double most = -INFINITY;
-  for (int e = 0; e < 3; e++) {
-    const double less = e == 2 ? (double)length : 0;
-    most = fmax(most, tp_ball_log2_above(line->at.of + e) - less);
-    if (!arb_is_zero(line->rise.of + e)) {
-      most = fmax(most, tp_ball_log2_above(line->rise.of + e) - less);
-    }
-  }
-  return most;
-}
-
-static void set_near(tp_near own[3], const tp_vector *of, slong power, slong length) {
-  arb_t scaled;
-  arb_init(scaled);
-  for (int e = 0; e < 3; e++) {
-    arb_mul_2exp_si(scaled, of->of + e, e == 2 ? power - length : power);
-    own[e] = arb_is_zero(scaled) ? (tp_near){0, 0} : tp_ball_near(scaled);
-  }
-  arb_clear(scaled);
-}
-
-/* Moments and forces of one size, by powers of two, which round nothing. */
-static void set_line(tp_share_line *own, const ball_line *line, slong power, slong length) {
-  *own = (tp_share_line){.site = 0};
-  set_near(own->at, &line->at, power, length);
-  set_near(own->rise, &line->rise, power, length);
-}
-
-/* The same with the largest entry about 1, as generators may be. */
-static void set_generator(tp_share_line *own, const reading *r, slong length) {
-  const double log2_size = log2_of(&r->line, length);
-  set_line(own, &r->line, isfinite(log2_size) ? -(slong)log2_size : 0, length);
-}
-
-static void clear_line(ball_line *line) {
-  for (int e = 0; e < 3; e++) {
-    arb_zero(line->at.of + e);
-    arb_zero(line->rise.of + e);
-  }
-}
-
-static void add_ray(tp_share_mode *to, reading *r, long ray) {
-  clear_line(&r->line);
-  tp_newton_inertia(&r->line.at, r->asked->question, r->asked->motions->twists.rays + ray);
-  set_generator(to->of + to->count++, r, r->length);
-}
-
-/* Of a force x, y at a point. */
-static void set_moment(tp_vector *force, const tp_motion_question *q, long point) {
-  const long bits = q->judge.precision;
-  arb_t arm;
-  arb_init(arm);
-  arb_mul(arm, q->cones->x + point, q->scale, bits);
-  arb_sub(arm, arm, q->x, bits);
-  arb_mul(force->of + 2, arm, force->of + 1, bits);
-  arb_mul(arm, q->cones->y + point, q->scale, bits);
-  arb_sub(arm, arm, q->y, bits);
-  arb_submul(force->of + 2, arm, force->of, bits);
-  arb_clear(arm);
-}
-
-/* The force n +- t tan(phi) turned round, as tp_newton_force has it. */
-static void add_edge(tp_share_mode *to, reading *r, const tp_mode_edge *edge) {
-  const tp_motion_question *q = r->asked->question;
-  const tp_normals *n = &r->asked->motions->normals;
-  const tp_cone_point *point = q->cones->points + edge->point;
-  const fmpz *tx = n->tx + edge->point, *ty = n->ty + edge->point;
-  arb_srcptr friction = tp_cones_friction(q->cones, edge->point);
-  ball_line *line = &r->line;
-  clear_line(line);
-  arb_set_fmpz(line->at.of, ty);
-  arb_set_fmpz(line->at.of + 1, tx);
-  arb_neg(line->at.of + 1, line->at.of + 1);
-  arb_mul_fmpz(line->rise.of, friction, tx, q->judge.precision);
-  arb_mul_fmpz(line->rise.of + 1, friction, ty, q->judge.precision);
-  set_moment(&line->at, q, edge->point);
-  set_moment(&line->rise, q, edge->point);
-  if (!edge->against) tp_vector_neg(&line->rise);
-  tp_share_line *own = to->of + to->count++;
-  set_generator(own, r, r->length);
-  own->site = point->site + 1;
-  const long family = n->families[n->family_of[edge->point]].axis;
-  own->parallel = 1 + 2 * (family * (q->cones->own_count + 1) + point->own) + edge->against;
-}
-
-static void add_vector(tp_share_line *own, reading *r, const tp_vector *of) {
-  clear_line(&r->line);
-  for (int e = 0; e < 3; e++) arb_set(r->line.at.of + e, of->of + e);
-  set_generator(own, r, r->length);
-}
-
-/* The loads, and what is free beside them, in one scale. */
-static void set_loads_of(tp_share_mode *to, reading *r, bool strong) {
-  const tp_strength *s = &r->strength;
-  clear_line(&r->line);
-  for (int e = 0; e < 3; e++) {
-    arb_set(r->line.at.of + e, r->loads.of + e);
-    if (strong) arb_set(r->line.rise.of + e, s->fixed.of + e);
-  }
-  const double log2_size = log2_of(&r->line, r->length);
-  const slong power = isfinite(log2_size) ? -(slong)log2_size : 0;
-  set_line(&to->loads, &r->line, power, r->length);
-  for (long k = 0; strong && !to->interior && k < s->free_count; k++) {
-    clear_line(&r->line);
-    for (int e = 0; e < 3; e++) arb_set(r->line.rise.of + e, s->free[k].of + e);
-    set_line(to->of + to->count + to->free_count++, &r->line, power, r->length);
-  }
-}
-
-/* What cohesion and bonds do in the mode: false where there is no room for it. */
-static bool find_strength(const tp_share_mode *to, reading *r, const tp_motion_mode *mode) {
-  const tp_strength_asked *a = r->asked;
-  const tp_mode own = {.ray_count = mode->ray_count,
-                       .rays = {mode->rays[0], mode->rays[1]},
-                       .edge_count = mode->edge_count,
-                       .edges = mode->edges};
-  tp_strength *s = &r->strength;
-  r->outcome = tp_strength_find(s, a->question, &a->motions->normals, &a->motions->twists, &own);
-  return r->outcome == TP_MOTION_PROVEN && s->free_count <= TP_SHARE_FREE &&
-         to->count + s->pull_count <= TP_SHARE_LINES;
-}
-
-static bool add_planes(tp_share_mode *to, reading *r) {
-  const tp_motions *m = r->asked->motions;
-  for (long k = 0; k < m->twists.face_count; k++) {
-    const long normal = m->twists.faces[k].normal;
-    if (k > 0 && normal == m->twists.faces[k - 1].normal) continue;
-    if (to->count == TP_SHARE_LINES) return false;
-    clear_line(&r->line);
-    tp_newton_normal(&r->line.at, r->asked->question, &m->normals, normal);
-    set_generator(to->of + to->count++, r, -r->length);
-  }
-  return true;
-}
-
-/* A mode at the tilt; false where there is no room for it. */
-static bool read_mode(tp_share_mode *to, reading *r, const tp_motion_mode *mode) {
-  const bool strong = r->asked->question->strong != NULL;
-  to->mechanism = mode->mechanism;
-  to->interior = mode->ray_count == 0;
-  to->ray_count = mode->ray_count;
-  to->count = to->free_count = 0;
-  if (to->interior && !add_planes(to, r)) return false;
-  if (mode->ray_count + mode->edge_count > TP_SHARE_LINES) return false;
-  for (int k = 0; k < mode->ray_count; k++) add_ray(to, r, mode->rays[k]);
-  for (long k = 0; k < mode->edge_count; k++) add_edge(to, r, mode->edges + k);
-  if (strong && !find_strength(to, r, mode)) return false;
-  for (long k = 0; strong && !to->interior && k < r->strength.pull_count; k++) {
-    add_vector(to->of + to->count++, r, r->strength.pulls + k);
-  }
-  set_loads_of(to, r, strong);
-  return true;
-}
-
 /* ---- search ------------------------------------------------------------------------------------
  */
+
+/* One question at work. */
+typedef struct searching {
+  const tp_strength_asked *asked;
+  tp_mode_reading reading;
+} searching;
 
 /* Below the share with which some forces just hold it, none do. */
 static bool add_lost(tp_share_spans *spans, const tp_strength_asked *a) {
@@ -240,18 +36,18 @@ static bool add_lost(tp_share_spans *spans, const tp_strength_asked *a) {
 }
 
 /* The spans of all modes; false where one is too large. */
-static bool search(tp_share_spans *spans, reading *r) {
+static bool search(tp_share_spans *spans, searching *r) {
   const tp_motions *m = r->asked->motions;
   tp_share_mode mode;
   bool done = add_lost(spans, r->asked), all = true;
-  for (long k = 0; k < m->mode_count && done && r->outcome == TP_MOTION_PROVEN; k++) {
-    if (read_mode(&mode, r, m->modes + k)) {
+  for (long k = 0; k < m->mode_count && done && r->reading.outcome == TP_MOTION_PROVEN; k++) {
+    if (tp_mode_read(&mode, &r->reading, m->modes + k)) {
       done = tp_share_spans_add(spans, &mode);
     } else {
       all = false;
     }
   }
-  if (!done) r->outcome = TP_MOTION_OUT_OF_MEMORY;
+  if (!done) r->reading.outcome = TP_MOTION_OUT_OF_MEMORY;
   return done && all;
 }
 
@@ -259,14 +55,15 @@ static bool search(tp_share_spans *spans, reading *r) {
  */
 
 /* Can a motion begin with the share? 1, or -1: no; 0 where doubles do not tell. */
-static int side_by_doubles(reading *r, const arf_t share) {
+static int side_by_doubles(searching *r, const arf_t share) {
   const tp_motions *m = r->asked->motions;
   const double s = arf_get_d(share, ARF_RND_NEAR);
   tp_share_mode mode;
   int any = arf_cmp_d(share, s) == 0 ? -1 : 0;
   if (any == 0) return 0;
   for (long k = 0; k < m->mode_count; k++) {
-    const int side = read_mode(&mode, r, m->modes + k) ? tp_share_mode_side(&mode, s) : 0;
+    const int side =
+        tp_mode_read(&mode, &r->reading, m->modes + k) ? tp_share_mode_side(&mode, s) : 0;
     if (side > 0) return 1;
     if (side == 0) any = 0;
   }
@@ -360,14 +157,14 @@ static bool is_lost(const tp_strength_asked *a, const arf_t share) {
   return lost;
 }
 
-static tp_motion_outcome side_of(int *side, reading *r, const arf_t share) {
+static tp_motion_outcome side_of(int *side, searching *r, const arf_t share) {
   *side = is_lost(r->asked, share) ? 1 : side_by_doubles(r, share);
-  if (*side != 0 || r->outcome == TP_MOTION_OUT_OF_MEMORY) return r->outcome;
+  if (*side != 0 || r->reading.outcome == TP_MOTION_OUT_OF_MEMORY) return r->reading.outcome;
   return side_by_balls(side, r->asked, share);
 }
 
 /* The sides of a share within 2^-wanted of it: do they differ? */
-static tp_motion_outcome try_about(bool *proven, reading *r, arb_t share, const arf_t about,
+static tp_motion_outcome try_about(bool *proven, searching *r, arb_t share, const arf_t about,
                                    slong wanted) {
   const long bits = r->asked->question->judge.bits;
   arf_t width, end;
@@ -393,7 +190,7 @@ static tp_motion_outcome try_about(bool *proven, reading *r, arb_t share, const 
 }
 
 /* Halve between shares on different sides, 2^-bracket about it, to 2^-wanted. */
-static tp_motion_outcome refine(arf_t about, reading *r, slong bracket, slong wanted) {
+static tp_motion_outcome refine(arf_t about, searching *r, slong bracket, slong wanted) {
   const long bits = r->asked->question->judge.bits;
   arf_t low, high, width;
   int below = 0, side = 1;
@@ -419,7 +216,7 @@ static tp_motion_outcome refine(arf_t about, reading *r, slong bracket, slong wa
 }
 
 /* From what doubles tell apart to what is asked for; what that lacks is halved. */
-static tp_motion_outcome enclose(bool *proven, reading *r, arb_t share, double estimate) {
+static tp_motion_outcome enclose(bool *proven, searching *r, arb_t share, double estimate) {
   enum { NARROWEST = 43, STEP = 4, SPARE = 4 }; /* 2^-43 is about 10^-13 */
   const slong asked = (slong)tp_digits_bits(r->asked->digits + 1) + 1;
   tp_motion_outcome done = TP_MOTION_PROVEN;
@@ -441,7 +238,7 @@ static tp_motion_outcome enclose(bool *proven, reading *r, arb_t share, double e
 }
 
 /* What does not change stays so at the ends of what is tried, unless these prove otherwise. */
-static bool is_throughout(reading *r) {
+static bool is_throughout(searching *r) {
   static const double ends[] = {TP_LEAST_SHARE, TP_MOST_SHARE};
   const int other = r->asked->can_begin ? -1 : 1;
   bool same = true;
@@ -457,14 +254,14 @@ static bool is_throughout(reading *r) {
 
 tp_motion_outcome tp_strength_change_find(tp_strength_change *change,
                                           const tp_strength_asked *asked) {
-  reading r;
+  searching r = {.asked = asked};
   tp_share_spans spans = {.count = 0};
   change->found = false;
   if (asked->all_is_lost) return TP_MOTION_PROVEN;
-  reading_init(&r, asked);
+  tp_mode_reading_init(&r.reading, asked->question, asked->motions, asked->degrees);
   bool proven = search(&spans, &r);
   const tp_share_change found = tp_share_spans_change(&spans, asked->can_begin);
-  tp_motion_outcome done = r.outcome;
+  tp_motion_outcome done = r.reading.outcome;
   if (done == TP_MOTION_PROVEN && proven && !found.found) proven = is_throughout(&r);
   if (done == TP_MOTION_PROVEN && found.found) {
     done = enclose(&proven, &r, change->share, found.share);
@@ -473,6 +270,6 @@ tp_motion_outcome tp_strength_change_find(tp_strength_change *change,
     change->mechanism = found.mechanism;
   }
   tp_share_spans_clear(&spans);
-  reading_clear(&r);
+  tp_mode_reading_clear(&r.reading);
   return done == TP_MOTION_PROVEN && !proven ? TP_MOTION_OPEN : done;
 }

@@ -40,7 +40,7 @@ static void add_way(tp_text *t, const tp_governing_fos *g) {
   tp_text_add(t, " (%s)", tp_fos_definition_name(factor->definition));
 }
 
-static void add_least(tp_text *t, const tp_governing_fos *g) {
+void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
   char n[TP_NUMBER_SIZE];
   switch (g->fos.state) {
   case TP_FOS_NUMBER:
@@ -76,7 +76,7 @@ static void add_least(tp_text *t, const tp_governing_fos *g) {
 void tp_text_governing(tp_text *t, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   if (g->fos.state == TP_FOS_NO_TILT) return;
-  add_least(t, g);
+  tp_text_factor(t, g);
   if (!g->sliding_judged) tp_text_add(t, "; sliding is not judged");
   if (g->tie) tp_text_add(t, "; a tie");
 }
@@ -178,7 +178,12 @@ static void add_factors(tp_json *j, const tp_governing_fos *g) {
   tp_json_array(j, "factors", g->factor_count > 0 ? TP_JSON_BLOCK : TP_JSON_LINE);
   for (size_t k = 0; k < g->factor_count; k++) {
     tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_fos(j, "fos", g->factors[k].fos);
+    if (g->factors[k].definition == TP_FOS_BY_REDUCTION &&
+        g->factors[k].fos.state == TP_FOS_UNDEFINED) {
+      tp_json_no_fos(j, "fos", "none: no strength makes it certain to stand");
+    } else {
+      tp_json_fos(j, "fos", g->factors[k].fos);
+    }
     add_words(j, g->factors + k);
     tp_json_truth(j, "counts", g->factors[k].counts);
     tp_json_string(j, "standing", tp_factor_standing_name(g->factors[k].standing));

@@ -13,6 +13,9 @@
  * scene gives no tilt. No line end. */
 void tp_text_governing(tp_text *text, const tp_case *own);
 
+/* The same of any factor that governs. */
+void tp_text_factor(tp_text *text, const tp_governing_fos *governing);
+
 /* "toppling about the toe" */
 void tp_text_against(tp_text *text, const tp_factor *factor);
 

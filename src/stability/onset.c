@@ -174,7 +174,7 @@ static void set_strength(asking *a, const arb_t tilt) {
   const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
                               &a->motions, &a->windows};
   const tp_motion_outcome outcome =
-      tp_onset_strength(&t, &a->asked, tilt, a->found->at_tilt == TP_YES);
+      tp_onset_strength(&t, &a->asked, tilt, a->found->at_tilt != TP_NO);
   if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
   if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
 }
@@ -195,10 +195,8 @@ static void look_at_tilt(asking *a) {
     for (long k = 0; k < a->windows.count && a->found->at_tilt == TP_NO; k++) {
       a->found->at_tilt = tp_window_holds(a->windows.items + k, tilt);
     }
-    if (a->found->at_tilt != TP_OPEN) {
-      set_motions(a, tilt);
-      set_strength(a, tilt);
-    }
+    if (a->found->at_tilt != TP_OPEN) set_motions(a, tilt);
+    set_strength(a, tilt);
   }
   arb_clear(tilt);
   arb_clear(friction);
