@@ -91,15 +91,11 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength, mean plane: tan(φ+i)/tan α";
   case TP_FOS_BY_REDUCTION:
-    if (factor->fos.state == TP_FOS_UNDEFINED) {
-      return "strength reduction: no strength makes it certain to stand";
-    }
-    return !factor->raised ? "strength reduction, by contact forces"
-           : factor->fos.value.value < 1
-               ? "strength reduction, by contact forces: with less it would stand"
-               : "strength raised, by contact forces: with more it can move";
+    if (!factor->raised) return "strength reduction, by contact forces";
+    return factor->fos.value.value < 1 ? "strength reduction: with less it would stand"
+                                       : "strength raised: with more it can move";
   case TP_FOS_BY_TILT:
-    return "tilt: tan of that at which motions begin over tan α";
+    return "tilt: tan α of the onset over tan α";
   }
   return "";
 }
@@ -111,9 +107,9 @@ const char *tp_text_standing(tp_factor_standing standing) {
   case TP_FACTOR_PREVENTED:
     return "excluded: contact forces prevent it";
   case TP_FACTOR_UNEVEN:
-    return "excluded: the facets that it slides on differ in friction";
+    return "excluded: its facets differ in friction";
   case TP_FACTOR_SMOOTH:
-    return "excluded: without friction there is no strength to divide";
+    return "excluded: no friction to divide";
   case TP_FACTOR_COUNTS:
     break;
   }
@@ -130,6 +126,9 @@ static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
               long_definition(factor, p->solution->loaded));
   if (!factor->counts) {
     tp_text_add(&p->text, "%36s(%s)\n", "", tp_text_standing(factor->standing));
+  }
+  if (factor->definition == TP_FOS_BY_REDUCTION && factor->fos.state == TP_FOS_UNDEFINED) {
+    tp_text_add(&p->text, "%36s(no strength makes it certain to stand)\n", "");
   }
   p->text.failed = p->text.failed || against.failed;
   tp_text_drop(&against);

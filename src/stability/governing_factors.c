@@ -231,6 +231,16 @@ static void add_end(by_tilt *own, const tp_window *w, tp_bounded end) {
   own->factor.mechanism = own->at->moves ? mover(own->at->c) : w->begins;
 }
 
+/* Does one count that is not above 1, of a way that can begin? */
+static bool has_way(const tp_governing_fos *g) {
+  for (size_t k = 0; k < g->factor_count; k++) {
+    const tp_factor *own = g->factors + k;
+    const bool way = own->definition < TP_FOS_BY_REDUCTION;
+    if (way && own->counts && !tp_fos_is_above(own->fos)) return true;
+  }
+  return false;
+}
+
 /* Where no change of strength matters, the tilt tells; and where motions end as it rises, how far
  * it lies above that. */
 static void add_tilt(tp_governing_fos *g, const tp_at_scene *at) {
@@ -239,7 +249,7 @@ static void add_tilt(tp_governing_fos *g, const tp_at_scene *at) {
   const double upright = 90;
   by_tilt own = {.at = at, .factor = {.definition = TP_FOS_BY_TILT, .counts = true}};
   const bool sits = tilt.value > 0 && tilt.value < upright && (at->moves || at->stands);
-  if (!sits || at->solution->friction_is_residual) return;
+  if (!sits || at->solution->friction_is_residual || (at->moves && has_way(g))) return;
   const bool strength = onset->fos.state == TP_FOS_NUMBER;
   for (size_t k = 0; k < onset->window_count; k++) {
     const tp_window *w = onset->windows + k;

@@ -11,8 +11,8 @@ import { againstText, definitionText, directionText, termOfDefinition } from "./
 const STANDINGS = {
   blocked: "a contact stands in the way: it does not count",
   prevented: "excluded: contact forces prevent it",
-  uneven: "excluded: the facets that it slides on differ in friction",
-  smooth: "excluded: without friction there is no strength to divide",
+  uneven: "excluded: its facets differ in friction",
+  smooth: "excluded: no friction to divide",
 };
 
 export class FactorsPanel extends Panel {

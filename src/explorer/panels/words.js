@@ -9,7 +9,7 @@ const DEFINITIONS = {
   "shear strength": "shear strength on the facet: tan φ/tan(α−i)",
   "shear strength with roughness": "shear strength, mean plane: tan(φ+i)/tan α",
   "strength reduction": "strength reduction, by contact forces",
-  "tilt": "tilt: tan of that at which motions begin over tan α",
+  "tilt": "tilt: tan α of the onset over tan α",
 };
 
 /** Under loads no angle alone says it. */
