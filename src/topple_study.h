@@ -250,7 +250,7 @@ typedef struct tp_study_result {
   size_t correlation_count;                     /* of the correlations */
   tp_study_correlation *correlations;           /* of the variables, in their order */
   tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
-  tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
+  tp_study_factor factors[TP_FOS_DEFINITIONS];  /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
   size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */

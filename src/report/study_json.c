@@ -84,7 +84,7 @@ static void add_spread(tp_json *j, const tp_study_result *r, tp_study_quantity q
 
 static void add_factors(tp_json *j, const tp_study_result *r) {
   tp_json_array(j, "governing_factors", TP_JSON_BLOCK);
-  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+  for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
     const tp_study_factor *own = r->factors + k;
     tp_json_object(j, NULL, TP_JSON_BLOCK);
     tp_json_string(j, "definition", tp_fos_definition_name(own->definition));

@@ -79,7 +79,7 @@ static bool fill_factors(tp_study_result *result, const tp_tally *tally) {
   const double *factors = tally->columns[tally->study->variable_count + TP_STUDY_FOS];
   const double *definitions = tally->columns[tp_tally_definitions(tally->study)];
   bool filled = true;
-  for (int k = 0; k < TP_FACTORS_MAX && filled; k++) {
+  for (int k = 0; k < TP_FOS_DEFINITIONS && filled; k++) {
     tp_study_factor *own = result->factors + k;
     own->definition = (tp_fos_definition)k;
     own->governs = tp_tally_share(tally->definitions[k], tally->samples);

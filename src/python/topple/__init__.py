@@ -50,7 +50,8 @@ from .tilt import (OverturningGrid, OverturningRange, TiltCase, TiltEvent, TiltF
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,
                     ConvergeSetting, ConvergeVerdict, Design, Direction,
-                    ElementKind, FindTarget, FosDefinition, FosState, JrcState, Level, LimitKind,
+                    ElementKind, FactorStanding, FindTarget, FosDefinition, FosState, JrcState, Level,
+                    LimitKind,
                     LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
                     ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,
                     PulseShape, Rolls, SettlingEnd, ShakingAxis, StudyEnd, StudyOutcome,
