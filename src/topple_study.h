@@ -58,7 +58,8 @@ typedef struct tp_study_share {
 /* What becomes of the samples at a tilt. Its shares of outcomes add up to 1. */
 typedef struct tp_study_tilt {
   bool of_scene;    /* at the scene's tilt; where it has none, what happens first as it is tilted */
-  bool has_tilt;    /* false: the scene has none */
+  bool as_it_lies;  /* of a scene in the frame of the world: at the dip of its mean plane */
+  bool has_tilt;    /* false: the scene has none, or lies as it lies */
   bool tilt_varies; /* it is the scene's, and has no one value */
   double tilt_deg;  /* the tilt; where it varies, that of the scene file */
   tp_study_share outcomes[TP_STUDY_OUTCOMES]; /* by what becomes of them */
@@ -249,7 +250,7 @@ typedef struct tp_study_result {
   size_t correlation_count;                     /* of the correlations */
   tp_study_correlation *correlations;           /* of the variables, in their order */
   tp_study_spread spreads[TP_STUDY_QUANTITIES]; /* of each quantity */
-  tp_study_factor factors[TP_FACTORS_MAX];      /* by tp_fos_definition */
+  tp_study_factor factors[TP_FOS_DEFINITIONS];  /* by tp_fos_definition */
   size_t sensitivity_samples;                   /* of Sobol' indices; 0: none were asked for */
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
   size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */

@@ -26,6 +26,7 @@ static void add_share(tp_json *j, const char *key, const tp_study_share *share) 
 static void add_tilt(tp_json *j, const tp_study_tilt *tilt) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_truth(j, "of_scene", tilt->of_scene);
+  tp_json_truth(j, "as_it_lies", tilt->as_it_lies);
   tp_json_truth(j, "tilt_varies", tilt->tilt_varies);
   if (tilt->has_tilt && !tilt->tilt_varies) {
     tp_json_double(j, "tilt_deg", tilt->tilt_deg);
@@ -83,7 +84,7 @@ static void add_spread(tp_json *j, const tp_study_result *r, tp_study_quantity q
 
 static void add_factors(tp_json *j, const tp_study_result *r) {
   tp_json_array(j, "governing_factors", TP_JSON_BLOCK);
-  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+  for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
     const tp_study_factor *own = r->factors + k;
     tp_json_object(j, NULL, TP_JSON_BLOCK);
     tp_json_string(j, "definition", tp_fos_definition_name(own->definition));

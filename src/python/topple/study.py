@@ -35,6 +35,7 @@ class StudyTilt(Record):
     """What becomes of the samples at a tilt."""
 
     of_scene: bool  #: at the scene's; where it has none, what happens first as it is tilted
+    as_it_lies: bool  #: of a scene in the frame of the world: at the dip of its mean plane
     tilt_varies: bool
     tilt_deg: float | None = field(when="has_tilt")  #: where it varies, that of the scene file
     outcomes: tuple[StudyShare, ...]  #: in the order of `StudyOutcome`
