@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a scene may cost: all budgets in one table, which docs/budgets.md explains.
+ *
+ * A few bytes can ask for any amount of work: rows and columns of a block in a drawing, a count of
+ * teeth, a stiffness that makes steps of nanoseconds. So that no small input costs more than some
+ * 10 s or 1 GB, work is counted in units that do not depend on the machine, before it is begun
+ * where it can be told then and while it is done else, and what goes beyond its budget is refused
+ * by the number that asked for it. Of what a file writes out in full its own size is the measure.
+ */
+
+#ifndef TP_BUDGET_H
+#define TP_BUDGET_H
+
+enum {
+  /* Points that curves, and blocks inserted, make of a drawing; or one a byte of its file, where
+   * that is more. Some 5 microseconds and 400 bytes each (format/drawing_work.c). */
+  TP_BUDGET_DRAWN_POINTS = 500000,
+  /* Bits of a number of nested transforms: products of what a drawing's groups and lists of
+   * transforms say (format/drawing_work.c). */
+  TP_BUDGET_TRANSFORM_BITS = 4096
+};
+
+#endif
