@@ -21,7 +21,8 @@ typedef struct tp_candidate {
 typedef struct tp_candidates {
   long count, capacity;
   tp_candidate *items;
-  double best; /* some pair touches by then for certain */
+  double best;      /* some pair touches by then for certain */
+  double looked_at; /* pairs, and boxes of edges, so far */
 } tp_candidates;
 
 void tp_candidates_clear(tp_candidates *candidates);

@@ -8,6 +8,7 @@
 
 #include "quasi_static/path.h"
 #include "rigid_body/history.h"
+#include "scene/tilt_test.h"
 #include "topple_tilt_test.h"
 
 /* An engine of dynamics with its settings. */
@@ -30,7 +31,10 @@ typedef struct tp_tilting {
   tp_body_state moves_off;           /* as it let go at the least tilt so far */
   bool weight_moves;         /* with the springs of a path: not in the limit of stiff ones */
   double path_tolerance_deg; /* of a path; 0: chosen */
-  tp_message why;            /* the last run that was undecided was so; empty: none was */
+  const tp_tilt_test_description *asked; /* of the scene, for places; NULL: none */
+  const tp_shaking_component *shaken;    /* its components; NULL: none */
+  double budgets, spent;                 /* allowed, 0: one; steps so far (tilt/cost.h) */
+  tp_message why; /* the last run that was undecided was so; empty: none was */
   tp_message *message;
 } tp_tilting;
 
