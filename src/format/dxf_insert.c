@@ -15,7 +15,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { X = 10, Y = 20, NAME = 2, LAYER = 8 };
 
@@ -107,16 +106,6 @@ bool tp_dxf_insert_add(tp_dxf_reader *r, const tp_dxf_entity *entity) {
 
 /* ---- what they make ----------------------------------------------------------------------------
  */
-
-tp_dxf_block *tp_dxf_block_find(const tp_dxf_reader *r, const tp_dxf_group *name) {
-  for (long k = 0; k < r->block_count; k++) {
-    const tp_dxf_group *own = &r->blocks[k].name;
-    if (own->length == name->length && strncasecmp(own->text, name->text, name->length) == 0) {
-      return r->blocks + k;
-    }
-  }
-  return NULL;
-}
 
 static void turn(tp_affine_map *map, const fmpq_t degrees) {
   enum { BITS = 192, HALF = 180 };
@@ -252,11 +241,6 @@ static bool insert_block(tp_dxf_reader *r, const tp_dxf_insert *insert, const tp
   tp_affine_map_clear(&map);
   free(layer);
   return done;
-}
-
-long tp_dxf_first_insert(const tp_dxf_reader *r) {
-  const tp_dxf_block *last = r->block_count > 0 ? r->blocks + r->block_count - 1 : NULL;
-  return last != NULL ? last->first_insert + last->inserts : 0;
 }
 
 bool tp_dxf_insert_all(tp_dxf_reader *r) {

@@ -16,6 +16,21 @@ enum { USED = 1, NAMED = 2, FOLLOWS = 4 };
 /* As many are put where they are, whatever they are: reports list them. */
 static const double few = 10000;
 
+tp_dxf_block *tp_dxf_block_find(const tp_dxf_reader *r, const tp_dxf_group *name) {
+  for (long k = 0; k < r->block_count; k++) {
+    const tp_dxf_group *own = &r->blocks[k].name;
+    if (own->length == name->length && strncasecmp(own->text, name->text, name->length) == 0) {
+      return r->blocks + k;
+    }
+  }
+  return NULL;
+}
+
+long tp_dxf_first_insert(const tp_dxf_reader *r) {
+  const tp_dxf_block *last = r->block_count > 0 ? r->blocks + r->block_count - 1 : NULL;
+  return last != NULL ? last->first_insert + last->inserts : 0;
+}
+
 static int use_of(const tp_dxf_reader *r, const char *layer, const char *name) {
   const tp_drawing_role role = tp_drawing_role_by(r->options->words, layer, name);
   if (role == TP_DRAWING_PART) return USED;

@@ -94,7 +94,11 @@ static tp_status turn_once(tp_settling *s, int turn, const tp_touch *about, tp_m
   }
   tp_turning_init(&turning, &s->bodies, about, turn);
   tp_status status = tp_turning_find(&turning, &s->bodies, message);
-  if (status == TP_OK && turning.pairs.count == 0) {
+  const bool too_many = turning.pairs.too_many;
+  if (too_many) status = TP_OK;
+  if (too_many) {
+    s->how = TP_SETTLED_TOO_DEAR;
+  } else if (status == TP_OK && turning.pairs.count == 0) {
     s->how = TP_SETTLED_ROLLS_OFF;
   } else if (status == TP_OK && !tp_turning_do(&turning, &s->bodies)) {
     s->how = TP_SETTLED_UNDECIDED;
@@ -126,9 +130,13 @@ static tp_status turn_to_rest(tp_settling *s, tp_message *message) {
 }
 
 static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
-  bool beside = false;
+  bool beside = false, too_many = false;
   s->work += (double)s->bodies.posed.count;
-  tp_status status = tp_drop(s->height, &beside, &s->bodies, &s->touches, message);
+  tp_status status = tp_drop(s->height, &beside, &too_many, &s->bodies, &s->touches, message);
+  if (too_many) {
+    s->how = TP_SETTLED_TOO_DEAR;
+    return TP_OK;
+  }
   s->work += exact_looks * (double)s->touches.count;
   if (status == TP_OK && beside) s->how = TP_SETTLED_BESIDE;
   if (status == TP_OK) status = turn_to_rest(s, message);

@@ -83,7 +83,7 @@ tp_status tp_check_tooth_count(long *count, const fmpq_t value, const char *what
   }
   if (fmpz_cmp_si(fmpq_numref(value), TP_BUDGET_TEETH) > 0) {
     return tp_fail(message, TP_BAD_INPUT, place,
-                   "%s is %s; at most 1 million teeth are taken, two points each: take fewer, or "
+                   "%s is %s; at most 500 000 teeth are taken, two points each: take fewer, or "
                    "give the points in a file",
                    what, text);
   }

@@ -7,7 +7,7 @@
 #ifndef TP_TILT_COST_H
 #define TP_TILT_COST_H
 
-#include "tilt/trial.h"
+#include "tilt/tilting.h"
 
 /* Bad input where a run that may last so long takes more steps than its budget (budget.h): at the
  * number that asks for most of them, with what would help. */

@@ -193,11 +193,11 @@ class Profiles(Asked):
         self.base(affine % (4194303, "rest"))
         self.refused(("solve", "scene.yaml"), "scene.yaml:6:50", "from 8 to 1999999", "4194303")
         teeth = "{profile: {teeth: {count: %d, wavelength: 0.0001, amplitude: 1, left_end: valley}}, place: rest}"
-        self.base(teeth % 1000001)
-        self.refused(("solve", "scene.yaml"), "scene.yaml:6:27", "at most 1 million teeth")
+        self.base(teeth % 1000000)
+        self.refused(("solve", "scene.yaml"), "scene.yaml:6:27", "at most 500 000 teeth")
 
     def test_a_block_that_touches_in_100_000_points(self):
-        self.base("{profile: {teeth: {count: 1000000, wavelength: 0.0001, amplitude: 1, left_end: valley}}, place: rest}")
+        self.base("{profile: {teeth: {count: 500000, wavelength: 0.0002, amplitude: 1, left_end: valley}}, place: rest}")
         self.ends("solve", "scene.yaml")
 
     def test_all_poses_on_20_000_points(self):
@@ -276,6 +276,16 @@ class Written(Asked):
                     self.assertIn("take different files", err)
         self.assertEqual((self.folder / "there.svg").read_text(), "kept")
         self.assertFalse((self.folder / "new.svg").exists())
+
+
+# ---- the page ------------------------------------------------------------------------------------
+
+
+class Page(unittest.TestCase):
+    def test_it_has_every_budget_with_its_bound(self):
+        header = re.findall(r"(TP_BUDGET_\w+) = (\d+)", (ROOT / "src/budget.h").read_text(encoding="utf-8"))
+        page = re.findall(r"\| `(TP_BUDGET_\w+)` \| (\d+) \|", (ROOT / "docs/budgets.md").read_text(encoding="utf-8"))
+        self.assertEqual(header, page)
 
 
 # ---- at random -----------------------------------------------------------------------------------
