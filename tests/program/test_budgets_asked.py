@@ -139,15 +139,15 @@ class Drawings(Asked):
     def test_arrays_of_what_is_used_are_refused(self):
         self.dxf_is_read()
         self.write("base.dxf", dxf(block("A", circle("BASE")), insert("A", "BASE", 1000, 990, 2)))
-        self.refused(("solve", "base.dxf"), "base.dxf:33:1", "more than 500000 points", "export the layers")
+        self.refused(("solve", "base.dxf"), "base.dxf:30:1", "more than 500000 points", "export the layers")
         self.write("base.dxf", dxf(block("A", line("0")), insert("A", "BASE", 1000, 990)))
-        self.refused(("solve", "base.dxf"), "base.dxf:33:1", "more than 500000 points")
+        self.refused(("solve", "base.dxf"), "base.dxf:30:1", "more than 500000 points")
 
     def test_few_inserted_objects_are_listed_as_before(self):
         self.dxf_is_read()
         self.write("few.dxf", dxf(block("A", circle("X")), insert("A", "X", 3, 2, 2)))
-        out = self.ends("solve", "--json", "few.dxf")[1]
-        self.assertEqual(out.count('"kind": "CIRCLE"'), 6)
+        out = self.ends("solve", "--verbose", "few.dxf")[1]
+        self.assertEqual(out.count("CIRCLE"), 6, out)
 
     def test_a_spline_of_degree_10(self):
         """700 control points, with knots of 17 digits whose denominators share nothing."""
@@ -194,7 +194,7 @@ class Profiles(Asked):
         self.refused(("solve", "scene.yaml"), "scene.yaml:6:50", "from 8 to 1999999", "4194303")
         teeth = "{profile: {teeth: {count: %d, wavelength: 0.0001, amplitude: 1, left_end: valley}}, place: rest}"
         self.base(teeth % 1000000)
-        self.refused(("solve", "scene.yaml"), "scene.yaml:6:27", "at most 500 000 teeth")
+        self.refused(("solve", "scene.yaml"), "scene.yaml:6:33", "at most 500 000 teeth")
 
     def test_a_block_that_touches_in_100_000_points(self):
         self.base("{profile: {teeth: {count: 500000, wavelength: 0.0002, amplitude: 1, left_end: valley}}, place: rest}")
@@ -218,7 +218,7 @@ class Simulations(Asked):
     def test_springs(self):
         self.refuse(self.springs.format("1e9", "1e9", ""), "scene.yaml:7:72", "steps", "at most 1e+08", "softer springs")
         self.refuse(self.springs.format("1e12", "1e-12", ""), "scene.yaml:7:72", "steps", "softer springs")
-        self.refuse(self.springs.format("1e-12", "1e12", ""), "scene.yaml:7:104", "steps", "softer springs")
+        self.refuse(self.springs.format("1e-12", "1e12", ""), "scene.yaml:7:102", "steps", "softer springs")
         self.refuse(self.springs.format("1", "1", ", time_step_s: 1e-300"), "scene.yaml:7:114", "1e-300 s",
                     "a longer 'time_step_s'")
         self.refuse(self.springs.format("1", "1", ", speed_deg_min: 1e-9"), "scene.yaml:7:116", "speed_deg_min")
