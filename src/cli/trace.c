@@ -310,8 +310,9 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
     const char *why = dlerror();
     snprintf(message->text, sizeof message->text,
              "pictures are traced by " TP_TRACE_LIBRARY
-             ", which does not load (%s); install OpenCV, libpng and libjpeg (apt-get install "
-             "libopencv-imgproc-dev libpng-dev libjpeg-dev) and build Topple again",
+             ", which does not load (%s); './run --with trace' in Topple's folder installs OpenCV, "
+             "libpng and libjpeg "
+             "(libopencv-imgproc-dev libpng-dev libjpeg-dev) and builds it",
              why != NULL ? why : "no reason is given");
     return TP_DEPENDENCY_FAILED;
   }
