@@ -109,15 +109,8 @@ tp_status tp_rows_read(tp_sha256_state *hash, const char *path, const tp_study *
                .context = context,
                .message = message};
   FILE *file = fopen(path, "rb");
-<<<<<<< HEAD
-  if (file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
-  tp_sha256_begin(hash);
-=======
   if (file == NULL) return tp_fail_file(message, path, "opened", errno);
->>>>>>> main
+  tp_sha256_begin(hash);
   tp_study_row row = {.values = calloc(study->variable_count, sizeof *row.values),
                       .at = calloc(study->tilt_count + 1, sizeof *row.at)};
   tp_status status = row.values != NULL && row.at != NULL ? read_lines(&r, &row, file)
