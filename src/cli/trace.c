@@ -206,6 +206,9 @@ static void check(const arguments *a, const struct argp_state *state) {
   } else if (a->report != NULL && a->scene == NULL) {
     tp_cli_refuse(state, "a report is of a scene in a file: name one by --output");
   }
+  const tp_cli_written files[] = {
+      {"--output", a->scene}, {"--figure", figure}, {"--report", a->report}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {

@@ -5,11 +5,9 @@
 
 #include "scene/check_tilt_test.h"
 
+#include "budget.h"
 #include "number/ratio.h"
 #include "outside.h"
-
-/* Two vertices each: 800 MB of exact points of short numbers. */
-enum { MOST_TEETH = 10000000 };
 
 tp_status tp_check_range(const fmpq_t value, const char *name, tp_place place,
                          tp_message *message) {
@@ -83,8 +81,10 @@ tp_status tp_check_tooth_count(long *count, const fmpq_t value, const char *what
     return tp_fail(message, TP_BAD_INPUT, place,
                    "%s must be a whole number of teeth, at least 1; it is %s", what, text);
   }
-  if (fmpz_cmp_si(fmpq_numref(value), MOST_TEETH) > 0) {
-    return tp_fail(message, TP_BAD_INPUT, place, "%s is %s; at most 10 million teeth are taken",
+  if (fmpz_cmp_si(fmpq_numref(value), TP_BUDGET_TEETH) > 0) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "%s is %s; at most 500 000 teeth are taken, two points each: take fewer, or "
+                   "give the points in a file",
                    what, text);
   }
   *count = fmpz_get_si(fmpq_numref(value));
