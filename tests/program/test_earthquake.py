@@ -61,8 +61,8 @@ class Earthquake(unittest.TestCase):
         """0.300 / 0.399 to the right, up-dip, which governs; alone the scene said 4.15 and nothing else."""
         own = self.found("horizontal: 0.2")
         case = own["cases"][0]
-        self.assertEqual((len(own["cases"]), case["towards"], case["mechanism"], case["frame"]["axes"]),
-                         (1, "right", "topples", "level"))
+        self.assertEqual((len(own["cases"]), case["towards"], case["mechanism"], case["frame"]["level"]),
+                         (1, "right", "topples", True))
         meant = factor(JOINT[1], "right", F(1, 5))
         self.assertAlmostEqual(meant, 0.300 / 0.399, delta=0.001)
         self.assertAlmostEqual(case["governing_fos"]["fos"]["value"], meant, delta=1e-12)
