@@ -80,6 +80,7 @@ typedef struct tp_sliding {
   bool never;  /* at no tilt: phi_b + i reaches 90 degrees */
   bool always; /* at every tilt: its loads push it down-dip harder than it resists at any */
   bool opens;  /* no other facet stands in the way of sliding along this one */
+  bool uneven; /* facets parallel to this one have more friction: it slides along all of them */
   tp_bounded friction_angle_deg; /* phi_b, at the normal stress where it slides; of facets with
                                     frictions of their own the least along which it slides */
   tp_bounded facet_angle_deg;    /* i, positive where the block must climb */

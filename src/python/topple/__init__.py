@@ -40,16 +40,18 @@ from .profile import (Profile, ProfileDensity, ProfileEstimate, ProfileFacing, P
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
-from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyFactor, StudyIndex, StudyMeasure,
-                    StudyQuantile, StudyRank, StudyRare, StudyReliability, StudyResult, StudyShare,
-                    StudySpread, StudyStep, StudyTilt, StudyVariable, study)
+from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyDesignPoint, StudyFactor,
+                    StudyIndex, StudyMeasure, StudyQuantile, StudyRank, StudyRare,
+                    StudyReliability, StudyResult, StudyShare, StudySpread, StudyStep, StudyTilt,
+                    StudyVariable, study)
 from .sweep import Sweep, sweep, write_sweep
-from .tilt import (TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
+from .tilt import (OverturningGrid, OverturningRange, TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
                    TiltSettings, TiltShaking, TiltTest, tilt_test)
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,
                     ConvergeSetting, ConvergeVerdict, Design, Direction,
-                    ElementKind, FindTarget, FosDefinition, FosState, JrcState, Level, LimitKind,
+                    ElementKind, FactorStanding, FindTarget, FosDefinition, FosState, JrcState, Level,
+                    LimitKind,
                     LoadSide, Mechanism, Notation, NoteKind, OnsetKind, PivotKind, PivotsListed,
                     ProfileDetrend, ProfileOrigin, ProfileResampling, ProfileSeries, ProfileWindow,
                     PulseShape, Rolls, SettlingEnd, ShakingAxis, StudyEnd, StudyOutcome,
