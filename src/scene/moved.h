@@ -28,4 +28,7 @@ TP_MUST_USE bool tp_moved_block(tp_scene *copy, const tp_scene *scene, const fmp
 TP_MUST_USE bool tp_moved_profile(tp_scene *copy, const tp_scene *scene, const tp_point_map *map);
 void tp_moved_clear(tp_scene *copy);
 
+/* Line loads of a copy, all of whose numbers are its own. */
+void tp_moved_clear_lines(tp_line_load *loads, long count);
+
 #endif
