@@ -11,6 +11,7 @@
 #define TP_TEST_RANDOM_RUNS_H
 
 #include "random_numbers.h"
+#include "rounds.h"
 
 #include <stdlib.h>
 
@@ -23,10 +24,11 @@ static inline uint64_t random_seed(void) {
   return number_from_environment("TOPPLE_RANDOM_SEED", UINT64_C(20260101) << 32);
 }
 
-/* Scenes to solve, so many where the environment does not say; the test of sums draws a thousand
- * polygons for each. */
-static inline long random_scenes_or(uint64_t otherwise) {
-  return (long)number_from_environment("TOPPLE_RANDOM_SCENES", otherwise);
+/* Scenes to solve, so many where the environment does not say, and ten times as many under ./check
+ * --long; the test of sums draws a thousand polygons for each. */
+static inline long random_scenes_or(long otherwise) {
+  return (long)number_from_environment("TOPPLE_RANDOM_SCENES",
+                                       (uint64_t)rounds(otherwise, 10 * otherwise));
 }
 
 static inline long random_scenes(void) {

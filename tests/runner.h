@@ -6,6 +6,8 @@
 #ifndef TP_TEST_RUNNER_H
 #define TP_TEST_RUNNER_H
 
+#include "rounds.h"
+
 #include <check.h>
 #include <flint/flint.h>
 

@@ -11,9 +11,9 @@ import unittest
 from fractions import Fraction
 
 import limit_oracle
-from harness import run, solve
+from harness import rounds, run, solve
 
-SCENES = int(os.environ.get("TOPPLE_CONTACT_SCENES", "120"))
+SCENES = int(os.environ.get("TOPPLE_CONTACT_SCENES", rounds(120, 1200)))
 SEED = int(os.environ.get("TOPPLE_CONTACT_SEED", "1"))
 
 

@@ -14,6 +14,17 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("TOPPLE", str(ROOT / "build" / "topple"))
+LONG = os.environ.get("TOPPLE_LONG", "0") not in ("", "0")  # ./check --long
+
+
+def rounds(brief, long):
+    """How often a random test draws: `brief` times, `long` times under `./check --long`. The brief ones are of a
+    fixed seed and take seconds."""
+    return long if LONG else brief
+
+
+# By what the numbers of random scenes are multiplied.
+ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", rounds(1, 10)))
 
 
 def run(*arguments, folder=ROOT, timeout=300):

@@ -2,7 +2,6 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """What the tests of the limit under loads share: scenes of an outline under loads, solved."""
 
-import os
 import pathlib
 import random
 import tempfile
@@ -10,7 +9,6 @@ import unittest
 
 from harness import solve
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 GAMMA = 26.0
 
 

@@ -5,7 +5,6 @@ against brute force in whole numbers (limit_oracle.py, onset_oracle.py), whose p
 and the profile alone (facet_scenes.py). TOPPLE_ROUNDS multiplies the number of rounds."""
 
 import math
-import os
 import random
 import unittest
 from decimal import Decimal
@@ -13,13 +12,12 @@ from fractions import Fraction
 
 import exact
 from facet_scenes import angle_text, draw_tangents, friction_text, pieces, rough_contacts, whole_tangent
-from harness import main
+from harness import ROUNDS, main
 from limit_oracle import Limit, dot
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
 from onset_case import degrees_of, rough_tangent
 from onset_oracle import Onset, gyration
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 TIE = Decimal(10) ** -35  # degrees: what tan(phi) to 1e-44 leaves
 MOST_POINTS = 12
 FARTHEST = 1e30  # m: turns about farther points are slides but for the last digits of the friction angles

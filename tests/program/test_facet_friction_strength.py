@@ -5,21 +5,19 @@ trial of every contact mode (onset_strength_oracle.py), the limit against all pa
 (limit_forces.py). TOPPLE_ROUNDS multiplies the number of rounds."""
 
 import math
-import os
 import random
 import unittest
 from fractions import Fraction
 
 import exact
 from facet_scenes import angle_text, draw_tangents, friction_text, pieces, rough_contacts, spans
-from harness import main
+from harness import ROUNDS, main
 from limit_forces import Base, wrench
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
 from onset_case import rough_tangent
 from onset_oracle import gyration
 from onset_strength_oracle import StrongOnset
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 MOST_POINTS = 6
 GAMMA = 26
 

@@ -7,7 +7,6 @@ min(phi, atan(w / h)): constant wherever w / h is above tan(phi). Ends of the st
 decimals of 60 digits. TOPPLE_ROUNDS multiplies the number of scenes."""
 
 import json
-import os
 import pathlib
 import random
 import tempfile
@@ -16,9 +15,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main, run
-
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
+from harness import ROUNDS, main, run
 
 
 def tan(degrees):

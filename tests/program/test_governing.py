@@ -9,13 +9,11 @@ and the same, and what a script asks by --fail-below is answered with caution. T
 
 import json
 import math
-import os
 import random
 
 from governing_case import APEXES, GoverningCase, slab
-from harness import ROOT, main, run
+from harness import ROOT, ROUNDS, main, run
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 DEGREE = math.pi / 180
 
 

@@ -6,18 +6,16 @@ fixed; TOPPLE_ROUNDS multiplies the number of rounds. Each test says which mecha
 come to, and how often at least: scenes that all end alike would compare little."""
 
 import math
-import os
 import random
 import unittest
 from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main
+from harness import ROUNDS, main
 from limit_oracle import Limit, contacts, tangents
 from limit_scenes import Scene, angle_of, dropped, friction, mated_polygon, mated_teeth, mirrored, tied, worn_profile
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 TIE = Decimal(10) ** -40  # degrees: what tan(phi) to 1e-42 leaves of ends that are one
 MOST_POINTS = 12
 

@@ -15,10 +15,10 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main, run
+from harness import main, rounds, run
 from limit_twists import Contact, wrench
 
-SCENES = int(os.environ.get("TOPPLE_RANDOM_SCENES", "300"))
+SCENES = int(os.environ.get("TOPPLE_RANDOM_SCENES", rounds(300, 3000)))
 SEED = int(os.environ.get("TOPPLE_RANDOM_SEED", "120"))
 GAMMA = 26
 

@@ -7,9 +7,9 @@ W = 26 b h kN a metre."""
 import math
 import random
 
-from harness import main
+from harness import ROUNDS, main
 from limit_forces import Base, wrench
-from limit_loads_case import GAMMA, LimitLoadsCase, ROUNDS
+from limit_loads_case import GAMMA, LimitLoadsCase
 
 
 def centroid(outline):

@@ -7,9 +7,9 @@ import json
 import math
 import random
 
-from harness import main, run
+from harness import ROUNDS, main, run
 from limit_forces import Base, wrench
-from limit_loads_case import GAMMA, LimitLoadsCase, ROUNDS
+from limit_loads_case import GAMMA, LimitLoadsCase
 
 
 class LimitOverTilts(LimitLoadsCase):

@@ -5,20 +5,18 @@
 overcome. TOPPLE_ROUNDS multiplies the number of rounds."""
 
 import math
-import os
 import random
 import unittest
 from fractions import Fraction
 
 import exact
-from harness import main
+from harness import ROUNDS, main
 from limit_oracle import contacts
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, mirrored, worn_profile
 from onset_case import degrees_of, rough_tangent
 from onset_oracle import gyration
 from onset_strength_oracle import StrongOnset, facets
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 MOST_POINTS = 6
 GAMMA = 26
 

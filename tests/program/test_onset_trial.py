@@ -4,18 +4,16 @@
 contact mode (onset_oracle.py), with friction angles whose tangent is a short fraction to 45 digits.
 TOPPLE_ROUNDS multiplies the number of rounds."""
 
-import os
 import random
 import unittest
 from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main
+from harness import ROUNDS, main
 from limit_scenes import Scene, dropped, mated_polygon, mated_teeth, worn_profile
 from onset_case import degrees_of, onset_of, rough_tangent
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 TIE = Decimal(10) ** -35  # degrees: what tan(phi) to 1e-44 leaves
 
 

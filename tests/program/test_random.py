@@ -5,7 +5,6 @@ it, contact and admissibility against brute force. Seeds are fixed; TOPPLE_ROUND
 number of rounds."""
 
 import math
-import os
 import pathlib
 import random
 import tempfile
@@ -14,9 +13,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main, solve
-
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
+from harness import ROUNDS, main, solve
 
 
 def star(count, radius, centre=(0, 0), places=3):

@@ -10,7 +10,6 @@ where it was given, and the area is that of the moved vertices. TOPPLE_ROUNDS mu
 
 import json
 import math
-import os
 import pathlib
 import random
 import re
@@ -19,9 +18,8 @@ import unittest
 from fractions import Fraction
 
 import exact
-from harness import main, run
+from harness import ROUNDS, main, run
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 MOVED = re.compile(r"repaired: vertex (\d+) of (.+) is moved from \((\S+), (\S+)\) to \((\S+), (\S+)\)$")
 
 

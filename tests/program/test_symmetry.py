@@ -6,16 +6,15 @@ are drawn from a seed with parameters that each command varies; TOPPLE_ROUNDS mu
 
 import dataclasses
 import json
-import os
 import pathlib
 import random
 import tempfile
 import unittest
 from fractions import Fraction as F
 
-from harness import main, run
+from harness import ROUNDS, main, run
 
-SCENES = 8 * int(os.environ.get("TOPPLE_ROUNDS", "1"))
+SCENES = 8 * ROUNDS
 FACTOR = {"m": F(1), "mm": F(1, 1000), "ft": F(381, 1250)}
 
 

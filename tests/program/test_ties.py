@@ -8,16 +8,13 @@ Neither the order of the vertices nor the number of digits asked for may matter.
 built here in exact rationals, and the list of pivots itself. TOPPLE_ROUNDS multiplies the number of scenes."""
 
 import json
-import os
 import pathlib
 import random
 import tempfile
 import unittest
 from fractions import Fraction
 
-from harness import ROOT, main, run
-
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
+from harness import ROOT, ROUNDS, main, run
 
 
 def points(of):

@@ -9,7 +9,6 @@ its face beyond acos(h / face): its pressure is taken on as if the face went on 
 no factor and no limit ends there. TOPPLE_ROUNDS multiplies the number of scenes."""
 
 import json
-import os
 import pathlib
 import random
 import tempfile
@@ -18,9 +17,8 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import main, run
+from harness import ROUNDS, main, run
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 GAMMA, WATER = Decimal(26), Decimal("9.81")
 
 

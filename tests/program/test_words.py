@@ -8,16 +8,14 @@ TOPPLE_ROUNDS multiplies the number of scenes."""
 
 import json
 import math
-import os
 import pathlib
 import random
 import re
 import tempfile
 import unittest
 
-from harness import main, run
+from harness import ROUNDS, main, run
 
-ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", "1"))
 # null where the scene does not ask for it, or where another key of the same object says what is the case
 SAID_ELSEWHERE = {"tied_with", "centre_x_m", "centre_y_m", "margin_deg", "fos_elements", "fos_strength", "toppling",
                   "from_deg", "to_deg"}  # of a window of tilts that has no end on that side
