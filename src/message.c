@@ -5,6 +5,7 @@
 
 #include "outside.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,6 +54,11 @@ tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const c
   }
   tp_plain_text(message->text, sizeof message->text, text);
   return status;
+}
+
+tp_status tp_fail_file(tp_message *message, const char *path, const char *what, int why) {
+  return tp_fail(message, why == ENOMEM ? TP_OUT_OF_MEMORY : TP_SYSTEM_FAILED,
+                 (tp_place){path, 0, 0}, "cannot be %s: %s", what, strerror(why));
 }
 
 tp_status tp_fail_memory(tp_message *message, const char *what) {

@@ -23,6 +23,10 @@ tp_status tp_fail(tp_message *message, tp_status status, tp_place place, const c
 /* As tp_fail for TP_OUT_OF_MEMORY, naming what was being built. */
 tp_status tp_fail_memory(tp_message *message, const char *what);
 
+/* A file cannot be `what` ("opened", "read"), for the reason that an errno is: TP_SYSTEM_FAILED, or
+ * TP_OUT_OF_MEMORY. */
+tp_status tp_fail_file(tp_message *message, const char *path, const char *what, int why);
+
 /* "file:line:column" into `text` of at least 64 bytes, shorter where parts are not known. Of a long
  * path the end is kept, and the position always. */
 void tp_place_text(char *text, size_t size, tp_place place);

@@ -36,7 +36,8 @@ extern "C" {
 /* Status of a call. Outputs stay untouched unless it is TP_OK. Every call that returns one can
  * return TP_BAD_INPUT: the input is wrong, an argument out of its range, a pointer NULL; and
  * TP_OUT_OF_MEMORY. What else it can return is said with the call: TP_NO_ANSWER, none exists;
- * TP_UNDECIDED at the precision allowed; TP_SYSTEM_FAILED, a file or another program did;
+ * TP_UNDECIDED at the precision allowed; TP_SYSTEM_FAILED, a file that the caller, a scene or a
+ * study names cannot be read (any call that reads one), or written, or another program failed;
  * TP_DEPENDENCY_FAILED, a library that Topple builds on did. */
 typedef enum tp_status {
 /* An item of the list. */

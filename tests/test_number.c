@@ -100,10 +100,19 @@ START_TEST(no_numbers) {
 }
 END_TEST
 
-/* A value shown in a message reads back as itself, or is clearly rounded. */
+/* A value shown in a message reads back as itself, or is clearly rounded; one that came in as the
+ * double nearest to a decimal is shown as that decimal. */
 START_TEST(texts_of_values) {
-  static const char *const values[] = {"5/2", "-1/8", "1/3", "1000000", "-7/1000"};
-  static const char *const texts[] = {"2.5", "-0.125", "1/3", "1000000", "-0.007"};
+  static const char *const values[] = {"5/2",
+                                       "-1/8",
+                                       "1/3",
+                                       "1000000",
+                                       "-7/1000",
+                                       "314914036505897/562949953421312",
+                                       "-3602879701896397/36028797018963968",
+                                       "5/36028797018963968"};
+  static const char *const texts[] = {
+      "2.5", "-0.125", "1/3", "1000000", "-0.007", "0.5593997025703903", "-0.1", "1.3877787807814457e-16"};
   fmpq_t value;
   fmpq_init(value);
   for (size_t k = 0; k < sizeof values / sizeof values[0]; k++) {

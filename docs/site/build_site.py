@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: 2026 The Topple authors
 """The documentation as a site: build_site.py FOLDER puts it into FOLDER, by MkDocs (Debian: apt install mkdocs).
 
-Pages are those of docs/, with README.md for the front and CONTRIBUTING.md. What they link to outside of docs/ (examples, a
+Pages are those of docs/, whose README.md lists them, with README.md for the front and CONTRIBUTING.md. What they link to outside of docs/ (examples, a
 table in the source) is copied along, and a folder gets a page that lists it. MkDocs ends with an error where a link leads
 nowhere."""
 
@@ -20,7 +20,7 @@ import site_markdown
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([^)\s#]+)(#[^)\s]*)?\)")
-PAGES = {"README.md": "index.md", "CONTRIBUTING.md": "contributing.md"}
+PAGES = {"README.md": "index.md", "docs/README.md": "contents.md", "CONTRIBUTING.md": "contributing.md"}
 
 
 def place_of(path):

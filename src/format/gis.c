@@ -6,10 +6,11 @@
 #include "format/gis.h"
 
 #include "format/gis_library.h"
-#include "number/shortest.h"
+#include "number/ratio.h"
 #include "outside.h"
 
 #include <dlfcn.h>
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -99,8 +100,8 @@ static bool add_points(taking *t, tp_drawing_object *object, const tp_gis_part *
   tp_mark mark = {.line = part->feature <= INT_MAX ? (int)part->feature : 0};
   for (size_t k = 0; k < part->count; k++) {
     const double x = part->xy[2 * k], y = part->xy[2 * k + 1];
-    if (!isfinite(x) || !isfinite(y) || !tp_shortest_exact(t->x, x) ||
-        !tp_shortest_exact(t->y, y)) {
+    if (!isfinite(x) || !isfinite(y) || !tp_ratio_read_double(t->x, x) ||
+        !tp_ratio_read_double(t->y, y)) {
       return fail(t, part, "has a coordinate that is no number between 1e-308 and 1e308 in size");
     }
     if (t->feet) {
@@ -147,9 +148,9 @@ static bool take(void *context, const tp_gis_part *part) {
 /* GDAL takes names of many things for files: only what is one, by the system, is opened. */
 static tp_status check_file(const char *path, tp_message *message) {
   struct stat own;
-  if (stat(path, &own) == 0 && S_ISREG(own.st_mode) && strncmp(path, "/vsi", 4) != 0) return TP_OK;
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
-                 "cannot be read: there is no such file");
+  if (stat(path, &own) != 0) return tp_fail_file(message, path, "opened", errno);
+  if (S_ISREG(own.st_mode) && strncmp(path, "/vsi", 4) != 0) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is no regular file");
 }
 
 static tp_status conclude(taking *t, tp_gis_outcome outcome, const char *why) {

@@ -6,7 +6,6 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
 tp_status tp_mesh_read_bytes(tp_mesh *mesh, tp_mesh_format format, const char *bytes, size_t length,
@@ -30,17 +29,11 @@ tp_status tp_mesh_read_bytes(tp_mesh *mesh, tp_mesh_format format, const char *b
   return status;
 }
 
-static tp_status fail_system(const char *path, const char *what, tp_message *message) {
-  if (errno == ENOMEM) return tp_fail_memory(message, "a mesh");
-  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be %s: %s", what,
-                 strerror(errno));
-}
-
 /* All of it; `*bytes` is the caller's to free, also on failure. */
 static tp_status read_all(char **bytes, size_t *length, FILE *file, const char *path,
                           tp_message *message) {
   struct stat about;
-  if (fstat(fileno(file), &about) != 0) return fail_system(path, "read", message);
+  if (fstat(fileno(file), &about) != 0) return tp_fail_file(message, path, "read", errno);
   if (!S_ISREG(about.st_mode)) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "is no regular file");
   }
@@ -53,7 +46,7 @@ static tp_status read_all(char **bytes, size_t *length, FILE *file, const char *
   *bytes = malloc(room + 1);
   if (*bytes == NULL) return tp_fail_memory(message, "a mesh");
   *length = fread(*bytes, 1, room, file);
-  return ferror(file) == 0 ? TP_OK : fail_system(path, "read", message);
+  return ferror(file) == 0 ? TP_OK : tp_fail_file(message, path, "read", errno);
 }
 
 tp_status tp_mesh_read(tp_mesh *mesh, const char *path, tp_message *message) {
@@ -66,7 +59,7 @@ tp_status tp_mesh_read(tp_mesh *mesh, const char *path, tp_message *message) {
                    "a mesh is a file whose name ends in .stl, .ply or .obj");
   }
   FILE *file = fopen(path, "rb");
-  if (file == NULL) return fail_system(path, "opened", message);
+  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   tp_status status = read_all(&bytes, &length, file, path, message);
   fclose(file);
   if (status == TP_OK) status = tp_mesh_read_bytes(mesh, format, bytes, length, path, message);

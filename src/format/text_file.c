@@ -31,8 +31,7 @@ static tp_status read_bytes(tp_text_file *file, FILE *in, const char *path, tp_m
   if (grown == NULL || problem != 0) {
     free(text);
     if (grown == NULL) return tp_fail_memory(message, "a drawing");
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be read: %s",
-                   strerror(problem));
+    return tp_fail_file(message, path, "read", problem);
   }
   text[length] = '\0';
   *file = (tp_text_file){text, length};
@@ -107,11 +106,7 @@ static tp_status decode(tp_text_file *file, tp_message *message) {
 
 tp_status tp_text_file_read(tp_text_file *file, const char *path, tp_message *message) {
   FILE *in = fopen(path, "rb");
-  if (in == NULL) {
-    if (errno == ENOMEM) return tp_fail_memory(message, "a drawing");
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (in == NULL) return tp_fail_file(message, path, "opened", errno);
   tp_text_file own = {NULL, 0};
   tp_status status = read_bytes(&own, in, path, message);
   fclose(in);

@@ -9,20 +9,16 @@
 
 #include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 static tp_status read_text(tp_text *text, const char *path, tp_message *message) {
   char bytes[1 << 14];
   size_t count = 0;
   FILE *file = fopen(path, "rb");
-  if (file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   while ((count = fread(bytes, 1, sizeof bytes, file)) > 0) tp_text_append(text, bytes, count);
-  const bool failed = ferror(file) != 0;
+  const int problem = ferror(file) != 0 ? errno : 0;
   fclose(file);
-  if (failed) return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be read");
+  if (problem != 0) return tp_fail_file(message, path, "read", problem);
   return text->failed ? tp_fail_memory(message, "the files of a study") : TP_OK;
 }
 

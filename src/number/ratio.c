@@ -3,8 +3,10 @@
 
 #include "number/ratio.h"
 
+#include "number/shortest.h"
 #include "number/word.h"
 
+#include <float.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -161,6 +163,13 @@ bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const ch
   return true;
 }
 
+bool tp_ratio_read_double(fmpq_t value, double given) {
+  char text[TP_SHORTEST_SIZE];
+  const char *problem = NULL;
+  tp_shortest(text, given);
+  return tp_ratio_read_field(value, text, strlen(text), &problem);
+}
+
 bool tp_ratio_is_not_finite(const char *text) {
   static const char *const words[] = {"nan", "inf", "infinity", NULL};
   if (*text == '+' || *text == '-') text++;
@@ -200,8 +209,21 @@ static bool decimal_text(char *text, size_t size, const fmpq_t value) {
   return found;
 }
 
+/* Is it the value of a double, which somebody wrote as a decimal? Its numerator is odd or its
+ * denominator 1. */
+static bool is_double(const fmpq_t value) {
+  const fmpz *denominator = fmpq_denref(value);
+  if (fmpz_bits(denominator) != fmpz_val2(denominator) + 1) return false;
+  return fmpz_bits(fmpq_numref(value)) - fmpz_val2(fmpq_numref(value)) <= DBL_MANT_DIG;
+}
+
 void tp_ratio_text(char *text, size_t size, const fmpq_t value) {
   if (decimal_text(text, size, value)) return;
+  if (is_double(value)) {
+    char decimal[TP_SHORTEST_SIZE];
+    snprintf(text, size, "%s", tp_shortest(decimal, fmpq_get_d(value)));
+    return;
+  }
   if (fmpz_bits(fmpq_numref(value)) > 60 || fmpz_bits(fmpq_denref(value)) > 60) {
     snprintf(text, size, "%.17g", fmpq_get_d(value));
     return;

@@ -23,10 +23,15 @@ size_t tp_ratio_read_decimal(fmpq_t value, const char *text, size_t length, cons
 /* Read a whole field `[+-]decimal[/decimal]`; false with `*problem` set where it is none. */
 bool tp_ratio_read_field(fmpq_t value, const char *text, size_t length, const char **problem);
 
+/* The shortest decimal that names a double, exactly; false: outside of the range above, or not
+ * finite. */
+bool tp_ratio_read_double(fmpq_t value, double given);
+
 /* Does `text` spell infinity or not-a-number, with or without a sign and the dot of YAML? */
 bool tp_ratio_is_not_finite(const char *text);
 
-/* Shortest readable text of a value for messages: an integer, a decimal that is exact, or p/q. */
+/* Shortest readable text of a value for messages: an integer, a decimal that is exact, the shortest
+ * decimal that names a double, or p/q. */
 void tp_ratio_text(char *text, size_t size, const fmpq_t value);
 
 /* All of its digits, as tp_ratio_read_field takes them: a decimal, or p/q. Allocated with malloc;

@@ -3,11 +3,8 @@
 
 #include "number/shortest.h"
 
-#include "number/ratio.h"
-
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 const char *tp_shortest(char out[TP_SHORTEST_SIZE], double value) {
   for (int digits = 15; digits <= 17; digits++) {
@@ -15,11 +12,4 @@ const char *tp_shortest(char out[TP_SHORTEST_SIZE], double value) {
     if (strtod(out, NULL) == value) break;
   }
   return out;
-}
-
-bool tp_shortest_exact(fmpq_t number, double value) {
-  char text[TP_SHORTEST_SIZE];
-  const char *problem = NULL;
-  tp_shortest(text, value);
-  return tp_ratio_read_field(number, text, strlen(text), &problem);
 }

@@ -54,8 +54,7 @@ static bool next_line(reader *r, const char **text, size_t *length, tp_status *s
       continue;
     }
     if (ferror(r->file)) {
-      *status = tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, 0, 0}, "cannot be read: %s",
-                        strerror(errno));
+      *status = tp_fail_file(r->message, r->path, "read", errno);
       return false;
     }
     if (end == NULL && r->from == r->to) return false;
@@ -274,9 +273,7 @@ tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_notes
   FILE *file = fopen(path, "rb");
   if (file == NULL) {
     *line = (tp_polyline){.file = path};
-    if (errno == ENOMEM) return tp_fail_memory(message, "an outline");
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
+    return tp_fail_file(message, path, "opened", errno);
   }
   return read_file(line, file, path, closed, notes, message);
 }

@@ -216,10 +216,7 @@ static tp_status take_event(builder *b, const yaml_event_t *event) {
 
 static tp_status parser_failed(builder *b, const yaml_parser_t *parser, const source *from) {
   tp_mark mark = mark_of(parser->problem_mark);
-  if (from->failed) {
-    return tp_fail(b->message, TP_BAD_INPUT, (tp_place){b->path, 0, 0}, "cannot be read: %s",
-                   strerror(errno));
-  }
+  if (from->failed) return tp_fail_file(b->message, b->path, "read", errno);
   if (from->too_large) {
     return tp_fail(b->message, TP_BAD_INPUT, (tp_place){b->path, 0, 0},
                    "larger than 256 MiB; give long outlines as CSV files");
@@ -273,11 +270,7 @@ static tp_status read_file(tp_node **root, FILE *file, const char *path, tp_mess
 
 tp_status tp_node_read(tp_node **root, const char *path, tp_message *message) {
   FILE *file = fopen(path, "rb");
-  if (file == NULL && errno == ENOMEM) return tp_fail_memory(message, "the scene");
-  if (file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   return read_file(root, file, path, message);
 }
 

@@ -82,11 +82,7 @@ static tp_status read_as(tp_polyline *record, tp_record_source *source, long col
 tp_status tp_record_read(tp_polyline *record, const char *path, long column, tp_message *message) {
   tp_record_source source = {.path = path, .file = fopen(path, "rb"), .message = message};
   *record = (tp_polyline){.file = path};
-  if (source.file == NULL) {
-    if (errno == ENOMEM) return tp_fail_memory(message, "an accelerogram");
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (source.file == NULL) return tp_fail_file(message, path, "opened", errno);
   tp_status status = read_as(record, &source, column);
   fclose(source.file);
   tp_record_begin_at_zero(record);

@@ -16,10 +16,8 @@ tp_status tp_record_fail(const tp_record_source *source, size_t column, const ch
 tp_status tp_record_next(tp_record_source *source, bool *more) {
   *more = fgets(source->line, sizeof source->line, source->file) != NULL;
   if (!*more) {
-    return ferror(source->file) == 0
-               ? TP_OK
-               : tp_fail(source->message, TP_BAD_INPUT, (tp_place){source->path, 0, 0},
-                         "cannot be read: %s", strerror(errno));
+    return ferror(source->file) == 0 ? TP_OK
+                                     : tp_fail_file(source->message, source->path, "read", errno);
   }
   source->number++;
   source->length = strlen(source->line);

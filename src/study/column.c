@@ -94,16 +94,13 @@ static tp_status take_lines(table *t, FILE *file) {
     status = t->field < 0 ? take_header(t, &row) : take_number(t, &row);
   }
   free(text);
-  if (status == TP_OK && (ferror(file) != 0 || errno == ENOMEM)) {
-    return errno == ENOMEM ? tp_fail_memory(t->reader->message, "a column")
-                           : fail_row(t, 0, "cannot be read: ", strerror(errno));
-  }
-  return status;
+  const bool failed = status == TP_OK && (ferror(file) != 0 || errno == ENOMEM);
+  return failed ? tp_fail_file(t->reader->message, t->path, "read", errno) : status;
 }
 
 static tp_status read_table(table *t) {
   FILE *file = fopen(t->path, "rb");
-  if (file == NULL) return fail_row(t, 0, "cannot be opened: ", strerror(errno));
+  if (file == NULL) return tp_fail_file(t->reader->message, t->path, "opened", errno);
   tp_status status = take_lines(t, file);
   fclose(file);
   if (status == TP_OK && t->count == 0) {

@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 uint64_t tp_hash_bytes(uint64_t hash, const void *bytes, size_t length) {
   const unsigned char *byte = bytes;
@@ -17,10 +16,7 @@ tp_status tp_hash_file(uint64_t *hash, const char *path, tp_message *message) {
   unsigned char bytes[1 << 14];
   uint64_t total = 0;
   FILE *file = fopen(path, "rb");
-  if (file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   size_t count = 0;
   while ((count = fread(bytes, 1, sizeof bytes, file)) > 0) {
     *hash = tp_hash_bytes(*hash, bytes, count);
@@ -29,10 +25,7 @@ tp_status tp_hash_file(uint64_t *hash, const char *path, tp_message *message) {
   const bool failed = ferror(file) != 0;
   const int why = errno;
   fclose(file);
-  if (failed) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be read: %s",
-                   strerror(why));
-  }
+  if (failed) return tp_fail_file(message, path, "read", why);
   *hash = tp_hash_bytes(*hash, &total, sizeof total);
   return TP_OK;
 }

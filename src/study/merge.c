@@ -54,9 +54,7 @@ static tp_status check_part(const part *own, const tp_study *study, size_t count
 static tp_status fail_missing(const char *path, tp_message *message) {
   struct stat state;
   const tp_place place = {path, 0, 0};
-  if (stat(path, &state) != 0) {
-    return tp_fail(message, TP_BAD_INPUT, place, "cannot be opened: %s", strerror(errno));
-  }
+  if (stat(path, &state) != 0) return tp_fail_file(message, path, "opened", errno);
   return tp_fail(message, TP_BAD_INPUT, place,
                  "there is no '%.300s.progress' beside it, by which the rows of a shard are known; "
                  "copy both files",

@@ -10,7 +10,7 @@
 #include "study/roughness.h"
 
 #include "block/section.h"
-#include "number/shortest.h"
+#include "number/ratio.h"
 #include "outside.h"
 #include "paper/teeth.h"
 #include "topple_profile.h"
@@ -212,7 +212,7 @@ static tp_status make_scene(tp_scene **scene, const tp_study *study, const doubl
   for (size_t k = 0; k < count; k++) fmpq_init(numbers + k);
   for (size_t k = 0; k < count; k++) {
     keys[k] = study->variables[k].key;
-    read = read && tp_shortest_exact(numbers + k, values[k]);
+    read = read && tp_ratio_read_double(numbers + k, values[k]);
   }
   const tp_status status =
       read ? tp_scene_vary(scene, study->scene, keys, numbers, count, message)

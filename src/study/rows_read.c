@@ -80,10 +80,7 @@ tp_status tp_rows_read(const char *path, const tp_study *study, const tp_progres
                        tp_rows_take *take, void *context, tp_message *message) {
   reading r = {path, study, progress->bytes, 0, take, context, message};
   FILE *file = fopen(path, "rb");
-  if (file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   tp_study_row row = {.values = calloc(study->variable_count, sizeof *row.values),
                       .at = calloc(study->tilt_count + 1, sizeof *row.at)};
   const tp_status status = row.values != NULL && row.at != NULL

@@ -4,7 +4,6 @@
 #include "study/sample.h"
 
 #include "number/ratio.h"
-#include "number/shortest.h"
 #include "stability/case_numbers.h"
 #include "stability/tilts.h"
 #include "study/sample_filter.h"
@@ -118,7 +117,7 @@ static tp_status start(numbers *n, const tp_study *study, size_t tilts, tp_messa
   for (size_t k = 0; k < study->variable_count; k++) n->keys[k] = study->variables[k].key;
   n->keys[count - 1] = study->tilt_key;
   for (size_t k = 0; k < tilts; k++) {
-    if (tp_shortest_exact(n->degrees + k, study->tilts[k])) continue;
+    if (tp_ratio_read_double(n->degrees + k, study->tilts[k])) continue;
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "a tilt is no number");
   }
   return TP_OK;
@@ -214,7 +213,7 @@ tp_status tp_study_solve(tp_study_row *row, const tp_study *study, size_t tilts,
   clear(row, tilts, TP_STUDY_INVALID);
   tp_status status = start(&n, study, tilts, message);
   for (size_t k = 0; k < study->variable_count && status == TP_OK && row->why == NULL; k++) {
-    if (!tp_shortest_exact(n.values + k, row->values[k])) {
+    if (!tp_ratio_read_double(n.values + k, row->values[k])) {
       status = refuse(row, "a number is outside of the range that a scene takes", message);
     }
   }
@@ -237,7 +236,7 @@ tp_status tp_study_solve_with(tp_study_row *row, const tp_study *study, const tp
   clear(row, 0, TP_STUDY_INVALID);
   fmpq_init(&number);
   const tp_status status =
-      tp_shortest_exact(&number, value)
+      tp_ratio_read_double(&number, value)
           ? solve_own(row, study, &n, message)
           : refuse(row, "a number is outside of the range that a scene takes", message);
   fmpq_clear(&number);

@@ -103,7 +103,7 @@ tp_status tp_picture_read_bytes(tp_picture *picture, const unsigned char *bytes,
 static tp_status read_all(unsigned char **bytes, size_t *length, FILE *file, const char *path,
                           tp_message *message) {
   struct stat about;
-  if (fstat(fileno(file), &about) != 0) return fail(path, strerror(errno), message);
+  if (fstat(fileno(file), &about) != 0) return tp_fail_file(message, path, "read", errno);
   if (!S_ISREG(about.st_mode)) return fail(path, "is no regular file", message);
   if (about.st_size > TP_PICTURE_BYTES) {
     return fail(path, "is larger than 256 MiB; cut out what shows the block", message);
@@ -111,7 +111,7 @@ static tp_status read_all(unsigned char **bytes, size_t *length, FILE *file, con
   *bytes = malloc((size_t)about.st_size + 1);
   if (*bytes == NULL) return tp_fail_memory(message, "a picture");
   *length = fread(*bytes, 1, (size_t)about.st_size, file);
-  return ferror(file) == 0 ? TP_OK : fail(path, strerror(errno), message);
+  return ferror(file) == 0 ? TP_OK : tp_fail_file(message, path, "read", errno);
 }
 
 tp_status tp_picture_read(tp_picture *picture, const char *path, tp_message *message) {
@@ -119,10 +119,7 @@ tp_status tp_picture_read(tp_picture *picture, const char *path, tp_message *mes
   size_t length = 0;
   *picture = (tp_picture){0};
   FILE *file = fopen(path, "rb");
-  if (file == NULL) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0}, "cannot be opened: %s",
-                   strerror(errno));
-  }
+  if (file == NULL) return tp_fail_file(message, path, "opened", errno);
   tp_status status = read_all(&bytes, &length, file, path, message);
   fclose(file);
   if (status == TP_OK) status = tp_picture_read_bytes(picture, bytes, length, path, message);

@@ -17,9 +17,9 @@ SLAB = "topple: 1\nlength_unit: mm\nblock: {slab: {width: %s, height: 2}}\n"
 
 
 class BadInput(unittest.TestCase):
-    def refuse(self, path, expected, folder=BAD):
+    def refuse(self, path, expected, folder=BAD, ends=3):
         status, out, err = run("solve", path, folder=folder)
-        self.assertEqual(status, 3, f"{path}: {err}")
+        self.assertEqual(status, ends, f"{path}: {err}")
         self.assertEqual(out, "", path)
         self.assertIn(expected, err, path)
         self.assertEqual(err.count("\n"), 1, "one line of message")
@@ -72,9 +72,9 @@ block: {{outline: [[0, 0], [11, 0], [11, 4], [0, 4]], holes: {holes}}}\n"""
                 self.assertIn("2 pieces" if cut else "area 39 m²", err if cut else out)
 
     def test_files_that_cannot_be_read(self):
-        """Missing, a folder, without permission, empty, only comments."""
-        self.refuse("nowhere.yaml", "nowhere.yaml: cannot be opened: No such file")
-        self.refuse(".", ".: cannot be read: Is a directory")
+        """Missing, a folder, without permission: the system failed. Empty, only comments: bad input."""
+        self.refuse("nowhere.yaml", "nowhere.yaml: cannot be opened: No such file", ends=5)
+        self.refuse(".", ".: cannot be read: Is a directory", ends=5)
         self.refuse_text(b"", "scene.yaml:1:1: the file is empty; a scene begins with 'topple: 1'")
         self.refuse_text(b"# nothing\n\n", "scene.yaml:1:1: the file is empty")
         with tempfile.TemporaryDirectory() as folder:
@@ -82,7 +82,7 @@ block: {{outline: [[0, 0], [11, 0], [11, 4], [0, 4]], holes: {holes}}}\n"""
             locked.write_text("topple: 1\n")
             locked.chmod(0)
             if os.geteuid() != 0:  # root reads everything
-                self.refuse("locked.yaml", "cannot be opened: Permission denied", folder)
+                self.refuse("locked.yaml", "cannot be opened: Permission denied", folder, 5)
 
     def test_bytes_that_are_no_text(self):
         """Binary junk, invalid UTF-8, a zero byte in a quoted string."""

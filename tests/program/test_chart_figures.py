@@ -90,7 +90,7 @@ class Errors(Chart):
         self.refuse(3, "did you mean 'width'?", "map", self.scene, "--x", "block.slab.widht=1:3")
         self.refuse(3, "list or a map", "map", self.scene, "--x", "block.slab=1:3")
         self.refuse(3, "both axes are tilt", "map", self.scene, "--x", "tilt=1:3")
-        self.refuse(3, "cannot be opened", "map", self.folder / "none.yaml", "--x", "a=1:3")
+        self.refuse(5, "cannot be opened", "map", self.folder / "none.yaml", "--x", "a=1:3")
         self.refuse(3, "between 0 and 0.5", "fos", "--amplitude", "0.7")
         self.refuse(3, "at most 80", "mechanisms", "--friction", 75)
         self.refuse(3, "whole", "fos", "--sub-blocks", 2.5)

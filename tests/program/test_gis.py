@@ -228,7 +228,6 @@ class Refused(Gis):
         self.refused("section.shp")
         write_geopackage(self.gpkg, [("BLOCK", 2056, [])])
         self.refused("section.gpkg")
-        self.refused("absent.shp", "no such file")
 
     def test_no_other_format_and_no_network(self):
         """What GDAL could read besides stays unread, whatever its name."""

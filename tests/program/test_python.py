@@ -88,7 +88,7 @@ class Errors(unittest.TestCase):
         self.assertEqual(said(scene), meant)
         with self.assertRaisesRegex(ValueError, "'left'.*'right'.*'both'"):
             scene.set_tilt_towards("up")
-        with self.assertRaisesRegex(topple.BadInput, "^/nowhere.yaml: cannot be opened"):
+        with self.assertRaisesRegex(OSError, "^/nowhere.yaml: cannot be opened: No such file"):
             topple.Scene.read("/nowhere.yaml")
         with self.assertRaises(topple.SystemFailed):
             scene.solve().write_figure("/nowhere/figure.svg")

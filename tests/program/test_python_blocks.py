@@ -76,6 +76,37 @@ class Moments(unittest.TestCase):
                       [[(Fraction(1, 3), 0), (1, 0), (0, 1)]], numpy.full((1, 3, 2), 2**60 + 1)):
             self.assertRaises(topple.BadInput, topple.moments, wrong)
 
+    def test_masked_and_other_arrays(self):
+        """What a mask hides would count as a number, half of a complex number would be lost, an object is anything: refused
+        by every call that takes an array, also within a list. NaN of a coordinate is bad input of its block."""
+        blocks = stones(4, 7)
+        masked, number = numpy.ma.masked_array(blocks, mask=blocks > blocks.max()), numpy.ma.masked_array([1.0, 2, 3, 4], [0, 1, 0, 0])
+        points, scene = masked[0], topple.Scene("m", outline=blocks[0])
+        self.assertFalse(masked.mask.any())  # none is hidden: the next array of its kind may have one
+        for call in (lambda: topple.moments(masked), lambda: topple.moments(list(masked)), lambda: topple.outline_moments(points),
+                     lambda: topple.critical_angles(masked), lambda: topple.verdicts(masked), lambda: topple.verdicts(blocks, number),
+                     lambda: topple.verdicts(blocks, 30, number), lambda: topple.verdicts(blocks, number[1]),
+                     lambda: scene.set_outline(points), lambda: scene.set_outline(list(points)), lambda: scene.set_base_profile(points),
+                     lambda: scene.add_hole(points), lambda: scene.set_shaking_record("horizontal", points),
+                     lambda: topple.Scene("m", outline=points), lambda: topple.profile_of_points(points),
+                     lambda: topple.chart_fos(amplitude=number)):
+            with self.assertRaisesRegex(topple.BadInput, "^a masked array is not taken"):
+                call()
+        for wrong in (numpy.ones(4, complex), numpy.array([30, None, 30, 30]), numpy.array(["30"] * 4), numpy.ones(4, bool),
+                      numpy.full(4, 2**53 + 1), numpy.full(4, numpy.longdouble(1) / 3)):
+            with self.assertRaisesRegex(topple.BadInput, "^an array of"):
+                topple.verdicts(blocks, wrong)
+        self.assertRaises(topple.BadInput, topple.moments, blocks.astype(complex))
+        self.assertRaises(TypeError, scene.set_outline, blocks[0].astype(complex))
+
+    def test_decimals_as_given(self):
+        """A message prints the decimals that a double was given by, not the fraction that it is."""
+        scene = topple.Scene("m", outline=[(0, 0), (1.1, 0), (0.1, 0.9), (1.1, 0.7), (0.3, 0.5)])
+        with self.assertRaises(topple.BadInput) as caught:
+            scene.solve()
+        self.assertIn("(0.1, 0.9)", str(caught.exception))
+        self.assertNotRegex(str(caught.exception), r"\d/\d|\d{12}")
+
     def test_bad_blocks(self):
         """They stop nothing, and a caution tells of the first."""
         blocks = stones(5, 7)

@@ -40,8 +40,19 @@ class Contents(unittest.TestCase):
     def test_every_page_once(self):
         text = (SITE / "mkdocs.yml").read_text(encoding="utf-8")
         listed = re.findall(r": ([\w/]+\.md)$", text, re.MULTILINE)
-        pages = {path.name for path in (ROOT / "docs").glob("*.md")} | {"index.md", "contributing.md", "schema/index.md"}
+        pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"}
+        pages |= {"index.md", "contents.md", "contributing.md", "schema/index.md"}
         self.assertEqual(sorted(listed), sorted(pages))
+
+    def test_the_same_order_in_the_folder(self):
+        """docs/README.md, which a forge shows, has the groups and the pages of the site, in its order and by its names."""
+        ways = {"contributing.md": "../CONTRIBUTING.md", "schema/index.md": "schema"}
+        text = (SITE / "mkdocs.yml").read_text(encoding="utf-8")
+        text = text[text.index("contents.md\n"):]
+        of_site = re.findall(r"^ +- (\w[^:\n]*):$|^ +- \"?(.+?)\"?: ([\w/]+\.md)$", text, re.MULTILINE)
+        of_folder = re.findall(r"^## (.*)$|^- \[(.*)\]\((.*)\)$", (ROOT / "docs/README.md").read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertEqual([(group, name, ways.get(way, way)) for group, name, way in of_site], of_folder)
+        self.assertGreater(len(of_folder), 45)
 
     def test_markdown(self):
         """Lists below a paragraph, not in code, and names of headings as the links of the pages have them."""

@@ -206,7 +206,6 @@ class Tilt(unittest.TestCase):
             with self.subTest(text):
                 self.write(text, f"own.{ending}")
                 self.assertIn(line, self.refused(scene % ending, words))
-        self.refused(head + "shaking: {horizontal: {record: {file: none.at2}}}\n", "cannot be opened")
 
     def test_nonsense(self):
         head = HEAD.format(w=1, h=3, phi=40)

@@ -81,7 +81,7 @@ class TraceRefused(unittest.TestCase):
         for content in (b"\xff\xd8\xff\xe0", b"\xff\xd8\xff\xd9", b"\xff\xd8\xff\xc0\x00\x11\x08\xff\xff\xff\xff\x03" + b"\0" * 9):
             self.picture.write_bytes(content)
             self.refuse(3, "topple: p.png: ")
-        self.refuse(3, "none.png: cannot be opened: No such file", picture="none.png")
+        self.refuse(5, "none.png: cannot be opened: No such file", picture="none.png")
         (self.folder / "folder.png").mkdir()
         self.refuse(3, "folder.png: is no regular file", picture="folder.png")
 

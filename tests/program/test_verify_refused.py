@@ -55,8 +55,6 @@ class Refused(ClaimsCase):
                 (HEAD.replace("rounded: true", "towards: up") + "claims: []\n", "'towards' must be left or right"),
                 (HEAD.replace("rounded: true", "towards: right") + "claims:\n- {id: x, where: h, geometry: "
                  "round, quantity: a, printed: a}\n", "the scene does not tilt this way"),
-                (HEAD.replace("scene: scene.yaml", "scene: none.yaml") + "claims:\n- {id: x, where: h, geometry:"
-                 " e, quantity: a, printed: a}\n", "none.yaml: cannot be opened"),
                 (HEAD + "with: {q: q}\nclaims:\n- {id: x, where: h, quantity: q, printed: 1}\n", "unknown name 'q'"),
                 (HEAD + "claims:\n- {id: x, where: h, geometry: e, at: {area: 1}, quantity: a, printed: 1}\n",
                  "'area' is no symbol that takes a value")):

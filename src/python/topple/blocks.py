@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, Sequence, Union
 
 from ._library import ffi, lib
 from .errors import BadInput, Caution, checked
-from .given import NULL, Points, c_doubles
+from .given import NULL, Points, c_doubles, real_doubles, refuse_masked
 from .options import options_of
 from .record import Bounded, Record, record
 from .words import Direction, LimitKind, Mechanism, OnsetKind, number_of
@@ -164,6 +164,7 @@ def outline_of(points: Points) -> numpy.ndarray:
     """One outline as doubles one after another, shape (n, 2)."""
     import numpy
 
+    refuse_masked(points)
     doubles = c_doubles(numpy.asarray(points))
     if doubles is None:
         raise BadInput("outlines of many blocks must be numbers that doubles hold; a Scene takes"
@@ -182,6 +183,7 @@ def c_outlines(outlines: Outlines) -> tuple[tuple, int, Any]:
         points = numpy.concatenate(rows) if rows else numpy.empty((0, 2))
         pointers = ffi.from_buffer("double[]", points), ffi.from_buffer("size_t[]", first)
         return (len(rows), pointers[0], 0, pointers[1]), len(rows), pointers
+    refuse_masked(outlines)
     points = numpy.asarray(outlines)
     count, vertices = points.shape[:-2] or (1,), points.shape[-2:-1]
     if points.ndim not in (2, 3) or points.shape[-1] != 2:
@@ -195,9 +197,10 @@ def c_numbers(given: Any, count: int) -> tuple[tuple, Any]:
     """A tp_numbers, and what must live as long as it is used."""
     import numpy
 
+    refuse_masked(given)
     if given is None or numpy.ndim(given) == 0:
         return (NULL, float("nan") if given is None else float(given)), None
-    each = numpy.ascontiguousarray(given, dtype=numpy.float64)
+    each = real_doubles(given)
     if each.shape != (count,):
         raise BadInput(f"a number for each of {count} blocks must be an array of shape ({count},),"
                        f" not {each.shape}")

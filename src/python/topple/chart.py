@@ -9,7 +9,7 @@ from typing import Sequence
 
 from ._library import ffi, lib
 from .errors import BadInput, checked
-from .given import c_path, c_text
+from .given import c_path, c_text, refuse_masked
 from .options import options_of
 from .record import struct_of
 from .report import drawn, written
@@ -58,6 +58,7 @@ def _list(target, numbers: Sequence[float] | None):
     """Fill a list of numbers; what must live as long as it is used."""
     if numbers is None:
         return None
+    refuse_masked(numbers)
     held = ffi.new("double[]", list(numbers))
     target.count, target.values = len(held), held
     return held

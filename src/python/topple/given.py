@@ -84,11 +84,34 @@ def spelling(number: Number) -> str:
     return "/".join(map(str, value.as_integer_ratio())) if math.isfinite(value) else str(value)
 
 
+def refuse_masked(given: Any) -> None:
+    """An array in which numbers may be masked is refused: what lies below a mask would count."""
+    masked = sys.modules.get("numpy.ma")
+    if masked is not None and isinstance(given, masked.MaskedArray):
+        raise BadInput("a masked array is not taken, since what is masked would count as a number:"
+                       " leave such points out, and give the rest as .data")
+
+
+def real_doubles(given: Any) -> numpy.ndarray:
+    """Numbers as an array of doubles that are exactly those; NaN stays."""
+    import numpy
+
+    refuse_masked(given)
+    array = numpy.asarray(given)
+    if array.dtype.kind not in "iuf":
+        raise BadInput(f"an array of numbers must be of reals, not of {array.dtype}")
+    doubles = numpy.ascontiguousarray(array, dtype=numpy.float64)
+    if not numpy.array_equal(doubles.astype(array.dtype), array, equal_nan=array.dtype.kind == "f"):
+        raise BadInput(f"an array of {array.dtype} has a number that no double is")
+    return doubles
+
+
 def c_doubles(points: numpy.ndarray):
     """An array of shape (n, 2) as doubles one after another; None for one whose numbers are no
     doubles."""
     import numpy
 
+    refuse_masked(points)
     points = numpy.asarray(points)
     if points.ndim != 2 or points.shape[1] != 2:
         raise BadInput(f"points must be an array of shape (n, 2), not {points.shape}")
@@ -105,6 +128,9 @@ def c_points(points: Points) -> tuple[tuple, Any]:
         if doubles is not None:
             return (len(doubles), ffi.from_buffer("double[]", doubles), NULL), doubles
         points = points.tolist()
+    points = list(points)
+    for point in points:
+        refuse_masked(point)
     pairs = [tuple(pair) for pair in points]
     if any(len(pair) != 2 for pair in pairs):
         raise BadInput("a point must have two coordinates, x and y")
