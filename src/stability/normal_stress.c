@@ -8,21 +8,6 @@
 #include "stability/contact_length.h"
 #include "stability/friction.h"
 
-tp_status tp_normal_stress_check(const tp_problem *problem, tp_message *message) {
-  const tp_scene *scene = problem->scene;
-  if (!scene->friction.load_dependent || scene->friction.contact_width.given) return TP_OK;
-  const tp_lattice *l = &problem->lattice;
-  for (long k = 0; k < problem->contact.facet_count; k++) {
-    const tp_facet *f = problem->contact.facets + k;
-    if (!fmpz_equal(l->x + f->q0, l->x + f->q1)) return TP_OK;
-  }
-  return tp_fail(message, TP_BAD_INPUT, scene->friction_angle_deg.place,
-                 "the block touches its base in points or upright faces alone, on which the law "
-                 "barton finds no mean normal stress: say how wide the contact is along the mean "
-                 "plane, 'contact: {width: …}' in %s, or give a 'friction_angle_deg'",
-                 scene->length_unit);
-}
-
 /* Is the stress at a tilt above JCS? With its doubles, to be told. */
 static bool exceeds(double *stress_mpa, const tp_evaluation *e, const arb_t tilt) {
   arb_t stress, strength;
@@ -106,7 +91,7 @@ static tp_status note_directions(tp_notes *notes, tp_evaluation *e, tp_message *
 tp_status tp_normal_stress_cautions(tp_notes *notes, const tp_problem *problem,
                                     tp_message *message) {
   if (!problem->scene->friction.load_dependent) return TP_OK;
-  const tp_solve_options options = tp_solve_options_default();
+  const tp_solve_options options = {.size = sizeof options, .digits = 9};
   tp_evaluation e;
   tp_evaluation_init(&e, problem, (tp_rung){TP_LEVEL_DOUBLE, TP_BALL_BITS}, &options);
   tp_friction_stress_when_level(e.weight_per_area_pa, &e);

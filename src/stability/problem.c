@@ -9,9 +9,9 @@
 #include "load/loads.h"
 #include "scene/check.h"
 #include "stability/admissible.h"
+#include "stability/contact_width.h"
 #include "stability/effects.h"
 #include "stability/lay.h"
-#include "stability/normal_stress.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -280,7 +280,9 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   status = tp_effects_entered(status, message,
                               tp_effects_note(solution, "contact", scene->base.place,
                                               "a mated base, as none is given", began));
-  if (status == TP_OK) status = tp_normal_stress_check(problem, message);
+  if (status == TP_OK) {
+    status = tp_contact_width_check(&problem->contact, &problem->lattice, scene, message);
+  }
   if (status == TP_OK && scene->friction.facet_count > 0) {
     status = tp_facet_friction_init(&problem->friction, scene, &problem->base, &problem->lattice,
                                     &problem->contact, counted_facets(problem), solution, message);

@@ -222,7 +222,7 @@ tp_status tp_rough_sole_cautions(tp_notes *notes, const tp_solution *solution,
       !scene->friction_angle_deg.given || problem->contact.facet_count < FEWEST) {
     return TP_OK;
   }
-  const tp_solve_options options = tp_solve_options_default();
+  const tp_solve_options options = {.size = sizeof options, .digits = 9};
   tp_status status = TP_OK;
   tp_evaluation e;
   tp_evaluation_init(&e, problem, (tp_rung){TP_LEVEL_DOUBLE, TP_BALL_BITS}, &options);
