@@ -95,7 +95,8 @@ static tp_status read_csv(tp_polyline *line, const char *text, bool closed, tp_n
   ck_assert_int_ge(handle, 0);
   ck_assert_int_eq(write(handle, text, strlen(text)), (ssize_t)strlen(text));
   close(handle);
-  const tp_status status = tp_csv_read(line, path, closed, notes, message);
+  const char *unit = NULL;
+  const tp_status status = tp_csv_read(line, &unit, path, closed, notes, message);
   unlink(path);
   return status;
 }

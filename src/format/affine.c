@@ -93,12 +93,35 @@ void tp_affine_map_turn(tp_affine_map *map, const fmpq_t cosine, const fmpq_t si
   tp_affine_map_clear(&inner);
 }
 
+/* Below this a double may have lost digits. */
+static const double least_root = 1e-290;
+
+/* |a| + |b| + |c| + |d|, for what no double holds. */
+static void add_sizes(fmpq_t sum, const tp_affine_map *map) {
+  const fmpq *const parts[] = {map->a, map->b, map->c, map->d};
+  fmpq_t size, total;
+  fmpq_init(size);
+  fmpq_init(total);
+  for (int k = 0; k < 4; k++) {
+    fmpq_abs(size, parts[k]);
+    fmpq_add(total, total, size);
+  }
+  fmpq_swap(sum, total);
+  fmpq_clear(size);
+  fmpq_clear(total);
+}
+
 void tp_affine_map_stretch(fmpq_t stretch, const tp_affine_map *map) {
   const double a = fmpq_get_d(map->a), b = fmpq_get_d(map->b), c = fmpq_get_d(map->c),
                d = fmpq_get_d(map->d);
+  const double root = hypot(hypot(a, b), hypot(c, d)) * (1 + 1e-14);
+  if (!isfinite(root) || root < least_root) {
+    add_sizes(stretch, map);
+    return;
+  }
   arf_t bound;
   arf_init(bound);
-  arf_set_d(bound, hypot(hypot(a, b), hypot(c, d)) * (1 + 1e-14));
+  arf_set_d(bound, root);
   arf_get_fmpq(stretch, bound);
   arf_clear(bound);
 }

@@ -29,7 +29,7 @@ void tp_affine_map_turn(tp_affine_map *map, const fmpq_t cosine, const fmpq_t si
 void tp_affine_map_point(fmpq_t x, fmpq_t y, const tp_affine_map *map);
 
 /* By how much a length is stretched at most: the root of the sum of squares, rounded up, between
- * the largest stretch and the root of two of it. */
+ * the largest stretch and the root of two of it; of maps that no double holds up to twice it. */
 void tp_affine_map_stretch(fmpq_t stretch, const tp_affine_map *map);
 
 bool tp_affine_map_keeps_circles(const tp_affine_map *map);

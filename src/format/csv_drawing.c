@@ -3,7 +3,7 @@
 
 #include "format/csv_drawing.h"
 
-#include "format/csv_row.h"
+#include "format/columns.h"
 #include "number/ratio.h"
 
 #include <stdio.h>
@@ -11,15 +11,18 @@
 #include <string.h>
 #include <strings.h>
 
-enum { X, Y, LAYER, NAME, BULGE, COLUMNS };
+enum { LAYER, NAME, BULGE, COLUMNS };
 
 typedef struct reader {
   tp_drawing *drawing;
   tp_message *message;
   int line;
-  bool has_header;
   char separator;
+  int header_line;
+  tp_columns points;    /* no header yet: none of them */
   int columns[COLUMNS]; /* -1: there is none */
+  fmpq_t level;         /* of the first point, beside x and y */
+  bool has_level, has_points;
 } reader;
 
 static tp_status fail(const reader *r, size_t column, const char *what) {
@@ -35,38 +38,62 @@ static bool is_word(const tp_csv_row *row, int field, const char *word) {
   return f->length == strlen(word) && strncasecmp(row->text + f->at, word, f->length) == 0;
 }
 
-static bool names(const tp_csv_row *row, int field, int column) {
-  static const char *const words[COLUMNS] = {"", "", "layer", "name", "bulge"};
-  if (column == X || column == Y) return tp_csv_names(row, field, column == X ? 'x' : 'y');
-  return is_word(row, field, words[column]);
-}
-
 static tp_status read_header(reader *r, const tp_csv_row *row) {
+  static const char *const words[COLUMNS] = {"layer", "name", "bulge"};
+  const tp_place line = {r->drawing->path, r->line, 1};
+  tp_header header = TP_HEADER_TITLE;
+  const tp_status status = tp_columns_read(&r->points, &header, row, line, r->message);
+  if (status != TP_OK) return status;
+  if (header != TP_HEADER_NAMES) {
+    return fail(r, 0,
+                "the first line names no columns x and y, as in 'layer,x,y'; a file of two columns "
+                "alone is an outline: block: {outline: FILE}");
+  }
   for (int column = 0; column < COLUMNS; column++) {
     r->columns[column] = -1;
     for (int k = 0; k < row->count; k++) {
-      if (!names(row, k, column)) continue;
+      if (!is_word(row, k, words[column])) continue;
       if (r->columns[column] >= 0) {
         return fail(r, row->fields[k].at, "the header names two columns alike");
       }
       r->columns[column] = k;
     }
   }
-  if (r->columns[X] < 0 || r->columns[Y] < 0) {
-    return fail(r, 0,
-                "the first line names no columns x and y, as in 'layer,x,y'; a file of two columns "
-                "alone is an outline: block: {outline: FILE}");
-  }
-  r->has_header = true;
   r->separator = row->separator;
+  r->header_line = r->line;
   return TP_OK;
+}
+
+/* The line below the names may hold units; then all is known of the columns. */
+static tp_status read_units(reader *r, const tp_csv_row *row, bool *taken) {
+  const tp_place line = {r->drawing->path, r->line, 1};
+  tp_columns own = r->points;
+  tp_header header = TP_HEADER_TITLE;
+  *taken = false;
+  for (int k = 0; k < row->count; k++) {
+    if (tp_csv_is_numeric(row, k)) return TP_OK;
+  }
+  const tp_status status = tp_columns_read(&own, &header, row, line, r->message);
+  if (status != TP_OK || header != TP_HEADER_UNITS) return status;
+  r->points = own;
+  *taken = true;
+  return TP_OK;
+}
+
+static tp_status finish_header(reader *r) {
+  const bool plain = strcmp(r->points.words[0], "x") == 0 && strcmp(r->points.words[1], "y") == 0;
+  r->drawing->unit = r->points.unit;
+  r->drawing->unit_from = "the header of its columns";
+  if (plain) return TP_OK;
+  return tp_columns_note(&r->points, (tp_place){r->drawing->path, r->header_line, 1},
+                         &r->drawing->notes, r->message);
 }
 
 /* ---- rows --------------------------------------------------------------------------------------
  */
 
 static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *row, int column) {
-  const tp_csv_field *f = row->fields + r->columns[column];
+  const tp_csv_field *f = row->fields + column;
   size_t comma = 0;
   const char *problem = NULL;
   if (tp_csv_has_decimal_comma(row, &comma)) {
@@ -103,24 +130,47 @@ static tp_status find_object(const reader *r, tp_drawing_object **object, const 
   return done ? TP_OK : tp_fail_memory(r->message, "a drawing");
 }
 
-static tp_status read_row(const reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
+/* A height beside x and y. */
+static tp_status check_level(reader *r, const tp_csv_row *row, fmpq_t value) {
+  const int column = r->points.level;
+  const char *problem = NULL;
+  if (column < 0 || column >= row->count) return TP_OK;
+  const tp_csv_field f = row->fields[column];
+  if (!tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) return TP_OK;
+  if (r->has_level && !fmpq_equal(value, r->level)) return fail(r, f.at, tp_columns_plan);
+  fmpq_set(r->level, value);
+  r->has_level = true;
+  return TP_OK;
+}
+
+static tp_status read_row(reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
+  const int *at = r->points.at;
   if (row->open_quote) return fail(r, row->quote, "a quote is not closed in this line");
-  if (row->count <= r->columns[X] || row->count <= r->columns[Y]) {
-    return fail(r, 0, "a line without x or y");
-  }
-  tp_status status = read_number(r, x, row, X);
-  if (status == TP_OK) status = read_number(r, y, row, Y);
+  if (row->count <= at[0] || row->count <= at[1]) return fail(r, 0, "a line without x or y");
+  tp_status status = check_level(r, row, x);
+  if (status == TP_OK) status = read_number(r, x, row, at[0]);
+  if (status == TP_OK) status = read_number(r, y, row, at[1]);
   if (status != TP_OK) return status;
-  const tp_mark mark = {r->line, (int)row->fields[r->columns[X]].at + 1};
+  const tp_mark mark = {r->line, (int)row->fields[at[0]].at + 1};
   tp_drawing_object *object = NULL;
   status = find_object(r, &object, row, mark);
   if (status != TP_OK) return status;
   if (!tp_drawing_add_point(object, x, y, mark)) return tp_fail_memory(r->message, "a drawing");
   const int bulge = r->columns[BULGE];
   if (bulge < 0 || bulge >= row->count || row->fields[bulge].length == 0) return TP_OK;
-  status = read_number(r, x, row, BULGE);
+  status = read_number(r, x, row, bulge);
   if (status != TP_OK || fmpq_is_zero(x)) return status;
   return tp_drawing_bend(object, x) ? TP_OK : tp_fail_memory(r->message, "a drawing");
+}
+
+/* Behind the names. */
+static tp_status read_line(reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
+  bool units = false;
+  if (r->has_points) return read_row(r, row, x, y);
+  r->has_points = true;
+  tp_status status = read_units(r, row, &units);
+  if (status == TP_OK) status = finish_header(r);
+  return status == TP_OK && !units ? read_row(r, row, x, y) : status;
 }
 
 static tp_status read_lines(reader *r, const tp_text_file *file) {
@@ -137,7 +187,11 @@ static tp_status read_lines(reader *r, const tp_text_file *file) {
     tp_csv_split(&row, at, (size_t)(stop - at), r->separator);
     at = stop < end ? stop + 1 : end;
     if (row.count == 0 && !row.open_quote) continue;
-    status = r->has_header ? read_row(r, &row, x, y) : read_header(r, &row);
+    if (r->points.count == 0) {
+      status = read_header(r, &row);
+    } else {
+      status = read_line(r, &row, x, y);
+    }
   }
   fmpq_clear(x);
   fmpq_clear(y);
@@ -147,8 +201,10 @@ static tp_status read_lines(reader *r, const tp_text_file *file) {
 tp_status tp_csv_drawing_read(tp_drawing *drawing, const tp_text_file *file,
                               const tp_drawing_options *options, tp_message *message) {
   (void)options; /* no curves */
-  reader r = {.drawing = drawing, .message = message};
+  reader r = {.drawing = drawing, .message = message, .points = {.level = -1}};
+  fmpq_init(r.level);
   const tp_status status = read_lines(&r, file);
+  fmpq_clear(r.level);
   for (long k = 0; k < drawing->count && status == TP_OK; k++) {
     tp_drawing_tidy(drawing->objects + k);
   }

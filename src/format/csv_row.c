@@ -149,10 +149,3 @@ bool tp_csv_has_decimal_comma(const tp_csv_row *row, size_t *at) {
   }
   return row->separator == ',' && has_comma_words(row, at);
 }
-
-bool tp_csv_names(const tp_csv_row *row, int field, char coordinate) {
-  const tp_csv_field *f = row->fields + field;
-  const char *name = row->text + f->at;
-  if (f->length == 0 || tolower((unsigned char)name[0]) != coordinate) return false;
-  return f->length == 1 || strchr(" \t_-([/:", name[1]) != NULL;
-}

@@ -41,7 +41,4 @@ bool tp_csv_is_numeric(const tp_csv_row *row, int field);
 /* Where a number of the row has a comma in it, as in "1,5;2,5": its place in the text. */
 bool tp_csv_has_decimal_comma(const tp_csv_row *row, size_t *at);
 
-/* Does a field name the column of the coordinate, as "x", "X (m)" and "x_mm" do for x? */
-bool tp_csv_names(const tp_csv_row *row, int field, char coordinate);
-
 #endif

@@ -39,10 +39,12 @@ typedef struct tp_drawing_object {
 } tp_drawing_object;
 
 typedef struct tp_drawing {
-  const char *path; /* borrowed: outlives it */
-  const char *unit; /* "mm", "cm", "m", "km", "in", "ft"; NULL: the file does not say */
+  const char *path;      /* borrowed: outlives it */
+  const char *unit;      /* "mm", "cm", "m", "km", "in", "ft"; NULL: the file does not say */
+  const char *unit_from; /* where the file says it, a static text; with the unit */
   long count, room;
   tp_drawing_object *objects;
+  long hidden;    /* objects of the file that are not shown, and were left out */
   tp_notes notes; /* on what was read */
 } tp_drawing;
 

@@ -102,6 +102,7 @@ static bool take_unit(tp_dxf_reader *r, const tp_dxf_entity *variable) {
   long code = 0;
   if (!tp_dxf_whole(r, &code, variable, CODE, 0)) return false;
   r->drawing->unit = unit_of(code);
+  r->drawing->unit_from = "its $INSUNITS, the units of a CAD program";
   if (code == 0 || r->drawing->unit != NULL) return true;
   const tp_place place = {r->drawing->path, variable->groups->line, 1};
   r->status = tp_notes_add(&r->drawing->notes, r->message, TP_NOTE, place,

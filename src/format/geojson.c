@@ -19,6 +19,7 @@ enum { DEEPEST = 64, NUMBERS = 3, WORD = 32 };
 /* An object or an array that is open. */
 typedef struct level {
   bool array;
+  bool nested;       /* an array with arrays in it */
   char key[WORD];    /* the last one in an object; long ones are none that matter */
   char type[WORD];   /* what "type" says */
   long first_object; /* of the drawing, that came in it */
@@ -72,9 +73,22 @@ static level *top(reader *r) {
 /* ---- coordinates -------------------------------------------------------------------------------
  */
 
+/* Within the array under "coordinates", not beside it. */
+static bool in_coordinates(const reader *r) {
+  return r->coordinates > 0 && r->depth > r->coordinates &&
+         strcmp(r->levels[r->coordinates].key, "coordinates") == 0;
+}
+
+/* Anything but a number, where one belongs. */
+static bool refuse_other(reader *r, const tp_json_event *e) {
+  return fail(r, e->at - e->length,
+              "coordinates are numbers, not texts, null, true, false or maps: [x, y]");
+}
+
 static bool take_number(reader *r, const tp_json_event *e) {
   const char *problem = NULL;
-  if (r->coordinates == 0) return true;
+  if (!in_coordinates(r)) return true;
+  if (top(r)->nested) return refuse_other(r, e);
   if (r->numbers == NUMBERS) return true; /* a measure, which RFC 7946 has readers ignore */
   if (tp_ratio_read_field(r->position + r->numbers, e->text, e->length, &problem)) {
     r->numbers++;
@@ -109,7 +123,7 @@ static bool add_position(reader *r, size_t at) {
 
 /* The end of a position, of a ring, or of a polygon. */
 static bool end_array(reader *r, const tp_json_event *e) {
-  if (r->coordinates == 0) return true;
+  if (!in_coordinates(r)) return true;
   if (r->numbers > 0) return add_position(r, e->at);
   if (r->in_ring) {
     r->in_ring = false;
@@ -171,10 +185,25 @@ static bool end_object(reader *r) {
   return done || fail_memory(r);
 }
 
+/* The name of a coordinate reference system in degrees, {"crs": {"properties": {"name": …}}}. */
+static bool is_of_globe(reader *r, const tp_json_event *e) {
+  const level *own = top(r);
+  return r->depth > 2 && strcmp(own->key, "name") == 0 && strcmp(own[-1].key, "properties") == 0 &&
+         strcmp(own[-2].key, "crs") == 0 &&
+         (strstr(e->text, "CRS84") != NULL || strstr(e->text, "EPSG:4326") != NULL ||
+          strstr(e->text, "EPSG::4326") != NULL);
+}
+
 /* A text of "properties" is the feature's, and a feature may have an id. */
 static bool take_string(reader *r, const tp_json_event *e) {
   level *own = top(r);
+  if (in_coordinates(r)) return refuse_other(r, e);
   if (own->array) return true;
+  if (is_of_globe(r, e)) {
+    return fail(r, e->at - e->length,
+                "its coordinates are degrees on the globe ('crs'), which are no lengths: give x "
+                "along the section and y upwards");
+  }
   if (strcmp(own->key, "type") == 0 && e->length < WORD) strcpy(own->type, e->text);
   level *feature = r->depth > 1 && strcmp(own[-1].key, "properties") == 0 ? own - 1 : own;
   const bool is_id = feature == own && strcmp(own->key, "id") == 0;
@@ -189,6 +218,7 @@ static bool take_string(reader *r, const tp_json_event *e) {
 
 static bool begin(reader *r, const tp_json_event *e, bool array) {
   if (r->depth + 1 == DEEPEST) return fail(r, e->at, "nested deeper than 63");
+  if (in_coordinates(r) && (!array || r->numbers > 0)) return refuse_other(r, e);
   const level *outer = top(r);
   if (array && r->coordinates == 0 && r->depth > 0 && !outer->array &&
       strcmp(outer->key, "coordinates") == 0) {
@@ -197,6 +227,7 @@ static bool begin(reader *r, const tp_json_event *e, bool array) {
     r->outer = -1;
     r->numbers = 0;
   }
+  top(r)->nested = array && top(r)->array;
   r->depth++;
   *top(r) = (level){.array = array, .first_object = r->drawing->count};
   return true;
@@ -220,7 +251,7 @@ static bool visit(void *context, const tp_json_event *e) {
     strcpy(top(r)->key, e->length < WORD && strlen(e->text) == e->length ? e->text : "");
     return true;
   case TP_JSON_EVENT_OTHER:
-    return true;
+    return !in_coordinates(r) || refuse_other(r, e);
   case TP_JSON_EVENT_OBJECT:
     return begin(r, e, false);
   case TP_JSON_EVENT_ARRAY:

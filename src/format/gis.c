@@ -71,6 +71,7 @@ static bool take_unit(taking *t, const tp_gis_part *part) {
   t->metres = part->metres;
   t->feet = is_survey_foot(part->metres);
   t->drawing->unit = t->feet ? "m" : name_of(part->metres);
+  t->drawing->unit_from = "its coordinate reference system";
   if (t->feet) fmpq_set_si(t->scale, 1200, 3937);
   if (t->drawing->unit != NULL) return true;
   return fail(t, part,

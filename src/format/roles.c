@@ -87,16 +87,20 @@ static void list_layers(char *text, size_t size, const tp_drawing *drawing) {
 }
 
 static tp_status fail_no_block(const choosing *c) {
-  char layers[600];
+  char layers[600], hidden[80] = "";
   list_layers(layers, sizeof layers, c->drawing);
+  if (c->drawing->hidden > 0) {
+    snprintf(hidden, sizeof hidden, "; what is not shown is left out (%ld of its objects)",
+             c->drawing->hidden);
+  }
   if (c->drawing->count == 0) {
     return tp_fail(c->message, TP_BAD_INPUT, (tp_place){c->drawing->path, 0, 0},
-                   "the drawing has no lines, arcs or curves that could be an outline");
+                   "the drawing has no lines, arcs or curves that could be an outline%s", hidden);
   }
   return tp_fail(c->message, TP_BAD_INPUT, (tp_place){c->drawing->path, 0, 0},
                  "nothing is on layer '%s', so there is no block; the drawing has %s; say which "
-                 "it is: drawing: {block: LAYER}",
-                 tp_quote_all(c->words->block).text, layers);
+                 "it is: drawing: {block: LAYER}%s",
+                 tp_quote_all(c->words->block).text, layers, hidden);
 }
 
 /* ---- where no layer is named -------------------------------------------------------------------

@@ -90,31 +90,34 @@ static void turn_about(tp_affine_map *map, const fmpq *n, int count) {
   fmpq_clear(y);
 }
 
-/* x' = x + tan(angle) y, or y' = y + tan(angle) x. */
-static void skew(tp_affine_map *map, const fmpq *degrees, bool along_x) {
+/* x' = x + tan(angle) y, or y' = y + tan(angle) x; false at 90 degrees, where there is none. */
+static bool skew(tp_affine_map *map, const fmpq *degrees, bool along_x) {
   tp_affine_map inner;
   fmpq_t sine;
   tp_affine_map_init(&inner);
   fmpq_init(sine);
   fmpq *tangent = along_x ? inner.c : inner.b;
   set_angle(tangent, sine, degrees);
-  if (!fmpq_is_zero(tangent)) fmpq_div(tangent, sine, tangent);
+  const bool done = !fmpq_is_zero(tangent);
+  if (done) fmpq_div(tangent, sine, tangent);
   tp_affine_map_compose(map, &inner);
   tp_affine_map_clear(&inner);
   fmpq_clear(sine);
+  return done;
 }
 
-static bool apply(tp_affine_map *map, const char *word, const fmpq *n, int count) {
+static bool apply(tp_affine_map *map, const char *word, const fmpq *n, int count,
+                  const char **problem) {
   if (strcmp(word, "translate") == 0 && (count == 1 || count == 2)) {
     tp_affine_map_shift(map, n, n + 1); /* what is not given is zero */
   } else if (strcmp(word, "scale") == 0 && (count == 1 || count == 2)) {
     tp_affine_map_scale(map, n, count == 2 ? n + 1 : n);
   } else if (strcmp(word, "rotate") == 0 && (count == 1 || count == 3)) {
     turn_about(map, n, count);
-  } else if (strcmp(word, "skewX") == 0 && count == 1) {
-    skew(map, n, true);
-  } else if (strcmp(word, "skewY") == 0 && count == 1) {
-    skew(map, n, false);
+  } else if ((strcmp(word, "skewX") == 0 || strcmp(word, "skewY") == 0) && count == 1) {
+    if (skew(map, n, word[4] == 'X')) return true;
+    *problem = "is skewed by a quarter of a turn, which no drawing shows";
+    return false;
   } else if (strcmp(word, "matrix") == 0 && count == MOST) {
     tp_affine_map inner;
     tp_affine_map_init(&inner);
@@ -150,7 +153,7 @@ static bool apply_next(tp_affine_map *map, tp_svg_text *text) {
   while (count < MOST && tp_svg_at_number(text) && tp_svg_number(text, numbers + count)) count++;
   skip(text);
   const bool closed = text->problem == NULL && text->at < text->end && *text->at == ')';
-  const bool done = closed && apply(map, word, numbers, count);
+  const bool done = closed && apply(map, word, numbers, count, &text->problem);
   if (!done && text->problem == NULL) text->problem = problem;
   for (int k = 0; k < MOST; k++) fmpq_clear(numbers + k);
   if (done) text->at++;

@@ -8,19 +8,18 @@ static bool between(const fmpq *value, const fmpq *a, const fmpq *b) {
          (fmpq_cmp(b, value) <= 0 && fmpq_cmp(value, a) <= 0);
 }
 
-/* Does the point lie on the k-th edge? */
-static bool on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y) {
+bool tp_loads_on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y) {
   const long next = k + 1 == ring->count ? 0 : k + 1;
   const fmpq *x0 = ring->x + k, *y0 = ring->y + k, *x1 = ring->x + next, *y1 = ring->y + next;
   return tp_points_turn(x0, y0, x1, y1, x, y) == 0 && between(x, x0, x1) && between(y, y0, y1);
 }
 
-/* Inside or on the outline, by crossings of a ray to the right. */
-static bool in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y) {
+/* By crossings of a ray to the right. */
+bool tp_loads_in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y) {
   bool inside = false;
   for (long k = 0; k < ring->count; k++) {
     const long next = k + 1 == ring->count ? 0 : k + 1;
-    if (on_edge(ring, k, x, y)) return true;
+    if (tp_loads_on_edge(ring, k, x, y)) return true;
     const bool above = fmpq_cmp(ring->y + k, y) > 0, next_above = fmpq_cmp(ring->y + next, y) > 0;
     if (above == next_above) continue;
     const int side = tp_points_turn(ring->x + k, ring->y + k, ring->x + next, ring->y + next, x, y);
@@ -88,7 +87,7 @@ static bool is_covered(const tp_polyline *ring, const tp_line_load *load, bool f
 static bool acts_on(const tp_polyline *ring, const tp_line_load *load) {
   if (!is_point(load)) return is_covered(ring, load, false);
   for (long k = 0; k < ring->count; k++) {
-    if (on_edge(ring, k, load->x0.value, load->y0.value)) return true;
+    if (tp_loads_on_edge(ring, k, load->x0.value, load->y0.value)) return true;
   }
   return false;
 }
@@ -157,7 +156,7 @@ tp_status tp_loads_check(const tp_scene *scene, const tp_section *section, tp_me
   }
   for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
     const tp_anchor_description *a = loads->anchors + k;
-    if (in_outline(ring, a->x.value, a->y.value)) continue;
+    if (tp_loads_in_outline(ring, a->x.value, a->y.value)) continue;
     status = tp_fail(message, TP_BAD_INPUT, a->place,
                      "this anchor does not hold the block: 'at' "
                      "lies outside its outline");

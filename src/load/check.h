@@ -20,4 +20,8 @@ TP_MUST_USE tp_status tp_loads_check_water(const tp_scene *scene, const tp_secti
                                            const fmpq_t heel_y, const char *towards,
                                            tp_message *message);
 
+/* Does a point lie on the edge from the k-th vertex of the outline on, or in or on all of it? */
+bool tp_loads_on_edge(const tp_polyline *ring, long k, const fmpq *x, const fmpq *y);
+bool tp_loads_in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y);
+
 #endif

@@ -247,7 +247,11 @@ tp_status tp_profile_of_file(tp_profile **profile, const char *path, const char 
   tp_profile *own = NULL;
   tp_status status = tp_profile_check_options(options, message);
   if (status == TP_OK) status = read_unit(&subject, length_unit, __func__, message);
-  if (status == TP_OK) status = tp_csv_read(&line, path, false, &notes, message);
+  const char *unit = NULL;
+  if (status == TP_OK) status = tp_csv_read(&line, &unit, path, false, &notes, message);
+  if (status == TP_OK) {
+    status = tp_csv_check_unit(unit, length_unit, path, "the profile's unit, mm where none is given,", message);
+  }
   subject.chain = &line;
   if (status == TP_OK) status = tp_profile_measure(&own, &subject, options, message);
   if (own != NULL) status = prepend_notes(own, &notes, message);

@@ -9,6 +9,7 @@
 
 #include "scene/rule_jrc.h"
 #include "scene/scene.h"
+#include "scene/unit_cautions.h"
 
 static const long lightest = 5, heaviest = 80; /* kN/m3 */
 static const double likely[2] = {10, 60};      /* what a number in another unit is guessed for */
@@ -109,7 +110,7 @@ tp_status tp_scene_cautions(tp_notes *notes, const tp_scene *scene, tp_message *
   for (long k = 0; k < block->part_count && status == TP_OK; k++) {
     status = check_unit_weight(notes, &block->parts[k].unit_weight_kn_m3, message);
   }
-  return status;
+  return status == TP_OK ? tp_scene_unit_cautions(notes, scene, message) : status;
 }
 
 tp_status tp_scene_notes(tp_notes *notes, const tp_scene *scene, tp_message *message) {

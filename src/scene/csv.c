@@ -3,7 +3,7 @@
 
 #include "scene/csv.h"
 
-#include "format/csv_row.h"
+#include "format/columns.h"
 #include "number/ratio.h"
 
 #include <errno.h>
@@ -17,6 +17,12 @@ enum {
   MOST_HEADER_LINES = 2   /* names, and units */
 };
 
+/* A line above the points that names no column. */
+typedef struct title_line {
+  int line, count; /* 0: there is none */
+  char separator;
+} title_line;
+
 typedef struct reader {
   const char *path;
   FILE *file;
@@ -24,9 +30,11 @@ typedef struct reader {
   size_t from, to;
   int line;
   int header_lines;
-  int columns;    /* that a header names; 0: none does */
-  char named;     /* its separator, if it is no blank */
-  int column[2];  /* of x and y, counted from 0 */
+  tp_columns columns;
+  char named;       /* its separator, if it is no blank */
+  title_line title; /* the line above the points, where it names nothing */
+  fmpq_t level;     /* of the first point, beside x and y */
+  bool has_level;
   char separator; /* of the last point */
   long repeated;  /* points left out */
   tp_mark first_repeated;
@@ -99,46 +107,36 @@ static void join_units(tp_csv_row *row) {
   if (row->separator == ' ') row->count = kept;
 }
 
-/* Which columns the header names x and y, counted from 0; -1: none. */
-static tp_status find_named(const reader *r, const tp_csv_row *row, int found[2]) {
-  for (int axis = 0; axis < 2; axis++) {
-    const char name = axis == 0 ? 'x' : 'y';
-    for (int k = 0; k < row->count; k++) {
-      if (!tp_csv_names(row, k, name)) continue;
-      if (found[axis] >= 0) {
-        return fail(r, row->fields[k].at,
-                    name == 'x' ? "the header names two columns x"
-                                : "the header names two columns y");
-      }
-      found[axis] = k;
-    }
-  }
-  return TP_OK;
-}
-
 /* A line above the points: a title, names of columns, or their units. */
 static tp_status read_header(reader *r, tp_csv_row *row) {
-  int named[2] = {-1, -1};
+  const tp_place line = {r->path, r->line, 1};
+  tp_header header = TP_HEADER_TITLE;
   join_units(row);
-  const tp_status status = find_named(r, row, named);
   r->header_lines++;
-  if (status != TP_OK || (named[0] < 0 && named[1] < 0)) return status;
-  r->separator = row->separator;
-  const bool both = named[0] >= 0 && named[1] >= 0;
-  if (!both && row->count == 2 && (named[0] == 0 || named[1] == 1)) return TP_OK;
-  if (!both) {
-    return fail(r, row->fields[named[0] < 0 ? named[1] : named[0]].at,
-                named[0] < 0 ? "the header names a column y, but none x; name both"
-                             : "the header names a column x, but none y; name both");
+  const bool named = r->columns.count > 0;
+  tp_columns own = r->columns;
+  tp_status status = tp_columns_read(&own, &header, row, line, r->message);
+  r->title = (title_line){0};
+  if (header == TP_HEADER_TITLE && !named) {
+    r->title = (title_line){r->line, row->count, row->separator};
   }
-  r->columns = row->count;
+  if (status != TP_OK || header == TP_HEADER_TITLE) return status;
+  r->columns = own;
+  if (header == TP_HEADER_UNITS) return TP_OK;
+  r->separator = row->separator;
   if (row->separator != ' ') r->named = row->separator;
-  r->column[0] = named[0];
-  r->column[1] = named[1];
-  if (row->count == 2 && named[0] == 0) return TP_OK;
-  return tp_notes_add(r->notes, r->message, TP_NOTE, (tp_place){r->path, r->line, 1},
-                      "columns %d and %d of %d are read as x and y, as the header names them",
-                      named[0] + 1, named[1] + 1, row->count);
+  return tp_columns_note(&r->columns, line, r->notes, r->message);
+}
+
+/* Words over the columns of points that are none of the table. */
+static tp_status check_title(const reader *r, const tp_csv_row *row) {
+  if (r->title.line == 0 || r->points->count > 0 || r->title.count != row->count ||
+      r->title.count < 2 || r->title.separator != row->separator) {
+    return TP_OK;
+  }
+  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, r->title.line, 1},
+                 "the header names no column that is known: call them 'x,y' or "
+                 "'distance,elevation'; a title begins with '#'");
 }
 
 static tp_status fail_comma(const reader *r, size_t at) {
@@ -167,7 +165,7 @@ static tp_status read_number(const reader *r, fmpq_t value, const tp_csv_row *ro
 
 /* More columns than there may be, or none of those that the points above had. */
 static tp_status check_columns(reader *r, const tp_csv_row *row) {
-  const int most = r->columns > 0 ? r->columns : 2;
+  const int most = r->columns.count > 0 ? r->columns.count : 2;
   size_t comma = 0;
   if (row->open_quote) return fail(r, row->quote, "this quote is not closed");
   if (r->separator == ';' && row->separator == ',') {
@@ -179,11 +177,12 @@ static tp_status check_columns(reader *r, const tp_csv_row *row) {
   if (row->count <= most && !row->too_many) return TP_OK;
   if (tp_csv_has_decimal_comma(row, &comma)) return fail_comma(r, comma);
   return fail(r, row->fields[most].at,
-              r->columns > 0 ? "more columns than the header names; decimals take a point, not a "
-                               "comma"
-                             : "more than two columns; each line holds x, y, or a header line such "
-                               "as 'id,x,y' says which they are; decimals take a point, not a "
-                               "comma");
+              r->columns.count > 0
+                  ? "more columns than the header names; decimals take a point, not a "
+                    "comma"
+                  : "more than two columns; each line holds x, y, or a header line such "
+                    "as 'id,x,y' says which they are; decimals take a point, not a "
+                    "comma");
 }
 
 static bool repeats_last(const tp_polyline *line, const fmpq_t x, const fmpq_t y) {
@@ -191,12 +190,28 @@ static bool repeats_last(const tp_polyline *line, const fmpq_t x, const fmpq_t y
   return last >= 0 && fmpq_equal(line->x + last, x) && fmpq_equal(line->y + last, y);
 }
 
+/* A height beside x and y. */
+static tp_status check_level(reader *r, const tp_csv_row *row, fmpq_t value) {
+  const int column = r->columns.level;
+  const char *problem = NULL;
+  if (column < 0 || column >= row->count) return TP_OK;
+  const tp_csv_field f = row->fields[column];
+  if (!tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) return TP_OK;
+  if (r->has_level && !fmpq_equal(value, r->level)) return fail(r, f.at, tp_columns_plan);
+  fmpq_set(r->level, value);
+  r->has_level = true;
+  return TP_OK;
+}
+
 static tp_status read_point(reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
-  tp_status status = check_columns(r, row);
-  if (status == TP_OK) status = read_number(r, x, row, r->column[0]);
-  if (status == TP_OK) status = read_number(r, y, row, r->column[1]);
+  const int *column = r->columns.at;
+  tp_status status = check_title(r, row);
+  if (status == TP_OK) status = check_columns(r, row);
+  if (status == TP_OK) status = check_level(r, row, x);
+  if (status == TP_OK) status = read_number(r, x, row, column[0]);
+  if (status == TP_OK) status = read_number(r, y, row, column[1]);
   if (status != TP_OK) return status;
-  const int first = r->column[0] < r->column[1] ? r->column[0] : r->column[1];
+  const int first = column[0] < column[1] ? column[0] : column[1];
   const tp_mark mark = {r->line, (int)row->fields[first].at + 1};
   if (repeats_last(r->points, x, y)) {
     if (r->repeated++ == 0) r->first_repeated = mark;
@@ -243,16 +258,17 @@ static tp_status read_lines(reader *r) {
 }
 
 /* Closes the file. */
-static tp_status read_file(tp_polyline *line, FILE *file, const char *path, bool closed,
-                           tp_notes *notes, tp_message *message) {
+static tp_status read_file(tp_polyline *line, const char **unit, FILE *file, const char *path,
+                           bool closed, tp_notes *notes, tp_message *message) {
   *line = (tp_polyline){.file = path};
   reader r = {.path = path,
-              .column = {0, 1},
+              .columns = {.at = {0, 1}, .level = -1},
               .points = line,
               .notes = notes,
               .message = message,
               .file = file};
   r.buffer = calloc(1, LONGEST_LINE);
+  fmpq_init(r.level);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
     status =
@@ -260,6 +276,8 @@ static tp_status read_file(tp_polyline *line, FILE *file, const char *path, bool
   }
   fclose(r.file);
   free(r.buffer);
+  fmpq_clear(r.level);
+  *unit = r.columns.unit;
   if (status != TP_OK) {
     tp_polyline_clear(line);
   } else if (closed) {
@@ -268,22 +286,33 @@ static tp_status read_file(tp_polyline *line, FILE *file, const char *path, bool
   return status;
 }
 
-tp_status tp_csv_read(tp_polyline *line, const char *path, bool closed, tp_notes *notes,
-                      tp_message *message) {
+tp_status tp_csv_check_unit(const char *said, const char *unit, const char *path, const char *meant,
+                            tp_message *message) {
+  if (said == NULL || unit == NULL || strcmp(said, unit) == 0) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 1, 1},
+                 "the header says that lengths are in %s, %s is %s; convert one to the other, or "
+                 "correct which is wrong",
+                 said, meant, unit);
+}
+
+tp_status tp_csv_read(tp_polyline *line, const char **unit, const char *path, bool closed,
+                      tp_notes *notes, tp_message *message) {
   FILE *file = fopen(path, "rb");
   if (file == NULL) {
     *line = (tp_polyline){.file = path};
+    *unit = NULL;
     return tp_fail_file(message, path, "opened", errno);
   }
-  return read_file(line, file, path, closed, notes, message);
+  return read_file(line, unit, file, path, closed, notes, message);
 }
 
-tp_status tp_csv_read_text(tp_polyline *line, const char *text, const char *name, bool closed,
-                           tp_notes *notes, tp_message *message) {
+tp_status tp_csv_read_text(tp_polyline *line, const char **unit, const char *text, const char *name,
+                           bool closed, tp_notes *notes, tp_message *message) {
   FILE *file = fmemopen((void *)text, strlen(text), "rb"); /* it only reads */
   if (file == NULL) {
     *line = (tp_polyline){.file = name};
+    *unit = NULL;
     return tp_fail_memory(message, "an outline");
   }
-  return read_file(line, file, name, closed, notes, message);
+  return read_file(line, unit, file, name, closed, notes, message);
 }

@@ -6,6 +6,7 @@
 #include "format/affine.h"
 #include "format/curve.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -112,6 +113,23 @@ static tp_status flatten(tp_drawing_object *chain, const tp_drawing_options *opt
                  "takes more than a million chords at this 'tolerance'; give a larger one");
 }
 
+/* Numbers that are written are no larger; transforms and scales multiply them. */
+static tp_status check_size(const tp_drawing_object *chain, tp_message *message) {
+  const tp_polyline *line = &chain->line;
+  for (long k = 0; k < line->count; k++) {
+    for (int axis = 0; axis < 2; axis++) {
+      const fmpq *value = axis == 0 ? line->x + k : line->y + k;
+      const slong bits =
+          (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value));
+      if (bits < DBL_MAX_EXP) continue;
+      return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain),
+                     "lies beyond 1e308, the largest number that Topple takes, as its transforms "
+                     "and the drawing's unit or reference have it");
+    }
+  }
+  return TP_OK;
+}
+
 static tp_status take_chain(tp_drawn *drawn, tp_drawing_object *chain, tp_drawing_role role,
                             long part, const tp_drawing_words *words,
                             const tp_drawing_options *options, const tp_affine_map *map,
@@ -122,6 +140,8 @@ static tp_status take_chain(tp_drawn *drawn, tp_drawing_object *chain, tp_drawin
   if (status == TP_OK) status = note_deviation(drawn, chain, role, message);
   if (!done || status != TP_OK) return done ? status : tp_fail_memory(message, "a drawing");
   tp_affine_map_object(chain, map);
+  status = check_size(chain, message);
+  if (status != TP_OK) return status;
   switch (role) {
   case TP_DRAWING_BLOCK:
     done = take_arcs(drawn, chain) && take_line(&drawn->outline, chain);

@@ -21,7 +21,7 @@ static void move_quantities(tp_quantity *x, tp_quantity *y, const tp_point_map *
   fmpq_init(y->value);
   fmpq_set(x->value, &held_x);
   fmpq_set(y->value, &held_y);
-  if (map != NULL && x->given) map->move(x->value, y->value, map->context);
+  if (map != NULL && map->move != NULL && x->given) map->move(x->value, y->value, map->context);
 }
 
 static void clear_quantities(tp_quantity *x, tp_quantity *y) {
@@ -95,9 +95,10 @@ static tp_line_load *move_lines(const tp_line_load *own, long count, const tp_po
   return loads;
 }
 
-static bool move_loads(tp_scene *copy, const tp_loads_description *own, const fmpq_t turn_deg,
-                       const tp_point_map *map) {
+bool tp_moved_loads(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg,
+                    const tp_point_map *map) {
   tp_loads_description *loads = &copy->loads;
+  const tp_loads_description *own = &scene->loads;
   loads->pressures = move_lines(own->pressures, own->pressure_count, map);
   loads->surcharges = move_lines(own->surcharges, own->surcharge_count, map);
   loads->anchors = copied(own->anchors, own->anchor_count, sizeof *loads->anchors);
@@ -113,7 +114,7 @@ static bool move_loads(tp_scene *copy, const tp_loads_description *own, const fm
 
 bool tp_moved_block(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg,
                     const tp_point_map *map) {
-  return move_curves(copy, &scene->block, map) && move_loads(copy, &scene->loads, turn_deg, map);
+  return move_curves(copy, &scene->block, map) && tp_moved_loads(copy, scene, turn_deg, map);
 }
 
 bool tp_moved_profile(tp_scene *copy, const tp_scene *scene, const tp_point_map *map) {
@@ -129,9 +130,19 @@ void tp_moved_clear_lines(tp_line_load *loads, long count) {
   free(loads);
 }
 
+void tp_moved_clear_loads(tp_scene *copy) {
+  tp_loads_description *loads = &copy->loads;
+  tp_moved_clear_lines(loads->pressures, loads->pressure_count);
+  tp_moved_clear_lines(loads->surcharges, loads->surcharge_count);
+  for (long k = 0; k < loads->anchor_count && loads->anchors != NULL; k++) {
+    clear_quantities(&loads->anchors[k].x, &loads->anchors[k].y);
+    fmpq_clear(loads->anchors[k].direction_deg.value);
+  }
+  free(loads->anchors);
+}
+
 void tp_moved_clear(tp_scene *copy) {
   tp_block_description *block = &copy->block;
-  tp_loads_description *loads = &copy->loads;
   tp_polyline_clear(&block->outline);
   tp_polyline_clear(&copy->base.between);
   tp_polyline_clear(&copy->base.profile);
@@ -148,15 +159,9 @@ void tp_moved_clear(tp_scene *copy) {
   for (long k = 0; k < block->rounded.count && block->rounded.corners != NULL; k++) {
     clear_quantities(&block->rounded.corners[k].x, &block->rounded.corners[k].y);
   }
-  tp_moved_clear_lines(loads->pressures, loads->pressure_count);
-  tp_moved_clear_lines(loads->surcharges, loads->surcharge_count);
-  for (long k = 0; k < loads->anchor_count && loads->anchors != NULL; k++) {
-    clear_quantities(&loads->anchors[k].x, &loads->anchors[k].y);
-    fmpq_clear(loads->anchors[k].direction_deg.value);
-  }
+  tp_moved_clear_loads(copy);
   free(block->holes);
   free(block->parts);
   free(block->arcs);
   free(block->rounded.corners);
-  free(loads->anchors);
 }

@@ -26,6 +26,11 @@ TP_MUST_USE bool tp_moved_rings(tp_scene *copy, const tp_scene *scene, const tp_
 TP_MUST_USE bool tp_moved_block(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg,
                                 const tp_point_map *map);
 TP_MUST_USE bool tp_moved_profile(tp_scene *copy, const tp_scene *scene, const tp_point_map *map);
+/* Of the loads alone: part of what tp_moved_block does, and what a copy that owns nothing else
+ * gives back. */
+TP_MUST_USE bool tp_moved_loads(tp_scene *copy, const tp_scene *scene, const fmpq_t turn_deg,
+                                const tp_point_map *map);
+void tp_moved_clear_loads(tp_scene *copy);
 void tp_moved_clear(tp_scene *copy);
 
 /* Line loads of a copy, all of whose numbers are its own. */

@@ -43,7 +43,12 @@ static tp_status read_chain(const tp_reader *reader, tp_file_chain *chain, chain
   if (node->kind == TP_NODE_SCALAR) {
     const char *path = tp_scene_file_name(reader->scene->file, node->text);
     if (path == NULL) return tp_fail_memory(reader->message, name);
-    status = tp_csv_read(line, path, kind.closed, &chain->notes, reader->message);
+    const char *unit = NULL;
+    status = tp_csv_read(line, &unit, path, kind.closed, &chain->notes, reader->message);
+    if (status == TP_OK) {
+      status = tp_csv_check_unit(unit, reader->scene->length_unit, path, "the scene's length_unit",
+                                 reader->message);
+    }
   } else if (node->kind == TP_NODE_SEQUENCE) {
     for (const tp_node *p = node->first; p != NULL && status == TP_OK; p = p->next) {
       status = read_vertex(reader, line, p, name);

@@ -110,6 +110,38 @@ static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_messag
                       gap, more, problem->rested == NULL ? "'place: rest', or " : "");
 }
 
+/* The pull away from the base, in the frame of its mean plane: to a side between along it and along
+ * it the other way. */
+static bool pulls_off(const fmpq_t direction_deg) {
+  enum { TURN = 360 };
+  fmpz_t turns;
+  fmpq_t rest;
+  fmpz_init(turns);
+  fmpq_init(rest);
+  fmpq_set_si(rest, 1, TURN);
+  fmpq_mul(rest, rest, direction_deg);
+  fmpz_fdiv_q(turns, fmpq_numref(rest), fmpq_denref(rest));
+  fmpq_sub_fmpz(rest, rest, turns); /* of a turn */
+  fmpq_mul_2exp(rest, rest, 1);
+  const bool off = fmpq_sgn(rest) > 0 && fmpq_cmp_si(rest, 1) < 0;
+  fmpz_clear(turns);
+  fmpq_clear(rest);
+  return off;
+}
+
+static tp_status note_anchors(tp_notes *notes, const tp_loads_description *loads,
+                              tp_message *message) {
+  tp_status status = TP_OK;
+  for (long k = 0; k < loads->anchor_count && status == TP_OK; k++) {
+    const tp_anchor_description *a = loads->anchors + k;
+    if (fmpq_sgn(a->force_kn.value) <= 0 || !pulls_off(a->direction_deg.value)) continue;
+    status = tp_notes_add(notes, message, TP_CAUTION, a->direction_deg.place,
+                          "this anchor pulls the block off its base: 'direction_deg' is that of "
+                          "the pull on the block, from x towards y; into the base it is below 0");
+  }
+  return status;
+}
+
 tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_message *message) {
   const tp_scene *scene = problem->scene;
   tp_status status = TP_OK;
@@ -123,6 +155,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
   }
   if (status == TP_OK) status = note_near(notes, problem, message);
   if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
+  if (status == TP_OK) status = note_anchors(notes, &scene->loads, message);
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
   if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);
   if (status == TP_OK && scene->towards_right) status = note_water(notes, problem, false, message);

@@ -31,6 +31,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_world_free(problem->world);
   tp_snapped_free(problem->snapped);
   tp_rested_free(problem->rested);
+  tp_on_face_free(problem->on_face);
   tp_jointed_free(problem->jointed);
   memset(problem, 0, sizeof *problem);
 }
@@ -301,6 +302,9 @@ tp_status tp_problem_init(tp_problem *problem, const tp_scene *scene,
   problem->scene = scene;
   tp_status status = TP_OK;
   if (scene->source == NULL) status = tp_check_built(scene, message);
+  if (status == TP_OK)
+    status = tp_on_face_init(&problem->on_face, scene, &solution->notes, message);
+  if (problem->on_face != NULL) problem->scene = &problem->on_face->scene;
   if (status == TP_OK) {
     status = tp_lay(&problem->scene, &problem->jointed, &problem->rested, &problem->snapped,
                     &problem->world, options, solution, message);

@@ -12,6 +12,7 @@
 #include "stability/base_joint.h"
 #include "stability/facet_friction.h"
 #include "stability/jointed.h"
+#include "stability/on_face.h"
 #include "stability/rested.h"
 #include "stability/snapped.h"
 #include "stability/sole.h"
@@ -25,6 +26,7 @@ typedef struct tp_problem {
   const tp_scene *scene; /* in the frame of its base */
   tp_jointed *jointed;   /* the block was shifted along its mated base; else NULL */
   tp_rested *rested;     /* the block was set down on its profile; else NULL */
+  tp_on_face *on_face;   /* NULL: no load lies beside its face */
   tp_snapped *snapped;   /* what lies near its contact was moved there; else NULL */
   tp_world *world;       /* the scene lies as it lies: turned into that frame; else NULL */
   tp_section section;

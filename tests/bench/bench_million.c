@@ -51,7 +51,8 @@ typedef struct work {
 
 static tp_status read_csv(work *w) {
   tp_notes notes = {0};
-  const tp_status status = tp_csv_read(&w->made.line, w->csv, true, &notes, &w->message);
+  const char *unit = NULL;
+  const tp_status status = tp_csv_read(&w->made.line, &unit, w->csv, true, &notes, &w->message);
   tp_notes_clear(&notes);
   return status;
 }

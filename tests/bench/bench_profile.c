@@ -49,6 +49,7 @@ static void tell(const char *what, double *seconds, size_t count) {
 static bool measure(size_t count) {
   double reading[SAMPLES], measuring[SAMPLES], calling[SAMPLES];
   double *xy = malloc(2 * count * sizeof *xy);
+  const char *unit = NULL;
   char *text = xy != NULL ? walk(count, xy) : NULL;
   const tp_profile_options options = tp_profile_options_default();
   bool done = text != NULL;
@@ -57,7 +58,7 @@ static bool measure(size_t count) {
     tp_notes notes = {0};
     tp_profile *profile = NULL, *called = NULL;
     double began = bench_computed();
-    done = tp_csv_read_text(&line, text, "walk.csv", false, &notes, NULL) == TP_OK;
+    done = tp_csv_read_text(&line, &unit, text, "walk.csv", false, &notes, NULL) == TP_OK;
     reading[s] = bench_computed() - began;
     const tp_profile_subject subject = {
         .chain = &line, .length_unit = "mm", .metres_per_unit = 1e-3};

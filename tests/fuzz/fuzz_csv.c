@@ -14,8 +14,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   tp_polyline line;
   tp_notes notes = {0};
   tp_message message = {""};
+  const char *unit = NULL;
   const tp_status status =
-      tp_csv_read_text(&line, text, "text", data[0] % 2 != 0, &notes, &message);
+      tp_csv_read_text(&line, &unit, text, "text", data[0] % 2 != 0, &notes, &message);
   if (status == TP_OK) {
     FUZZ_EXPECT(line.count > 0);
     for (long k = 0; k < line.count; k++) {

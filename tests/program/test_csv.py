@@ -75,7 +75,7 @@ class Csv(unittest.TestCase):
 
     def test_two_header_lines(self):
         """A title and names, names and units, either alone; a third one is a point that is no number."""
-        for head in ("Block 7\nx,y\n", "x,y\nm,m\n", "x,y\n[m],[m]\n", '"x","y"\n"(m)","(m)"\n', "Profile 3\n", "easting,northing\n",
+        for head in ("Block 7\nx,y\n", "x,y\nm,m\n", "x,y\n[m],[m]\n", '"x","y"\n"(m)","(m)"\n', "Profile 3\n", "Block E\n",
                      "distance,elevation\nm,m\n", "Survey of May, 2024, by hand\nx,y\n", "Survey of May; by hand\n\n", "x (m), y (m)\n"):
             self.same(head + rows())
         self.same("x (m) y (m)\n" + rows(" "))
@@ -105,22 +105,69 @@ class Csv(unittest.TestCase):
         self.refuse(columns("id,x", "{k} {x}"), "1:4", "a column x, but none y")
         self.refuse(columns("id,y,z", "{k} {y} 1"), "1:4", "a column y, but none x")
         self.refuse(columns("x,y,x", "{x} {y} 1"), "1:5", "two columns x")
-        self.refuse(columns("id,name,code", "{k} {x} {y}"), "2:5", "more than two columns; each line holds x, y")
+        self.refuse(columns("id,name,code", "{k} {x} {y}"), "1:1", "the header names no column that is known: call them")
         self.refuse(columns("id,x,y", "{k} {x}"), "2:4", "a number is missing")
         self.refuse(columns("id,x,y", "{k} {x} {y} 9"), "2:7", "more columns than the header names")
+
+    def test_columns_by_what_they_are_called(self):
+        """Elevations are y wherever they stand, distances x, in any case, with units in the names; the columns of a plan are
+        no section, and depths no heights."""
+        def columns(head, order):
+            return head + "\n" + "\n".join(",".join(order.format(k=k, x=x, y=y, d=-y).split())
+                                          for k, (x, y) in enumerate(RING)) + "\n"
+
+        for head in ("Distance,Elevation", "CHAINAGE (m),RL (m)", "x,z", "X [m],Z [m]", "station_m,reduced level_m",
+                     "Distance along the section (m),Elevation (m AHD)", "Offset,Height", "distance,y", "x_m,Elev"):
+            self.same(columns(head, "{x} {y}"))
+        for head, words in (("Elevation,Distance", ("distance", "elevation")), ("Z,X", ("x", "z")),
+                            ("RL_m,Chainage_m", ("chainage", "rl")), ("Ground level (m);Distance (m)", ("distance", "ground level"))):
+            self.same(columns(head, "{y} {x}") if ";" not in head else columns(head, "{y} {x}").replace(",", ";"),
+                      [("o.csv:1:1", f"columns 2 ('{words[0]}') and 1 ('{words[1]}') of 2 are read as x and y, as the header names "
+                        "them")])
+        self.same(columns("Easting,Northing,Chainage,Elevation", "7 {k} {x} {y}"),
+                  [("o.csv:1:1", "columns 3 ('chainage') and 4 ('elevation') of 4 are read as x and y, as the header names them")])
+        kinds = self.csv(columns("Northing,Elevation", "{x} {y}"))[1]
+        self.assertEqual([kind for kind, *_ in kinds], ["caution"])
+        plan = "a line of section is needed"
+        for head in ("Easting,Northing", "Northing,Easting", "E,N", "x (easting),y (northing)", "East_m,North_m"):
+            self.refuse(columns(head, "{x} {y}"), "1:1", plan)
+        self.refuse(columns("id,Easting,Northing,RL", "{k} {x} {y} 1"), "1:4", plan)
+        self.refuse(columns("x,y,z", "{x} {y} {k}"), "3:11", plan)
+        self.refuse(columns("x,y,elevation", "{x} {y} {k}"), "3:11", plan)
+        self.refuse(columns("Distance,Depth", "{x} {d}"), "1:10", "depths run downwards")
+        self.refuse(columns("Longitude,Latitude", "{x} {y}"), "1:1", "degrees on the globe")
+        self.refuse(columns("distance,id", "{x} {y}"), "1:1", "a column distance, but none of heights")
+        self.refuse(columns("id,elevation", "{x} {y}"), "1:4", "a column elevation, but none of distances along the section")
+        self.refuse(columns("distance,chainage,elevation", "{x} {x} {y}"), "1:10", "two columns alike, 'distance' and 'chainage'")
+        self.refuse(columns("x,distance,elevation", "{x} {x} {y}"), "1:3", "two columns along the section")
+        self.refuse(columns("first,second", "{x} {y}"), "1:1", "a title begins with '#'")
+        self.same("# first, second\n" + rows())
+
+    def test_units_of_columns(self):
+        """A unit in the header must be the scene's, and be one of Topple's; a second line may say it."""
+        for head, unit in (("x_mm,y_mm", "mm"), ("X (mm),Y", "mm"), ("x,y\nmm,mm", "mm"), ("distance [ft],elevation", "ft"),
+                           ("x,y_inches", "in"), ("x (feet),y (feet)", "ft")):
+            self.refuse(head + "\n" + rows(), "1:1", f"lengths are in {unit}, the scene's length_unit is m")
+        self.same("x_metres,y_m\n" + rows())
+        self.refuse("x (m),y (ft)\n" + rows(), "1:7", "in units that differ")
+        self.refuse("x_px,y_px\n" + rows(), "1:1", "a unit that no lengths are taken in")
+        (self.folder / "o.csv").write_text("x_mm,y_mm\n" + rows())
+        status, _, err = run("profile", "--unit", "m", "o.csv", folder=self.folder)
+        self.assertEqual(status, 3, err)
+        self.assertIn("lengths are in mm", err)
 
     def test_columns_of_a_written_file(self):
         """Files as Python's csv module writes them, columns in any order and quoted in any way."""
         random.seed(5)
         for _ in range(40):
-            names = random.sample(["x", "y", "id", "remark, long", 'he said "no"', "z"], 6)
+            names = random.sample(["x", "y", "id", "remark, long", 'he said "no"', "code"], 6)
             names = [name for name in names if name in "xy" or random.random() < 0.6]
             file = io.StringIO()
             writer = csv.DictWriter(file, names, delimiter=random.choice(",;\t"), extrasaction="ignore",
                                     quoting=random.choice([csv.QUOTE_ALL, csv.QUOTE_MINIMAL, csv.QUOTE_NONNUMERIC]))
             writer.writeheader()
             for k, (x, y) in enumerate(RING):
-                writer.writerow({"x": x, "y": y, "id": k, "remark, long": "a, b; c", 'he said "no"': "no. 1", "z": -k})
+                writer.writerow({"x": x, "y": y, "id": k, "remark, long": "a, b; c", 'he said "no"': "no. 1", "code": -k})
             with self.subTest(file.getvalue()):
                 self.assertEqual(self.csv(file.getvalue())[0], self.inline)
 

@@ -163,7 +163,9 @@ class Formats(Drawing):
                  for points in (RING, HOLE, BASE)]
         self.same("d.dxf", dxf(light_polyline("BLOCK", large[0]) + polyline("HOLE", large[1])
                                + light_polyline("BASE", large[2], False)))
-        self.same("d.dxf", self.dxf(unit=1), ", unit: m")  # what the scene says counts
+        self.same("d.dxf", self.dxf(), ", unit: m")
+        self.write("d.dxf", self.dxf(unit=1))
+        self.refused("topple: 1\ndrawing: {file: d.dxf, unit: m}\n", "s.yaml:2:", "in in, not m", "$INSUNITS", name="s.yaml")
 
 
 class Curves(Drawing):

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""Numbers that are likely in another unit or of another sign, and loads beside a face by their last digit.
+
+The story: a friction angle of 0.61 and a tilt of 0.35 were radians, a k_h of 9.81 was m/s2, a cohesion of 20000 was Pa, and an
+anchor that was meant to hold pulled the block out; all were solved without a word. A pressure on a face that a drawing has at
+1.0000005 was refused, as if it acted on nothing."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from harness import main, run
+
+SCENE = ("topple: 1\nlength_unit: m\nblock: {{outline: [[0, 0], [1, 0], [1, 2], [0, 2]], unit_weight_kn_m3: 26}}\n"
+         "base: {{mated: true}}\n{}\n")
+
+
+class Case(unittest.TestCase):
+    def solve(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "s.yaml").write_text(text)
+            return run("solve", "--json", "s.yaml", folder=folder)
+
+    def solution(self, text):
+        status, out, err = self.solve(text)
+        self.assertEqual((status, err), (0, ""), text)
+        return json.loads(out)
+
+
+class Cautions(Case):
+    def said(self, more):
+        return [(note["kind"], note["text"]) for note in self.solution(SCENE.format(more))["notes"]]
+
+    def cautioned(self, more, *words):
+        notes = [text for kind, text in self.said(more) if kind == "caution"]
+        self.assertEqual(len(notes), len(words), (more, notes))
+        for text, word in zip(notes, words):
+            self.assertIn(word, text)
+
+    def test_angles(self):
+        """35 degrees are 0.6109 rad, 20 are 0.3491; zero friction is meant, and so are 2 degrees and a tilt of 1."""
+        self.cautioned("friction_angle_deg: 0.6109", "if it is in radians, write 35")
+        self.cautioned("tilt: {towards: left, angle_deg: 0.3491}", "if it is in radians, write 20")
+        self.cautioned("friction_angle_deg: 35\nfriction: {facets: [{facet: 1, angle_deg: 0.5}]}", "write 28.65")
+        for more in ("friction_angle_deg: 0", "friction_angle_deg: 2", "tilt: {towards: left, angle_deg: 1}",
+                     "tilt: {towards: left, angle_deg: 0}"):
+            self.cautioned(more)
+
+    def test_earthquakes(self):
+        load = "loads: {{seismic: {{horizontal: {}, vertical: {}}}}}"
+        self.cautioned(load.format(9.81, 0), "horizontal: 9.81 is an earthquake of more than gravity")
+        self.cautioned(load.format(0.1, -15), "vertical: -15 is")
+        self.cautioned(load.format(-0.1, 0), "which helps it")
+        self.cautioned(load.format(1, -1))
+
+    def test_strength(self):
+        self.cautioned("friction_angle_deg: 30\nloads: {cohesion_kpa: 20000}", "if it is in Pa, write 20")
+        self.cautioned("friction_angle_deg: 30\nloads: {bond_kpa: 1500}", "a bond of 1500 kPa")
+        self.cautioned("friction_angle_deg: 30\nloads: {cohesion_kpa: 1000}")
+
+    def test_anchors(self):
+        """Any direction between along the base and along it the other way pulls off it, however it is written."""
+        load = "loads: {{anchors: [{{at: [0.5, 1], direction_deg: {}, force_kn: 1}}]}}"
+        for degrees in (1, 90, 179.9, 450, -200, "1e-9"):
+            self.cautioned(load.format(degrees), "pulls the block off its base")
+        for degrees in (0, 180, -90, -1, 359, 200, -180, 360):
+            self.cautioned(load.format(degrees))
+
+
+class OnFace(Case):
+    LOADS = ("pressures: [{{from: [{0}, 0.5], to: [{0}, 1.5], kpa: 5}}]",
+             "surcharges: [{{from: [0.2, {1}], to: [0.8, 2], kpa: 5}}]",
+             "anchors: [{{at: [{2}, 1], direction_deg: -20, force_kn: 3}}]")
+
+    def pivots(self, solution):
+        return [[pivot["critical_angle_deg"]["value"] for pivot in case["pivots"]] for case in solution["cases"]]
+
+    def scene(self, load, *at):
+        return SCENE.format("loads: {" + load.format(*at) + "}")
+
+    def test_within_a_millionth(self):
+        """The block is 2 m high: up to 2 µm beside its face a load is put on it, and a note says so; the numbers are those of
+        the load on the face."""
+        for load, what in zip(self.LOADS, ("pressure", "surcharge", "anchor")):
+            exact = self.solution(self.scene(load, 1, 2, 0))
+            self.assertEqual(exact["notes"], [])
+            for at in ((1.0000005, 2.0000001, -0.0000019), (0.9999981, 1.999998, -1e-30)):
+                near = self.solution(self.scene(load, *at))
+                self.assertEqual(self.pivots(near), self.pivots(exact))
+                self.assertEqual([note["kind"] for note in near["notes"]], ["note"], load)
+                self.assertIn(f"this {what} acts", near["notes"][0]["text"])
+
+    def test_farther_off(self):
+        for load in self.LOADS:
+            status, out, err = self.solve(self.scene(load, 1.0000021, 2.0000021, -0.0000021))
+            self.assertEqual((status, out), (3, ""), load)
+            self.assertIn("s.yaml:5:", err)
+
+    def test_beside_a_corner(self):
+        """A pressure that ends beyond the corner ends in it."""
+        load = "pressures: [{{from: [1, {0}], to: [1, {1}], kpa: 5}}]"
+        exact, near = self.solution(self.scene(load, 0, 2)), self.solution(self.scene(load, -1e-7, 2.0000001))
+        self.assertEqual(self.pivots(near), self.pivots(exact))
+
+    def test_a_face_that_leans(self):
+        """The nearest point of a face from (1, 0) to (1.1, 2), given by six decimals, is on it exactly."""
+        text = SCENE.replace("[1, 2]", "[1.1, 2]").format(
+            "loads: {pressures: [{from: [1.033333, 0.666667], to: [1.066667, 1.333333], kpa: 5}]}")
+        self.assertEqual([note["kind"] for note in self.solution(text)["notes"]], ["note"])
+
+
+if __name__ == "__main__":
+    main()
