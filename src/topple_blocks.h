@@ -27,6 +27,7 @@
 #ifndef TOPPLE_BLOCKS_H
 #define TOPPLE_BLOCKS_H
 
+#include "topple_governing.h"
 #include "topple_limit.h"
 #include "topple_onset.h"
 
@@ -152,6 +153,10 @@ typedef struct tp_verdict_columns {
   double *onset_angle_deg, *onset_error_deg;       /* where it is at an angle */
   double *fos, *fos_error; /* the governing factor of safety, where there is a tilt and a number */
   tp_status *status;       /* TP_UNDECIDED: of it some is, and the rest holds */
+  tp_mechanism *fos_mechanism; /* against which that factor is; undecided where there is none */
+  tp_fos_definition *fos_definition; /* by which it is reckoned; by moments where there is none */
+  double *fos_moments, *fos_moments_error; /* of moments, about the pivot that is the least safe */
+  double *fos_sliding, *fos_sliding_error; /* of shear strength */
 } tp_verdict_columns;
 
 /* The full verdict of each block by tp_solve, with its friction angle, 0 to below 90 degrees, and

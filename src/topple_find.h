@@ -19,9 +19,10 @@ typedef enum tp_find_target {
   TP_FIND_FOS,            /* against toppling, at the scene's tilt */
   TP_FIND_SLIDING_ANGLE,  /* of sliding, degrees */
   TP_FIND_SLIDING_FOS,
-  TP_FIND_LIMIT_ANGLE, /* the static limit, degrees */
-  TP_FIND_LIMIT_FOS,   /* by strength reduction */
-  TP_FIND_ONSET_ANGLE  /* the onset of motion, degrees */
+  TP_FIND_LIMIT_ANGLE,  /* the static limit, degrees */
+  TP_FIND_LIMIT_FOS,    /* by strength reduction */
+  TP_FIND_ONSET_ANGLE,  /* the onset of motion, degrees */
+  TP_FIND_GOVERNING_FOS /* the factor that governs at the scene's tilt */
 } tp_find_target;
 
 /* `key` is that of a number in the scene, as tp_scene_with takes it. */
@@ -67,6 +68,8 @@ typedef struct tp_found {
   tp_bounded *touching;         /* as told above */
   size_t interval_count;        /* of the intervals */
   tp_found_interval *intervals; /* throughout which it has the value */
+  tp_governing_fos *governing;  /* of each solution, where a factor of safety was looked for: the
+                                   factors there, and which of them governs; or NULL */
 } tp_found;
 
 /* Look for the numbers; `*found` is to be freed by tp_found_free. `scene` tilts in one direction;
@@ -78,8 +81,8 @@ TP_MUST_USE tp_status tp_find(tp_found **found, const tp_scene *scene,
 /* Free it with all that it points to; NULL is allowed. */
 void tp_found_free(tp_found *found);
 
-/* The target of that name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos
- * or onset_angle; false for another one. */
+/* The target of that name: critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos,
+ * onset_angle or governing_fos; false for another one. */
 bool tp_find_target_read(tp_find_target *target, const char *name);
 
 /* And its name. */

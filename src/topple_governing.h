@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The factor of safety that governs a case: the least over the ways in which the block can move,
- * each by the definition that its way has in practice. Included by topple.h.
+/* The factor of safety that governs a case, over the ways in which the block can move, each by the
+ * definition that its way has in practice. Included by topple.h.
  *
  * Where it turns about a point, moments; where it slides, shear strength. The two agree on what
  * fails (both are 1 at the limit of their way) and on nothing else: a slender column has a factor
- * of 2 against toppling and of 70 against sliding. The least of them governs. */
+ * of 2 against toppling and of 70 against sliding.
+ *
+ * The factor that governs is below 1 exactly where a motion can begin at the scene's tilt
+ * (topple_onset.h), and passes 1 without a leap. Where none can begin, it is the least of those
+ * that count. Where one can, what would stop it counts: of the ways that can begin the least
+ * factor, or that by strength, whichever lies nearer to 1; where neither would, a lesser tilt. */
 
 #ifndef TOPPLE_GOVERNING_H
 #define TOPPLE_GOVERNING_H
@@ -24,11 +29,27 @@ typedef enum tp_fos_definition {
                           tan(phi) / tan(tilt - i) for the weight alone */
   TP_FOS_BY_ROUGHNESS, /* on the mean plane, with phi + i for its strength (Eq. 6):
                           tan(phi + i) / tan(tilt) */
-  TP_FOS_BY_REDUCTION  /* the divisor of all shear strength at which contact forces just hold it */
+  TP_FOS_BY_REDUCTION, /* the divisor of all strength at which a motion can just begin, or, where
+                          more strength lets one begin, its multiple: tp_onset.fos */
+  TP_FOS_BY_TILT       /* tan(tilt at which motions begin) / tan(tilt); where they end as the tilt
+                          rises, the inverse. Where strength tells nothing */
 } tp_fos_definition;
 
-/* moments, shear strength, shear strength with roughness, or strength reduction. */
+/* moments, shear strength, shear strength with roughness, strength reduction, or tilt. */
 const char *tp_fos_definition_name(tp_fos_definition definition);
+
+/* Does the factor of a way count? */
+typedef enum tp_factor_standing {
+  TP_FACTOR_COUNTS,
+  TP_FACTOR_BLOCKED,   /* no: a facet stands in the way of this motion */
+  TP_FACTOR_PREVENTED, /* no: contact forces prevent this motion where the factor is 1, or below */
+  TP_FACTOR_UNEVEN,    /* no: facets along which it would slide differ in friction, and how they
+                          share the load is not given; by strength they count as they are */
+  TP_FACTOR_SMOOTH     /* no: there is no shear strength to divide */
+} tp_factor_standing;
+
+/* counts, blocked, prevented, uneven or smooth. */
+const char *tp_factor_standing_name(tp_factor_standing standing);
 
 /* The factor against one way to move. */
 typedef struct tp_factor {
@@ -36,16 +57,18 @@ typedef struct tp_factor {
   tp_mechanism mechanism; /* against which; by reduction, what happens at the strength reduced */
   size_t pivot;           /* by moments: of the case's */
   bool toe;               /* it is the end of the contact down-dip */
-  bool counts; /* false: the contact stands in the way of this motion, shown for comparison */
-  tp_fos fos;  /* the factor itself */
+  bool counts;            /* false: it is shown for comparison, as `standing` says */
+  tp_fos fos;             /* the factor itself */
+  tp_factor_standing standing; /* why it counts, or not */
+  bool raised; /* by strength: more of it lets a motion begin, or less would stop it */
 } tp_factor;
 
-/* One by each definition, at most. */
-enum { TP_FACTORS_MAX = 4 };
+/* One by each definition, at most, and one by moments that does not count. */
+enum { TP_FOS_DEFINITIONS = 5, TP_FACTORS_MAX = TP_FOS_DEFINITIONS + 1 };
 
 /* The factor that governs, and those that it is the least of. */
 typedef struct tp_governing_fos {
-  tp_fos fos;      /* the least of those that count; TP_FOS_UNDEFINED: it does not stand at all */
+  tp_fos fos;      /* TP_FOS_UNDEFINED: it does not stand at all */
   bool has_factor; /* it is that of ... */
   size_t factor;   /* ... this one of the factors */
   bool tie;        /* one against another mechanism is the same, as far as their bounds tell */

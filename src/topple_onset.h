@@ -62,6 +62,8 @@ typedef struct tp_motion_contact {
   bool of_facet;               /* false: of the base that goes on, where the scene's ends */
   bool at_right_end;           /* of that facet */
   tp_contact_state state;      /* sticks, or slips */
+  bool has_pivot;              /* it is one of the contact's points, */
+  size_t pivot;                /* of the case's pivots this one */
   bool has_force;              /* false: nothing fixes how the contacts that stay share the load */
   tp_bounded share_x, share_y; /* along x and y of the scene */
 } tp_motion_contact;
@@ -123,6 +125,13 @@ typedef struct tp_onset {
   tp_motion *motions;     /* owned by the case */
   size_t beginning_count; /* of their mechanisms, each once: what can begin at the scene's tilt, */
   tp_mechanism beginnings[TP_BEGINNINGS_MAX]; /* in the order of tp_mechanism */
+  tp_fos fos; /* by which tan(phi), cohesion and bond have to be divided, or multiplied, all alike,
+                 before it changes whether a motion can begin at the scene's tilt, the nearer of
+                 the two: above 1 where none can begin, unbounded where none does whatever the
+                 strength; below 1 where one can, TP_FOS_UNDEFINED where one does whatever the
+                 strength. That no change lies nearer is searched, not proven */
+  bool fos_raised;            /* what changes it is more strength, not less */
+  tp_mechanism fos_mechanism; /* what begins, or ends, there */
 } tp_onset;
 
 #ifdef __cplusplus

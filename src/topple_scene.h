@@ -290,6 +290,18 @@ TP_MUST_USE tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *mess
 TP_MUST_USE tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points,
                                               tp_message *message);
 
+/* Which way the horizontal part of an earthquake acts on a block in the frame of the world: it is
+ * looked at both ways, and the worse one governs, unless it is restricted to one. */
+typedef enum tp_seismic_direction {
+  TP_SEISMIC_BOTH,
+  TP_SEISMIC_DOWN_DIP,
+  TP_SEISMIC_UP_DIP
+} tp_seismic_direction;
+
+TP_MUST_USE tp_status tp_scene_set_seismic_direction(tp_scene *scene,
+                                                     tp_seismic_direction direction,
+                                                     tp_message *message);
+
 /* Loads, which a block with a unit weight can bear (docs/loads.md). A seismic `coefficient` is a
  * share of the weight at the centroid: k_h towards down-dip, k_v up. */
 TP_MUST_USE tp_status tp_scene_set_seismic_horizontal(tp_scene *scene, tp_exact coefficient,

@@ -78,6 +78,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_mean_plane(own, tp_coordinates_of(square, 2), &message), why);
   REFUSED(tp_scene_set_seismic_horizontal(own, E(1), &message), why);
   REFUSED(tp_scene_set_seismic_vertical(own, E(1), &message), why);
+  REFUSED(tp_scene_set_seismic_direction(own, TP_SEISMIC_BOTH, &message), why);
   REFUSED(tp_scene_set_water(own, E(1), E(10), false, false, &message), why);
   REFUSED(tp_scene_add_pressure(own, E(1), E(1), E(1), E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_add_surcharge(own, E(1), E(1), E(1), E(1), E(1), &message), why);

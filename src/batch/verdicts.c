@@ -7,6 +7,7 @@
 #include "batch/block_scene.h"
 #include "batch/blocks.h"
 #include "batch/share.h"
+#include "stability/case_numbers.h"
 
 #include <math.h>
 
@@ -34,6 +35,10 @@ static void put_nothing(const tp_verdict_columns *c, size_t block) {
   tp_columns_put(c->limit_angle_deg, c->limit_error_deg, block, none);
   tp_columns_put(c->onset_angle_deg, c->onset_error_deg, block, none);
   tp_columns_put(c->fos, c->fos_error, block, none);
+  if (c->fos_mechanism != NULL) c->fos_mechanism[block] = TP_MECHANISM_UNDECIDED;
+  if (c->fos_definition != NULL) c->fos_definition[block] = TP_FOS_BY_MOMENTS;
+  tp_columns_put(c->fos_moments, c->fos_moments_error, block, none);
+  tp_columns_put(c->fos_sliding, c->fos_sliding_error, block, none);
 }
 
 static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *own) {
@@ -41,6 +46,10 @@ static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *o
   const bool limit = own->limit.kind == TP_LIMIT_AT_ANGLE;
   const bool onset = own->onset.kind == TP_ONSET_AT_ANGLE;
   const tp_fos *fos = &own->governing_fos.fos;
+  const tp_factor *factor = tp_case_factor(own);
+  tp_bounded moments = none, sliding = none;
+  (void)tp_case_fos_moments(&moments, own);
+  (void)tp_case_fos_sliding(&sliding, own);
   if (c->mechanism != NULL) c->mechanism[block] = own->mechanism;
   if (c->first != NULL) c->first[block] = own->first;
   if (c->limit_kind != NULL) c->limit_kind[block] = own->limit.kind;
@@ -54,6 +63,10 @@ static void put_case(const tp_verdict_columns *c, size_t block, const tp_case *o
   tp_columns_put(c->onset_angle_deg, c->onset_error_deg, block,
                  onset ? own->onset.critical_angle_deg : none);
   tp_columns_put(c->fos, c->fos_error, block, fos->state == TP_FOS_NUMBER ? fos->value : none);
+  if (c->fos_mechanism != NULL && factor != NULL) c->fos_mechanism[block] = factor->mechanism;
+  if (c->fos_definition != NULL && factor != NULL) c->fos_definition[block] = factor->definition;
+  tp_columns_put(c->fos_moments, c->fos_moments_error, block, moments);
+  tp_columns_put(c->fos_sliding, c->fos_sliding_error, block, sliding);
 }
 
 static tp_status set_angle(tp_scene *scene, tp_numbers numbers, size_t block,

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The static limit of a case by the weight alone, and the factor by strength reduction, in doubles
- * with bounds: searched in doubles, and then proven as certificate/face.h does, by a mechanism that
- * no edge of a friction cone resists and by forces that hold. */
+/* The static limit of a case by the weight alone, in doubles with bounds: searched in doubles, and
+ * then proven as certificate/face.h does, by a mechanism that no edge of a friction cone resists
+ * and by forces that hold. */
 
 #ifndef TP_LIMIT_FILTER_H
 #define TP_LIMIT_FILTER_H
@@ -21,7 +21,7 @@ void tp_edge_set_init(tp_edge_set *set, const tp_contact_plan *plan, const tp_sh
                       tp_near friction);
 
 typedef struct tp_limit_filter {
-  tp_near value; /* a tangent: of the limit, or of friction */
+  tp_near value; /* the tangent of the limit */
   tp_mechanism mechanism;
 } tp_limit_filter;
 
@@ -30,13 +30,5 @@ bool tp_limit_filter_find(tp_limit_filter *found, const tp_edge_set *set);
 
 /* Do some forces hold it at the tilt? True where that is proven. */
 bool tp_limit_filter_holds(const tp_edge_set *set, tp_near tangent);
-
-/* Does a turn about a contact point rule out that any do? True where that is proven. */
-bool tp_limit_filter_is_lost(const tp_edge_set *set, tp_near tangent);
-
-/* The friction tan(phi) with which forces just hold it at the tilt, and what happens there. False
- * where doubles do not tell. */
-bool tp_limit_filter_reduce(tp_limit_filter *found, const tp_contact_plan *plan,
-                            const tp_shape *shape, tp_near tangent);
 
 #endif

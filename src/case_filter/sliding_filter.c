@@ -80,6 +80,8 @@ bool tp_sliding_filter(tp_sliding_told *s, const tp_case_told *told, tp_near tan
   const int needs = tp_near_sign(needed), upright = tp_near_sign(rest);
   const bool open = needs == 0 && !tp_near_is_zero(needed);
   if (free == 2 || open || upright == 0 || tp_near_sign(level) <= 0) return false;
+  s->has_critical = upright > 0;
+  if (s->has_critical) s->critical = tp_near_div(tp_near_plus(told->friction, slope), rest);
   s->counts = free == 1;
   s->is_level = told->filter->facets[facet].is_level;
   s->shear = needs > 0 ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;

@@ -14,6 +14,8 @@ typedef struct tp_sliding_told {
   bool is_level;             /* the factor with roughness is that by shear strength */
   tp_fos_state shear, rough; /* a number, or nothing overturns */
   tp_near by_shear, by_roughness;
+  bool has_critical; /* both are 1 at tan(phi + i), */
+  tp_near critical;  /* that */
 } tp_sliding_told;
 
 /* False where doubles do not tell, or where no friction would do. */

@@ -57,8 +57,8 @@ static const struct argp_option options[] = {
      "Solve again whenever the scene, or a file that it names, changes; ctrl-C ends", 0},
     {"find", KEY_FIND, "KEY", 0, "Find the number at KEY, as block.rounded.corners.1.radius", 1},
     {"for", KEY_FOR, "RESULT=VALUE", 0,
-     "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos or "
-     "onset_angle has the value",
+     "for which critical_angle, fos, sliding_angle, sliding_fos, limit_angle, limit_fos, "
+     "onset_angle or governing_fos has the value",
      1},
     {"from", KEY_FROM, "LOW", 0,
      "Look for it from here (else 0, or ten times what it is where that is below 0)", 1},
@@ -93,7 +93,7 @@ static void read_target(tp_solve_words *a, const char *text, struct argp_state *
   if (equals == NULL || !tp_find_target_read(&a->find.target, name)) {
     tp_cli_refuse(state,
                   "--for takes RESULT=VALUE, RESULT one of critical_angle, fos, sliding_angle, "
-                  "sliding_fos, limit_angle, limit_fos, onset_angle; not '%s'",
+                  "sliding_fos, limit_angle, limit_fos, onset_angle, governing_fos; not '%s'",
                   text);
     return;
   }

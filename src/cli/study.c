@@ -46,7 +46,7 @@ static const struct argp_option options[] = {
      "FILE ends in .h5 or .hdf5",
      0},
     {"csv", KEY_ROWS, NULL, OPTION_ALIAS, NULL, 0},
-    {"restart", KEY_RESTART, NULL, 0, "With --rows: begin anew, whatever is in FILE", 0},
+    {"restart", KEY_RESTART, NULL, 0, "With --rows: begin anew, over the rows that are in FILE", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw probability against tilt, distribution, what it depends on, and convergence into FILE, "
      ".svg, .pdf or .png, or write their numbers into a .csv",

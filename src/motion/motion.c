@@ -148,7 +148,7 @@ static bool keep_mode(tp_motions *m, const tp_mode *mode) {
 
 static tp_motion_outcome keep(collecting *c, const tp_mode *mode) {
   tp_motions *m = c->m;
-  if (!keep_mode(m, mode)) return TP_MOTION_OUT_OF_MEMORY;
+  if (!c->q->keeps_all && !keep_mode(m, mode)) return TP_MOTION_OUT_OF_MEMORY;
   for (long k = 0; k < c->own.count; k++) {
     tp_tilt_span *span = tp_tilts_add(&m->spans);
     if (span == NULL) return TP_MOTION_OUT_OF_MEMORY;
@@ -165,6 +165,7 @@ static tp_motion_outcome collect(void *context, const tp_mode *mode) {
   const bool strong = c->q->strong != NULL;
   tp_motion_outcome done = TP_MOTION_PROVEN;
   c->mode++;
+  if (c->q->keeps_all && !keep_mode(c->m, mode)) return TP_MOTION_OUT_OF_MEMORY;
   if (strong) done = tp_strength_find(&c->strength, c->q, &m->normals, &m->twists, mode);
   if (strong && done == TP_MOTION_PROVEN) {
     done = tp_strength_number(&c->number, c->q, &m->normals, &m->twists, mode);

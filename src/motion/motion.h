@@ -25,7 +25,7 @@ typedef struct tp_motions {
   tp_normals normals;
   tp_twists twists;
   long mode_count, mode_room;
-  tp_motion_mode *modes; /* those that can begin at some tilt */
+  tp_motion_mode *modes; /* those that can begin at some tilt, or all, where that is asked for */
   tp_tilts spans;        /* each with its mode, in their order; not merged */
 } tp_motions;
 

@@ -6,6 +6,8 @@
 #include "host.h"
 #include "options.h"
 #include "output/encode.h"
+#include "report/governing.h"
+#include "report/parts_json.h"
 #include "report/solution_json.h"
 
 #include <string.h>
@@ -23,6 +25,32 @@ static void add_none(tp_text *t, const tp_found *f, const tp_find_options *optio
   }
 }
 
+/* Is the factor that governs the one that was looked for? */
+static bool governs(const tp_governing_fos *g, tp_find_target target) {
+  if (target == TP_FIND_GOVERNING_FOS) return true;
+  if (!g->has_factor) return false;
+  switch (g->factors[g->factor].definition) {
+  case TP_FOS_BY_MOMENTS:
+    return target == TP_FIND_FOS;
+  case TP_FOS_BY_SHEAR:
+  case TP_FOS_BY_ROUGHNESS:
+    return target == TP_FIND_SLIDING_FOS;
+  case TP_FOS_BY_REDUCTION:
+    return target == TP_FIND_LIMIT_FOS;
+  case TP_FOS_BY_TILT:
+    break;
+  }
+  return false;
+}
+
+static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target target) {
+  if (governs(g, target)) return;
+  tp_text_add(
+      t, "    Caution: %s is not the factor that governs there: ", tp_find_target_name(target));
+  tp_text_factor(t, g);
+  tp_text_add(t, "; look --for governing_fos\n");
+}
+
 tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(NULL, text);
@@ -37,6 +65,7 @@ tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options 
   for (size_t k = 0; k < f->count; k++) {
     tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
                 f->solutions[k].error);
+    if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
   }
   for (size_t k = 0; k < f->touching_count; k++) {
     tp_text_add(
@@ -63,6 +92,24 @@ static void json_numbers(tp_json *j, const char *key, const tp_bounded *numbers,
   tp_json_break(j);
   tp_json_array(j, key, TP_JSON_LINE);
   for (size_t k = 0; k < count; k++) tp_json_bounded(j, NULL, numbers[k]);
+  tp_json_close(j);
+}
+
+static void json_governing(tp_json *j, const tp_found *f) {
+  if (f->governing == NULL) return;
+  tp_json_break(j);
+  tp_json_array(j, "governing", TP_JSON_LINE);
+  for (size_t k = 0; k < f->count; k++) {
+    const tp_governing_fos *g = f->governing + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_known(j, "fos", g->fos.state == TP_FOS_NUMBER, g->fos.value);
+    if (g->has_factor) {
+      const tp_factor *factor = g->factors + g->factor;
+      tp_json_string(j, "mechanism", tp_mechanism_name(factor->mechanism));
+      tp_json_string(j, "definition", tp_fos_definition_name(factor->definition));
+    }
+    tp_json_close(j);
+  }
   tp_json_close(j);
 }
 
@@ -96,6 +143,7 @@ tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution
   json_numbers(&j, "solutions", f->solutions, f->count);
   json_numbers(&j, "touching", f->touching, f->touching_count);
   json_intervals(&j, f);
+  json_governing(&j, f);
   tp_json_close(&j);
   tp_json_close(&j);
   return tp_json_finish(&j, text);

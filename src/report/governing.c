@@ -40,7 +40,7 @@ static void add_way(tp_text *t, const tp_governing_fos *g) {
   tp_text_add(t, " (%s)", tp_fos_definition_name(factor->definition));
 }
 
-static void add_least(tp_text *t, const tp_governing_fos *g) {
+void tp_text_factor(tp_text *t, const tp_governing_fos *g) {
   char n[TP_NUMBER_SIZE];
   switch (g->fos.state) {
   case TP_FOS_NUMBER:
@@ -76,7 +76,7 @@ static void add_least(tp_text *t, const tp_governing_fos *g) {
 void tp_text_governing(tp_text *t, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   if (g->fos.state == TP_FOS_NO_TILT) return;
-  add_least(t, g);
+  tp_text_factor(t, g);
   if (!g->sliding_judged) tp_text_add(t, "; sliding is not judged");
   if (g->tie) tp_text_add(t, "; a tie");
 }
@@ -91,10 +91,29 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength, mean plane: tan(φ+i)/tan α";
   case TP_FOS_BY_REDUCTION:
-    return factor->fos.state == TP_FOS_UNDEFINED ? "strength reduction: no strength holds it"
-                                                 : "strength reduction, by contact forces";
+    if (!factor->raised) return "strength reduction, by contact forces";
+    return factor->fos.value.value < 1 ? "strength reduction: with less it would stand"
+                                       : "strength raised: with more it can move";
+  case TP_FOS_BY_TILT:
+    return "tilt: tan α of the onset over tan α";
   }
   return "";
+}
+
+const char *tp_text_standing(tp_factor_standing standing) {
+  switch (standing) {
+  case TP_FACTOR_BLOCKED:
+    return "does not count: a facet stands in the way";
+  case TP_FACTOR_PREVENTED:
+    return "excluded: contact forces prevent it";
+  case TP_FACTOR_UNEVEN:
+    return "excluded: its facets differ in friction";
+  case TP_FACTOR_SMOOTH:
+    return "excluded: no friction to divide";
+  case TP_FACTOR_COUNTS:
+    break;
+  }
+  return "counts";
 }
 
 static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
@@ -106,7 +125,10 @@ static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
               tp_page_fos(n, factor->fos), against.failed ? "" : against.data,
               long_definition(factor, p->solution->loaded));
   if (!factor->counts) {
-    tp_text_add(&p->text, "%36s(does not count: a facet stands in the way)\n", "");
+    tp_text_add(&p->text, "%36s(%s)\n", "", tp_text_standing(factor->standing));
+  }
+  if (factor->definition == TP_FOS_BY_REDUCTION && factor->fos.state == TP_FOS_UNDEFINED) {
+    tp_text_add(&p->text, "%36s(no strength makes it certain to stand)\n", "");
   }
   p->text.failed = p->text.failed || against.failed;
   tp_text_drop(&against);
@@ -118,9 +140,6 @@ void tp_page_add_governing(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, "  ");
   tp_text_governing(&p->text, c);
   tp_text_add(&p->text, "\n");
-  if (c->mechanism == TP_MAY_MOVE && g->fos.state == TP_FOS_NUMBER && g->fos.value.value >= 1) {
-    tp_text_add(&p->text, "  Caution: a motion can begin at this tilt all the same: see below.\n");
-  }
   if (g->factor_count < 2) {
     tp_text_add(&p->text, "\n");
     return;
@@ -158,9 +177,18 @@ static void add_factors(tp_json *j, const tp_governing_fos *g) {
   tp_json_array(j, "factors", g->factor_count > 0 ? TP_JSON_BLOCK : TP_JSON_LINE);
   for (size_t k = 0; k < g->factor_count; k++) {
     tp_json_object(j, NULL, TP_JSON_LINE);
-    tp_json_fos(j, "fos", g->factors[k].fos);
+    if (g->factors[k].definition == TP_FOS_BY_REDUCTION &&
+        g->factors[k].fos.state == TP_FOS_UNDEFINED) {
+      tp_json_no_fos(j, "fos", "none: no strength makes it certain to stand");
+    } else {
+      tp_json_fos(j, "fos", g->factors[k].fos);
+    }
     add_words(j, g->factors + k);
     tp_json_truth(j, "counts", g->factors[k].counts);
+    tp_json_string(j, "standing", tp_factor_standing_name(g->factors[k].standing));
+    if (g->factors[k].definition == TP_FOS_BY_REDUCTION) {
+      tp_json_truth(j, "raised", g->factors[k].raised);
+    }
     tp_json_close(j);
   }
   tp_json_close(j);

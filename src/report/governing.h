@@ -13,8 +13,14 @@
  * scene gives no tilt. No line end. */
 void tp_text_governing(tp_text *text, const tp_case *own);
 
+/* The same of any factor that governs. */
+void tp_text_factor(tp_text *text, const tp_governing_fos *governing);
+
 /* "toppling about the toe" */
 void tp_text_against(tp_text *text, const tp_factor *factor);
+
+/* "excluded: contact forces prevent it", why a factor does not count. */
+const char *tp_text_standing(tp_factor_standing standing);
 
 /* The line, and all factors with their definitions. */
 void tp_page_add_governing(tp_page *page, const tp_case *own);

@@ -117,6 +117,13 @@ void tp_json_onset(tp_json *j, const tp_case *c) {
   }
   tp_json_truth(j, "below_limit", o->below_limit);
   if (o->has_motions) tp_json_truth(j, "paradox", o->paradox);
+  if (o->fos.state != TP_FOS_NOT_ASKED && o->fos.state != TP_FOS_NO_TILT) {
+    if (o->fos.state == TP_FOS_UNDEFINED) {
+      tp_json_no_fos(j, "fos", "none: no strength makes it certain to stand");
+    } else {
+      tp_json_fos(j, "fos", o->fos);
+    }
+  }
   add_windows(j, o);
   tp_json_close(j);
   add_motions(j, o);

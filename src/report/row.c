@@ -60,6 +60,16 @@ static bool pivot_x(tp_bounded *number, const tp_solution *s, const tp_case *c) 
   return c->has_governing;
 }
 
+static bool fos_moments(tp_bounded *number, const tp_solution *s, const tp_case *c) {
+  (void)s;
+  return tp_case_fos_moments(number, c) == TP_CASE_NUMBER;
+}
+
+static bool fos_sliding(tp_bounded *number, const tp_solution *s, const tp_case *c) {
+  (void)s;
+  return tp_case_fos_sliding(number, c) == TP_CASE_NUMBER;
+}
+
 static bool pivot_y(tp_bounded *number, const tp_solution *s, const tp_case *c) {
   (void)s;
   if (c->has_governing) *number = c->pivots[c->governing].y_m;
@@ -140,6 +150,8 @@ static const column verdict_columns[] = {
     {"fos", "", fos, NULL, false},
     {"fos_mechanism", "", NULL, add_fos_mechanism, false},
     {"fos_definition", "", NULL, add_fos_definition, false},
+    {"fos_moments", "", fos_moments, NULL, false},
+    {"fos_sliding", "", fos_sliding, NULL, false},
     {"certain_to_stand", "_deg", onset, NULL, false},
     {"moments", "_deg", moments, NULL, false},
     {"sliding", "_deg", sliding, NULL, false},

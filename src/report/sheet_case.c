@@ -46,7 +46,11 @@ static const char *definition_words(const tp_factor *factor, bool loaded) {
   case TP_FOS_BY_ROUGHNESS:
     return "shear strength on the mean plane: tan(φ + i) / tan α";
   case TP_FOS_BY_REDUCTION:
-    return "by which all shear strength is divided until contact forces just hold it";
+    return factor->raised ? "by which all strength is multiplied until a motion can just begin, or "
+                            "divided until none can"
+                          : "by which all strength is divided until a motion can just begin";
+  case TP_FOS_BY_TILT:
+    return "tan of the tilt at which motions begin, or end, over tan α";
   }
   return "";
 }
@@ -56,10 +60,12 @@ void tp_sheet_add_factors(tp_sheet *s, const tp_case *c) {
   tp_document *d = &s->document;
   if (g->fos.state == TP_FOS_NO_TILT || g->factor_count == 0) return;
   tp_document_heading(d, 3, "Factors of safety");
-  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
-                  "The factor that governs is the least over the ways in which the block can move, "
-                  "each by the definition that its way has in practice; all are 1 at the limit of "
-                  "their way.");
+  tp_document_add(
+      d, TP_PASSAGE_PARAGRAPH,
+      "The factor that governs is below 1 where a motion can begin at the tilt, and there "
+      "alone. Of a block that stands it is the least of those that count, each by the "
+      "definition that its way has in practice; of one that moves it is the least of the "
+      "ways that can begin, or that by strength, whichever lies nearer to 1.");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 4, 2, "Factors of safety, the governing one marked");
   tp_document_cell(d, "Against");
   tp_document_cell(d, "FoS");
@@ -77,7 +83,7 @@ void tp_sheet_add_factors(tp_sheet *s, const tp_case *c) {
     tp_document_cell(d, "%s", tp_page_fos(n, factor->fos));
     tp_document_cell(d, "%s", definition_words(factor, s->solution->loaded));
     tp_document_cell(d, "%s",
-                     !factor->counts                   ? "no: a facet stands in the way"
+                     !factor->counts                   ? tp_text_standing(factor->standing)
                      : g->has_factor && k == g->factor ? "governs"
                                                        : "yes");
   }

@@ -100,11 +100,12 @@ static void add_elements(tp_sheet *s, const tp_case *c) {
       tp_sheet_factor(p->fos_elements.value).text);
 }
 
-/* "FoS = min{1.938, 3.104} = 1.938", of those that count and are numbers. */
+/* "FoS = min{1.938, 3.104} = 1.938", of those that count and are numbers, of a block that stands.
+ */
 static void add_least(tp_sheet *s, const tp_governing_fos *g) {
   tp_text equation = {0};
   size_t count = 0;
-  if (g->fos.state != TP_FOS_NUMBER) return;
+  if (g->fos.state != TP_FOS_NUMBER || g->fos.value.value < 1) return;
   tp_text_add(&equation, "\\text{FoS} = \\min (");
   for (size_t k = 0; k < g->factor_count; k++) {
     const tp_factor *factor = g->factors + k;

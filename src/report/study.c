@@ -22,7 +22,9 @@ static void add_share(tp_text *t, const char *label, const tp_study_share *share
 
 /* What did not happen is listed where one would look for it. */
 static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
-  if (tilt->tilt_varies) {
+  if (tilt->as_it_lies) {
+    tp_text_add(t, "\nAs it lies");
+  } else if (tilt->tilt_varies) {
     tp_text_add(t, "\nAt the scene's tilt, which varies");
   } else if (tilt->has_tilt) {
     tp_text_add(t, "\nAt the scene's tilt, %.6g°", tilt->tilt_deg);
@@ -99,7 +101,7 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
   static const size_t shown[] = {1, 3, 5}; /* of the quantiles */
   const tp_study_quantile *heads = NULL;
   int governing = 0;
-  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+  for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
     governing += r->factors[k].governs.count > 0;
     if (r->factors[k].spread.count > 0) heads = r->factors[k].spread.quantiles;
   }
@@ -110,7 +112,7 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
     tp_text_add(t, " %5.0f %%", 100 * heads[shown[j]].probability);
   }
   tp_text_add(t, "\n");
-  for (int k = 0; k < TP_FACTORS_MAX; k++) {
+  for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
     const tp_study_factor *own = r->factors + k;
     if (own->governs.count == 0) continue;
     tp_text_add(t, "  %-*s %10zu %9zu", LABEL_OF_FACTORS, tp_fos_definition_name(own->definition),

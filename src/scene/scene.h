@@ -97,6 +97,8 @@ typedef struct tp_base_description {
   tp_place between_place;
   tp_quantity below, left_of, right_of; /* or where its vertices lie */
   tp_quantity beyond_left, beyond_right;
+  const fmpq *beyond_cosine,
+      *beyond_sine; /* borrowed: it goes on in this direction; NULL: along x */
   tp_polyline profile;
   tp_profile_rule rule; /* that the profile is made by, where there is one */
   bool rests;     /* the block is set down on its profile and comes to rest; else it is as given */
@@ -140,6 +142,8 @@ typedef struct tp_loads_description {
   tp_place place;
   tp_place seismic_place;
   tp_quantity horizontal, vertical; /* k_h towards down-dip, k_v up, shares of the weight */
+  bool direction_given;
+  tp_seismic_direction direction; /* where the block lies on a slope: which way k_h acts */
   tp_water_description water;
   long pressure_count, surcharge_count, anchor_count;
   tp_line_load *pressures, *surcharges;

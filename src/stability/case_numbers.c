@@ -56,6 +56,33 @@ tp_case_state tp_case_fos(tp_bounded *value, const tp_case *own) {
   }
 }
 
+static tp_case_state number_of(tp_bounded *value, tp_fos fos) {
+  if (fos.state == TP_FOS_NUMBER) *value = fos.value;
+  return fos.state == TP_FOS_NUMBER           ? TP_CASE_NUMBER
+         : fos.state == TP_FOS_NO_OVERTURNING ? TP_CASE_ALWAYS
+         : fos.state == TP_FOS_UNDEFINED      ? TP_CASE_NEVER
+                                              : TP_CASE_UNKNOWN;
+}
+
+/* The last by the definition: those that count stand behind those that do not. */
+static tp_case_state by_definition(tp_bounded *value, const tp_case *own,
+                                   tp_fos_definition definition) {
+  const tp_governing_fos *g = &own->governing_fos;
+  tp_case_state state = TP_CASE_UNKNOWN;
+  for (size_t k = 0; k < g->factor_count; k++) {
+    if (g->factors[k].definition == definition) state = number_of(value, g->factors[k].fos);
+  }
+  return state;
+}
+
+tp_case_state tp_case_fos_moments(tp_bounded *value, const tp_case *own) {
+  return by_definition(value, own, TP_FOS_BY_MOMENTS);
+}
+
+tp_case_state tp_case_fos_sliding(tp_bounded *value, const tp_case *own) {
+  return by_definition(value, own, TP_FOS_BY_SHEAR);
+}
+
 const tp_factor *tp_case_factor(const tp_case *own) {
   const tp_governing_fos *g = &own->governing_fos;
   return g->has_factor ? g->factors + g->factor : NULL;

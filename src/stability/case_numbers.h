@@ -25,6 +25,11 @@ tp_case_state tp_case_limit_deg(tp_bounded *value, const tp_case *own);
  * none. */
 tp_case_state tp_case_fos(tp_bounded *value, const tp_case *own);
 
+/* The factor by moments, about the least safe pivot of those that count or else of all, and that of
+ * shear strength along the facet that slides. */
+tp_case_state tp_case_fos_moments(tp_bounded *value, const tp_case *own);
+tp_case_state tp_case_fos_sliding(tp_bounded *value, const tp_case *own);
+
 /* The factor that governs, or NULL. */
 const tp_factor *tp_case_factor(const tp_case *own);
 

@@ -5,6 +5,7 @@
 
 #include "base/closeness.h"
 #include "notes.h"
+#include "stability/earthquakes.h"
 #include "stability/normal_stress.h"
 
 #include <stdio.h>
@@ -110,6 +111,16 @@ static tp_status note_near(tp_notes *notes, const tp_problem *problem, tp_messag
                       gap, more, problem->rested == NULL ? "'place: rest', or " : "");
 }
 
+/* An earthquake shakes both ways, and one direction of tilt looks at one of them. */
+static tp_status note_one_side(tp_notes *notes, const tp_scene *scene, tp_message *message) {
+  if (!tp_earthquake_is_one_sided(scene)) return TP_OK;
+  return tp_notes_add(
+      notes, message, TP_CAUTION, scene->loads.seismic_place,
+      "the earthquake is looked at down-dip alone, and it shakes both ways: say "
+      "'frame: world' of a block on a slope, solve with 'horizontal' below 0 too, or "
+      "say 'direction: down_dip' where this is meant");
+}
+
 /* The pull away from the base, in the frame of its mean plane: to a side between along it and along
  * it the other way. */
 static bool pulls_off(const fmpq_t direction_deg) {
@@ -155,6 +166,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
   }
   if (status == TP_OK) status = note_near(notes, problem, message);
   if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
+  if (status == TP_OK) status = note_one_side(notes, scene, message);
   if (status == TP_OK) status = note_anchors(notes, &scene->loads, message);
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;
   if (status == TP_OK && scene->towards_left) status = note_water(notes, problem, true, message);

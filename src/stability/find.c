@@ -35,6 +35,7 @@ void tp_found_free(tp_found *found) {
   free(found->solutions);
   free(found->touching);
   free(found->intervals);
+  free(found->governing);
   free(found);
 }
 
@@ -85,10 +86,15 @@ static tp_status check_reach(const tp_search *s) {
                  tp_find_target_name(target), key.text,
                  reach.friction
                      ? "it is a balance of moments about a pivot, which the friction and "
-                       "the cohesion of the contact do not enter; limit_angle, limit_fos and "
-                       "onset_angle depend on them"
+                       "the cohesion of the contact do not enter; limit_angle, limit_fos, "
+                       "onset_angle and governing_fos depend on them"
                      : "it is a tilt at which the block lets go, whatever the tilt that "
                        "the scene gives; a factor of safety depends on that");
+}
+
+static bool is_factor(tp_find_target target) {
+  return target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS ||
+         target == TP_FIND_GOVERNING_FOS;
 }
 
 /* What the target cannot be without. */
@@ -101,8 +107,7 @@ static tp_status check_target(const tp_search *s) {
                    "%s needs friction; give the scene its 'friction_angle_deg: …'",
                    tp_find_target_name(target));
   }
-  const bool needs_tilt =
-      target == TP_FIND_FOS || target == TP_FIND_SLIDING_FOS || target == TP_FIND_LIMIT_FOS;
+  const bool needs_tilt = is_factor(target);
   /* one that it gives, or that of a slope */
   if (!needs_tilt || scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD) return TP_OK;
   return tp_fail(s->message, TP_BAD_INPUT, place,
@@ -114,9 +119,43 @@ static tp_status check_target(const tp_search *s) {
 static void set_options(tp_solve_options *solve, tp_find_target target) {
   *solve = tp_solve_options_default();
   solve->digits = 15;
-  solve->strength_reduction = target == TP_FIND_LIMIT_FOS;
+  solve->strength_reduction = target == TP_FIND_LIMIT_FOS || target == TP_FIND_GOVERNING_FOS;
   solve->limit =
       target == TP_FIND_LIMIT_ANGLE || target == TP_FIND_ONSET_ANGLE || solve->strength_reduction;
+}
+
+/* Without texts, which its solution keeps. */
+static void take_governing(tp_governing_fos *governing, const tp_solution *solution) {
+  *governing = solution->cases[0].governing_fos;
+  governing->fos.value.digits = NULL;
+  for (size_t k = 0; k < governing->factor_count; k++) {
+    governing->factors[k].fos.value.digits = NULL;
+  }
+}
+
+/* Which factor governs at what was found. */
+static void tell_governing(tp_search *s) {
+  tp_found *found = s->found;
+  if (!is_factor(s->options->target) || found->count == 0) return;
+  found->governing = calloc(found->count, sizeof *found->governing);
+  if (found->governing == NULL) {
+    s->status = tp_fail_memory(s->message, "the solutions");
+    return;
+  }
+  s->varied.options.limit = s->varied.options.strength_reduction = true;
+  for (size_t k = 0; k < found->count && s->status == TP_OK; k++) {
+    tp_solution *solution = NULL;
+    const double x = found->solutions[k].value;
+    found->governing[k].fos.state = TP_FOS_UNDECIDED;
+    const tp_status status = tp_varied_solve(&solution, &s->varied, &x, &s->why);
+    if (status == TP_OK && solution->case_count > 0) {
+      take_governing(found->governing + k, solution);
+    }
+    if (status == TP_OUT_OF_MEMORY || status == TP_SYSTEM_FAILED) {
+      s->status = tp_fail(s->message, status, (tp_place){0}, "%s", s->why.text);
+    }
+    tp_solution_free(solution);
+  }
 }
 
 tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options *options,
@@ -128,7 +167,7 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   tp_find_options taken = tp_find_options_default();
   TP_TAKE_OPTIONS(message, taken, options);
   TP_REFUSE_NULL(message, options->key);
-  if ((int)options->target < 0 || options->target > TP_FIND_ONSET_ANGLE) {
+  if ((int)options->target < 0 || options->target > TP_FIND_GOVERNING_FOS) {
     return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such result to find for");
   }
   if (!isfinite(options->value) ||
@@ -150,6 +189,7 @@ tp_status tp_find(tp_found **found, const tp_scene *scene, const tp_find_options
   if (s.status == TP_OK) s.status = set_range(&s, own);
   s.found = own;
   if (s.status == TP_OK) tp_search_scan(&s);
+  if (s.status == TP_OK) tell_governing(&s);
   if (s.status == TP_OK) {
     *found = own;
   } else {

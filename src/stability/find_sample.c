@@ -9,8 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const targets[] = {"critical_angle", "fos",       "sliding_angle", "sliding_fos",
-                                      "limit_angle",    "limit_fos", "onset_angle"};
+static const char *const targets[] = {"critical_angle", "fos",          "sliding_angle",
+                                      "sliding_fos",    "limit_angle",  "limit_fos",
+                                      "onset_angle",    "governing_fos"};
 enum { TARGETS = sizeof targets / sizeof targets[0] };
 
 bool tp_find_target_read(tp_find_target *target, const char *name) {
@@ -47,6 +48,8 @@ static bool target_value(tp_bounded *value, const tp_case *own, tp_find_target t
     return tp_case_limit_deg(value, own) == TP_CASE_NUMBER;
   case TP_FIND_ONSET_ANGLE:
     return tp_case_onset_deg(value, own) == TP_CASE_NUMBER;
+  case TP_FIND_GOVERNING_FOS:
+    return tp_case_fos(value, own) == TP_CASE_NUMBER;
   case TP_FIND_LIMIT_FOS:
     *value = own->limit.fos.value;
     return own->limit.fos.state == TP_FOS_NUMBER;

@@ -1,16 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Which factor of safety? The least over the ways in which the block can move (topple_governing.h).
+/* Which factor of safety governs (topple_governing.h)?
  *
- * About each admissible pivot the one by moments; along the facet that slides, where no other
- * stands in the way, that of shear strength, and for a rough base the one with phi + i as strength
- * on the mean plane; of all that contact forces allow the one by strength reduction. Of numbers
- * that their bounds do not tell apart, the least lies in the enclosure of both, and the first is
- * named. */
+ * About an admissible pivot the one by moments; along the facet that slides that of shear strength,
+ * and for a rough base the one with phi + i as strength on the mean plane; of all motions that
+ * contact forces allow the one by strength. A factor below 1 counts only where its motion is among
+ * those that can begin at the tilt, and one above 1 only where a motion can begin at the tilt at
+ * which it comes to 1: else contact forces prevent it.
+ *
+ * Where a motion can begin, two things would stop it: a change of strength, and of what drives
+ * those ways that begin whatever the strength. The nearer governs, so that the factor is 1 where
+ * the motion begins. Of numbers that their bounds do not tell apart, that which governs lies in the
+ * enclosure of both, and the first is named. */
 
 #include "stability/governing.h"
 #include "host.h"
+#include "stability/governing_factors.h"
 
 #include <math.h>
 
@@ -24,78 +30,19 @@ const char *tp_fos_definition_name(tp_fos_definition definition) {
     return "shear strength with roughness";
   case TP_FOS_BY_REDUCTION:
     return "strength reduction";
+  case TP_FOS_BY_TILT:
+    return "tilt";
   }
   return "unknown";
 }
 
-/* From the least safe on: none at all, a number, unknown, unbounded. */
-typedef enum rank { RANK_NONE, RANK_NUMBER, RANK_UNDECIDED, RANK_UNBOUNDED, RANK_ABSENT } rank;
-
-static rank rank_of(tp_fos fos) {
-  switch (fos.state) {
-  case TP_FOS_NUMBER:
-    return fos.value.value < -fos.value.error ? RANK_NONE : RANK_NUMBER;
-  case TP_FOS_UNDEFINED:
-    return RANK_NONE;
-  case TP_FOS_UNDECIDED:
-    return RANK_UNDECIDED;
-  case TP_FOS_NO_OVERTURNING:
-    return RANK_UNBOUNDED;
-  case TP_FOS_NO_TILT:
-  case TP_FOS_NOT_ASKED:
-    break;
-  }
-  return RANK_ABSENT;
+const char *tp_factor_standing_name(tp_factor_standing own) {
+  static const char *const names[] = {"counts", "blocked", "prevented", "uneven", "smooth"};
+  return own >= TP_FACTOR_COUNTS && own <= TP_FACTOR_SMOOTH ? names[own] : "unknown";
 }
 
-static bool is_less(tp_fos one, tp_fos other) {
-  const rank own = rank_of(one), held = rank_of(other);
-  if (own != held) return own < held;
-  return own == RANK_NUMBER && one.value.value < other.value.value;
-}
-
-static void add(tp_governing_fos *g, tp_factor factor) {
-  if (rank_of(factor.fos) != RANK_ABSENT) g->factors[g->factor_count++] = factor;
-}
-
-/* About the admissible pivot that is the least safe; of those alike the one that governs. */
-static void add_moments(tp_governing_fos *g, const tp_case *c) {
-  if (!c->has_governing) return;
-  size_t least = c->governing;
-  for (size_t k = 0; k < c->pivot_count; k++) {
-    const tp_pivot *p = c->pivots + k;
-    if (p->admissible && is_less(p->fos_resultant, c->pivots[least].fos_resultant)) least = k;
-  }
-  const size_t toe = c->towards == TP_TOWARDS_LEFT ? 0 : c->pivot_count - 1;
-  add(g, (tp_factor){.definition = TP_FOS_BY_MOMENTS,
-                     .mechanism = TP_TOPPLES,
-                     .pivot = least,
-                     .toe = least == toe,
-                     .counts = true,
-                     .fos = c->pivots[least].fos_resultant});
-}
-
-static void add_sliding(tp_governing_fos *g, const tp_case *c, bool loaded) {
-  const tp_sliding *s = &c->sliding;
-  if (!s->known) return;
-  tp_factor factor = {.definition = TP_FOS_BY_SHEAR,
-                      .mechanism = TP_SLIDES,
-                      .counts = s->opens,
-                      .fos = loaded ? s->fos : s->fos_strength};
-  add(g, factor);
-  const tp_bounded i = s->facet_angle_deg;
-  if (loaded || (i.value == 0 && i.error == 0)) return; /* the same */
-  factor.definition = TP_FOS_BY_ROUGHNESS;
-  factor.fos = s->fos;
-  add(g, factor);
-}
-
-static void add_reduction(tp_governing_fos *g, const tp_limit *limit) {
-  add(g, (tp_factor){.definition = TP_FOS_BY_REDUCTION,
-                     .mechanism = limit->fos_mechanism,
-                     .counts = true,
-                     .fos = limit->fos});
-}
+/* ---- which governs -----------------------------------------------------------------------------
+ */
 
 /* The least of two numbers lies between the lesser of their lower and of their upper ends. */
 static tp_bounded lesser(tp_bounded a, tp_bounded b) {
@@ -114,19 +61,31 @@ static bool overlap(tp_bounded a, tp_bounded b) {
   return fabs(a.value - b.value) <= a.error + b.error;
 }
 
-/* No strength holds a block that topples by its moments: their factor below 1 tells by how much. */
-static bool is_told_by_moments(const tp_governing_fos *g, const tp_factor *own) {
-  return own->definition == TP_FOS_BY_REDUCTION && own->fos.state == TP_FOS_UNDEFINED &&
-         rank_of(g->fos) == RANK_NUMBER && g->fos.value.value + g->fos.value.error < 1;
+static tp_bounded larger(tp_bounded a, tp_bounded b) {
+  a.value = -a.value;
+  b.value = -b.value;
+  tp_bounded least = lesser(a, b);
+  least.value = -least.value;
+  return least;
 }
 
-static void take_least(tp_governing_fos *g) {
+static void take(tp_governing_fos *g, size_t k) {
+  g->has_factor = true;
+  g->factor = k;
+  g->fos = g->factors[k].fos;
+}
+
+/* The least of those that count; of a block that moves, of those that are not above 1, without
+ * those by strength and by the tilt. */
+static void take_least(tp_governing_fos *g, bool moves) {
   for (size_t k = 0; k < g->factor_count; k++) {
     const tp_factor *own = g->factors + k;
-    if (!own->counts || is_told_by_moments(g, own)) continue;
-    if (rank_of(own->fos) == RANK_UNDECIDED) g->complete = false;
+    if (!own->counts) continue;
+    if (tp_fos_rank_of(own->fos) == TP_RANK_UNDECIDED) g->complete = false;
+    if (moves && (tp_fos_is_above(own->fos) || own->definition >= TP_FOS_BY_REDUCTION)) continue;
     const tp_factor *held = g->has_factor ? g->factors + g->factor : NULL;
-    if (held != NULL && rank_of(own->fos) == RANK_NUMBER && rank_of(held->fos) == RANK_NUMBER) {
+    if (held != NULL && tp_fos_rank_of(own->fos) == TP_RANK_NUMBER &&
+        tp_fos_rank_of(held->fos) == TP_RANK_NUMBER) {
       const bool same = overlap(own->fos.value, g->fos.value);
       if (!same && own->fos.value.value > g->fos.value.value) continue;
       g->tie = same && (g->tie || own->mechanism != held->mechanism);
@@ -134,28 +93,53 @@ static void take_least(tp_governing_fos *g) {
         g->fos.value = lesser(g->fos.value, own->fos.value);
         continue;
       }
-    } else if (held != NULL && !is_less(own->fos, held->fos)) {
+    } else if (held != NULL && !tp_fos_is_less(own->fos, held->fos)) {
       continue;
     }
-    g->has_factor = true;
-    g->factor = k;
-    g->fos = own->fos;
+    take(g, k);
   }
-  /* what should hold it drives it: that is no factor of safety */
-  if (g->has_factor && rank_of(g->fos) == RANK_NONE) g->fos = (tp_fos){.state = TP_FOS_UNDEFINED};
 }
 
-/* Under loads that do not turn with it, or friction that grows as the stress falls, a block that
- * lets go may be held again farther on. It does not come there. */
-static bool lets_go_before(const tp_case *c) {
-  const tp_governing_fos *g = &c->governing_fos;
-  const bool moves = c->mechanism == TP_SLIDES || c->mechanism == TP_TOPPLES ||
-                     c->mechanism == TP_SLIDES_AND_TOPPLES || c->mechanism == TP_LEAVES_BASE;
-  const bool above =
-      rank_of(g->fos) == RANK_UNBOUNDED ||
-      (rank_of(g->fos) == RANK_NUMBER && g->fos.value.value - g->fos.value.error > 1);
-  const tp_bounded margin = c->margin_to_first_deg;
-  return moves && above && c->has_margin_to_first && margin.value + margin.error < 0;
+static const tp_factor *find(const tp_governing_fos *g, tp_fos_definition definition) {
+  for (size_t k = 0; k < g->factor_count; k++) {
+    if (g->factors[k].definition == definition) return g->factors + k;
+  }
+  return NULL;
+}
+
+/* Of a block that moves: by strength, where that comes nearer to 1; where nothing else tells, by
+ * the tilt. */
+static void take_nearer(tp_governing_fos *g) {
+  const tp_factor *strength = find(g, TP_FOS_BY_REDUCTION), *tilt = find(g, TP_FOS_BY_TILT);
+  if (strength == NULL) {
+    if (!g->has_factor) g->fos = (tp_fos){.state = TP_FOS_UNDECIDED};
+    return;
+  }
+  if (tp_fos_is_above(strength->fos)) return;
+  if (!g->has_factor) {
+    const bool by_tilt = tilt != NULL && tp_fos_rank_of(strength->fos) == TP_RANK_NONE;
+    take(g, (size_t)((by_tilt ? tilt : strength) - g->factors));
+    return;
+  }
+  if (tp_fos_rank_of(strength->fos) != TP_RANK_NUMBER) return;
+  const bool number = tp_fos_rank_of(g->fos) == TP_RANK_NUMBER;
+  if (number && overlap(strength->fos.value, g->fos.value)) {
+    g->tie = g->tie || strength->mechanism != g->factors[g->factor].mechanism;
+    g->fos.value = larger(strength->fos.value, g->fos.value);
+  } else if (!number || strength->fos.value.value > g->fos.value.value) {
+    g->tie = false;
+    take(g, (size_t)(strength - g->factors));
+  }
+}
+
+/* What moves at a lesser tilt does not come to this one, though forces would hold it here: under
+ * loads that do not turn with it, or friction that grows as the stress falls. */
+static void judge_beyond(tp_governing_fos *g, bool moves) {
+  g->beyond = moves && !g->up_dip && (!g->has_factor || tp_fos_is_above(g->fos)) &&
+              tp_fos_rank_of(g->fos) != TP_RANK_UNDECIDED;
+  if (!g->beyond) return;
+  g->fos = (tp_fos){.state = TP_FOS_UNDEFINED};
+  g->has_factor = false;
 }
 
 static void govern(tp_case *c, const tp_solution *solution) {
@@ -165,26 +149,27 @@ static void govern(tp_case *c, const tp_solution *solution) {
                           .complete = solution->has_friction};
   if (!solution->has_tilt_angle) return;
   g->fos.state = TP_FOS_NOT_ASKED;
+  const tp_at_scene at = tp_at_scene_of(c, solution);
   const tp_contact_result *contact = &solution->contact;
   if (contact->facets > 0 ||
       contact->points > contact->corner_points) { /* else nothing carries it */
-    add_moments(g, c);
-    add_sliding(g, c, solution->loaded);
+    tp_governing_add_formulas(g, &at);
   }
-  if (c->limit.kind != TP_LIMIT_NOT_ASKED) add_reduction(g, &c->limit);
-  if (c->limit.fos.state == TP_FOS_NOT_ASKED || c->limit.kind == TP_LIMIT_NOT_ASKED) {
-    g->complete = false;
-  }
-  g->up_dip = c->falls_backwards;
-  if (g->up_dip) {
+  const bool asked = c->onset.kind != TP_ONSET_NOT_ASKED;
+  if (asked) tp_governing_add_onset(g, &at);
+  if (!asked || c->onset.fos.state == TP_FOS_NOT_ASKED) g->complete = false;
+  if (c->falls_backwards && !asked) {
+    g->up_dip = true;
     g->fos.state = TP_FOS_UNDEFINED;
     return;
   }
-  take_least(g);
-  g->beyond = lets_go_before(c);
-  if (!g->beyond) return;
-  g->fos.state = TP_FOS_UNDEFINED;
-  g->has_factor = false;
+  take_least(g, at.moves);
+  if (at.moves) take_nearer(g);
+  /* what should hold it drives it: that is no factor of safety */
+  if (g->has_factor && tp_fos_rank_of(g->fos) == TP_RANK_NONE)
+    g->fos = (tp_fos){.state = TP_FOS_UNDEFINED};
+  g->up_dip = c->falls_backwards && g->fos.state == TP_FOS_UNDEFINED;
+  judge_beyond(g, at.moves);
 }
 
 void tp_solution_govern(tp_solution *solution) {
@@ -194,15 +179,15 @@ void tp_solution_govern(tp_solution *solution) {
 /* Of a factor alone, whatever the mechanism. */
 static tp_design meets(const tp_governing_fos *g, double design_fos) {
   if (!g->sliding_judged) return TP_DESIGN_NOT_MET;
-  switch (rank_of(g->fos)) {
-  case RANK_NONE:
-  case RANK_ABSENT:
+  switch (tp_fos_rank_of(g->fos)) {
+  case TP_RANK_NONE:
+  case TP_RANK_ABSENT:
     return TP_DESIGN_NOT_MET;
-  case RANK_UNDECIDED:
+  case TP_RANK_UNDECIDED:
     return TP_DESIGN_OPEN;
-  case RANK_UNBOUNDED:
+  case TP_RANK_UNBOUNDED:
     return g->complete ? TP_DESIGN_MET : TP_DESIGN_OPEN;
-  case RANK_NUMBER:
+  case TP_RANK_NUMBER:
     break;
   }
   const tp_bounded fos = g->fos.value;

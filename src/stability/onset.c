@@ -8,6 +8,7 @@
 #include "stability/onset_question.h"
 #include "stability/onset_ranges.h"
 #include "stability/onset_result.h"
+#include "stability/onset_strength.h"
 
 #include <stdlib.h>
 
@@ -40,7 +41,7 @@ void tp_onset_clear(tp_onset *onset) {
   free(onset->windows);
   clear_ranges(onset);
   clear_motions(onset);
-  *onset = (tp_onset){.kind = TP_ONSET_NOT_ASKED};
+  *onset = (tp_onset){.kind = TP_ONSET_NOT_ASKED, .fos = {.state = TP_FOS_NOT_ASKED}};
 }
 
 /* One case at work. */
@@ -167,10 +168,24 @@ static void set_ranges(asking *a) {
   if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
 }
 
+/* Likewise by how much its strength has to change until that changes. */
+static void set_strength(asking *a, const arb_t tilt) {
+  if (!tp_onset_asks_strength(a->e)) return;
+  const tp_onset_telling t = {a->e,        a->certainty, a->result, &a->asked.question,
+                              &a->motions, &a->windows};
+  const tp_motion_outcome outcome =
+      tp_onset_strength(&t, &a->asked, tilt, a->found->at_tilt != TP_NO);
+  if (outcome == TP_MOTION_OUT_OF_MEMORY) a->outcome = outcome;
+  if (outcome == TP_MOTION_OPEN && !a->asked.question.judge.settled) a->certainty->open = true;
+}
+
 /* Can a motion begin at the scene's tilt, with the friction there, and which? */
 static void look_at_tilt(asking *a) {
   const tp_quantity *given = &a->e->problem->scene->tilt_angle_deg;
+  tp_onset *onset = &a->result->onset;
+  onset->fos = (tp_fos){.state = given->given ? TP_FOS_NOT_ASKED : TP_FOS_NO_TILT};
   if (!given->given) return;
+  if (tp_onset_asks_strength(a->e)) onset->fos.state = TP_FOS_UNDECIDED;
   arb_t tilt, friction;
   arb_init(tilt);
   arb_init(friction);
@@ -181,6 +196,7 @@ static void look_at_tilt(asking *a) {
       a->found->at_tilt = tp_window_holds(a->windows.items + k, tilt);
     }
     if (a->found->at_tilt != TP_OPEN) set_motions(a, tilt);
+    set_strength(a, tilt);
   }
   arb_clear(tilt);
   arb_clear(friction);
@@ -193,6 +209,7 @@ static void leave_open(asking *a) {
   clear_ranges(onset);
   clear_motions(onset);
   *onset = (tp_onset){.kind = TP_ONSET_UNDECIDED,
+                      .fos = {.state = TP_FOS_UNDECIDED},
                       .mechanism = TP_MECHANISM_UNDECIDED,
                       .friction_angle_deg = onset->friction_angle_deg,
                       .too_dear = a->outcome == TP_MOTION_TOO_DEAR};
@@ -254,6 +271,7 @@ bool tp_evaluate_onset(const tp_evaluation *e, tp_case *result, tp_onset_found *
   asking a = {.e = e, .certainty = certainty, .result = result, .found = found};
   if (!tp_onset_asked_init(&a.asked, e, result->towards)) return false;
   found->at_tilt = TP_NO;
+  a.asked.question.keeps_all = tp_onset_asks_strength(e);
   tp_work_begin(e->work, tp_cones_column_count(&a.asked.cones));
   find_onset(&a);
   if (a.outcome == TP_MOTION_PROVEN) tell_onset(&a);

@@ -184,6 +184,8 @@ static tp_motion_outcome set_contacts(tp_motion *motion, const telling *told) {
     own->of_facet = facet >= 0;
     own->facet = facet >= 0 ? (size_t)facet : 0;
     own->at_right_end = facet >= 0 && point > 0 && cones->points[point - 1].facet == facet;
+    own->has_pivot = cones->points[point].site < t->e->problem->contact.point_count;
+    own->pivot = own->has_pivot ? (size_t)cones->points[point].site : 0;
     own->state = state_of(t->motions, mode, point);
     own->has_force = has_forces;
     if (has_forces) set_share(own, told, point);

@@ -219,6 +219,7 @@ void tp_evaluate_sliding(const tp_evaluation *e, tp_case *result, tp_direction_b
   }
   result->sliding.known = best.facet >= 0 || best.blocked;
   result->sliding.never = best.blocked;
+  result->sliding.uneven = best.uneven;
   result->sliding.fos = result->sliding.fos_strength = (tp_fos){.state = TP_FOS_NO_OVERTURNING};
   result->sliding.opens = !best.blocked && tp_sliding_facet_opens(e, &best, result->towards);
   if (best.facet >= 0) describe(e, result, &best, sliding, certainty);

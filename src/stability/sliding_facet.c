@@ -95,7 +95,7 @@ static void motion(const tp_lattice *l, const tp_facet *f, tp_direction towards,
 
 void tp_sliding_facet_init(tp_sliding_facet *best) {
   best->facet = -1;
-  best->blocked = false;
+  best->blocked = best->uneven = false;
   fmpz_init(best->run);
   fmpz_init(best->rise);
 }
@@ -160,7 +160,9 @@ static void take_smoothest(tp_sliding_facet *best, const tp_evaluation *e, tp_di
     tp_sliding_facet_init(&own);
     tp_sliding_facet_consider(e, k, towards, &own);
     const bool parallel = own.facet >= 0 && compare_slopes(&own, best) == 0;
-    if (parallel && compare_frictions(e, k, best->facet) < 0) best->facet = k;
+    const int order = parallel ? compare_frictions(e, k, best->facet) : 0;
+    if (order < 0) best->facet = k;
+    best->uneven = best->uneven || order != 0;
     tp_sliding_facet_clear(&own);
   }
 }

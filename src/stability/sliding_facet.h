@@ -12,6 +12,7 @@
 typedef struct tp_sliding_facet {
   long facet;   /* -1: none */
   bool blocked; /* a facet stands upright in the way */
+  bool uneven;  /* one parallel to it has another friction */
   fmpz_t run, rise;
 } tp_sliding_facet;
 

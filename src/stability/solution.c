@@ -40,7 +40,7 @@ bool tp_solution_is_undecided(const tp_solution *solution) {
   for (size_t k = 0; k < solution->case_count; k++) {
     const tp_case *own = solution->cases + k;
     if (own->mechanism == TP_MECHANISM_UNDECIDED || own->first == TP_MECHANISM_UNDECIDED ||
-        own->limit.fos.state == TP_FOS_UNDECIDED)
+        own->limit.fos.state == TP_FOS_UNDECIDED || own->onset.fos.state == TP_FOS_UNDECIDED)
       return true;
   }
   return false;

@@ -45,7 +45,7 @@ static bool read_words(const char **words, const char **at) {
 /* Nothing, or the name of a definition. */
 static bool read_definition(int *definition, const char **at) {
   *definition = -1;
-  for (int k = 0; k < TP_FACTORS_MAX && **at != ','; k++) {
+  for (int k = 0; k < TP_FOS_DEFINITIONS && **at != ','; k++) {
     const char *name = tp_fos_definition_name((tp_fos_definition)k);
     const size_t length = strlen(name);
     if (strncmp(*at, name, length) == 0 && (*at)[length] == ',') *definition = k;

@@ -108,7 +108,7 @@ static tp_status find_islands(climb *c, tp_tilt_verdict *verdict) {
 static tp_status find_point(tp_overturning_point *point, tp_tilting *tilting, const stage *g) {
   const tp_shaking_peaks peaks =
       tp_base_acceleration_peaks(g->shaking->axes + TP_SHAKING_HORIZONTAL);
-  climb c = {.own = {tilting, g->shaking, 1},
+  climb c = {.own = {tilting, g->shaking},
              .point = point,
              .unit_m_s2 = peaks.acceleration_m_s2,
              .tolerance = g->options->tolerance};
@@ -121,7 +121,7 @@ static tp_status find_point(tp_overturning_point *point, tp_tilting *tilting, co
     status = find_islands(&c, &verdict);
   }
   point->converged = tilting->own->converged;
-  tp_base_shaking_scale(g->shaking, 1 / c.own.factor);
+  g->shaking->factor = 1;
   return status;
 }
 

@@ -45,7 +45,7 @@ static void find(const tp_scene *scene, fuzz_bytes *b) {
   tp_message message = {""};
   tp_find_options options = {.size = sizeof options,
                              .key = draw_key(b),
-                             .target = (tp_find_target)fuzz_pick(b, TP_FIND_ONSET_ANGLE + 1),
+                             .target = (tp_find_target)fuzz_pick(b, TP_FIND_GOVERNING_FOS + 1),
                              .value = draw_number(b)};
   const unsigned ends = fuzz_pick(b, 4); /* none, both, the upper one, the lower one */
   options.has_low = ends % 2 != 0;

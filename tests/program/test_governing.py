@@ -154,8 +154,11 @@ class Governing(GoverningCase):
                    "between: [[0, 0], [1, 0]]}\nfriction_angle_deg: 40\ntilt: {towards: left, angle_deg: 5}\n")
         (case,) = self.solve(leaning)
         self.assertTrue(case["falls_backwards"])
+        governing = case["governing_fos"]  # the centroid (3.5, 3) passes (1, 0) at atan(2.5 / 3)
+        self.assertEqual((governing["mechanism"], governing["definition"]), ("topples", "tilt"))
+        self.near(governing["fos"], tan(5) / (2.5 / 3))
+        (case,) = self.solve(leaning.replace("friction_angle_deg: 40\n", ""))
         self.assertEqual(case["governing_fos"]["fos_is"], "none: at this tilt it lets go up-dip")
-        self.assertIn("No FoS: at this tilt it lets go up-dip\n", run("solve", self.scene(leaning))[1])
 
     def test_two_apexes(self):
         """A block on two corners alone: JSON called it `topples` and `slides and topples` at once, the report spoke of

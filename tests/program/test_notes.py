@@ -11,7 +11,7 @@ import re
 import tempfile
 import unittest
 
-from harness import ROOT, main, run
+from harness import ROOT, example_scenes, main, run
 
 SLAB = ("topple: 1\nlength_unit: {unit}\nblock: {{slab: {{width: {width}, height: {height}}}{more}}}\n"
         "base: {{mated: true}}\n")
@@ -175,7 +175,7 @@ class Notes(unittest.TestCase):
         self.assertTrue(8 < heights[1] - heights[0] < 25, heights)
 
     def test_examples_have_none(self):
-        for scene in sorted((ROOT / "examples").glob("*.yaml")):
+        for scene in example_scenes():
             with self.subTest(scene.name):
                 notes = [note["text"] for note in json.loads(run("solve", "--json", scene)[1])["notes"]]
                 shakes = "\nshaking:" in scene.read_text(encoding="utf-8")

@@ -100,7 +100,7 @@ class World(unittest.TestCase):
                 elif kind == 2:
                     block += f", parts: [{{outline: {text(map(put, hole))}, unit_weight_kn_m3: 20}}]"
                     angle = decimal.Decimal(200) + (dip if s > 0 else -dip) * (put is place)
-                    loads = (f"loads: {{seismic: {{horizontal: 0.1, vertical: 0.05}}, water: {{height: 1, uplift: true}}, "
+                    loads = (f"loads: {{seismic: {{horizontal: 0.1, vertical: 0.05, direction: down_dip}}, water: {{height: 1, uplift: true}}, "
                              f"anchors: [{{at: [{put(hole[0])[0]}, {put(hole[0])[1]}], direction_deg: {angle}, force_kn: 30}}], "
                              f"cohesion_kpa: 3}}")
                 elif kind == 3:

@@ -8,6 +8,13 @@ import { fosText } from "./certain.js";
 import { Panel } from "./panel.js";
 import { againstText, definitionText, directionText, termOfDefinition } from "./words.js";
 
+const STANDINGS = {
+  blocked: "a contact stands in the way: it does not count",
+  prevented: "excluded: contact forces prevent it",
+  uneven: "excluded: its facets differ in friction",
+  smooth: "excluded: no friction to divide",
+};
+
 export class FactorsPanel extends Panel {
   draw(solution) {
     this.body.replaceChildren(...solution.cases.map((each) => this.#direction(each)));
@@ -36,7 +43,7 @@ export class FactorsPanel extends Panel {
         againstText(factor.mechanism) + (factor.pivot === undefined ? "" : " about pivot " + (factor.pivot + 1)),
         [
           this.terms.word(by, termOfDefinition(factor.definition)),
-          factor.counts ? null : " (a contact stands in the way: it does not count)",
+          factor.counts ? null : " (" + STANDINGS[factor.standing] + ")",
         ],
       ],
     };

@@ -9,6 +9,7 @@ const DEFINITIONS = {
   "shear strength": "shear strength on the facet: tan φ/tan(α−i)",
   "shear strength with roughness": "shear strength, mean plane: tan(φ+i)/tan α",
   "strength reduction": "strength reduction, by contact forces",
+  "tilt": "tilt: tan α of the onset over tan α",
 };
 
 /** Under loads no angle alone says it. */
@@ -30,6 +31,7 @@ const TERM_OF_DEFINITION = {
   "shear strength": "sliding",
   "shear strength with roughness": "Patton's law",
   "strength reduction": "strength reduction",
+  "tilt": "onset of motion",
 };
 
 export const COLOUR_CLASS = {

@@ -21,7 +21,7 @@ from .errors import BadInput, Caution, checked
 from .given import NULL, Points, c_doubles, real_doubles, refuse_masked
 from .options import options_of
 from .record import Bounded, Record, record
-from .words import Direction, LimitKind, Mechanism, OnsetKind, number_of
+from .words import FosDefinition, Direction, LimitKind, Mechanism, OnsetKind, number_of
 
 if TYPE_CHECKING:
     import numpy
@@ -113,6 +113,12 @@ class Verdicts(Columns):
     onset_error_deg: numpy.ndarray
     fos: numpy.ndarray  #: the governing factor of safety, where there is a tilt and a number
     fos_error: numpy.ndarray
+    fos_mechanism: numpy.ndarray  #: against which that factor is
+    fos_definition: numpy.ndarray  #: by which it is reckoned
+    fos_moments: numpy.ndarray  #: of moments, about the pivot that is the least safe
+    fos_moments_error: numpy.ndarray
+    fos_sliding: numpy.ndarray  #: of shear strength
+    fos_sliding_error: numpy.ndarray
 
 
 @dataclasses.dataclass(frozen=True)
@@ -210,7 +216,7 @@ def c_numbers(given: Any, count: int) -> tuple[tuple, Any]:
 
 #: Columns of whole numbers, by the enumeration that they are, or that they are none.
 WORDS = {"mechanism": Mechanism, "first": Mechanism, "limit_kind": LimitKind,
-         "onset_kind": OnsetKind}
+         "onset_kind": OnsetKind, "fos_mechanism": Mechanism, "fos_definition": FosDefinition}
 
 
 def filled(kind, call, outlines: Outlines, given: tuple, **options: Any):

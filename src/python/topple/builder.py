@@ -17,6 +17,14 @@ from .tilt_builder import TiltBuilder
 from .words import Word, number_of
 
 
+class SeismicDirection(Word):
+    """Which way the horizontal part of an earthquake acts on a block that lies on a slope."""
+
+    BOTH = "both"  #: the worse of the two governs
+    DOWN_DIP = "down_dip"
+    UP_DIP = "up_dip"
+
+
 class UndersideEnd(Word):
     """An end of the underside."""
 
@@ -185,6 +193,10 @@ class Builder(TiltBuilder):
     def set_seismic_vertical(self, coefficient: Number) -> None:
         """k_v, a share of the weight, up."""
         self._change_numbers(lib.tp_scene_set_seismic_vertical, coefficient)
+
+    def set_seismic_direction(self, direction: SeismicDirection | str) -> None:
+        """Which way k_h acts on a block in the frame of the world: 'both', 'down_dip', 'up_dip'."""
+        self._change(lib.tp_scene_set_seismic_direction, number_of(SeismicDirection, direction))
 
     def set_water(self, height: Number, unit_weight_kn_m3: Number = "9.81",
                   stays_level: bool = False, uplift: bool = False) -> None:

@@ -10,7 +10,8 @@ from ._library import lib
 from .contact import Account, Fos
 from .limit import Limit, Onset
 from .record import Bounded, Record, field, struct_of
-from .words import Design, Direction, FosDefinition, LoadSide, Mechanism, PivotKind, Rolls
+from .words import (Design, Direction, FactorStanding, FosDefinition, LoadSide, Mechanism, PivotKind,
+                    Rolls)
 
 
 def _turns(c) -> bool:
@@ -47,6 +48,7 @@ class Sliding(Record):
     never: bool
     always: bool
     opens: bool  #: no other facet stands in the way of sliding along this one
+    uneven: bool  #: facets parallel to this one have more friction
     friction_angle_deg: Bounded
     facet_angle_deg: Bounded  #: positive where the block must climb
     facet_x0_m: Bounded
@@ -86,13 +88,15 @@ class Factor(Record):
     #: of the case's
     pivot: int | None = field(when=lambda c: c.definition == lib.TP_FOS_BY_MOMENTS)
     toe: bool  #: it is the end of the contact down-dip
-    counts: bool  #: False: the contact stands in the way of this motion
+    counts: bool  #: False: it is shown for comparison
     fos: Fos
+    standing: FactorStanding  #: why it counts, or not
+    raised: bool  #: by strength: more of it lets a motion begin, or less would stop it
 
 
 @dataclasses.dataclass(frozen=True)
 class GoverningFos(Record):
-    """The least factor of safety of those that count."""
+    """The factor of safety that governs: below 1 exactly where a motion can begin at the tilt."""
 
     fos: Fos
     factor: int | None = field(when="has_factor")  #: it is that of this one of the factors

@@ -7,6 +7,7 @@ from __future__ import annotations
 import dataclasses
 
 from ._library import ffi, lib
+from .case import GoverningFos
 from .given import c_text
 from .options import options_of
 from .record import Bounded, Record, field, record, struct_of
@@ -37,6 +38,8 @@ class Found(Record):
     solutions: tuple[Bounded, ...] = field(count="count")
     touching: tuple[Bounded, ...] = field(count="touching_count")  #: a double solution, or none
     intervals: tuple[FoundInterval, ...] = field(count="interval_count")
+    #: of each solution, where a factor of safety was looked for
+    governing: tuple[GoverningFos, ...] | None = field(count="count", when=lambda c: c.governing != ffi.NULL)
 
     def report(self) -> str:
         """What was found, as `topple solve --find` prints it."""

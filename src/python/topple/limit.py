@@ -84,6 +84,7 @@ class MotionContact(Record):
     of_facet: bool
     at_right_end: bool
     state: ContactState
+    pivot: int | None = field(when="has_pivot")  #: of the case's pivots the one that it lies in
     share_x: Bounded | None = field(when="has_force")
     share_y: Bounded | None = field(when="has_force")
 
@@ -142,3 +143,6 @@ class Onset(Record):
     paradox: bool  #: of Painlevé: rigid bodies with Coulomb friction have no unique answer
     motions: tuple[Motion, ...] | None = field(count="motion_count", when="has_motions")
     beginnings: tuple[Mechanism, ...] | None = field(read=_beginnings, when="has_motions")
+    fos: Fos  #: by a change of all strength at the scene's tilt: above 1 where no motion can begin
+    fos_raised: bool  #: what changes it is more strength, not less
+    fos_mechanism: Mechanism  #: what begins, or ends, there

@@ -92,8 +92,19 @@ class FosDefinition(Word):
     BY_MOMENTS = "moments"  #: what stabilises over what overturns, about a pivot
     BY_SHEAR = "shear strength"  #: over shear force, along the facet that slides
     BY_ROUGHNESS = "shear strength with roughness"  #: tan(phi + i) / tan(tilt) on the mean plane
-    #: the divisor of all shear strength with which forces just hold it
+    #: the divisor, or the multiple, of all strength at which a motion can just begin
     BY_REDUCTION = "strength reduction"
+    BY_TILT = "tilt"  #: tan of the tilt at which motions begin, or end, over that of the tilt
+
+
+class FactorStanding(Word):
+    """Does the factor of a way count?"""
+
+    COUNTS = "counts"
+    BLOCKED = "blocked"  #: a facet stands in the way of this motion
+    PREVENTED = "prevented"  #: contact forces prevent it
+    UNEVEN = "uneven"  #: facets along which it would slide differ in friction
+    SMOOTH = "smooth"  #: there is no shear strength to divide
 
 
 class PivotKind(Word):
@@ -193,6 +204,7 @@ class FindTarget(Word):
     LIMIT_ANGLE = "limit_angle"  #: the static limit
     LIMIT_FOS = "limit_fos"  #: by strength reduction
     ONSET_ANGLE = "onset_angle"  #: the onset of motion
+    GOVERNING_FOS = "governing_fos"  #: the factor that governs at the scene's tilt
 
 
 class Notation(Word):

@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "case_filter/factor_filter.h"
+
+#include "case_filter/strength_filter.h"
+
+/* ---- which count -------------------------------------------------------------------------------
+ */
+
+void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot) {
+  const tp_shape_point *p = shape->points + pivot->point;
+  *x = tp_near_neg(p->x);
+  *y = tp_near_neg(p->y);
+}
+
+typedef enum counting { COUNTS, EXCLUDED, OPEN } counting;
+
+/* Can motions begin just beside a tilt at which none need to at the block's own? */
+static counting begins_beside(const tp_case_told *told, tp_near critical) {
+  static const double beside = 0x1p-30;
+  for (int side = 1; side >= -1; side -= 2) {
+    bool moves = false;
+    unsigned beginnings = 0;
+    const tp_near at = tp_near_mul(critical, (tp_near){1 + side * beside, 0});
+    if (!tp_onset_filter_look(&moves, &beginnings, &told->onset, at)) return OPEN;
+    if (moves) return COUNTS;
+  }
+  return EXCLUDED;
+}
+
+/* Does the interval hold the tangent for certain? */
+static bool holds(const tp_near_interval *own, tp_near tangent) {
+  return !own->empty && !own->perhaps &&
+         (!own->has_low || tp_near_sign(tp_near_sub(tangent, own->low)) > 0) &&
+         (!own->has_high || tp_near_sign(tp_near_sub(own->high, tangent)) > 0);
+}
+
+/* Can motions begin at all tilts from a critical one up to the block's? Modes that hold the tilt at
+ * hand lead down to their lower ends. Where they end before it, balls tell. */
+static counting begins_from(const tp_case_told *told, tp_near critical, tp_near tangent) {
+  static const double beside = 0x1p-30;
+  const tp_onset_filter *o = &told->onset;
+  const tp_near wanted = tp_near_mul(critical, (tp_near){1 + beside, 0});
+  tp_near at = tangent;
+  for (int step = 0; step <= o->plan->mode_count; step++) {
+    tp_near least = at;
+    for (int k = 0; k < o->plan->mode_count; k++) {
+      const tp_near_interval *own = &o->modes[k].all;
+      if (!holds(own, at)) continue;
+      if (!own->has_low) return COUNTS;
+      if (tp_near_sign(tp_near_sub(least, own->low)) > 0) least = own->low;
+    }
+    if (tp_near_sign(tp_near_sub(wanted, least)) > 0) return COUNTS;
+    const tp_near next = tp_near_mul(least, (tp_near){1 + beside, 0});
+    if (tp_near_sign(tp_near_sub(at, next)) <= 0) return OPEN;
+    at = next;
+  }
+  return OPEN;
+}
+
+/* A factor against one way to move. */
+typedef struct way {
+  tp_fos_state state; /* a number, or nothing overturns */
+  tp_near fos;
+  bool has_critical; /* it is 1 at a tilt, */
+  tp_near critical;  /* with this tangent */
+  bool begins;       /* its motion can at the block's own */
+  tp_fos_definition definition;
+  tp_mechanism mechanism;
+} way;
+
+/* By its side of 1, and whether its motion can begin. */
+static counting judge(const tp_case_told *told, const tp_filter_state *s, const way *own,
+                      int side) {
+  if (side == 0) return OPEN;
+  if (side < 0 && !(s->moves && own->begins)) return EXCLUDED;
+  if ((side > 0 && s->moves) || !own->has_critical) return COUNTS;
+  return s->moves ? begins_from(told, own->critical, s->tangent)
+                  : begins_beside(told, own->critical);
+}
+
+/* ---- what governs ------------------------------------------------------------------------------
+ */
+
+/* What governs so far. */
+typedef struct least {
+  bool any, number;
+  tp_near fos;
+  tp_mechanism mechanism;
+  tp_fos_definition definition;
+} least;
+
+static void name(least *l, tp_fos_definition definition, tp_mechanism mechanism) {
+  l->definition = definition;
+  l->mechanism = mechanism;
+}
+
+/* A factor against a mechanism, a number or beyond all. Of numbers that are not told apart the
+ * first is named; their mechanisms have to be the same. */
+static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition definition,
+                 tp_mechanism mechanism) {
+  if (state != TP_FOS_NUMBER) {
+    if (!l->any) name(l, definition, mechanism);
+    l->any = true;
+    return true;
+  }
+  if (tp_near_sign(fos) <= 0) return false;
+  const int order = l->number ? tp_near_sign(tp_near_sub(fos, l->fos)) : -1;
+  if (order == 0 && mechanism != l->mechanism) return false;
+  if (order < 0) name(l, definition, mechanism);
+  if (order < 0) l->fos = fos;
+  if (order == 0) l->fos = tp_near_lesser(l->fos, fos);
+  l->any = l->number = true;
+  return true;
+}
+
+/* Takes what counts; of a block that moves, what is below 1 alone. */
+static bool take_judged(least *l, const tp_case_told *told, const tp_filter_state *s,
+                        const way *own) {
+  static const tp_near one = {1, 0};
+  const int side = own->state == TP_FOS_NUMBER ? tp_near_sign(tp_near_sub(own->fos, one)) : 1;
+  const counting counts = judge(told, s, own, side);
+  if (counts != COUNTS) return counts == EXCLUDED;
+  return (s->moves && side > 0) || take(l, own->state, own->fos, own->definition, own->mechanism);
+}
+
+/* Does a mode turn about the point: sticking there, or slipping there alone? */
+static bool turns_about(const tp_contact_plan *plan, const tp_plan_mode *mode, long point) {
+  const long site = plan->points[point].site;
+  bool alone = mode->mechanism != TP_SLIDES && mode->edge_count > 0;
+  for (int k = 0; k < mode->edge_count; k++) {
+    alone = alone && plan->points[mode->edges[k].point].site == site;
+  }
+  const tp_plan_ray *ray = plan->rays + mode->rays[0];
+  const bool sticks = mode->mechanism == TP_TOPPLES && mode->ray_count == 1 &&
+                      ray->kind == TP_RAY_TURNS && plan->points[ray->point].site == site;
+  return alone || sticks;
+}
+
+/* How it can begin to turn about the pivot, if it can: sticking there, or else slipping. */
+static tp_mechanism turn_about(const tp_case_told *told, const tp_filter_pivot *pivot,
+                               tp_near tangent) {
+  const tp_contact_plan *plan = &told->filter->plan;
+  tp_mechanism found = TP_MECHANISM_UNDECIDED;
+  for (int k = 0; k < plan->mode_count && found != TP_TOPPLES; k++) {
+    if (turns_about(plan, plan->modes + k, pivot->point) &&
+        holds(&told->onset.modes[k].with_rays, tangent)) {
+      found = plan->modes[k].mechanism;
+    }
+  }
+  return found;
+}
+
+static bool take_moments(least *l, const tp_case_told *told, const tp_filter_state *s) {
+  const bool level = tp_near_is_zero(s->tangent); /* nothing overturns */
+  bool done = true;
+  for (int k = -1; k < told->filter->pivot_count && done; k++) {
+    const tp_filter_pivot *pivot = k < 0 ? told->pivot : told->filter->pivots + k;
+    if (k >= 0 && (!pivot->admissible || pivot == told->pivot)) continue;
+    tp_near x, y;
+    tp_filter_arms(&x, &y, told->shape, pivot);
+    const tp_mechanism turn =
+        s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
+    const bool begins = turn != TP_MECHANISM_UNDECIDED;
+    const way own = {.state = level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER,
+                     .fos = level ? s->tangent : tp_near_div(x, tp_near_mul(y, s->tangent)),
+                     .has_critical = true,
+                     .critical = tp_near_div(x, y),
+                     .begins = begins,
+                     .definition = TP_FOS_BY_MOMENTS,
+                     .mechanism = begins ? turn : TP_TOPPLES};
+    done = take_judged(l, told, s, &own);
+  }
+  return done;
+}
+
+static bool take_sliding(least *l, const tp_case_told *told, const tp_filter_state *s) {
+  tp_sliding_told sliding;
+  if (!tp_sliding_filter(&sliding, told, s->tangent)) return false;
+  if (!sliding.counts) return true;
+  way own = {.state = sliding.shear,
+             .fos = sliding.by_shear,
+             .has_critical = sliding.has_critical,
+             .critical = sliding.critical,
+             .begins = s->moves && (s->beginnings & 1U << TP_SLIDES) != 0,
+             .definition = TP_FOS_BY_SHEAR,
+             .mechanism = TP_SLIDES};
+  if (!take_judged(l, told, s, &own)) return false;
+  if (sliding.is_level) return true;
+  own.state = sliding.rough;
+  own.fos = sliding.by_roughness;
+  own.definition = TP_FOS_BY_ROUGHNESS;
+  return take_judged(l, told, s, &own);
+}
+
+/* Of a block that moves what comes nearer to 1; where no change of strength stops it, and nothing
+ * else would, or where the tilt alone tells, balls have the answer. */
+static bool take_strength(least *l, const tp_case_told *told, const tp_filter_state *s) {
+  tp_strength_told own;
+  if (!tp_strength_filter_find(&own, &told->filter->plan, told->shape, told->friction, s->tangent,
+                               s->moves)) {
+    return false;
+  }
+  if (!own.found) return s->moves ? l->number : told->never || tp_near_is_zero(s->tangent);
+  const bool raised = own.share.value > 1;
+  const tp_near fos = raised == s->moves ? tp_near_div((tp_near){1, 0}, own.share) : own.share;
+  if (!s->moves) return take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_REDUCTION, own.mechanism);
+  const int order = l->number ? tp_near_sign(tp_near_sub(fos, l->fos)) : 1;
+  if (order == 0) {
+    l->fos = tp_near_larger(l->fos, fos);
+    return l->mechanism == s->mover;
+  }
+  if (order < 0) return true;
+  name(l, TP_FOS_BY_REDUCTION, s->mover);
+  l->fos = fos;
+  l->any = l->number = true;
+  return true;
+}
+
+/* Between windows of motion, where the tilt may tell, balls do. */
+static bool lies_between_windows(const tp_case_told *told, const tp_filter_state *s) {
+  return !s->moves && !told->never &&
+         tp_near_sign(tp_near_sub(told->onset.tangent, s->tangent)) <= 0;
+}
+
+bool tp_factor_filter(tp_case_told_at *at, const tp_case_told *told, const tp_filter_state *s) {
+  least l = {.any = false};
+  if (lies_between_windows(told, s) || !take_moments(&l, told, s) || !take_sliding(&l, told, s) ||
+      !take_strength(&l, told, s)) {
+    return false;
+  }
+  if (!l.any) name(&l, TP_FOS_BY_REDUCTION, TP_MECHANISM_UNDECIDED);
+  at->state = l.number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
+  at->fos = l.fos;
+  at->fos_mechanism = l.mechanism;
+  at->fos_definition = l.definition;
+  return true;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The factor of safety that governs, as stability/governing.c has it, of a block under its weight
+ * alone, in doubles with bounds. */
+
+#ifndef TP_FACTOR_FILTER_H
+#define TP_FACTOR_FILTER_H
+
+#include "case_filter/sliding_filter.h"
+
+/* What is told of the block at its tilt. */
+typedef struct tp_filter_state {
+  tp_near tangent;     /* of the tilt */
+  bool moves;          /* some motion can begin: */
+  unsigned beginnings; /* the bit 1 << mechanism of each that can, */
+  tp_mechanism mover;  /* and which is named */
+} tp_filter_state;
+
+/* The arms of the weight about a pivot: x / y is the tangent of its critical angle. */
+void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot);
+
+/* Fills in the factor; false where doubles do not tell. */
+TP_MUST_USE bool tp_factor_filter(tp_case_told_at *at, const tp_case_told *told,
+                                  const tp_filter_state *state);
+
+#endif

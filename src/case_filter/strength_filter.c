@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The modes of the plan as functions of the share, over cos(tilt): w = (-t, -1, 0), and
+ * e = N + s f T with f = tan(phi). Where no motion can begin, forces have to hold the block too. */
+
+#include "case_filter/strength_filter.h"
+
+#include "motion/mode_shares.h"
+
+static void set_edge(tp_share_line *own, const tp_contact_plan *plan, const tp_shape *shape,
+                     tp_plan_edge edge, tp_near friction) {
+  static const tp_near zero = {0, 0};
+  const tp_plan_point *at = plan->points + edge.point;
+  const tp_shape_point *p = shape->points + edge.point;
+  const tp_near along = edge.against ? friction : tp_near_neg(friction); /* turned round */
+  tp_shape_edge(own->at, shape, edge, zero);
+  for (int e = 0; e < 3; e++) own->at[e] = tp_near_neg(own->at[e]);
+  own->rise[0] = tp_near_times(along, p->tx);
+  own->rise[1] = tp_near_times(along, p->ty);
+  own->rise[2] = tp_near_times(along, p->about);
+  own->site = at->site + 1;
+  own->parallel = 1 + 4 * at->axis + 2 * at->along + edge.against;
+}
+
+static void set_loads(tp_share_mode *mode, tp_near tangent) {
+  mode->loads = (tp_share_line){.at = {tp_near_neg(tangent), {-1, 0}, {0, 0}}};
+  mode->free_count = 0;
+}
+
+static void set_mode(tp_share_mode *mode, const tp_contact_plan *plan, const tp_shape *shape,
+                     const tp_plan_mode *own, tp_near friction) {
+  mode->mechanism = own->mechanism;
+  mode->interior = false;
+  mode->ray_count = own->ray_count;
+  mode->count = own->ray_count + own->edge_count;
+  for (int k = 0; k < own->ray_count; k++) {
+    mode->of[k] = (tp_share_line){.site = 0};
+    for (int e = 0; e < 3; e++) mode->of[k].at[e] = shape->inertia[own->rays[k]][e];
+  }
+  for (int k = 0; k < own->edge_count; k++) {
+    tp_share_line *edge = mode->of + own->ray_count + k;
+    *edge = (tp_share_line){.site = 0};
+    set_edge(edge, plan, shape, own->edges[k], friction);
+  }
+}
+
+/* Where all points open under the weight: no share changes that. */
+static void set_interior(tp_share_mode *mode, const tp_contact_plan *plan, const tp_shape *shape) {
+  mode->mechanism = TP_LEAVES_BASE;
+  mode->interior = true;
+  mode->ray_count = 0;
+  mode->count = plan->point_count;
+  for (int k = 0; k < plan->point_count; k++) {
+    const tp_shape_point *p = shape->points + k;
+    mode->of[k] = (tp_share_line){.at = {tp_near_neg(p->ty), p->tx, p->along}};
+  }
+}
+
+/* The modes at a tilt, one after another; the last is that in which all points open. */
+typedef struct modes {
+  const tp_contact_plan *plan;
+  const tp_shape *shape;
+  tp_near friction, tangent;
+} modes;
+
+static int count_of(const modes *m) {
+  return m->plan->mode_count + (m->plan->opens_all ? 1 : 0);
+}
+
+static void read_mode(tp_share_mode *mode, const modes *m, int k) {
+  set_loads(mode, m->tangent);
+  if (k < m->plan->mode_count) {
+    set_mode(mode, m->plan, m->shape, m->plan->modes + k, m->friction);
+  } else {
+    set_interior(mode, m->plan, m->shape);
+  }
+}
+
+/* Can a motion begin with the share? 1, or -1: no, and forces hold it; 0 where that is open. */
+static int side_of(const modes *m, double share) {
+  tp_share_mode mode;
+  int any = -1;
+  for (int k = 0; k < count_of(m); k++) {
+    read_mode(&mode, m, k);
+    const int side = tp_share_mode_side(&mode, share);
+    if (side > 0) return 1;
+    if (side == 0) any = 0;
+  }
+  tp_edge_set edges;
+  tp_edge_set_init(&edges, m->plan, m->shape, tp_near_mul(m->friction, (tp_near){share, 0}));
+  return any < 0 && tp_limit_filter_holds(&edges, m->tangent) ? -1 : 0;
+}
+
+bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
+                             const tp_shape *shape, tp_near friction, tp_near tangent, bool moves) {
+  static const double width = 0x1p-43;
+  const modes m = {plan, shape, friction, tangent};
+  tp_share_mode mode;
+  tp_share_spans spans = {.count = 0};
+  bool done = true;
+  for (int k = 0; k < count_of(&m) && done; k++) {
+    read_mode(&mode, &m, k);
+    done = tp_share_spans_add(&spans, &mode);
+  }
+  const tp_share_change change = tp_share_spans_change(&spans, moves);
+  tp_share_spans_clear(&spans);
+  told->found = change.found;
+  if (!done || !change.found) return done;
+  const int below = side_of(&m, change.share * (1 - width));
+  const int above = below != 0 ? side_of(&m, change.share * (1 + width)) : 0;
+  told->share = tp_near_of(change.share, change.share * width);
+  told->mechanism = change.mechanism;
+  return below * above < 0;
+}

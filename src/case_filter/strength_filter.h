@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The share of its friction nearest to 1 at which it changes whether a motion can begin at a tilt
+ * (motion/strength_change.h), by the weight alone, in doubles with bounds. */
+
+#ifndef TP_STRENGTH_FILTER_H
+#define TP_STRENGTH_FILTER_H
+
+#include "case_filter/limit_filter.h"
+
+typedef struct tp_strength_told {
+  bool found; /* false: no share changes it */
+  tp_near share;
+  tp_mechanism mechanism; /* of what begins there, or ends */
+} tp_strength_told;
+
+/* `moves`: a motion can begin with all of it. False where doubles do not tell. */
+TP_MUST_USE bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
+                                         const tp_shape *shape, tp_near friction, tp_near tangent,
+                                         bool moves);
+
+#endif

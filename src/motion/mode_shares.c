@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "motion/mode_shares.h"
+
+#include <math.h>
+
+static tp_near determinant(const tp_near a[3], const tp_near b[3], const tp_near c[3]) {
+  tp_near cross[3];
+  tp_near_cross(cross, b, c);
+  return tp_near_dot(a, cross);
+}
+
+static bool rises(const tp_share_line *line) {
+  return line->rise[0].value != 0 || line->rise[1].value != 0 || line->rise[2].value != 0;
+}
+
+/* det(a, b, c) as a polynomial of the share; what its bound does not tell from zero is none. */
+static tp_share_polynomial determinant_of(const tp_share_line *a, const tp_share_line *b,
+                                          const tp_share_line *c) {
+  const tp_share_line *of[3] = {a, b, c};
+  tp_near sums[TP_SHARE_DEGREE + 1] = {{0, 0}};
+  for (unsigned choice = 0; choice < 8; choice++) {
+    const tp_near *vectors[3];
+    bool vanishes = false;
+    int power = 0;
+    for (int k = 0; k < 3; k++) {
+      const bool up = (choice >> k & 1U) != 0;
+      vectors[k] = up ? of[k]->rise : of[k]->at;
+      vanishes = vanishes || (up && !rises(of[k]));
+      power += up;
+    }
+    if (vanishes) continue;
+    sums[power] = tp_near_add(sums[power], determinant(vectors[0], vectors[1], vectors[2]));
+  }
+  return tp_share_polynomial_of(sums);
+}
+
+/* ---- modes -------------------------------------------------------------------------------------
+ */
+
+/* Three of the generators and of what is free, the rest of that at its bounds. */
+typedef struct choice {
+  int of[3];
+  unsigned bounds; /* bit k: the k-th of what is free, not among the three, is at 1, else at -1 */
+} choice;
+
+static bool is_free(const tp_share_mode *m, int k) {
+  return k >= m->count;
+}
+
+/* Forces through one point, or along one direction, span no solid; with a ray each two of them do.
+ */
+static bool is_flat(const tp_share_mode *m, const int of[3]) {
+  const tp_share_line *a = m->of + of[0], *b = m->of + of[1], *c = m->of + of[2];
+  const bool site = a->site != 0 && a->site == b->site && a->site == c->site;
+  const bool parallel =
+      a->parallel != 0 && a->parallel == b->parallel && a->parallel == c->parallel;
+  return m->ray_count > 0 && (site || parallel);
+}
+
+static void add_line(tp_share_line *sum, const tp_share_line *other, bool turned) {
+  for (int e = 0; e < 3; e++) {
+    const tp_near at = turned ? tp_near_neg(other->at[e]) : other->at[e];
+    const tp_near rise = turned ? tp_near_neg(other->rise[e]) : other->rise[e];
+    sum->at[e] = tp_near_add(sum->at[e], at);
+    sum->rise[e] = tp_near_add(sum->rise[e], rise);
+  }
+}
+
+/* What is left to the three. */
+static tp_share_line loads_of(const tp_share_mode *m, const choice *c) {
+  tp_share_line loads = m->loads;
+  for (int k = 0; k < m->free_count; k++) {
+    const int own = m->count + k;
+    if (own == c->of[0] || own == c->of[1] || own == c->of[2]) continue;
+    add_line(&loads, m->of + own, (c->bounds >> k & 1U) == 0);
+  }
+  return loads;
+}
+
+/* The next choice: sets of three in their order, each with all bounds. */
+static bool next_choice(choice *c, const tp_share_mode *m) {
+  const int all = m->count + m->free_count;
+  unsigned free = 0; /* those among the three have no bound */
+  for (int k = 0; k < 3; k++) {
+    if (is_free(m, c->of[k])) free |= 1U << (c->of[k] - m->count);
+  }
+  for (c->bounds++; c->bounds < 1U << m->free_count; c->bounds++) {
+    if ((c->bounds & free) == 0) return true;
+  }
+  c->bounds = 0;
+  int k = 2;
+  while (k >= 0 && c->of[k] == all - 3 + k) k--;
+  if (k < 0) return false;
+  c->of[k]++;
+  for (k++; k < 3; k++) c->of[k] = c->of[k - 1] + 1;
+  return true;
+}
+
+static bool add_choice(tp_share_spans *spans, const tp_share_mode *m, const choice *own) {
+  const tp_share_line loads = loads_of(m, own);
+  const tp_share_line *g[3] = {m->of + own->of[0], m->of + own->of[1], m->of + own->of[2]};
+  const tp_share_polynomial whole = determinant_of(g[0], g[1], g[2]);
+  tp_share_conditions c = {.count = 0};
+  if (whole.degree < 0) return true;
+  for (int k = 0; k < 3; k++) {
+    const tp_share_polynomial part = determinant_of(&loads, g[(k + 1) % 3], g[(k + 2) % 3]);
+    tp_share_polynomial *to = c.of[c.count++];
+    to[0] = part;
+    to[1] = whole;
+    if (!is_free(m, own->of[k])) continue;
+    for (int e = 0; e <= TP_SHARE_DEGREE; e++) { /* from -1 to 1 */
+      to[0].of[e] = whole.of[e] - part.of[e];
+      to[1].of[e] = whole.of[e] + part.of[e];
+    }
+    to[0].degree = to[1].degree = whole.degree > part.degree ? whole.degree : part.degree;
+  }
+  return tp_share_spans_where(spans, &c, m->mechanism);
+}
+
+static tp_share_polynomial work_of(const tp_share_line *loads, const tp_near h[3]) {
+  const tp_near level = tp_near_dot(h, loads->at), rise = tp_near_dot(h, loads->rise);
+  tp_share_polynomial p = {.of = {level.value, tp_near_sign(rise) != 0 ? rise.value : 0}};
+  p.degree = p.of[1] != 0 ? 1 : 0;
+  return p;
+}
+
+/* Half-spaces, of which each is a condition: the spans that all leave. */
+static bool add_interior(tp_share_spans *spans, const tp_share_mode *m) {
+  double low = TP_LEAST_SHARE, high = TP_MOST_SHARE;
+  for (int k = 0; k < m->count; k++) {
+    const tp_share_polynomial p = work_of(&m->loads, m->of[k].at);
+    if (p.degree == 0) {
+      if (p.of[0] < 0) return true;
+      continue;
+    }
+    const double zero = -p.of[0] / p.of[1];
+    if (p.of[1] > 0) {
+      low = fmax(low, zero);
+    } else {
+      high = fmin(high, zero);
+    }
+  }
+  return low >= high || tp_share_spans_put(spans, (tp_share_span){low, high, m->mechanism});
+}
+
+bool tp_share_spans_add(tp_share_spans *spans, const tp_share_mode *m) {
+  if (m->interior) return add_interior(spans, m);
+  if (m->count + m->free_count < 3) return true; /* they span no solid */
+  choice c = {.of = {0, 1, 2}};
+  do {
+    if (!is_flat(m, c.of) && !add_choice(spans, m, &c)) return false;
+  } while (next_choice(&c, m));
+  return true;
+}
+
+/* ---- proofs ------------------------------------------------------------------------------------
+ */
+
+static void evaluate_line(tp_near own[3], const tp_share_line *line, tp_near share) {
+  for (int e = 0; e < 3; e++) {
+    own[e] = line->rise[e].value == 0 && line->rise[e].error == 0
+                 ? line->at[e]
+                 : tp_near_add(line->at[e], tp_near_mul(line->rise[e], share));
+  }
+}
+
+/* The loads as a sum of three: 1, or -1: they are none; 0 where it is open. */
+static int side_of_choice(const tp_share_mode *m, const choice *c, tp_near share) {
+  const tp_share_line loads = loads_of(m, c);
+  tp_near w[3], g[3][3];
+  evaluate_line(w, &loads, share);
+  for (int k = 0; k < 3; k++) evaluate_line(g[k], m->of + c->of[k], share);
+  const tp_near whole = determinant(g[0], g[1], g[2]);
+  const int turn = tp_near_sign(whole);
+  if (turn == 0) return 0;
+  int all = 1;
+  for (int k = 0; k < 3; k++) {
+    const tp_near part = determinant(w, g[(k + 1) % 3], g[(k + 2) % 3]);
+    int side = turn * tp_near_sign(part);
+    if (is_free(m, c->of[k])) {
+      const int below = turn * tp_near_sign(tp_near_sub(whole, part));
+      const int above = turn * tp_near_sign(tp_near_add(whole, part));
+      side = below < above ? below : above;
+    }
+    if (side < 0) return -1;
+    if (side == 0) all = 0;
+  }
+  return all;
+}
+
+/* One generator or two are no sum of anything off their line or plane. */
+static int side_of_flat(const tp_share_mode *m, tp_near share) {
+  tp_near w[3], g[2][3], cross[3];
+  evaluate_line(w, &m->loads, share);
+  for (int k = 0; k < m->count; k++) evaluate_line(g[k], m->of + k, share);
+  if (m->free_count > 0 || m->count == 0) return 0;
+  if (m->count == 2) return tp_near_sign(determinant(w, g[0], g[1])) != 0 ? -1 : 0;
+  tp_near_cross(cross, w, g[0]);
+  for (int e = 0; e < 3; e++) {
+    if (tp_near_sign(cross[e]) != 0) return -1;
+  }
+  return 0;
+}
+
+static int side_of_interior(const tp_share_mode *m, tp_near share) {
+  tp_near w[3];
+  evaluate_line(w, &m->loads, share);
+  int all = 1;
+  for (int k = 0; k < m->count; k++) {
+    const int side = tp_near_sign(tp_near_dot(m->of[k].at, w));
+    if (side < 0) return -1;
+    if (side == 0) all = 0;
+  }
+  return all;
+}
+
+int tp_share_mode_side(const tp_share_mode *m, double share) {
+  const tp_near s = {share, 0};
+  if (m->interior) return side_of_interior(m, s);
+  if (m->count + m->free_count < 3) return side_of_flat(m, s);
+  choice c = {.of = {0, 1, 2}};
+  int any = -1;
+  do {
+    if (is_flat(m, c.of)) continue;
+    const int side = side_of_choice(m, &c, s);
+    if (side > 0) return 1;
+    if (side == 0) any = 0;
+  } while (next_choice(&c, m));
+  return any;
+}
