@@ -194,15 +194,26 @@ static bool take_sliding(least *l, const tp_case_told *told, const tp_filter_sta
   return take_judged(l, told, s, &own);
 }
 
+/* Of a block that stands whatever its strength: by the tilt, if that is not less than what governs
+ * by then. If it is, balls tell what begins there. */
+static bool take_tilt(least *l, const tp_case_told *told, const tp_filter_state *s) {
+  if (told->never || tp_near_is_zero(s->tangent)) return true;
+  if (!l->number) return false;
+  const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
+  const int order = tp_near_sign(tp_near_sub(fos, l->fos));
+  if (order == 0) l->fos = tp_near_lesser(l->fos, fos);
+  return order >= 0;
+}
+
 /* Of a block that moves what comes nearer to 1; where no change of strength stops it, and nothing
- * else would, or where the tilt alone tells, balls have the answer. */
+ * else would, balls have the answer. */
 static bool take_strength(least *l, const tp_case_told *told, const tp_filter_state *s) {
   tp_strength_told own;
   if (!tp_strength_filter_find(&own, &told->filter->plan, told->shape, told->friction, s->tangent,
                                s->moves)) {
     return false;
   }
-  if (!own.found) return s->moves ? l->number : told->never || tp_near_is_zero(s->tangent);
+  if (!own.found) return s->moves ? l->number : take_tilt(l, told, s);
   const bool raised = own.share.value > 1;
   const tp_near fos = raised == s->moves ? tp_near_div((tp_near){1, 0}, own.share) : own.share;
   if (!s->moves) return take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_REDUCTION, own.mechanism);

@@ -129,13 +129,11 @@ static void check(const arguments *a, struct argp_state *state) {
   if (a->options.shards > 1 && a->rows.hdf5 != NULL) {
     tp_cli_refuse(state, "a shard is of CSV, as '%s.csv'; --merge makes HDF5 of all", a->rows.hdf5);
   }
-  const char *const files[] = {a->options.rows, a->figure, a->scatter};
-  for (int k = 0; k < 3; k++) {
-    const char *other = files[(k + 1) % 3];
-    if (files[k] != NULL && other != NULL && strcmp(files[k], other) == 0) {
-      tp_cli_refuse(state, "--rows, --figure and --scatter take different files");
-    }
-  }
+  const tp_cli_written files[] = {{"--rows", a->rows.hdf5 != NULL ? a->rows.hdf5 : a->options.rows},
+                                  {"--figure", a->figure},
+                                  {"--scatter", a->scatter},
+                                  {"--report", a->report}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
   if (a->options.restart && a->options.rows == NULL) {
     tp_cli_refuse(state, "--restart goes with --rows");
   }

@@ -97,6 +97,12 @@ static void check_converge(arguments *a, const struct argp_state *state) {
   }
 }
 
+static void refuse_same_files(const arguments *a, const struct argp_state *state) {
+  const tp_cli_written files[] = {
+      {"--figure", a->figure}, {"--animation", a->animation}, {"--report", a->report}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
+}
+
 static error_t parse(int key, char *argument, struct argp_state *state) {
   arguments *a = state->input;
   switch (key) {
@@ -154,6 +160,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
       tp_cli_refuse(state, "--factors is of --overturning, which is missing");
     }
     if (a->converge) check_converge(a, state);
+    refuse_same_files(a, state);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;

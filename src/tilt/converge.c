@@ -73,6 +73,8 @@ static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, doubl
                         .own = found,
                         .weight_moves = run->weight_moves,
                         .path_tolerance_deg = run->path_tolerance_deg,
+                        .asked = g->description,
+                        .budgets = 10, /* its finest are dearer, and asked for */
                         .message = g->message};
   tp_tilt_engines engines;
   tp_status status = TP_OK;

@@ -127,6 +127,8 @@ static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const
                         .settings = &g->test->settings,
                         .options = g->options,
                         .own = own,
+                        .asked = g->asked,
+                        .shaken = g->problem->scene->shaking,
                         .message = g->message};
   if (g->shaking != NULL) {
     tilting.shaking = &g->shaking->motion;
