@@ -22,10 +22,12 @@ typedef enum tp_contact_end {
 } tp_contact_end;
 
 /* What the coordinates of the scene lie along. In the world's frame all results are along the mean
- * plane and normal to it: turned about one point, which keeps its coordinates. */
+ * plane and normal to it: turned about one point, which keeps its coordinates; of an earthquake
+ * up-dip they are along the horizontal and the vertical, as the block lies. */
 typedef struct tp_frame_result {
   bool stated;                     /* the scene says what they lie along */
   bool world;                      /* y runs up: the block lies as it lies */
+  bool level;                      /* results are along the horizontal: an earthquake up-dip */
   bool fitted;                     /* the mean plane, to the contact; else given */
   bool dips;                       /* the mean plane is not level, ... */
   tp_direction dips_towards;       /* ... its lower side, ... */

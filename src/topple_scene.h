@@ -191,6 +191,11 @@ TP_MUST_USE tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_mess
 TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within,
                                                   tp_message *message);
 
+/* The contact is so wide along the mean plane, above 0, where the law barton takes the mean normal
+ * stress; unless set as wide as it touches, and a block that touches in points alone is refused. */
+TP_MUST_USE tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width,
+                                                 tp_message *message);
+
 /* The block is shifted along the mated base that it fits, and set down there until it rests
  * (docs/rest.md): by `shift`, to the right above 0; or, to the right or `leftwards`, by the least
  * at which no more than `matching` of its underside, in [0, 1], is closed. The last one set is
@@ -284,6 +289,18 @@ TP_MUST_USE tp_status tp_scene_set_frame_base(tp_scene *scene, tp_message *messa
 TP_MUST_USE tp_status tp_scene_set_frame_world(tp_scene *scene, tp_message *message);
 TP_MUST_USE tp_status tp_scene_set_mean_plane(tp_scene *scene, tp_coordinates two_points,
                                               tp_message *message);
+
+/* Which way the horizontal part of an earthquake acts on a block in the frame of the world: it is
+ * looked at both ways, and the worse one governs, unless it is restricted to one. */
+typedef enum tp_seismic_direction {
+  TP_SEISMIC_BOTH,
+  TP_SEISMIC_DOWN_DIP,
+  TP_SEISMIC_UP_DIP
+} tp_seismic_direction;
+
+TP_MUST_USE tp_status tp_scene_set_seismic_direction(tp_scene *scene,
+                                                     tp_seismic_direction direction,
+                                                     tp_message *message);
 
 /* Loads, which a block with a unit weight can bear (docs/loads.md). A seismic `coefficient` is a
  * share of the weight at the centroid: k_h towards down-dip, k_v up. */

@@ -218,6 +218,18 @@ typedef struct tp_result_units {
   tp_result_unit stress; /* Pa */
 } tp_result_units;
 
+/* An earthquake that was looked at: of a block that lies on a slope one down-dip and one up-dip,
+ * each with the vertical part of the scene and without it. */
+typedef struct tp_earthquake {
+  tp_direction towards;   /* the side to which its horizontal part drives the block */
+  bool up_dip;            /* against the dip */
+  bool vertical;          /* with the scene's vertical part */
+  tp_mechanism mechanism; /* what the block does under it */
+  tp_fos fos;             /* its governing factor */
+} tp_earthquake;
+
+enum { TP_EARTHQUAKES_MAX = 4 };
+
 /* A scene solved. */
 typedef struct tp_solution {
   TP_OUTSIDE char *title;       /* of the scene, or NULL */
@@ -238,16 +250,18 @@ typedef struct tp_solution {
   tp_joint_result joint;         /* of a block that was shifted along its mated base */
   tp_within_result within;       /* of a block that was moved onto its profile where it is near */
   tp_frame_result frame;         /* what the coordinates lie along */
-  tp_contact_result contact;     /* where the block touches its base */
-  bool loaded;                   /* the scene calls for loads besides the weight */
-  size_t case_count;             /* directions that the scene tilts in, */
-  tp_case cases[2];              /* left before right */
-  tp_notes notes;                /* of the scene's reading and of its solution */
-  size_t effect_count;           /* what ran: */
-  tp_effect *effects;            /* in the order in which it first did */
-  tp_level level;                /* the arithmetic that certified the numbers */
-  long bits;                     /* working precision of the last evaluation */
-  int digits;                    /* asked of every number */
+  size_t earthquake_count;       /* where several were looked at; else 0 */
+  tp_earthquake earthquakes[TP_EARTHQUAKES_MAX]; /* the first of them governs: the cases are its */
+  tp_contact_result contact;                     /* where the block touches its base */
+  bool loaded;                                   /* the scene calls for loads besides the weight */
+  size_t case_count;                             /* directions that the scene tilts in, */
+  tp_case cases[2];                              /* left before right */
+  tp_notes notes;                                /* of the scene's reading and of its solution */
+  size_t effect_count;                           /* what ran: */
+  tp_effect *effects;                            /* in the order in which it first did */
+  tp_level level;                                /* the arithmetic that certified the numbers */
+  long bits;                                     /* working precision of the last evaluation */
+  int digits;                                    /* asked of every number */
   bool open_number; /* one is not certain to them, and given with the bound that it has: 0, as a
                        rule */
   long zero_bits; /* 0: every decision is proven; else some rest on quantities that so many bits do

@@ -58,7 +58,8 @@ typedef struct tp_study_share {
 /* What becomes of the samples at a tilt. Its shares of outcomes add up to 1. */
 typedef struct tp_study_tilt {
   bool of_scene;    /* at the scene's tilt; where it has none, what happens first as it is tilted */
-  bool has_tilt;    /* false: the scene has none */
+  bool as_it_lies;  /* of a scene in the frame of the world: at the dip of its mean plane */
+  bool has_tilt;    /* false: the scene has none, or lies as it lies */
   bool tilt_varies; /* it is the scene's, and has no one value */
   double tilt_deg;  /* the tilt; where it varies, that of the scene file */
   tp_study_share outcomes[TP_STUDY_OUTCOMES]; /* by what becomes of them */
@@ -118,7 +119,7 @@ typedef struct tp_study_index {
   double total, total_low, total_high; /* with all in which it takes part */
 } tp_study_index;
 
-/* A probability by samples drawn where it fails: around the design point (importance), or step by
+/* A probability by samples drawn where it fails: around the design points (importance), or step by
  * step towards where it fails (subset). */
 typedef struct tp_study_rare {
   bool asked;                    /* for this one, */
@@ -129,17 +130,28 @@ typedef struct tp_study_rare {
   char *why;                     /* where it is not known: plain; else NULL */
 } tp_study_rare;
 
-/* Reliability of first order at the scene's tilt: the design point is the most likely one at which
- * an angle is the tilt, or a factor of safety 1. */
+/* A design point: of the points at which an angle is the tilt, or a factor of safety 1, one that is
+ * more likely than all around it. Each way to fail has one of its own, or several. */
+typedef struct tp_study_design_point {
+  double beta;        /* its distance in deviations, below 0 where the means fail, */
+  double probability; /* and Phi(-beta) */
+  size_t value_count; /* as many as variables */
+  double *values;     /* the number of each variable there */
+} tp_study_design_point;
+
+/* Reliability of first order at the scene's tilt: of the nearest design point, the most likely. */
 typedef struct tp_study_reliability {
   bool known;                       /* it was asked for */
   tp_study_quantity quantity;       /* of which */
-  bool converged;                   /* else what is here is where the search stopped, */
+  bool converged;                   /* a design point was found; else there is no number, */
   const char *state;                /* and why, in words; a static string */
   double beta;                      /* the index: the distance of the design point in deviations */
-  double probability;               /* of first order, Phi(-beta), that the quantity is not above */
+  double probability;               /* of first order, Phi(-beta), that the quantity is not above;
+                                       both NaN where there is no design point */
   size_t calls;                     /* scenes solved for it */
   tp_study_rare importance, subset; /* sampling of rare events, where asked for */
+  size_t point_count;               /* of the design points */
+  tp_study_design_point *points;    /* the nearest first */
 } tp_study_reliability;
 
 /* The design value of one number: put into the scene, with all other numbers as they stand there,
@@ -168,7 +180,7 @@ typedef struct tp_study_variable {
   double least, greatest;                      /* of the samples kept */
   tp_study_rank ranks[TP_STUDY_QUANTITIES];    /* with each quantity */
   tp_study_index indices[TP_STUDY_QUANTITIES]; /* for each quantity */
-  double design_value; /* where reliability is known: at the design point, */
+  double design_value; /* where reliability is known: at the nearest design point, NaN: none, */
   double importance;   /* and its share of the variance there, as if all were independent */
 } tp_study_variable;
 
@@ -243,18 +255,21 @@ typedef struct tp_study_result {
   tp_study_reliability reliability; /* where asked for, and the study was not interrupted */
   size_t measure_count;             /* of what is measured of the base; 0: it is not asked for */
   tp_study_measure *measures;       /* in the order of the rows */
-  size_t bracketed, within; /* samples kept that have both angles of Eqs. (15) and (16), and of
-                               these those whose critical angle by moments lies between */
-  size_t design_count;      /* of the design values asked for; as reliability */
-  tp_study_design *designs; /* as the study lists them */
-  size_t step_count;        /* of the steps */
-  tp_study_step *steps;     /* at each power of two from 16 on, and at the end */
-  size_t bad_count;         /* of the first invalid samples, 5 at most */
-  tp_study_bad *bad;        /* these */
-  size_t column_count;      /* of the columns */
-  tp_study_column *columns; /* the numbers that vary, the quantities, outcomes at each tilt,
-                               tp_fos_definition of the factor that governs (NaN: none), and what is
-                               measured of the base */
+  size_t bracketed, within;  /* samples kept that have both angles of Eqs. (15) and (16), and of
+                                these those whose critical angle by moments lies between */
+  size_t design_count;       /* of the design values asked for; as reliability */
+  tp_study_design *designs;  /* as the study lists them */
+  size_t step_count;         /* of the steps */
+  tp_study_step *steps;      /* at each power of two from 16 on, and at the end */
+  size_t bad_count;          /* of the first invalid samples, 5 at most */
+  tp_study_bad *bad;         /* these */
+  size_t column_count;       /* of the columns */
+  tp_study_column *columns;  /* the numbers that vary, the quantities, outcomes at each tilt,
+                                tp_fos_definition of the factor that governs (NaN: none), and what is
+                                measured of the base */
+  size_t source_count;       /* of the sources */
+  TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it
+                                is written over them */
 } tp_study_result;
 
 /* How a study is run. */
@@ -265,7 +280,7 @@ typedef struct tp_study_options {
   const char *rows;     /* a CSV file for a row of each sample, or NULL. Beside it a file of that
                            name and .progress tells how far it is: a study that was interrupted goes
                            on from there */
-  bool restart;         /* do not go on, begin anew */
+  bool restart;         /* do not go on, begin anew, over rows of any study */
   void *context;        /* of the calls below */
   bool (*stop)(void *context); /* asked in any thread before each sample, or NULL: true ends it */
   void (*progress)(void *context, size_t done, size_t of); /* told by the thread that runs it after
@@ -283,7 +298,7 @@ static inline tp_study_options tp_study_options_default(void) {
 
 /* Run it. `*result` is to be freed by tp_study_result_free. TP_SYSTEM_FAILED where rows cannot be
  * written; TP_DEPENDENCY_FAILED. Bad input where the file of rows belongs to another study, or its
- * scene has changed since, or ends in .h5. */
+ * scene or the rows themselves have changed since, or is no file of rows, or ends in .h5. */
 TP_MUST_USE tp_status tp_study_run(tp_study_result **result, const tp_study *study,
                                    const tp_study_options *options, tp_message *message);
 

@@ -85,13 +85,16 @@ TP_MUST_USE tp_status tp_scene_set_shaking_record(tp_scene *scene, tp_shaking_ax
 typedef struct tp_tilt_options {
   size_t size;      /* of this struct, as `…_default()` has it */
   size_t moments;   /* of the history of the motion, some so many at most, 2 to 1 000 000 */
-  bool overturning; /* of a block whose base shakes: the least shaking that overturns it, or throws
-                       it off its base, as a factor on that of the scene, bracketed */
+  bool overturning; /* of a block whose base shakes: which factors on that of the scene overturn it,
+                       or throw it off its base, of those of a grid */
   bool (*stop)(void *context); /* asked now and then, or NULL: true ends the test with what is known
                                   by then */
   void (*progress)(void *context, size_t runs, double least_deg, double most_deg); /* after each
                                   run, or NULL: how many there were, and the bracket by then */
   void *context;                                                                   /* of both */
+  double overturning_from, overturning_to; /* the grid of factors, evenly on a logarithmic axis, */
+  size_t overturning_count; /* and how many, 2 to 100 000; 0: 65 from 1/16 to 16, and by 0.5 % the
+                               octave below the least found to overturn it */
 } tp_tilt_options;
 
 /* The defaults: 400 moments; nothing stops it. `size` is that of the struct as the caller knows it.
@@ -166,6 +169,20 @@ typedef struct tp_tilt_facet {
   double x0_m, y0_m, x1_m, y1_m; /* its ends */
 } tp_tilt_facet;
 
+/* Factors on the shaking of the scene that were tried, evenly on a logarithmic axis. */
+typedef struct tp_overturning_grid {
+  double least, most; /* of them */
+  size_t count;       /* how many */
+} tp_overturning_grid;
+
+/* An island of these, at all of which the block is overturned, or thrown off its base. What lies
+ * between two factors that were tried may be otherwise. */
+typedef struct tp_overturning_range {
+  double spared_below; /* the next one tried below spares it; NaN: none was tried there */
+  double least, most;  /* of those that were tried */
+  double spared_above; /* the next one tried above spares it; NaN: none was tried there */
+} tp_overturning_range;
+
 /* One direction of tilt. Simulated numbers: no bound is proven, what was reached is told. */
 typedef struct tp_tilt_case {
   tp_direction towards; /* which */
@@ -194,9 +211,15 @@ typedef struct tp_tilt_case {
   double kinetic_energy_j;       /* the greatest */
   double energy_balance_j;       /* the largest of moments, in absolute value; NaN of a path */
   double energy_scale_j;         /* weight times extent, for comparison */
-  bool has_overturning;          /* the least shaking that overturns it, on that of the scene, */
-  double overturning_least, overturning_most; /* is between these factors: spared by the first */
-  size_t event_count;                         /* of the events */
+  bool overturning_scanned;      /* it was asked which factors on its shaking overturn it */
+  bool has_overturning;          /* some factor that was tried does: */
+  double overturning_least; /* the next below the least of these, which spares it; 0: none tried */
+  double overturning_most;  /* the least that was found */
+  size_t overturning_grid_count;            /* of the grids that were tried */
+  tp_overturning_grid overturning_grids[2]; /* all the range; below the least that was found */
+  size_t overturning_range_count;           /* of the ranges */
+  tp_overturning_range *overturning_ranges; /* upwards */
+  size_t event_count;                       /* of the events */
   tp_tilt_event *events;             /* in their order; lengths in the frame of the scene's base */
   size_t moment_count;               /* of the moments */
   tp_tilt_moment *moments;           /* in their order */
@@ -293,11 +316,11 @@ static inline tp_overturning_options tp_overturning_options_default(void) {
 }
 
 /* The overturning spectrum of a scene whose base shakes horizontally: the least shaking of its form
- * that overturns the block, or throws it off its base, at one frequency after the other, as PGA
- * against frequency and against PGV; each between two runs, one spared and one overturned. PGA are
- * tried from 1/64 to 64 g upwards by 2^(1/8), and for two octaves beyond the first that overturns
- * it: where stronger shaking spares it again, that stretch is on the chart as an island. To
- * be freed by tp_chart_free. TP_NO_ANSWER where no shaking that was tried overturns it;
+ * found that overturns the block, or throws it off its base, at one frequency after the other, as
+ * PGA against frequency and against PGV; each between two runs, one spared and one overturned. PGA
+ * are tried from 1/64 to 64 g upwards by 2^(1/8), and for two octaves beyond the first that
+ * overturns it: where stronger shaking spares it again, that stretch is on the chart as an island.
+ * To be freed by tp_chart_free. TP_NO_ANSWER where no shaking that was tried overturns it;
  * TP_UNDECIDED where it was stopped before anything was known. */
 TP_MUST_USE tp_status tp_chart_overturning(tp_chart **chart, const tp_scene *scene,
                                            const tp_overturning_options *options,

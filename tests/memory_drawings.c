@@ -6,12 +6,15 @@
 #include "memory_expect.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static void read_drawing(const char *path, const char *setting) {
   tp_scene *scene = NULL, *varied = NULL;
   char *text = NULL;
   tp_message message = {""};
   tp_status status = tp_scene_read_with(&scene, path, "", &setting, 1, &message);
+  /* without dxflib, RapidJSON or expat */
+  if (status == TP_BAD_INPUT && strstr(message.text, "was built without") != NULL) return;
   if (done(status, scene, &message)) {
     status = tp_report_drawing(&text, scene);
     expect_report(status, text);

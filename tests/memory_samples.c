@@ -60,6 +60,7 @@ void find_reliability(void) {
   tp_importance importance;
   tp_subsets subsets;
   if (went(tp_form_find(&form, &problem, &options, &message), &message)) tp_form_clear(&form);
-  (void)went(tp_importance_sample(&importance, &problem, centre, 100, 1, 0.95, &message), &message);
-  (void)went(tp_subset_simulate(&subsets, &problem, 100, 1, 0.95, &message), &message);
+  (void)went(tp_importance_sample(&importance, &problem, centre, 1, 100, 1, 0.95, &message),
+             &message);
+  (void)went(tp_subset_simulate(&subsets, &problem, NULL, 0, 100, 1, 0.95, &message), &message);
 }

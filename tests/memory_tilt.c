@@ -57,12 +57,16 @@ void vary_tilt_test(void) {
   vary(HEAD "tilt_test: {engine: path}\n");
 }
 
-static void simulate(const char *text) {
+static void simulate(const char *text, bool overturning) {
   tp_scene *scene = NULL;
   tp_tilt_test *test = NULL;
   tp_message message = {""};
   tp_tilt_options options = tp_tilt_options_default();
   options.moments = 10;
+  options.overturning = overturning;
+  options.overturning_from = overturning ? 0.5 : 0;
+  options.overturning_to = overturning ? 3 : 0;
+  options.overturning_count = overturning ? 4 : 0;
   if (DONE(tp_scene_read_text(&scene, text, "tilt", &message), scene) &&
       DONE(tp_tilt_test_run(&test, scene, &options, &message), test)) {
     report(test);
@@ -73,10 +77,11 @@ static void simulate(const char *text) {
 }
 
 void simulate_tilt_test(void) {
-  simulate(HEAD "tilt_test: {engine: path}\n");
-  simulate(HEAD "tilt_test: {engine: dynamics, protocol: steps, duration_s: 0.2}\n");
+  simulate(HEAD "tilt_test: {engine: path}\n", false);
+  simulate(HEAD "tilt_test: {engine: dynamics, protocol: steps, duration_s: 0.2}\n", false);
   simulate(HEAD "tilt_test: {duration_s: 0.1}\n"
-                "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n");
+                "shaking: {horizontal: {half_sine: {peak_g: 0.5, frequency_hz: 2}}}\n",
+           true);
 }
 
 void chart_overturning(void) {

@@ -115,6 +115,8 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_contact_within(scene, T("0.125"), &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_contact_width(scene, T("2.5"), &message));
+  say_scene_built(s, scene);
   SAY(tp_scene_set_outline(scene, tp_coordinates_text(feet, 6), &message));
   SAY(tp_scene_set_base_mated(scene, true, &message));
   SAY(tp_scene_set_joint_shift(scene, T("-0.125"), &message));
@@ -224,6 +226,7 @@ void say_built_loads(sayings *s) {
   if (scene == NULL) return;
   SAY(tp_scene_set_seismic_horizontal(scene, T("0.1"), &message));
   SAY(tp_scene_set_seismic_vertical(scene, E(-0.05), &message));
+  SAY(tp_scene_set_seismic_direction(scene, TP_SEISMIC_DOWN_DIP, &message));
   SAY(tp_scene_set_water(scene, E(2.9), T("9.81"), false, true, &message));
   say_scene_built(s, scene);
   SAY(tp_scene_add_pressure(scene, E(4), E(1), E(4), T("3.5"), E(5.5), E(10), &message));

@@ -50,6 +50,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
   REFUSED(tp_scene_set_base_poses(own, true, &message), why);
   REFUSED(tp_scene_set_contact_within(own, E(1), &message), why);
+  REFUSED(tp_scene_set_contact_width(own, E(1), &message), why);
   REFUSED(tp_scene_set_joint_shift(own, E(1), &message), why);
   REFUSED(tp_scene_set_joint_matching(own, E(0.5), true, &message), why);
   REFUSED(tp_scene_set_joint_closure(own, E(1), &message), why);
@@ -77,6 +78,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_mean_plane(own, tp_coordinates_of(square, 2), &message), why);
   REFUSED(tp_scene_set_seismic_horizontal(own, E(1), &message), why);
   REFUSED(tp_scene_set_seismic_vertical(own, E(1), &message), why);
+  REFUSED(tp_scene_set_seismic_direction(own, TP_SEISMIC_BOTH, &message), why);
   REFUSED(tp_scene_set_water(own, E(1), E(10), false, false, &message), why);
   REFUSED(tp_scene_add_pressure(own, E(1), E(1), E(1), E(1), E(1), E(1), &message), why);
   REFUSED(tp_scene_add_surcharge(own, E(1), E(1), E(1), E(1), E(1), &message), why);
@@ -176,7 +178,7 @@ START_TEST(outlines) {
   REFUSED(tp_scene_set_teeth(scene, 0, E(1), E(1), E(1), TP_LEFT_END_PEAK, &message),
           "count must be a whole number of teeth, at least 1; it is 0");
   REFUSED(tp_scene_set_teeth(scene, 20000000, E(1), E(1), E(1), TP_LEFT_END_PEAK, &message),
-          "at most 10 million teeth");
+          "at most 500 000 teeth");
   REFUSED(tp_scene_set_teeth(scene, 2, E(1), E(1), E(-1), TP_LEFT_END_PEAK, &message),
           "depth must not be negative");
   REFUSED(tp_scene_set_teeth(scene, 2, E(1), E(1), E(1), (tp_left_end)7, &message),

@@ -121,6 +121,8 @@ END_TEST
 START_TEST(shaken) {
   tp_tilt_test *test = NULL;
   tp_tilt_options options = tp_tilt_options_default();
+  static const double grids[][3] = {{1, 2, 1}, {2, 1, 3},        {0, 1, 3},  {1, 2, 100001},
+                                    {1, 2, 0}, {1, INFINITY, 3}, {NAN, 1, 3}};
   DO(tp_scene_set_shaking_pulse(scene, TP_SHAKES_HORIZONTALLY, TP_PULSE_HALF_SINE, E(0.4), E(2),
                                 &message));
   DO(tp_scene_set_tilt_test(scene, TP_TILT_PATH, TP_TILT_RAMP, false, &message));
@@ -128,6 +130,14 @@ START_TEST(shaken) {
   DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RAMP, false, &message));
   REFUSED(RUN, "held at its tilt while its base shakes");
   DO(tp_scene_set_tilt_test(scene, TP_TILT_RIGID, TP_TILT_RELEASE, true, &message));
+  options.overturning = true;
+  for (size_t k = 0; k < sizeof grids / sizeof grids[0]; k++) {
+    options.overturning_from = grids[k][0];
+    options.overturning_to = grids[k][1];
+    options.overturning_count = (size_t)grids[k][2];
+    REFUSED(RUN, "the factors on the shaking are 2 to 100000, from one above 0");
+  }
+  options = tp_tilt_options_default();
   const double still[] = {0, 0, 1, 0};
   DO(tp_scene_set_shaking_record(scene, TP_SHAKES_HORIZONTALLY, tp_coordinates_of(still, 2), E(1),
                                  &message));

@@ -13,7 +13,8 @@ apart, every one by its seed.
        tan alpha = (dx/y - b dx^2 / (6 y^2)) / (1 - 2 h/y - R^2/y^2)
 
    of which Eqs. (15) and (16) of Alejano et al. are the case of teeth: h = +-A/2, R^2 = A^2/12,
-   b = 0. The formula checks every angle, of the profile as it is and of one that leans.
+   b = 0. The formula checks every angle, of the profile as it is and of one that leans. By it, how
+   many of the angles lie between the two equations where a base is cut from a wider profile.
 2. The block is shifted along its base, and set down. That it touches there, and cuts in nowhere, is
    checked by its corners.
 3. Contacts that are that near are closed (`contact: {within: ...}`): the match is worn in."""
@@ -30,6 +31,7 @@ WIDTH, HEIGHT = 100.0, 200.0
 HURST, JRC = (0.5, 0.7, 0.9), (4, 8, 12, 16, 20)
 SHIFTS, CLOSURES = (0.25, 1.5, 5.5, 20.5), (0.01, 0.02, 0.05, 0.1, 0.2)  # mm
 SHIFTED_JRC = (4, 12, 20)
+WIDER = (100, 200, 400, 800)  # mm, the profiles that bases are cut from
 LEAN = 0.05  # of every other base on which the formula is tried
 
 warnings.simplefilter("ignore", topple.Caution)  # that no scene says how far its base goes on
@@ -111,12 +113,45 @@ def mated(seeds):
     return np.array(rows).T
 
 
+def cut(profile, levelled):
+    """The middle of a profile as the base of a block, from x = 0, its mean line at height 0."""
+    first = (len(profile) - 1 - int(WIDTH)) // 2
+    base = profile[first:first + int(WIDTH) + 1].copy()
+    base[:, 0] -= base[0, 0]
+    if levelled:
+        base[:, 1] -= np.polyval(np.polyfit(base[:, 0], base[:, 1], 1), base[:, 0])
+    base[:, 1] -= np.sum(np.diff(base[:, 0]) * (base[:-1, 1] + np.diff(base[:, 1]) / 2)) / WIDTH
+    return base
+
+
+def bracketed(seeds, length, levelled):
+    """Of bases cut from profiles of that length: A/y, and by how much the angle by the formula lies
+    beyond Eqs. (15) and (16), below 0 within them."""
+    seed, rows = 0, []
+    for hurst in HURST:
+        for jrc in JRC:
+            for _ in range(seeds):
+                seed += 1
+                base = cut(rough(length, jrc, hurst, seed), levelled)
+                size = np.ptp(base[:, 1])
+                for left in (True, False):
+                    angle = np.degrees(np.arctan(formula(base, left)))
+                    rows.append((size / HEIGHT, max(angle - by_teeth(size, 1),
+                                                    by_teeth(size, -1) - angle)))
+    return np.array(rows).T
+
+
 def least_gap(outline, base):
     """How far the underside of an outline lies above its base, along y, at the corners of both."""
     under = outline[:-2][np.argsort(outline[:-2, 0])]
     at = np.union1d(under[:, 0], base[:, 0])
     at = at[(at >= under[0, 0]) & (at <= under[-1, 0])]
     return np.min(np.interp(at, *under.T) - np.interp(at, *base.T))
+
+
+def shifted_block(base, shift):
+    """The outline of a block that fitted the middle of its base of 300 mm, moved along it."""
+    return block_on(base[100:201], HEIGHT + np.mean(base[100:201, 1])) + [shift, 0]
 
 
 def shifted_blocks(seeds, shifts):
@@ -126,9 +161,8 @@ def shifted_blocks(seeds, shifts):
         for _ in range(seeds):
             seed += 1
             base = rough(300, jrc, 0.8, seed)
-            block = block_on(base[100:201], HEIGHT + np.mean(base[100:201, 1]))
             for shift in shifts:
-                yield jrc, shift, block + [shift, 0], base
+                yield jrc, shift, shifted_block(base, shift), base
 
 
 def posed(outline, solution):
@@ -201,6 +235,21 @@ def tell_mated(seeds):
     return not np.any(wrong)
 
 
+def tell_wider(seeds):
+    """Prints where the bracket of the first part holds, and where not."""
+    table("cut from a profile of, mm", "A/y, 95 %", "within, as it lies", "beyond by at most",
+          "within, levelled", "beyond by at most")
+    for length in WIDER:
+        cells = []
+        for levelled in (False, True):
+            size, beyond = bracketed(seeds, length, levelled)
+            if not levelled:
+                cells.append(f"{100 * np.quantile(size, 0.95):.1f} %")
+            cells += [f"{100 * np.mean(beyond <= 0):.0f} %", f"{np.max(beyond):.2f}°"]
+        print(f"| {length} | " + " | ".join(cells) + " |")
+    print()
+
+
 def quantiles(angle):
     return " | ".join(f"{q:.1f}°" for q in np.quantile(angle, (0.05, 0.5, 0.95)))
 
@@ -267,7 +316,9 @@ plot {plots}
 def main():
     seeds = int(sys.argv[1]) if len(sys.argv) > 1 else 20
     figure = sys.argv[2] if len(sys.argv) > 2 else None
-    fits, rests = tell_mated(seeds), tell_shifted(seeds)
+    fits = tell_mated(seeds)
+    tell_wider(seeds)
+    rests = tell_shifted(seeds)
     tell_closed(seeds, figure)
     print("The formula agrees." if fits else "The formula does NOT agree.")
     print("The blocks touch." if rests else "The blocks do NOT touch.")

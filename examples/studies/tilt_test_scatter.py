@@ -10,6 +10,10 @@ their Table 3, docs/tilt_test_scatter.md says what comes out of it. What varies:
 and the angle is the static limit, by contact forces. The critical angle by moments of every sample
 with a sharp toe is compared with atan((x_g - x_toe) / (y_g - y_toe)) of its outline.
 
+Then the tests of one block are taken together, as they share its friction: for each friction angle
+the radius of the toe that makes the limit the measured angle, and the least friction at which a
+sharp toe has it.
+
     tilt_test_scatter.py [SAMPLES]"""
 
 import pathlib
@@ -35,10 +39,11 @@ parameters: {{a: {a}, b: {b}, c: {c}}}
 block:
   teeth: {{count: {count}, width: a, height: b, depth: c, left_end: {toe}}}
 {rounded}base: {{mated: true, beyond: {{left: 0, right: 0}}}}
-friction_angle_deg: 30
+friction_angle_deg: {friction}
 tilt: {{towards: left}}
 """
-ROUNDED = "  rounded: {model: paper, corners: [{at: left_end, radius: 3}]}\n"
+ROUNDED = "  rounded: {{model: paper, corners: [{{at: left_end, radius: {radius}}}]}}\n"
+FRICTIONS = (24, 26, 28, 30, 31)  # degrees, at which the tests of a block are taken together
 STUDY = """topple_study: 1
 scene: scene.yaml
 samples: {samples}
@@ -52,10 +57,16 @@ RADIUS = "  block.rounded.corners.1.radius: {uniform: {low: 0, high: 6}}\n"
 warnings.simplefilter("ignore", topple.Caution)
 
 
+def scene(toe, count, a, b, c, friction, radius):
+    """Of one test, with a toe of that radius in mm; 0: sharp."""
+    rounded = ROUNDED.format(radius=radius) if radius > 0 else ""
+    return SCENE.format(a=a, b=b, c=c, count=count, toe=toe, rounded=rounded, friction=friction)
+
+
 def run(folder, samples, toe, count, a, b, c, rounded):
     """The study of one test."""
     numbers = {"a": a, "b": b, "c": c, "count": count, "toe": toe, "samples": samples}
-    (folder / "scene.yaml").write_text(SCENE.format(rounded=ROUNDED if rounded else "", **numbers))
+    (folder / "scene.yaml").write_text(scene(toe, count, a, b, c, 30, 3 if rounded else 0))
     (folder / "study.yaml").write_text(STUDY.format(radius=RADIUS if rounded else "", **numbers))
     return topple.study(folder / "study.yaml")
 
@@ -92,6 +103,54 @@ def strongest(study):
     return f"{short.get(key, key[-1])} {ranks[key]:.2f}"
 
 
+def limit(block, friction, radius):
+    """In degrees; None where so large a radius does not fit between the teeth."""
+    try:
+        own = topple.Scene.from_text(scene(*block, friction, radius), "block").solve(digits=6)
+    except topple.BadInput:
+        return None
+    return own.cases[0].limit.critical_angle_deg.value
+
+
+def halved(low, high, is_above):
+    """Where `is_above` begins to hold, to a thousandth."""
+    while high - low > 1e-3:
+        middle = (low + high) / 2
+        low, high = (low, middle) if is_above(middle) else (middle, high)
+    return (low + high) / 2
+
+
+def radius_for(block, friction, measured):
+    """In words, the radius of the toe that makes the limit what was measured."""
+    if limit(block, friction, 0) < measured:
+        return "none"
+
+    def is_enough(radius):
+        angle = limit(block, friction, radius)
+        return angle is None or angle <= measured
+
+    radius = halved(0, 20, is_enough)
+    return f"{radius:.1f} mm" if limit(block, friction, radius - 2e-3) is not None else "too large"
+
+
+def least_friction(block, measured):
+    """In words, the friction below which not even a sharp toe stands up to what was measured."""
+    if limit(block, 20, 0) >= measured:
+        return "below 20°"
+    return f"{halved(20, 45, lambda friction: limit(block, friction, 0) >= measured):.2f}°"
+
+
+def tell_together():
+    print("\n| block | toe | measured | friction at least | " +
+          " | ".join(f"radius at {friction}°" for friction in FRICTIONS) + " |\n|" +
+          " --- |" * (4 + len(FRICTIONS)))
+    for name, *block, measured in TESTS:
+        for angle in measured:
+            cells = [name, block[0], f"{angle}°", least_friction(block, angle)]
+            cells += [radius_for(block, friction, angle) for friction in FRICTIONS]
+            print("| " + " | ".join(cells) + " |")
+
+
 def main():
     samples = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
     worst = 0.0
@@ -109,6 +168,7 @@ def main():
                 cells.append(quantiles(limit))
                 cells.append(", ".join(f"{np.mean(limit <= angle):.2f}" for angle in measured))
             print("| " + " | ".join(cells + [strongest(rounded)]) + " |")
+    tell_together()
     print(f"\nmoments of sharp toes: off by {worst:.0e} degrees at most")
     agree = worst <= 2e-9 * 40  # nine digits of angles below 40 degrees
     print("The outlines agree." if agree else "The outlines do NOT agree.")

@@ -17,19 +17,28 @@ void tp_base_clear(tp_base *base) {
   memset(base, 0, sizeof *base);
 }
 
-/* Level ground from `from` by `beyond` to the left (-1) or the right (1). */
-static bool add_level(tp_base *base, const tp_polyline *outline, long from, const fmpq_t beyond,
-                      int side) {
+/* Even ground from `from` by `beyond` to the left (-1) or the right (1): along x, or in the
+ * direction of the mean plane where the coordinates are not along it. */
+static bool add_even(tp_base *base, const tp_base_description *of, const tp_polyline *outline,
+                     long from, const fmpq_t beyond, int side) {
   if (fmpq_is_zero(beyond)) return true;
-  fmpq_t x;
+  fmpq_t x, y;
   fmpq_init(x);
-  if (side < 0) {
-    fmpq_sub(x, outline->x + from, beyond);
-  } else {
-    fmpq_add(x, outline->x + from, beyond);
+  fmpq_init(y);
+  fmpq_set(x, beyond);
+  if (of->beyond_cosine != NULL) {
+    fmpq_mul(x, beyond, of->beyond_cosine);
+    fmpq_mul(y, beyond, of->beyond_sine);
   }
-  const bool done = tp_polyline_append(&base->ring, x, outline->y + from, base->ring.mark);
+  if (side < 0) {
+    fmpq_neg(x, x);
+    fmpq_neg(y, y);
+  }
+  fmpq_add(x, x, outline->x + from);
+  fmpq_add(y, y, outline->y + from);
+  const bool done = tp_polyline_append(&base->ring, x, y, base->ring.mark);
   fmpq_clear(x);
+  fmpq_clear(y);
   return done;
 }
 
@@ -125,7 +134,7 @@ static tp_status add_beyond(tp_base *base, const tp_scene *scene, const tp_polyl
     }
     done = add_teeth(base, &scene->block.teeth, count, piece, beyond->value, side);
   } else {
-    done = add_level(base, outline, from, beyond->value, side);
+    done = add_even(base, &scene->base, outline, from, beyond->value, side);
   }
   return done ? TP_OK : tp_fail_memory(message, "the base");
 }

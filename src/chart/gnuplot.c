@@ -15,6 +15,7 @@ tp_status tp_gnuplot_run(char **figure, size_t *length, const char *script, tp_m
       .input = script,
       .input_length = strlen(script),
       .where_missing = "which draws the figures, is not installed: 'apt-get install gnuplot-nox' "
-                       "on Debian; the numbers of a chart need none: --output FILE.csv"};
+                       "on Debian, or './run --with charts' in Topple's folder; the numbers of a "
+                       "chart need none: --output FILE.csv"};
   return tp_program_run(figure, length, &program, message);
 }

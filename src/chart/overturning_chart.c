@@ -67,7 +67,7 @@ static void begin(tp_chart *chart, const tp_overturning_case *own, int panel, co
 }
 
 static void add_least(tp_chart *chart, const tp_overturning_case *own, int panel) {
-  begin(chart, own, panel, "least that overturns", least_line);
+  begin(chart, own, panel, "least found that overturns", least_line);
   for (size_t k = 0; k < own->count; k++) {
     if (own->points[k].overturns) add_point(chart, own->points + k, own->points[k].least, panel);
   }
@@ -178,7 +178,7 @@ static tp_status draw(tp_chart **chart, const tp_overturning_spectrum *spectrum,
     has_static = has_static || c->has_static;
     for (int panel = 0; panel < PANELS; panel++) add_panel(own, spectrum, c, panel, &any);
   }
-  tp_chart_add_legend(own, "least that overturns it", least_line);
+  tp_chart_add_legend(own, "least found that overturns it", least_line);
   if (any) tp_chart_add_legend(own, "spared again", island_line);
   if (has_static) tp_chart_add_legend(own, "static limit", static_line);
   return tp_chart_finish(own, chart, message);

@@ -27,8 +27,9 @@ static tp_status load(tp_ranks *ranks, tp_message *message) {
   const char *why = dlerror();
   snprintf(message->text, sizeof message->text,
            "this is one of %d processes of mpirun, and their ranks are known by " TP_RANKS_LIBRARY
-           ", which does not load (%s); build Topple where MPI is installed, or share the study "
-           "out by --shard",
+           ", which does not load (%s); './run --with mpi' in Topple's folder installs MPI and "
+           "builds it, or share the "
+           "study out by --shard",
            ranks->count, why != NULL ? why : "no reason is given");
   return TP_DEPENDENCY_FAILED;
 }

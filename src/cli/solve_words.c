@@ -157,9 +157,9 @@ static void check(tp_solve_words *a, struct argp_state *state) {
                   "--table and --csv print a table alone; drop --json, --elements, --figure, "
                   "--report, --find, --verbose, --write-profile and the other of the two");
   }
-  if (a->report != NULL && a->figure != NULL && strcmp(a->report, a->figure) == 0) {
-    tp_cli_refuse(state, "--report and --figure take different files");
-  }
+  const tp_cli_written files[] = {
+      {"--report", a->report}, {"--figure", a->figure}, {"--write-profile", a->profile}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
   if (table && a->watch) {
     tp_cli_refuse(state, "--watch watches one scene; leave out --table and --csv");
   }

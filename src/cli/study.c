@@ -46,7 +46,7 @@ static const struct argp_option options[] = {
      "FILE ends in .h5 or .hdf5",
      0},
     {"csv", KEY_ROWS, NULL, OPTION_ALIAS, NULL, 0},
-    {"restart", KEY_RESTART, NULL, 0, "With --rows: begin anew, whatever is in FILE", 0},
+    {"restart", KEY_RESTART, NULL, 0, "With --rows: begin anew, over the rows that are in FILE", 0},
     {"figure", KEY_FIGURE, "FILE", 0,
      "Draw probability against tilt, distribution, what it depends on, and convergence into FILE, "
      ".svg, .pdf or .png, or write their numbers into a .csv",
@@ -129,13 +129,11 @@ static void check(const arguments *a, struct argp_state *state) {
   if (a->options.shards > 1 && a->rows.hdf5 != NULL) {
     tp_cli_refuse(state, "a shard is of CSV, as '%s.csv'; --merge makes HDF5 of all", a->rows.hdf5);
   }
-  const char *const files[] = {a->options.rows, a->figure, a->scatter};
-  for (int k = 0; k < 3; k++) {
-    const char *other = files[(k + 1) % 3];
-    if (files[k] != NULL && other != NULL && strcmp(files[k], other) == 0) {
-      tp_cli_refuse(state, "--rows, --figure and --scatter take different files");
-    }
-  }
+  const tp_cli_written files[] = {{"--rows", a->rows.hdf5 != NULL ? a->rows.hdf5 : a->options.rows},
+                                  {"--figure", a->figure},
+                                  {"--scatter", a->scatter},
+                                  {"--report", a->report}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
   if (a->options.restart && a->options.rows == NULL) {
     tp_cli_refuse(state, "--restart goes with --rows");
   }

@@ -38,12 +38,12 @@ static tp_status load(void **function, const char *name, tp_message *message) {
   *function = library != NULL ? dlsym(library, name) : NULL;
   if (*function != NULL) return TP_OK;
   const char *why = dlerror();
-  snprintf(
-      message->text, sizeof message->text,
-      "HDF5 is written by " TP_HDF5_LIBRARY
-      ", which does not load (%s); install HDF5 (apt-get install libhdf5-dev) and build Topple "
-      "again, or name a file that ends in .csv",
-      why != NULL ? why : "no reason is given");
+  snprintf(message->text, sizeof message->text,
+           "HDF5 is written by " TP_HDF5_LIBRARY
+           ", which does not load (%s); './run --with hdf5' in Topple's folder installs HDF5 "
+           "(libhdf5-dev) and builds "
+           "it, or name a file that ends in .csv",
+           why != NULL ? why : "no reason is given");
   return TP_DEPENDENCY_FAILED;
 }
 

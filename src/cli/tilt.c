@@ -32,6 +32,7 @@ enum {
   KEY_FREQUENCIES,
   KEY_MOMENTS,
   KEY_OVERTURNING,
+  KEY_FACTORS,
   KEY_CONVERGE,
   KEY_REPORT
 };
@@ -59,7 +60,11 @@ static const struct argp_option options[] = {
      "Write a calculation sheet to check and sign into FILE, which ends in .html, .md or .pdf", 0},
     {"moments", KEY_MOMENTS, "N", 0, "Keep so many moments of the motion (400 unless given)", 0},
     {"overturning", KEY_OVERTURNING, NULL, 0,
-     "Find the least shaking that overturns the block, as a factor on that of the scene", 0},
+     "Scan factors on the shaking of the scene for those that overturn the block", 0},
+    {"factors", KEY_FACTORS, "FROM:TO:COUNT", 0,
+     "Of --overturning, evenly on a logarithmic axis (65 from 1/16 to 16, then by 0.5 % the octave "
+     "below the least that overturns)",
+     0},
     {"converge", KEY_CONVERGE, NULL, 0,
      "Run the test over stiffness, time step, damping and tolerance instead, each with its cost; "
      "with --figure FILE, .svg, .pdf, .png or .csv, the answer against cost",
@@ -90,6 +95,12 @@ static void check_converge(arguments *a, const struct argp_state *state) {
                   ".csv, not '%s'",
                   a->figure);
   }
+}
+
+static void refuse_same_files(const arguments *a, const struct argp_state *state) {
+  const tp_cli_written files[] = {
+      {"--figure", a->figure}, {"--animation", a->animation}, {"--report", a->report}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -131,6 +142,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case KEY_OVERTURNING:
     a->tilt.overturning = true;
     return 0;
+  case KEY_FACTORS:
+    tp_tilt_charts_factors(&a->tilt, argument, state);
+    return 0;
   case KEY_CONVERGE:
     a->converge = true;
     return 0;
@@ -142,7 +156,11 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
   case ARGP_KEY_END:
     if (a->json && a->csv) tp_cli_refuse(state, "--json and --csv are one or the other");
+    if (a->tilt.overturning_count > 0 && !a->tilt.overturning) {
+      tp_cli_refuse(state, "--factors is of --overturning, which is missing");
+    }
     if (a->converge) check_converge(a, state);
+    refuse_same_files(a, state);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;

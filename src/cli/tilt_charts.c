@@ -5,34 +5,42 @@
 
 #include "cli/signals.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <time.h>
 #include <unistd.h>
 
+/* FROM:TO:COUNT, rising from above 0; with at least two, and `most`. */
+static bool read_range(double *from, double *to, size_t *count, const char *text, long most) {
+  char *end = NULL;
+  *from = strtod(text, &end);
+  if (end == text || *end != ':') return false;
+  const char *second = end + 1;
+  *to = strtod(second, &end);
+  if (end == second || *end != ':') return false;
+  const char *third = end + 1;
+  const long read = strtol(third, &end, 10);
+  if (end == third || *end != '\0' || read < 2 || read > most) return false;
+  *count = (size_t)read;
+  return *from > 0 && *from < *to && isfinite(*to);
+}
+
 void tp_tilt_charts_frequencies(tp_tilt_charts *charts, const char *text,
                                 const struct argp_state *state) {
   tp_overturning_options *o = &charts->overturning;
-  char *end = NULL;
-  o->from = strtod(text, &end);
-  bool good = end != text && *end == ':';
-  if (good) {
-    const char *second = end + 1;
-    o->to = strtod(second, &end);
-    good = end != second && *end == ':';
-  }
-  long count = 0;
-  if (good) {
-    const char *third = end + 1;
-    count = strtol(third, &end, 10);
-    good = end != third && *end == '\0';
-  }
-  if (!good || !(o->from > 0 && o->from < o->to) || count < 2 || count > 200) {
-    tp_cli_refuse(state,
-                  "--frequencies takes FROM:TO:COUNT as 0.25:8:20, rising, of 2 to 200, not '%s'",
-                  text);
+  if (read_range(&o->from, &o->to, &o->count, text, 200)) return;
+  tp_cli_refuse(
+      state, "--frequencies takes FROM:TO:COUNT as 0.25:8:20, rising, of 2 to 200, not '%s'", text);
+}
+
+void tp_tilt_charts_factors(tp_tilt_options *options, const char *text,
+                            const struct argp_state *state) {
+  if (read_range(&options->overturning_from, &options->overturning_to, &options->overturning_count,
+                 text, 100000)) {
     return;
   }
-  o->count = (size_t)count;
+  tp_cli_refuse(
+      state, "--factors takes FROM:TO:COUNT as 0.5:2:400, rising, of 2 to 100000, not '%s'", text);
 }
 
 void tp_tilt_charts_take(tp_tilt_chart *wish, const char *path, const char *option,

@@ -25,6 +25,9 @@ void tp_tilt_charts_take(tp_tilt_chart *chart, const char *path, const char *opt
                          const struct argp_state *state);
 void tp_tilt_charts_frequencies(tp_tilt_charts *charts, const char *text,
                                 const struct argp_state *state);
+/* The factors of --overturning, likewise. */
+void tp_tilt_charts_factors(tp_tilt_options *options, const char *text,
+                            const struct argp_state *state);
 
 /* Reactions and phase portraits of a test. */
 TP_MUST_USE tp_status tp_tilt_charts_write(const tp_tilt_charts *charts, const tp_tilt_test *test,

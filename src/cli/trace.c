@@ -16,14 +16,16 @@
 
 /* tp_trace_run of src/trace/trace.h. */
 typedef tp_status (*trace_function)(char **report, const char *image, const double *around,
-                                    size_t corners, const double scale[5], const double *plumb,
-                                    const double *between, double tolerance, const char *unit,
-                                    const char *const rock[4], const char *scene,
+                                    size_t corners, const double *outline, size_t clicks,
+                                    const char *outline_file, const double scale[5],
+                                    const double *plumb, const double *between, double tolerance,
+                                    const char *unit, const char *const rock[4], const char *scene,
                                     const char *figure, bool json, tp_message *message);
 
 enum {
   MOST_POINTS = 200,
   KEY_AROUND = 256,
+  KEY_OUTLINE,
   KEY_SCALE,
   KEY_PLUMB,
   KEY_TOLERANCE,
@@ -40,8 +42,10 @@ enum { TITLE, UNIT_WEIGHT, THICKNESS, FRICTION, OF_ROCK };
 
 typedef struct arguments {
   const char *image, *scene, *figure, *report, *unit, *rock[OF_ROCK];
-  double around[2 * MOST_POINTS], scale[5], plumb[4], between[4], tolerance;
-  size_t corners;
+  const char *outline_file;
+  double around[2 * MOST_POINTS], outline[2 * MOST_POINTS], scale[5], plumb[4], between[4],
+      tolerance;
+  size_t corners, clicks;
   bool scaled, plumbed, ended, json;
 } arguments;
 
@@ -49,6 +53,11 @@ static const struct argp_option options[] = {
     {"around", KEY_AROUND, "X,Y,X,Y,...", 0,
      "Two opposite corners of a rectangle around the block, or the corners of a rough polygon "
      "around it, in pixels from the upper left corner of the picture; all of the block lies in it",
+     0},
+    {"outline", KEY_OUTLINE, "X,Y,X,Y,...|FILE", 0,
+     "In place of --around: the outline itself as it was clicked, in the same pixels, from 3 to "
+     "200 "
+     "points or a CSV file of them, taken as it is",
      0},
     {"scale", KEY_SCALE, "X,Y,X,Y,LENGTH", 0,
      "Two points of the picture in the plane of the outline, and how far apart they are", 0},
@@ -113,6 +122,21 @@ static void read_around(arguments *a, const char *text, const struct argp_state 
   a->corners = 4;
 }
 
+/* Points, where it begins as a number does; else a file. */
+static void read_outline(arguments *a, const char *text, const struct argp_state *state) {
+  const int count = read_numbers(a->outline, 2 * MOST_POINTS, text);
+  a->outline_file = NULL;
+  a->clicks = 0;
+  if (count < 0 && strchr(text, ',') == NULL) {
+    tp_cli_take_file(&a->outline_file, text, "--outline", state);
+  } else if (count < 6 || count % 2 != 0 || count > 2 * MOST_POINTS) {
+    tp_cli_refuse(
+        state, "--outline takes from 3 to 200 points, X,Y,X,Y,..., or a CSV file, not '%s'", text);
+  } else {
+    a->clicks = (size_t)count / 2;
+  }
+}
+
 /* Two points that are not one, and what may follow them. */
 static bool read_pair(double *numbers, int count, const char *text) {
   if (read_numbers(numbers, count, text) != count) return false;
@@ -166,8 +190,12 @@ static void check(const arguments *a, const struct argp_state *state) {
   const char *figure = a->figure;
   const size_t length = figure != NULL ? strlen(figure) : 0;
   if (a->image == NULL) return; /* that it is missing was told */
-  if (a->corners == 0) {
-    tp_cli_refuse(state, "--around is missing: say where the block is, --around=120,80,900,640");
+  const bool clicked = a->clicks > 0 || a->outline_file != NULL;
+  if (a->corners == 0 && !clicked) {
+    tp_cli_refuse(state, "--around is missing: say where the block is, --around=120,80,900,640, or "
+                         "its outline by --outline");
+  } else if (a->corners > 0 && clicked) {
+    tp_cli_refuse(state, "--around looks for an outline, --outline is one: give one of them");
   } else if (!a->scaled) {
     tp_cli_refuse(state, "--scale is missing: two points and how far apart they are, "
                          "--scale=100,700,400,700,1.5");
@@ -178,6 +206,9 @@ static void check(const arguments *a, const struct argp_state *state) {
   } else if (a->report != NULL && a->scene == NULL) {
     tp_cli_refuse(state, "a report is of a scene in a file: name one by --output");
   }
+  const tp_cli_written files[] = {
+      {"--output", a->scene}, {"--figure", figure}, {"--report", a->report}};
+  tp_cli_refuse_same_files(files, sizeof files / sizeof files[0], state);
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -185,6 +216,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   switch (key) {
   case KEY_AROUND:
     read_around(a, argument, state);
+    return 0;
+  case KEY_OUTLINE:
+    read_outline(a, argument, state);
     return 0;
   case KEY_SCALE:
     read_scale(a, argument, state);
@@ -279,14 +313,16 @@ static tp_status trace(const void *words, int *ended, tp_message *message) {
     const char *why = dlerror();
     snprintf(message->text, sizeof message->text,
              "pictures are traced by " TP_TRACE_LIBRARY
-             ", which does not load (%s); install OpenCV, libpng and libjpeg (apt-get install "
-             "libopencv-imgproc-dev libpng-dev libjpeg-dev) and build Topple again",
+             ", which does not load (%s); './run --with trace' in Topple's folder installs OpenCV, "
+             "libpng and libjpeg "
+             "(libopencv-imgproc-dev libpng-dev libjpeg-dev) and builds it",
              why != NULL ? why : "no reason is given");
     return TP_DEPENDENCY_FAILED;
   }
-  tp_status status = run(&report, a->image, a->around, a->corners, a->scale,
-                         a->plumbed ? a->plumb : NULL, a->ended ? a->between : NULL, a->tolerance,
-                         a->unit, a->rock, a->scene, a->figure, a->json, message);
+  tp_status status =
+      run(&report, a->image, a->around, a->corners, a->outline, a->clicks, a->outline_file,
+          a->scale, a->plumbed ? a->plumb : NULL, a->ended ? a->between : NULL, a->tolerance,
+          a->unit, a->rock, a->scene, a->figure, a->json, message);
   status = tp_cli_print_report(status, report, ended);
   return status == TP_OK && *ended == 0 && a->report != NULL ? write_report(a, message) : status;
 }

@@ -23,12 +23,19 @@
 /* How a line of a report begins, and in which colour it is. What is not certain is not green. */
 static const struct line {
   const char *begins, *colour;
-} lines[] = {{"Tilted towards", BOLD},    {"  FoS ", BOLD},
-             {"  Stands ", GREEN},        {"  Interlocked", GREEN},
-             {"  May move", YELLOW},      {"  Whether it stands", YELLOW},
-             {"  Does not stand", RED},   {"  Does not hold", RED},
-             {"  Topples up-dip", RED},   {"  Lets go up-dip", RED},
-             {"  Its loads topple", RED}, {"  Its loads slide", RED},
+} lines[] = {{"Tilted towards", BOLD},
+             {"As it lies", BOLD},
+             {"  FoS ", BOLD},
+             {"  Stands ", GREEN},
+             {"  Interlocked", GREEN},
+             {"  May move", YELLOW},
+             {"  Whether it stands", YELLOW},
+             {"  Does not stand", RED},
+             {"  Does not hold", RED},
+             {"  Topples up-dip", RED},
+             {"  Lets go up-dip", RED},
+             {"  Its loads topple", RED},
+             {"  Its loads slide", RED},
              {"Caution", YELLOW}};
 
 /* The colour of a line; NULL: none. Where sliding is not judged nothing is certain to stand. */

@@ -2,14 +2,19 @@
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
 #define TP_WORDS_OWN
+#define _GNU_SOURCE
+
 #include "cli/words.h"
 
 #include "cli/manner.h"
 #include "topple.h"
 
+#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum { COMPLAINT_SIZE = 1200 };
@@ -75,6 +80,69 @@ void tp_cli_take_file(const char **file, const char *argument, const char *what,
                       const struct argp_state *state) {
   if (*file != NULL) tp_cli_refuse(state, "one %s at a time; '%s' is one too many", what, argument);
   *file = argument;
+}
+
+/* The folder of a file that need not be there, and its name there. */
+static bool split_path(struct stat *folder, const char **name, const char *path) {
+  const char *slash = strrchr(path, '/');
+  char *own = slash == NULL ? strdup(".") : strndup(path, (size_t)(slash - path) + 1);
+  *name = slash != NULL ? slash + 1 : path;
+  const bool found = own != NULL && stat(own, folder) == 0;
+  free(own);
+  return found;
+}
+
+static bool is_same_inode(const struct stat *one, const struct stat *other) {
+  return one->st_dev == other->st_dev && one->st_ino == other->st_ino;
+}
+
+/* Where a link leads that leads nowhere yet, and its links in turn; else the path: freed by the
+ * caller. */
+static char *follow_links(const char *path) {
+  enum { MOST = 40 };
+  char *own = strdup(path);
+  for (int k = 0; own != NULL && k < MOST; k++) {
+    char target[PATH_MAX];
+    const ssize_t length = readlink(own, target, sizeof target - 1);
+    if (length < 0) break;
+    target[length] = '\0';
+    const char *slash = strrchr(own, '/');
+    const bool beside = target[0] != '/' && slash != NULL;
+    char *next = NULL;
+    const int wrote = beside ? asprintf(&next, "%.*s/%s", (int)(slash - own), own, target)
+                             : asprintf(&next, "%s", target);
+    free(own);
+    own = wrote >= 0 ? next : NULL;
+  }
+  return own;
+}
+
+/* Two names of one file, which is there or is to be made. */
+static bool are_one_file(const char *one, const char *other) {
+  struct stat a, b;
+  const bool there = stat(one, &a) == 0, other_there = stat(other, &b) == 0;
+  if (there && other_there) return S_ISREG(a.st_mode) && is_same_inode(&a, &b);
+  if (there || other_there) return false;
+  char *first = follow_links(one), *second = follow_links(other);
+  const char *name, *other_name;
+  const bool same = first != NULL && second != NULL && split_path(&a, &name, first) &&
+                    split_path(&b, &other_name, second) && is_same_inode(&a, &b) &&
+                    strcmp(name, other_name) == 0;
+  const bool alike = strcmp(one, other) == 0;
+  free(first);
+  free(second);
+  return same || alike;
+}
+
+void tp_cli_refuse_same_files(const tp_cli_written *files, int count,
+                              const struct argp_state *state) {
+  for (int k = 0; k < count; k++) {
+    for (int j = k + 1; j < count && files[k].file != NULL; j++) {
+      if (files[j].file == NULL || !are_one_file(files[k].file, files[j].file)) continue;
+      tp_cli_refuse(state, "%s and %s take different files; '%s' and '%s' are one", files[k].option,
+                    files[j].option, files[k].file, files[j].file);
+    }
+  }
 }
 
 static bool is_plain(const char *text) {

@@ -32,6 +32,14 @@ void tp_cli_tell_cost(double doubles_seconds, double ladder_seconds);
 void tp_cli_refuse(const struct argp_state *state, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* Files that options of a command name to be written: refused where two are one, by whatever names,
+ * as the second would take the place of the first. */
+typedef struct tp_cli_written {
+  const char *option, *file; /* NULL: not given */
+} tp_cli_written;
+void tp_cli_refuse_same_files(const tp_cli_written *files, int count,
+                              const struct argp_state *state);
+
 /* The one file that a command takes, into `*file`; a second one is refused. `what` it is of, as
  * "scene". */
 void tp_cli_take_file(const char **file, const char *argument, const char *what,

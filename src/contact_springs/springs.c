@@ -40,6 +40,11 @@ double tp_springs_stable_step(const tp_spring_settings *settings, const tp_rigid
   return tp_stepper_stable_step(&stepper);
 }
 
+double tp_springs_step(const tp_spring_settings *settings, const tp_rigid_body *body) {
+  return settings->time_step_s > 0 ? settings->time_step_s
+                                   : share_chosen * tp_springs_stable_step(settings, body);
+}
+
 tp_status tp_springs_check(const tp_spring_settings *s, const tp_rigid_body *body, tp_place place,
                            tp_message *message) {
   if (!(s->normal_pa_m > 0) || !(s->shear_pa_m > 0) || isinf(s->normal_pa_m) ||
@@ -84,6 +89,7 @@ typedef struct running {
   tp_body_state settled; /* where it was then; else where the run starts */
   double observed_every_s;
   long unasked;
+  double steps;
 } running;
 
 /* Did it move, but for what its springs give? On a table that is not shaken a block that settled
@@ -144,8 +150,17 @@ static bool step_until(running *r, double time_s, tp_spring_watch_news *news, tp
       *end = TP_RUN_UNDECIDED;
       return false;
     }
+    if (r->run->most_steps > 0 && r->steps >= r->run->most_steps) {
+      (void)tp_fail(message, TP_UNDECIDED, (tp_place){0},
+                    "at %g s its runs have taken %.3g steps, the most there are: softer springs, "
+                    "longer steps or a shorter time take fewer",
+                    s->time_s, r->steps);
+      *end = TP_RUN_UNDECIDED;
+      return false;
+    }
     tp_stepper_advance(s);
     r->unasked++;
+    r->steps++;
     const tp_spring_watch_news own = tp_spring_watch_step(&r->watch, s);
     if (own != TP_WATCH_NOTHING) *news = own;
   }
@@ -240,6 +255,7 @@ tp_run_end tp_springs_run(tp_body_state *last, const tp_run *run,
     end = go(&r, message);
   }
   *last = r.stepper.state;
+  if (run->steps != NULL) *run->steps = r.steps;
   tp_spring_record_clear(&r.record);
   tp_stepper_clear(&r.stepper);
   return end;

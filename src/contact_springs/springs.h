@@ -33,6 +33,9 @@ TP_MUST_USE tp_status tp_springs_check(const tp_spring_settings *settings,
                                        const tp_rigid_body *body, tp_place place,
                                        tp_message *message);
 
+/* Of a run: as given, or a share of that stable one. */
+double tp_springs_step(const tp_spring_settings *settings, const tp_rigid_body *body);
+
 /* 2 / omega with all contacts of the start closed, s. */
 double tp_springs_stable_step(const tp_spring_settings *settings, const tp_rigid_body *body);
 

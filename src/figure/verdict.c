@@ -185,8 +185,7 @@ bool tp_figure_heading(double *y, cairo_t *cr, const tp_figure *figure, const tp
                                        [TP_STATE_LEVEL] = "drawn level"};
   char n[TP_NUMBER_SIZE];
   tp_text t = {0};
-  tp_text_add(&t, "Tilted towards the %s: %s", tp_text_direction(state->own->towards),
-              states[state->kind]);
+  tp_text_add(&t, "%s: %s", tp_text_stance(figure->solution, state->own), states[state->kind]);
   if (state->kind == TP_STATE_LIMIT && figure->solution->has_friction) {
     tp_text_add(&t, ", φ = %s°%s", tp_page_degrees(n, figure->solution->friction_angle_deg),
                 figure->solution->friction_facet_count > 0 ? " but on some facets" : "");
@@ -207,7 +206,8 @@ bool tp_figure_verdict(double *y, cairo_t *cr, const tp_figure *figure, const tp
   if (verdict.length > 0) tp_text_add(&verdict, ". ");
   const size_t begin = verdict.length;
   if (state->kind == TP_STATE_LIMIT && state->tilt_deg.value < 0) {
-    tp_text_add(&verdict, "Does not hold even on level ground: ");
+    tp_text_add(&verdict, "Does not hold even %s: ",
+                figure->solution->frame.level ? "as it lies" : "on level ground");
   }
   add_limit(&verdict, figure, state, &state->own->limit);
   add_base(&verdict, figure, state);

@@ -126,6 +126,18 @@ void tp_affine_map_stretch(fmpq_t stretch, const tp_affine_map *map) {
   arf_clear(bound);
 }
 
+long tp_affine_map_bits(const tp_affine_map *map) {
+  const fmpq *const all[] = {map->a, map->b, map->c, map->d, map->e, map->f};
+  long most = 0;
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+    const long above = (long)fmpz_bits(fmpq_numref(all[k]));
+    const long below = (long)fmpz_bits(fmpq_denref(all[k]));
+    if (above > most) most = above;
+    if (below > most) most = below;
+  }
+  return most;
+}
+
 static bool are_opposite(const fmpq_t one, const fmpq_t other) {
   fmpq_t sum;
   fmpq_init(sum);

@@ -32,6 +32,9 @@ void tp_affine_map_point(fmpq_t x, fmpq_t y, const tp_affine_map *map);
  * the largest stretch and the root of two of it; of maps that no double holds up to twice it. */
 void tp_affine_map_stretch(fmpq_t stretch, const tp_affine_map *map);
 
+/* Of the longest numerator or denominator of its coefficients. */
+long tp_affine_map_bits(const tp_affine_map *map);
+
 bool tp_affine_map_keeps_circles(const tp_affine_map *map);
 
 /* Map an object whose arcs the map keeps, or that has none. */

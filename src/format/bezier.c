@@ -81,7 +81,8 @@ typedef struct bezier {
   tp_drawing_object *object;
   int degree;
   const fmpq *grid; /* the tolerance, by which its points are rounded */
-  long chords;
+  long first;       /* points of the object before it */
+  double left;      /* points that it may have yet */
   double tolerance;
   tp_mark mark;
 } bezier;
@@ -90,7 +91,7 @@ typedef struct bezier {
 static tp_curve_outcome add_bezier(bezier *b, tp_control_point *points, int depth) {
   enum { DEEPEST = 40 };
   if (from_chord(points, b->degree) <= b->tolerance) return TP_CURVE_DONE;
-  if (depth == DEEPEST || ++b->chords > TP_CURVE_CHORDS) return TP_CURVE_TOO_FINE;
+  if (depth == DEEPEST || --b->left < 0) return TP_CURVE_TOO_FINE;
   tp_control_point first[TP_CURVE_DEGREE + 1];
   fmpq_t x, y;
   fmpq_init(x);
@@ -116,6 +117,8 @@ tp_curve_outcome tp_curve_bezier(tp_drawing_object *object, tp_control_point *po
   bezier b = {.object = object,
               .degree = degree,
               .grid = tolerance,
+              .first = object->line.count,
+              .left = object->most_points - (double)object->line.count,
               .tolerance = TP_CURVE_SHARE * fmpq_get_d(tolerance),
               .mark = mark};
   fmpq_t x, y;
@@ -128,6 +131,6 @@ tp_curve_outcome tp_curve_bezier(tp_drawing_object *object, tp_control_point *po
   }
   fmpq_clear(x);
   fmpq_clear(y);
-  if (b.chords > 0) tp_curve_deviates(object, tolerance);
+  if (object->line.count > b.first + 1) tp_curve_deviates(object, tolerance);
   return outcome;
 }

@@ -72,7 +72,8 @@
   ROW(DEGREES, "latitude")                                                                         \
   ROW(DEGREES, "lat")
 
-/* Units of lengths as headers write them: X(unit of Topple, word). */
+/* Units of lengths as headers write them: X(unit of Topple, word). Pixels are those of clicks on a
+ * picture, and no scene's. */
 #define TP_COLUMN_UNITS(X)                                                                         \
   X("mm", "mm")                                                                                    \
   X("mm", "millimetre")                                                                            \
@@ -99,7 +100,10 @@
   X("in", "inches")                                                                                \
   X("ft", "ft")                                                                                    \
   X("ft", "foot")                                                                                  \
-  X("ft", "feet")
+  X("ft", "feet")                                                                                  \
+  X("px", "px")                                                                                    \
+  X("px", "pixel")                                                                                 \
+  X("px", "pixels")
 
 /* Units that Topple takes no lengths in: X(word). */
 #define TP_COLUMN_OTHER_UNITS(X)                                                                   \
@@ -114,9 +118,6 @@
   X("yards")                                                                                       \
   X("mile")                                                                                        \
   X("miles")                                                                                       \
-  X("px")                                                                                          \
-  X("pixel")                                                                                       \
-  X("pixels")                                                                                      \
   X("deg")                                                                                         \
   X("degree")                                                                                      \
   X("degrees")                                                                                     \

@@ -19,10 +19,7 @@
 
 #include <arb.h>
 
-enum {
-  TP_CURVE_DEGREE = 10,     /* of a spline, at most */
-  TP_CURVE_CHORDS = 1000000 /* of a curve, at most */
-};
+enum { TP_CURVE_DEGREE = 10 }; /* of a spline, at most */
 
 /* Of the tolerance, for the distance of curve and chord; the rest is for the rounding of its ends.
  */
@@ -31,8 +28,12 @@ enum {
 typedef enum tp_curve_outcome {
   TP_CURVE_DONE,
   TP_CURVE_NO_MEMORY,
-  TP_CURVE_TOO_FINE /* more than TP_CURVE_CHORDS */
+  TP_CURVE_TOO_FINE /* more points than the object may have (format/drawing_work.h) */
 } tp_curve_outcome;
+
+/* Why an object that is too fine can be no outline. */
+#define TP_CURVE_TOO_FINE_TEXT                                                                     \
+  "takes too many chords at this 'tolerance', half a million and more; give a larger one"
 
 /* The tolerance of the options; where there is none, 1/10000 of a length that a curve has. */
 void tp_curve_tolerance(fmpq_t tolerance, const tp_drawing_options *options, const fmpq_t length);

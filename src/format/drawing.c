@@ -3,6 +3,7 @@
 
 #include "format/drawing.h"
 
+#include "budget.h"
 #include "grow.h"
 
 #include <stdlib.h>
@@ -20,7 +21,7 @@ void tp_drawing_options_clear(tp_drawing_options *options) {
 }
 
 void tp_drawing_init(tp_drawing *drawing, const char *path) {
-  *drawing = (tp_drawing){.path = path};
+  *drawing = (tp_drawing){.path = path, .points_allowed = TP_BUDGET_DRAWN_POINTS};
 }
 
 void tp_drawing_straighten(tp_drawing_object *object) {
@@ -58,6 +59,7 @@ tp_drawing_object *tp_drawing_add(tp_drawing *drawing, const char *kind, const c
                                 .name = strdup(name != NULL ? name : ""),
                                 .pieces = 1,
                                 .ring_of = -1,
+                                .most_points = drawing->points_allowed,
                                 .line = {.file = drawing->path, .mark = mark}};
   fmpq_init(object->uncertainty);
   fmpq_init(object->deviation);

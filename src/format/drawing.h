@@ -36,6 +36,7 @@ typedef struct tp_drawing_object {
   long bulge_room;  /* edges from there on are straight */
   fmpq_t uncertainty, deviation; /* lengths; 0: exact */
   const char *problem;           /* why it can be no outline, a static text; NULL: it can */
+  double most_points;            /* that curves may make of it */
 } tp_drawing_object;
 
 typedef struct tp_drawing {
@@ -46,7 +47,10 @@ typedef struct tp_drawing {
   tp_drawing_object *objects;
   long hidden;    /* objects of the file that are not shown, and were left out */
   tp_notes notes; /* on what was read */
+  double points_made, points_allowed; /* by curves and inserted blocks (format/drawing_work.h) */
 } tp_drawing;
+
+struct tp_drawing_words;
 
 /* How curves become chains, and what else only the reader of a file can do. */
 typedef struct tp_drawing_options {
@@ -54,6 +58,7 @@ typedef struct tp_drawing_options {
                        the greater side of the curve's box */
   const char *reference; /* the id of an object of known length, which scales the drawing; NULL */
   fmpq_t length;         /* of it */
+  const struct tp_drawing_words *words; /* layers and names that have a role; NULL: not known */
 } tp_drawing_options;
 
 void tp_drawing_options_init(tp_drawing_options *options);

@@ -230,6 +230,7 @@ tp_status tp_dxf_read(tp_drawing *drawing, const tp_text_file *file,
   if (status == TP_OK) {
     tp_dxf_reader reader = {.drawing = drawing, .options = options, .message = message};
     tp_drawing_init(&reader.parts, drawing->path);
+    reader.parts.points_allowed = drawing->points_allowed;
     fmpq_init(reader.height);
     status = read_groups(&reader, &all);
     tp_dxf_inserts_clear(&reader);

@@ -8,15 +8,15 @@
  * extruded along -z. Cosine and sine of what is no quarter of a turn are decimals within 1e-18. An
  * object on layer 0 of a block is on the layer of the insert. */
 
-#include "format/affine.h"
+#include "format/drawing_work.h"
 #include "format/dxf_reader.h"
+#include "format/dxf_use.h"
 #include "grow.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
-enum { X = 10, Y = 20, NAME = 2, LAYER = 8, DEEPEST = 16, MOST_OBJECTS = 1000000 };
+enum { X = 10, Y = 20, NAME = 2, LAYER = 8 };
 
 bool tp_dxf_block_begin(tp_dxf_reader *r, const tp_dxf_entity *entity) {
   if (!tp_dxf_block_end(r)) return false; /* one that has no end */
@@ -107,16 +107,6 @@ bool tp_dxf_insert_add(tp_dxf_reader *r, const tp_dxf_entity *entity) {
 /* ---- what they make ----------------------------------------------------------------------------
  */
 
-static const tp_dxf_block *find_block(const tp_dxf_reader *r, const tp_dxf_group *name) {
-  for (long k = 0; k < r->block_count; k++) {
-    const tp_dxf_group *own = &r->blocks[k].name;
-    if (own->length == name->length && strncasecmp(own->text, name->text, name->length) == 0) {
-      return r->blocks + k;
-    }
-  }
-  return NULL;
-}
-
 static void turn(tp_affine_map *map, const fmpq_t degrees) {
   enum { BITS = 192, HALF = 180 };
   arb_t s, c;
@@ -166,6 +156,7 @@ static void put(tp_affine_map *map, const tp_dxf_insert *insert, const tp_dxf_bl
 /* Arcs that the map does not keep become chords first. */
 static bool flatten(tp_dxf_reader *r, tp_drawing_object *object, const tp_affine_map *map) {
   if (tp_affine_map_keeps_circles(map) || !tp_drawing_has_arcs(object)) return true;
+  if (!tp_dxf_use_object(r, object->layer, object->name)) return true; /* as no shape is wanted */
   fmpq_t size, tolerance, stretch;
   fmpq_init(size);
   fmpq_init(tolerance);
@@ -186,15 +177,14 @@ static bool flatten(tp_dxf_reader *r, tp_drawing_object *object, const tp_affine
 
 static bool copy_object(tp_dxf_reader *r, const tp_drawing_object *from, const tp_affine_map *map,
                         const char *layer, const char *problem) {
-  if (r->drawing->count >= MOST_OBJECTS) {
-    r->status = tp_fail(r->message, TP_BAD_INPUT, tp_drawing_place(from),
-                        "more than a million objects, with those of inserted blocks");
-    return false;
-  }
   const bool follows = strcmp(from->layer, "0") == 0;
-  tp_drawing_object *object = tp_drawing_add(r->drawing, from->kind, follows ? layer : from->layer,
-                                             from->name, from->line.mark);
+  const char *own = follows ? layer : from->layer;
+  if (r->sparing && !tp_dxf_use_object(r, own, from->name)) return true;
+  tp_drawing_object *object =
+      tp_drawing_add(r->drawing, from->kind, own, from->name, from->line.mark);
   if (object == NULL || !tp_drawing_append(object, from)) return tp_dxf_fail_memory(r);
+  r->status = tp_drawing_count(r->drawing, object, r->message);
+  if (r->status != TP_OK) return false;
   if (problem != NULL) object->problem = problem;
   if (!flatten(r, object, map)) return false;
   tp_affine_map_object(object, map);
@@ -207,10 +197,11 @@ static bool insert_block(tp_dxf_reader *r, const tp_dxf_insert *insert, const tp
 static bool insert_once(tp_dxf_reader *r, const tp_dxf_block *block, const tp_affine_map *map,
                         const char *layer, const char *problem, int depth) {
   bool done = true;
-  if (++r->insertions > MOST_OBJECTS) {
+  r->drawing->points_made++;
+  if (r->drawing->points_made > r->drawing->points_allowed) {
     return tp_dxf_fail(r, &block->name,
-                       "more than a million inserted blocks; explode them, or "
-                       "export the layers of block and base alone");
+                       "more inserted blocks than are followed, half a million and more; explode "
+                       "them, or export the layers of block and base alone");
   }
   for (long k = 0; k < block->objects && done; k++) {
     done = copy_object(r, r->parts.objects + block->first_object + k, map, layer, problem);
@@ -223,14 +214,14 @@ static bool insert_once(tp_dxf_reader *r, const tp_dxf_block *block, const tp_af
 
 static bool insert_block(tp_dxf_reader *r, const tp_dxf_insert *insert, const tp_affine_map *outer,
                          const char *outer_layer, int depth) {
-  const tp_dxf_block *block = find_block(r, &insert->block);
+  const tp_dxf_block *block = tp_dxf_block_find(r, &insert->block);
   if (block == NULL) {
     const tp_place place = {r->drawing->path, insert->block.line, 1};
     r->status = tp_notes_add(&r->drawing->notes, r->message, TP_CAUTION, place,
                              "a block is inserted that the file has not; it is left out");
     return r->status == TP_OK;
   }
-  if (depth == DEEPEST) {
+  if (depth == TP_DXF_DEEPEST) {
     return tp_dxf_fail(r, &insert->block, "blocks within blocks, more than 16 deep; explode them");
   }
   const bool follows = insert->layer.length == 1 && insert->layer.text[0] == '0' && depth > 0;
@@ -239,9 +230,10 @@ static bool insert_block(tp_dxf_reader *r, const tp_dxf_insert *insert, const tp
   bool done = true;
   tp_affine_map map;
   tp_affine_map_init(&map);
+  const bool used = tp_dxf_use_insert(r, block, layer);
   const long columns = insert->columns > 1 ? insert->columns : 1;
   const long rows = insert->rows > 1 ? insert->rows : 1;
-  for (long k = 0; k < columns * rows && done; k++) {
+  for (long k = 0; k < columns * rows && used && done; k++) {
     tp_affine_map_set(&map, outer);
     put(&map, insert, block, k % columns, k / columns);
     done = insert_once(r, block, &map, layer, insert->problem, depth);
@@ -252,13 +244,11 @@ static bool insert_block(tp_dxf_reader *r, const tp_dxf_insert *insert, const tp
 }
 
 bool tp_dxf_insert_all(tp_dxf_reader *r) {
-  if (!tp_dxf_block_end(r)) return false;
-  const tp_dxf_block *last = r->block_count > 0 ? r->blocks + r->block_count - 1 : NULL;
+  if (!tp_dxf_block_end(r) || !tp_dxf_use_tell(r)) return false;
   tp_affine_map map;
   tp_affine_map_init(&map);
   bool done = true;
-  for (long k = last != NULL ? last->first_insert + last->inserts : 0; k < r->insert_count && done;
-       k++) {
+  for (long k = tp_dxf_first_insert(r); k < r->insert_count && done; k++) {
     done = insert_block(r, r->inserts + k, &map, "0", 0);
   }
   tp_affine_map_clear(&map);

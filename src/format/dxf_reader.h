@@ -15,6 +15,9 @@ typedef struct tp_dxf_block {
   tp_dxf_group name;
   fmpq_t x, y; /* its base point */
   long first_object, objects, first_insert, inserts;
+  bool is_told; /* what follows (format/dxf_use.c) */
+  int use;
+  double puts; /* objects, with those of blocks within */
 } tp_dxf_block;
 
 /* A block put somewhere, once or in rows and columns. */
@@ -37,7 +40,8 @@ typedef struct tp_dxf_reader {
   tp_dxf_insert *inserts; /* of blocks, and behind these of the file itself */
   long insert_count, insert_room;
   bool in_block;
-  long insertions;             /* of blocks, so far */
+  bool named;                  /* an object has a role by its layer or its name */
+  bool sparing;                /* objects of inserted blocks without a role are left out */
   tp_drawing_object *polyline; /* whose vertices follow; NULL: none, or none that is wanted */
   bool mirrored;               /* that polyline */
   fmpq_t height;               /* z of its first vertex */
@@ -96,6 +100,11 @@ bool tp_dxf_block_end(tp_dxf_reader *reader);
 bool tp_dxf_insert_add(tp_dxf_reader *reader, const tp_dxf_entity *entity);
 /* All inserts of the file itself become objects of it. */
 bool tp_dxf_insert_all(tp_dxf_reader *reader);
+/* NULL: there is none of that name. */
+tp_dxf_block *tp_dxf_block_find(const tp_dxf_reader *reader, const tp_dxf_group *name);
+/* Of those of the file itself. */
+long tp_dxf_first_insert(const tp_dxf_reader *reader);
+enum { TP_DXF_DEEPEST = 16 }; /* blocks within blocks */
 void tp_dxf_inserts_clear(tp_dxf_reader *reader);
 
 #endif

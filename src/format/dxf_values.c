@@ -3,6 +3,7 @@
 
 /* Values of the groups of an entity, exactly as the file writes them. */
 
+#include "format/drawing_work.h"
 #include "format/dxf_reader.h"
 #include "number/ratio.h"
 
@@ -35,9 +36,12 @@ bool tp_dxf_fail_memory(tp_dxf_reader *reader) {
 bool tp_dxf_curve(tp_dxf_reader *reader, tp_drawing_object *object, tp_curve_outcome outcome) {
   if (outcome == TP_CURVE_NO_MEMORY) return tp_dxf_fail_memory(reader);
   if (outcome == TP_CURVE_TOO_FINE) {
-    object->problem = "takes more than a million chords at this 'tolerance'; give a larger one";
+    object->problem = TP_CURVE_TOO_FINE_TEXT;
   }
-  return true;
+  const bool in_block = reader->in_block;
+  reader->status =
+      tp_drawing_count(in_block ? &reader->parts : reader->drawing, object, reader->message);
+  return reader->status == TP_OK;
 }
 
 /* A line holds one number, so that a comma in it is a point; that is noted once. */

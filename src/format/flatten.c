@@ -88,9 +88,9 @@ static void set_tangent(fmpq_t t, const arc *a, double part) {
 }
 
 static tp_curve_outcome add_chords(tp_polyline *line, const arc *a, const fmpq_t tolerance,
-                                   tp_mark mark) {
+                                   double most, tp_mark mark) {
   const double count = chords_of(a, tolerance);
-  if (!(count <= TP_CURVE_CHORDS)) return TP_CURVE_TOO_FINE;
+  if (!(count <= most - (double)line->count)) return TP_CURVE_TOO_FINE;
   fmpq_t t, x, y;
   fmpq_init(t);
   fmpq_init(x);
@@ -120,7 +120,7 @@ tp_curve_outcome tp_curve_flatten(tp_drawing_object *object, const fmpq_t tolera
     const fmpq *bulge = tp_drawing_bulge(object, k);
     if (bulge != NULL) {
       arc_set(&a, line, k, bulge);
-      outcome = add_chords(&chords, &a, tolerance, line->marks[k]);
+      outcome = add_chords(&chords, &a, tolerance, object->most_points, line->marks[k]);
     } else if (!tp_polyline_append(&chords, line->x + k, line->y + k, line->marks[k])) {
       outcome = TP_CURVE_NO_MEMORY;
     }

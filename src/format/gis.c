@@ -181,8 +181,9 @@ tp_status tp_gis_drawing_read(tp_drawing *drawing, tp_message *message) {
   if (read == NULL) {
     const char *reason = dlerror();
     return tp_fail(message, TP_DEPENDENCY_FAILED, (tp_place){drawing->path, 0, 0},
-                   "is read by " TP_GIS_LIBRARY ", which does not load (%s); install GDAL (apt-get "
-                   "install libgdal-dev) and build Topple again, or save the drawing as GeoJSON",
+                   "is read by " TP_GIS_LIBRARY
+                   ", which does not load (%s); './run --with gis' in Topple's folder installs "
+                   "GDAL (libgdal-dev) and builds it, or save the drawing as GeoJSON",
                    reason != NULL ? tp_quote_all(reason).text : "no reason is given");
   }
   taking t = {.drawing = drawing, .message = message, .outer = -1};

@@ -8,5 +8,7 @@
 tp_status tp_gis_drawing_read(tp_drawing *drawing, tp_message *message) {
   return tp_fail(message, TP_BAD_INPUT, (tp_place){drawing->path, 0, 0},
                  "this Topple was built without GDAL, which Shapefile and GeoPackage are read "
-                 "with: install libgdal-dev and build it again, or save the drawing as GeoJSON");
+                 "with: './run --with gis' in its folder installs GDAL (libgdal-dev) and builds "
+                 "it, or save the "
+                 "drawing as GeoJSON");
 }

@@ -6,6 +6,7 @@
 #include "format/read.h"
 
 #include "format/csv_drawing.h"
+#include "format/drawing_work.h"
 #include "format/dxf.h"
 #include "format/geojson.h"
 #include "format/gis.h"
@@ -60,6 +61,7 @@ tp_status tp_drawing_read(tp_drawing *drawing, const tp_drawing_options *options
   tp_text_file file;
   tp_status status = tp_text_file_read(&file, drawing->path, message);
   if (status != TP_OK) return status;
+  drawing->points_allowed = tp_drawing_points_allowed(file.length);
   status = formats[format].read(drawing, &file, options, message);
   free(file.text);
   return status;

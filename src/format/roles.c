@@ -19,23 +19,24 @@ typedef struct choosing {
   tp_message *message;
 } choosing;
 
-static bool bears(const tp_drawing_object *object, const char *word) {
-  return strcasecmp(object->layer, word) == 0 || strcasecmp(object->name, word) == 0;
+static bool are(const char *layer, const char *name, const char *word) {
+  return strcasecmp(layer, word) == 0 || strcasecmp(name, word) == 0;
 }
 
 /* Which of the parts' words; -1: none. */
-static long part_of(const choosing *c, const tp_drawing_object *object) {
-  for (long k = 0; k < c->words->part_count; k++) {
-    if (bears(object, c->words->parts[k])) return k;
+static long part_by(const tp_drawing_words *words, const char *layer, const char *name) {
+  for (long k = 0; k < words->part_count; k++) {
+    if (are(layer, name, words->parts[k])) return k;
   }
   return -1;
 }
 
-static tp_drawing_role role_of(const choosing *c, const tp_drawing_object *object) {
-  if (part_of(c, object) >= 0) return TP_DRAWING_PART;
-  if (bears(object, c->words->block)) return TP_DRAWING_BLOCK;
-  if (bears(object, c->words->base)) return TP_DRAWING_BASE;
-  return bears(object, c->words->hole) ? TP_DRAWING_HOLE : TP_DRAWING_UNUSED;
+tp_drawing_role tp_drawing_role_by(const tp_drawing_words *words, const char *layer,
+                                   const char *name) {
+  if (part_by(words, layer, name) >= 0) return TP_DRAWING_PART;
+  if (are(layer, name, words->block)) return TP_DRAWING_BLOCK;
+  if (are(layer, name, words->base)) return TP_DRAWING_BASE;
+  return are(layer, name, words->hole) ? TP_DRAWING_HOLE : TP_DRAWING_UNUSED;
 }
 
 /* ---- by layers ---------------------------------------------------------------------------------
@@ -45,7 +46,7 @@ static tp_drawing_role role_of(const choosing *c, const tp_drawing_object *objec
 static void give_roles(choosing *c) {
   for (long k = 0; k < c->drawing->count; k++) {
     const tp_drawing_object *object = c->drawing->objects + k;
-    tp_drawing_role role = role_of(c, object);
+    tp_drawing_role role = tp_drawing_role_by(c->words, object->layer, object->name);
     if (object->ring_of >= 0) {
       const bool of_block = c->choice->objects[object->ring_of] == TP_DRAWING_BLOCK;
       role = of_block ? TP_DRAWING_HOLE : TP_DRAWING_UNUSED;
@@ -173,8 +174,9 @@ static tp_status add_role(choosing *c, tp_drawing_role role, long part) {
   if (items == NULL) return tp_fail_memory(c->message, "a drawing");
   tp_drawing_pieces pieces = {c->drawing, 0, items};
   for (long k = 0; k < c->drawing->count; k++) {
+    const tp_drawing_object *own = c->drawing->objects + k;
     if (c->choice->objects[k] != role) continue;
-    if (role == TP_DRAWING_PART && part_of(c, c->drawing->objects + k) != part) continue;
+    if (role == TP_DRAWING_PART && part_by(c->words, own->layer, own->name) != part) continue;
     items[pieces.count++] = k;
   }
   const long before = c->choice->chains.count;
@@ -237,8 +239,9 @@ static tp_status check_named(const choosing *c) {
   for (long k = 0; k < c->words->part_count; k++) {
     bool found = false;
     for (long i = 0; i < c->drawing->count; i++) {
+      const tp_drawing_object *own = c->drawing->objects + i;
       found = found || (c->choice->objects[i] == TP_DRAWING_PART &&
-                        part_of(c, c->drawing->objects + i) == k);
+                        part_by(c->words, own->layer, own->name) == k);
     }
     if (found) continue;
     return tp_fail(c->message, TP_BAD_INPUT, c->place, "nothing of the drawing is on layer '%s'",
@@ -252,6 +255,7 @@ tp_status tp_drawing_choose(tp_drawing_choice *choice, const tp_drawing *drawing
   *choice =
       (tp_drawing_choice){.objects = calloc((size_t)drawing->count + 1, sizeof *choice->objects)};
   tp_drawing_init(&choice->chains, drawing->path);
+  choice->chains.points_allowed = drawing->points_allowed;
   choosing c = {choice, drawing, words, place, message};
   tp_status status = choice->objects != NULL ? choose(&c) : tp_fail_memory(message, "a drawing");
   if (status == TP_OK) status = check_named(&c);

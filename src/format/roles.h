@@ -22,6 +22,10 @@ typedef struct tp_drawing_words {
   fmpq_t gap;                          /* in the drawing */
 } tp_drawing_words;
 
+/* What an object of a layer and a name is by these words. */
+tp_drawing_role tp_drawing_role_by(const tp_drawing_words *words, const char *layer,
+                                   const char *name);
+
 typedef struct tp_drawing_choice {
   tp_drawing chains;        /* what pieces make */
   tp_drawing_role *roles;   /* of chains */

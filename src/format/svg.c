@@ -175,9 +175,12 @@ static void take_shape(reader *r, const char *kind, const frame *own,
                           .name = label_of(attributes),
                           .mark = {place.line, place.column},
                           .options = r->options,
+                          .message = r->message,
                           .map = &own->map};
   if (tp_svg_shape(&target, attributes, &problem)) return;
-  if (problem == NULL || target.no_memory) {
+  if (target.status != TP_OK) {
+    stop(r, target.status);
+  } else if (problem == NULL || target.no_memory) {
     fail_memory(r);
   } else if (r->status == TP_OK) {
     stop(r, tp_fail(r->message, TP_BAD_INPUT, place, "this %s %s", kind, problem));

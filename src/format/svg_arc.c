@@ -107,7 +107,7 @@ static bool add_chords(tp_svg_target *target, tp_drawing_object *object, tp_draw
   fmpq_div(tolerance, tolerance, stretch);
   const tp_curve_outcome outcome = tp_curve_flatten(unit, tolerance);
   if (outcome == TP_CURVE_TOO_FINE) {
-    object->problem = "takes more than a million chords at this 'tolerance'; give a larger one";
+    object->problem = TP_CURVE_TOO_FINE_TEXT;
   }
   tp_affine_map_object(unit, &map);
   bool done = outcome != TP_CURVE_NO_MEMORY;

@@ -5,6 +5,8 @@
 
 #include "format/svg_path.h"
 
+#include "format/drawing_work.h"
+
 #include <ctype.h>
 #include <string.h>
 
@@ -41,7 +43,7 @@ bool tp_svg_finish(tp_svg_target *t, tp_drawing_object *object) {
     tp_curve_outcome outcome = TP_CURVE_DONE;
     if (tp_svg_tolerance(other, t, size)) outcome = tp_curve_flatten(object, other);
     if (outcome == TP_CURVE_TOO_FINE) {
-      object->problem = "takes more than a million chords at this 'tolerance'; give a larger one";
+      object->problem = TP_CURVE_TOO_FINE_TEXT;
     }
     t->no_memory = t->no_memory || outcome == TP_CURVE_NO_MEMORY;
     fmpq_clear(size);
@@ -49,8 +51,9 @@ bool tp_svg_finish(tp_svg_target *t, tp_drawing_object *object) {
   }
   tp_affine_map_object(object, t->map);
   tp_drawing_tidy(object);
+  if (!t->no_memory) t->status = tp_drawing_count(t->drawing, object, t->message);
   if (object->line.count == 0) tp_drawing_drop(t->drawing);
-  return !t->no_memory;
+  return !t->no_memory && t->status == TP_OK;
 }
 
 /* ---- a path ------------------------------------------------------------------------------------
@@ -162,7 +165,7 @@ static bool curve_to(path *p, int degree) {
   }
   if (outcome == TP_CURVE_NO_MEMORY) p->target->no_memory = true;
   if (outcome == TP_CURVE_TOO_FINE) {
-    p->object->problem = "takes more than a million chords at this 'tolerance'; give a larger one";
+    p->object->problem = TP_CURVE_TOO_FINE_TEXT;
   }
   tp_control_points_clear(points, MOST);
   fmpq_clear(size);

@@ -35,6 +35,8 @@ typedef struct tp_svg_target {
   const tp_drawing_options *options;
   const tp_affine_map *map; /* to where the drawing has it */
   bool no_memory;
+  tp_status status; /* TP_OK; else with the message */
+  tp_message *message;
 } tp_svg_target;
 
 /* An object of an element, mapped: arcs that the map does not keep become chords before. It is the

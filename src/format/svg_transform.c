@@ -3,6 +3,7 @@
 
 /* Numbers and transforms of SVG. */
 
+#include "format/drawing_work.h"
 #include "format/svg_path.h"
 #include "number/ratio.h"
 
@@ -163,6 +164,8 @@ static bool apply_next(tp_affine_map *map, tp_svg_text *text) {
 bool tp_svg_transform(tp_affine_map *map, tp_svg_text *text) {
   for (skip(text); text->at < text->end; skip(text)) {
     if (!apply_next(map, text)) return false;
+    text->problem = tp_drawing_map_problem(map);
+    if (text->problem != NULL) return false;
   }
   return true;
 }

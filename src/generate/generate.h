@@ -16,6 +16,7 @@
 #ifndef TP_GENERATE_H
 #define TP_GENERATE_H
 
+#include "budget.h"
 #include "plane/polyline.h"
 #include "topple_generate.h"
 
@@ -58,7 +59,7 @@ typedef struct tp_self_affine_options {
   uint64_t seed;
 } tp_self_affine_options;
 
-enum { TP_SELF_AFFINE_LEAST = 8, TP_SELF_AFFINE_MOST = 1 << 22 };
+enum { TP_SELF_AFFINE_LEAST = 8, TP_SELF_AFFINE_MOST = TP_BUDGET_PROFILE_POINTS };
 
 void tp_self_affine_options_init(tp_self_affine_options *options);
 void tp_self_affine_options_clear(tp_self_affine_options *options);

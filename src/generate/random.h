@@ -21,7 +21,8 @@ typedef enum tp_stream {
   TP_STREAM_SHIFTS,
   TP_STREAM_BOOTSTRAP,
   TP_STREAM_IMPORTANCE,
-  TP_STREAM_SUBSETS
+  TP_STREAM_SUBSETS,
+  TP_STREAM_DIRECTIONS
 } tp_stream;
 
 static inline uint64_t tp_random_mix(uint64_t state) {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-#define _GNU_SOURCE /* asprintf */
 #include "hdf5/file.h"
+
+#include "output/file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -60,10 +61,20 @@ static hid_t create(const char *path) {
   if (plan < 0) return plan;
   if (H5Pset_link_creation_order(plan, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0 &&
       H5Pset_obj_track_times(plan, false) >= 0) {
-    file = H5Fcreate(path, H5F_ACC_EXCL, plan, H5P_DEFAULT);
+    file = H5Fcreate(path, H5F_ACC_TRUNC, plan, H5P_DEFAULT);
   }
   (void)H5Pclose(plan);
   return file;
+}
+
+bool tp_hdf5_file_is_ours(const char *path) {
+  (void)H5dont_atexit();
+  (void)H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+  const hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file < 0) return false;
+  const bool ours = H5Aexists(file, "topple") > 0 && H5Aexists(file, "planned") > 0;
+  (void)H5Fclose(file);
+  return ours;
 }
 
 tp_status tp_hdf5_file_begin(tp_hdf5_file *file, const char *path, const char *csv,
@@ -75,11 +86,9 @@ tp_status tp_hdf5_file_begin(tp_hdf5_file *file, const char *path, const char *c
   file->target = realpath(path, NULL);
   if (file->target == NULL && errno == ENOENT) file->target = strdup(path);
   if (file->target == NULL) return fail_system(file, errno, message);
-  if (asprintf(&file->part, "%s.part", file->target) < 0) {
-    file->part = NULL;
-    return tp_fail_memory(message, "the rows");
-  }
-  (void)unlink(file->part); /* of a run that was killed */
+  const int own = tp_file_create_beside(&file->part, file->target);
+  if (own < 0) return fail_system(file, errno, message);
+  (void)close(own);
   file->id = create(file->part);
   return file->id >= 0 ? TP_OK : tp_hdf5_fail(file, message);
 }

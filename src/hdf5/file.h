@@ -18,6 +18,9 @@ typedef struct tp_hdf5_file {
   char reason[200]; /* of the first call that failed; empty: none did */
 } tp_hdf5_file;
 
+/* Is it the rows of a study? */
+TP_MUST_USE bool tp_hdf5_file_is_ours(const char *path);
+
 /* To be ended, also on failure; it stays where it is until then. */
 TP_MUST_USE tp_status tp_hdf5_file_begin(tp_hdf5_file *file, const char *path, const char *csv,
                                          tp_message *message);

@@ -31,7 +31,17 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
   struct stat own;
   tp_progress progress = {0};
   bool there = false;
-  if (stat(path, &own) != 0) return TP_OK;
+  /* nobody named the CSV */
+  if (lstat(csv, &own) == 0 && S_ISLNK(own.st_mode)) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){csv, 0, 0},
+                   "this is a link, into which the rows would go first; remove it, or name another "
+                   "file");
+  }
+  if (stat(path, &own) != 0) {
+    if (lstat(path, &own) != 0) return TP_OK;
+    return tp_fail(message, TP_SYSTEM_FAILED, place,
+                   "cannot be written: it is a link that leads nowhere");
+  }
   if (!S_ISREG(own.st_mode)) {
     return tp_fail(message, TP_BAD_INPUT, place, "HDF5 needs a file of its own; name another one");
   }
@@ -39,7 +49,12 @@ tp_status tp_hdf5_check(const char *path, const tp_study *study, const char *csv
     return tp_fail(message, TP_BAD_INPUT, place,
                    "this is a file that the study reads, and would be lost; write to another name");
   }
-  if (restart) return TP_OK;
+  if (restart) {
+    if (tp_hdf5_file_is_ours(path)) return TP_OK;
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "this file is there, and is not the rows of a study, which alone are written "
+                   "over; remove it, or name another file");
+  }
   const tp_status status = tp_progress_read(&progress, &there, csv, study, message);
   if (status != TP_OK || there) return status;
   return tp_fail(message, TP_BAD_INPUT, place,
@@ -105,7 +120,8 @@ static tp_status write_rows(writing *w, const tp_progress *progress, tp_message 
   tp_status status = note_all(w, message);
   if (status == TP_OK) status = open_columns(w, message);
   if (status == TP_OK) {
-    status = tp_rows_read(w->file.csv, w->study, progress, take_row, w, message);
+    tp_sha256_state hash;
+    status = tp_rows_read(&hash, w->file.csv, w->study, progress, take_row, w, message);
   }
   if (status == TP_OK && !w->stopped) status = write_block(w, message);
   for (size_t k = 0; k < w->count; k++) tp_hdf5_column_close(w->columns + k, w->filled);

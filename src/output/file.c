@@ -126,8 +126,7 @@ static tp_status write_in_place(int descriptor, const struct stat *state, const 
   return status;
 }
 
-/* A new file beside `path`, which no other run has; its descriptor, or -1. */
-static int create_beside(char **name, const char *path) {
+int tp_file_create_beside(char **name, const char *path) {
   enum { TRIES = 1000 };
   const char *slash = strrchr(path, '/');
   const int folder = slash != NULL ? (int)(slash - path) + 1 : 0;
@@ -163,7 +162,7 @@ static bool keep_owner(int descriptor, const struct stat *state) {
 static bool replace(tp_status *status, const char *path, const struct stat *before,
                     const output *o) {
   char *name = NULL;
-  const int descriptor = create_beside(&name, path);
+  const int descriptor = tp_file_create_beside(&name, path);
   const int why = errno;
   if (descriptor < 0 && before != NULL && (why == EACCES || why == EPERM || why == EROFS)) {
     return false;
@@ -227,10 +226,15 @@ static tp_status write_over(int descriptor, const output *o) {
   return status;
 }
 
-static tp_status write_new(const output *o) {
+/* There is no file; a link may be there. */
+static tp_status check_new(const output *o) {
   struct stat link;
-  if (lstat(o->path, &link) == 0) return fail(o, "it is a link that leads nowhere");
-  tp_status status = TP_OK;
+  return lstat(o->path, &link) == 0 ? fail(o, "it is a link that leads nowhere") : TP_OK;
+}
+
+static tp_status write_new(const output *o) {
+  tp_status status = check_new(o);
+  if (status != TP_OK) return status;
   (void)replace_at_once(&status, o->path, NULL, o);
   return status;
 }
@@ -251,4 +255,18 @@ tp_status tp_file_write_if(const char *path, const char *bytes, size_t length,
   status = write_over(descriptor, &o);
   if (close(descriptor) != 0 && status == TP_OK) status = fail(&o, strerror(errno));
   return status;
+}
+
+tp_status tp_file_open_to_add(int *descriptor, const char *path, tp_message *message) {
+  enum { HOW = O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY };
+  const output o = {.path = path, .message = message};
+  int own = open(path, HOW);
+  if (own < 0 && errno == ENOENT) {
+    const tp_status status = check_new(&o);
+    if (status != TP_OK) return status;
+    own = open(path, HOW | O_CREAT | O_EXCL, 0666);
+  }
+  if (own < 0) return fail(&o, strerror(errno));
+  *descriptor = own;
+  return TP_OK;
 }

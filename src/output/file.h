@@ -28,4 +28,13 @@ TP_MUST_USE tp_status tp_file_write_if(const char *path, const char *bytes, size
                                        tp_file_sources sources, tp_figure_consent consent,
                                        tp_message *message);
 
+/* A new file beside `path`, which no other run has, and its name, to be freed; its descriptor, or
+ * -1. */
+int tp_file_create_beside(char **name, const char *path);
+
+/* A file to add to, from its end on, made where there is none; its descriptor. What is there is
+ * left as it is, and so the caller looks at it first. Like the above it goes to where a link leads,
+ * and refuses one that leads nowhere. */
+TP_MUST_USE tp_status tp_file_open_to_add(int *descriptor, const char *path, tp_message *message);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "output/sha256.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 enum { BLOCK = 64, ROUNDS = 64 };
@@ -53,21 +54,55 @@ static void add_block(uint32_t h[8], const uint8_t *block) {
   for (int k = 0; k < 8; k++) h[k] += v[k];
 }
 
-void tp_sha256(uint8_t hash[TP_SHA256_SIZE], const void *bytes, size_t length) {
-  uint32_t h[8] = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                   0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  uint8_t last[2 * BLOCK] = {0};
+void tp_sha256_begin(tp_sha256_state *state) {
+  *state = (tp_sha256_state){.h = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f,
+                                   0x9b05688c, 0x1f83d9ab, 0x5be0cd19}};
+}
+
+void tp_sha256_add(tp_sha256_state *state, const void *bytes, size_t length) {
   const uint8_t *at = bytes;
-  size_t left = length;
-  for (; left >= BLOCK; left -= BLOCK, at += BLOCK) add_block(h, at);
+  size_t kept = state->length % BLOCK, left = length;
+  state->length += length;
+  while (left > 0) {
+    const bool direct = kept == 0 && left >= BLOCK;
+    const size_t taken = left < BLOCK - kept ? left : BLOCK - kept;
+    if (!direct) memcpy(state->rest + kept, at, taken);
+    kept = (kept + taken) % BLOCK;
+    if (kept == 0) add_block(state->h, direct ? at : state->rest);
+    at += taken;
+    left -= taken;
+  }
+}
+
+void tp_sha256_tell(uint8_t hash[TP_SHA256_SIZE], const tp_sha256_state *state) {
+  uint32_t h[8];
+  uint8_t last[2 * BLOCK] = {0};
+  const size_t left = state->length % BLOCK;
+  memcpy(h, state->h, sizeof h);
   /* what is left, a bit, and the number of bits in the last 8 bytes */
   const size_t blocks = left < BLOCK - 8 ? 1 : 2;
-  if (left > 0) memcpy(last, at, left);
+  memcpy(last, state->rest, left);
   last[left] = 0x80;
-  const uint64_t bits = (uint64_t)length * 8;
+  const uint64_t bits = state->length * 8;
   for (size_t k = 0; k < 8; k++) last[blocks * BLOCK - 1 - k] = (uint8_t)(bits >> 8 * k);
   for (size_t k = 0; k < blocks; k++) add_block(h, last + k * BLOCK);
   for (size_t k = 0; k < TP_SHA256_SIZE; k++) {
     hash[k] = (uint8_t)(h[k / 4] >> (24 - 8 * (k % 4)));
   }
+}
+
+void tp_sha256(uint8_t hash[TP_SHA256_SIZE], const void *bytes, size_t length) {
+  tp_sha256_state state;
+  tp_sha256_begin(&state);
+  tp_sha256_add(&state, bytes, length);
+  tp_sha256_tell(hash, &state);
+}
+
+void tp_sha256_text(char text[TP_SHA256_TEXT], const uint8_t hash[TP_SHA256_SIZE]) {
+  static const char digits[] = "0123456789abcdef";
+  for (size_t k = 0; k < TP_SHA256_SIZE; k++) {
+    text[2 * k] = digits[hash[k] >> 4];
+    text[2 * k + 1] = digits[hash[k] & 15];
+  }
+  text[TP_SHA256_TEXT - 1] = '\0';
 }

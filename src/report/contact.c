@@ -3,6 +3,7 @@
 
 #include "report/contact.h"
 
+#include "report/earthquakes.h"
 #include "report/joint.h"
 #include "report/parts_json.h"
 #include "report/words.h"
@@ -98,11 +99,15 @@ static void add_frame(tp_page *p) {
     } else {
       tp_text_add(&p->text, "is level");
     }
-    tp_text_add(&p->text,
-                "; x runs along it and y normal to it\n         from here on, turned about "
-                "(%s, %s), which keeps its place\n",
-                tp_page_coordinate(p, n[1], f->about_x_m),
-                tp_page_coordinate(p, n[2], f->about_y_m));
+    if (f->level) {
+      tp_text_add(&p->text, "; x runs level and y upright, as it lies\n");
+    } else {
+      tp_text_add(&p->text,
+                  "; x runs along it and y normal to it\n         from here on, turned about "
+                  "(%s, %s), which keeps its place\n",
+                  tp_page_coordinate(p, n[1], f->about_x_m),
+                  tp_page_coordinate(p, n[2], f->about_y_m));
+    }
   } else if (f->inclined) {
     tp_text_add(&p->text,
                 "Frame    Caution: the mean line of the contact is inclined to x by %s°, and the\n"
@@ -171,6 +176,7 @@ void tp_page_add_contact(tp_page *p) {
   add_rest(p);
   add_within(p);
   add_frame(p);
+  tp_page_add_earthquakes(p);
   tp_text_add(&p->text, "Base     ");
   if (c->mated || c->shifted) {
     tp_text_add(&p->text, c->mated
@@ -255,6 +261,7 @@ void tp_json_frame(tp_json *j, const tp_frame_result *f) {
     tp_json_string(j, "mean_plane", f->fitted ? "fitted" : "given");
     tp_json_string(j, "dips_towards", f->dips ? tp_text_direction(f->dips_towards) : NULL);
     tp_json_bounded(j, "dip_deg", f->dip_deg);
+    tp_json_truth(j, "level", f->level);
     tp_json_break(j);
     tp_json_point(j, "turned_about", f->about_x_m, f->about_y_m);
   } else if (!f->stated) {

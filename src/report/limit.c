@@ -128,7 +128,10 @@ void tp_page_add_limit(tp_page *p, const tp_case *c) {
   tp_text_add(&p->text, ".\n");
   if (l->kind == TP_LIMIT_AT_ANGLE &&
       l->critical_angle_deg.value + l->critical_angle_deg.error < 0) {
-    tp_text_add(&p->text, "  Below 0: on level ground nothing holds it, nor at any tilt above.\n");
+    tp_text_add(&p->text,
+                p->solution->frame.level
+                    ? "  Below 0: as it lies nothing holds it.\n"
+                    : "  Below 0: on level ground nothing holds it, nor at any tilt above.\n");
   }
   if (l->tie) {
     tp_text_add(&p->text, "  Tie: it %s and it %s at the same limit",

@@ -45,6 +45,11 @@ static void add_stands(tp_page *p, const tp_case *c) {
     tp_text_add(&p->text, "  Certain to stand at every tilt up to 90°: no motion can begin.\n");
     return;
   }
+  if (o->kind == TP_ONSET_NOWHERE && p->solution->frame.level) {
+    tp_text_add(&p->text, "  Not certain to stand as it lies");
+    add_beginning(p, c);
+    return;
+  }
   if (o->kind == TP_ONSET_NOWHERE) {
     tp_text_add(&p->text, o->window_count > 1
                               ? "  Not certain to stand on level ground, however it is tilted back"
@@ -54,7 +59,11 @@ static void add_stands(tp_page *p, const tp_case *c) {
   }
   tp_text_fixed(n, o->critical_angle_deg, 3);
   if (o->critical_angle_deg.value < 0) {
-    tp_text_add(&p->text, "  Not certain to stand even on level ground, but only below %s°", n);
+    tp_text_add(&p->text,
+                p->solution->frame.level
+                    ? "  Not certain to stand as it lies, but only where that is turned by %s°"
+                    : "  Not certain to stand even on level ground, but only below %s°",
+                n);
     add_beginning(p, c);
     return;
   }

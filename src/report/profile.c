@@ -162,6 +162,9 @@ static void add_series(tp_text *t, const tp_profile *p) {
   snprintf(cycles, sizeof cycles, "cycles/%s", p->length_unit);
   add_hurst(t, "self-affine H, structure function", &p->hurst_by_structure, p->structure_fit,
             "distances", p->length_unit);
+  if (p->hurst_by_structure.found) {
+    tp_text_add(t, "  %-*s biased to the middle by cut-off waves\n", LABEL, "");
+  }
   add_hurst(t, "self-affine H, spectrum", &p->hurst_by_spectrum, p->spectrum_fit, "frequencies",
             cycles);
 }

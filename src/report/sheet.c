@@ -64,7 +64,10 @@ static void add_input(tp_sheet *s) {
 
 static void add_case_heading(tp_sheet *s, const tp_case *c, const char *what) {
   char n[TP_NUMBER_SIZE];
-  if (s->solution->has_tilt_angle) {
+  if (s->solution->frame.world) {
+    tp_document_heading(&s->document, 2, "%s, as it lies, towards the %s", what,
+                        tp_text_direction(c->towards));
+  } else if (s->solution->has_tilt_angle) {
     tp_document_heading(&s->document, 2, "%s, tilted towards the %s by %s°", what,
                         tp_text_direction(c->towards),
                         tp_page_degrees(n, s->solution->tilt_angle_deg));

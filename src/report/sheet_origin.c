@@ -67,8 +67,10 @@ static void add_hash(tp_text *t, const tp_sheet_file *file) {
     tp_text_add(t, "none: it cannot be read again (%s)", strerror(file->why));
     return;
   }
+  char text[TP_SHA256_TEXT];
   tp_sha256(hash, file->bytes, file->length);
-  for (size_t k = 0; k < sizeof hash; k++) tp_text_add(t, "%02x", hash[k]);
+  tp_sha256_text(text, hash);
+  tp_text_add(t, "%s", text);
 }
 
 void tp_sheet_add_title(tp_document *d, const char *title, const char *otherwise) {

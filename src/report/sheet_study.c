@@ -20,7 +20,9 @@ static void add_answer(tp_document *d, const tp_study_result *r) {
     tp_document_add(d, TP_PASSAGE_CAUTION, "No sample was solved.");
     return;
   }
-  if (!own->has_tilt) {
+  if (own->as_it_lies) {
+    tp_text_add(&where, "As it lies, of");
+  } else if (!own->has_tilt) {
     tp_text_add(&where, "The scene has no tilt; as the table is tilted, of");
   } else if (own->tilt_varies) {
     tp_text_add(&where, "At the scene's tilt, which varies, of");
@@ -51,7 +53,9 @@ static void add_outcomes(tp_document *d, const tp_study_result *r) {
   const tp_study_tilt *own = r->tilts;
   tp_document_heading(d, 2, "What becomes of the samples");
   tp_document_table(d, TP_TABLE_OF_COLUMNS, 5, 0x1e,
-                    own->has_tilt ? "At the scene's tilt" : "What happens first");
+                    own->as_it_lies ? "As it lies"
+                    : own->has_tilt ? "At the scene's tilt"
+                                    : "What happens first");
   tp_document_cell(d, "Outcome");
   tp_document_cell(d, "Samples");
   tp_document_cell(d, "Share");

@@ -99,9 +99,10 @@ static void add_rolling(tp_page *p, const tp_case *c) {
 
 static void add_case(tp_page *p, const tp_case *c) {
   char n[TP_NUMBER_SIZE];
-  tp_text_add(&p->text, "\nTilted towards the %s", tp_text_direction(c->towards));
-  if (p->solution->has_tilt_angle) {
-    tp_text_add(&p->text, " by %s°", tp_page_degrees(n, p->solution->tilt_angle_deg));
+  tp_text_add(&p->text, "\n%s", tp_text_stance(p->solution, c));
+  if (p->solution->has_tilt_angle && !p->solution->frame.level) {
+    tp_text_add(&p->text, p->solution->frame.world ? ", at %s°" : " by %s°",
+                tp_page_degrees(n, p->solution->tilt_angle_deg));
   }
   tp_text_add(&p->text, "\n\n");
   tp_page_add_governing(p, c);

@@ -7,6 +7,7 @@
 
 #include "host.h"
 #include "report/contact.h"
+#include "report/earthquakes.h"
 #include "report/friction.h"
 #include "report/governing.h"
 #include "report/joint.h"
@@ -230,6 +231,7 @@ void tp_json_solution(tp_json *j, const tp_solution *s, tp_pivots_listed listed)
     tp_json_integer(j, "zero_bits", s->zero_bits);
   }
   tp_json_notes(j, &s->notes);
+  tp_json_earthquakes(j, s);
   tp_json_array(j, "cases", TP_JSON_BLOCK);
   for (size_t k = 0; k < s->case_count; k++) add_case(j, s, s->cases + k, listed);
   tp_json_close(j);

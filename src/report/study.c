@@ -22,7 +22,9 @@ static void add_share(tp_text *t, const char *label, const tp_study_share *share
 
 /* What did not happen is listed where one would look for it. */
 static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
-  if (tilt->tilt_varies) {
+  if (tilt->as_it_lies) {
+    tp_text_add(t, "\nAs it lies");
+  } else if (tilt->tilt_varies) {
     tp_text_add(t, "\nAt the scene's tilt, which varies");
   } else if (tilt->has_tilt) {
     tp_text_add(t, "\nAt the scene's tilt, %.6g°", tilt->tilt_deg);

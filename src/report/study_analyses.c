@@ -38,6 +38,32 @@ static void add_rare(tp_text *t, const char *label, const tp_study_rare *own) {
   }
 }
 
+/* All design points but the nearest, which stands above, with the numbers there; and what all of
+ * them come to. */
+static void add_ways(tp_text *t, const tp_study_result *r) {
+  const tp_study_reliability *own = &r->reliability;
+  double sum = own->probability;
+  for (size_t k = 1; k < own->point_count; k++) {
+    const tp_study_design_point *point = own->points + k;
+    sum += point->probability;
+    tp_text_add(t, "  another one: beta %.4f, probability %.3g, at", point->beta,
+                point->probability);
+    for (size_t i = 0; i < point->value_count; i++) {
+      tp_text_add(t, "%s ", i > 0 ? "," : "");
+      tp_encode_plain(t, r->variables[i].key);
+      tp_text_add(t, " %.6g", point->values[i]);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (own->point_count > 1 && own->beta > 0) {
+    tp_text_add(
+        t,
+        "  caution: failure has %zu design points; %.3g of first order, if each is a way by "
+        "itself\n",
+        own->point_count, sum);
+  }
+}
+
 static void add_reliability(tp_text *t, const tp_study_result *r) {
   const tp_study_reliability *own = &r->reliability;
   if (!own->known) return;
@@ -48,7 +74,11 @@ static void add_reliability(tp_text *t, const tp_study_result *r) {
   if (own->converged) {
     tp_text_add(t, "  index beta %.4f, probability %.3g\n", own->beta, own->probability);
   }
-  add_rare(t, "samples around the design point", &own->importance);
+  add_ways(t, r);
+  add_rare(t,
+           own->point_count > 1 ? "samples around the design points"
+                                : "samples around the design point",
+           &own->importance);
   add_rare(t, "subset simulation", &own->subset);
   if (!own->converged) return;
   tp_text_add(t, "  %-*s %14s %11s\n", TP_STUDY_LABEL, "", "design point", "importance");

@@ -76,8 +76,10 @@ static void add_variables(tp_text *t, const tp_study_result *r) {
 /* What a report quotes, before all that it rests on. */
 static void add_answer(tp_text *t, const tp_study_result *r) {
   const tp_study_tilt *own = r->tilts;
-  if (!own->has_tilt || r->samples == 0) return;
-  if (own->tilt_varies) {
+  if ((!own->has_tilt && !own->as_it_lies) || r->samples == 0) return;
+  if (own->as_it_lies) {
+    tp_text_add(t, "\nAs it lies, ");
+  } else if (own->tilt_varies) {
     tp_text_add(t, "\nAt the scene's tilt, which varies, ");
   } else {
     tp_text_add(t, "\nAt %.6g° ", own->tilt_deg);

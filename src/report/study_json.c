@@ -26,6 +26,7 @@ static void add_share(tp_json *j, const char *key, const tp_study_share *share) 
 static void add_tilt(tp_json *j, const tp_study_tilt *tilt) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_truth(j, "of_scene", tilt->of_scene);
+  tp_json_truth(j, "as_it_lies", tilt->as_it_lies);
   tp_json_truth(j, "tilt_varies", tilt->tilt_varies);
   if (tilt->has_tilt && !tilt->tilt_varies) {
     tp_json_double(j, "tilt_deg", tilt->tilt_deg);
@@ -156,6 +157,19 @@ static void add_reliability(tp_json *j, const tp_study_reliability *own) {
   tp_json_double(j, "beta", own->beta);
   tp_json_double(j, "probability", own->probability);
   tp_json_count(j, "scenes", own->calls);
+  tp_json_array(j, "design_points", TP_JSON_BLOCK);
+  for (size_t k = 0; k < own->point_count; k++) {
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_double(j, "beta", own->points[k].beta);
+    tp_json_double(j, "probability", own->points[k].probability);
+    tp_json_array(j, "values", TP_JSON_LINE);
+    for (size_t i = 0; i < own->points[k].value_count; i++) {
+      tp_json_double(j, NULL, own->points[k].values[i]);
+    }
+    tp_json_close(j);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
   add_rare(j, "importance", &own->importance);
   add_rare(j, "subset", &own->subset);
   tp_json_close(j);

@@ -285,23 +285,6 @@ static void add_end(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test)
   tp_text_add(t, "  weight times extent.\n");
 }
 
-static void add_overturning(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
-  if (!c->has_overturning) return;
-  if (!c->converged) tp_text_add(t, "\n  A run was not decided: the search ended early.");
-  tp_text_add(t,
-              "\n  The least shaking that overturns it, or throws it off its base, is %.4g to\n  "
-              "%.4g times this one",
-              c->overturning_least, c->overturning_most);
-  if (test->shaking[0].given) {
-    tp_text_add(t, ":\n  PGA %.4g to %.4g g, PGV %.4g to %.4g m/s",
-                c->overturning_least * test->shaking[0].peak_m_s2 / standard_gravity,
-                c->overturning_most * test->shaking[0].peak_m_s2 / standard_gravity,
-                c->overturning_least * test->shaking[0].velocity_m_s,
-                c->overturning_most * test->shaking[0].velocity_m_s);
-  }
-  tp_text_add(t, ".\n");
-}
-
 void tp_tilt_add_settings(tp_text *t, const tp_tilt_test *test) {
   add_engine(t, &test->settings);
   add_contact(t, &test->settings);
@@ -315,5 +298,5 @@ void tp_tilt_add_verdict(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *
 
 void tp_tilt_add_ending(tp_text *t, const tp_tilt_case *c, const tp_tilt_test *test) {
   add_end(t, c, test);
-  add_overturning(t, c, test);
+  tp_tilt_add_overturning(t, c, test);
 }

@@ -166,6 +166,36 @@ static void json_moments(tp_json *j, const tp_tilt_case *c) {
   tp_json_close(j);
 }
 
+static void json_overturning(tp_json *j, const tp_tilt_case *c) {
+  if (c->has_overturning) {
+    tp_json_object(j, "overturning_factor", TP_JSON_LINE);
+    tp_json_double(j, "spared_by", c->overturning_least);
+    tp_json_double(j, "overturned_by", c->overturning_most);
+    tp_json_close(j);
+  }
+  tp_json_array(j, "overturning_tried", TP_JSON_LIST);
+  for (size_t k = 0; k < c->overturning_grid_count; k++) {
+    const tp_overturning_grid *grid = c->overturning_grids + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_double(j, "from", grid->least);
+    tp_json_double(j, "to", grid->most);
+    tp_json_count(j, "count", grid->count);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+  tp_json_array(j, "overturning_ranges", TP_JSON_LIST);
+  for (size_t k = 0; k < c->overturning_range_count; k++) {
+    const tp_overturning_range *range = c->overturning_ranges + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_double(j, "spared_below", range->spared_below);
+    tp_json_double(j, "least", range->least);
+    tp_json_double(j, "most", range->most);
+    tp_json_double(j, "spared_above", range->spared_above);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}
+
 static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *test) {
   tp_json_object(j, NULL, TP_JSON_BLOCK);
   tp_json_string(j, "towards", tp_text_direction(c->towards));
@@ -181,12 +211,7 @@ static void json_case(tp_json *j, const tp_tilt_case *c, const tp_tilt_test *tes
   tp_json_double(j, "kinetic_energy_j", c->kinetic_energy_j);
   tp_json_double(j, "energy_balance_j", c->energy_balance_j);
   tp_json_double(j, "energy_scale_j", c->energy_scale_j);
-  if (c->has_overturning) {
-    tp_json_object(j, "overturning_factor", TP_JSON_LINE);
-    tp_json_double(j, "spared_by", c->overturning_least);
-    tp_json_double(j, "overturned_by", c->overturning_most);
-    tp_json_close(j);
-  }
+  if (c->overturning_scanned) json_overturning(j, c);
   json_facets(j, c);
   json_events(j, c);
   json_moments(j, c);

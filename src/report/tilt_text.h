@@ -15,7 +15,9 @@ void tp_tilt_add_settings(tp_text *text, const tp_tilt_test *test);
 void tp_tilt_add_verdict(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
 /* What happened, a line each; nothing where nothing did. */
 void tp_tilt_add_events(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
-/* How it ended, and the least shaking that overturns it. */
+/* Which shaking overturns it, where that was asked. */
+void tp_tilt_add_overturning(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
+/* How it ended, and that. */
 void tp_tilt_add_ending(tp_text *text, const tp_tilt_case *own, const tp_tilt_test *test);
 
 #endif

@@ -9,10 +9,12 @@
 
 #include <stdio.h>
 
-/* "at 20°", or "on level ground" */
+/* "at 20°", "on level ground", or where angles count from the block's own place "as it lies" */
 static void write_where(char where[TP_NUMBER_SIZE + 8], const tp_solution *s) {
   char n[TP_NUMBER_SIZE];
-  if (s->has_tilt_angle) {
+  if (s->frame.level) {
+    snprintf(where, TP_NUMBER_SIZE + 8, "as it lies");
+  } else if (s->has_tilt_angle) {
     snprintf(where, TP_NUMBER_SIZE + 8, "at %s°", tp_page_degrees(n, s->tilt_angle_deg));
   } else {
     snprintf(where, TP_NUMBER_SIZE + 8, "on level ground");
@@ -74,7 +76,8 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
   char n[2][TP_NUMBER_SIZE];
   tp_text_fixed(n[0], c->first_angle_deg, 3);
   if (!c->has_margin_to_first && c->first_angle_deg.value < 0) {
-    tp_text_add(&p->text, "  Does not hold even on level ground: it\n  ");
+    tp_text_add(&p->text, "  Does not hold even %s: it\n  ",
+                p->solution->frame.level ? "as it lies" : "on level ground");
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
@@ -84,20 +87,26 @@ static void add_by_first(tp_page *p, const tp_case *c, const char *where) {
     if (c->mechanism == TP_MECHANISM_UNDECIDED) {
       tp_text_add(&p->text, "Whether it stands %s is undecided. ", where);
     }
-    tp_text_add(&p->text, "As the table is tilted, it\n  ");
+    tp_text_add(&p->text, p->solution->frame.world ? "As it is steepened, it\n  "
+                                                   : "As the table is tilted, it\n  ");
     tp_page_add_first(p, c);
     tp_text_add(&p->text, " at %s°.\n", n[0]);
     return;
   }
   if (c->mechanism == TP_STANDS) {
-    tp_text_add(&p->text, "  Stands %s%s. Tilted further, it\n  ", where,
-                c->limit.kind == TP_LIMIT_NOT_ASKED ? " by its moments" : "");
+    tp_text_add(&p->text, "  Stands %s%s. %s, it\n  ", where,
+                c->limit.kind == TP_LIMIT_NOT_ASKED ? " by its moments" : "",
+                p->solution->frame.world ? "Steepened" : "Tilted further");
   } else {
     tp_text_add(&p->text, "  Does not stand %s: it\n  ", where);
   }
   tp_page_add_first(p, c);
-  tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0],
-              tp_text_fixed(n[1], c->margin_to_first_deg, 3));
+  tp_text_fixed(n[1], c->margin_to_first_deg, 3);
+  if (p->solution->frame.world && c->mechanism == TP_STANDS) {
+    tp_text_add(&p->text, "\n  at %s°: it may steepen by %s°.\n", n[0], n[1]);
+  } else {
+    tp_text_add(&p->text, "\n  at %s°, a margin of %s°.\n", n[0], n[1]);
+  }
 }
 
 /* "can begin to slide, or to topple"; where none is known what is by limit analysis. */

@@ -89,6 +89,14 @@ const char *tp_text_direction(tp_direction direction) {
   return direction == TP_TOWARDS_LEFT ? "left" : "right";
 }
 
+const char *tp_text_stance(const tp_solution *solution, const tp_case *of) {
+  const bool left = of->towards == TP_TOWARDS_LEFT;
+  if (solution->frame.world) {
+    return left ? "As it lies, towards the left" : "As it lies, towards the right";
+  }
+  return left ? "Tilted towards the left" : "Tilted towards the right";
+}
+
 const char *tp_text_table(const tp_tilt_test *test, const tp_tilt_case *of) {
   if (test->settings.protocol == TP_TILT_RELEASE && test->settings.release_deg == 0) {
     return "On level ground";

@@ -3,12 +3,16 @@
 
 #include "rest/basins.h"
 
+#include "budget.h"
 #include "grow.h"
 #include "message.h"
 #include "rest/events.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+/* Budgets of work: with one spent borders are narrowed no more; with all, it is given up. */
+static const double all_budgets = 1.5;
 
 /* Starting positions: as many as make the spacing 1/64 of the block's width, within bounds. */
 enum { LOG2_TO_A_WIDTH = 6, LOG2_FEWEST = 8, LOG2_MOST = 11 };
@@ -48,6 +52,14 @@ static tp_status settle_at(settled_shift *shift, tracer *t, tp_message *message)
   tp_status status = tp_settle_from(t->settling, shift->x, message);
   t->basins->settlings++;
   if (status != TP_OK) return status;
+  if (t->settling->how == TP_SETTLED_TOO_DEAR) {
+    return tp_fail(
+        message, TP_BAD_INPUT, t->settling->asked,
+        "to set the block down %ld times takes too long, on a profile of %ld points with "
+        "%ld vertices of its own: give the profile fewer points, a longer 'step', or set "
+        "the block down once, by 'place: rest'",
+        t->basins->settlings, t->settling->bodies.profile_count, t->settling->bodies.own.count);
+  }
   return tp_endings_note(&shift->ending, &t->basins->endings, t->settling, message);
 }
 
@@ -95,7 +107,7 @@ static tp_status trace(tracer *t, tp_message *message) {
     settled_shift *right = t->waiting + t->count - 1;
     const bool alike = right->ending == t->left.ending;
     if (!alike && t->count < WAITING && b->settlings < TP_BASIN_SETTLINGS &&
-        !is_narrow(t, t->left.x, right->x)) {
+        t->settling->work < TP_BUDGET_REST_PAIRS && !is_narrow(t, t->left.x, right->x)) {
       settled_shift *between = t->waiting + t->count++;
       split(between->x, t, t->left.x, right->x);
       status = settle_at(between, t, message);
@@ -239,6 +251,7 @@ tp_status tp_basins_find(tp_basins *basins, tp_settling *settling, tp_message *m
   fmpq_init(basins->spacing);
   fmpq_init(basins->narrow);
   const long count = set_range(basins, &settling->bodies);
+  settling->work_allowed = all_budgets * TP_BUDGET_REST_PAIRS;
   tracer_init(&t, basins, settling);
   const tp_status status = trace_all(&t, count, message);
   tracer_clear(&t);

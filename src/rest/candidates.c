@@ -3,6 +3,7 @@
 
 #include "rest/candidates.h"
 
+#include "budget.h"
 #include "grow.h"
 
 #include <math.h>
@@ -16,6 +17,8 @@ void tp_candidates_clear(tp_candidates *candidates) {
 bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate) {
   if (candidate.low > candidates->best) return true;
   if (candidate.certain && candidate.high < candidates->best) candidates->best = candidate.high;
+  candidates->too_many = candidates->count >= TP_BUDGET_REST_CANDIDATES;
+  if (candidates->too_many) return false;
   tp_candidate *room =
       tp_grow(candidates->items, candidates->count, &candidates->capacity, sizeof *room);
   if (room == NULL) return false;

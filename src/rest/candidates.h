@@ -21,11 +21,14 @@ typedef struct tp_candidate {
 typedef struct tp_candidates {
   long count, capacity;
   tp_candidate *items;
-  double best; /* some pair touches by then for certain */
+  double best;      /* some pair touches by then for certain */
+  double looked_at; /* pairs, and boxes of edges, so far */
+  bool too_many;    /* more were to be noted than are kept (budget.h) */
 } tp_candidates;
 
 void tp_candidates_clear(tp_candidates *candidates);
 
+/* False when memory is exhausted, or they are too many. */
 TP_MUST_USE bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate);
 
 /* Drop those that touch later than the best for certain. */

@@ -112,11 +112,14 @@ static tp_status note_touches(tp_touches *touches, const drop *d, tp_message *me
   return status;
 }
 
-tp_status tp_drop(fmpq_t height, bool *beside, tp_bodies *bodies, tp_touches *touches,
-                  tp_message *message) {
+tp_status tp_drop(fmpq_t height, bool *beside, bool *too_many, tp_bodies *bodies,
+                  tp_touches *touches, tp_message *message) {
   drop d = {.bodies = bodies, .candidates.best = INFINITY, .error = bodies->error};
   tp_status status = TP_OK;
-  if (!note_all(&d)) status = tp_fail_memory(message, "the points of contact");
+  if (!note_all(&d)) {
+    *too_many = d.candidates.too_many;
+    status = tp_fail_memory(message, "the points of contact");
+  }
   tp_candidates_settle(&d.candidates);
   if (status == TP_OK) *beside = !least_height(height, &d);
   if (status == TP_OK && !*beside) {

@@ -13,8 +13,9 @@
 #include "rest/touch.h"
 
 /* Shift the block in its pose onto the base. `height` is what it fell; below zero it was lifted.
- * `beside`: nothing of it stands over the profile, and nothing was done. */
-TP_MUST_USE tp_status tp_drop(fmpq_t height, bool *beside, tp_bodies *bodies, tp_touches *touches,
-                              tp_message *message);
+ * `beside`: nothing of it stands over the profile, and nothing was done; `too_many`, with a status
+ * that is to be passed over: too many points may touch (rest/candidates.h). */
+TP_MUST_USE tp_status tp_drop(fmpq_t height, bool *beside, bool *too_many, tp_bodies *bodies,
+                              tp_touches *touches, tp_message *message);
 
 #endif

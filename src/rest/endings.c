@@ -42,7 +42,7 @@ static bool describe(tp_ending *ending, const tp_settling *s) {
   if (items == NULL) return false;
   memcpy(items, s->touches.items, (size_t)count * sizeof *items);
   qsort(items, (size_t)count, sizeof *items, compare_touches);
-  ending->touches = (tp_touches){count, count, items};
+  ending->touches = (tp_touches){.count = count, .capacity = count, .items = items};
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "rest/settle.h"
 
+#include "budget.h"
 #include "message.h"
 #include "rest/drop.h"
 #include "rest/turning.h"
@@ -23,10 +24,17 @@ void tp_settling_clear(tp_settling *settling) {
   memset(settling, 0, sizeof *settling);
 }
 
-static bool is_stopped(const tp_settling *s, const tp_touch *about, int turn) {
+/* An exact look at a pair is as dear as some twenty in doubles. */
+static const double exact_looks = 20;
+
+/* From both ends inwards: touches stand from left to right, and of a block on many points the
+ * outermost stop most turns. */
+static bool is_stopped(tp_settling *s, const tp_touch *about, int turn) {
   bool stopped = false;
   for (long k = 0; k < s->touches.count && !stopped; k++) {
-    stopped = tp_touch_stops(&s->bodies, s->touches.items + k, about, turn);
+    const long next = k % 2 == 0 ? k / 2 : s->touches.count - 1 - k / 2;
+    s->work += exact_looks;
+    stopped = tp_touch_stops(&s->bodies, s->touches.items + next, about, turn);
   }
   return stopped;
 }
@@ -86,13 +94,19 @@ static tp_status turn_once(tp_settling *s, int turn, const tp_touch *about, tp_m
   }
   tp_turning_init(&turning, &s->bodies, about, turn);
   tp_status status = tp_turning_find(&turning, &s->bodies, message);
-  if (status == TP_OK && turning.pairs.count == 0) {
+  const bool too_many = turning.pairs.too_many;
+  if (too_many) status = TP_OK;
+  if (too_many) {
+    s->how = TP_SETTLED_TOO_DEAR;
+  } else if (status == TP_OK && turning.pairs.count == 0) {
     s->how = TP_SETTLED_ROLLS_OFF;
   } else if (status == TP_OK && !tp_turning_do(&turning, &s->bodies)) {
     s->how = TP_SETTLED_UNDECIDED;
   } else if (status == TP_OK) {
     status = tp_turning_touches(&s->touches, &turning, &s->bodies, message);
   }
+  s->work += turning.pairs.looked_at + (double)s->bodies.posed.count +
+             exact_looks * (double)(turning.pairs.count + s->touches.count);
   tp_turning_clear(&turning);
   return status;
 }
@@ -104,7 +118,9 @@ static tp_status turn_to_rest(tp_settling *s, tp_message *message) {
     tp_touch about;
     const int turn = next_turn(s, &about);
     if (turn == 0) break;
-    if (s->turns++ == most) {
+    if (s->work > s->work_allowed) {
+      s->how = TP_SETTLED_TOO_DEAR;
+    } else if (s->turns++ == most) {
       s->how = TP_SETTLED_GOES_ON;
     } else {
       status = turn_once(s, turn, &about, message);
@@ -114,8 +130,14 @@ static tp_status turn_to_rest(tp_settling *s, tp_message *message) {
 }
 
 static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
-  bool beside = false;
-  tp_status status = tp_drop(s->height, &beside, &s->bodies, &s->touches, message);
+  bool beside = false, too_many = false;
+  s->work += (double)s->bodies.posed.count;
+  tp_status status = tp_drop(s->height, &beside, &too_many, &s->bodies, &s->touches, message);
+  if (too_many) {
+    s->how = TP_SETTLED_TOO_DEAR;
+    return TP_OK;
+  }
+  s->work += exact_looks * (double)s->touches.count;
   if (status == TP_OK && beside) s->how = TP_SETTLED_BESIDE;
   if (status == TP_OK) status = turn_to_rest(s, message);
   return status;
@@ -124,6 +146,7 @@ static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
 tp_status tp_settle(tp_settling *settling, const tp_polyline *outline, const tp_polyline *base_ring,
                     const tp_exact_point *centroid, const fmpq_t shift_x, tp_message *message) {
   memset(settling, 0, sizeof *settling);
+  settling->work_allowed = TP_BUDGET_REST_PAIRS;
   tp_status status = tp_bodies_init(&settling->bodies, outline, base_ring, centroid, message);
   if (status != TP_OK) return status;
   tp_exact_point_init(&settling->pivot);
@@ -143,6 +166,7 @@ tp_status tp_settle_from(tp_settling *settling, const fmpq_t shift_x, tp_message
   fmpq_zero(pose->shift_y);
   tp_bodies_place(&settling->bodies);
   settling->touches.count = 0;
+  settling->touches.listed = -1;
   settling->turns = 0;
   settling->how = TP_SETTLED_RESTS;
   return drop_and_turn(settling, message);

@@ -22,6 +22,7 @@ typedef enum tp_settled {
                            below the profile's end */
   TP_SETTLED_BALANCES,  /* its centroid lies upright over the point that would have to stop it */
   TP_SETTLED_GOES_ON,   /* after tp_settle_most turns */
+  TP_SETTLED_TOO_DEAR,  /* with the work allowed (budget.h) all spent */
   TP_SETTLED_UNDECIDED  /* several corners touch at once, in a pose without rational numbers */
 } tp_settled;
 
@@ -32,6 +33,8 @@ typedef struct tp_settling {
   long turns;
   tp_exact_point pivot; /* where it rolls off, or balances */
   tp_settled how;
+  double work, work_allowed; /* pairs that were looked at, in all settlings; and may be */
+  tp_place asked;            /* for messages: what asked for it */
 } tp_settling;
 
 /* From where the block's own coordinates put it, shifted along x by so much. `settling` is cleared

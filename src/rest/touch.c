@@ -7,10 +7,13 @@
 #include "message.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 void tp_touches_clear(tp_touches *touches) {
   free(touches->items);
+  free(touches->slots);
   *touches = (tp_touches){0};
 }
 
@@ -26,6 +29,48 @@ static bool is_same(const tp_touch *a, const tp_touch *b) {
          a->on_base_edge == b->on_base_edge;
 }
 
+/* ---- each once ---------------------------------------------------------------------------------
+ * A block may touch in 100 000 points: a table of those noted finds the ones that come again. Who
+ * shortens the list makes the table anew. */
+
+static size_t hash_of(const tp_touch *touch) {
+  const uint64_t spread = UINT64_C(0x9e3779b97f4a7c15);
+  const uint64_t kinds = (uint64_t)touch->on_block_edge * 2 + (uint64_t)touch->on_base_edge;
+  uint64_t hash = ((uint64_t)touch->block * spread) ^ (uint64_t)touch->base;
+  hash = (hash * spread) ^ kinds;
+  return (size_t)(hash * spread >> 16);
+}
+
+/* The place of a touch in the table, or the free one where it belongs. */
+static long *slot_of(const tp_touches *touches, const tp_touch *touch) {
+  const size_t mask = (size_t)touches->slot_count - 1;
+  size_t k = hash_of(touch) & mask;
+  while (touches->slots[k] != 0 && !is_same(touches->items + touches->slots[k] - 1, touch)) {
+    k = (k + 1) & mask;
+  }
+  return touches->slots + k;
+}
+
+/* At least twice as many places as items, with one more. */
+static bool list_all(tp_touches *touches) {
+  enum { LEAST = 16 };
+  if (touches->listed == touches->count && 2 * (touches->count + 1) <= touches->slot_count) {
+    return true;
+  }
+  long room = touches->slot_count > 0 ? touches->slot_count : LEAST;
+  while (room < 2 * (touches->count + 1)) room *= 2;
+  if (room != touches->slot_count) {
+    long *slots = realloc(touches->slots, (size_t)room * sizeof *slots);
+    if (slots == NULL) return false;
+    touches->slots = slots;
+    touches->slot_count = room;
+  }
+  memset(touches->slots, 0, (size_t)room * sizeof *touches->slots);
+  for (long k = 0; k < touches->count; k++) *slot_of(touches, touches->items + k) = k + 1;
+  touches->listed = touches->count;
+  return true;
+}
+
 tp_status tp_touches_add(tp_touches *touches, const tp_bodies *bodies, bool of_base, long vertex,
                          long edge, tp_message *message) {
   const long next = tp_body_next(tp_bodies_ring(bodies, !of_base), edge);
@@ -38,13 +83,14 @@ tp_status tp_touches_add(tp_touches *touches, const tp_bodies *bodies, bool of_b
   }
   const tp_touch touch =
       of_base ? (tp_touch){edge, vertex, on_edge, false} : (tp_touch){vertex, edge, false, on_edge};
-  for (long k = 0; k < touches->count; k++) {
-    if (is_same(touches->items + k, &touch)) return TP_OK;
-  }
+  if (!list_all(touches)) return tp_fail_memory(message, "the points of contact");
+  long *slot = slot_of(touches, &touch);
+  if (*slot != 0) return TP_OK;
   tp_touch *room = tp_grow(touches->items, touches->count, &touches->capacity, sizeof *room);
   if (room == NULL) return tp_fail_memory(message, "the points of contact");
   touches->items = room;
   touches->items[touches->count++] = touch;
+  *slot = touches->listed = touches->count;
   return TP_OK;
 }
 

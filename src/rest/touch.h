@@ -28,6 +28,8 @@ typedef struct tp_touch {
 typedef struct tp_touches {
   long count, capacity;
   tp_touch *items;
+  long listed, slot_count; /* items that the table below has; its size, a power of two */
+  long *slots;             /* by a hash of the item: its number and 1; 0: free */
 } tp_touches;
 
 void tp_touches_clear(tp_touches *touches);

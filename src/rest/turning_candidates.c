@@ -99,6 +99,7 @@ static int on_edge(const seen *n, range t) {
 
 static bool note_pair(const search *q, bool of_base, long vertex, long edge) {
   tp_candidates *found = &q->turning->pairs;
+  found->looked_at++;
   const seen n = see(q, of_base, vertex, edge);
   range t;
   if (!root_range(&t, &n) || t.low > found->best) return true;
@@ -197,6 +198,7 @@ static bool note_profile(const sweep *s) {
   due[count++] = 1;
   while (count > 0 && done) {
     const long node = due[--count];
+    s->of->turning->pairs.looked_at++;
     if (!may_meet(s, boxes->nodes + node)) continue;
     if (node < boxes->leaves) {
       due[count++] = 2 * node + 1;

@@ -177,6 +177,7 @@ tp_status tp_turning_touches(tp_touches *touches, const tp_turning *turning,
     if (tp_touch_is_in(bodies, &touch, &turning->about)) touches->items[kept++] = touch;
   }
   touches->count = kept;
+  touches->listed = -1; /* its table is another's */
   tp_status status = TP_OK;
   for (long k = 0; k < turning->pairs.count && status == TP_OK; k++) {
     const tp_candidate *pair = turning->pairs.items + k;

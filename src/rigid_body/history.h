@@ -50,6 +50,9 @@ typedef struct tp_run {
    * with what is known by then. NULL: nothing does. */
   bool (*stop)(void *context);
   void *context;
+  /* More steps end the run, as TP_RUN_UNDECIDED with a message; 0: the engine's own bound. */
+  double most_steps;
+  double *steps; /* that were made, told at its end; NULL: not asked for */
 } tp_run;
 
 #endif

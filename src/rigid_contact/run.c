@@ -38,6 +38,7 @@ typedef struct progress {
   long moments;
   int at_once;
   long turns;
+  double looks; /* at a block that rests */
   bool is_over;
   tp_run_end how;
 } progress;
@@ -115,6 +116,7 @@ static bool wait(progress *p) {
   const tp_run_end rests = end_of_motion(d, d->moved ? TP_RUN_RESTS : TP_RUN_STANDS);
   if (d->time >= p->end || drive_is_over(d)) return over(p, rests);
   const double from = d->time;
+  p->looks++;
   d->time = time_to_look(p);
   tp_resolved now = tp_resolve_rest(d);
   if (now == TP_RESOLVED_MOVES) {
@@ -225,7 +227,8 @@ static bool is_to_stop(progress *p) {
 
 static void advance(progress *p) {
   tp_dynamics *d = p->d;
-  if (d->account.steps >= d->settings->most_steps) {
+  const double most = d->run->most_steps > 0 ? d->run->most_steps : (double)d->settings->most_steps;
+  if ((double)d->account.steps + p->looks >= most) {
     (void)undecided(p, "it took the most steps");
   } else if (is_to_stop(p)) {
     (void)undecided(p, "it was stopped");
@@ -274,6 +277,7 @@ tp_run_end tp_rigid_contact_run(tp_body_state *last, tp_rigid_contact_account *a
   d.account.evaluations = d.smooth.evaluations;
   if (last != NULL) *last = tp_motion_told(&d.system, &d.state);
   if (account != NULL) *account = d.account;
+  if (run->steps != NULL) *run->steps = (double)d.account.steps + p.looks;
   tp_touching_clear(&d.touching);
   tp_contact_system_clear(&d.system);
   free(d.known);

@@ -38,6 +38,24 @@ tp_status tp_scene_set_seismic_vertical(tp_scene *scene, tp_exact coefficient,
   return set_seismic(scene, __func__, coefficient, offsetof(tp_scene, loads.vertical), message);
 }
 
+tp_status tp_scene_set_seismic_direction(tp_scene *scene, tp_seismic_direction direction,
+                                         tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  tp_build build;
+  tp_status status = tp_build_begin(&build, scene, __func__, message);
+  if (status == TP_OK && ((int)direction < 0 || direction > TP_SEISMIC_UP_DIP)) {
+    status = tp_fail(message, TP_BAD_INPUT, build.place, "there is no such direction");
+  }
+  if (status == TP_OK) {
+    scene->loads.direction_given = true;
+    scene->loads.direction = direction;
+    scene->loads.seismic_place = build.place;
+  }
+  tp_build_end(&build);
+  return status;
+}
+
 tp_status tp_scene_set_water(tp_scene *scene, tp_exact height, tp_exact unit_weight_kn_m3,
                              bool stays_level, bool uplift, tp_message *message) {
   TP_GUARD_HOST;

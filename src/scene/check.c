@@ -5,11 +5,9 @@
 
 #include "scene/check_tilt_test.h"
 
+#include "budget.h"
 #include "number/ratio.h"
 #include "outside.h"
-
-/* Two vertices each: 800 MB of exact points of short numbers. */
-enum { MOST_TEETH = 10000000 };
 
 tp_status tp_check_range(const fmpq_t value, const char *name, tp_place place,
                          tp_message *message) {
@@ -83,8 +81,10 @@ tp_status tp_check_tooth_count(long *count, const fmpq_t value, const char *what
     return tp_fail(message, TP_BAD_INPUT, place,
                    "%s must be a whole number of teeth, at least 1; it is %s", what, text);
   }
-  if (fmpz_cmp_si(fmpq_numref(value), MOST_TEETH) > 0) {
-    return tp_fail(message, TP_BAD_INPUT, place, "%s is %s; at most 10 million teeth are taken",
+  if (fmpz_cmp_si(fmpq_numref(value), TP_BUDGET_TEETH) > 0) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "%s is %s; at most 500 000 teeth are taken, two points each: take fewer, or "
+                   "give the points in a file",
                    what, text);
   }
   *count = fmpz_get_si(fmpq_numref(value));
@@ -180,6 +180,14 @@ tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place, tp_message
   return tp_fail(message, TP_BAD_INPUT, place,
                  "the law barton depends on the normal stress: give the block its "
                  "unit_weight_kn_m3");
+}
+
+tp_status tp_check_contact_width(const tp_scene *scene, tp_message *message) {
+  const tp_quantity *width = &scene->friction.contact_width;
+  if (!width->given || scene->friction.load_dependent) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, width->place,
+                 "a width of the contact is for the law barton, which takes the mean normal stress "
+                 "on it; no other friction depends on it");
 }
 
 tp_status tp_check_facet_friction(const tp_scene *scene, tp_place place, tp_message *message) {
@@ -281,6 +289,7 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
   if (status == TP_OK && scene->friction.load_dependent) {
     status = tp_check_law_weighed(scene, scene->friction_angle_deg.place, message);
   }
+  if (status == TP_OK) status = tp_check_contact_width(scene, message);
   if (status == TP_OK && scene->friction.facet_count > 0) {
     status = tp_check_facet_friction(scene, scene->friction.facets[0].place, message);
   }

@@ -5,6 +5,7 @@
 
 #include "format/affine.h"
 #include "format/curve.h"
+#include "format/drawing_work.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -96,8 +97,9 @@ static tp_status note_deviation(tp_drawn *drawn, const tp_drawing_object *chain,
 }
 
 /* The scene keeps arcs of an outline alone. */
-static tp_status flatten(tp_drawing_object *chain, const tp_drawing_options *options,
-                         tp_message *message) {
+static tp_status flatten(tp_drawing *chains, tp_drawing_object *chain,
+                         const tp_drawing_options *options, tp_message *message) {
+  if (!tp_drawing_has_arcs(chain)) return TP_OK;
   fmpq_t size, tolerance;
   fmpq_init(size);
   fmpq_init(tolerance);
@@ -107,10 +109,9 @@ static tp_status flatten(tp_drawing_object *chain, const tp_drawing_options *opt
   const tp_curve_outcome outcome = tp_curve_flatten(chain, tolerance);
   fmpq_clear(size);
   fmpq_clear(tolerance);
-  if (outcome == TP_CURVE_DONE) return TP_OK;
+  if (outcome == TP_CURVE_DONE) return tp_drawing_count(chains, chain, message);
   if (outcome == TP_CURVE_NO_MEMORY) return tp_fail_memory(message, "a drawing");
-  return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain),
-                 "takes more than a million chords at this 'tolerance'; give a larger one");
+  return tp_fail(message, TP_BAD_INPUT, tp_drawing_place(chain), TP_CURVE_TOO_FINE_TEXT);
 }
 
 /* Numbers that are written are no larger; transforms and scales multiply them. */
@@ -130,13 +131,13 @@ static tp_status check_size(const tp_drawing_object *chain, tp_message *message)
   return TP_OK;
 }
 
-static tp_status take_chain(tp_drawn *drawn, tp_drawing_object *chain, tp_drawing_role role,
-                            long part, const tp_drawing_words *words,
+static tp_status take_chain(tp_drawn *drawn, tp_drawing *chains, tp_drawing_object *chain,
+                            tp_drawing_role role, long part, const tp_drawing_words *words,
                             const tp_drawing_options *options, const tp_affine_map *map,
                             tp_message *message) {
   bool done = role != TP_DRAWING_BLOCK || tp_curve_split_lens(chain);
   tp_status status = TP_OK;
-  if (done && role != TP_DRAWING_BLOCK) status = flatten(chain, options, message);
+  if (done && role != TP_DRAWING_BLOCK) status = flatten(chains, chain, options, message);
   if (status == TP_OK) status = note_deviation(drawn, chain, role, message);
   if (!done || status != TP_OK) return done ? status : tp_fail_memory(message, "a drawing");
   tp_affine_map_object(chain, map);
@@ -199,8 +200,8 @@ tp_status tp_drawn_make(tp_drawn *drawn, tp_drawing_choice *choice, const tp_dra
                           : tp_fail_memory(message, "a drawing");
   if (status == TP_OK) status = tp_notes_append(&drawn->notes, &choice->chains.notes, message);
   for (long k = 0; k < choice->chains.count && status == TP_OK; k++) {
-    status = take_chain(drawn, choice->chains.objects + k, choice->roles[k], choice->parts[k],
-                        words, options, &map, message);
+    status = take_chain(drawn, &choice->chains, choice->chains.objects + k, choice->roles[k],
+                        choice->parts[k], words, options, &map, message);
   }
   tp_affine_map_clear(&map);
   if (status != TP_OK) tp_drawn_clear(drawn);

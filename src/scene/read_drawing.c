@@ -113,6 +113,7 @@ static tp_status read_keys(const tp_reader *reader, drawing_keys *k, const tp_no
     status = read_length(reader, k->options.tolerance, tp_node_get(node, "tolerance"), "tolerance",
                          TP_RULE_ABOVE_ZERO);
   if (status == TP_OK) status = read_reference(reader, k, reference);
+  k->options.words = &k->words;
   k->varies = reader->reading->varies;
   return status;
 }

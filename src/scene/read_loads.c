@@ -8,8 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Which way it shakes a block that lies on a slope. */
+static tp_status read_direction(const tp_reader *reader, const tp_node *node) {
+  static const char *const words[] = {"both", "down_dip", "up_dip"};
+  tp_loads_description *loads = &reader->scene->loads;
+  if (node == NULL) return TP_OK;
+  for (int k = 0; k < 3 && !loads->direction_given; k++) {
+    loads->direction_given = node->kind == TP_NODE_SCALAR && strcmp(node->text, words[k]) == 0;
+    loads->direction = (tp_seismic_direction)k;
+  }
+  return loads->direction_given
+             ? TP_OK
+             : tp_read_fail(reader, node, "direction must be both, down_dip or up_dip");
+}
+
 static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"horizontal", "vertical", NULL};
+  static const char *const keys[] = {"horizontal", "vertical", "direction", NULL};
   tp_loads_description *loads = &reader->scene->loads;
   if (node == NULL) return TP_OK;
   loads->seismic_place = tp_node_place(node, reader->scene->path);
@@ -23,6 +37,7 @@ static tp_status read_seismic(const tp_reader *reader, const tp_node *node) {
     status = tp_read_quantity(reader, &loads->vertical, tp_node_get(node, "vertical"), "vertical",
                               TP_RULE_ANY);
   }
+  if (status == TP_OK) status = read_direction(reader, tp_node_get(node, "direction"));
   if (status == TP_OK && !loads->horizontal.given && !loads->vertical.given) {
     status = tp_read_fail(reader, node, "seismic needs 'horizontal' (k_h) or 'vertical' (k_v)");
   }

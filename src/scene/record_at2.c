@@ -9,6 +9,7 @@
 
 #include "number/ratio.h"
 
+#include <ctype.h>
 #include <string.h>
 
 enum { MOST_HEADER_LINES = 10 };
@@ -24,35 +25,46 @@ static bool says(const tp_record_source *source, const char *words) {
   return strcasestr(source->line, words) != NULL;
 }
 
-static bool begins_number(const char *text) {
+/* A dash within a word is no sign. */
+static bool begins_number(const char *line, size_t at) {
+  const char *text = line + at;
+  const bool within = at > 0 && isalnum((unsigned char)line[at - 1]);
+  if ((text[0] == '-' || text[0] == '+') && !within) text++;
   return (text[0] >= '0' && text[0] <= '9') || (text[0] == '.' && text[1] >= '0' && text[1] <= '9');
 }
 
-/* The next number of the line from `*at` on; false where there is none. */
+/* The next number of the line from `*at` on, with its sign; false where there is none. */
 static bool next_number(fmpq_t value, size_t *at, const tp_record_source *source) {
   const char *problem = NULL;
-  while (*at < source->length && !begins_number(source->line + *at)) (*at)++;
+  while (*at < source->length && !begins_number(source->line, *at)) (*at)++;
   if (*at == source->length) return false;
+  const bool negative = source->line[*at] == '-';
+  if (negative || source->line[*at] == '+') (*at)++;
   const size_t used =
       tp_ratio_read_decimal(value, source->line + *at, source->length - *at, &problem);
+  if (negative) fmpq_neg(value, value);
   *at += used;
   return used > 0;
 }
 
 /* How many samples, and their step: in this order, wherever their names stand. */
 static tp_status read_sampling(header *h, const tp_record_source *source) {
-  size_t at = 0;
+  size_t at = 0, of_step = 0;
   fmpq_t count;
   fmpq_init(count);
-  const bool both = next_number(count, &at, source) && next_number(h->step, &at, source);
+  bool both = next_number(count, &at, source);
+  const size_t of_count = at > 0 ? at - 1 : 0; /* its last digit */
+  both = both && next_number(h->step, &at, source);
+  of_step = at > 0 ? at - 1 : 0;
   const bool whole = both && fmpz_is_one(fmpq_denref(count)) && fmpq_cmp_ui(count, 2) >= 0 &&
                      fmpz_cmp_si(fmpq_numref(count), TP_RECORD_MOST) <= 0;
   h->count = whole ? fmpz_get_si(fmpq_numref(count)) : 0;
   fmpq_clear(count);
   if (!both) return tp_record_fail(source, 0, "NPTS and DT are named here, but not both given");
-  if (!whole) return tp_record_fail(source, 0, "NPTS must be a whole number from 2 to 10 million");
+  if (!whole)
+    return tp_record_fail(source, of_count, "NPTS must be a whole number from 2 to 10 million");
   if (fmpq_sgn(h->step) > 0) return TP_OK;
-  return tp_record_fail(source, 0, "DT, the step in seconds, must be above zero");
+  return tp_record_fail(source, of_step, "DT, the step in seconds, must be above zero");
 }
 
 static tp_status read_header(header *h, tp_record_source *source) {

@@ -97,6 +97,8 @@ typedef struct tp_base_description {
   tp_place between_place;
   tp_quantity below, left_of, right_of; /* or where its vertices lie */
   tp_quantity beyond_left, beyond_right;
+  const fmpq *beyond_cosine,
+      *beyond_sine; /* borrowed: it goes on in this direction; NULL: along x */
   tp_polyline profile;
   tp_profile_rule rule; /* that the profile is made by, where there is one */
   bool rests;     /* the block is set down on its profile and comes to rest; else it is as given */
@@ -126,7 +128,7 @@ typedef struct tp_anchor_description {
   bool passive; /* counts as resistance; else takes from what overturns */
 } tp_anchor_description;
 
-/* Water behind the block, to a height over the up-dip end of the contact, and below it. */
+/* Water behind the block, to a height over the up-dip end of the base joint, and below it. */
 typedef struct tp_water_description {
   bool given;
   tp_place place;
@@ -140,6 +142,8 @@ typedef struct tp_loads_description {
   tp_place place;
   tp_place seismic_place;
   tp_quantity horizontal, vertical; /* k_h towards down-dip, k_v up, shares of the weight */
+  bool direction_given;
+  tp_seismic_direction direction; /* where the block lies on a slope: which way k_h acts */
   tp_water_description water;
   long pressure_count, surcharge_count, anchor_count;
   tp_line_load *pressures, *surcharges;
@@ -162,6 +166,7 @@ typedef struct tp_friction_description {
   bool load_dependent;
   tp_quantity basic_angle_deg; /* of Patton's law */
   tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
+  tp_quantity contact_width; /* that carries the mean normal stress; not given: as it touches */
   long facet_count;
   tp_facet_friction_description *facets;
 } tp_friction_description;

@@ -92,8 +92,10 @@ tp_shaking_peaks tp_base_acceleration_peaks(const tp_base_acceleration *axis) {
 static void acceleration(double *horizontal_m_s2, double *vertical_m_s2,
                          const tp_base_motion *motion, double time_s) {
   const tp_base_shaking *shaking = motion->data;
-  *horizontal_m_s2 = tp_base_acceleration_at(shaking->axes + TP_SHAKING_HORIZONTAL, time_s);
-  *vertical_m_s2 = tp_base_acceleration_at(shaking->axes + TP_SHAKING_VERTICAL, time_s);
+  *horizontal_m_s2 =
+      shaking->factor * tp_base_acceleration_at(shaking->axes + TP_SHAKING_HORIZONTAL, time_s);
+  *vertical_m_s2 =
+      shaking->factor * tp_base_acceleration_at(shaking->axes + TP_SHAKING_VERTICAL, time_s);
 }
 
 static double next_kink(const tp_base_motion *motion, double time_s) {
@@ -108,14 +110,6 @@ double tp_base_shaking_duration(const tp_base_shaking *shaking) {
     longest = fmax(longest, tp_base_acceleration_peaks(shaking->axes + k).duration_s);
   }
   return longest;
-}
-
-void tp_base_shaking_scale(tp_base_shaking *shaking, double factor) {
-  for (int axis = 0; axis < TP_SHAKING_AXES; axis++) {
-    tp_base_acceleration *own = shaking->axes + axis;
-    own->peak_m_s2 *= factor;
-    for (size_t k = 0; k < own->count; k++) own->value_m_s2[k] *= factor;
-  }
 }
 
 void tp_base_shaking_hasten(tp_base_shaking *shaking, double factor) {
@@ -152,7 +146,7 @@ static tp_status init_record(tp_base_acceleration *own, const tp_shaking_compone
 tp_status tp_base_shaking_init(tp_base_shaking *shaking, const tp_scene *scene,
                                tp_message *message) {
   tp_status status = TP_OK;
-  *shaking = (tp_base_shaking){.motion = {shaking, acceleration, next_kink}};
+  *shaking = (tp_base_shaking){.factor = 1, .motion = {shaking, acceleration, next_kink}};
   for (int axis = 0; axis < TP_SHAKING_AXES && status == TP_OK; axis++) {
     const tp_shaking_component *given = scene->shaking + axis;
     tp_base_acceleration *own = shaking->axes + axis;

@@ -25,7 +25,8 @@ typedef struct tp_base_acceleration {
 } tp_base_acceleration;
 
 typedef struct tp_base_shaking {
-  tp_base_acceleration axes[TP_SHAKING_AXES];
+  tp_base_acceleration axes[TP_SHAKING_AXES]; /* as the scene has them */
+  double factor;                              /* on both, in `motion` */
   tp_base_motion motion; /* for a drive; refers to this struct, which must not move */
 } tp_base_shaking;
 
@@ -33,9 +34,6 @@ typedef struct tp_base_shaking {
 TP_MUST_USE tp_status tp_base_shaking_init(tp_base_shaking *shaking, const tp_scene *scene,
                                            tp_message *message);
 void tp_base_shaking_clear(tp_base_shaking *shaking);
-
-/* All of it `factor` times as strong. */
-void tp_base_shaking_scale(tp_base_shaking *shaking, double factor);
 
 /* All of it `factor` times as fast, its accelerations as they are: the frequency of a pulse, the
  * times of a record. */

@@ -4,6 +4,7 @@
 #include "shape/shape.h"
 
 #include "message.h"
+#include "stability/earthquakes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -261,9 +262,11 @@ tp_status tp_shape_work_on(const tp_scene *scene, const tp_solution *solution, t
   tp_solution *notes = calloc(1, sizeof *notes); /* of the preparation, not wanted */
   if (notes == NULL) return tp_fail_memory(message, "the figure");
   tp_problem problem;
+  tp_scene shaken;
+  tp_earthquake_scene(&shaken, scene, solution);
   tp_solve_options options = tp_solve_options_default();
   options.elements = solution->case_count > 0 && solution->cases[0].account.count > 0;
-  tp_status status = tp_problem_init(&problem, scene, &options, notes, message);
+  tp_status status = tp_problem_init(&problem, &shaken, &options, notes, message);
   if (status == TP_OK) {
     tp_shape shape;
     status = init(&shape, &problem, options.elements, message);

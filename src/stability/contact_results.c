@@ -176,6 +176,7 @@ void tp_describe_frame(tp_solution *solution, const tp_problem *problem) {
   const tp_world *world = problem->world;
   *frame = (tp_frame_result){.stated = scene->frame != TP_FRAME_UNSTATED, .world = world != NULL};
   if (world != NULL) {
+    frame->level = world->level;
     frame->fitted = world->fitted;
     frame->dips = world->turn.rises != 0;
     frame->dips_towards = world->turn.rises > 0 ? TP_TOWARDS_LEFT : TP_TOWARDS_RIGHT;

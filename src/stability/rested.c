@@ -80,6 +80,14 @@ static tp_status fail_to_rest(const tp_settling *s, const tp_scene *scene, tp_me
                    "the block balances on (%.9g, %.9g) %s, exactly below its centroid: it may fall "
                    "either way; shift it to one side",
                    x, y, unit);
+  case TP_SETTLED_TOO_DEAR:
+    return tp_fail(
+        message, TP_BAD_INPUT, place,
+        "the block has turned %ld times and not come to rest, on a profile of %ld points "
+        "with %ld vertices of its own, and takes too long to go on: give the profile "
+        "fewer points, or let the block lie where its coordinates put it, by 'place: "
+        "as_given'",
+        s->turns, s->bodies.profile_count, s->bodies.own.count);
   case TP_SETTLED_GOES_ON:
     return tp_fail(message, TP_UNDECIDED, place,
                    "the block has not come to rest after %ld turns, near (%.9g, %.9g) %s", s->turns,
@@ -127,6 +135,7 @@ static tp_status settle(tp_rested *r, const tp_scene *scene, const tp_section *s
   }
   tp_exact_point_clear(&centroid);
   tp_base_clear(&base);
+  if (status == TP_OK) r->settling.asked = scene->base.rests_place;
   if (status == TP_OK && r->settling.how != TP_SETTLED_RESTS) {
     status = fail_to_rest(&r->settling, scene, message);
   }

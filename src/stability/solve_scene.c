@@ -10,7 +10,9 @@
 #include "scene/check_tilt_test.h"
 #include "scene/settings.h"
 #include "stability/cautions.h"
+#include "stability/earthquakes.h"
 #include "stability/poses.h"
+#include "stability/rough_sole.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -45,6 +47,9 @@ static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *sc
   if (status != TP_OK) return status;
   status = tp_problem_cautions(&solution->notes, &problem, message);
   if (status == TP_OK) status = tp_solve_problem_tilts(solution, tilts, &problem, options, message);
+  if (status == TP_OK) {
+    status = tp_rough_sole_cautions(&solution->notes, solution, &problem, message);
+  }
   tp_problem_clear(&problem);
   if (status == TP_OK && scene->base.all_poses) {
     status = tp_poses_find(solution, scene, options, message);
@@ -52,8 +57,8 @@ static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *sc
   return status;
 }
 
-static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
-                       const tp_solve_options *options, tp_message *message) {
+static tp_status solve_one(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
+                           const tp_solve_options *options, tp_message *message) {
   tp_solution *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the solution");
   const tp_status status = fill(filled, tilts, scene, options, message);
@@ -67,6 +72,21 @@ static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_scene *
     tilts->solutions[k] = NULL;
   }
   return status;
+}
+
+static tp_status solve_alone(tp_solution **solution, const tp_scene *scene,
+                             const tp_solve_options *options, tp_message *message) {
+  return solve_one(solution, NULL, scene, options, message);
+}
+
+/* Under several earthquakes each tilt is solved by itself. */
+static tp_status solve(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,
+                       const tp_solve_options *options, tp_message *message) {
+  bool several = false;
+  const tp_status status = tp_earthquakes_asked(&several, scene, message);
+  if (status != TP_OK) return status;
+  return several ? tp_earthquakes_solve(solution, scene, options, solve_alone, message)
+                 : solve_one(solution, tilts, scene, options, message);
 }
 
 tp_status tp_solve_tilts(tp_solution **solution, tp_tilts *tilts, const tp_scene *scene,

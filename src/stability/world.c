@@ -17,6 +17,7 @@ enum { MOST_ROUNDS = 16 };
  * be kept by name. */
 typedef struct found {
   fmpq_t u, v, x, y;
+  bool up_dip; /* the coordinates stay as they lie: the ends are those along the mean plane */
   bool keeps_ends;
   long first, last;
 } found;
@@ -106,6 +107,23 @@ static tp_status find_on_profile(found *f, const tp_scene *scene, const tp_secti
   return status;
 }
 
+/* The ends of the contact as seen along a mean plane that the scene gives. */
+static tp_status find_ends(found *f, const tp_scene *scene, const tp_section *section,
+                           tp_message *message) {
+  tp_polyline turned = {0};
+  tp_section seen = {.ring_count = 1, .rings = &turned};
+  tp_underside u = {0};
+  tp_status status = turn_ring(&turned, section->rings, f)
+                         ? tp_underside_find(&u, scene, &seen, message)
+                         : tp_fail_memory(message, "the mean plane");
+  tp_polyline_clear(&turned);
+  if (status == TP_OK && u.none != NULL) status = tp_underside_fail(u.none, scene, message);
+  f->keeps_ends = true;
+  f->first = u.first;
+  f->last = u.last;
+  return status;
+}
+
 static tp_status find_mated(found *f, const tp_scene *scene, const tp_section *section,
                             tp_message *message) {
   const tp_base_description *base = &scene->base;
@@ -118,11 +136,11 @@ static tp_status find_mated(found *f, const tp_scene *scene, const tp_section *s
   tp_status status = tp_as_given_check(&lattice, scene, section, NULL, message);
   if (status != TP_OK) return status;
   tp_lattice_clear(&lattice);
-  if (given && !stated) return TP_OK;
+  if (given && !stated) return f->up_dip ? find_ends(f, scene, section, message) : TP_OK;
   status = tp_underside_find(&u, scene, section, message);
   if (status == TP_OK && !stated) status = settle(f, &u, scene, section, message);
   if (status != TP_OK) return status;
-  f->keeps_ends = stated;
+  f->keeps_ends = stated || f->up_dip;
   f->first = u.first;
   f->last = u.last;
   if (!given) {
@@ -163,7 +181,8 @@ static tp_status set_tilt(tp_world *w, const tp_scene *scene, tp_message *messag
     if (!along) {
       return tp_fail(message, TP_BAD_INPUT, scene->tilt_place,
                      "the mean plane dips to the %s as the coordinates lie, and the scene tilts "
-                     "the other way; leave 'towards' out, or say %s",
+                     "the other way; leave 'towards' out, or say %s: an earthquake is looked at "
+                     "both ways, or as 'direction' of 'loads.seismic' says",
                      way, way);
     }
     w->scene.towards_left = w->turn.rises > 0;
@@ -183,7 +202,35 @@ void tp_world_free(tp_world *w) {
   tp_moved_clear(&w->scene);
   fmpq_clear(w->scene.tilt_angle_deg.value);
   tp_turn_clear(&w->turn);
+  tp_turn_clear(&w->lay);
+  fmpq_clear(w->cosine);
+  fmpq_clear(w->sine);
   free(w);
+}
+
+/* Under an earthquake up-dip the block turns and slides against the dip: in a frame that is level
+ * as the block lies, tilted by nothing towards the side up-dip. */
+static tp_status lay_level(tp_world *w, const tp_scene *scene, tp_message *message) {
+  const tp_place place = scene->loads.seismic_place;
+  if (scene->loads.water.given) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "an earthquake up-dip is not looked at with 'water', which is a load of a block "
+                   "that goes down-dip; give it as 'pressures' on the edges that it wets");
+  }
+  if (tp_scene_is_shifted(scene)) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "an earthquake up-dip is not looked at where a 'joint' shifts the block; give "
+                   "the block where it lies");
+  }
+  w->level = true;
+  tp_turn_by(&w->lay, scene->tilt_angle_deg.value, &w->turn);
+  tp_turn_direction(w->cosine, w->sine, &w->turn, &w->lay);
+  w->scene.base.beyond_cosine = w->cosine;
+  w->scene.base.beyond_sine = w->sine;
+  w->scene.towards_left = w->turn.rises < 0;
+  w->scene.towards_right = w->turn.rises > 0;
+  fmpq_zero(w->scene.tilt_angle_deg.value);
+  return TP_OK;
 }
 
 static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
@@ -191,6 +238,9 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
   tp_world *w = calloc(1, sizeof *w);
   if (w == NULL) return tp_fail_memory(message, "the mean plane");
   tp_turn_init(&w->turn);
+  tp_turn_init(&w->lay);
+  fmpq_init(w->cosine);
+  fmpq_init(w->sine);
   tp_moved_begin(&w->scene, scene);
   fmpq_init(w->scene.tilt_angle_deg.value);
   w->fitted = scene->mean_plane.count == 0;
@@ -198,8 +248,9 @@ static tp_status turn(tp_world **world, const tp_scene *scene, const found *f,
   fmpq_set(w->turn.y, f->y);
   tp_turn_set(&w->turn, f->u, f->v);
   tp_status status = set_tilt(w, scene, message);
-  if (status == TP_OK &&
-      !tp_turn_scene(&w->scene, &w->turn, scene, f->keeps_ends, f->first, f->last)) {
+  if (status == TP_OK && f->up_dip && w->turn.rises != 0) status = lay_level(w, scene, message);
+  if (status == TP_OK && !tp_turn_scene(&w->scene, w->level ? &w->lay : &w->turn, scene,
+                                        f->keeps_ends, f->first, f->last)) {
     status = tp_fail_memory(message, "the turned scene");
   }
   if (status == TP_OK) {
@@ -216,7 +267,8 @@ tp_status tp_world_init(tp_world **world, const tp_scene *scene, tp_message *mes
                    "teeth, slabs and ellipses have a mean plane of their own, level in their own "
                    "coordinates; 'frame: world' is for an outline");
   }
-  found f = {.keeps_ends = false};
+  const tp_loads_description *loads = &scene->loads;
+  found f = {.up_dip = loads->direction_given && loads->direction == TP_SEISMIC_UP_DIP};
   fmpq_init(f.u);
   fmpq_init(f.v);
   fmpq_init(f.x);

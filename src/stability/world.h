@@ -10,6 +10,10 @@
  * weight alone rest, exactly. The dip is rounded up to 256 binary digits, and added to the scene's
  * tilt: the block is never taken for lying flatter than it does.
  *
+ * Under an earthquake up-dip the block lets go against the dip, and the frame is level as it lies:
+ * tilts count from there, towards the side up-dip. The contact and what goes on past it are the
+ * same.
+ *
  * Where the scene leaves the contact to the default, its ends and the mean plane depend on each
  * other: from the ends that the coordinates themselves have, plane and ends are found in turn until
  * they stay. */
@@ -27,6 +31,9 @@ typedef struct tp_world {
   tp_scene scene; /* in the frame of the base; shares with the scene what is not turned */
   bool fitted;
   tp_turn turn;
+  bool level;          /* an earthquake up-dip: x and y are level and upright, as the block lies, */
+  tp_turn lay;         /* turned by the scene's tilt alone; */
+  fmpq_t cosine, sine; /* the direction of the mean plane there */
 } tp_world;
 
 /* On failure `*world` stays NULL. */

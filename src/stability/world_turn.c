@@ -44,6 +44,34 @@ void tp_turn_set(tp_turn *w, const fmpq_t u, const fmpq_t v) {
   arf_clear(above);
 }
 
+/* Rounded to as many digits as a direction that is cut off. */
+static void set_rounded(fmpq_t value, const arb_t ball) {
+  arf_get_fmpq(value, arb_midref(ball));
+}
+
+void tp_turn_by(tp_turn *turn, const fmpq_t degrees, const tp_turn *of) {
+  arb_t sine, cosine;
+  arb_init(sine);
+  arb_init(cosine);
+  fmpq_set(turn->x, of->x);
+  fmpq_set(turn->y, of->y);
+  fmpq_set(turn->dip_deg, degrees);
+  turn->rises = -of->rises;
+  tp_ball_sin_cos_degrees(sine, cosine, degrees, TP_DIRECTION_BITS);
+  set_rounded(turn->cosine, cosine);
+  set_rounded(turn->sine, sine);
+  if (turn->rises < 0) fmpq_neg(turn->sine, turn->sine);
+  arb_clear(sine);
+  arb_clear(cosine);
+}
+
+void tp_turn_direction(fmpq_t cosine, fmpq_t sine, const tp_turn *of, const tp_turn *turn) {
+  fmpq_mul(cosine, turn->cosine, of->cosine);
+  fmpq_addmul(cosine, turn->sine, of->sine);
+  fmpq_mul(sine, turn->cosine, of->sine);
+  fmpq_submul(sine, turn->sine, of->cosine);
+}
+
 /* The point about which it turns stays: x' = x0 + c (x - x0) + s (y - y0). */
 static void turn_point(fmpq_t x, fmpq_t y, const void *context) {
   const tp_turn *w = context;

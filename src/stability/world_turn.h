@@ -21,6 +21,11 @@ void tp_turn_clear(tp_turn *turn);
 /* Cosine, sine, dip and which way it rises, for a plane with the direction (u, v), u > 0. */
 void tp_turn_set(tp_turn *turn, const fmpq_t u, const fmpq_t v);
 
+/* The turn by which a scene that dips as `of` does lies tilted by so many degrees more, with the
+ * same point that stays; and the direction of the mean plane of `of` after it. */
+void tp_turn_by(tp_turn *turn, const fmpq_t degrees, const tp_turn *of);
+void tp_turn_direction(fmpq_t cosine, fmpq_t sine, const tp_turn *of, const tp_turn *turn);
+
 /* Fill a copy of the scene (scene/moved.h) with its turned points, the ends of its contact named by
  * vertices of its outline where they are kept. False when memory is exhausted. */
 TP_MUST_USE bool tp_turn_scene(tp_scene *turned, const tp_turn *turn, const tp_scene *scene,

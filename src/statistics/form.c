@@ -79,6 +79,23 @@ static void clear(search *s) {
   free(s->places);
 }
 
+/* g with its bulges. */
+static tp_status values(search *s, double *g, const double *z, size_t count, tp_message *message) {
+  const tp_status status = tp_standard_space_values(s->space, g, z, count, message);
+  if (status != TP_OK) return status;
+  for (size_t k = 0; k < count; k++) {
+    for (size_t b = 0; b < s->options->bulge_count; b++) {
+      const tp_form_bulge *own = s->options->bulges + b;
+      double within = own->radius * own->radius;
+      for (size_t i = 0; i < s->n; i++) {
+        within -= (z[k * s->n + i] - own->centre[i]) * (z[k * s->n + i] - own->centre[i]);
+      }
+      if (within > 0) g[k] += own->height * within * within;
+    }
+  }
+  return TP_OK;
+}
+
 static tp_status differentiate(search *s, tp_message *message) {
   const size_t n = s->n;
   const double h = s->options->step;
@@ -86,7 +103,7 @@ static tp_status differentiate(search *s, tp_message *message) {
     memcpy(s->around + k * n, s->z, n * sizeof *s->z);
     s->around[k * n + k / 2] += k % 2 == 0 ? h : -h;
   }
-  const tp_status status = tp_standard_space_values(s->space, s->values, s->around, 2 * n, message);
+  const tp_status status = values(s, s->values, s->around, 2 * n, message);
   if (status != TP_OK) return status;
   for (size_t k = 0; k < n; k++) {
     s->gradient[k] = (s->values[2 * k] - s->values[2 * k + 1]) / (2 * h);
@@ -121,7 +138,7 @@ static tp_status advance(search *s, bool *moved, tp_message *message) {
   *moved = false;
   for (int k = 0; k < HALVES; k++, length /= 2) {
     for (size_t i = 0; i < s->n; i++) s->tried[i] = s->z[i] + length * s->move[i];
-    const tp_status status = tp_standard_space_values(s->space, &g, s->tried, 1, message);
+    const tp_status status = values(s, &g, s->tried, 1, message);
     if (status != TP_OK) return status;
     const double after = dot(s->tried, s->tried, s->n) / 2 + c * fabs(g);
     if (!(after <= before + share * length * slope)) continue; /* nor where it is undecided */
@@ -186,6 +203,7 @@ static void report(tp_form *form, const search *s, double at_origin) {
   form->beta = at_origin < 0 ? -distance : distance;
   form->probability = gsl_cdf_ugaussian_P(-form->beta);
   form->calls = s->space->calls;
+  form->slope = sqrt(dot(s->gradient, s->gradient, s->n));
   memcpy(form->scores, s->z, s->n * sizeof *s->z);
   tp_standard_space_point(s->space, form->point, s->z);
   share_out(s, form->importance);
@@ -207,7 +225,12 @@ tp_status tp_form_find(tp_form *form, const tp_reliability *problem, const tp_fo
       .dimensions = n, .scores = scores, .point = scores + n, .importance = scores + 2 * n};
   double at_origin = 0;
   status = tp_standard_space_values(&space, &at_origin, s.z, 1, message);
-  s.g = at_origin;
+  if (options->start != NULL) memcpy(s.z, options->start, n * sizeof *s.z);
+  if (status == TP_OK && options->start == NULL && options->bulge_count == 0) {
+    s.g = at_origin;
+  } else if (status == TP_OK) {
+    status = values(&s, &s.g, s.z, 1, message);
+  }
   if (status == TP_OK) status = run(&s, &own.state, &own.steps, message);
   if (status == TP_OK) {
     report(&own, &s, at_origin);

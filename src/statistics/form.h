@@ -8,9 +8,8 @@
  *
  * Steps of Rackwitz and Fiessler (Computers and Structures 9 (1978) 489-494) by central
  * differences, halved until |z|^2 / 2 + c |g| falls enough, with which they converge where g is
- * smooth (Zhang and Der Kiureghian, Proc. 6th IFIP WG 7.5 (1994) 297-304). They find one point with
- * the least distance nearby: a second one, or a g that bends, shows in the sampling around it
- * alone. */
+ * smooth (Zhang and Der Kiureghian, Proc. 6th IFIP WG 7.5 (1994) 297-304). They find one point, of
+ * the least distance nearby or by symmetry a saddle: the others are found by design_points.h. */
 
 #ifndef TP_STATISTICS_FORM_H
 #define TP_STATISTICS_FORM_H
@@ -30,13 +29,24 @@ typedef enum tp_form_state {
 /* What that means and what to do, as a sentence without its full stop. */
 const char *tp_form_state_text(tp_form_state state);
 
+/* What is added to g so that a search goes elsewhere: height (radius^2 - |z - centre|^2)^2 within
+ * the radius, 0 beyond (Der Kiureghian and Dakessian, Structural Safety 20 (1998) 37-49). */
+typedef struct tp_form_bulge {
+  const double *centre;
+  double radius, height;
+} tp_form_bulge;
+
 typedef struct tp_form_options {
   double step;      /* of the differences, in deviations */
   double tolerance; /* of beta; z* is found to 100 times as much, which beta does not feel */
   int most_steps;
+  const double *start; /* scores where the search begins; NULL: the origin */
+  size_t bulge_count;
+  const tp_form_bulge *bulges;
 } tp_form_options;
 
-/* 1e-3, 1e-6, 100: for a g that scatters by less than some 1e-8 of what a deviation changes it by.
+/* 1e-3, 1e-6, 100, from the origin, no bulges: for a g that scatters by less than some 1e-8 of what
+ * a deviation changes it by.
  */
 tp_form_options tp_form_options_default(void);
 
@@ -46,6 +56,7 @@ typedef struct tp_form {
   double probability;
   uint64_t calls; /* points at which g was asked */
   int steps;
+  double slope; /* of g at z*, its bulges included */
   size_t dimensions;
   double *scores;     /* z* */
   double *point;      /* x*, of the variables */

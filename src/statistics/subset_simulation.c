@@ -4,6 +4,7 @@
 #include "statistics/subset_simulation.h"
 
 #include "generate/random.h"
+#include "statistics/proportion.h"
 #include "statistics/score.h"
 #include "statistics/standard_space.h"
 
@@ -203,8 +204,67 @@ static tp_status run(level *v, tp_subsets *subsets, tp_message *message) {
                  subsets->levels, p);
 }
 
-tp_status tp_subset_simulate(tp_subsets *subsets, const tp_reliability *problem, size_t samples,
-                             uint64_t seed, double confidence, tp_message *message) {
+/* The point whose normal density is the largest there. */
+static size_t nearest(const double *points, size_t count, const double *z, size_t n) {
+  size_t best = 0;
+  double most = -INFINITY;
+  for (size_t k = 0; k < count; k++) {
+    double exponent = 0;
+    for (size_t i = 0; i < n; i++) exponent += points[k * n + i] * (z[i] - points[k * n + i] / 2);
+    if (exponent > most) best = k;
+    most = fmax(most, exponent);
+  }
+  return best;
+}
+
+/* Has every design point that matters its samples? */
+static tp_status check_points(const level *v, const double *points, size_t count,
+                              tp_message *message) {
+  static const double matters = 0.25, lost = 0.25;
+  double sum = 0, failing = 0;
+  double *own = calloc(2 * count + 1, sizeof *own), *shares = own + count;
+  if (own == NULL) return tp_fail_memory(message, "the samples");
+  for (size_t k = 0; k < count; k++) {
+    double square = 0;
+    for (size_t i = 0; i < v->n; i++) square += points[k * v->n + i] * points[k * v->n + i];
+    sum += shares[k] = gsl_cdf_ugaussian_Q(sqrt(square));
+  }
+  for (size_t k = 0; k < v->samples && count > 0; k++) {
+    if (!(v->g[k] <= 0)) continue;
+    own[nearest(points, count, v->z + k * v->n, v->n)]++;
+    failing++;
+  }
+  bool all = true;
+  for (size_t k = 0; k < count; k++) {
+    const double share = shares[k] / sum;
+    all = all && (share < matters || own[k] >= lost * share * failing);
+  }
+  free(own);
+  if (all) return TP_OK;
+  return tp_fail(message, TP_NO_ANSWER, (tp_place){0},
+                 "hardly a sample reached one of the design points: its way to fail is lost; "
+                 "allow more samples, or sample around the design points");
+}
+
+/* Of a product of levels by families; of one level it is a share. */
+static void tell(tp_subsets *own, level *v, double confidence) {
+  const double n = (double)v->samples, sum = shares_squared(v), square = fmax(sum - 1 / n, 0);
+  own->variation = sqrt(square);
+  own->families = 1 / sum;
+  if (own->levels == 1) {
+    const uint64_t count = (uint64_t)llround(own->probability.value * n);
+    own->probability = tp_proportion(count, v->samples, confidence);
+    return;
+  }
+  const double score = tp_student_score(confidence, fmax(own->families - 1, 1));
+  const double factor = exp(score * sqrt(log1p(square)));
+  own->probability.low = own->probability.value / factor;
+  own->probability.high = fmin(own->probability.value * factor, 1);
+}
+
+tp_status tp_subset_simulate(tp_subsets *subsets, const tp_reliability *problem,
+                             const double *points, size_t count, size_t samples, uint64_t seed,
+                             double confidence, tp_message *message) {
   enum { SAMPLES_LEAST = 100 };
   tp_standard_space space;
   level v;
@@ -217,14 +277,9 @@ tp_status tp_subset_simulate(tp_subsets *subsets, const tp_reliability *problem,
   if (status != TP_OK) return status;
   tp_subsets own = {0};
   status = run(&v, &own, message);
+  if (status == TP_OK && own.levels > 1) status = check_points(&v, points, count, message);
   if (status == TP_OK) {
-    const double sum = shares_squared(&v), square = fmax(sum - 1 / (double)samples, 0);
-    own.variation = sqrt(square);
-    own.families = 1 / sum;
-    const double score = tp_student_score(confidence, fmax(own.families - 1, 1));
-    const double factor = exp(score * sqrt(log1p(square)));
-    own.probability.low = own.probability.value / factor;
-    own.probability.high = fmin(own.probability.value * factor, 1);
+    tell(&own, &v, confidence);
     own.calls = space.calls;
     *subsets = own;
   }

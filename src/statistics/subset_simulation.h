@@ -13,7 +13,11 @@
  * that of Au and Beck, for independent levels, is too small by a third at 1e-4. 1 / sum f^2 is the
  * number of families that count, and the interval that of a lognormal estimate by Student's t of
  * one degree fewer: one of 95 % held in 91 to 99 % of 300 seeds, from 1e-3 to 1e-7 with 500 to 2000
- * samples. It is blind, as all sampling is, to failures that no sample reaches. */
+ * samples. Where the first level fails often enough the interval is Wilson's. It is blind, as all
+ * sampling is, to failures that no sample reaches: where g of one way to fail falls faster towards
+ * 0 than that of another, all chains go there, whichever is more likely. So design points may be
+ * given, and one that has a quarter of the probability of first order, but of the samples that fail
+ * less than a quarter of that, is told instead of an interval. */
 
 #ifndef TP_STATISTICS_SUBSET_SIMULATION_H
 #define TP_STATISTICS_SUBSET_SIMULATION_H
@@ -32,10 +36,12 @@ typedef struct tp_subsets {
   double thresholds[TP_SUBSET_LEVELS]; /* of g; the last is 0 */
 } tp_subsets;
 
-/* `samples` of each level, a multiple of 10 from 100 on; by numbers from the seed. TP_UNDECIDED
- * where g is at a sample, TP_NO_ANSWER where failure is rarer than 1e-30, or not reached as g does
- * not fall. */
-tp_status tp_subset_simulate(tp_subsets *subsets, const tp_reliability *problem, size_t samples,
-                             uint64_t seed, double confidence, tp_message *message) TP_MUST_USE;
+/* `samples` of each level, a multiple of 10 from 100 on; by numbers from the seed; `points` of
+ * scores, one after another, or none. TP_UNDECIDED where g is at a sample, TP_NO_ANSWER where
+ * failure is rarer than 1e-30, or not reached as g does not fall, or a design point is not reached.
+ */
+tp_status tp_subset_simulate(tp_subsets *subsets, const tp_reliability *problem,
+                             const double *points, size_t count, size_t samples, uint64_t seed,
+                             double confidence, tp_message *message) TP_MUST_USE;
 
 #endif

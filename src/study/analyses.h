@@ -27,6 +27,7 @@ TP_MUST_USE tp_status tp_study_sense(tp_study_result *result, const tp_study *st
 TP_MUST_USE tp_status tp_study_rely(tp_study_result *result, const tp_study *study,
                                     const tp_study_options *options, bool *stopped,
                                     tp_message *message);
+void tp_study_reliability_clear(tp_study_reliability *reliability);
 TP_MUST_USE tp_status tp_study_design_values(tp_study_result *result, const tp_study *study,
                                              const tp_study_options *options, bool *stopped,
                                              tp_message *message);

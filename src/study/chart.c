@@ -13,6 +13,7 @@ static tp_chart *begin(const char *kind, const tp_study_result *result) {
   tp_chart *own = tp_chart_new(kind, keys, "x", "y", notes);
   if (own == NULL) return NULL;
   if (result->title != NULL) tp_chart_set_title(own, result->title);
+  for (size_t k = 0; k < result->source_count; k++) tp_chart_add_source(own, result->sources[k]);
   own->columns = 2;
   own->rows_are_named = true;
   own->panel_width_mm = 66;

@@ -35,20 +35,13 @@ static bool is_name(const tp_csv_row *row, int field, const char *name) {
   return own.length == strlen(name) && strncmp(row->text + own.at, name, own.length) == 0;
 }
 
-/* What the column may have been meant to be. */
+/* Nothing of the file is quoted: without the column nothing says that it is a table
+ * (docs/outside.md). */
 static tp_status fail_name(const table *t, const tp_csv_row *row) {
-  char names[TP_CSV_FIELDS][64];
-  const char *known[TP_CSV_FIELDS + 1] = {NULL};
-  for (int k = 0; k < row->count; k++) {
-    snprintf(names[k], sizeof names[k], "%.*s", (int)row->fields[k].length,
-             row->text + row->fields[k].at);
-    known[k] = names[k];
-  }
-  const char *nearest = tp_nearest(t->name, known);
   return tp_fail(t->reader->message, TP_BAD_INPUT, (tp_place){t->path, t->line, 1},
-                 "no column of the first line is called '%s'%s%s%s", tp_quote_all(t->name).text,
-                 nearest != NULL ? "; did you mean '" : "",
-                 nearest != NULL ? tp_quote_all(nearest).text : "", nearest != NULL ? "'?" : "");
+                 "no column of the first line, which has %d, is called '%s'; write its name letter "
+                 "by letter as that line does",
+                 row->count, tp_quote_all(t->name).text);
 }
 
 static tp_status take_header(table *t, const tp_csv_row *row) {

@@ -110,7 +110,8 @@ static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_mes
 static tp_status merge(merging *m, const part *parts, size_t count, tp_message *message) {
   tp_status status = TP_OK;
   for (size_t k = 0; k < count && status == TP_OK && !m->certain; k++) {
-    status = tp_rows_read(parts[k].path, m->study, &parts[k].progress, take_row, m, message);
+    tp_sha256_state hash;
+    status = tp_rows_read(&hash, parts[k].path, m->study, &parts[k].progress, take_row, m, message);
   }
   return status;
 }
@@ -163,6 +164,12 @@ tp_status tp_study_merge(tp_study_result **result, const tp_study *study, const 
     const bool whole = m.tally.samples == study->samples;
     status = tp_study_sum_up(result, &m.tally, whole ? TP_STUDY_COMPLETE : TP_STUDY_CERTAIN, &taken,
                              message);
+  }
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    status = tp_study_add_source(*result, shards[k], message);
+    if (status == TP_OK) continue;
+    tp_study_result_free(*result);
+    *result = NULL;
   }
   tp_rows_close(&m.rows);
   tp_text_drop(&m.chunk);

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 char *tp_progress_path(const char *rows) {
@@ -50,6 +51,22 @@ static tp_status check_files(const tp_node *root, const tp_study *study, tp_plac
                  "%s has changed since; restart, or name another file", what);
 }
 
+/* As tp_sha256_text has written it. */
+static bool read_hash(uint8_t hash[TP_SHA256_SIZE], const tp_node *root) {
+  const tp_node *node = tp_node_get(root, "sha256");
+  char text[TP_SHA256_TEXT];
+  if (node == NULL || node->kind != TP_NODE_SCALAR || strlen(node->text) != sizeof text - 1) {
+    return false;
+  }
+  for (size_t k = 0; k < TP_SHA256_SIZE; k++) {
+    unsigned byte = 0;
+    if (sscanf(node->text + 2 * k, "%2x", &byte) != 1) return false;
+    hash[k] = (uint8_t)byte;
+  }
+  tp_sha256_text(text, hash);
+  return strcmp(node->text, text) == 0;
+}
+
 static tp_status take(tp_progress *progress, const tp_node *root, const char *path,
                       const tp_study *study, tp_message *message) {
   uint64_t shard = 0, shards = 0;
@@ -63,14 +80,50 @@ static tp_status take(tp_progress *progress, const tp_node *root, const char *pa
   }
   const tp_status status = check_files(root, study, place, message);
   if (status != TP_OK) return status;
-  if (strcmp(version->text, TP_VERSION) != 0) {
+  if (strcmp(version->text, TP_VERSION) != 0 || tp_node_get(root, "sha256") == NULL) {
     return tp_fail(message, TP_BAD_INPUT, place,
                    "these rows are by another version of this program; restart, or name another "
                    "file");
   }
+  if (!read_hash(progress->hash, root)) return tp_fail(message, TP_BAD_INPUT, place, unknown);
   progress->shard = (size_t)shard;
   progress->shards = (size_t)shards;
   return TP_OK;
+}
+
+static tp_status fail_link(const char *path, tp_message *message) {
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+                 "this is a link, and what it leads to would be lost; remove it, or name another "
+                 "file for the rows");
+}
+
+/* What is there, no link. */
+static tp_status check_there(const char *path, tp_message *message) {
+  tp_node *root = NULL;
+  uint64_t number = 0;
+  tp_message ignored = {""};
+  const tp_status status = tp_node_read(&root, path, &ignored);
+  const bool known = status == TP_OK && read_count(&number, root, "files", 16) &&
+                     read_count(&number, root, "chunks", 10) &&
+                     read_count(&number, root, "bytes", 10);
+  tp_node_free(root);
+  if (known) return TP_OK;
+  if (status == TP_OUT_OF_MEMORY) return tp_fail_memory(message, "the progress of a study");
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+                 "this is not what a study says of its progress, and would be lost; remove it, or "
+                 "name another file for the rows");
+}
+
+tp_status tp_progress_check(const char *rows, tp_message *message) {
+  struct stat state;
+  char *path = tp_progress_path(rows);
+  if (path == NULL) return tp_fail_memory(message, "the progress of a study");
+  const bool there = lstat(path, &state) == 0;
+  const tp_status status = !there                   ? TP_OK
+                           : S_ISLNK(state.st_mode) ? fail_link(path, message)
+                                                    : check_there(path, message);
+  free(path);
+  return status;
 }
 
 tp_status tp_progress_read(tp_progress *progress, bool *there, const char *rows,
@@ -88,17 +141,19 @@ tp_status tp_progress_read(tp_progress *progress, bool *there, const char *rows,
 
 tp_status tp_progress_write(const tp_progress *progress, const char *rows, const tp_study *study,
                             tp_message *message) {
-  char text[400];
+  char text[500], hash[TP_SHA256_TEXT];
   char *path = tp_progress_path(rows);
   if (path == NULL) return tp_fail_memory(message, "the progress of a study");
-  const int length = snprintf(text, sizeof text,
-                              "# How far the rows beside this file are. The study goes on from "
-                              "here; shards are merged by it.\n"
-                              "topple: %s\nstudy: %016" PRIx64 "\nscene: %016" PRIx64
-                              "\nfiles: %016" PRIx64 "\nshard: %zu\nshards: %zu\n"
-                              "chunks: %" PRIu64 "\nbytes: %" PRIu64 "\n",
-                              TP_VERSION, study->hash_of_file, study->hash_of_scene, study->hash,
-                              progress->shard, progress->shards, progress->chunks, progress->bytes);
+  tp_sha256_text(hash, progress->hash);
+  const int length =
+      snprintf(text, sizeof text,
+               "# How far the rows beside this file are. The study goes on from "
+               "here; shards are merged by it.\n"
+               "topple: %s\nstudy: %016" PRIx64 "\nscene: %016" PRIx64 "\nfiles: %016" PRIx64
+               "\nshard: %zu\nshards: %zu\n"
+               "chunks: %" PRIu64 "\nbytes: %" PRIu64 "\nsha256: %s\n",
+               TP_VERSION, study->hash_of_file, study->hash_of_scene, study->hash, progress->shard,
+               progress->shards, progress->chunks, progress->bytes, hash);
   const tp_status status = tp_file_write(path, text, (size_t)length, (tp_file_sources){0}, message);
   free(path);
   return status;

@@ -5,7 +5,7 @@
  * which it lets go is not above the tilt, or its factor of safety not above 1. */
 
 #include "generate/random.h"
-#include "statistics/form.h"
+#include "statistics/design_points.h"
 #include "statistics/importance_sampling.h"
 #include "statistics/subset_simulation.h"
 #include "study/analyses.h"
@@ -16,7 +16,7 @@
 #include <string.h>
 
 /* Its seeds; the design of Sobol' indices has others, and cells are numbered from 0. */
-enum { SEED_OF_IMPORTANCE = (1 << 20) + 2, SEED_OF_SUBSET };
+enum { SEED_OF_IMPORTANCE = (1 << 20) + 2, SEED_OF_SUBSET, SEED_OF_DESIGN_POINTS };
 
 /* Where a number is infinite: beyond what it can be otherwise, and still a number. */
 static const double beyond = 1000;
@@ -51,18 +51,42 @@ static tp_status margins(double *g, void *context, const double *x, size_t count
   return status;
 }
 
-static void take(tp_study_result *result, const tp_study *study, const tp_form *form) {
-  result->reliability = (tp_study_reliability){.known = true,
-                                               .quantity = study->relied,
-                                               .converged = form->state == TP_FORM_CONVERGED,
-                                               .state = tp_form_state_text(form->state),
-                                               .beta = form->beta,
-                                               .probability = form->probability,
-                                               .calls = form->calls};
-  for (size_t k = 0; k < study->variable_count; k++) {
-    result->variables[k].design_value = form->point[k];
-    result->variables[k].importance = form->importance[k];
+/* Of the nearest design point; without one there is no number. */
+static tp_status take(tp_study_result *result, const tp_study *study, const tp_design_points *found,
+                      tp_message *message) {
+  const tp_form *nearest = found->count > 0 ? found->points : NULL;
+  const size_t count = study->variable_count;
+  tp_study_reliability *own = &result->reliability;
+  *own = (tp_study_reliability){.known = true,
+                                .quantity = study->relied,
+                                .converged = nearest != NULL,
+                                .state = tp_form_state_text(found->state),
+                                .beta = nearest != NULL ? nearest->beta : NAN,
+                                .probability = nearest != NULL ? nearest->probability : NAN,
+                                .calls = found->calls};
+  for (size_t k = 0; k < count; k++) {
+    result->variables[k].design_value = nearest != NULL ? nearest->point[k] : NAN;
+    result->variables[k].importance = nearest != NULL ? nearest->importance[k] : NAN;
   }
+  own->points = calloc(found->count + 1, sizeof *own->points);
+  if (own->points == NULL) return tp_fail_memory(message, "a reliability");
+  for (size_t k = 0; k < found->count; k++) {
+    const tp_form *form = found->points + k;
+    double *values = calloc(count, sizeof *values);
+    if (values == NULL) return tp_fail_memory(message, "a reliability");
+    memcpy(values, form->point, count * sizeof *values);
+    own->points[own->point_count++] =
+        (tp_study_design_point){form->beta, form->probability, count, values};
+  }
+  return TP_OK;
+}
+
+void tp_study_reliability_clear(tp_study_reliability *own) {
+  for (size_t k = 0; k < own->point_count; k++) free(own->points[k].values);
+  free(own->points);
+  free(own->importance.why);
+  free(own->subset.why);
+  *own = (tp_study_reliability){.known = false};
 }
 
 /* ---- rare events -------------------------------------------------------------------------------
@@ -89,31 +113,47 @@ static tp_status end_rare(tp_study_rare *rare, tp_status status, tp_estimate pro
   return rare->why != NULL ? TP_OK : tp_fail_memory(message, "a reliability");
 }
 
-/* Around the design point: without one there is nothing to sample around. */
+/* Around all design points; where there are none it looks for failures by itself. */
 static tp_status sample_importance(tp_study_rare *rare, const tp_reliability *problem,
-                                   const tp_form *form, const tp_study *study,
+                                   const double *centres, size_t count, const tp_study *study,
                                    tp_message *message) {
   tp_importance own = {.calls = 0};
   tp_message why = {""};
-  tp_status status = TP_OK;
-  if (form->state == TP_FORM_CONVERGED) {
-    status = tp_importance_sample(&own, problem, form->scores, study->importance,
-                                  tp_random_bits(tp_random_mix(study->seed), SEED_OF_IMPORTANCE),
-                                  0.95, &why);
-  } else {
-    status = tp_fail(&why, TP_NO_ANSWER, (tp_place){0}, "there is no design point");
-  }
+  const tp_status status = tp_importance_sample(
+      &own, problem, centres, count, study->importance,
+      tp_random_bits(tp_random_mix(study->seed), SEED_OF_IMPORTANCE), 0.95, &why);
   return end_rare(rare, status, own.probability, own.variation, own.calls, &why, message);
 }
 
 static tp_status sample_subset(tp_study_rare *rare, const tp_reliability *problem,
-                               const tp_study *study, tp_message *message) {
+                               const double *centres, size_t count, const tp_study *study,
+                               tp_message *message) {
   tp_subsets own = {.calls = 0};
   tp_message why = {""};
   const tp_status status =
-      tp_subset_simulate(&own, problem, (size_t)study->subset,
+      tp_subset_simulate(&own, problem, centres, count, (size_t)study->subset,
                          tp_random_bits(tp_random_mix(study->seed), SEED_OF_SUBSET), 0.95, &why);
   return end_rare(rare, status, own.probability, own.variation, own.calls, &why, message);
+}
+
+static tp_status sample_rare(tp_study_reliability *own, const tp_reliability *problem,
+                             const tp_design_points *found, const tp_study *study,
+                             tp_message *message) {
+  const size_t n = problem->dimensions, count = found->count;
+  double *centres = calloc((count + 1) * n, sizeof *centres);
+  if (centres == NULL) return tp_fail_memory(message, "a reliability");
+  for (size_t k = 0; k < count; k++) {
+    memcpy(centres + k * n, found->points[k].scores, n * sizeof *centres);
+  }
+  tp_status status = TP_OK;
+  if (study->importance > 0) {
+    status = sample_importance(&own->importance, problem, centres, count, study, message);
+  }
+  if (status == TP_OK && study->subset > 0) {
+    status = sample_subset(&own->subset, problem, centres, count, study, message);
+  }
+  free(centres);
+  return status;
 }
 
 /* ---- all of it ---------------------------------------------------------------------------------
@@ -121,18 +161,13 @@ static tp_status sample_subset(tp_study_rare *rare, const tp_reliability *proble
 
 static tp_status find(tp_study_result *result, const tp_study *study, const tp_reliability *problem,
                       tp_message *message) {
-  const tp_form_options options = tp_form_options_default();
-  tp_form form = {.dimensions = 0};
-  tp_status status = tp_form_find(&form, problem, &options, message);
+  tp_design_points found = {.count = 0};
+  tp_status status = tp_design_points_find(
+      &found, problem, tp_random_bits(tp_random_mix(study->seed), SEED_OF_DESIGN_POINTS), message);
   if (status != TP_OK) return status;
-  take(result, study, &form);
-  if (study->importance > 0) {
-    status = sample_importance(&result->reliability.importance, problem, &form, study, message);
-  }
-  if (status == TP_OK && study->subset > 0) {
-    status = sample_subset(&result->reliability.subset, problem, study, message);
-  }
-  tp_form_clear(&form);
+  status = take(result, study, &found, message);
+  if (status == TP_OK) status = sample_rare(&result->reliability, problem, &found, study, message);
+  tp_design_points_clear(&found);
   return status;
 }
 
@@ -154,9 +189,7 @@ tp_status tp_study_rely(tp_study_result *result, const tp_study *study,
   tp_status status = find(result, study, &problem, message);
   *stopped = own.stopped;
   if (own.stopped) {
-    free(result->reliability.importance.why);
-    free(result->reliability.subset.why);
-    result->reliability = (tp_study_reliability){.known = false};
+    tp_study_reliability_clear(&result->reliability);
     status = status == TP_UNDECIDED ? TP_OK : status;
   }
   free(variables);

@@ -4,6 +4,8 @@
 #include "study/result.h"
 
 #include "study/analyses.h"
+#include "study/progress.h"
+#include "study/sources.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +21,34 @@ static bool fill(tp_study_result *result, const tp_study *study) {
   result->planned = study->samples;
   result->half_width = study->half_width;
   return result->scene != NULL && (own == NULL || result->title != NULL);
+}
+
+tp_status tp_study_add_source(tp_study_result *result, const char *path, tp_message *message) {
+  char *own = strdup(path);
+  char **grown = realloc(result->sources, (result->source_count + 1) * sizeof *grown);
+  if (grown != NULL) result->sources = grown;
+  if (own != NULL && grown != NULL) {
+    grown[result->source_count++] = own;
+    return TP_OK;
+  }
+  free(own);
+  return tp_fail_memory(message, "the result of a study");
+}
+
+/* What it was read from, and its rows with their progress. */
+static tp_status add_sources(tp_study_result *result, const tp_study *study, const char *rows,
+                             tp_message *message) {
+  const size_t count = tp_study_source_count(study);
+  tp_status status = TP_OK;
+  for (size_t k = 0; k < count && status == TP_OK; k++) {
+    status = tp_study_add_source(result, tp_study_source(study, k), message);
+  }
+  if (rows == NULL || status != TP_OK) return status;
+  char *progress = tp_progress_path(rows);
+  status = progress != NULL ? tp_study_add_source(result, progress, message)
+                            : tp_fail_memory(message, "the result of a study");
+  free(progress);
+  return status == TP_OK ? tp_study_add_source(result, rows, message) : status;
 }
 
 /* What is asked for besides, of a whole study. */
@@ -46,6 +76,7 @@ tp_status tp_study_sum_up(tp_study_result **result, tp_tally *tally, tp_study_en
   own->shards = options->shards;
   tp_status status =
       fill(own, tally->study) ? TP_OK : tp_fail_memory(message, "the result of a study");
+  if (status == TP_OK) status = add_sources(own, tally->study, options->rows, message);
   if (status == TP_OK) status = tp_tally_finish(own, tally, message);
   if (status == TP_OK) status = analyse(own, tally->study, options, message);
   if (status == TP_OK) {

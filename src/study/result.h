@@ -12,4 +12,8 @@
 TP_MUST_USE tp_status tp_study_sum_up(tp_study_result **result, tp_tally *tally, tp_study_end end,
                                       const tp_study_options *options, tp_message *message);
 
+/* A file that no chart of the result may be written over. */
+TP_MUST_USE tp_status tp_study_add_source(tp_study_result *result, const char *path,
+                                          tp_message *message);
+
 #endif

@@ -3,11 +3,11 @@
 
 #include "study/rows.h"
 
+#include "output/file.h"
 #include "study/row_csv.h"
 #include "study/sources.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,8 +38,11 @@ static tp_status write_all(const tp_rows *rows, const char *bytes, size_t left,
 static tp_status append(tp_rows *rows, const tp_text *text, tp_message *message) {
   if (text->failed) return tp_fail_memory(message, "the rows");
   const tp_status status = write_all(rows, text->data, text->length, message);
-  if (status == TP_OK) rows->progress.bytes += text->length;
-  return status;
+  if (status != TP_OK) return status;
+  tp_sha256_add(&rows->hash, text->data, text->length);
+  tp_sha256_tell(rows->progress.hash, &rows->hash);
+  rows->progress.bytes += text->length;
+  return TP_OK;
 }
 
 /* ---- begin, or go on ---------------------------------------------------------------------------
@@ -55,6 +58,8 @@ static tp_status check_sources(const tp_rows *rows, const struct stat *own, tp_m
 static tp_status begin(tp_rows *rows, tp_message *message) {
   tp_text text = {0};
   if (rows->regular && ftruncate(rows->descriptor, 0) != 0) return fail_writing(rows, message);
+  rows->progress.bytes = 0;
+  tp_sha256_begin(&rows->hash);
   tp_study_write_header(&text, rows->study);
   const tp_status status = append(rows, &text, message);
   tp_text_drop(&text);
@@ -62,26 +67,44 @@ static tp_status begin(tp_rows *rows, tp_message *message) {
   return tp_progress_write(&rows->progress, rows->path, rows->study, message);
 }
 
-/* Of a run that was ended before it could tell of its progress: the header, or some of it. */
-static tp_status is_begun(bool *begun, const tp_rows *rows, off_t size, tp_message *message) {
-  tp_text header = {0};
-  tp_study_write_header(&header, rows->study);
-  *begun = size == 0;
-  FILE *file = size > 0 && size <= (off_t)header.length ? fopen(rows->path, "rb") : NULL;
-  char *there = file != NULL ? malloc((size_t)size) : NULL;
-  if (there != NULL && fread(there, (size_t)size, 1, file) == 1) {
-    *begun = memcmp(there, header.data, (size_t)size) == 0;
+/* Does the file, of so many bytes, begin as this, or as some of it where it is shorter? */
+static tp_status begins_as(bool *begins, const tp_rows *rows, off_t size, const char *text,
+                           tp_message *message) {
+  const size_t all = strlen(text), length = size < (off_t)all ? (size_t)size : all;
+  *begins = length == 0;
+  if (*begins) return TP_OK;
+  FILE *file = fopen(rows->path, "rbe");
+  char *there = malloc(length);
+  if (file != NULL && there != NULL && fread(there, length, 1, file) == 1) {
+    *begins = memcmp(there, text, length) == 0;
   }
-  const bool failed = header.failed || (file != NULL && there == NULL);
   if (file != NULL) fclose(file);
+  const bool failed = there == NULL;
   free(there);
-  tp_text_drop(&header);
   return failed ? tp_fail_memory(message, "the rows") : TP_OK;
 }
 
-/* What lies beyond the last whole chunk is cut off. */
-static tp_status go_on(const tp_rows *rows, const tp_study_options *options, off_t size,
-                       tp_message *message) {
+/* Before it is begun anew: rows of some study, where that was said or no chunk is whole; else the
+ * header, or some of it, of a run that was ended before it could tell of its progress. */
+static tp_status check_there(const tp_rows *rows, bool restart, off_t size, tp_message *message) {
+  tp_text header = {0};
+  bool begins = false;
+  tp_study_write_header(&header, rows->study);
+  tp_status status = header.failed ? tp_fail_memory(message, "the rows") : TP_OK;
+  if (status == TP_OK) {
+    status = begins_as(&begins, rows, size, restart ? "sample," : header.data, message);
+  }
+  begins = begins && (restart || size <= (off_t)header.length);
+  tp_text_drop(&header);
+  if (status != TP_OK || begins) return status;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){rows->path, 0, 0},
+                 "this file is there, and is not the rows of a study%s",
+                 restart ? ", which alone are written over; remove it, or name another file"
+                         : " to go on with; restart to write over rows, or name another file");
+}
+
+static tp_status check_going_on(const tp_rows *rows, const tp_study_options *options, off_t size,
+                                tp_message *message) {
   const tp_progress *progress = &rows->progress;
   const tp_place place = {rows->path, 0, 0};
   if (progress->shard != options->shard || progress->shards != options->shards) {
@@ -93,8 +116,7 @@ static tp_status go_on(const tp_rows *rows, const tp_study_options *options, off
     return tp_fail(message, TP_BAD_INPUT, place,
                    "rows that were written are missing; restart, or name another file");
   }
-  return ftruncate(rows->descriptor, (off_t)progress->bytes) == 0 ? TP_OK
-                                                                  : fail_writing(rows, message);
+  return TP_OK;
 }
 
 /* One run at a time: another one is told, on the same machine and where the file system can. */
@@ -119,7 +141,7 @@ static tp_status check_name(const char *path, tp_message *message) {
 static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
                                 tp_message *message) {
   struct stat state;
-  bool there = false, begun = true;
+  bool there = false;
   if (fstat(rows->descriptor, &state) != 0) return fail_writing(rows, message);
   rows->regular = S_ISREG(state.st_mode);
   tp_status status = check_sources(rows, &state, message);
@@ -128,17 +150,10 @@ static tp_status begin_or_go_on(tp_rows *rows, const tp_study_options *options,
     status = tp_progress_read(&rows->progress, &there, rows->path, rows->study, message);
   }
   if (status != TP_OK) return status;
-  if (there) return go_on(rows, options, state.st_size, message);
-  if (rows->regular && !options->restart) {
-    status = is_begun(&begun, rows, state.st_size, message);
-  }
-  if (status != TP_OK) return status;
-  if (!begun) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){rows->path, 0, 0},
-                   "this file is there, and is not the rows of a study to go on with; restart to "
-                   "write over it, or name another file");
-  }
-  return begin(rows, message);
+  if (there) status = check_going_on(rows, options, state.st_size, message);
+  if (status != TP_OK || rows->progress.chunks > 0) return status;
+  if (rows->regular) status = check_there(rows, options->restart || there, state.st_size, message);
+  return status == TP_OK ? begin(rows, message) : status;
 }
 
 tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_options *options,
@@ -148,11 +163,10 @@ tp_status tp_rows_open(tp_rows *rows, const tp_study *study, const tp_study_opti
                     .descriptor = -1,
                     .progress = {.shard = options->shard, .shards = options->shards}};
   if (rows->path == NULL) return TP_OK;
-  const tp_status named = check_name(rows->path, message);
-  if (named != TP_OK) return named;
-  rows->descriptor = open(rows->path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666);
-  if (rows->descriptor < 0) return fail_writing(rows, message);
-  const tp_status status = begin_or_go_on(rows, options, message);
+  tp_status status = check_name(rows->path, message);
+  if (status == TP_OK) status = tp_progress_check(rows->path, message);
+  if (status == TP_OK) status = tp_file_open_to_add(&rows->descriptor, rows->path, message);
+  if (status == TP_OK) status = begin_or_go_on(rows, options, message);
   if (status != TP_OK) tp_rows_close(rows);
   return status;
 }
@@ -164,6 +178,16 @@ tp_status tp_rows_add(tp_rows *rows, const tp_text *text, tp_message *message) {
   rows->progress.chunks++;
   return rows->regular ? tp_progress_write(&rows->progress, rows->path, rows->study, message)
                        : TP_OK;
+}
+
+tp_status tp_rows_go_on(tp_rows *rows, tp_rows_take *take, void *context, tp_message *message) {
+  const tp_progress *progress = &rows->progress;
+  if (rows->path == NULL || progress->chunks == 0) return TP_OK;
+  const tp_status status =
+      tp_rows_read(&rows->hash, rows->path, rows->study, progress, take, context, message);
+  if (status != TP_OK) return status;
+  return ftruncate(rows->descriptor, (off_t)progress->bytes) == 0 ? TP_OK
+                                                                  : fail_writing(rows, message);
 }
 
 void tp_rows_close(tp_rows *rows) {

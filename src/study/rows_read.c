@@ -16,6 +16,7 @@ typedef struct reading {
   const char *path;
   const tp_study *study;
   uint64_t bytes_left;
+  tp_sha256_state *hash; /* of the bytes so far */
   int line;
   tp_rows_take *take;
   void *context;
@@ -54,6 +55,26 @@ static tp_status take_line(const reading *r, tp_study_row *row, char *line, size
   return status;
 }
 
+/* The bytes that are no longer needed as rows count, too. */
+static tp_status check_hash(reading *r, const tp_progress *progress, FILE *file) {
+  char bytes[1 << 14];
+  uint8_t hash[TP_SHA256_SIZE];
+  size_t count = 1;
+  while (r->bytes_left > 0 && count > 0) {
+    count =
+        fread(bytes, 1, r->bytes_left < sizeof bytes ? (size_t)r->bytes_left : sizeof bytes, file);
+    for (size_t k = 0; k < count; k++) r->line += bytes[k] == '\n';
+    tp_sha256_add(r->hash, bytes, count);
+    r->bytes_left -= count;
+  }
+  tp_sha256_tell(hash, r->hash);
+  if (r->bytes_left == 0 && memcmp(hash, progress->hash, sizeof hash) == 0) return TP_OK;
+  return tp_fail(r->message, TP_BAD_INPUT, (tp_place){r->path, 0, 0},
+                 "lines 1 to %d are not those that the study wrote: a row was changed since, or "
+                 "lost, or moved; put the file back as it was, restart, or name another file",
+                 r->line);
+}
+
 static tp_status read_lines(reading *r, tp_study_row *row, FILE *file) {
   char *line = NULL;
   size_t room = 0;
@@ -69,6 +90,7 @@ static tp_status read_lines(reading *r, tp_study_row *row, FILE *file) {
       status = fail_line(r);
     } else {
       r->bytes_left -= (uint64_t)length;
+      tp_sha256_add(r->hash, line, (size_t)length);
       status = take_line(r, row, line, (size_t)length, &enough);
     }
   }
@@ -76,16 +98,24 @@ static tp_status read_lines(reading *r, tp_study_row *row, FILE *file) {
   return status;
 }
 
-tp_status tp_rows_read(const char *path, const tp_study *study, const tp_progress *progress,
-                       tp_rows_take *take, void *context, tp_message *message) {
-  reading r = {path, study, progress->bytes, 0, take, context, message};
+tp_status tp_rows_read(tp_sha256_state *hash, const char *path, const tp_study *study,
+                       const tp_progress *progress, tp_rows_take *take, void *context,
+                       tp_message *message) {
+  reading r = {.path = path,
+               .study = study,
+               .bytes_left = progress->bytes,
+               .hash = hash,
+               .take = take,
+               .context = context,
+               .message = message};
   FILE *file = fopen(path, "rb");
   if (file == NULL) return tp_fail_file(message, path, "opened", errno);
+  tp_sha256_begin(hash);
   tp_study_row row = {.values = calloc(study->variable_count, sizeof *row.values),
                       .at = calloc(study->tilt_count + 1, sizeof *row.at)};
-  const tp_status status = row.values != NULL && row.at != NULL
-                               ? read_lines(&r, &row, file)
-                               : tp_fail_memory(message, "the rows");
+  tp_status status = row.values != NULL && row.at != NULL ? read_lines(&r, &row, file)
+                                                          : tp_fail_memory(message, "the rows");
+  if (status == TP_OK) status = check_hash(&r, progress, file);
   free(row.values);
   free(row.at);
   fclose(file);

@@ -129,11 +129,8 @@ static tp_status take_row(void *context, tp_study_row *row, bool *enough, tp_mes
 
 /* Rows that were written before. */
 static tp_status go_on(run *r, tp_message *message) {
-  const tp_progress *progress = &r->rows.progress;
-  if (r->rows.path == NULL || progress->chunks == 0) return TP_OK;
-  const tp_status status = tp_rows_read(r->rows.path, r->study, progress, take_row, r, message);
-  r->next += progress->chunks;
-  return status;
+  r->next += r->rows.progress.chunks;
+  return tp_rows_go_on(&r->rows, take_row, r, message);
 }
 
 static bool is_certain(const run *r) {

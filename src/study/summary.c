@@ -5,6 +5,7 @@
 
 #include "number/shortest.h"
 #include "statistics/quantiles.h"
+#include "study/analyses.h"
 #include "study/field.h"
 #include "study/law.h"
 #include "study/ranks.h"
@@ -26,7 +27,8 @@ static void fill_tilt(tp_study_tilt *tilt, const tp_tally *tally, size_t k) {
   const tp_outcome_counts *counts = tally->tilts + k;
   const tp_quantity *own = &study->scene->tilt_angle_deg;
   tilt->of_scene = k == 0;
-  tilt->has_tilt = k > 0 || own->given;
+  tilt->as_it_lies = k == 0 && study->scene->frame == TP_FRAME_WORLD;
+  tilt->has_tilt = k > 0 || (own->given && !tilt->as_it_lies);
   tilt->tilt_varies = k == 0 && study->tilt_varies;
   if (tilt->has_tilt) tilt->tilt_deg = k > 0 ? study->tilts[k - 1] : fmpq_get_d(own->value);
   for (int j = 0; j < TP_STUDY_OUTCOMES; j++) {
@@ -253,14 +255,15 @@ void tp_study_result_free(tp_study_result *result) {
   }
   for (size_t k = 0; k < result->design_count; k++) free(result->designs[k].why);
   free(result->designs);
+  for (size_t k = 0; k < result->source_count; k++) free(result->sources[k]);
+  free(result->sources);
   free(result->measures);
   free(result->variables);
   free(result->columns);
   free(result->bad);
   free(result->tilts);
   free(result->steps);
-  free(result->reliability.importance.why);
-  free(result->reliability.subset.why);
+  tp_study_reliability_clear(&result->reliability);
   free(result->title);
   free(result->scene);
   free(result);

@@ -73,6 +73,8 @@ static tp_status run_once(tp_tilt_case *found, const tp_converge_run *run, doubl
                         .own = found,
                         .weight_moves = run->weight_moves,
                         .path_tolerance_deg = run->path_tolerance_deg,
+                        .asked = g->description,
+                        .budgets = 10, /* its finest are dearer, and asked for */
                         .message = g->message};
   tp_tilt_engines engines;
   tp_status status = TP_OK;
@@ -110,6 +112,7 @@ static tp_status run_level(tp_converge_level *level, const tp_converge_run *run,
   for (int k = 0; k < REPEATS && (k == 0 || level->seconds < short_s); k++) {
     tp_tilt_case found = {.end = TP_TILT_STANDS, .converged = true};
     const tp_status status = run_once(&found, run, least, most, g);
+    free(found.overturning_ranges);
     if (status != TP_OK) return status;
     const bool factor = run->settings.protocol == TP_TILT_RELEASE;
     level->known = found.converged && (factor ? found.has_overturning : found.has_bracket);
@@ -299,6 +302,7 @@ tp_status tp_tilt_converge(tp_tilt_convergence **convergence, const tp_scene *sc
   TP_TAKE_OPTIONS(message, own, options);
   own.moments = 2; /* nothing is drawn of them */
   tp_status status = tp_tilt_check_scene(scene, message);
+  if (status == TP_OK) status = tp_overturning_check(options, message);
   if (status != TP_OK) return status;
   tp_tilt_convergence *filled = calloc(1, sizeof *filled);
   if (filled == NULL) return tp_fail_memory(message, "the account of convergence");

@@ -16,8 +16,7 @@ tp_status tp_overturning_look(tp_tilt_verdict *verdict, tp_overturning *o, doubl
                           tp_tilt_duration(tilting->settings, tilting->body) + tilting->shaking_s};
   tp_body_state last;
   tp_run_end end = TP_RUN_UNDECIDED;
-  tp_base_shaking_scale(o->shaking, factor / o->factor);
-  o->factor = factor;
+  o->shaking->factor = factor;
   const tp_status status = tp_tilting_run(&end, &last, tilting, &run);
   *verdict = end == TP_RUN_OVERTURNED || end == TP_RUN_LEFT_BASE ? TP_VERDICT_MOVES
              : end != TP_RUN_UNDECIDED                           ? TP_VERDICT_STANDS
@@ -37,30 +36,5 @@ tp_status tp_overturning_narrow(double between[2], tp_overturning *o, tp_tilt_ve
     if (status != TP_OK || !o->tilting->own->converged) break;
     between[verdict == upper] = middle;
   }
-  return status;
-}
-
-tp_status tp_tilting_overturning(tp_tilting *tilting, tp_base_shaking *shaking) {
-  enum { FIRST = -16, LAST = 16 }; /* quarters of an octave */
-  static const double tolerance = 1e-3;
-  tp_overturning o = {tilting, shaking, 1};
-  tp_tilt_case *own = tilting->own;
-  double between[2] = {0, 0};
-  tp_status status = TP_OK;
-  for (int k = FIRST; k <= LAST && status == TP_OK; k++) {
-    tp_tilt_verdict verdict = TP_VERDICT_OPEN;
-    between[1] = exp2(0.25 * k);
-    status = tp_overturning_look(&verdict, &o, between[1]);
-    if (status != TP_OK || !own->converged) break;
-    if (verdict == TP_VERDICT_MOVES) {
-      status = tp_overturning_narrow(between, &o, TP_VERDICT_MOVES, tolerance);
-      own->has_overturning = status == TP_OK;
-      own->overturning_least = between[0];
-      own->overturning_most = between[1];
-      break;
-    }
-    between[0] = between[1];
-  }
-  tp_base_shaking_scale(shaking, 1 / o.factor);
   return status;
 }

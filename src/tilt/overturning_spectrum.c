@@ -6,6 +6,7 @@
 #include "message.h"
 #include "stability/problem.h"
 #include "stability/solve.h"
+#include "tilt/cost.h"
 #include "tilt/engines.h"
 #include "tilt/overturning.h"
 #include "tilt/settings.h"
@@ -108,7 +109,7 @@ static tp_status find_islands(climb *c, tp_tilt_verdict *verdict) {
 static tp_status find_point(tp_overturning_point *point, tp_tilting *tilting, const stage *g) {
   const tp_shaking_peaks peaks =
       tp_base_acceleration_peaks(g->shaking->axes + TP_SHAKING_HORIZONTAL);
-  climb c = {.own = {tilting, g->shaking, 1},
+  climb c = {.own = {tilting, g->shaking},
              .point = point,
              .unit_m_s2 = peaks.acceleration_m_s2,
              .tolerance = g->options->tolerance};
@@ -116,12 +117,13 @@ static tp_status find_point(tp_overturning_point *point, tp_tilting *tilting, co
   point->velocity_s = peaks.velocity_m_s / peaks.acceleration_m_s2;
   tilting->shaking_s = tp_base_shaking_duration(g->shaking);
   tilting->own->converged = true;
+  tilting->spent = 0;
   tp_status status = find_least(&c, &verdict);
   if (status == TP_OK && point->overturns && tilting->own->converged) {
     status = find_islands(&c, &verdict);
   }
   point->converged = tilting->own->converged;
-  tp_base_shaking_scale(g->shaking, 1 / c.own.factor);
+  g->shaking->factor = 1;
   return status;
 }
 
@@ -140,6 +142,19 @@ static double scene_frequency(const tp_base_shaking *shaking) {
   return axis->form == TP_SHAKING_RECORD ? 1 : axis->frequency_hz;
 }
 
+/* What takes too long is refused by the frequency, which the caller chose. */
+static tp_status check_cost(tp_tilting *tilting, const stage *g, double frequency) {
+  tp_message why = {""};
+  tilting->message = &why;
+  tilting->shaking_s = tp_base_shaking_duration(g->shaking);
+  const tp_status status = tp_tilting_check_cost(
+      tilting, tp_tilt_duration(tilting->settings, tilting->body) + tilting->shaking_s);
+  tilting->message = g->message;
+  if (status == TP_OK) return TP_OK;
+  return tp_fail(g->message, status, (tp_place){0}, "at a frequency of %g in the spectrum: %s",
+                 frequency, why.text);
+}
+
 static tp_status find_points(tp_overturning_case *own, tp_tilting *tilting, const stage *g,
                              size_t before, size_t all) {
   const double begun = scene_frequency(g->shaking);
@@ -151,6 +166,8 @@ static tp_status find_points(tp_overturning_case *own, tp_tilting *tilting, cons
     *point = (tp_overturning_point){.frequency = frequency_of(g, k)};
     tp_base_shaking_hasten(g->shaking, point->frequency / now);
     now = point->frequency;
+    status = check_cost(tilting, g, now);
+    if (status != TP_OK) break;
     status = find_point(point, tilting, g);
     if (tp_tilting_stopped(tilting)) break; /* what it came to is in the midst of a search */
     own->count++;

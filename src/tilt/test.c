@@ -25,7 +25,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-TP_OPTIONS_END(tp_tilt_options, context);
+TP_OPTIONS_END(tp_tilt_options, overturning_count);
 
 enum { MOST_MOMENTS = 1000000 };
 
@@ -44,6 +44,7 @@ void tp_tilt_test_free(tp_tilt_test *test) {
     free(own->facets);
     free(own->outline);
     free(own->base);
+    free(own->overturning_ranges);
   }
   free(test->cases);
   tp_notes_clear(&test->notes);
@@ -126,6 +127,8 @@ static tp_status test_direction(tp_tilt_case *own, const tp_case *statics, const
                         .settings = &g->test->settings,
                         .options = g->options,
                         .own = own,
+                        .asked = g->asked,
+                        .shaken = g->problem->scene->shaking,
                         .message = g->message};
   if (g->shaking != NULL) {
     tilting.shaking = &g->shaking->motion;
@@ -238,10 +241,10 @@ static tp_status check(const tp_scene *scene, const tp_tilt_options *options, tp
   if (status != TP_OK) return status;
   if (options->overturning && !tp_scene_is_shaken(scene)) {
     return tp_fail(message, TP_BAD_INPUT, scene->tilt_test.place,
-                   "the least shaking that overturns is asked for, and the scene gives no "
+                   "what shaking overturns the block is asked for, and the scene gives no "
                    "'shaking'");
   }
-  return TP_OK;
+  return tp_overturning_check(options, message);
 }
 
 tp_status tp_tilt_test_run(tp_tilt_test **test, const tp_scene *scene,

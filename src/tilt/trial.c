@@ -4,6 +4,7 @@
 #include "tilt/trial.h"
 
 #include "clock.h"
+#include "tilt/cost.h"
 #include "tilt/settings.h"
 
 #include <math.h>
@@ -33,10 +34,16 @@ tp_status tp_tilting_run(tp_run_end *end, tp_body_state *last, tp_tilting *tilti
   own.body = tilting->body;
   own.stop = tilting->options->stop;
   own.context = tilting->options->context;
+  double steps = 0;
+  own.steps = &steps;
+  own.most_steps = tp_tilting_steps_left(tilting);
+  const tp_status dear = tp_tilting_check_cost(tilting, run->longest_s);
+  if (dear != TP_OK) return dear;
   const double began = tp_clock_now();
   *end = tilting->engine.run(last, &own, tilting->engine.engine, &message);
   tilting->own->seconds += tp_clock_now() - began;
   tilting->own->runs++;
+  tp_tilting_count_steps(tilting, steps);
   if (*end == TP_RUN_NO_MEMORY) return tp_fail_memory(tilting->message, "the simulation");
   if (*end == TP_RUN_UNDECIDED) tilting->why = message;
   return TP_OK;

@@ -46,6 +46,20 @@ static long nearest(const tp_trace *trace, tp_trace_point to, double *distance) 
   return best;
 }
 
+/* From a point of the picture to the line of the ring. */
+static double miss(const tp_trace *trace, tp_trace_point from) {
+  double least = INFINITY;
+  for (long k = 0; k < trace->ring.count; k++) {
+    const tp_trace_point p = trace->ring.points[k],
+                         q = trace->ring.points[(k + 1) % trace->ring.count];
+    const double x = q.x - p.x, y = q.y - p.y, square = x * x + y * y;
+    const double along = square > 0 ? ((from.x - p.x) * x + (from.y - p.y) * y) / square : 0;
+    const double share = fmin(fmax(along, 0), 1);
+    least = fmin(least, hypot(p.x + share * x - from.x, p.y + share * y - from.y));
+  }
+  return least;
+}
+
 bool tp_trace_find_between(tp_trace *trace, const tp_trace_options *options) {
   if (!options->between_given) return true;
   const tp_trace_point a = options->between[0], b = options->between[1];
@@ -54,5 +68,6 @@ bool tp_trace_find_between(tp_trace *trace, const tp_trace_options *options) {
   trace->between[0] = nearest(trace, first_is_left ? a : b, &left);
   trace->between[1] = nearest(trace, first_is_left ? b : a, &right);
   trace->between_px = fmax(left, right);
+  trace->missed_px = fmax(miss(trace, a), miss(trace, b));
   return trace->between[0] != trace->between[1];
 }

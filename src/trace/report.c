@@ -13,6 +13,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { BAND = 2 }; /* standard deviations */
+
 /* Decimals of a length: a twentieth of the deviation is seen. */
 static int decimals_of(const tp_trace *trace) {
   const double seen = trace->deviation_px * trace->per_pixel / 20;
@@ -111,10 +113,11 @@ static void add_origin(tp_text *text, const tp_picture *picture, const tp_trace_
   tp_encode_plain(text, base_name(options->image));
   tp_text_add(text, ", SHA-256\n# ");
   for (int k = 0; k < TP_SHA256_SIZE; k++) tp_text_add(text, "%02x", picture->hash[k]);
-  tp_text_add(text, "\n# --around=");
-  for (long k = 0; k < options->rough.count; k++) {
-    const tp_trace_point p = options->rough.points[k];
-    tp_text_add(text, "%s%.10g,%.10g", k == 0 ? "" : ",", p.x, p.y);
+  const bool clicked = options->outline.count > 0;
+  const tp_trace_ring *given = clicked ? &options->outline : &options->rough;
+  tp_text_add(text, clicked ? "\n# --outline=" : "\n# --around=");
+  for (long k = 0; k < given->count; k++) {
+    tp_text_add(text, "%s%.10g,%.10g", k == 0 ? "" : ",", given->points[k].x, given->points[k].y);
   }
   const tp_trace_point *s = options->scale, *p = options->plumb, *b = options->between;
   tp_text_add(text, "\n# --scale=%.10g,%.10g,%.10g,%.10g,%.10g --unit=%s", s[0].x, s[0].y, s[1].x,
@@ -129,6 +132,11 @@ static void add_origin(tp_text *text, const tp_picture *picture, const tp_trace_
   tp_text_add(text, "\n");
 }
 
+/* Does the line miss what was given as an end of the contact by more than its band? */
+static bool misses(const tp_trace *trace, const tp_trace_options *options) {
+  return options->between_given && trace->missed_px > BAND * trace->deviation_px;
+}
+
 tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_picture *picture,
                               const tp_trace_options *options) {
   tp_text own = {0};
@@ -141,10 +149,21 @@ tp_status tp_trace_scene_text(char **text, const tp_trace *trace, const tp_pictu
               options->plumb_given ? "along the plumb line of the picture"
                                    : "as the picture is held: no plumb line was given");
   tp_text_add(&own,
-              "# outline_offset moves the outline outwards as a whole; its standard deviation "
-              "is\n# %.3g %s, so that a study that takes it for normal says\n"
-              "#   vary: {outline_offset: {normal: {mean: 0, deviation: %.3g}}}\n",
+              "# outline_offset moves the outline outwards as a whole; the standard deviation "
+              "with which\n# %s is %.3g %s, so that a study that takes it for normal says\n"
+              "#   vary: {outline_offset: {normal: {mean: 0, deviation: %.3g}}}\n"
+              "# That is no more than the precision in the picture: two hands that draw one block "
+              "may\n# differ by much more.\n",
+              options->outline.count > 0 ? "a click tells a place within its pixel"
+                                         : "its edge is found",
               deviation, options->unit, deviation);
+  if (misses(trace, options)) {
+    tp_text_add(
+        &own,
+        "# Caution: the outline misses an end of the contact that was given by %.1f pixels, "
+        "more\n# than its band.\n",
+        trace->missed_px);
+  }
   tp_text_add(&own, "topple: 1\ntitle: ");
   tp_encode_json(&own, own_title != NULL ? own_title : title);
   tp_text_add(&own,
@@ -182,6 +201,13 @@ static void add_cautions(tp_text *text, const tp_trace *trace, const tp_trace_op
   const double bar = hypot(b.x - a.x, b.y - a.y);
   if (!options->plumb_given) {
     tp_text_add(text, "Caution  no plumb line is given: down is taken to be that of the picture\n");
+  }
+  if (misses(trace, options)) {
+    tp_text_add(text,
+                "Caution  the outline misses an end of the contact that was given by %.1f pixels,\n"
+                "         more than its band of %.1f: where the block stands it was not found;\n"
+                "         click its outline by --outline\n",
+                trace->missed_px, BAND * trace->deviation_px);
   }
   if (trace->touching > 0.02) {
     tp_text_add(text, "Caution  %.0f %% of the outline lies on the rough polygon: draw it wider\n",
@@ -238,11 +264,36 @@ static tp_status report_json(char **text, const tp_trace *trace, const tp_trace_
   add_number(&json, "scale_px", hypot(b.x - a.x, b.y - a.y));
   tp_json_truth(&json, "plumb_given", options->plumb_given);
   add_number(&json, "plumb_deg", atan2(down.x, down.y) * 180 / acos(-1));
-  if (options->between_given) add_number(&json, "between_px", trace->between_px);
+  if (options->between_given) {
+    add_number(&json, "between_px", trace->between_px);
+    add_number(&json, "missed_px", trace->missed_px);
+  }
+  tp_json_truth(&json, "outline_given", options->outline.count > 0);
   add_number(&json, "weak_share", trace->weak);
   add_number(&json, "touching_share", trace->touching);
   tp_json_close(&json);
   return tp_json_finish(&json, text);
+}
+
+/* How well the picture tells the outline, which is not how well it is known. */
+static void add_band(tp_text *text, const tp_trace *trace, const tp_trace_options *options) {
+  const double share = 200 * trace->deviation_px * tp_trace_ring_length(&trace->ring) /
+                       fabs(tp_trace_ring_area(&trace->ring));
+  tp_text_add(text, "Band     standard deviation %.3g %s, %.2f pixels: ",
+              trace->per_pixel * trace->deviation_px, options->unit, trace->deviation_px);
+  if (options->outline.count > 0) {
+    tp_text_add(text, "a place within a pixel;\n         two of them are %.2g %% of the area\n",
+                share);
+  } else {
+    tp_text_add(text,
+                "%.2f across its edge,\n"
+                "         %.2f from one rough polygon to another, 0.29 within a pixel; two of\n"
+                "         them are %.2g %% of the area\n",
+                trace->edge_px, trace->runs_px, share);
+  }
+  tp_text_add(text,
+              "         It is the precision in the picture alone: where two hands would draw\n"
+              "         the block, and what hides it, are not in it\n");
 }
 
 tp_status tp_trace_report(char **text, const tp_trace *trace, const tp_trace_options *options) {
@@ -252,14 +303,7 @@ tp_status tp_trace_report(char **text, const tp_trace *trace, const tp_trace_opt
   if (options->json) return report_json(text, trace, options);
   tp_text_add(&own, "Outline  %ld points, area %.5g %s², one pixel is %.3g %s\n", trace->ring.count,
               area, options->unit, scale, options->unit);
-  tp_text_add(&own,
-              "Band     standard deviation %.3g %s, %.2f pixels: %.2f across its edge,\n"
-              "         %.2f from one rough polygon to another, 0.29 within a pixel; two of\n"
-              "         them are %.2g %% of the area\n",
-              scale * trace->deviation_px, options->unit, trace->deviation_px, trace->edge_px,
-              trace->runs_px,
-              200 * trace->deviation_px * tp_trace_ring_length(&trace->ring) /
-                  fabs(tp_trace_ring_area(&trace->ring)));
+  add_band(&own, trace, options);
   if (options->between_given) {
     tp_text_add(
         &own, "Contact  ends in vertices of the outline %.1f pixels or less from what was given\n",

@@ -31,6 +31,9 @@ static tp_status check(const tp_trace_options *options, const tp_picture *pictur
   for (long k = 0; k < options->rough.count; k++) {
     within = within && is_in_picture(picture, options->rough.points[k]);
   }
+  for (long k = 0; k < options->outline.count; k++) {
+    within = within && is_in_picture(picture, options->outline.points[k]);
+  }
   if (within) return TP_OK;
   return tp_fail(
       message, TP_BAD_INPUT, place,
@@ -110,8 +113,9 @@ static tp_status compare_runs(tp_trace *trace, const tp_picture *picture,
   return TP_OK;
 }
 
-static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
-                              const tp_trace_options *options, tp_message *message) {
+/* What the picture tells: the outline, and how well it tells it. */
+static tp_status look_for(tp_trace *trace, const tp_picture *picture,
+                          const tp_trace_options *options, tp_message *message) {
   tp_refined refined = {0};
   tp_region region;
   tp_status status = trace_once(&refined, &region, picture, options, 0, message);
@@ -121,20 +125,37 @@ static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
   trace->weak = refined.weak;
   trace->touching = region.touching;
   status = compare_runs(trace, picture, options, message);
-  if (status != TP_OK) return status;
   trace->deviation_px =
       sqrt(trace->edge_px * trace->edge_px + trace->runs_px * trace->runs_px + 1.0 / 12);
-  tp_trace_place(trace, options);
-  trace->tolerance_px = options->tolerance > 0
-                            ? options->tolerance / trace->per_pixel
-                            : sqrt(trace->edge_px * trace->edge_px + 1.0 / 12) / 2;
-  if (!tp_trace_simplify(&trace->ring, trace->tolerance_px)) {
+  return status;
+}
+
+/* Clicks stay as they are, unless a tolerance is given. */
+static tp_status thin_out(tp_trace *trace, const tp_trace_options *options, tp_message *message) {
+  const bool clicked = options->outline.count > 0;
+  if (options->tolerance > 0) {
+    trace->tolerance_px = options->tolerance / trace->per_pixel;
+  } else if (!clicked) {
+    trace->tolerance_px = sqrt(trace->edge_px * trace->edge_px + 1.0 / 12) / 2;
+  }
+  if (trace->tolerance_px > 0 && !tp_trace_simplify(&trace->ring, trace->tolerance_px)) {
     return tp_fail_memory(message, "an outline");
   }
-  if (trace->ring.count < 3) {
-    return tp_fail(message, TP_BAD_INPUT, (tp_place){options->image, 0, 0},
-                   "the outline has no area left; a smaller --tolerance keeps more of its points");
-  }
+  if (trace->ring.count >= 3 && fabs(tp_trace_ring_area(&trace->ring)) > 0) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){options->image, 0, 0},
+                 clicked ? "the outline that is given has no area"
+                         : "the outline has no area left; a smaller --tolerance keeps more of its "
+                           "points");
+}
+
+static tp_status find_outline(tp_trace *trace, const tp_picture *picture,
+                              const tp_trace_options *options, tp_message *message) {
+  tp_status status = options->outline.count > 0 ? tp_trace_take_clicks(trace, options, message)
+                                                : look_for(trace, picture, options, message);
+  if (status != TP_OK) return status;
+  tp_trace_place(trace, options);
+  status = thin_out(trace, options, message);
+  if (status != TP_OK) return status;
   trace->moves = calloc((size_t)trace->ring.count, sizeof *trace->moves);
   if (trace->moves == NULL) return tp_fail_memory(message, "an outline");
   tp_trace_moves(trace->moves, &trace->ring);
@@ -160,16 +181,18 @@ static tp_status check_scene(const char *text, const tp_trace_options *options,
   tp_solution_free(solution);
   tp_scene_free(scene);
   if (status == TP_OK || status == TP_UNDECIDED) return TP_OK;
-  return tp_fail(
-      message, status, (tp_place){options->image, 0, 0},
-      "the outline that was found makes no block (%.400s); draw the rough polygon nearer "
-      "to it, or give a larger --tolerance%s",
-      own.text, options->between_given ? ", or other ends of the contact by --between" : "");
+  return tp_fail(message, status, (tp_place){options->image, 0, 0},
+                 "the outline makes no block (%.400s); %s%s", own.text,
+                 options->outline.count > 0
+                     ? "click it again, once round the block"
+                     : "draw the rough polygon nearer to it, or give a larger --tolerance",
+                 options->between_given ? ", or other ends of the contact by --between" : "");
 }
 
 static tp_status write_all(const char *scene, const char *bytes, size_t length,
                            const tp_trace_options *options, tp_message *message) {
-  const tp_file_sources sources = {1, &options->image};
+  const char *const read[] = {options->image, options->outline_file};
+  const tp_file_sources sources = {options->outline_file != NULL ? 2 : 1, read};
   tp_status status = TP_OK;
   if (options->figure != NULL) {
     status = tp_file_write(options->figure, bytes, length, sources, message);
@@ -220,12 +243,14 @@ static tp_status run(char **report, const tp_trace_options *options, tp_message 
 }
 
 tp_status tp_trace_run(char **report, const char *image, const double *around, size_t corners,
+                       const double *outline, size_t clicks, const char *outline_file,
                        const double scale[5], const double *plumb, const double *between,
                        double tolerance, const char *unit, const char *const rock[4],
                        const char *scene, const char *figure, bool json, tp_message *message) {
   TP_GUARD_HOST;
   const tp_trace_rock known = {rock[0], rock[1], rock[2], rock[3]};
   tp_trace_options options = {.image = image,
+                              .outline_file = outline_file,
                               .scale = {{scale[0], scale[1]}, {scale[2], scale[3]}},
                               .length = scale[4],
                               .unit = unit,
@@ -245,7 +270,13 @@ tp_status tp_trace_run(char **report, const char *image, const double *around, s
     const tp_trace_point corner = {around[2 * k], around[2 * k + 1]};
     if (!tp_trace_ring_add(&options.rough, corner)) status = tp_fail_memory(message, "an outline");
   }
+  for (size_t k = 0; k < clicks && status == TP_OK; k++) {
+    const tp_trace_point own = {outline[2 * k], outline[2 * k + 1]};
+    if (!tp_trace_ring_add(&options.outline, own)) status = tp_fail_memory(message, "an outline");
+  }
+  if (status == TP_OK) status = tp_trace_read_clicks(&options, message);
   if (status == TP_OK) status = run(report, &options, message);
   tp_trace_ring_clear(&options.rough);
+  tp_trace_ring_clear(&options.outline);
   return status;
 }

@@ -63,7 +63,8 @@ static bool subsets(void) {
   const tp_reliability problem = {DIMENSIONS, all, NULL, plane, NULL};
   tp_subsets own;
   const double began = bench_computed();
-  if (tp_subset_simulate(&own, &problem, SUBSET_SAMPLES, 1, 0.95, NULL) != TP_OK) return false;
+  if (tp_subset_simulate(&own, &problem, NULL, 0, SUBSET_SAMPLES, 1, 0.95, NULL) != TP_OK)
+    return false;
   const double seconds = bench_computed() - began;
   printf("%-29s %8.1f ns a call, %.0f calls (%.3g, from %.3g to %.3g)\n", "subset simulation",
          1e9 * seconds / (double)own.calls, (double)own.calls, own.probability.value,

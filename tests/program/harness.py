@@ -4,12 +4,15 @@
 
 import csv
 import ctypes
+import functools
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -25,6 +28,25 @@ def rounds(brief, long):
 
 # By what the numbers of random scenes are multiplied.
 ROUNDS = int(os.environ.get("TOPPLE_ROUNDS", rounds(1, 10)))
+
+
+@functools.cache
+def reads(kind):
+    """Was Topple built to read drawings of this kind: dxf, geojson or svg? It says so itself."""
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / f"drawing.{kind}").write_text("no drawing\n", encoding="utf-8")
+        return "was built without" not in run("solve", f"drawing.{kind}", folder=folder)[2]
+
+
+def is_readable(scene):
+    """Does Topple, as it was built, read a file and the drawing that it names?"""
+    text = scene.name + "\n" + (scene.read_text(encoding="utf-8") if scene.suffix == ".yaml" and scene.exists() else "")
+    return all(map(reads, set(re.findall(r"\.(dxf|geojson|svg)\b", text))))
+
+
+def example_scenes():
+    """The scenes of examples/ that Topple, as it was built, reads."""
+    return [path for path in sorted((ROOT / "examples").glob("*.yaml")) if is_readable(path)]
 
 
 def run(*arguments, folder=ROOT, timeout=300):

@@ -13,7 +13,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import exact
-from harness import ROOT, main, run, solve
+from harness import ROOT, example_scenes, main, run, solve
 
 BLOCK_E = "examples/block_e_valley.yaml"
 MANY = (16, 50, 300, 1000)
@@ -113,7 +113,7 @@ class Digits(unittest.TestCase):
                     if key not in ("effects", "reactions"):  # times; a tie may be held by other forces
                         yield from pairs(a[key], b[key], f"{path}.{key}")
 
-        for scene in sorted((ROOT / "examples").glob("*.yaml")):
+        for scene in example_scenes():
             few, many, forty = (solve(scene, "--digits", n)["cases"] for n in (6, 20, 40))
             for key, a, b in pairs(few, many):
                 with self.subTest(scene=scene.name, key=key):
@@ -138,7 +138,7 @@ class Digits(unittest.TestCase):
 class Level(unittest.TestCase):
     def test_level_is_kept(self):
         """What a level certifies it certifies as that level or a cheaper one; else it says so, exit 4."""
-        for scene in sorted((ROOT / "examples").glob("*.yaml")):
+        for scene in example_scenes():
             for level in LEVELS:
                 status, out, err = run("solve", "--json", "--level", level, scene)
                 with self.subTest(scene=scene.name, level=level):

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 from drawing_case import (arc, block, circle, dxf, entity, insert, light_polyline, line, polyline)
-from harness import main, run
+from harness import is_readable, main, run
 
 RING = [("0", "0"), ("0.30", "0.05"), ("0.6", "0"), ("0.9", "0.05"), ("0.9", "1.25"), ("0", "1.2")]
 HOLE = [("0.4", "0.5"), ("0.5", "0.5"), ("0.5", "0.6")]
@@ -54,6 +54,8 @@ class Drawing(unittest.TestCase):
         self.holder.cleanup()
 
     def write(self, name, text):
+        if not is_readable(pathlib.Path(name)):
+            self.skipTest(f"Topple was built without what reads {name}")
         data = text if isinstance(text, bytes) else text.encode()
         (self.folder / name).write_bytes(data)
 

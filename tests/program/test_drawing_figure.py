@@ -12,7 +12,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import hostile
-from harness import main
+from harness import main, reads
 from svg import LINK, SVG, Drawing, overlap
 
 SQUARE = [[0, 0], [2, 0], [2, 3], [0, 3], [0, 0]]
@@ -34,6 +34,7 @@ def glyphs(svg):
     return [[use.get(LINK) for use in group.findall(SVG + "use")] for group in groups if group.findall(SVG + "use")]
 
 
+@unittest.skipUnless(reads("geojson"), "Topple was built without RapidJSON")
 class DrawnNames(hostile.Case):
     def draw(self, features, drawing="", kind="svg"):
         (self.path / "d.geojson").write_text(json.dumps({"type": "FeatureCollection", "features": features}))

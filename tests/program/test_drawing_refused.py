@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 from drawing_case import dxf, light_polyline
-from harness import main, run
+from harness import is_readable, main, run
 
 SQUARE = '<rect id="BLOCK" width="1" height="2"/>'
 RING = [(0, 0), (1, 0), (1, 2), (0, 2)]
@@ -27,6 +27,8 @@ class Read(unittest.TestCase):
         self.holder.cleanup()
 
     def solve(self, text, name, *options):
+        if not is_readable(pathlib.Path(name)):
+            self.skipTest(f"Topple was built without what reads {name}")
         (self.folder / name).write_text(text)
         return run("solve", "--json", *(options or ("--unit", "m")), name, folder=self.folder)
 

@@ -7,7 +7,7 @@ import re
 import unittest
 from decimal import Decimal
 
-from harness import ROOT, main, run, solve, table
+from harness import ROOT, example_scenes, is_readable, main, run, solve, table
 
 
 def find(case, key):
@@ -31,6 +31,8 @@ class Examples(unittest.TestCase):
         solutions = {}
         for row in table("examples.csv"):
             scene = row["scene"]
+            if not is_readable(ROOT / "examples" / scene):
+                continue
             if scene not in solutions:
                 solutions[scene] = solve("examples/" + scene)["cases"]
             case = next(c for c in solutions[scene] if c["towards"] == row["towards"])
@@ -70,17 +72,17 @@ class Examples(unittest.TestCase):
                 for child in node:
                     walk(child, sizes)
 
-        for path in sorted((ROOT / "examples").glob("*.yaml")):
+        for path in example_scenes():
             walk(solve(path, *elements(path)), {})
 
     def test_reports_fit_a_terminal(self):
         """The report is at most 80 columns wide, marks one governing pivot a case, and names the
         mechanism."""
-        for path in sorted((ROOT / "examples").glob("*.yaml")):
+        for path in example_scenes():
             status, out, err = run("solve", *elements(path), f"examples/{path.name}")
             self.assertEqual((status, err), (0, ""))
             self.assertLessEqual(max(map(len, out.splitlines())), 80, path.name)
-            cases = out.count("\nTilted towards the ")
+            cases = out.count("\nTilted towards the ") + out.count("\nAs it lies, towards the ")
             self.assertEqual(out.count("  governs\n"), cases, path.name)
             self.assertNotIn("uncertain", out)
 

@@ -15,11 +15,11 @@ import tempfile
 import unittest
 import zlib
 
-from harness import PROGRAM, ROOT, main, run, solve
+from harness import PROGRAM, ROOT, example_scenes, main, run, solve
 from svg import Drawing, covers, overlap
 
 E_VALLEY = "examples/block_e_valley.yaml"
-EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+EXAMPLES = example_scenes()
 # Tints of the block and of its parts, as src/figure/view.c has them.
 TINTS = ((0.84, 0.925, 0.975), (0.985, 0.9, 0.68), (0.97, 0.95, 0.6))
 ROCK = (0.89, 0.88, 0.86)

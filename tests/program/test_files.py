@@ -9,6 +9,8 @@ file, and nothing else."""
 
 import itertools
 import os
+import pathlib
+import shutil
 import stat
 import subprocess
 import unittest
@@ -118,6 +120,10 @@ class Kept(Folder):
             os.setuid(65534)
 
         self.folder.chmod(0o755)
+        program = self.folder / "program" / "topple"  # others may not enter /root, where it may have been built
+        program.parent.mkdir()
+        for path in (pathlib.Path(PROGRAM), *pathlib.Path(PROGRAM).parent.glob("libtopple-figure.so.*[0-9]")):
+            shutil.copy(path, program.parent)
         sub, figure = self.folder / "sub", self.folder / "sub" / "figure.svg"
         for folder_mode, file_mode, written in ((0o777, 0o644, False), (0o777, 0o666, True),
                                                 (0o755, 0o666, True), (0o755, 0o644, False)):
@@ -125,7 +131,7 @@ class Kept(Folder):
                 figure.write_text("as before" * 100000)
                 sub.chmod(folder_mode)
                 figure.chmod(file_mode)
-                done = subprocess.run([PROGRAM, *command], cwd="/", check=False, capture_output=True,
+                done = subprocess.run([program, *command], cwd="/", check=False, capture_output=True,
                                       preexec_fn=as_nobody)
                 self.assertEqual(done.returncode, 0 if written else 5, (command, done.stderr))
                 self.assertEqual((figure.stat().st_uid, stat.S_IMODE(figure.stat().st_mode)), (0, file_mode))

@@ -242,7 +242,7 @@ class Absent(Gis):
     @unittest.skipIf(HAS_GDAL, "Topple was built with GDAL")
     def test_what_to_install(self):
         self.lines()
-        self.refused("section.shp", "libgdal-dev", "GeoJSON")
+        self.refused("section.shp", "'./run --with gis'", "GeoJSON")
 
 
 if __name__ == "__main__":

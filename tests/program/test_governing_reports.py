@@ -9,7 +9,7 @@ import random
 from fractions import Fraction
 
 from governing_case import APEXES, GoverningCase, slab
-from harness import ROOT, main, run
+from harness import ROOT, example_scenes, main, run
 
 
 class GoverningReports(GoverningCase):
@@ -122,7 +122,7 @@ class GoverningReports(GoverningCase):
         self.assertGreater(bearing, 10)
 
     def test_no_negative_factor_on_a_blocked_pivot(self):
-        for path in sorted((ROOT / "examples").glob("*.yaml")):
+        for path in example_scenes():
             for case in json.loads(run("solve", "--json", path)[1])["cases"]:
                 for pivot in case["pivots"]:
                     if not pivot["admissible"] and pivot["fos"] is not None:

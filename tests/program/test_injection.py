@@ -13,7 +13,7 @@ import re
 import unittest
 
 import hostile
-from harness import ROOT, main
+from harness import ROOT, main, rounds
 from hostile import CLAIMS, SCENE, SLAB
 
 class Outputs(hostile.Case):
@@ -89,7 +89,7 @@ class Outputs(hostile.Case):
                 self.assertEqual({p.name for p in self.path.iterdir()}, {"scene.yaml", "c.svg"})
 
     def test_accuracy(self):
-        for title in hostile.TEXTS[::6]:
+        for title in hostile.TEXTS[::rounds(18, 1)]:  # a second each
             with self.subTest(title=title[:60]):
                 self.scene(title, text=SLAB.replace("length_unit", "title: {title}\nlength_unit").replace(
                     "{a: 1, b: 2}", "{{a: 1, b: 2}}").replace("{slab: {width: a, height: b}}", "{{slab: {{width: a, height: b}}}}").replace(

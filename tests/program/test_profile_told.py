@@ -91,7 +91,7 @@ class Refused(ProfileCase):
                       ("-o", "x.txt"), (path,)):
             self.assertEqual(run("profile", path, *wrong)[0], 2, wrong)
         self.assertEqual(run("profile")[0], 2)
-        self.assertEqual(run("profile", self.folder / "nothing.csv")[0], 3)
+        self.assertEqual(run("profile", self.folder / "nothing.csv")[0], 5)
 
     def test_series_that_are_not_there(self):
         found = self.profile("0,0\n1,1\n3,0\n4,1\n5,1\n")

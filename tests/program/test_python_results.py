@@ -11,11 +11,11 @@ import re
 import unittest
 import warnings
 
-from harness import ROOT, main, run
+from harness import ROOT, example_scenes, main, run
 from python_case import ffi, lib, topple
 from topple.words import Word
 
-EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
+EXAMPLES = example_scenes()
 #: Keys of JSON by the record that they stand in, and where Python has them.
 ELSEWHERE = {
     "Contact": {"left_end": lambda c: (c.left_end, c.left_x_m, c.left_y_m),
@@ -169,7 +169,7 @@ class Solutions(unittest.TestCase):
 
 #: Structs and the records that mirror them.
 MIRRORS = {
-    "tp_note": "Note", "tp_setting": "Setting", "tp_result_unit": "ResultUnit", "tp_result_units": "ResultUnits", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
+    "tp_note": "Note", "tp_setting": "Setting", "tp_result_unit": "ResultUnit", "tp_result_units": "ResultUnits", "tp_fos": "Fos", "tp_effect": "Effect", "tp_earthquake": "Earthquake", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
     "tp_block_result": "Block", "tp_teeth_result": "Teeth", "tp_element": "Element", "tp_account": "Account",
     "tp_reaction": "Reaction", "tp_limit": "Limit", "tp_window": "Window", "tp_motion_range": "MotionRange",
     "tp_motion_contact": "MotionContact", "tp_motion_resistance": "MotionResistance", "tp_motion": "Motion",
@@ -189,11 +189,13 @@ MIRRORS = {
     "tp_study_share": "StudyShare", "tp_study_tilt": "StudyTilt", "tp_study_quantile": "StudyQuantile",
     "tp_study_spread": "StudySpread", "tp_study_rank": "StudyRank", "tp_study_variable": "StudyVariable",
     "tp_study_step": "StudyStep", "tp_study_index": "StudyIndex", "tp_study_reliability": "StudyReliability",
+    "tp_study_design_point": "StudyDesignPoint",
     "tp_study_rare": "StudyRare", "tp_study_factor": "StudyFactor", "tp_study_design": "StudyDesign",
     "tp_study_measure": "StudyMeasure", "tp_study_correlation": "StudyCorrelation",
     "tp_study_bad": "StudyBad", "tp_study_result": "StudyResult",
     "tp_tilt_event": "TiltEvent", "tp_tilt_moment": "TiltMoment", "tp_tilt_reaction": "TiltReaction",
     "tp_tilt_facet": "TiltFacet", "tp_tilt_point": "TiltPoint", "tp_tilt_settings": "TiltSettings", "tp_tilt_shaking": "TiltShaking",
+    "tp_overturning_grid": "OverturningGrid", "tp_overturning_range": "OverturningRange",
     "tp_tilt_case": "TiltCase", "tp_tilt_test": "TiltTest",
     "tp_converge_level": "ConvergeLevel", "tp_converge_finding": "ConvergeFinding",
     "tp_tilt_convergence_case": "ConvergenceCase", "tp_tilt_convergence": "Convergence",

@@ -92,6 +92,53 @@ class Probabilities(StudyCase):
         self.assertAlmostEqual(summary["variables"][0]["importance"], 1, delta=1e-6)
         self.assertIn("index beta", self.study("study.yaml"))
 
+    def test_two_ways_to_fail(self):
+        """A slab that slides below 22 degrees of friction and topples below a width of 2 tan(22) has two design points, 3.5
+        deviations away each, and fails by either; one that bends has two beside a saddle. Sampled around all, the intervals hold
+        the truth for most of ten seeds. Where nothing can fail there is no number, and the page says so."""
+        normal = statistics.NormalDist()
+        (self.folder / "slab.yaml").write_text(
+            "topple: 1\nlength_unit: m\nparameters: {x1: 0, x2: 0}\nblock: {slab: {width: 1+x2, height: 2}}\nbase: {mated: true}\n"
+            "friction_angle_deg: 30+x1\ntilt: {towards: left, angle_deg: 22}\n")
+        text = ("samples: 8\nsampling: {seed: SEED}\nvary:\n  x1: {normal: {mean: 0, deviation: 2.2857}}\n"
+                "  x2: {normal: {mean: 0, deviation: 0.0548485}}\nreliability: {quantity: limit_deg, importance: {samples: 500}}\n")
+        betas = [8 / 2.2857, (1 - 2 * math.tan(math.radians(22))) / 0.0548485]
+        slides, topples = (normal.cdf(-beta) for beta in betas)
+        held = 0
+        for seed in range(1, 11):
+            self.write(text.replace("SEED", str(seed)))
+            own = self.summary("study.yaml")["reliability"]
+            self.assertEqual(len(own["design_points"]), 2)
+            for point, beta in zip(own["design_points"], sorted(betas)):
+                self.assertAlmostEqual(point["beta"], beta, delta=1e-5)
+            held += own["importance"]["low"] <= slides + topples - slides * topples <= own["importance"]["high"]
+        self.assertGreaterEqual(held, 8)
+        self.assertIn("another one: beta 3.5000", self.study("study.yaml"))
+        (self.folder / "slab.yaml").write_text(
+            "topple: 1\nlength_unit: m\nparameters: {x1: 0, x2: 0}\nblock: {slab: {width: 40, height: 2}}\nbase: {mated: true}\n"
+            "friction_angle_deg: 30+x1-0.3*x2^2\ntilt: {towards: left, angle_deg: 26.5}\n")
+        truth = sum(normal.cdf(0.3 * (k / 100)**2 - 3.5) * normal.pdf(k / 100) / 100 for k in range(-900, 901))
+        held = 0
+        for seed in range(1, 11):
+            self.write(f"samples: 8\nsampling: {{seed: {seed}}}\nvary: {{x1: {{normal: {{mean: 0, deviation: 1}}}}, "
+                       "x2: {normal: {mean: 0, deviation: 1}}}\nreliability: {quantity: limit_deg, importance: {samples: 1000}}\n")
+            own = self.summary("study.yaml")["reliability"]
+            held += own["importance"]["low"] <= truth <= own["importance"]["high"]
+        self.assertGreaterEqual(held, 7)
+        square = (3.5 - 1 / 0.6) / 0.3  # of x2 at the points nearest to the means
+        self.assertAlmostEqual(own["beta"], math.hypot(3.5 - 0.3 * square, math.sqrt(square)), delta=1e-4)
+        (self.folder / "slab.yaml").write_text(slab())
+        self.write("samples: 20\nvary: {block.unit_weight_kn_m3: {uniform: {low: 20, high: 30}}}\n"
+                   "reliability: {quantity: limit_deg, importance: {samples: 20}}\n")
+        summary = self.summary("study.yaml")
+        self.assertEqual([summary["reliability"][key] for key in ("converged", "beta", "probability", "design_points")],
+                         [False, None, None, []])
+        self.assertEqual([summary["variables"][0][key] for key in ("design_value", "importance")], [None, None])
+        self.assertIn("no sample fails", summary["reliability"]["importance"]["why"])
+        page = self.study("study.yaml")
+        self.assertIn("no design point: the result does not change", page)
+        self.assertNotIn("index beta", page)
+
     def test_correlation(self):
         """Two numbers by a Gaussian copula: their rank correlation is 6 / pi asin(r / 2)."""
         self.write("samples: 4000\nvary:\n  friction_angle_deg: {normal: {mean: 30, deviation: 2}}\n"

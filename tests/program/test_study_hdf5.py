@@ -84,6 +84,8 @@ class Hdf5(StudyCase):
         self.study("study.yaml", "--rows", "rows.h5")
         self.assertEqual(self.read("rows.h5"), whole)
         (self.folder / "rows.h5").write_bytes(b"old")
+        self.assertIn("is not the rows of a study", self.study("study.yaml", "--rows", "rows.h5", "--restart", status=3))
+        (self.folder / "rows.h5").write_bytes(whole)
         self.study("study.yaml", "--rows", "rows.h5", "--restart", "--threads", "2")
         self.assertEqual(self.read("rows.h5"), whole)
         for k in (1, 2):
@@ -169,7 +171,7 @@ class Hdf5(StudyCase):
         done = subprocess.run([alone / "topple", "study", "study.yaml", "--rows", "rows.h5"], cwd=self.folder,
                               capture_output=True, encoding="utf-8", check=False)
         self.assertEqual((done.returncode, done.stdout), (5, ""))
-        self.assertIn("libhdf5-dev", done.stderr)
+        self.assertIn("'./run --with hdf5'", done.stderr)
         self.assertEqual(list(self.folder.glob("rows*")), [])
         maps = subprocess.run(["ldd", PROGRAM], capture_output=True, encoding="utf-8", check=True).stdout
         self.assertNotIn("hdf5", maps)

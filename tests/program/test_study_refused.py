@@ -88,7 +88,8 @@ class Refused(StudyCase):
                 ("vary: {block.slab.height: {list: 5}}", "list: "),
                 ("vary: {block.slab.height: {grid: {from: 1, to: 2, step: -1}}}", "from 'from' to 'to'"),
                 ("vary: {block.slab.height: {column: t.csv}}", "its column"),
-                ("vary: {block.slab.height: {column: 't.csv:phii'}}", r"t.csv:1:1: .*did you mean 'phi'"),
+                ("vary: {block.slab.height: {column: 't.csv:phii'}}", r"t.csv:1:1: no column of the first line, which has 2, is called "
+                 "'phii'; write its name letter by letter as that line does$"),
                 ("vary: {block.slab.height: {column: 't.csv:x'}}", r"t.csv:3:1: the row ends before"),
                 ("vary: {block.slab.height: {list: [1]}, block.slab: {list: [1]}}", "a single number"),
                 ("vary: {topple: {list: [1]}}", "no number of the scene"),

@@ -74,6 +74,27 @@ class Stories(unittest.TestCase):
                 for angle in story[1:]:
                     self.assertIn(f"{angle:.2f}°", PAGE.replace("°**", "°"))
 
+    def test_no_ratio_of_stiffnesses_gives_both_angles(self):
+        """When facets of E and F first slip at two ratios, as the page has it: each of the paper's angles is one of these, of a
+        ratio of its own; and 20.54 degrees is phi - i."""
+        first = {}
+        for name in ("e_valley", "f"):
+            for shear in (10, 1000):
+                scene = self.folder / f"{name}_{shear}.yaml"
+                text = (ROOT / "examples" / f"tilt_block_{name}.yaml").read_text().rstrip()
+                scene.write_text(f"{text}\n  normal_stiffness_gpa_m: 1000\n  shear_stiffness_gpa_m: {shear}\n")
+                status, out, err = run("tilt", "--json", scene)
+                self.assertEqual(status, 0, err)
+                for event in reversed(json.loads(out)["cases"][0]["events"]):
+                    if event["what"] == "slips":
+                        first[name, shear, event["facet"]] = event["angle_deg"]
+        for key, angle in ((("e_valley", 10, 2), "27.53°"), (("f", 10, 2), "19.17°"), (("e_valley", 1000, 2), "22.27°"),
+                           (("f", 1000, 1), "20.54°"), (("f", 1000, 2), "13.84°")):
+            self.assertEqual(f"{first[key]:.2f}°", angle, key)
+            self.assertIn(angle, PAGE)
+        self.assertLess(first["f", 10, 2], first["f", 10, 1])
+        self.assertAlmostEqual(first["f", 1000, 1], 30 - math.degrees(math.atan2(5, 30)), delta=1e-3)
+
     def test_weight_passes_the_peak_at_14_degrees(self):
         """The centroid of block E by its polygon: the vertical through it meets the peak (30, 5) at that tilt, where the middle
         facet bears most and the left one least."""

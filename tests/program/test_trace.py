@@ -187,6 +187,62 @@ class Trace(unittest.TestCase):
         _, _, rows = read_png(self.folder / "f.png")
         self.assertGreater(sum(g > 140 and r < 40 and b < 140 for row in rows for r, g, b in row), 500)
 
+    def test_an_outline_that_was_clicked(self):
+        """The corners of a slab clicked in either sense, or out of a file, are its outline to the last digit, to scale: 0.01 m
+        a pixel. Its band is that of a place within a pixel, and says what it is not."""
+        paint(self.folder / "p.png", SHAPES["slab"])
+        corners = [(80, 60), (230, 60), (230, 180), (80, 180)]
+        (self.folder / "c.csv").write_text("x_px,y_px\n" + "".join(f"{x},{y}\n" for x, y in corners))
+        scenes = []
+        for words in (corners, corners[::-1], None):
+            outline = "c.csv" if words is None else ",".join(f"{c}" for point in words for c in point)
+            status, out, err = run("trace", "p.png", f"--outline={outline}", "--scale=20,230,120,230,1", "--plumb=10,10,10,200",
+                                   "--between=80,180,230,180", "-o", "scene.yaml", folder=self.folder)
+            self.assertEqual((status, err), (0, ""))
+            self.assertIn("0.29 pixels: a place within a pixel", out)
+            self.assertIn("It is the precision in the picture alone", out)
+            self.assertNotIn("misses", out)
+            case = self.solve()
+            self.assertAlmostEqual(case["block"]["area_m2"]["value"], 1.5 * 1.2, delta=1e-9)
+            scenes.append(sorted(line for line in (self.folder / "scene.yaml").read_text().splitlines() if "  - [" in line))
+        self.assertEqual(scenes[0], scenes[1])
+        self.assertEqual(scenes[0], scenes[2])
+        found = json.loads(run("trace", "p.png", "--outline=c.csv", BAR, "-o", "scene.yaml", "--json", folder=self.folder)[1])
+        self.assertEqual((found["outline_given"], found["points"]), (True, 4))
+        self.assertAlmostEqual(found["deviation_px"], 12 ** -0.5, delta=1e-8)
+
+    def test_clicks_that_are_no_outline(self):
+        paint(self.folder / "p.png", SHAPES["slab"])
+        (self.folder / "mm.csv").write_text("x_mm,y_mm\n80,60\n230,60\n230,180\n")
+        (self.folder / "two.csv").write_text("x,y\n80,60\n230,60\n")
+        for outline, status, word in (("80,60,230,180,230,60,80,150", 3, "crosses"), ("80,60,900,60,80,180", 3, "outside of the picture"),
+                                      ("mm.csv", 3, "in pixels"), ("two.csv", 3, "from 3 to 200"), ("80,60", 2, "from 3 to 200"),
+                                      ("80,60,90,70,100,80", 3, "no area"), ("80,60,x", 2, "from 3 to 200")):
+            got, out, err = run("trace", "p.png", f"--outline={outline}", BAR, "-o", "s.yaml", folder=self.folder)
+            self.assertEqual((got, out), (status, ""), err)
+            self.assertIn(word, err)
+        got, _, err = run("trace", "p.png", "--outline=80,60,230,60,80,180", "--around=1,1,90,90", BAR, folder=self.folder)
+        self.assertEqual(got, 2)
+        self.assertIn("give one of them", err)
+        got, _, err = run("trace", "p.png", "--outline=two.csv", BAR, "-o", "two.csv", folder=self.folder)
+        self.assertNotEqual(got, 0)
+        self.assertTrue((self.folder / "two.csv").read_text().startswith("x,y"))
+
+    def test_the_foot_that_is_missed(self):
+        """An end of the contact that is given 30 pixels below the outline, many times its band, draws a caution with by how
+        much, in the report and in the scene; one on the outline draws none."""
+        paint(self.folder / "p.png", SHAPES["boulder"])
+        low = max(y for _, y in SHAPES["boulder"])
+        x = max((y, x) for x, y in SHAPES["boulder"])[1]
+        words = ("trace", "p.png", "--around=25,20,295,222", BAR, "-o", "s.yaml")
+        end = min((p for p in SHAPES["boulder"] if p[1] > 130), key=lambda p: abs(p[0] - x - 30))
+        _, out, _ = run(*words, f"--between={x},{low + 30},{end[0]},{end[1]}", folder=self.folder)
+        self.assertAlmostEqual(float(re.search(r"misses an end of the contact that was given by ([\d.]+) pixels", out)[1]), 30,
+                               delta=3)
+        self.assertIn("# Caution: the outline misses", (self.folder / "s.yaml").read_text())
+        _, out, _ = run(*words, f"--between={x},{low},{end[0]},{end[1]}", folder=self.folder)
+        self.assertNotIn("misses", out)
+
     def test_the_band_in_a_study(self):
         """outline_offset moves the outline by its own amount: the area by the perimeter times it. A study draws it."""
         paint(self.folder / "p.png", SHAPES["boulder"])

@@ -16,11 +16,11 @@ from .accuracy import Accuracy, AccuracyRun, AccuracyValue, accuracy_of_scene, a
 from .base_builder import BaseBound, LeftEnd, RoughnessBy, Wear
 from .blocks import (AreaMoments, CriticalAngles, Moments, Status, Summary, Verdicts,
                      critical_angles, moments, outline_moments, verdicts)
-from .builder import Along, Towards, UndersideEnd
+from .builder import Along, SeismicDirection, Towards, UndersideEnd
 from .case import Case, Factor, GoverningFos, LoadResult, Pivot, Sliding, Toe
 from .chart import (Chart, chart_fos, chart_map, chart_mechanisms, chart_overturning, chart_ranges,
                     chart_study, chart_study_scatter, chart_tilt_phase, chart_tilt_reactions)
-from .contact import (Account, Block, Contact, Effect, Element, FacetFriction, Fos, Frame,
+from .contact import (Account, Block, Contact, Earthquake, Effect, Element, FacetFriction, Fos, Frame,
                       Joint, Note, Rest, ResultUnit, ResultUnits, Setting, Teeth, Within)
 from .converge import (Convergence, ConvergenceCase, ConvergeFinding, ConvergeLevel,
                         tilt_converge)
@@ -40,11 +40,12 @@ from .profile import (Profile, ProfileDensity, ProfileEstimate, ProfileFacing, P
 from .record import Bounded
 from .scene import Scene
 from .solution import Solution, csv, table
-from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyFactor, StudyIndex, StudyMeasure,
-                    StudyQuantile, StudyRank, StudyRare, StudyReliability, StudyResult, StudyShare,
-                    StudySpread, StudyStep, StudyTilt, StudyVariable, study)
+from .study import (StudyBad, StudyCorrelation, StudyDesign, StudyDesignPoint, StudyFactor,
+                    StudyIndex, StudyMeasure, StudyQuantile, StudyRank, StudyRare,
+                    StudyReliability, StudyResult, StudyShare, StudySpread, StudyStep, StudyTilt,
+                    StudyVariable, study)
 from .sweep import Sweep, sweep, write_sweep
-from .tilt import (TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
+from .tilt import (OverturningGrid, OverturningRange, TiltCase, TiltEvent, TiltFacet, TiltMoment, TiltPoint, TiltReaction,
                    TiltSettings, TiltShaking, TiltTest, tilt_test)
 from .verify import ClaimResult, Verification, verify, verify_text
 from .words import (AccuracyMethod, CheckVerdict, ContactEnd, ContactState, ConvergeQuantity,

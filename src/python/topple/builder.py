@@ -17,6 +17,14 @@ from .tilt_builder import TiltBuilder
 from .words import Word, number_of
 
 
+class SeismicDirection(Word):
+    """Which way the horizontal part of an earthquake acts on a block that lies on a slope."""
+
+    BOTH = "both"  #: the worse of the two governs
+    DOWN_DIP = "down_dip"
+    UP_DIP = "up_dip"
+
+
 class UndersideEnd(Word):
     """An end of the underside."""
 
@@ -186,9 +194,13 @@ class Builder(TiltBuilder):
         """k_v, a share of the weight, up."""
         self._change_numbers(lib.tp_scene_set_seismic_vertical, coefficient)
 
+    def set_seismic_direction(self, direction: SeismicDirection | str) -> None:
+        """Which way k_h acts on a block in the frame of the world: 'both', 'down_dip', 'up_dip'."""
+        self._change(lib.tp_scene_set_seismic_direction, number_of(SeismicDirection, direction))
+
     def set_water(self, height: Number, unit_weight_kn_m3: Number = "9.81",
                   stays_level: bool = False, uplift: bool = False) -> None:
-        """Water behind the block to a height over the up-dip end of the contact: along the face, or
+        """Water behind the block to a height over the up-dip end of the base joint: along the face, or
         vertical where it stays level; with uplift along the base, falling to nothing at the toe."""
         self._change(lib.tp_scene_set_water, c_number(height), c_number(unit_weight_kn_m3),
                      stays_level, uplift)

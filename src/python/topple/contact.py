@@ -9,7 +9,8 @@ import dataclasses
 
 from ._library import lib
 from .record import Bounded, Record, field, record, text
-from .words import ContactEnd, Direction, ElementKind, FosState, Level, NoteKind, PivotKind
+from .words import (ContactEnd, Direction, ElementKind, FosState, Level, Mechanism, NoteKind,
+                    PivotKind)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -101,6 +102,7 @@ class Frame(Record):
 
     stated: bool
     world: bool  #: y runs up: the block lies as it lies
+    level: bool  #: results are along the horizontal: an earthquake up-dip
     fitted: bool  #: the mean plane, to the contact; else given
     dips: bool  #: the mean plane is not level
     dips_towards: Direction | None = field(when="dips")
@@ -114,6 +116,17 @@ class Frame(Record):
 def _presses(c) -> bool:
     """The block has a weight, and a contact of some length."""
     return c.weight_per_contact_area_pa.value != 0
+
+
+@dataclasses.dataclass(frozen=True)
+class Earthquake(Record):
+    """An earthquake that was looked at, of a block that lies on a slope."""
+
+    towards: Direction  #: the side to which its horizontal part drives the block
+    up_dip: bool  #: against the dip
+    vertical: bool  #: with the scene's vertical part
+    mechanism: Mechanism  #: what the block does under it
+    fos: Fos  #: its governing factor
 
 
 @dataclasses.dataclass(frozen=True)

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from typing import Any, Iterable, Sequence
 
 from ._library import ffi, lib
-from .builder import Along, Builder, Towards
+from .builder import Along, Builder, SeismicDirection, Towards
 from .contact import Note
 from .errors import BadInput, Caution, checked
 from .given import Number, Points, c_number, c_path, c_text
@@ -58,7 +58,7 @@ class Scene(Builder):
                  base_beyond: Given | None = None, base_between: Points | None = None,
                  base_bound: Given | None = None, base_rest: bool | None = None,
                  base_poses: bool | None = None, contact_within: Number | None = None,
-                 joint_shift: Number | None = None, joint_matching: Given | None = None,
+                 contact_width: Number | None = None, joint_shift: Number | None = None, joint_matching: Given | None = None,
                  joint_closure: Number | None = None,
                  friction_angle_deg: Number | None = None, friction_patton: Given | None = None,
                  friction_barton: Given | None = None, friction_barton_test: Given | None = None,
@@ -67,6 +67,7 @@ class Scene(Builder):
                  tilt_towards: Towards | str | None = None, tilt_angle_deg: Number | None = None,
                  frame: Along | str | None = None, mean_plane: Points | None = None,
                  seismic_horizontal: Number | None = None, seismic_vertical: Number | None = None,
+                 seismic_direction: SeismicDirection | str | None = None,
                  water: Given | None = None, pressures: Iterable[Given] = (),
                  surcharges: Iterable[Given] = (), anchors: Iterable[Given] = (),
                  bond_kpa: Number | None = None, cohesion_kpa: Number | None = None,
@@ -284,6 +285,7 @@ SET = {
     "base_rest": Scene.set_base_rest,
     "base_poses": Scene.set_base_poses,
     "contact_within": Scene.set_contact_within,
+    "contact_width": Scene.set_contact_width,
     "joint_shift": Scene.set_joint_shift,
     "joint_matching": _spread(Scene.set_joint_matching),
     "joint_closure": Scene.set_joint_closure,
@@ -298,6 +300,7 @@ SET = {
     "mean_plane": Scene.set_mean_plane,
     "seismic_horizontal": Scene.set_seismic_horizontal,
     "seismic_vertical": Scene.set_seismic_vertical,
+    "seismic_direction": Scene.set_seismic_direction,
     "water": _spread(Scene.set_water),
     "bond_kpa": Scene.set_bond_kpa,
     "cohesion_kpa": Scene.set_cohesion_kpa,

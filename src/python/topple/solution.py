@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Iterable
 
 from ._library import ffi, lib
 from .case import Case
-from .contact import (Block, Contact, Effect, FacetFriction, Frame, Joint, Note, Rest, ResultUnits, Setting,
+from .contact import (Block, Contact, Earthquake, Effect, FacetFriction, Frame, Joint, Note, Rest, ResultUnits, Setting,
                       Teeth, Within, notes_of, settings_of)
 from .given import c_path
 from .record import Bounded, Record, field, record, struct_of
@@ -45,6 +45,8 @@ class Solution(Record):
     block: Block
     teeth: Teeth | None = field(when=lambda c: c.teeth.known)
     frame: Frame
+    #: where several were looked at; the cases are of the first, which governs
+    earthquakes: tuple[Earthquake, ...] = field(count="earthquake_count")
     contact: Contact
     rest: Rest | None = field(when=lambda c: c.rest.known)
     poses: Poses | None = field(when=lambda c: c.poses.known)

@@ -12,7 +12,7 @@ from ._library import ffi, lib
 from .errors import checked
 from .given import NULL, c_path
 from .options import options_of
-from .record import Record, field, record, struct_of
+from .record import Record, field, record, struct_of, text
 from .report import drawing, sheet_options, written
 from .words import FosDefinition, StudyEnd, StudyOutcome, StudyQuantity
 
@@ -35,6 +35,7 @@ class StudyTilt(Record):
     """What becomes of the samples at a tilt."""
 
     of_scene: bool  #: at the scene's; where it has none, what happens first as it is tilted
+    as_it_lies: bool  #: of a scene in the frame of the world: at the dip of its mean plane
     tilt_varies: bool
     tilt_deg: float | None = field(when="has_tilt")  #: where it varies, that of the scene file
     outcomes: tuple[StudyShare, ...]  #: in the order of `StudyOutcome`
@@ -109,6 +110,19 @@ class StudyRare(Record):
     why: str | None
 
 
+def _values(c, owner) -> tuple[float, ...]:
+    return tuple(c.values[k] for k in range(c.value_count))
+
+
+@dataclasses.dataclass(frozen=True)
+class StudyDesignPoint(Record):
+    """A design point, more likely than all around it at which the quantity is what it is held against."""
+
+    beta: float  #: its distance in deviations
+    probability: float  #: of first order, by itself
+    values: tuple[float, ...] = field(read=_values)  #: the numbers there, as the variables
+
+
 @dataclasses.dataclass(frozen=True)
 class StudyReliability(Record):
     """Reliability of first order; None all where the study does not ask for it."""
@@ -119,8 +133,9 @@ class StudyReliability(Record):
     beta: float | None = field(when="known")
     probability: float | None = field(when="known")
     calls: int | None = field(when="known")  #: scenes solved for it
-    importance: StudyRare  #: by samples around the design point
+    importance: StudyRare  #: by samples around the design points
     subset: StudyRare  #: by subset simulation
+    points: tuple[StudyDesignPoint, ...] = field(count="point_count")  #: the nearest first
 
 
 @dataclasses.dataclass(frozen=True)
@@ -230,6 +245,8 @@ class StudyResult(Record):
     #: by the names in the header of the rows: arrays of shape (kept,), of outcomes `StudyOutcome`, of
     #: definitions `FosDefinition` or None
     columns: dict = field(read=lambda c, owner: _columns(c))
+    #: files that it was read from, and those of its rows: no chart of it is written over them
+    sources: tuple[str, ...] = field(read=lambda c, owner: _sources(c))
 
     def spread(self, quantity: StudyQuantity | str) -> StudySpread:
         """Of one quantity."""
@@ -252,6 +269,10 @@ class StudyResult(Record):
         own = ffi.gc(receives[0], lib.tp_study_free)
         options, _held = sheet_options(date, times, lines)
         checked(drawing().lib.tp_report_sheet_study, c_path(path), own, struct_of(self), options)
+
+
+def _sources(c) -> tuple[str | None, ...]:
+    return tuple(text(c.sources[k]) for k in range(c.source_count))
 
 
 def _columns(c) -> dict[str, numpy.ndarray]:

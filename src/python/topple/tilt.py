@@ -114,6 +114,25 @@ class TiltShaking(Record):
 
 
 @dataclasses.dataclass(frozen=True)
+class OverturningGrid(Record):
+    """Factors on the shaking of the scene that were tried, evenly on a logarithmic axis."""
+
+    least: float
+    most: float
+    count: int
+
+
+@dataclasses.dataclass(frozen=True)
+class OverturningRange(Record):
+    """Factors at all of which, of those that were tried, the block is overturned."""
+
+    spared_below: float  #: the next one tried below spares it; NaN: none was tried there
+    least: float
+    most: float
+    spared_above: float  #: the next one tried above spares it; NaN: none was tried there
+
+
+@dataclasses.dataclass(frozen=True)
 class TiltCase(Record):
     """One direction of tilt."""
 
@@ -138,8 +157,11 @@ class TiltCase(Record):
     kinetic_energy_j: float  #: the greatest
     energy_balance_j: float  #: the largest, in absolute value
     energy_scale_j: float  #: weight times extent
-    overturning_least: float | None = field(when="has_overturning")  #: factors on the shaking
-    overturning_most: float | None = field(when="has_overturning")
+    overturning_scanned: bool  #: it was asked which factors on its shaking overturn it
+    overturning_least: float | None = field(when="has_overturning")  #: spares it; 0: none tried
+    overturning_most: float | None = field(when="has_overturning")  #: the least found that does
+    overturning_grids: tuple[OverturningGrid, ...] = field(count="overturning_grid_count")
+    overturning_ranges: tuple[OverturningRange, ...] = field(count="overturning_range_count")
     events: tuple[TiltEvent, ...] = field(count="event_count")
     moments: tuple[TiltMoment, ...] = field(count="moment_count")
     reactions: tuple[TiltReaction, ...] = field(count="reaction_count")
@@ -198,11 +220,15 @@ class TiltTest(Record):
 
 
 def tilt_test(scene: Scene, *, moments: int | None = None,
-              overturning: bool | None = None) -> TiltTest:
+              overturning: bool | None = None,
+              factors: tuple[float, float, int] | None = None) -> TiltTest:
     """Run the test that the scene calls for. `moments`: of the history, at most, 400 unless given;
-    `overturning`: the least shaking that overturns the block, as a factor on the scene's."""
+    `overturning`: which factors on the scene's shaking overturn the block, of the least, the
+    greatest and the number of them that `factors` gives, else of those of `topple tilt`."""
     receives = ffi.new("tp_tilt_test **")
-    options = options_of("tilt", moments=moments, overturning=overturning)
+    least, most, count = factors or (None, None, None)
+    options = options_of("tilt", moments=moments, overturning=overturning, overturning_from=least,
+                         overturning_to=most, overturning_count=count)
     scene._use(lib.tp_tilt_test_run, receives, scene._c, options)
     owner = ffi.gc(receives[0], lib.tp_tilt_test_free)
     return record(TiltTest, owner[0], owner)

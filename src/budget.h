@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What a scene may cost: all budgets in one table, which docs/budgets.md explains.
+ *
+ * A few bytes can ask for any amount of work: rows and columns of a block in a drawing, a count of
+ * teeth, a stiffness that makes steps of nanoseconds. So that no small input costs more than some
+ * 10 s or 1 GB, work is counted in units that do not depend on the machine, before it is begun
+ * where it can be told then and while it is done else, and what goes beyond its budget is refused
+ * by the number that asked for it. Of what a file writes out in full its own size is the measure.
+ */
+
+#ifndef TP_BUDGET_H
+#define TP_BUDGET_H
+
+enum {
+  /* Points that curves, and blocks inserted, make of a drawing; or one a byte of its file, where
+   * that is more. Some 5 microseconds and 400 bytes each (format/drawing_work.c). */
+  TP_BUDGET_DRAWN_POINTS = 500000,
+  /* Bits of a number of nested transforms: products of what a drawing's groups and lists of
+   * transforms say (format/drawing_work.c). */
+  TP_BUDGET_TRANSFORM_BITS = 4096,
+  /* Points of a profile that is made by rule, some 400 bytes each; and teeth of a block or a base,
+   * of two points with their facets (scene/rule_self_affine.c, scene/check.c). */
+  TP_BUDGET_PROFILE_POINTS = 2000000,
+  TP_BUDGET_TEETH = 500000,
+  /* Work of a block that is set down: pairs that are looked at, of which the exact numbers of a
+   * pose make some take long; several times that for all poses (rest/settle.c, basins.c). */
+  TP_BUDGET_REST_PAIRS = 50000000,
+  /* Pairs that doubles cannot tell apart, of a block and a profile of sizes that no double holds
+   * together: 56 bytes each (rest/candidates.c). */
+  TP_BUDGET_REST_CANDIDATES = 4000000,
+  /* Steps of all runs of one direction on contact springs, and on rigid contacts: some 0.1 and 10
+   * microseconds for each contact (tilt/cost.c). */
+  TP_BUDGET_SPRING_STEPS = 100000000,
+  TP_BUDGET_RIGID_STEPS = 1000000
+};
+
+#endif

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/earthquakes.h"
+
+#include "report/parts_json.h"
+#include "report/words.h"
+
+/* "to the right, up-dip, without k_v"; the part is named where some have it. */
+static void add_name(tp_text *t, const tp_earthquake *own, bool vertical) {
+  const char *part = !vertical ? "" : own->vertical ? ", with k_v" : ", without k_v";
+  tp_text_add(t, "to the %s, %s%s", tp_text_direction(own->towards),
+              own->up_dip ? "up-dip" : "down-dip", part);
+}
+
+static void add_factor(tp_text *t, tp_fos fos) {
+  char n[TP_NUMBER_SIZE];
+  if (fos.state == TP_FOS_NUMBER) {
+    tp_text_add(t, ", FoS %s", tp_text_fixed(n, fos.value, 3));
+  } else if (tp_text_fos(fos) != NULL) {
+    tp_text_add(t, ", FoS: %s", tp_text_fos(fos));
+  }
+}
+
+void tp_page_add_earthquakes(tp_page *p) {
+  const tp_solution *s = p->solution;
+  bool vertical = false;
+  for (size_t k = 0; k < s->earthquake_count; k++) vertical |= s->earthquakes[k].vertical;
+  for (size_t k = 0; k < s->earthquake_count; k++) {
+    const tp_earthquake *own = s->earthquakes + k;
+    tp_text_add(&p->text, k == 0 ? "Seismic  " : "         ");
+    add_name(&p->text, own, vertical);
+    tp_text_add(&p->text, ": %s", tp_mechanism_name(own->mechanism));
+    add_factor(&p->text, own->fos);
+    tp_text_add(&p->text, "\n");
+  }
+  if (s->earthquake_count > 0) {
+    tp_text_add(&p->text, "         The first of them governs, and what follows is of it.\n");
+  }
+}
+
+void tp_json_earthquakes(tp_json *j, const tp_solution *s) {
+  if (s->earthquake_count == 0) return;
+  tp_json_array(j, "earthquakes", TP_JSON_LIST);
+  for (size_t k = 0; k < s->earthquake_count; k++) {
+    const tp_earthquake *own = s->earthquakes + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_string(j, "towards", tp_text_direction(own->towards));
+    tp_json_string(j, "direction", own->up_dip ? "up_dip" : "down_dip");
+    tp_json_truth(j, "vertical", own->vertical);
+    tp_json_string(j, "mechanism", tp_mechanism_name(own->mechanism));
+    tp_json_fos(j, "fos", own->fos);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The earthquakes that were looked at, the one that governs first. */
+
+#ifndef TP_REPORT_EARTHQUAKES_H
+#define TP_REPORT_EARTHQUAKES_H
+
+#include "output/json.h"
+#include "report/page.h"
+
+void tp_page_add_earthquakes(tp_page *p);
+
+/* Left out where there are none. */
+void tp_json_earthquakes(tp_json *j, const tp_solution *s);
+
+#endif

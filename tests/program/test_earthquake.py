@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-FileCopyrightText: 2026 The Topple authors
+"""An earthquake shakes a block that lies on a slope both ways: down-dip and up-dip, with its vertical part and without.
+The worst governs what every output says; a mirror image says the same; moments by hand agree."""
+
+import json
+import math
+import pathlib
+import tempfile
+import unittest
+from fractions import Fraction as F
+
+from harness import main, run, solve
+
+HEAD = "topple: 1\nlength_unit: m\n"
+#: On a joint that dips by 0.1°, and leans to the right: it stands to the left and topples to the right.
+OUTLINE = [(F(0), F(0)), (F(2), F(4, 1000)), (F(34, 10), F(4)), (F(14, 10), F(4))]
+JOINT = OUTLINE[:2]
+
+
+def text(points):
+    return "[" + ", ".join(f"[{x}, {y}]" for x, y in points) + "]"
+
+
+def centroid(ring):
+    """Exact, by triangles from the origin."""
+    area = x = y = F(0)
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+        cross = ax * by - bx * ay
+        area, x, y = area + cross, x + cross * (ax + bx), y + cross * (ay + by)
+    return x / (3 * area), y / (3 * area)
+
+
+def factor(toe, towards, k, v=F(0)):
+    """Of OUTLINE about `toe`, moments of weight and earthquake by hand: the weight holds, k_h and k_v drive."""
+    x, y = centroid(OUTLINE)
+    arm = (toe[0] - x) if towards == "right" else (x - toe[0])
+    return float(arm / (k * (y - toe[1]) + v * arm))
+
+
+def mirrored(points):
+    return [(-x, y) for x, y in points][::-1]
+
+
+class Earthquake(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name) / "scene.yaml"
+
+    def write(self, seismic, outline=tuple(OUTLINE), joint=tuple(JOINT), more="", frame="world"):
+        self.path.write_text(HEAD + f"frame: {frame}\nblock: {{outline: {text(outline)}, unit_weight_kn_m3: 26}}\n"
+                             f"base: {{mated: true, between: {text(joint)}, beyond: {{left: 3, right: 3}}}}\n"
+                             f"friction_angle_deg: 40\nloads: {{seismic: {{{seismic}}}}}\n{more}")
+        return self.path
+
+    def found(self, *arguments, **options):
+        return solve(self.write(*arguments, **options))
+
+    def test_by_hand(self):
+        """0.300 / 0.399 to the right, up-dip, which governs; alone the scene said 4.15 and nothing else."""
+        own = self.found("horizontal: 0.2")
+        case = own["cases"][0]
+        self.assertEqual((len(own["cases"]), case["towards"], case["mechanism"], case["frame"]["level"]),
+                         (1, "right", "topples", True))
+        meant = factor(JOINT[1], "right", F(1, 5))
+        self.assertAlmostEqual(meant, 0.300 / 0.399, delta=0.001)
+        self.assertAlmostEqual(case["governing_fos"]["fos"]["value"], meant, delta=1e-12)
+        self.assertEqual([(q["towards"], q["direction"], q["mechanism"]) for q in own["earthquakes"]],
+                         [("right", "up_dip", "topples"), ("left", "down_dip", "stands")])
+        self.assertAlmostEqual(own["earthquakes"][1]["fos"]["value"], 4.152, delta=5e-4)
+
+    def test_vertical_part(self):
+        """Each way with the vertical part and without it; upwards it lessens what holds."""
+        own = self.found("horizontal: 0.1, vertical: 0.1")
+        self.assertEqual(sorted((q["direction"], q["vertical"]) for q in own["earthquakes"]),
+                         [("down_dip", False), ("down_dip", True), ("up_dip", False), ("up_dip", True)])
+        for q in own["earthquakes"]:
+            if q["direction"] == "up_dip":
+                meant = factor(JOINT[1], "right", F(1, 10), F(1, 10) * q["vertical"])
+                self.assertAlmostEqual(q["fos"]["value"], meant, delta=1e-12)
+        factors = [q["fos"]["value"] for q in own["earthquakes"]]
+        self.assertEqual(own["cases"][0]["governing_fos"]["fos"]["value"], min(factors))
+
+    def test_direction(self):
+        """One way alone, as it is asked for; a word that is none, and a table, are refused."""
+        down, up = (self.found(f"horizontal: 0.2, direction: {way}") for way in ("down_dip", "up_dip"))
+        self.assertEqual([("earthquakes" in own, own["cases"][0]["towards"]) for own in (down, up)],
+                         [(False, "left"), (False, "right")])
+        both = self.found("horizontal: 0.2, direction: both")
+        self.assertEqual(both["earthquakes"], self.found("horizontal: 0.2")["earthquakes"])
+        self.assertEqual([q["fos"] for q in both["earthquakes"]], [own["cases"][0]["governing_fos"]["fos"] for own in (up, down)])
+        for seismic, frame, words in (("horizontal: 0.2, direction: up", "world", "direction must be both, down_dip or up_dip"),
+                                      ("horizontal: 0.2, direction: up_dip", "base", "where the block lies on a slope")):
+            status, out, err = run("solve", self.write(seismic, frame=frame))
+            self.assertEqual((status, out), (3, ""), err)
+            self.assertIn(words, err)
+
+    def test_mirror_image(self):
+        """The same numbers, left for right."""
+        for seismic in ("horizontal: 0.2", "horizontal: 0.1, vertical: 0.05"):
+            own, other = self.found(seismic), self.found(seismic, mirrored(OUTLINE), mirrored(JOINT))
+            for q, r in zip(own["earthquakes"], other["earthquakes"], strict=True):
+                self.assertNotEqual(q["towards"], r["towards"])
+                self.assertEqual([q[key] for key in ("direction", "vertical", "mechanism")],
+                                 [r[key] for key in ("direction", "vertical", "mechanism")])
+                self.assertAlmostEqual(q["fos"]["value"], r["fos"]["value"], delta=1e-9)
+
+    def test_slope(self):
+        """A square of sides 1 on 20° slides up-dip where k_h cos 20° - sin 20° outdoes tan phi (cos 20° + k_h sin 20°), and
+        down-dip long before: the governing factor is that one, the other is the closed form too."""
+        a, k, tan = math.radians(20), 0.3, math.tan(math.radians(40))
+        c, s = math.cos(a), math.sin(a)
+        ring = [(0, 0), (c, s), (c - s / 2, s + c / 2), (-s / 2, c / 2)]
+        own = self.found(f"horizontal: {k}", ring, ring[:2])
+        meant = {"down_dip": (c - k * s) * tan / (s + k * c), "up_dip": None}
+        first = own["earthquakes"][0]
+        self.assertEqual(first["direction"], "down_dip")
+        self.assertAlmostEqual(first["fos"]["value"], meant["down_dip"], delta=1e-6)
+        own = self.found("horizontal: 2.5, direction: up_dip", ring, ring[:2])["cases"][0]
+        self.assertAlmostEqual(own["sliding"]["fos"]["value"], (c + 2.5 * s) * tan / (2.5 * c - s), delta=1e-6)
+
+    def test_tilted_further(self):
+        """A tilt is added to the dip, and the earthquake up-dip is of the block as it lies then: on a level joint turned to
+        10° by coordinates, or by a tilt of 4° on 6°."""
+        for dip, tilt in ((10, 0), (6, 4)):
+            c, s = math.cos(math.radians(dip)), math.sin(math.radians(dip))
+            ring = [(0, 0), (c, s), (c - 2 * s, s + 2 * c), (-2 * s, 2 * c)]
+            own = self.found("horizontal: 0.9, direction: up_dip", ring, ring[:2], f"tilt: {{angle_deg: {tilt}}}\n")["cases"][0]
+            c, s = math.cos(math.radians(10)), math.sin(math.radians(10))
+            # about the upper end: weight and earthquake at half the width and at the height 1
+            holds, drives = 0.5 * c + 1.0 * s, 0.9 * (1.0 * c - 0.5 * s)
+            self.assertAlmostEqual(own["governing_fos"]["fos"]["value"], holds / drives, delta=1e-6)
+
+    def test_every_output(self):
+        """Report, figure, sheet, --fail-below, sweep and study are of the one that governs; what is not looked at is told."""
+        status, out, _ = run("solve", self.write("horizontal: 0.2"))
+        self.assertEqual(status, 0)
+        self.assertIn("to the right, up-dip: topples, FoS 0.751\n", out)
+        self.assertIn("The first of them governs", out)
+        self.assertIn("to the left, down-dip: stands, FoS 4.152", out)
+        self.assertEqual(run("solve", "--fail-below", "1.1", self.path)[0], 1)
+        status, out, _ = run("sweep", "--json", "--x", "loads.seismic.horizontal=0.1:0.3:0.1", self.path)
+        factors = [point["cases"][0]["fos"]["value"] for point in json.loads(out)["points"]]
+        for k, fos in zip((1, 2, 3), factors, strict=True):
+            self.assertAlmostEqual(fos, factor(JOINT[1], "right", F(k, 10)), delta=1e-9)
+        water = self.write("horizontal: 0.2", more="").read_text().replace("loads: {", "loads: {water: {height: 0.5}, ")
+        self.path.write_text(water)
+        status, out, _ = run("solve", self.path)
+        self.assertEqual(status, 0)
+        self.assertIn("it shakes up-dip too", " ".join(out.split()))
+
+    def test_table(self):
+        """Tilted one way on a table, one side alone is looked at: a caution, unless that is said to be meant."""
+        slab = HEAD + "block: {slab: {width: 2, height: 4}, unit_weight_kn_m3: 26}\nfriction_angle_deg: 40\n"
+        for seismic, towards, caution in (("", "left", True), (", direction: down_dip", "left", False), ("", "both", False)):
+            self.path.write_text(slab + f"loads: {{seismic: {{horizontal: 0.1{seismic}}}}}\ntilt: {{towards: {towards}, angle_deg: 3}}\n")
+            self.assertEqual("shakes both ways" in " ".join(run("solve", self.path)[1].split()), caution, (seismic, towards))
+
+
+if __name__ == "__main__":
+    main()
