@@ -191,6 +191,11 @@ TP_MUST_USE tp_status tp_scene_set_base_poses(tp_scene *scene, bool all, tp_mess
 TP_MUST_USE tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within,
                                                   tp_message *message);
 
+/* The contact is so wide along the mean plane, above 0, where the law barton takes the mean normal
+ * stress; unless set as wide as it touches, and a block that touches in points alone is refused. */
+TP_MUST_USE tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width,
+                                                 tp_message *message);
+
 /* The block is shifted along the mated base that it fits, and set down there until it rests
  * (docs/rest.md): by `shift`, to the right above 0; or, to the right or `leftwards`, by the least
  * at which no more than `matching` of its underside, in [0, 1], is closed. The last one set is

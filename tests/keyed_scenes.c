@@ -70,6 +70,7 @@ static void build_profile(tp_scene *scene, const double *n) {
   set_square(scene);
   DO(tp_scene_set_base_profile(scene, tp_coordinates_of(n, 2), &message));
   DO(tp_scene_set_contact_within(scene, E(n[7]), &message));
+  DO(tp_scene_set_contact_width(scene, E(n[8]), &message));
   DO(tp_scene_set_friction_barton(scene, E(n[4]), E(n[5]), E(n[6]), &message));
 }
 
@@ -174,10 +175,11 @@ static const keyed_scene kinds[] = {
                "  bond_kpa: @t\n  cohesion_kpa: @u\n",
                {0.0625, 0.125, 1, 9.75, 4, 1, 4, 5, 2, 3, 3, 6, 1, 6, 5, 0, 3, 200, 30, 2, 8}},
     [PROFILE] = {build_profile,
-                 HEAD TEXT_SQUARE "base: {profile: [[@a, @b], [@c, @d]]}\ncontact: {within: @h}\n"
-                                  "friction: {law: barton, residual_angle_deg: @e, jrc: @f, "
-                                  "jcs_mpa: @g}\n",
-                 {-1, 0, 5, 0, 28, 8, 60, 0.25}},
+                 HEAD TEXT_SQUARE
+                 "base: {profile: [[@a, @b], [@c, @d]]}\ncontact: {within: @h, width: @i}\n"
+                 "friction: {law: barton, residual_angle_deg: @e, jrc: @f, "
+                 "jcs_mpa: @g}\n",
+                 {-1, 0, 5, 0, 28, 8, 60, 0.25, 2}},
     [BETWEEN] = {build_between,
                  HEAD TEXT_SQUARE "base: {between: [[@a, @b], [@c, @d]]}\nfriction: {law: patton, "
                                   "basic_angle_deg: @e, roughness_angle_deg: @f}\n",
@@ -267,6 +269,7 @@ const keyed_row keyed_rows[KEYED_ROWS] = {
     {kinds + PROFILE, "friction.jrc", 'f', 6},
     {kinds + PROFILE, "friction.jcs_mpa", 'g', 50},
     {kinds + PROFILE, "contact.within", 'h', 0.125},
+    {kinds + PROFILE, "contact.width", 'i', 3},
     {kinds + BETWEEN, "base.between.1.1", 'a', 1},
     {kinds + BETWEEN, "base.between.2.1", 'c', 3},
     {kinds + BETWEEN, "friction.basic_angle_deg", 'e', 30},

@@ -115,6 +115,8 @@ static void say_bases(sayings *s, tp_scene *scene) {
   say_scene_built(s, scene);
   SAY(tp_scene_set_contact_within(scene, T("0.125"), &message));
   say_scene_built(s, scene);
+  SAY(tp_scene_set_contact_width(scene, T("2.5"), &message));
+  say_scene_built(s, scene);
   SAY(tp_scene_set_outline(scene, tp_coordinates_text(feet, 6), &message));
   SAY(tp_scene_set_base_mated(scene, true, &message));
   SAY(tp_scene_set_joint_shift(scene, T("-0.125"), &message));

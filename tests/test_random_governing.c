@@ -8,16 +8,17 @@
  */
 
 #include "random_runs.h"
-#include "random_scenes.h"
+#include "random_variants.h"
 #include "runner.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { SWEEP = 10, SHORT = 120, SHOWN = 20 };
 
 typedef struct counts {
-  long points, standing, moving, undecided, ends, told, law, names, leaps;
+  long points, standing, moving, undecided, ends, told, mirrored, law, names, leaps, apart;
 } counts;
 
 static uint64_t seed;
@@ -148,6 +149,40 @@ static void claim_end(counts *seen, random_scene *scene, size_t number, double e
   }
 }
 
+static bool is_same(const tp_governing_fos *a, const tp_governing_fos *b) {
+  return a->fos.state == b->fos.state &&
+         (a->fos.state != TP_FOS_NUMBER ||
+          fabs(a->fos.value.value - b->fos.value.value) <= a->fos.value.error + b->fos.value.error);
+}
+
+/* The mirror image tilts the other way and has the same factor. */
+static void claim_mirrored(counts *seen, const random_scene *scene, const tp_solution *one,
+                           double tilt) {
+  random_scene image;
+  random_numbers none = random_numbers_from(0);
+  relation r;
+  size_t k = 0;
+  while (strcmp(random_variants[k].name, "mirrored") != 0) k++;
+  random_scene_copy(&image, scene);
+  relation_init(&r);
+  (void)random_variants[k].change(&image, &r, &none);
+  tp_solution *other = solve_at(&image, tilt);
+  const size_t count = other != NULL && other->case_count == one->case_count ? one->case_count : 0;
+  for (size_t n = 0; n < count; n++) {
+    const tp_case *c = one->cases + n, *mirrored = other->cases + (count - 1 - n);
+    seen->mirrored++;
+    if (!c->governing_fos.complete || !mirrored->governing_fos.complete ||
+        is_same(&c->governing_fos, &mirrored->governing_fos)) {
+      continue;
+    }
+    seen->apart++;
+    show("not that of its mirror image", c, tilt);
+  }
+  tp_solution_free(other);
+  relation_clear(&r);
+  random_scene_clear(&image);
+}
+
 static void claim_scene(counts *seen, random_numbers *state) {
   random_scene scene;
   random_scene_draw(&scene, state);
@@ -167,6 +202,7 @@ static void claim_scene(counts *seen, random_numbers *state) {
     for (size_t n = 0; solution != NULL && n < solution->case_count; n++) {
       claim_law(seen, solution->cases + n, tilt);
     }
+    if (k == 1 && solution != NULL) claim_mirrored(seen, &scene, solution, tilt);
     tp_solution_free(solution);
   }
   seen->told += first != NULL;
@@ -185,12 +221,13 @@ START_TEST(test_governing_of_random_scenes) {
   }
   printf("%ld scenes, %ld points: %ld stand, %ld move, %ld undecided; %ld sides of ends\n",
          seen.told, seen.points, seen.standing, seen.moving, seen.undecided, seen.ends);
-  printf("against the law: %ld below or above 1, %ld names, %ld leaps\n", seen.law, seen.names,
-         seen.leaps);
+  printf("against the law: %ld below or above 1, %ld names, %ld leaps; %ld of %ld mirrored\n",
+         seen.law, seen.names, seen.leaps, seen.apart, seen.mirrored);
   fflush(stdout); /* the runner ends a test that fails without it */
   ck_assert_int_eq(seen.law, 0);
   ck_assert_int_eq(seen.names, 0);
   ck_assert_int_eq(seen.leaps, 0);
+  ck_assert_int_eq(seen.apart, 0);
   if (count < SHORT) return;
   ck_assert_int_gt(seen.standing, 2 * count);
   ck_assert_int_gt(seen.moving, 2 * count);

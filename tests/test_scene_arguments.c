@@ -50,6 +50,7 @@ static void refuse_all(tp_scene *own, const char *why) {
   REFUSED(tp_scene_set_base_rest(own, true, &message), why);
   REFUSED(tp_scene_set_base_poses(own, true, &message), why);
   REFUSED(tp_scene_set_contact_within(own, E(1), &message), why);
+  REFUSED(tp_scene_set_contact_width(own, E(1), &message), why);
   REFUSED(tp_scene_set_joint_shift(own, E(1), &message), why);
   REFUSED(tp_scene_set_joint_matching(own, E(0.5), true, &message), why);
   REFUSED(tp_scene_set_joint_closure(own, E(1), &message), why);

@@ -133,12 +133,35 @@ bool tp_snap_settle_corners(tp_snap_search *s) {
   return true;
 }
 
+/* Bits of a denominator that feet may have of their own, and of that of all together. */
+enum { SHORT_BITS = 64, COMMON_BITS = 256 };
+
+/* A vertex of the block that moves along an edge. */
+static bool moves_along(const tp_snap_foot *f) {
+  return !f->pair.of_base && !fmpq_is_zero(f->square) && !fmpz_is_one(fmpq_denref(f->share));
+}
+
+/* Is the common denominator of all feet short? Each may be, and that of a thousand still grow to
+ * ten thousands of digits. */
+static bool have_short_denominator(const tp_snap_search *s) {
+  fmpz_t common;
+  fmpz_init_set_ui(common, 1);
+  for (long k = 0; k < s->count && fmpz_bits(common) <= COMMON_BITS; k++) {
+    const tp_snap_foot *f = s->feet + k;
+    if (moves_along(f) && fmpz_bits(fmpq_denref(f->share)) <= SHORT_BITS) {
+      fmpz_lcm(common, common, fmpq_denref(f->share));
+    }
+  }
+  const bool is_short = fmpz_bits(common) <= COMMON_BITS;
+  fmpz_clear(common);
+  return is_short;
+}
+
 /* Takes a foot within an edge to a fraction of it with few digits, a hair along the edge: each
  * exact one of a block that was turned has hundreds of its own, and all points come to one lattice.
  * Within the distance it stays. */
 static void shorten(tp_snap_search *s, tp_snap_foot *f) {
-  enum { SHARE_BITS = 48, SHORT_BITS = 64 };
-  if (fmpz_bits(fmpq_denref(f->share)) <= SHORT_BITS) return;
+  enum { SHARE_BITS = 48 };
   const long e = f->pair.edge;
   fmpq_t share, step, side;
   fmpq_init(share);
@@ -163,10 +186,12 @@ static void shorten(tp_snap_search *s, tp_snap_foot *f) {
 
 /* By the profile's points, which the last edge's end is too. */
 void tp_snap_normalise(tp_snap_search *s) {
+  const bool is_short = have_short_denominator(s);
   for (long k = 0; k < s->count; k++) {
     tp_snap_foot *f = s->feet + k;
     if (f->pair.of_base) continue;
-    if (!fmpq_is_zero(f->square)) shorten(s, f);
+    const bool keeps = is_short && fmpz_bits(fmpq_denref(f->share)) <= SHORT_BITS;
+    if (moves_along(f) && !keeps) shorten(s, f);
     if (fmpq_is_one(f->share)) {
       f->pair.edge++;
       fmpq_zero(f->share);

@@ -28,15 +28,34 @@ static void fill_triangle(const tp_panel *p, const tp_spot corners[3]) {
   cairo_stroke(p->cr);
 }
 
+/* An end of the joint that water fills: as the contact's where it is that, so that a rounded corner
+ * ends where it is drawn. */
+static tp_spot joint_spot(const tp_panel *p, int side) {
+  const tp_problem *problem = p->figure->problem;
+  const tp_contact *contact = &problem->contact;
+  const tp_base_joint *joint = &problem->joint;
+  if (joint->vertex[side] == tp_contact_extreme(contact, side == 0).point) {
+    return tp_figure_pivot_spot(p->figure, p->state->own,
+                                side == 0 ? 0 : (size_t)contact->point_count - 1);
+  }
+  fmpq_t x, y;
+  fmpq_init(x);
+  fmpq_init(y);
+  fmpq_div(x, joint->x + side, problem->scene->metres_per_unit);
+  fmpq_div(y, joint->y + side, problem->scene->metres_per_unit);
+  const tp_spot spot = tp_shape_of_scene(&p->figure->shape, problem, x, y);
+  fmpq_clear(x);
+  fmpq_clear(y);
+  return spot;
+}
+
 /* The pressure on the up-dip face, and the uplift below the base, as triangles. */
 static void draw_water(const tp_panel *p) {
   const tp_water_description *water = &p->figure->problem->scene->loads.water;
   const tp_contact *contact = &p->figure->problem->contact;
   if (!water->given || contact->point_count == 0) return;
   const bool left = p->state->own->towards == TP_TOWARDS_LEFT;
-  const size_t last = (size_t)contact->point_count - 1;
-  const tp_spot heel = tp_figure_pivot_spot(p->figure, p->state->own, left ? last : 0);
-  const tp_spot toe = tp_figure_pivot_spot(p->figure, p->state->own, left ? 0 : last);
+  const tp_spot heel = joint_spot(p, left ? 1 : 0), toe = joint_spot(p, left ? 0 : 1);
   double height = in_units(p, water->height.value);
   if (water->stays_level) height /= fmax(cos(p->state->turn), 0.05);
   const double width = WATER_WIDTH * height, side = left ? 1 : -1;

@@ -28,13 +28,66 @@ bool tp_loads_in_outline(const tp_polyline *ring, const fmpq *x, const fmpq *y) 
   return inside;
 }
 
-/* One edge of the outline that both ends lie on. */
-static bool on_one_edge(const tp_polyline *ring, const tp_line_load *load) {
-  for (long k = 0; k < ring->count; k++) {
-    if (tp_loads_on_edge(ring, k, load->x0.value, load->y0.value) &&
-        tp_loads_on_edge(ring, k, load->x1.value, load->y1.value)) {
-      return true;
+static bool is_point(const tp_line_load *load) {
+  return fmpq_equal(load->x0.value, load->x1.value) && fmpq_equal(load->y0.value, load->y1.value);
+}
+
+/* Where a point of the load's line lies on it: 0 at `from`, 1 at `to`. */
+static void place_on(fmpq_t place, const tp_line_load *load, const fmpq *x, const fmpq *y) {
+  const fmpq *x0 = load->x0.value, *x1 = load->x1.value, *y0 = load->y0.value, *y1 = load->y1.value;
+  const bool upright = fmpq_equal(x0, x1);
+  fmpq_t whole;
+  fmpq_init(whole);
+  fmpq_sub(whole, upright ? y1 : x1, upright ? y0 : x0);
+  fmpq_sub(place, upright ? y : x, upright ? y0 : x0);
+  fmpq_div(place, place, whole);
+  fmpq_clear(whole);
+}
+
+static bool lies_along(const tp_line_load *load, const fmpq *x, const fmpq *y) {
+  return tp_points_turn(load->x0.value, load->y0.value, load->x1.value, load->y1.value, x, y) == 0;
+}
+
+/* Is the line covered by edges of the outline, where `forwards` by such as run the way it does? A
+ * straight face may be given in several edges. */
+static bool is_covered(const tp_polyline *ring, const tp_line_load *load, bool forwards) {
+  if (is_point(load)) return false;
+  fmpq_t reached, begin, end;
+  fmpq_init(reached);
+  fmpq_init(begin);
+  fmpq_init(end);
+  bool farther = true;
+  while (farther && fmpq_cmp_si(reached, 1) < 0) {
+    farther = false;
+    for (long k = 0; k < ring->count; k++) {
+      const long next = k + 1 == ring->count ? 0 : k + 1;
+      if (!lies_along(load, ring->x + k, ring->y + k) ||
+          !lies_along(load, ring->x + next, ring->y + next)) {
+        continue;
+      }
+      place_on(begin, load, ring->x + k, ring->y + k);
+      place_on(end, load, ring->x + next, ring->y + next);
+      if (fmpq_cmp(begin, end) > 0) {
+        if (forwards) continue;
+        fmpq_swap(begin, end);
+      }
+      if (fmpq_cmp(begin, reached) > 0 || fmpq_cmp(end, reached) <= 0) continue;
+      fmpq_set(reached, end);
+      farther = true;
     }
+  }
+  const bool covered = fmpq_cmp_si(reached, 1) >= 0;
+  fmpq_clear(reached);
+  fmpq_clear(begin);
+  fmpq_clear(end);
+  return covered;
+}
+
+/* Does it act on the outline: a line on its edges, or a point of one? */
+static bool acts_on(const tp_polyline *ring, const tp_line_load *load) {
+  if (!is_point(load)) return is_covered(ring, load, false);
+  for (long k = 0; k < ring->count; k++) {
+    if (tp_loads_on_edge(ring, k, load->x0.value, load->y0.value)) return true;
   }
   return false;
 }
@@ -42,9 +95,10 @@ static bool on_one_edge(const tp_polyline *ring, const tp_line_load *load) {
 static tp_status check_lines(const tp_line_load *loads, long count, const tp_polyline *ring,
                              const char *what, tp_message *message) {
   for (long k = 0; k < count; k++) {
-    if (on_one_edge(ring, loads + k)) continue;
+    if (acts_on(ring, loads + k)) continue;
     return tp_fail(message, TP_BAD_INPUT, loads[k].place,
-                   "this %s does not act on an edge of the block: 'from' and 'to' must lie on one",
+                   "this %s does not act on an edge of the block: the straight line from 'from' to "
+                   "'to' must lie on its outline; on a face with corners give one for each edge",
                    what);
   }
   return TP_OK;
@@ -54,32 +108,10 @@ static tp_status check_lines(const tp_line_load *loads, long count, const tp_pol
 static tp_status check_sense(const tp_line_load *loads, long count, const tp_polyline *ring,
                              tp_message *message) {
   for (long k = 0; k < count; k++) {
-    const tp_line_load *load = loads + k;
-    for (long j = 0; j < ring->count; j++) {
-      if (!tp_loads_on_edge(ring, j, load->x0.value, load->y0.value) ||
-          !tp_loads_on_edge(ring, j, load->x1.value, load->y1.value)) {
-        continue;
-      }
-      const long next = j + 1 == ring->count ? 0 : j + 1;
-      fmpq_t dot, part, other;
-      fmpq_init(dot);
-      fmpq_init(part);
-      fmpq_init(other);
-      fmpq_sub(part, ring->x + next, ring->x + j);
-      fmpq_sub(other, load->x1.value, load->x0.value);
-      fmpq_mul(dot, part, other);
-      fmpq_sub(part, ring->y + next, ring->y + j);
-      fmpq_sub(other, load->y1.value, load->y0.value);
-      fmpq_addmul(dot, part, other);
-      const bool backwards = fmpq_sgn(dot) <= 0;
-      fmpq_clear(dot);
-      fmpq_clear(part);
-      fmpq_clear(other);
-      if (!backwards) break;
-      return tp_fail(message, TP_BAD_INPUT, load->place,
-                     "this pressure would pull: give 'from' and 'to' counter-clockwise round the "
-                     "block, so that it lies on their left");
-    }
+    if (is_covered(ring, loads + k, true)) continue;
+    return tp_fail(message, TP_BAD_INPUT, loads[k].place,
+                   "this pressure would pull: give 'from' and 'to' counter-clockwise round the "
+                   "block, so that it lies on their left");
   }
   return TP_OK;
 }
@@ -109,7 +141,7 @@ tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
   return tp_fail(
       message, TP_BAD_INPUT, water->height.place,
       "the water stands above the top of the block when it is tilted towards the %s: its "
-      "height counts from the up-dip end of the contact; lower it, or tilt the other way",
+      "height counts from the up-dip end of the joint below it; lower it, or tilt the other way",
       towards);
 }
 

@@ -15,7 +15,7 @@ TP_MUST_USE tp_status tp_loads_check(const tp_scene *scene, const tp_section *se
                                      tp_message *message);
 
 /* Refuse water that stands above the block's top already on level ground. `heel_y` is the height of
- * the up-dip end of the contact, in scene lengths, when the table is tilted `towards` a side. */
+ * the up-dip end of the base joint, in scene lengths, when the table is tilted `towards` a side. */
 TP_MUST_USE tp_status tp_loads_check_water(const tp_scene *scene, const tp_section *section,
                                            const fmpq_t heel_y, const char *towards,
                                            tp_message *message);

@@ -31,6 +31,12 @@ static tp_load *next(tp_load **loads, tp_load_kind kind, tp_place place) {
   return own;
 }
 
+static tp_load *next_line(tp_load **loads, tp_load_kind kind, const tp_line_load *line) {
+  tp_load *own = next(loads, kind, line->place);
+  own->line = line;
+  return own;
+}
+
 void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
   const tp_loads_description *d = &s->scene->loads;
   tp_load_weight(&next(&loads, TP_LOAD_WEIGHT, s->scene->block.place)->wrench, s);
@@ -41,15 +47,16 @@ void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
   }
   for (long k = 0; k < d->pressure_count; k++) {
     const tp_line_load *load = d->pressures + k;
-    tp_load_pressure(&next(&loads, TP_LOAD_PRESSURE, load->place)->wrench, load, s);
+    tp_load_pressure(&next_line(&loads, TP_LOAD_PRESSURE, load)->wrench, load, s);
   }
   for (long k = 0; k < d->surcharge_count; k++) {
     const tp_line_load *load = d->surcharges + k;
-    tp_load_surcharge(&next(&loads, TP_LOAD_SURCHARGE, load->place)->wrench, load, s);
+    tp_load_surcharge(&next_line(&loads, TP_LOAD_SURCHARGE, load)->wrench, load, s);
   }
   for (long k = 0; k < d->anchor_count; k++) {
     const tp_anchor_description *anchor = d->anchors + k;
     tp_load *own = next(&loads, TP_LOAD_ANCHOR, anchor->place);
+    own->anchor = anchor;
     own->active = !anchor->passive;
     own->passive = anchor->passive;
     tp_load_anchor(&own->wrench, anchor, s);

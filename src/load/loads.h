@@ -23,6 +23,8 @@ typedef enum tp_load_kind {
 typedef struct tp_load {
   tp_load_kind kind;
   tp_place place;
+  const tp_line_load *line;            /* of a pressure or a surcharge */
+  const tp_anchor_description *anchor; /* of an anchor */
   bool active, passive;
   double began; /* by tp_clock_now */
   tp_wrench wrench;

@@ -14,12 +14,12 @@
 enum { TP_KILO = 1000 };
 
 /* In metres, x mirrored towards the right: the block's weight (N) and
- * its centroid, the ends of the contact, the thickness. */
+ * its centroid, the ends of the base joint where there is water, the thickness. */
 typedef struct tp_load_setting {
   const tp_scene *scene;
   bool mirrored;
   arb_t weight, x, y;                 /* of the weight */
-  arb_t toe_x, toe_y, heel_x, heel_y; /* down-dip and up-dip ends of the contact */
+  arb_t toe_x, toe_y, heel_x, heel_y; /* of the joint: its down-dip and its up-dip end */
   arb_t thickness;
   long bits;
 } tp_load_setting;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* Water behind the block, on a face normal to the base at the up-dip end of the contact.
+/* Water behind the block, on a face normal to the base at the up-dip end of the base joint, the
+ * heel, and in that joint, open or closed.
  *
  * Filled to the height h along the face the head at the base is h cos a: a triangle of pressure, on
  * a thickness d the force g h^2 d cos a / 2 towards down-dip, h / 3 over the heel. Where the level

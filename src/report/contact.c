@@ -261,7 +261,7 @@ void tp_json_frame(tp_json *j, const tp_frame_result *f) {
     tp_json_string(j, "mean_plane", f->fitted ? "fitted" : "given");
     tp_json_string(j, "dips_towards", f->dips ? tp_text_direction(f->dips_towards) : NULL);
     tp_json_bounded(j, "dip_deg", f->dip_deg);
-    tp_json_string(j, "axes", f->level ? "level" : "mean_plane");
+    tp_json_truth(j, "level", f->level);
     tp_json_break(j);
     tp_json_point(j, "turned_about", f->about_x_m, f->about_y_m);
   } else if (!f->stated) {

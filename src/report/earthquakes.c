@@ -6,11 +6,9 @@
 #include "report/parts_json.h"
 #include "report/words.h"
 
-/* "to the right, up-dip, without its vertical part"; the part is named where some have it. */
+/* "to the right, up-dip, without k_v"; the part is named where some have it. */
 static void add_name(tp_text *t, const tp_earthquake *own, bool vertical) {
-  const char *part = !vertical       ? ""
-                     : own->vertical ? ", with its vertical part"
-                                     : ", without its vertical part";
+  const char *part = !vertical ? "" : own->vertical ? ", with k_v" : ", without k_v";
   tp_text_add(t, "to the %s, %s%s", tp_text_direction(own->towards),
               own->up_dip ? "up-dip" : "down-dip", part);
 }
@@ -34,7 +32,10 @@ void tp_page_add_earthquakes(tp_page *p) {
     add_name(&p->text, own, vertical);
     tp_text_add(&p->text, ": %s", tp_mechanism_name(own->mechanism));
     add_factor(&p->text, own->fos);
-    tp_text_add(&p->text, k == 0 ? "; it governs, and what follows is of it\n" : "\n");
+    tp_text_add(&p->text, "\n");
+  }
+  if (s->earthquake_count > 0) {
+    tp_text_add(&p->text, "         The first of them governs, and what follows is of it.\n");
   }
 }
 

@@ -85,6 +85,13 @@ tp_status tp_scene_set_contact_within(tp_scene *scene, tp_exact within, tp_messa
                       offsetof(tp_scene, base.within), message);
 }
 
+tp_status tp_scene_set_contact_width(tp_scene *scene, tp_exact width, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  return tp_build_set(scene, __func__, (tp_given){"width", width, TP_RULE_ABOVE_ZERO},
+                      offsetof(tp_scene, friction.contact_width), message);
+}
+
 tp_status tp_scene_set_joint_shift(tp_scene *scene, tp_exact shift, tp_message *message) {
   TP_GUARD_HOST;
   TP_REFUSE_NULL(message, scene);

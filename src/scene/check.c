@@ -182,6 +182,14 @@ tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place, tp_message
                  "unit_weight_kn_m3");
 }
 
+tp_status tp_check_contact_width(const tp_scene *scene, tp_message *message) {
+  const tp_quantity *width = &scene->friction.contact_width;
+  if (!width->given || scene->friction.load_dependent) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, width->place,
+                 "a width of the contact is for the law barton, which takes the mean normal stress "
+                 "on it; no other friction depends on it");
+}
+
 tp_status tp_check_facet_friction(const tp_scene *scene, tp_place place, tp_message *message) {
   if (!scene->friction_angle_deg.given) {
     return tp_fail(message, TP_BAD_INPUT, place,
@@ -281,6 +289,7 @@ tp_status tp_check_built(const tp_scene *scene, tp_message *message) {
   if (status == TP_OK && scene->friction.load_dependent) {
     status = tp_check_law_weighed(scene, scene->friction_angle_deg.place, message);
   }
+  if (status == TP_OK) status = tp_check_contact_width(scene, message);
   if (status == TP_OK && scene->friction.facet_count > 0) {
     status = tp_check_facet_friction(scene, scene->friction.facets[0].place, message);
   }

@@ -59,6 +59,7 @@ TP_MUST_USE tp_status tp_check_loads_weighed(const tp_scene *scene, tp_place pla
                                              tp_message *message);
 TP_MUST_USE tp_status tp_check_law_weighed(const tp_scene *scene, tp_place place,
                                            tp_message *message);
+TP_MUST_USE tp_status tp_check_contact_width(const tp_scene *scene, tp_message *message);
 /* Frictions of facets: of a scene that has one angle for the others. */
 TP_MUST_USE tp_status tp_check_facet_friction(const tp_scene *scene, tp_place place,
                                               tp_message *message);

@@ -14,14 +14,14 @@ static bool move_line(tp_polyline *moved, const tp_polyline *line, const tp_poin
   return true;
 }
 
-/* Quantities of a copy: their values become its own. */
+/* Quantities of a copy: their values become its own. NULL: they stay as they are. */
 static void move_quantities(tp_quantity *x, tp_quantity *y, const tp_point_map *map) {
   const fmpq held_x = *x->value, held_y = *y->value; /* the scene's */
   fmpq_init(x->value);
   fmpq_init(y->value);
   fmpq_set(x->value, &held_x);
   fmpq_set(y->value, &held_y);
-  if (x->given && map->move != NULL) map->move(x->value, y->value, map->context);
+  if (map != NULL && map->move != NULL && x->given) map->move(x->value, y->value, map->context);
 }
 
 static void clear_quantities(tp_quantity *x, tp_quantity *y) {
@@ -90,6 +90,7 @@ static tp_line_load *move_lines(const tp_line_load *own, long count, const tp_po
   for (long k = 0; k < count && loads != NULL; k++) {
     move_quantities(&loads[k].x0, &loads[k].y0, map);
     move_quantities(&loads[k].x1, &loads[k].y1, map);
+    move_quantities(&loads[k].first_kpa, &loads[k].last_kpa, NULL);
   }
   return loads;
 }
@@ -120,18 +121,19 @@ bool tp_moved_profile(tp_scene *copy, const tp_scene *scene, const tp_point_map 
   return move_line(&copy->base.profile, &scene->base.profile, map);
 }
 
-static void clear_lines(tp_line_load *loads, long count) {
+void tp_moved_clear_lines(tp_line_load *loads, long count) {
   for (long k = 0; k < count && loads != NULL; k++) {
     clear_quantities(&loads[k].x0, &loads[k].y0);
     clear_quantities(&loads[k].x1, &loads[k].y1);
+    clear_quantities(&loads[k].first_kpa, &loads[k].last_kpa);
   }
   free(loads);
 }
 
 void tp_moved_clear_loads(tp_scene *copy) {
   tp_loads_description *loads = &copy->loads;
-  clear_lines(loads->pressures, loads->pressure_count);
-  clear_lines(loads->surcharges, loads->surcharge_count);
+  tp_moved_clear_lines(loads->pressures, loads->pressure_count);
+  tp_moved_clear_lines(loads->surcharges, loads->surcharge_count);
   for (long k = 0; k < loads->anchor_count && loads->anchors != NULL; k++) {
     clear_quantities(&loads->anchors[k].x, &loads->anchors[k].y);
     fmpq_clear(loads->anchors[k].direction_deg.value);

@@ -33,4 +33,7 @@ TP_MUST_USE bool tp_moved_loads(tp_scene *copy, const tp_scene *scene, const fmp
 void tp_moved_clear_loads(tp_scene *copy);
 void tp_moved_clear(tp_scene *copy);
 
+/* Line loads of a copy, all of whose numbers are its own. */
+void tp_moved_clear_lines(tp_line_load *loads, long count);
+
 #endif

@@ -178,16 +178,20 @@ tp_status tp_read_base(const tp_reader *reader, const tp_node *node) {
 }
 
 tp_status tp_read_contact(const tp_reader *reader, const tp_node *node) {
-  static const char *const keys[] = {"within", NULL};
-  const tp_node *within = NULL;
+  static const char *const keys[] = {"within", "width", NULL};
   if (node == NULL) return TP_OK;
-  tp_status status =
-      tp_node_expect_keys(node, keys, "contact", reader->scene->path, reader->message);
-  if (status == TP_OK) {
-    status = tp_read_required(reader, &within, node, "within", "contact: {within: 0.2}");
-  }
+  tp_scene *scene = reader->scene;
+  tp_status status = tp_node_expect_keys(node, keys, "contact", scene->path, reader->message);
   if (status != TP_OK) return status;
-  return tp_read_quantity(reader, &reader->scene->base.within, within, "within",
+  const tp_node *within = tp_node_get(node, "within"), *width = tp_node_get(node, "width");
+  if (within == NULL && width == NULL) {
+    return tp_read_required(reader, &within, node, "within", "contact: {within: 0.2}");
+  }
+  if (within != NULL) {
+    status = tp_read_quantity(reader, &scene->base.within, within, "within", TP_RULE_ABOVE_ZERO);
+  }
+  if (width == NULL || status != TP_OK) return status;
+  return tp_read_quantity(reader, &scene->friction.contact_width, width, "width",
                           TP_RULE_ABOVE_ZERO);
 }
 

@@ -145,6 +145,7 @@ static tp_status read_root(const tp_reader *reader, const tp_node *root) {
   if (status == TP_OK) status = tp_read_joint(reader, tp_node_get(root, "joint"));
   if (status == TP_OK) status = tp_read_loads(reader, tp_node_get(root, "loads"));
   if (status == TP_OK) status = tp_read_friction(reader, root);
+  if (status == TP_OK) status = tp_check_contact_width(reader->scene, reader->message);
   if (status == TP_OK) status = read_tilt(reader, tp_node_get(root, "tilt"));
   if (status == TP_OK) status = tp_read_frame(reader, tp_node_get(root, "frame"));
   if (status == TP_OK) status = tp_read_tilt_test(reader, tp_node_get(root, "tilt_test"));

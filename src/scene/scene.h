@@ -128,7 +128,7 @@ typedef struct tp_anchor_description {
   bool passive; /* counts as resistance; else takes from what overturns */
 } tp_anchor_description;
 
-/* Water behind the block, to a height over the up-dip end of the contact, and below it. */
+/* Water behind the block, to a height over the up-dip end of the base joint, and below it. */
 typedef struct tp_water_description {
   bool given;
   tp_place place;
@@ -166,6 +166,7 @@ typedef struct tp_friction_description {
   bool load_dependent;
   tp_quantity basic_angle_deg; /* of Patton's law */
   tp_quantity jrc, jcs_mpa, roughness_angle_deg, test_angle_deg, test_stress_kpa;
+  tp_quantity contact_width; /* that carries the mean normal stress; not given: as it touches */
   long facet_count;
   tp_facet_friction_description *facets;
 } tp_friction_description;

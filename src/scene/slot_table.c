@@ -256,6 +256,7 @@ static const tp_slot_row rows[] = {
     OF_SCENE("base.beyond.left", base.beyond_left, BEYOND, NULL, NULL),
     OF_SCENE("base.beyond.right", base.beyond_right, BEYOND, NULL, NULL),
     OF_SCENE("contact.within", base.within, ABOVE_ZERO, NULL, NULL),
+    OF_SCENE("contact.width", friction.contact_width, ABOVE_ZERO, NULL, NULL),
     OF_SCENE("joint.shift", base.shift, ANY, NULL, NULL),
     OF_SCENE("joint.matching", base.matching, SHARE, NULL, NULL),
     OF_SCENE("joint.closure", base.closure, ABOVE_ZERO, NULL, NULL),

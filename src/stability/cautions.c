@@ -6,6 +6,7 @@
 #include "base/closeness.h"
 #include "notes.h"
 #include "stability/earthquakes.h"
+#include "stability/normal_stress.h"
 
 #include <stdio.h>
 
@@ -14,7 +15,7 @@ typedef struct side {
   bool out, back; /* it leans out over the water somewhere, or back from it */
 } side;
 
-/* Up the outline from the up-dip end of the contact, a vertex, as far as the water reaches. */
+/* Up the outline from the up-dip end of the joint, a vertex, as far as the water reaches. */
 static side wetted_side(const tp_problem *problem, long heel, bool left) {
   const tp_lattice *l = &problem->lattice;
   const tp_scene *scene = problem->scene;
@@ -46,11 +47,12 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
                             tp_message *message) {
   const tp_contact *contact = &problem->contact;
   const tp_water_description *water = &problem->scene->loads.water;
+  const long end = problem->joint.vertex[left ? 1 : 0];
   const tp_contact_point *heel = contact->points + (left ? contact->point_count - 1 : 0);
   const tp_lattice *l = &problem->lattice;
   const char *towards = left ? "left" : "right";
   const long facet = left ? heel->left : heel->right;
-  if (facet >= 0) {
+  if (facet >= 0 && end == tp_contact_extreme(contact, !left).point) {
     const tp_facet *f = contact->facets + facet;
     if (fmpz_equal(l->x + f->t0, l->x + f->t1)) {
       const tp_status status = tp_notes_add(
@@ -61,8 +63,7 @@ static tp_status note_water(tp_notes *notes, const tp_problem *problem, bool lef
       if (status != TP_OK) return status;
     }
   }
-  const long end = tp_contact_extreme(contact, !left).point;
-  if (end >= l->start[1]) return TP_OK; /* inside an edge, which goes on under the water */
+  if (end < 0) return TP_OK; /* inside an edge, which goes on under the water */
   const side wetted = wetted_side(problem, end, left);
   if (!wetted.out && !wetted.back) return TP_OK;
   return tp_notes_add(
@@ -164,6 +165,7 @@ tp_status tp_problem_cautions(tp_notes *notes, const tp_problem *problem, tp_mes
                           "undecided");
   }
   if (status == TP_OK) status = note_near(notes, problem, message);
+  if (status == TP_OK) status = tp_normal_stress_cautions(notes, problem, message);
   if (status == TP_OK) status = note_one_side(notes, scene, message);
   if (status == TP_OK) status = note_anchors(notes, &scene->loads, message);
   if (!scene->loads.water.given || fmpq_is_zero(scene->loads.water.height.value)) return status;

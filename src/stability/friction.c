@@ -14,10 +14,17 @@ bool tp_friction_is_load_dependent(const tp_evaluation *e) {
 void tp_friction_stress_when_level(arb_t pascal, const tp_evaluation *e) {
   arb_zero(pascal);
   if (!tp_friction_is_load_dependent(e)) return;
+  const tp_scene *scene = e->problem->scene;
   arb_t length;
   arb_init(length);
-  tp_contact_nominal_length(length, e);
-  tp_evaluation_to_metres(length, e, 1);
+  if (scene->friction.contact_width.given) {
+    arb_set_fmpq(length, scene->friction.contact_width.value, e->rung.bits);
+    arb_mul_fmpz(length, length, fmpq_numref(scene->metres_per_unit), e->rung.bits);
+    arb_div_fmpz(length, length, fmpq_denref(scene->metres_per_unit), e->rung.bits);
+  } else {
+    tp_contact_nominal_length(length, e);
+    tp_evaluation_to_metres(length, e, 1);
+  }
   tp_weight_per_area(pascal, e, length);
   arb_clear(length);
 }
@@ -86,27 +93,33 @@ static void stress_ratio(arb_t ratio, const tp_evaluation *e, const arb_t tilt) 
 
 enum { MOST_DEGREES = 70 };
 
-/* phi_r + JRC log10(JCS / sigma), within [0, 70]: stresses above JCS would take friction away. */
+/* phi_r + JRC log10(JCS / sigma), within [phi_r, 70]: asperities crushed by stresses above JCS
+ * leave the residual surface, and the formula would take that friction away too. The same where
+ * Eq. (10) would put the JRC below zero. */
 static void barton_pressed(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
   const long bits = e->rung.bits;
-  arb_t roughness, log, end;
+  arb_t roughness, residual, zero, most;
   arb_init(roughness);
-  arb_init(log);
-  arb_init(end);
-  log_strength(log, sigma, e);
+  arb_init(residual);
+  arb_init(zero);
+  arb_init(most);
+  arb_set_fmpq(residual, e->problem->scene->friction_angle_deg.value, bits);
+  arb_set_ui(most, MOST_DEGREES);
+  log_strength(degrees, sigma, e);
+  arb_max(degrees, degrees, zero, bits);
   set_jrc(roughness, e);
-  arb_set_fmpq(degrees, e->problem->scene->friction_angle_deg.value, bits);
-  arb_addmul(degrees, roughness, log, bits);
-  arb_max(degrees, degrees, end, bits);
-  arb_set_ui(end, MOST_DEGREES);
-  arb_min(degrees, degrees, end, bits);
+  arb_max(roughness, roughness, zero, bits);
+  arb_mul(degrees, degrees, roughness, bits);
+  arb_add(degrees, degrees, residual, bits);
+  arb_min(degrees, degrees, most, bits);
   if (!arb_is_finite(degrees)) { /* a JRC over log10(1): all that is known is the range */
-    arb_set_ui(degrees, MOST_DEGREES / 2);
-    mag_set_ui(arb_radref(degrees), MOST_DEGREES / 2);
+    arb_min(residual, residual, most, bits);
+    arb_union(degrees, residual, most, bits);
   }
   arb_clear(roughness);
-  arb_clear(log);
-  arb_clear(end);
+  arb_clear(residual);
+  arb_clear(zero);
+  arb_clear(most);
 }
 
 /* The most friction where nothing presses; where that is not known, all from what the largest
@@ -133,20 +146,25 @@ static void barton(arb_t degrees, const arb_t sigma, const tp_evaluation *e) {
   arf_clear(end);
 }
 
+void tp_friction_stress_at(arb_t pascal, const tp_evaluation *e, const arb_t tilt) {
+  arb_t ratio;
+  arb_init(ratio);
+  stress_ratio(ratio, e, tilt);
+  arb_mul(pascal, e->weight_per_area_pa, ratio, e->rung.bits);
+  arb_clear(ratio);
+}
+
 void tp_friction_at(arb_t degrees, const tp_evaluation *e, const arb_t tilt) {
   const long bits = e->rung.bits;
   if (!tp_friction_is_load_dependent(e)) {
     arb_set_fmpq(degrees, e->problem->scene->friction_angle_deg.value, bits);
     return;
   }
-  arb_t sigma, ratio;
+  arb_t sigma;
   arb_init(sigma);
-  arb_init(ratio);
-  stress_ratio(ratio, e, tilt);
-  arb_mul(sigma, e->weight_per_area_pa, ratio, bits);
+  tp_friction_stress_at(sigma, e, tilt);
   barton(degrees, sigma, e);
   arb_clear(sigma);
-  arb_clear(ratio);
 }
 
 const fmpq *tp_friction_own(const tp_problem *problem, long facet) {

@@ -5,8 +5,10 @@
  *
  *     phi = phi_r + JRC log10(JCS / sigma_n), at most 70 degrees (Barton and Choubey's range),
  *
- * sigma_n being the mean over the contact's area on the mean plane, as in the paper's Table 2: at a
- * tilt alpha W cos(alpha) / S, under loads with what they add. */
+ * and no less than phi_r: the logarithm is no less than 0, as joints whose asperities are crushed
+ * keep the friction of their residual surface (Barton and Bandis 1990). sigma_n is the mean over
+ * the contact's area on the mean plane, as in the paper's Table 2, or over the width that the scene
+ * states: at a tilt alpha W cos(alpha) / S, under loads with what they add. */
 
 #ifndef TP_FRICTION_H
 #define TP_FRICTION_H
@@ -20,6 +22,9 @@ bool tp_friction_is_load_dependent(const tp_evaluation *evaluation);
  * friction does not depend on it; tan(phi) where it does not. */
 void tp_friction_stress_when_level(arb_t pascal, const tp_evaluation *evaluation);
 void tp_friction_tangent_given(arb_t tangent, const tp_evaluation *evaluation);
+
+/* The mean normal stress at a tilt in degrees, Pa, where friction depends on it. */
+void tp_friction_stress_at(arb_t pascal, const tp_evaluation *evaluation, const arb_t tilt);
 
 /* In degrees, at a tilt in degrees. */
 void tp_friction_at(arb_t degrees, const tp_evaluation *evaluation, const arb_t tilt);

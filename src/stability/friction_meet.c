@@ -61,6 +61,18 @@ static bool meet_between(double *tilt, meeting *m, tp_root_end one, tp_root_end 
   return true;
 }
 
+/* Where the friction that it has level does not hold it there: at a tilt below level, and at no
+ * other above it, though friction grows as the stress falls and might hold it again at one. */
+static bool meet_below(double *tilt, meeting *m, double image_level) {
+  static const double steepest = 90;
+  double image = 0;
+  if (!estimate_image(&image, m, -steepest)) return false;
+  *tilt = -steepest;
+  if (image <= -steepest) return true;
+  return meet_between(tilt, m, (tp_root_end){-steepest, image + steepest},
+                      (tp_root_end){0, image_level});
+}
+
 /* By turns friction from tilt and tilt from friction: where the tilt depends on friction less than
  * friction does on stress, the steps shrink. Else they go to and fro about it, and the two last
  * tilts have it between them; or go round without that for ever: through one that was marked, the
@@ -75,6 +87,7 @@ static bool iterate(double *tilt, meeting *m) {
     double image = 0;
     if (!estimate_image(&image, m, *tilt)) return false;
     const tp_root_end own = {*tilt, image - *tilt};
+    if (k == 0 && image < 0) return meet_below(tilt, m, image);
     if (k >= PATIENCE && own.value * before.value < 0) return meet_between(tilt, m, before, own);
     *tilt = image;
     if (fabs(own.value) <= near_enough * fabs(image)) return true;

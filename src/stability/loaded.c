@@ -21,13 +21,10 @@ static void to_metres(arb_t value, const fmpz_t origin, const tp_evaluation *e) 
   mul_fmpq(value, e->problem->lattice.step_m, e->rung.bits);
 }
 
-static void set_contact_end(arb_t x, arb_t y, const tp_evaluation *e, bool left, bool mirrored) {
-  const tp_lattice *l = &e->problem->lattice;
-  const long point = tp_contact_extreme(&e->problem->contact, left).point;
-  arb_set_fmpz(x, l->x + point);
-  arb_set_fmpz(y, l->y + point);
-  to_metres(x, l->origin_x, e);
-  to_metres(y, l->origin_y, e);
+static void set_joint_end(arb_t x, arb_t y, const tp_evaluation *e, int side, bool mirrored) {
+  const tp_base_joint *joint = &e->problem->joint;
+  arb_set_fmpq(x, joint->x + side, e->rung.bits);
+  arb_set_fmpq(y, joint->y + side, e->rung.bits);
   if (mirrored) arb_neg(x, x);
 }
 
@@ -51,8 +48,9 @@ static void fill_setting(tp_load_setting *s, const tp_evaluation *e) {
   arb_div(s->y, sums + TP_Y6, sums + TP_A2, bits);
   arb_div_ui(s->y, s->y, 3, bits);
   to_metres(s->y, l->origin_y, e);
-  set_contact_end(s->toe_x, s->toe_y, e, !s->mirrored, s->mirrored);
-  set_contact_end(s->heel_x, s->heel_y, e, s->mirrored, s->mirrored);
+  if (!problem->scene->loads.water.given) return;
+  set_joint_end(s->toe_x, s->toe_y, e, s->mirrored ? 1 : 0, s->mirrored);
+  set_joint_end(s->heel_x, s->heel_y, e, s->mirrored ? 0 : 1, s->mirrored);
 }
 
 /* How far the table is tilted in search of a limit: to upright, or where 1 / cos grows beyond all
@@ -65,8 +63,7 @@ static double range_deg(const tp_water_description *water) {
 void tp_loaded_overtops(tp_case *result, const tp_evaluation *e, tp_certainty *certainty) {
   const tp_water_description *water = &e->problem->scene->loads.water;
   const tp_lattice *l = &e->problem->lattice;
-  const bool left = result->towards == TP_TOWARDS_LEFT;
-  const long heel = tp_contact_extreme(&e->problem->contact, !left).point;
+  const int heel = result->towards == TP_TOWARDS_LEFT ? 1 : 0;
   result->water_overtops = water->given && water->stays_level && !fmpq_is_zero(water->height.value);
   if (!result->water_overtops) return;
   long top = 0;
@@ -79,8 +76,8 @@ void tp_loaded_overtops(tp_case *result, const tp_evaluation *e, tp_certainty *c
   fmpq_init(height);
   arb_init(cosine);
   arb_init(angle);
-  fmpz_sub(fmpq_numref(face), l->y + top, l->y + heel);
-  fmpq_mul(face, face, l->step_m);
+  tp_lattice_metres_y(face, l, l->y + top);
+  fmpq_sub(face, face, e->problem->joint.y + heel);
   fmpq_mul(height, water->height.value, e->problem->scene->metres_per_unit);
   fmpq_div(height, height, face); /* the face is as high as the water at least */
   if (!fmpq_is_one(height)) {

@@ -6,6 +6,7 @@
 #include "stability/loaded.h"
 
 #include "number/ball.h"
+#include "stability/loaded_exact.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,6 +15,8 @@
 typedef struct balance {
   arb_t stabilising, overturning;
   const tp_evaluation *evaluation;
+  const tp_loaded *loaded;
+  long pivot;
   tp_certainty *certainty;
   tp_case *account; /* NULL: none is drawn up */
   bool failed;      /* memory was exhausted */
@@ -48,26 +51,36 @@ static void add_to(balance *b, const char *name, tp_place place, const arb_t mom
   if (own->called_for_by == NULL) b->failed = true;
 }
 
-/* By the sign of the moment about the pivot; but what an active load holds back is taken from what
- * overturns. A load whose line passes through the pivot overturns nothing. */
-static tp_load_side side_of(const tp_evaluation *e, const tp_load *load, const arb_t moment,
-                            const arb_t x, const arb_t y, tp_certainty *certainty) {
+/* A load whose line passes through the pivot overturns nothing: asked exactly, and of what is not
+ * known so, as arms from rounded corners, by the width of its ball. */
+static void settle_zero(balance *b, arb_t moment, const tp_load *load, tp_load_part part,
+                        const arb_t x, const arb_t y) {
+  const tp_evaluation *e = b->evaluation;
+  if (!arb_contains_zero(moment) || arb_is_zero(moment)) return;
   const double arm = fmax(e->log2_extent, fmax(tp_ball_log2_above(x), tp_ball_log2_above(y)));
-  if (arb_contains_zero(moment) && !arb_is_zero(moment)) {
-    if (tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
-      tp_certainty_take_zero(certainty, e);
-    } else {
-      certainty->open = true;
-    }
+  if (tp_loaded_vanishes(load, part, b->loaded, e, b->pivot)) {
+    arb_zero(moment);
+  } else if (tp_is_zero_width(e, moment, tp_wrench_force_log2(&load->wrench) + arm)) {
+    tp_certainty_take_zero(b->certainty, e);
+    arb_zero(moment);
+  } else {
+    b->certainty->open = true;
   }
-  if (arb_is_positive(moment)) return TP_OVERTURNS;
-  return load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
+}
+
+/* By the sign of the moment about the pivot; but what an active load holds back is taken from what
+ * overturns. */
+static void weigh_load(balance *b, const tp_load *load, tp_load_part part, const char *name,
+                       arb_t moment, const arb_t x, const arb_t y) {
+  settle_zero(b, moment, load, part, x, y);
+  const tp_load_side holds = load->active ? TP_LESSENS_OVERTURNING : TP_STABILISES;
+  add_to(b, name, load->place, moment, arb_is_positive(moment) ? TP_OVERTURNS : holds);
 }
 
 /* The weight by its two components, as in Eq. (2); then each load; then the bond. */
-static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t sine,
-                  const arb_t cosine) {
+static void weigh(balance *b, const arb_t sine, const arb_t cosine) {
   const tp_evaluation *e = b->evaluation;
+  const tp_loaded *loaded = b->loaded;
   const long bits = e->rung.bits;
   tp_trig about;
   arb_t x, y, moment;
@@ -75,24 +88,22 @@ static void weigh(balance *b, const tp_loaded *loaded, long pivot, const arb_t s
   arb_init(x);
   arb_init(y);
   arb_init(moment);
-  tp_loaded_axis(x, y, loaded, e, pivot);
+  tp_loaded_axis(x, y, loaded, e, b->pivot);
   for (long k = 0; k < loaded->count; k++) {
     const tp_load *own = loaded->items + k;
     tp_wrench_moment(&about, &own->wrench, x, y, bits);
     if (own->kind == TP_LOAD_WEIGHT) {
       arb_mul(moment, about.of + TP_COS, cosine, bits);
-      add_to(b, "weight, normal", own->place, moment, side_of(e, own, moment, x, y, b->certainty));
+      weigh_load(b, own, TP_WEIGHT_NORMAL, "weight, normal", moment, x, y);
       arb_mul(moment, about.of + TP_SIN, sine, bits);
-      add_to(b, "weight, parallel", own->place, moment,
-             side_of(e, own, moment, x, y, b->certainty));
+      weigh_load(b, own, TP_WEIGHT_PARALLEL, "weight, parallel", moment, x, y);
       continue;
     }
     tp_trig_evaluate(moment, &about, sine, cosine, bits);
-    add_to(b, tp_load_name(own->kind), own->place, moment,
-           side_of(e, own, moment, x, y, b->certainty));
+    weigh_load(b, own, TP_LOAD_WHOLE, tp_load_name(own->kind), moment, x, y);
   }
   if (e->problem->scene->loads.bond_kpa.given) {
-    tp_loaded_bond(moment, pivot, false, loaded, e);
+    tp_loaded_bond(moment, b->pivot, false, loaded, e);
     arb_neg(moment, moment);
     add_to(b, "bond", e->problem->scene->loads.bond_kpa.place, moment, TP_STABILISES);
   }
@@ -110,9 +121,11 @@ static void balance_at(balance *b, const tp_loaded *loaded, const tp_evaluation 
   arb_init(b->stabilising);
   arb_init(b->overturning);
   b->evaluation = e;
+  b->loaded = loaded;
+  b->pivot = pivot;
   b->certainty = certainty;
   tp_ball_sin_cos_degrees(sine, cosine, e->problem->scene->tilt_angle_deg.value, e->rung.bits);
-  weigh(b, loaded, pivot, sine, cosine);
+  weigh(b, sine, cosine);
   arb_clear(sine);
   arb_clear(cosine);
 }

@@ -9,6 +9,7 @@
 #include "load/loads.h"
 #include "scene/check.h"
 #include "stability/admissible.h"
+#include "stability/contact_width.h"
 #include "stability/effects.h"
 #include "stability/lay.h"
 
@@ -22,6 +23,7 @@ void tp_problem_clear(tp_problem *problem) {
   tp_lattice_clear(&problem->lattice);
   tp_contact_clear(&problem->contact);
   tp_facet_friction_clear(&problem->friction);
+  tp_base_joint_clear(&problem->joint);
   tp_elements_clear(&problem->elements);
   tp_corners_clear(&problem->corners);
   free(problem->admissible[0]);
@@ -162,13 +164,18 @@ static tp_status check_arcs_clear(const tp_problem *problem, tp_message *message
   return TP_OK;
 }
 
-/* By the up-dip end of the contact. */
+static void find_joint(tp_problem *problem) {
+  const long first = problem->lattice.start[problem->section.ring_count];
+  tp_base_joint_init(&problem->joint);
+  tp_base_joint_find(&problem->joint, &problem->contact, &problem->sole, &problem->lattice,
+                     (const long[2]){first, first + problem->base.edge_count});
+}
+
+/* By the up-dip end of the joint. */
 static tp_status check_water(const tp_problem *problem, bool left, tp_message *message) {
-  const tp_lattice *l = &problem->lattice;
   fmpq_t y;
   fmpq_init(y);
-  tp_lattice_metres_y(y, l, l->y + tp_contact_extreme(&problem->contact, !left).point);
-  fmpq_div(y, y, problem->scene->metres_per_unit);
+  fmpq_div(y, problem->joint.y + (left ? 1 : 0), problem->scene->metres_per_unit);
   const tp_status status =
       tp_loads_check_water(problem->scene, &problem->section, y, left ? "left" : "right", message);
   fmpq_clear(y);
@@ -195,6 +202,7 @@ static tp_status check_loads(tp_problem *problem, const tp_solve_options *option
     return tp_fail(message, TP_BAD_INPUT, glued->place,
                    "the block touches its base in points alone: there is no contact to hold");
   }
+  if (scene->loads.water.given) find_joint(problem);
   tp_status status = tp_loads_check(scene, &problem->section, message);
   if (status == TP_OK && scene->towards_left) status = check_water(problem, true, message);
   if (status == TP_OK && scene->towards_right) status = check_water(problem, false, message);
@@ -273,6 +281,9 @@ static tp_status prepare(tp_problem *problem, const tp_solve_options *options,
   status = tp_effects_entered(status, message,
                               tp_effects_note(solution, "contact", scene->base.place,
                                               "a mated base, as none is given", began));
+  if (status == TP_OK) {
+    status = tp_contact_width_check(&problem->contact, &problem->lattice, scene, message);
+  }
   if (status == TP_OK && scene->friction.facet_count > 0) {
     status = tp_facet_friction_init(&problem->friction, scene, &problem->base, &problem->lattice,
                                     &problem->contact, counted_facets(problem), solution, message);

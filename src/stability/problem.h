@@ -9,6 +9,7 @@
 #include "base/contact.h"
 #include "block/corners.h"
 #include "block/elements.h"
+#include "stability/base_joint.h"
 #include "stability/facet_friction.h"
 #include "stability/jointed.h"
 #include "stability/on_face.h"
@@ -34,6 +35,7 @@ typedef struct tp_problem {
   tp_contact contact;
   tp_facet_friction friction; /* of facets that have their own; else empty */
   tp_sole sole;               /* on a profile: its underside */
+  tp_base_joint joint;        /* where there is water: what it fills */
   bool *admissible[2];        /* by direction of tilt, for each contact point */
   tp_corners corners;         /* rounded ones */
   bool loaded;                /* the scene calls for loads besides the weight */

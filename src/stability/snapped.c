@@ -5,6 +5,7 @@
 
 #include "number/ratio.h"
 #include "stability/as_given.h"
+#include "stability/snapped_loads.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -115,6 +116,29 @@ static void move_with_outline(fmpq_t x, fmpq_t y, const void *context) {
   }
 }
 
+/* Pressures and surcharges go with the edges that they act on, and these may have become several.
+ */
+static bool move_lines(tp_line_load **lines, long *count, const tp_line_load *own, long own_count,
+                       const tp_snapped_outline *outline) {
+  long split_count = 0;
+  tp_line_load *split = tp_snapped_lines(&split_count, own, own_count, outline);
+  if (split == NULL) return false;
+  tp_moved_clear_lines(*lines, *count);
+  *lines = split;
+  *count = split_count;
+  return true;
+}
+
+static bool move_loads(tp_snapped *s, const tp_scene *scene, const tp_section *section) {
+  const tp_snapped_outline outline = {section->rings, &s->snap.moved, &s->snap.outline};
+  const tp_loads_description *own = &scene->loads;
+  tp_loads_description *loads = &s->scene.loads;
+  return move_lines(&loads->pressures, &loads->pressure_count, own->pressures, own->pressure_count,
+                    &outline) &&
+         move_lines(&loads->surcharges, &loads->surcharge_count, own->surcharges,
+                    own->surcharge_count, &outline);
+}
+
 static bool move(tp_snapped *s, const tp_scene *scene, const tp_section *section) {
   const outlines context = {section->rings, &s->snap.moved};
   const tp_point_map map = {move_with_outline, &context}, stay = {NULL, NULL};
@@ -124,7 +148,7 @@ static bool move(tp_snapped *s, const tp_scene *scene, const tp_section *section
   s->scene.block.form = TP_OUTLINE_VERTICES;
   const bool done = tp_moved_rings(&s->scene, scene, &none, section->rings + 1, &map) &&
                     tp_moved_block(&s->scene, scene, turn, &map) &&
-                    tp_moved_profile(&s->scene, scene, &stay);
+                    tp_moved_profile(&s->scene, scene, &stay) && move_loads(s, scene, section);
   fmpq_clear(turn);
   if (!done) return false;
   tp_polyline_clear(&s->scene.block.outline);

@@ -12,6 +12,7 @@
 #include "stability/cautions.h"
 #include "stability/earthquakes.h"
 #include "stability/poses.h"
+#include "stability/rough_sole.h"
 #include "stability/solve.h"
 
 #include <stdlib.h>
@@ -46,6 +47,9 @@ static tp_status fill(tp_solution *solution, tp_tilts *tilts, const tp_scene *sc
   if (status != TP_OK) return status;
   status = tp_problem_cautions(&solution->notes, &problem, message);
   if (status == TP_OK) status = tp_solve_problem_tilts(solution, tilts, &problem, options, message);
+  if (status == TP_OK) {
+    status = tp_rough_sole_cautions(&solution->notes, solution, &problem, message);
+  }
   tp_problem_clear(&problem);
   if (status == TP_OK && scene->base.all_poses) {
     status = tp_poses_find(solution, scene, options, message);

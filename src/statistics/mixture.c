@@ -90,7 +90,7 @@ void tp_mixture_draw(const tp_mixture *mixture, double *z, uint64_t stream, uint
   }
 }
 
-/* phi(z - c) / phi(z) = exp(c.z - c.c / 2), and the wide part's likewise. */
+/* phi(z - c) / phi(z) = exp(c z - |c|^2 / 2), and the wide part's likewise. */
 double tp_mixture_weight(const tp_mixture *mixture, const double *z, double *parts) {
   const size_t n = mixture->dimensions;
   const double s = mixture->spread, square = dot(z, z, n);

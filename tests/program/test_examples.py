@@ -82,7 +82,7 @@ class Examples(unittest.TestCase):
             status, out, err = run("solve", *elements(path), f"examples/{path.name}")
             self.assertEqual((status, err), (0, ""))
             self.assertLessEqual(max(map(len, out.splitlines())), 80, path.name)
-            cases = out.count("\nTilted towards the ")
+            cases = out.count("\nTilted towards the ") + out.count("\nAs it lies, towards the ")
             self.assertEqual(out.count("  governs\n"), cases, path.name)
             self.assertNotIn("uncertain", out)
 

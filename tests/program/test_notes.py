@@ -183,6 +183,9 @@ class Notes(unittest.TestCase):
                     notes = [note for note in notes if not note.startswith("the section of this mesh has ")]
                 if scene.name == "hollow_block.yaml":
                     self.assertIn("cavities, which the block has for holes", notes.pop())
+                if scene.name == "boulder.yaml":
+                    self.assertIn("with the sole as it is drawn; with 46 of its facets, on asperities", notes.pop())
+                    self.assertTrue(notes.pop().startswith("towards the left 2.214 governs"))
                 if scene.name == "boulder_traced.yaml":
                     self.assertTrue(notes.pop().startswith("curves of the outline are chords, which leave them by"))
                 self.assertEqual(notes, [SHAKING] if shakes else [])

@@ -169,7 +169,7 @@ class Solutions(unittest.TestCase):
 
 #: Structs and the records that mirror them.
 MIRRORS = {
-    "tp_note": "Note", "tp_setting": "Setting", "tp_result_unit": "ResultUnit", "tp_result_units": "ResultUnits", "tp_fos": "Fos", "tp_effect": "Effect", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
+    "tp_note": "Note", "tp_setting": "Setting", "tp_result_unit": "ResultUnit", "tp_result_units": "ResultUnits", "tp_fos": "Fos", "tp_effect": "Effect", "tp_earthquake": "Earthquake", "tp_frame_result": "Frame", "tp_within_result": "Within", "tp_contact_result": "Contact",
     "tp_block_result": "Block", "tp_teeth_result": "Teeth", "tp_element": "Element", "tp_account": "Account",
     "tp_reaction": "Reaction", "tp_limit": "Limit", "tp_window": "Window", "tp_motion_range": "MotionRange",
     "tp_motion_contact": "MotionContact", "tp_motion_resistance": "MotionResistance", "tp_motion": "Motion",

@@ -52,6 +52,9 @@ SAID = [
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, 10], [0, -5], [200, 0]], place: all}}"),
     ({"outline": SQUARE, "base_profile": [(-100, -1), (0, 0.5), (200, 0)], "contact_within": 2},
      f"block: {{outline: {SQUARE_TEXT}}}\nbase: {{profile: [[-100, -1], [0, 0.5], [200, 0]]}}\ncontact: {{within: 2}}"),
+    ({"outline": SQUARE, "unit_weight_kn_m3": 26, "friction_barton": (28, 6, 80), "contact_width": 2},
+     f"block: {{outline: {SQUARE_TEXT}, unit_weight_kn_m3: 26}}\n"
+     "friction: {law: barton, residual_angle_deg: 28, jrc: 6, jcs_mpa: 80}\ncontact: {width: 2}"),
     ({"outline": SQUARE, "joint_shift": -3, "joint_closure": "0.5"},
      f"block: {{outline: {SQUARE_TEXT}}}\njoint: {{shift: -3, closure: 0.5}}"),
     ({"outline": SQUARE, "joint_matching": ("0.75", True), "joint_closure": 1},

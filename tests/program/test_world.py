@@ -221,6 +221,25 @@ class World(unittest.TestCase):
                 self.write(f"outline: {text(outline)}", frame=frame)
                 self.assertNotIn("say 'frame: world'", run("solve", self.path)[1])
 
+    def test_no_table(self):
+        """A block in its place: no report, sheet, figure or study of it speaks of a table, or of a tilt that it had not."""
+        self.write("outline: [[0, 0], [2, 0.8], [1.2, 4], [-0.8, 3.2]], unit_weight_kn_m3: 26",
+                   "between: [[0, 0], [2, 0.8]], beyond: {left: 3, right: 3}", "world")
+        study = self.path.with_name("study.yaml")
+        study.write_text(f"topple_study: 1\nscene: {self.path.name}\nsamples: 20\nsampling: {{seed: 1}}\n"
+                         "vary: {friction_angle_deg: {normal: {mean: 32, deviation: 2}}}\n")
+        told = {}
+        for command in (("solve", self.path), ("study", study), ("solve", "--figure", self.path.with_suffix(".svg"), self.path),
+                        ("solve", "--report", self.path.with_suffix(".md"), self.path),
+                        ("study", "--report", study.with_suffix(".md"), study)):
+            status, out, err = run(*command)
+            self.assertEqual((status, err), (0, ""), command)
+            told |= {command[0]: out} if len(command) == 2 else {}
+        told |= {path.name: path.read_text(encoding="utf-8") for path in self.path.parent.iterdir() if path.suffix == ".md"}
+        self.assertEqual(sum("s it lies" in text for text in told.values()), len(told), told.keys())
+        for name, text in told.items():
+            self.assertNotRegex(" ".join(text.split()), "the table is tilted|tilted towards|Tilted|has no tilt", name)
+
     def test_figure(self):
         """A scene as it lies can be drawn, charted and searched as any other."""
         self.write("outline: [[0, 0], [4, 2], [2, 7], [-2, 5]], unit_weight_kn_m3: 26", "between: [[0, 0], [4, 2]]", "world",

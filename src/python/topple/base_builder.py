@@ -143,6 +143,10 @@ class BaseBuilder:
         """What of the block lies closer than that to the profile is moved there, to touch it."""
         self._change_numbers(lib.tp_scene_set_contact_within, within)
 
+    def set_contact_width(self, width: Number) -> None:
+        """The contact is so wide where the law barton takes the mean normal stress."""
+        self._change_numbers(lib.tp_scene_set_contact_width, width)
+
     def set_joint_shift(self, shift: Number) -> None:
         """The block is shifted along the mated base that it fits, to the right above 0, and set
         down there until it rests."""

@@ -200,7 +200,7 @@ class Builder(TiltBuilder):
 
     def set_water(self, height: Number, unit_weight_kn_m3: Number = "9.81",
                   stays_level: bool = False, uplift: bool = False) -> None:
-        """Water behind the block to a height over the up-dip end of the contact: along the face, or
+        """Water behind the block to a height over the up-dip end of the base joint: along the face, or
         vertical where it stays level; with uplift along the base, falling to nothing at the toe."""
         self._change(lib.tp_scene_set_water, c_number(height), c_number(unit_weight_kn_m3),
                      stays_level, uplift)
