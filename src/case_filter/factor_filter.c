@@ -252,10 +252,13 @@ static bool take_onset(least *l, const tp_case_told *told, const tp_filter_state
  * else would, the tilt. */
 static bool take_strength(least *l, const tp_case_told *told, const tp_filter_state *s) {
   tp_strength_told own;
+  const double most =
+      l->number && !s->moves ? (l->fos.value + l->fos.error) * (1 + 0x1p-30) : INFINITY;
   if (!tp_strength_filter_find(&own, &told->filter->plan, told->shape, told->friction, s->tangent,
-                               s->moves)) {
+                               s->moves, most)) {
     return false;
   }
+  if (own.found && own.farther) return true;
   if (!own.found && s->moves) return l->number || take_onset(l, told, s);
   if (!own.found) return take_tilt(l, told, s);
   const bool raised = own.share.value > 1;
