@@ -52,9 +52,9 @@ static counting begins_from(const tp_case_told *told, tp_near critical, tp_near 
       if (tp_near_sign(tp_near_sub(least, own->low)) > 0) least = own->low;
     }
     if (tp_near_sign(tp_near_sub(wanted, least)) > 0) return COUNTS;
-    const tp_near next = tp_near_mul(least, (tp_near){1 + beside, 0});
-    if (tp_near_sign(tp_near_sub(at, next)) <= 0) return OPEN;
-    at = next;
+    if (tp_near_sign(tp_near_sub(at, least)) <= 0) return OPEN;
+    at =
+        tp_near_mul(least, (tp_near){1 - beside, 0}); /* within the next one, where that meets it */
   }
   return OPEN;
 }
@@ -194,26 +194,73 @@ static bool take_sliding(least *l, const tp_case_told *told, const tp_filter_sta
   return take_judged(l, told, s, &own);
 }
 
-/* Of a block that stands whatever its strength: by the tilt, if that is not less than what governs
- * by then. If it is, balls tell what begins there. */
+/* What begins at the onset, where that is one mechanism alone. */
+static bool find_beginning(tp_mechanism *mechanism, const tp_case_told *told) {
+  static const double beside = 0x1p-30;
+  const tp_near at = tp_near_mul(told->onset.tangent, (tp_near){1 + beside, 0});
+  bool moves = false;
+  unsigned beginnings = 0;
+  if (!tp_onset_filter_look(&moves, &beginnings, &told->onset, at) || beginnings == 0) return false;
+  int first = TP_SLIDES;
+  while ((beginnings & 1U << first) == 0) first++;
+  *mechanism = (tp_mechanism)first;
+  return beginnings == 1U << first;
+}
+
+/* Of a block that stands whatever its strength: by the tilt, if that is less than what governs by
+ * then. */
 static bool take_tilt(least *l, const tp_case_told *told, const tp_filter_state *s) {
   if (told->never || tp_near_is_zero(s->tangent)) return true;
-  if (!l->number) return false;
   const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
-  const int order = tp_near_sign(tp_near_sub(fos, l->fos));
+  const int order = l->number ? tp_near_sign(tp_near_sub(fos, l->fos)) : -1;
   if (order == 0) l->fos = tp_near_lesser(l->fos, fos);
-  return order >= 0;
+  if (order >= 0) return true;
+  tp_mechanism mechanism = TP_MECHANISM_UNDECIDED;
+  return find_beginning(&mechanism, told) && take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_TILT, mechanism);
+}
+
+/* Do the modes that hold the tilt lead up to the end of all tilts? */
+static bool goes_on(const tp_onset_filter *o, tp_near tangent) {
+  static const double beside = 0x1p-30;
+  tp_near at = tangent;
+  for (int step = 0; step <= o->plan->mode_count; step++) {
+    tp_near most = at;
+    for (int k = 0; k < o->plan->mode_count; k++) {
+      const tp_near_interval *own = &o->modes[k].all;
+      if (!holds(own, at)) continue;
+      if (!own->has_high) return true;
+      if (tp_near_sign(tp_near_sub(own->high, most)) > 0) most = own->high;
+    }
+    if (tp_near_sign(tp_near_sub(most, at)) <= 0) return false;
+    at = tp_near_mul(most, (tp_near){1 + beside, 0});
+  }
+  return false;
+}
+
+/* Of a block that moves whatever its strength, in the window that begins at the onset and goes on:
+ * by the tilt. */
+static bool take_onset(least *l, const tp_case_told *told, const tp_filter_state *s) {
+  if (told->never || begins_from(told, told->onset.tangent, s->tangent) != COUNTS ||
+      !goes_on(&told->onset, s->tangent)) {
+    return false;
+  }
+  return take(l, TP_FOS_NUMBER, tp_near_div(told->onset.tangent, s->tangent), TP_FOS_BY_TILT,
+              s->mover);
 }
 
 /* Of a block that moves what comes nearer to 1; where no change of strength stops it, and nothing
- * else would, balls have the answer. */
+ * else would, the tilt. */
 static bool take_strength(least *l, const tp_case_told *told, const tp_filter_state *s) {
   tp_strength_told own;
+  const double most =
+      l->number && !s->moves ? (l->fos.value + l->fos.error) * (1 + 0x1p-30) : INFINITY;
   if (!tp_strength_filter_find(&own, &told->filter->plan, told->shape, told->friction, s->tangent,
-                               s->moves)) {
+                               s->moves, most)) {
     return false;
   }
-  if (!own.found) return s->moves ? l->number : take_tilt(l, told, s);
+  if (own.found && own.farther) return true;
+  if (!own.found && s->moves) return l->number || take_onset(l, told, s);
+  if (!own.found) return take_tilt(l, told, s);
   const bool raised = own.share.value > 1;
   const tp_near fos = raised == s->moves ? tp_near_div((tp_near){1, 0}, own.share) : own.share;
   if (!s->moves) return take(l, TP_FOS_NUMBER, fos, TP_FOS_BY_REDUCTION, own.mechanism);

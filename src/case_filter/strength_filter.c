@@ -92,9 +92,21 @@ static int side_of(const modes *m, double share) {
   return any < 0 && tp_limit_filter_holds(&edges, m->tangent) ? -1 : 0;
 }
 
+/* From what doubles tell apart to a thousand millionth. */
+static bool enclose(tp_near *share, const modes *m, double about) {
+  static const double least = 0x1p-43, most = 0x1p-31, step = 16;
+  bool proven = false;
+  for (double width = least; width <= most && !proven; width *= step) {
+    const int below = side_of(m, about * (1 - width));
+    proven = below != 0 && below * side_of(m, about * (1 + width)) < 0;
+    *share = tp_near_of(about, about * width);
+  }
+  return proven;
+}
+
 bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
-                             const tp_shape *shape, tp_near friction, tp_near tangent, bool moves) {
-  static const double width = 0x1p-43;
+                             const tp_shape *shape, tp_near friction, tp_near tangent, bool moves,
+                             double most) {
   const modes m = {plan, shape, friction, tangent};
   tp_share_mode mode;
   tp_share_spans spans = {.count = 0};
@@ -106,10 +118,8 @@ bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan
   const tp_share_change change = tp_share_spans_change(&spans, moves);
   tp_share_spans_clear(&spans);
   told->found = change.found;
-  if (!done || !change.found) return done;
-  const int below = side_of(&m, change.share * (1 - width));
-  const int above = below != 0 ? side_of(&m, change.share * (1 + width)) : 0;
-  told->share = tp_near_of(change.share, change.share * width);
+  told->farther = change.found && fabs(log(change.share)) > log(most);
+  if (!done || !change.found || told->farther) return done;
   told->mechanism = change.mechanism;
-  return below * above < 0;
+  return enclose(&told->share, &m, change.share);
 }

@@ -10,14 +10,16 @@
 #include "case_filter/limit_filter.h"
 
 typedef struct tp_strength_told {
-  bool found; /* false: no share changes it */
+  bool found;   /* false: no share changes it */
+  bool farther; /* or none whose ratio is as near to 1 as was asked for: nothing else is told */
   tp_near share;
   tp_mechanism mechanism; /* of what begins there, or ends */
 } tp_strength_told;
 
-/* `moves`: a motion can begin with all of it. False where doubles do not tell. */
+/* `moves`: a motion can begin with all of it. Ratios above `most` do not matter. False where
+ * doubles do not tell. */
 TP_MUST_USE bool tp_strength_filter_find(tp_strength_told *told, const tp_contact_plan *plan,
                                          const tp_shape *shape, tp_near friction, tp_near tangent,
-                                         bool moves);
+                                         bool moves, double most);
 
 #endif

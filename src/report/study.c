@@ -122,11 +122,6 @@ static void add_factors(tp_text *t, const tp_study_result *r) {
     }
     tp_text_add(t, "\n");
   }
-  if (r->factors[TP_FOS_BY_REDUCTION].below == 0) return;
-  tp_text_add(t,
-              "Below 1 strength reduction tells which share of the friction needed is there. No\n"
-              "rock has what would hold a block that topples: there it leaps from 1 to far\n"
-              "below, and tells that the block fails, not by how much. The angles tell that.\n");
 }
 
 static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {

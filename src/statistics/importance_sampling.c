@@ -219,7 +219,8 @@ static tp_status tell(tp_importance *importance, const sampler *s, double n, dou
   const double sum = tp_sum_value(&t->weights), squares = tp_sum_value(&t->squares);
   const double all = weight_of_all(t);
   const double all_squares = squares + tp_sum_value(&t->undecided_squares);
-  if (!(all * all >= EFFECTIVE_LEAST * all_squares) || !(t->heaviest <= largest * all)) {
+  if (!(all > 0) || !(all * all >= EFFECTIVE_LEAST * all_squares) ||
+      !(t->heaviest <= largest * all)) {
     return fail_weights(s, message);
   }
   const double low = sum > 0 ? sum / n / reach(sum, squares, n, confidence) : 0;

@@ -10,7 +10,7 @@ import statistics
 from harness import main, run
 from study_case import STUDIES, StudyCase, slab
 
-DEFINITIONS = ("moments", "shear strength", "shear strength with roughness", "strength reduction")
+DEFINITIONS = ("moments", "shear strength", "shear strength with roughness", "strength reduction", "tilt")
 
 
 def quantile(values, probability):
@@ -76,13 +76,13 @@ class Factors(Told):
                 self.assertAlmostEqual(told["value"], quantile(factors, told["probability"]), 12)
         below = sum(own["below_1"] for own in summary["governing_factors"])
         self.assertEqual(below, summary["tilts"][0]["certain_to_move"]["samples"])
-        self.assertRegex(page, r"\n  moments +901 +0 +1\.0")
-        self.assertRegex(page, r"\n  strength reduction +99 +91 +0\.0")
+        self.assertRegex(page, r"\n  moments +987 +86 +0\.9")
+        self.assertRegex(page, r"\n  strength reduction +11 +3 +0\.9")
 
     def test_just_beyond_toppling(self):
-        """Why they are told apart: of a sample that has just toppled `solve` has a factor little below 1 by moments, and
-        by strength reduction, which governs, one that only friction beyond any rock's would bring to 1."""
-        _, page, rows = self.road()
+        """Of a sample that has just toppled the factor that governs is little below 1, by moments, and no strength would
+        hold it; friction beyond any rock's, which jams it, once made that 0.03."""
+        _, _, rows = self.road()
         fallen = [row for row in rows if row["outcome"] == "topples"]
         row = max(fallen, key=lambda one: float(one["limit_deg"]))
         keys = ("friction_angle_deg", "block.unit_weight_kn_m3", "loads.water.height", "loads.seismic.horizontal")
@@ -90,11 +90,9 @@ class Factors(Told):
         _, out, _ = run("solve", "--json", *words, STUDIES / "block_above_road.yaml")
         case = json.loads(out)["cases"][0]
         governing = case["governing_fos"]
-        factors = {own["definition"]: own["fos"]["value"] for own in case["factors"]}
-        self.assertTrue(0.98 < factors["moments"] < 1)
-        self.assertLess(factors["strength reduction"], 0.1)
-        self.assertEqual(governing["definition"], row["fos_definition"])
-        self.assertIn("it leaps from 1 to far\nbelow", page)
+        self.assertEqual((governing["definition"], row["fos_definition"]), ("moments", "moments"))
+        self.assertTrue(0.98 < governing["fos"]["value"] < 1)
+        self.assertEqual([own["fos"] for own in case["factors"] if own["definition"] == "strength reduction"], [None])
 
     def test_one_definition_alone(self):
         """Without a second one there is nothing to tell apart."""
