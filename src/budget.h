@@ -30,10 +30,10 @@ enum {
   /* Pairs that doubles cannot tell apart, of a block and a profile of sizes that no double holds
    * together: 56 bytes each (rest/candidates.c). */
   TP_BUDGET_REST_CANDIDATES = 4000000,
-  /* Steps of all runs of one direction on contact springs, and on rigid contacts: some 0.1 and 10
+  /* Steps of all runs of one direction on contact springs, and on rigid contacts: some 0.1 and 2
    * microseconds for each contact (tilt/cost.c). */
   TP_BUDGET_SPRING_STEPS = 100000000,
-  TP_BUDGET_RIGID_STEPS = 1000000
+  TP_BUDGET_RIGID_STEPS = 4000000
 };
 
 #endif

@@ -21,8 +21,15 @@ static double budget_of(const tp_tilting *tilting) {
   return TP_BUDGET_SPRING_STEPS * (tilting->budgets > 0 ? tilting->budgets : 1);
 }
 
+double tp_tilting_search_budgets(size_t factors) {
+  static const double least = 25, factors_of_one = 4;
+  return fmax(least, (double)factors / factors_of_one);
+}
+
 double tp_tilting_steps_left(const tp_tilting *tilting) {
-  return fmax(1, (budget_of(tilting) - tilting->spent) / unit_of(tilting));
+  const double own = budget_of(tilting);
+  const double left = own * fmax(tilting->search, 1) - tilting->spent;
+  return fmax(1, fmin(own, left) / unit_of(tilting));
 }
 
 void tp_tilting_count_steps(tp_tilting *tilting, double steps) {

@@ -13,6 +13,9 @@
  * number that asks for most of them, with what would help. */
 TP_MUST_USE tp_status tp_tilting_check_cost(const tp_tilting *tilting, double longest_s);
 
+/* Budgets of a search by so many factors on the shaking; 0: as many as it has by default. */
+double tp_tilting_search_budgets(size_t factors);
+
 /* Steps of the engine that are left of the budget of all runs. */
 double tp_tilting_steps_left(const tp_tilting *tilting);
 

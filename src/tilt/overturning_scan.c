@@ -3,6 +3,7 @@
 
 #include "grow.h"
 #include "message.h"
+#include "tilt/cost.h"
 #include "tilt/overturning.h"
 
 #include <math.h>
@@ -157,6 +158,7 @@ tp_status tp_tilting_overturning(tp_tilting *tilting, tp_base_shaking *shaking) 
   scan s = {.own = {tilting, shaking}, .found = tilting->own, .message = tilting->message};
   const bool given = o->overturning_count > 0;
   s.found->overturning_scanned = true;
+  tilting->search = tp_tilting_search_budgets(o->overturning_count);
   tp_status status =
       given ? scan_range(&s, o->overturning_from, o->overturning_to, o->overturning_count)
             : scan_range(&s, weakest, strongest, COARSE);

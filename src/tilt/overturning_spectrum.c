@@ -118,6 +118,7 @@ static tp_status find_point(tp_overturning_point *point, tp_tilting *tilting, co
   tilting->shaking_s = tp_base_shaking_duration(g->shaking);
   tilting->own->converged = true;
   tilting->spent = 0;
+  tilting->search = tp_tilting_search_budgets(0);
   tp_status status = find_least(&c, &verdict);
   if (status == TP_OK && point->overturns && tilting->own->converged) {
     status = find_islands(&c, &verdict);

@@ -33,8 +33,9 @@ typedef struct tp_tilting {
   double path_tolerance_deg; /* of a path; 0: chosen */
   const tp_tilt_test_description *asked; /* of the scene, for places; NULL: none */
   const tp_shaking_component *shaken;    /* its components; NULL: none */
-  double budgets, spent;                 /* allowed, 0: one; steps so far (tilt/cost.h) */
-  tp_message why; /* the last run that was undecided was so; empty: none was */
+  double search; /* budgets of a search for what overturns, of which a run has one; 0: none */
+  double budgets, spent; /* allowed, 0: one; steps so far (tilt/cost.h) */
+  tp_message why;        /* the last run that was undecided was so; empty: none was */
   tp_message *message;
 } tp_tilting;
 
