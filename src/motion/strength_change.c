@@ -127,23 +127,30 @@ static int side_of_spans(const tp_motions *m, const arb_t degrees) {
   return any;
 }
 
-/* The same by balls, of all modes with the strength so scaled. */
+/* The same by balls, of all modes with the strength so scaled; 0 where that is open. Where the
+ * judge would take zeros, first without. */
 static tp_motion_outcome side_by_balls(int *side, const tp_strength_asked *a, const arf_t share) {
   given own, strong;
-  tp_motions motions;
   tp_motion_question q = *a->question;
+  tp_motion_outcome done = TP_MOTION_OPEN;
   q.keeps_all = false;
-  q.judge.settled = false; /* a proof takes nothing for zero that only is so to so many bits */
+  *side = 0;
   keep(&own, a->cones);
   keep(&strong, a->strong);
   scale_cones(a->cones, share, q.judge.bits);
   scale_cones(a->strong, share, q.judge.bits);
-  const tp_motion_outcome done = tp_motions_init(&motions, &q);
-  *side = done == TP_MOTION_PROVEN ? side_of_spans(&motions, a->degrees) : 0;
-  if (done == TP_MOTION_PROVEN) tp_motions_clear(&motions);
+  for (int settled = 0; settled <= a->question->judge.settled && done == TP_MOTION_OPEN;
+       settled++) {
+    tp_motions motions;
+    q.judge.settled = settled == 1;
+    done = tp_motions_init(&motions, &q);
+    if (done != TP_MOTION_PROVEN) continue;
+    *side = side_of_spans(&motions, a->degrees);
+    tp_motions_clear(&motions);
+  }
   give_back(&strong);
   give_back(&own);
-  return done;
+  return done == TP_MOTION_OPEN ? TP_MOTION_PROVEN : done;
 }
 
 /* Where forces just do not hold it something moves, by a mode or not. */

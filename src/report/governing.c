@@ -103,13 +103,13 @@ static const char *long_definition(const tp_factor *factor, bool loaded) {
 const char *tp_text_standing(tp_factor_standing standing) {
   switch (standing) {
   case TP_FACTOR_BLOCKED:
-    return "does not count: a facet stands in the way";
+    return "a facet stands in the way";
   case TP_FACTOR_PREVENTED:
-    return "excluded: contact forces prevent it";
+    return "contact forces prevent it";
   case TP_FACTOR_UNEVEN:
-    return "excluded: its facets differ in friction";
+    return "its facets differ in friction";
   case TP_FACTOR_SMOOTH:
-    return "excluded: no friction to divide";
+    return "no friction to divide";
   case TP_FACTOR_COUNTS:
     break;
   }
@@ -125,7 +125,9 @@ static void add_row(tp_page *p, const tp_governing_fos *g, size_t k) {
               tp_page_fos(n, factor->fos), against.failed ? "" : against.data,
               long_definition(factor, p->solution->loaded));
   if (!factor->counts) {
-    tp_text_add(&p->text, "%36s(%s)\n", "", tp_text_standing(factor->standing));
+    const bool blocked = factor->standing == TP_FACTOR_BLOCKED;
+    tp_text_add(&p->text, "%36s(%s: %s)\n", "", blocked ? "does not count" : "excluded",
+                tp_text_standing(factor->standing));
   }
   if (factor->definition == TP_FOS_BY_REDUCTION && factor->fos.state == TP_FOS_UNDEFINED) {
     tp_text_add(&p->text, "%36s(no strength makes it certain to stand)\n", "");

@@ -82,10 +82,11 @@ void tp_sheet_add_factors(tp_sheet *s, const tp_case *c) {
     tp_text_drop(&against);
     tp_document_cell(d, "%s", tp_page_fos(n, factor->fos));
     tp_document_cell(d, "%s", definition_words(factor, s->solution->loaded));
-    tp_document_cell(d, "%s",
-                     !factor->counts                   ? tp_text_standing(factor->standing)
-                     : g->has_factor && k == g->factor ? "governs"
-                                                       : "yes");
+    if (factor->counts) {
+      tp_document_cell(d, "%s", g->has_factor && k == g->factor ? "governs" : "yes");
+    } else {
+      tp_document_cell(d, "no: %s", tp_text_standing(factor->standing));
+    }
   }
 }
 

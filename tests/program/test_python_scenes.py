@@ -111,6 +111,7 @@ LAWS = [
 ]
 LOADS = [
     ({"seismic_horizontal": "0.1", "seismic_vertical": "0.05"}, "{seismic: {horizontal: 0.1, vertical: 0.05}}"),
+    ({"seismic_horizontal": "0.1", "seismic_direction": "down_dip"}, "{seismic: {horizontal: 0.1, direction: down_dip}}"),
     ({"water": (40,)}, "{water: {height: 40}}"),
     ({"water": {"height": 30, "unit_weight_kn_m3": 10, "stays_level": True, "uplift": True}},
      "{water: {height: 30, unit_weight_kn_m3: 10, stays_level: true, uplift: true}}"),
@@ -151,7 +152,7 @@ class Scenes(unittest.TestCase):
             "tp_scene_number", "tp_scene_with",  # said by tp_scene_number_text, tp_scene_with_numbers
             "tp_status_exit", "tp_plain_text", "tp_figure_is_file_name", "tp_sheet_is_file_name",  # for programs and terminals
             "tp_level_read", "tp_level_name", "tp_mechanism_name", "tp_find_target_read", "tp_find_target_name",
-            "tp_accuracy_method_name", "tp_fos_definition_name", "tp_verdict_name", "tp_note_kind_name",
+            "tp_accuracy_method_name", "tp_fos_definition_name", "tp_factor_standing_name", "tp_verdict_name", "tp_note_kind_name",
             "tp_profile_resampling_read", "tp_profile_resampling_name", "tp_profile_detrend_read", "tp_profile_detrend_name",
             "tp_profile_window_read", "tp_profile_window_name", "tp_jrc_state_name", "tp_settling_end_name",  # Word
             "tp_study_outcome_name", "tp_study_quantity_name",

@@ -9,7 +9,7 @@ import pathlib
 import shutil
 import subprocess
 
-from harness import PROGRAM, main
+from harness import PROGRAM, main, run
 from study_case import StudyCase
 
 BUILT = pathlib.Path(PROGRAM).parent
@@ -177,8 +177,13 @@ class Files(StudyCase):
         self.study("study.yaml", "--rows", "rows.csv")
         (self.folder / "same.csv").hardlink_to(self.folder / "rows.csv")
         for option in ("--figure", "--scatter"):
-            for name in ("t.csv", "./rows.csv", "same.csv"):
-                self.refused("this is a file that is read here", "--rows", "rows.csv", option, name)
+            self.refused("this is a file that is read here", "--rows", "rows.csv", option, "t.csv")
+            for name in ("./rows.csv", "same.csv"):
+                before = self.all_files()
+                status, _out, err = run("study", "study.yaml", "--rows", "rows.csv", option, name, folder=self.folder)
+                self.assertIn(status, (2, 3))
+                self.assertRegex(err, "this is a file that is read here|take different files")
+                self.assertEqual(self.all_files(), before)
         for k in (1, 2):
             self.study("study.yaml", "--rows", f"{k}.csv", "--shard", f"{k}/2")
         self.refused("this is a file that is read here", "--merge", "1.csv", "2.csv", "--figure", "2.csv")
