@@ -27,7 +27,7 @@ enum {
   TP_BUDGET_TEETH = 500000,
   /* Work of a block that is set down: pairs that are looked at, of which the exact numbers of a
    * pose make some take long; several times that for all poses (rest/settle.c, basins.c). */
-  TP_BUDGET_REST_PAIRS = 50000000,
+  TP_BUDGET_REST_PAIRS = 30000000,
   /* Pairs that doubles cannot tell apart, of a block and a profile of sizes that no double holds
    * together: 56 bytes each (rest/candidates.c). */
   TP_BUDGET_REST_CANDIDATES = 4000000,
