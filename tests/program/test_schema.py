@@ -259,7 +259,7 @@ class Schema(unittest.TestCase):
                 "topple_study: 1\nscene: scene.yaml\nvary: {block.slab.height: {list: [-1, 0.1, 1, 2, 1e-200]}}\n")
             (pathlib.Path(folder) / "analyses.yaml").write_text(
                 "topple_study: 1\nscene: tilted.yaml\nsamples: 20\nsensitivity: {samples: 20}\n\n"
-                "reliability: {quantity: fos, importance: {samples: 20}, subset: {samples: 100}}\n"
+                "reliability: {quantity: fos, importance: {samples: 400}, subset: {samples: 100}}\n"
                 "vary: {friction_angle_deg: {uniform: {low: 20, high: 30}}}\n")
             (pathlib.Path(folder) / "tilted.yaml").write_text(
                 "topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 1}, unit_weight_kn_m3: 26}\n"
