@@ -16,6 +16,7 @@ START_TEST(names) {
     ck_assert_str_eq(tp_status_meaning((tp_status)v), "unknown status");
     ck_assert_int_eq(tp_status_exit((tp_status)v), tp_status_exit(TP_SYSTEM_FAILED));
     ck_assert_ptr_nonnull(tp_fos_definition_name((tp_fos_definition)v));
+    ck_assert_ptr_nonnull(tp_factor_standing_name((tp_factor_standing)v));
     ck_assert_ptr_nonnull(tp_note_kind_name((tp_note_kind)v));
     ck_assert_ptr_nonnull(tp_mechanism_name((tp_mechanism)v));
     ck_assert_ptr_nonnull(tp_settling_end_name((tp_settling_end)v));
