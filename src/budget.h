@@ -20,20 +20,23 @@ enum {
   /* Bits of a number of nested transforms: products of what a drawing's groups and lists of
    * transforms say (format/drawing_work.c). */
   TP_BUDGET_TRANSFORM_BITS = 4096,
-  /* Points of a profile that is made by rule, some 400 bytes each; and teeth of a block or a base,
-   * of two points with their facets (scene/rule_self_affine.c, scene/check.c). */
-  TP_BUDGET_PROFILE_POINTS = 2000000,
+  /* Points of a profile that is made by rule, some 400 bytes each, and worn or rested several times
+   * that; and teeth of a block or a base, of two points with their facets
+   * (scene/rule_self_affine.c, scene/check.c). */
+  TP_BUDGET_PROFILE_POINTS = 500000,
   TP_BUDGET_TEETH = 500000,
   /* Work of a block that is set down: pairs that are looked at, of which the exact numbers of a
    * pose make some take long; several times that for all poses (rest/settle.c, basins.c). */
-  TP_BUDGET_REST_PAIRS = 50000000,
+  TP_BUDGET_REST_PAIRS = 30000000,
   /* Pairs that doubles cannot tell apart, of a block and a profile of sizes that no double holds
    * together: 56 bytes each (rest/candidates.c). */
   TP_BUDGET_REST_CANDIDATES = 4000000,
   /* Steps of all runs of one direction on contact springs, and on rigid contacts: some 0.1 and 2
    * microseconds for each contact (tilt/cost.c). */
   TP_BUDGET_SPRING_STEPS = 100000000,
-  TP_BUDGET_RIGID_STEPS = 4000000
+  TP_BUDGET_RIGID_STEPS = 4000000,
+  /* Pairs of corners and faces that may touch (rigid_contact/system.c). */
+  TP_BUDGET_RIGID_PAIRS = 1000000
 };
 
 #endif

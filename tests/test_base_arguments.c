@@ -133,7 +133,7 @@ START_TEST(self_affine) {
   o.length = E(40);
   REFUSED(ROUGH, "step must be above zero");
   o.step = T("0.3");
-  REFUSED(ROUGH, "a whole number of steps, from 8 to 1999999; it is 400/3");
+  REFUSED(ROUGH, "a whole number of steps, from 8 to 499999; it is 400/3");
   o.step = E(0.5);
   REFUSED(ROUGH, "hurst must lie strictly between 0 and 1; it is 0");
   o.hurst = E(0.75);

@@ -17,6 +17,7 @@ void tp_candidates_clear(tp_candidates *candidates) {
 bool tp_candidates_note(tp_candidates *candidates, tp_candidate candidate) {
   if (candidate.low > candidates->best) return true;
   if (candidate.certain && candidate.high < candidates->best) candidates->best = candidate.high;
+  candidates->looked_at += TP_REST_EXACT_LOOKS; /* most are looked at again, in exact numbers */
   candidates->too_many = candidates->count >= TP_BUDGET_REST_CANDIDATES;
   if (candidates->too_many) return false;
   tp_candidate *room =

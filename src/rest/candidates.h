@@ -10,6 +10,9 @@
 
 #include "rest/bodies.h"
 
+/* An exact look at a pair is as dear as some of them in doubles. */
+enum { TP_REST_EXACT_LOOKS = 20 };
+
 typedef struct tp_candidate {
   bool of_base; /* a vertex of the base and an edge of the block; else the other way round */
   long vertex, edge;

@@ -24,16 +24,13 @@ void tp_settling_clear(tp_settling *settling) {
   memset(settling, 0, sizeof *settling);
 }
 
-/* An exact look at a pair is as dear as some twenty in doubles. */
-static const double exact_looks = 20;
-
 /* From both ends inwards: touches stand from left to right, and of a block on many points the
  * outermost stop most turns. */
 static bool is_stopped(tp_settling *s, const tp_touch *about, int turn) {
   bool stopped = false;
   for (long k = 0; k < s->touches.count && !stopped; k++) {
     const long next = k % 2 == 0 ? k / 2 : s->touches.count - 1 - k / 2;
-    s->work += exact_looks;
+    s->work += TP_REST_EXACT_LOOKS;
     stopped = tp_touch_stops(&s->bodies, s->touches.items + next, about, turn);
   }
   return stopped;
@@ -106,7 +103,7 @@ static tp_status turn_once(tp_settling *s, int turn, const tp_touch *about, tp_m
     status = tp_turning_touches(&s->touches, &turning, &s->bodies, message);
   }
   s->work += turning.pairs.looked_at + (double)s->bodies.posed.count +
-             exact_looks * (double)(turning.pairs.count + s->touches.count);
+             TP_REST_EXACT_LOOKS * (double)(turning.pairs.count + s->touches.count);
   tp_turning_clear(&turning);
   return status;
 }
@@ -137,7 +134,7 @@ static tp_status drop_and_turn(tp_settling *s, tp_message *message) {
     s->how = TP_SETTLED_TOO_DEAR;
     return TP_OK;
   }
-  s->work += exact_looks * (double)s->touches.count;
+  s->work += TP_REST_EXACT_LOOKS * (double)s->touches.count;
   if (status == TP_OK && beside) s->how = TP_SETTLED_BESIDE;
   if (status == TP_OK) status = turn_to_rest(s, message);
   return status;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
+#include "budget.h"
 #include "rigid_contact/begin.h"
 #include "rigid_contact/watch.h"
 
@@ -38,10 +39,16 @@ typedef struct progress {
   long moments;
   int at_once;
   long turns;
-  double looks; /* at a block that rests */
+  double work; /* steps, and looks at a block that rests, each with its pairs */
   bool is_over;
   tp_run_end how;
 } progress;
+
+/* A step looks at every pair that may touch: it counts for more where these are many. */
+static void count_work(progress *p) {
+  static const double pairs_of_one = 64;
+  p->work += 1 + floor((double)p->d->system.pair_count / pairs_of_one);
+}
 
 static double to_seconds(const tp_dynamics *d, double time) {
   return time * d->system.time_unit_s;
@@ -116,7 +123,7 @@ static bool wait(progress *p) {
   const tp_run_end rests = end_of_motion(d, d->moved ? TP_RUN_RESTS : TP_RUN_STANDS);
   if (d->time >= p->end || drive_is_over(d)) return over(p, rests);
   const double from = d->time;
-  p->looks++;
+  count_work(p);
   d->time = time_to_look(p);
   tp_resolved now = tp_resolve_rest(d);
   if (now == TP_RESOLVED_MOVES) {
@@ -206,6 +213,7 @@ static bool move(progress *p) {
   if (end.what == TP_WATCH_NOTHING && end.step < watch.step) p->step = end.step;
   if (end.columns >= 8) p->step = fmax(end.step * 0.7, first_step / 100);
   d->account.steps++;
+  count_work(p);
   d->time = is_due && end.step == watch.step ? due : end.time;
   d->state = tp_smooth_state(end.numbers);
   d->work = end.numbers[6];
@@ -228,7 +236,7 @@ static bool is_to_stop(progress *p) {
 static void advance(progress *p) {
   tp_dynamics *d = p->d;
   const double most = d->run->most_steps > 0 ? d->run->most_steps : (double)d->settings->most_steps;
-  if ((double)d->account.steps + p->looks >= most) {
+  if (p->work >= most) {
     (void)undecided(p, "it took the most steps");
   } else if (is_to_stop(p)) {
     (void)undecided(p, "it was stopped");
@@ -266,7 +274,12 @@ tp_run_end tp_rigid_contact_run(tp_body_state *last, tp_rigid_contact_account *a
   tp_dynamics d = {.run = run, .settings = settings, .message = message};
   progress p = {.d = &d, .step = first_step, .next_moment = INFINITY};
   if (!tp_contact_system_init(&d.system, run->body, run->drive, &run->start)) {
-    return TP_RUN_NO_MEMORY;
+    if (!d.system.too_many) return TP_RUN_NO_MEMORY;
+    (void)tp_fail(message, TP_UNDECIDED, (tp_place){0},
+                  "more than %d pairs of corners and faces may touch; give block and base fewer "
+                  "points",
+                  TP_BUDGET_RIGID_PAIRS);
+    return TP_RUN_UNDECIDED;
   }
   d.state = tp_motion_of(&d.system, &run->start);
   d.smooth.system = &d.system;
@@ -277,7 +290,7 @@ tp_run_end tp_rigid_contact_run(tp_body_state *last, tp_rigid_contact_account *a
   d.account.evaluations = d.smooth.evaluations;
   if (last != NULL) *last = tp_motion_told(&d.system, &d.state);
   if (account != NULL) *account = d.account;
-  if (run->steps != NULL) *run->steps = (double)d.account.steps + p.looks;
+  if (run->steps != NULL) *run->steps = p.work;
   tp_touching_clear(&d.touching);
   tp_contact_system_clear(&d.system);
   free(d.known);

@@ -3,6 +3,7 @@
 
 #include "rigid_contact/system.h"
 
+#include "budget.h"
 #include "grow.h"
 
 #include <math.h>
@@ -36,6 +37,8 @@ static tp_xy seen_from_block(const tp_motion_state *at, tp_xy p) {
 }
 
 static bool add_pair(tp_contact_system *s, tp_pair_kind kind, long block, long base) {
+  s->too_many = s->pair_count >= TP_BUDGET_RIGID_PAIRS;
+  if (s->too_many) return false;
   tp_pair *grown = tp_grow(s->pairs, s->pair_count, &s->pair_room, sizeof *grown);
   if (grown == NULL) return false;
   s->pairs = grown;
@@ -136,7 +139,11 @@ bool tp_contact_system_init(tp_contact_system *s, const tp_rigid_body *body, con
   const tp_motion_state at = tp_motion_of(s, start);
   const bool done = tp_contact_shape_init(&s->shapes.block, &body->outline, extent) &&
                     tp_contact_shape_init(&s->shapes.base, &body->base, extent) && list_all(s, &at);
-  if (!done) tp_contact_system_clear(s);
+  if (!done) {
+    const bool too_many = s->too_many;
+    tp_contact_system_clear(s);
+    s->too_many = too_many;
+  }
   return done;
 }
 

@@ -163,7 +163,7 @@ class Generate(GenerateCase):
         """Where, what, and what is right instead."""
         for made, expected in (
                 (ROUGH % ("40", "0.3", "0.8", "jrc: 8", 1, ""),
-                 ":4:50: the length must be a whole number of steps, from 8 to 1999999; it is 400/3"),
+                 ":4:50: the length must be a whole number of steps, from 8 to 499999; it is 400/3"),
                 (ROUGH % ("40", "0.5", "1", "jrc: 8", 1, ""),
                  "hurst must lie strictly between 0 and 1; it is 1"),
                 (ROUGH % ("40", "0.5", "0.5", "jrc: 21", 1, ""),

@@ -113,17 +113,26 @@ class Ties(unittest.TestCase):
         return len(tied) > 1
 
     def test_a_line_through_the_pivot(self):
-        """An anchor at 45 degrees whose line passes through the toe overturns nothing: its moment is zero, which
-        balls never prove, and the report says so. A nanometre off there is nothing to say, nor without the anchor."""
-        anchored = ("topple: 1\nlength_unit: m\nblock: {slab: {width: 2, height: 3}, unit_weight_kn_m3: 26}\n"
-                    "loads: {anchors: [{at: [1, HEIGHT], direction_deg: 225, force_kn: 10}]}\n"
+        """An anchor at 45 degrees whose line passes through the toe overturns nothing. Through a sharp corner its
+        moment is zero exactly, and there is nothing to say; through the tangent point of a rounded one, 0.1 m from
+        the corner, it is a ball about zero that no bits part from it, and the report says so. A nanometre off there
+        is nothing to say either, nor without the anchor."""
+        anchored = ("topple: 1\nlength_unit: m\n"
+                    "block: {outline: [[0, 0], [2, 0], [2, 3], [0, 3]], ROUNDED, unit_weight_kn_m3: 26}\n"
+                    "loads: {anchors: [{at: [1.1, HEIGHT], direction_deg: 225, force_kn: 10}]}\n"
                     "tilt: {towards: left, angle_deg: 10}\n")
-        for height, bits in (("1", 160), ("1.000000001", None), ("0.999999999", None)):
-            self.path.write_text(anchored.replace("HEIGHT", height))
-            self.assertEqual(json.loads(run("solve", "--json", self.path)[1]).get("zero_bits"), bits, height)
+        rounded, sharp = "rounded: {corners: [{at: [0, 0], radius: 0.1}]}", "thickness: 1"
+        for corner, height, bits in ((rounded, "1", 160), (rounded, "1.000000001", None), (rounded, "0.999999999", None),
+                                     (sharp, "1.1", None), (sharp, "1.100000001", None)):
+            self.path.write_text(anchored.replace("HEIGHT", height).replace("ROUNDED", corner))
+            found = json.loads(run("solve", "--json", self.path)[1])
+            self.assertEqual(found.get("zero_bits"), bits, height)
+            moment = {load["name"]: load["moment_nm"] for load in found["cases"][0]["loads"]}["anchor"]
+            self.assertEqual(moment == {"value": 0, "error": 0}, height in ("1", "1.1"), height)
             said = "A decision above takes for zero what 160 bits do not tell from it." in run("solve", self.path)[1]
             self.assertEqual(said, bits is not None, height)
-        self.path.write_text("\n".join(line for line in anchored.splitlines() if not line.startswith("loads")))
+        self.path.write_text("\n".join(line for line in anchored.replace("ROUNDED", sharp).splitlines()
+                                       if not line.startswith("loads")))
         self.assertNotIn("zero_bits", json.loads(run("solve", "--json", self.path)[1]))
 
     def test_mirror_images(self):
