@@ -298,6 +298,7 @@ typedef enum tp_seismic_direction {
   TP_SEISMIC_UP_DIP
 } tp_seismic_direction;
 
+/* Says which of them; up-dip and both ways are for a block in the frame of the world. */
 TP_MUST_USE tp_status tp_scene_set_seismic_direction(tp_scene *scene,
                                                      tp_seismic_direction direction,
                                                      tp_message *message);

@@ -228,6 +228,7 @@ typedef struct tp_earthquake {
   tp_fos fos;             /* its governing factor */
 } tp_earthquake;
 
+/* Down-dip and up-dip, each with and without the vertical part. */
 enum { TP_EARTHQUAKES_MAX = 4 };
 
 /* A scene solved. */

@@ -29,12 +29,15 @@ char *solve(const tp_scene *scene, int digits) {
     ck_assert_ptr_nonnull(end);
     memmove(effects, end + 1, strlen(end + 1) + 1);
   }
-  static const char key[] = "\"called_for_by\": \"";
-  for (char *of = json; (of = strstr(of, key)) != NULL;) { /* loads */
-    of += strlen(key);
-    char *end = strchr(of, '"');
-    ck_assert_ptr_nonnull(end);
-    memmove(of, end, strlen(end) + 1);
+  static const char *const named[] = {"\"called_for_by\": \"",
+                                      "\"place\": \""}; /* of a load, a note */
+  for (size_t k = 0; k < sizeof named / sizeof named[0]; k++) {
+    for (char *of = json; (of = strstr(of, named[k])) != NULL;) {
+      of += strlen(named[k]);
+      char *end = strchr(of, '"');
+      ck_assert_ptr_nonnull(end);
+      memmove(of, end, strlen(end) + 1);
+    }
   }
   return json;
 }

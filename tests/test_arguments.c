@@ -32,7 +32,7 @@ START_TEST(scenes) {
   REFUSED(tp_scene_read_text(NULL, "x", "x", &message), "'scene'");
   REFUSED(tp_scene_read_text(&scene, NULL, "x", &message), "'text'");
   REFUSED(tp_scene_read_text(&scene, "x", NULL, &message), "'name'");
-  ck_assert_int_eq(tp_scene_read(&scene, "/no/such/file", NULL), TP_BAD_INPUT);
+  ck_assert_int_eq(tp_scene_read(&scene, "/no/such/file", NULL), TP_SYSTEM_FAILED);
   ck_assert_int_eq(tp_scene_read_text(&scene, "x", "x", NULL), TP_BAD_INPUT);
   ck_assert_ptr_eq(scene, UNTOUCHED(tp_scene));
   tp_scene_free(NULL);

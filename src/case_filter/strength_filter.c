@@ -69,6 +69,8 @@ static int count_of(const modes *m) {
 }
 
 static void read_mode(tp_share_mode *mode, const modes *m, int k) {
+  mode->sum = NULL;
+  mode->bits = 0;
   set_loads(mode, m->tangent);
   if (k < m->plan->mode_count) {
     set_mode(mode, m->plan, m->shape, m->plan->modes + k, m->friction);

@@ -20,7 +20,8 @@ static const char *direction(const tp_case *c) {
 /* What a case leaves open; NULL: nothing. */
 static const char *what_is_open(const tp_case *c) {
   if (c->limit.kind == TP_LIMIT_UNDECIDED) return "the limit by contact forces";
-  if (c->limit.fos.state == TP_FOS_UNDECIDED || c->onset.fos.state == TP_FOS_UNDECIDED) return "the factor of safety by contact forces";
+  if (c->limit.fos.state == TP_FOS_UNDECIDED || c->onset.fos.state == TP_FOS_UNDECIDED)
+    return "the factor of safety by contact forces";
   if (c->onset.kind == TP_ONSET_UNDECIDED) return "the tilt up to which it is certain to stand";
   if (c->mechanism == TP_MECHANISM_UNDECIDED || c->first == TP_MECHANISM_UNDECIDED) {
     return "the mechanism";

@@ -109,7 +109,7 @@ static field read_field(const tp_csv_row *row, int number) {
     const char c = row->text[f.at + k];
     const bool closes = c == ')' || c == ']';
     depth += c == '(' || c == '[';
-    add(depth > 0 ? &inner : &outer, closes ? ' ' : c);
+    add(depth > 0 ? &inner : &outer, (char)(closes ? ' ' : c));
     if (depth == 0) continue;
     if (closes) depth--;
     if (depth == 0) add(&outer, ' ');

@@ -3,7 +3,7 @@
 
 /* Style sheets of an SVG file: selectors, and rules out of a text. */
 
-#include "format/svg_rule.h"
+#include "format/svg_sheet.h"
 
 #include "grow.h"
 

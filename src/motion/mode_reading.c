@@ -8,6 +8,8 @@
 
 #include <math.h>
 
+enum { BALLS = TP_SHARE_LINES + TP_SHARE_FREE + 2 }; /* the last two: of loads, and their sum */
+
 static void set_loads(tp_vector *loads, const tp_motion_question *q, const arb_t degrees) {
   const tp_wrench *load = &q->load;
   const tp_trig *rows[3] = {&load->x, &load->y, &load->moment};
@@ -31,8 +33,13 @@ void tp_mode_reading_init(tp_mode_reading *r, const tp_motion_question *q, const
   r->outcome = TP_MOTION_PROVEN;
   r->length = isfinite(log2_gyration) ? (slong)(log2_gyration / 2) : 0;
   tp_vector_init(&r->loads);
+  r->keeps_balls = false;
   tp_vector_init(&r->line.at);
   tp_vector_init(&r->line.rise);
+  for (int k = 0; k < BALLS; k++) {
+    tp_vector_init(&r->balls[k].at);
+    tp_vector_init(&r->balls[k].rise);
+  }
   tp_strength_init(&r->strength);
   set_loads(&r->loads, q, degrees);
 }
@@ -41,6 +48,10 @@ void tp_mode_reading_clear(tp_mode_reading *r) {
   tp_vector_clear(&r->loads);
   tp_vector_clear(&r->line.at);
   tp_vector_clear(&r->line.rise);
+  for (int k = 0; k < BALLS; k++) {
+    tp_vector_clear(&r->balls[k].at);
+    tp_vector_clear(&r->balls[k].rise);
+  }
   tp_strength_clear(&r->strength);
 }
 
@@ -57,27 +68,34 @@ static double log2_of(const tp_ball_line *line, slong length) {
   return most;
 }
 
-static void set_near(tp_near own[3], const tp_vector *of, slong power, slong length) {
-  arb_t scaled;
-  arb_init(scaled);
+static void scale_vector(tp_vector *own, const tp_vector *of, slong power, slong length) {
   for (int e = 0; e < 3; e++) {
-    arb_mul_2exp_si(scaled, of->of + e, e == 2 ? power - length : power);
-    own[e] = arb_is_zero(scaled) ? (tp_near){0, 0} : tp_ball_near(scaled);
+    arb_mul_2exp_si(own->of + e, of->of + e, e == 2 ? power - length : power);
   }
-  arb_clear(scaled);
 }
 
-/* Moments and forces of one size, by powers of two, which round nothing. */
-static void set_line(tp_share_line *own, const tp_ball_line *line, slong power, slong length) {
-  *own = (tp_share_line){.site = 0};
-  set_near(own->at, &line->at, power, length);
-  set_near(own->rise, &line->rise, power, length);
+static void set_near(tp_near own[3], const tp_vector *of) {
+  for (int e = 0; e < 3; e++) {
+    own[e] = arb_is_zero(of->of + e) ? (tp_near){0, 0} : tp_ball_near(of->of + e);
+  }
 }
 
-/* The same with the largest entry about 1, as generators may be. */
-static void set_generator(tp_share_line *own, const tp_mode_reading *r, slong length) {
+/* Moments and forces of one size, by powers of two, which round nothing; the place of its balls. */
+static void set_line(tp_share_line *own, tp_mode_reading *r, int place, slong power, slong length) {
+  tp_ball_line *balls = r->balls + place;
+  *own = (tp_share_line){.balls = r->keeps_balls ? balls : NULL};
+  scale_vector(&balls->at, &r->line.at, power, length);
+  scale_vector(&balls->rise, &r->line.rise, power, length);
+  set_near(own->at, &balls->at);
+  set_near(own->rise, &balls->rise);
+}
+
+/* The next of the mode, with its largest entry about 1, as generators may be. */
+static tp_share_line *add_generator(tp_share_mode *to, tp_mode_reading *r, slong length) {
   const double log2_size = log2_of(&r->line, length);
-  set_line(own, &r->line, isfinite(log2_size) ? -(slong)log2_size : 0, length);
+  tp_share_line *own = to->of + to->count;
+  set_line(own, r, to->count++, isfinite(log2_size) ? -(slong)log2_size : 0, length);
+  return own;
 }
 
 static void clear_line(tp_ball_line *line) {
@@ -90,7 +108,7 @@ static void clear_line(tp_ball_line *line) {
 static void add_ray(tp_share_mode *to, tp_mode_reading *r, long ray) {
   clear_line(&r->line);
   tp_newton_inertia(&r->line.at, r->question, r->motions->twists.rays + ray);
-  set_generator(to->of + to->count++, r, r->length);
+  (void)add_generator(to, r, r->length);
 }
 
 /* Of a force x, y at a point. */
@@ -124,17 +142,16 @@ static void add_edge(tp_share_mode *to, tp_mode_reading *r, const tp_mode_edge *
   set_moment(&line->at, q, edge->point);
   set_moment(&line->rise, q, edge->point);
   if (!edge->against) tp_vector_neg(&line->rise);
-  tp_share_line *own = to->of + to->count++;
-  set_generator(own, r, r->length);
+  tp_share_line *own = add_generator(to, r, r->length);
   own->site = point->site + 1;
   const long family = n->families[n->family_of[edge->point]].axis;
   own->parallel = 1 + 2 * (family * (q->cones->own_count + 1) + point->own) + edge->against;
 }
 
-static void add_vector(tp_share_line *own, tp_mode_reading *r, const tp_vector *of) {
+static void add_vector(tp_share_mode *to, tp_mode_reading *r, const tp_vector *of) {
   clear_line(&r->line);
   for (int e = 0; e < 3; e++) arb_set(r->line.at.of + e, of->of + e);
-  set_generator(own, r, r->length);
+  (void)add_generator(to, r, r->length);
 }
 
 /* The loads, and what is free beside them, in one scale. */
@@ -147,11 +164,12 @@ static void set_loads_of(tp_share_mode *to, tp_mode_reading *r, bool strong) {
   }
   const double log2_size = log2_of(&r->line, r->length);
   const slong power = isfinite(log2_size) ? -(slong)log2_size : 0;
-  set_line(&to->loads, &r->line, power, r->length);
+  set_line(&to->loads, r, BALLS - 2, power, r->length);
   for (long k = 0; strong && !to->interior && k < s->free_count; k++) {
     clear_line(&r->line);
     for (int e = 0; e < 3; e++) arb_set(r->line.rise.of + e, s->free[k].of + e);
-    set_line(to->of + to->count + to->free_count++, &r->line, power, r->length);
+    const int place = to->count + to->free_count++;
+    set_line(to->of + place, r, place, power, r->length);
   }
 }
 
@@ -175,7 +193,7 @@ static bool add_planes(tp_share_mode *to, tp_mode_reading *r) {
     if (to->count == TP_SHARE_LINES) return false;
     clear_line(&r->line);
     tp_newton_normal(&r->line.at, r->question, &m->normals, normal);
-    set_generator(to->of + to->count++, r, -r->length);
+    (void)add_generator(to, r, -r->length);
   }
   return true;
 }
@@ -186,13 +204,15 @@ bool tp_mode_read(tp_share_mode *to, tp_mode_reading *r, const tp_motion_mode *m
   to->interior = mode->ray_count == 0;
   to->ray_count = mode->ray_count;
   to->count = to->free_count = 0;
+  to->sum = r->keeps_balls ? r->balls + BALLS - 1 : NULL;
+  to->bits = r->question->judge.precision;
   if (to->interior && !add_planes(to, r)) return false;
   if (mode->ray_count + mode->edge_count > TP_SHARE_LINES) return false;
   for (int k = 0; k < mode->ray_count; k++) add_ray(to, r, mode->rays[k]);
   for (long k = 0; k < mode->edge_count; k++) add_edge(to, r, mode->edges + k);
   if (strong && !find_strength(to, r, mode)) return false;
   for (long k = 0; strong && !to->interior && k < r->strength.pull_count; k++) {
-    add_vector(to->of + to->count++, r, r->strength.pulls + k);
+    add_vector(to, r, r->strength.pulls + k);
   }
   set_loads_of(to, r, strong);
   return true;

@@ -12,11 +12,6 @@
 #include "motion/motion.h"
 #include "motion/strength.h"
 
-/* A linear function of the share in balls, at + share rise. */
-typedef struct tp_ball_line {
-  tp_vector at, rise;
-} tp_ball_line;
-
 /* Of motions at the strength as given, with all modes kept. */
 typedef struct tp_mode_reading {
   const tp_motion_question *question;
@@ -24,6 +19,8 @@ typedef struct tp_mode_reading {
   tp_vector loads;
   slong length; /* 2^length: about a length of the question */
   tp_ball_line line;
+  bool keeps_balls; /* of the mode read last */
+  tp_ball_line balls[TP_SHARE_LINES + TP_SHARE_FREE + 2];
   tp_strength strength;
   tp_motion_outcome outcome; /* of what cohesion and bonds do */
 } tp_mode_reading;

@@ -11,7 +11,8 @@
  * of the third degree at most, and between their zeros nothing changes.
  *
  * The zeros are searched in doubles; that a mode can begin with a share, or cannot, is proven in
- * doubles with bounds, or left open. */
+ * doubles with bounds, or left open. A coefficient that doubles do not tell from zero is asked of
+ * balls, where the mode has them. */
 
 #ifndef TP_MODE_SHARES_H
 #define TP_MODE_SHARES_H
@@ -19,11 +20,17 @@
 #include "motion/mode.h"
 #include "motion/share_spans.h"
 
+/* A linear function of the share in balls, at + share rise. */
+typedef struct tp_ball_line {
+  tp_vector at, rise;
+} tp_ball_line;
+
 /* at + s rise; forces of one site, from 1 on, act through one point, and parallel ones along one
  * direction, so that three of them span no solid; 0: of none. */
 typedef struct tp_share_line {
   tp_near at[3], rise[3];
   long site, parallel;
+  const tp_ball_line *balls; /* the same, or NULL */
 } tp_share_line;
 
 enum { TP_SHARE_LINES = 24, TP_SHARE_FREE = 4 };
@@ -35,6 +42,8 @@ typedef struct tp_share_mode {
   int ray_count, count; /* of the generators, rays first, */
   int free_count;       /* and of what is free, behind them */
   tp_share_line loads, of[TP_SHARE_LINES + TP_SHARE_FREE];
+  tp_ball_line *sum; /* room for loads and what is free at its bounds, if there are balls */
+  long bits;         /* of the balls */
 } tp_share_mode;
 
 /* Adds the shares at which the mode can begin, as doubles have it; false when memory is exhausted.

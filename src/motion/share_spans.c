@@ -117,12 +117,18 @@ static bool hold(const tp_share_conditions *c, double s) {
   return true;
 }
 
+static bool is_same(const tp_share_polynomial *p, const tp_share_polynomial *q) {
+  bool same = p->degree == q->degree;
+  for (int k = 0; k <= TP_SHARE_DEGREE && same; k++) same = p->of[k] == q->of[k];
+  return same;
+}
+
 bool tp_share_spans_where(tp_share_spans *spans, const tp_share_conditions *c,
                           tp_mechanism mechanism) {
   zeros z = {.count = 0};
   for (int k = 0; k < c->count; k++) {
     put_zeros(&z, c->of[k]);
-    if (k == 0 || memcmp(c->of[k] + 1, c->of[k - 1] + 1, sizeof(tp_share_polynomial)) != 0) {
+    if (k == 0 || !is_same(c->of[k] + 1, c->of[k - 1] + 1)) {
       put_zeros(&z, c->of[k] + 1);
     }
   }

@@ -267,8 +267,16 @@ tp_motion_outcome tp_strength_change_find(tp_strength_change *change,
   if (asked->all_is_lost) return TP_MOTION_PROVEN;
   tp_mode_reading_init(&r.reading, asked->question, asked->motions, asked->degrees);
   bool proven = search(&spans, &r);
-  const tp_share_change found = tp_share_spans_change(&spans, asked->can_begin);
+  tp_share_change found = tp_share_spans_change(&spans, asked->can_begin);
   tp_motion_outcome done = r.reading.outcome;
+  if (done == TP_MOTION_PROVEN && proven && found.found && found.share == 1) {
+    /* against what is known of all of the strength: nearer to a tie than doubles tell */
+    r.reading.keeps_balls = true;
+    spans.count = 0;
+    proven = search(&spans, &r);
+    found = tp_share_spans_change(&spans, asked->can_begin);
+    done = r.reading.outcome;
+  }
   if (done == TP_MOTION_PROVEN && proven && !found.found) proven = is_throughout(&r);
   if (done == TP_MOTION_PROVEN && found.found) {
     done = enclose(&proven, &r, change->share, found.share);

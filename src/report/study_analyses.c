@@ -48,10 +48,11 @@ static void add_ways(tp_text *t, const tp_study_result *r) {
     sum += point->probability;
     tp_text_add(t, "  another one: beta %.4f, probability %.3g, at", point->beta,
                 point->probability);
+    const double *at = point->values;
     for (size_t i = 0; i < point->value_count; i++) {
       tp_text_add(t, "%s ", i > 0 ? "," : "");
       tp_encode_plain(t, r->variables[i].key);
-      tp_text_add(t, " %.6g", point->values[i]);
+      tp_text_add(t, " %.6g", at[i]);
     }
     tp_text_add(t, "\n");
   }

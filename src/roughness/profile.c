@@ -250,7 +250,8 @@ tp_status tp_profile_of_file(tp_profile **profile, const char *path, const char 
   const char *unit = NULL;
   if (status == TP_OK) status = tp_csv_read(&line, &unit, path, false, &notes, message);
   if (status == TP_OK) {
-    status = tp_csv_check_unit(unit, length_unit, path, "the profile's unit, mm where none is given,", message);
+    status = tp_csv_check_unit(unit, length_unit, path,
+                               "the profile's unit, mm where none is given,", message);
   }
   subject.chain = &line;
   if (status == TP_OK) status = tp_profile_measure(&own, &subject, options, message);

@@ -22,7 +22,8 @@ typedef struct tp_tally {
   double doubles_seconds, ladder_seconds; /* of those solved here */
   tp_study_at *scratch;                   /* of a row that is told again */
   tp_outcome_counts *tilts;               /* the scene's, and those of the study */
-  size_t definitions[TP_FOS_DEFINITIONS], below[TP_FOS_DEFINITIONS]; /* factors by each, and below 1 */
+  size_t definitions[TP_FOS_DEFINITIONS],
+      below[TP_FOS_DEFINITIONS]; /* factors by each, and below 1 */
   size_t column_count;
   long kept, room;
   double **columns; /* the variables, the quantities, outcomes at each tilt, the definition,

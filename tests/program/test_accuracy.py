@@ -185,7 +185,7 @@ class Output(unittest.TestCase):
                         self.assertTrue(right == "all" or float(right) > proven - 0.1 or row["level"] == "double")
 
     def test_usage(self):
-        """Wrong usage is exit 2, a scene without an angle exit 3, a file that cannot be written exit 5."""
+        """Wrong usage is exit 2, a scene without an angle exit 3, a file that is not there or cannot be written exit 5."""
         for wrong in ([], [WORN, WORN], ["--sweep=10"], ["--sweep=a:b"], ["--sweep=-10:100"], ["--sweep", WORN],
                       [WORN, "-o", "x.txt"], [WORN, "--json", "-o", "x.svg"]):
             self.assertEqual(run("accuracy", *wrong)[0], 2, wrong)
@@ -194,7 +194,7 @@ class Output(unittest.TestCase):
             self.assertEqual((status, out), (3, ""))
             self.assertIn("from 10 vertices at the least to 10000000 at the most", err)
         self.assertEqual(run("accuracy", WORN, "-o", "/nowhere/x.svg")[0], 5)
-        self.assertEqual(run("accuracy", "nothing.yaml")[0], 3)
+        self.assertEqual(run("accuracy", "nothing.yaml")[0], 5)
 
     def test_no_angle(self):
         """A block in a slot as deep as itself cannot turn."""

@@ -154,8 +154,9 @@ class Same(Case):
 
     @staticmethod
     def numbers(text):
-        """Without the facets and what ran."""
+        """Without the facets, what ran and where notes stand."""
         document = json.loads(text)
+        document.pop("notes")
         for case in document["cases"]:
             case.pop("effects"), case.pop("friction_facets", None)
         return document

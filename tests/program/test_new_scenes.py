@@ -278,14 +278,14 @@ class New(Folder):
     def test_every_key_offered_of_a_drawing_is_one(self):
         shutil.copy(EXAMPLES / "section_arcs.dxf", self.folder)
         _, out, _ = self.begin("section_arcs.dxf", "-o", "-")
-        for marked, bare in (("  # unit: mm ", "  unit: mm "), ("# block: ", "block: "), ("#   unit_w", "  unit_w"),
+        for marked, bare in (("  # unit: mm ", "  unit: m "), ("# block: ", "block: "), ("#   unit_w", "  unit_w"),
                              ("#   thickness", "  thickness"), ("# friction_angle", "friction_angle")):
             self.assertEqual(out.count(marked), 1, marked)
             out = out.replace(marked, bare)
         (self.folder / "s.yaml").write_text(out)
         cases = solve("s.yaml", folder=self.folder)["cases"]
         self.assertIn("sliding", cases[0])
-        self.assertAlmostEqual(cases[0]["block"]["area_m2"]["value"] * 1e6, (2.4 * 2 + math.pi * 1.44 / 2), 6)
+        self.assertAlmostEqual(cases[0]["block"]["area_m2"]["value"], (2.4 * 2 + math.pi * 1.44 / 2), 6)
 
     def test_refused(self):
         (self.folder / "crossed.csv").write_text("0,0\n2,2\n2,0\n0,2\n")

@@ -128,7 +128,7 @@ class Ranks(StudyCase):
 
     def test_all_fail(self):
         """Of what each one finds, the first tells: a study that is none, a file that is no rows, parts of other ranks."""
-        self.assertIn("none.yaml", self.complaint(self.mpirun(3, "study", "none.yaml", status=3)))
+        self.assertIn("none.yaml", self.complaint(self.mpirun(3, "study", "none.yaml", status=5)))
         err = self.by_ranks(3, "--csv", "slab.yaml", status=3)
         self.assertIn("a file that the study reads", self.complaint(err))
         self.study("study.yaml", "--shard", "1/2", "--csv", "ranks.csv.part1")

@@ -86,7 +86,7 @@ class Interrupted(unittest.TestCase):
         self.assertGreaterEqual(done, 2)
         with open(path, encoding="utf-8") as table:
             rows = [row for row in csv.DictReader(table)
-                    if row["panel_of"] == "frequency" and row["edge"] == "least that overturns"]
+                    if row["panel_of"] == "frequency" and row["edge"] == "least found that overturns"]
         self.assertEqual(len(rows), done)
         self.assertEqual({row["runs_decided"] for row in rows}, {"all"})
         self.assertEqual(json.loads((self.folder / "out").read_text())["cases"][0]["end"], "overturned")
