@@ -88,7 +88,9 @@ typedef struct tp_chart_axis {
 } tp_chart_axis;
 
 /* The mechanism map of a scene that tilts in one direction and has a friction angle. At most one
- * axis is the tilt. Every border is a root: on its two sides, as close as doubles lie, the
+ * axis is the tilt. Over two other numbers it says what lets go first; where the scene has a tilt
+ * angle (or lies as it does in the world), what the block does at that tilt, which the title says.
+ * Every border is a root: on its two sides, as close as doubles lie, the
  * certified mechanism differs. A change and its reversal between two of the points that are looked
  * at, 241 along a scalar or a grid of 49 by 49, may be missed. Along one scalar it has the borders
  * between motions from rest as well (tp_onset.ranges). */
@@ -96,6 +98,10 @@ typedef struct tp_chart_map_options {
   size_t size;           /* of this struct, as `…_default()` has it */
   const tp_scene *scene; /* not changed */
   tp_chart_axis x, y;    /* to the right, and upwards */
+  bool any_tilt;         /* what lets go first, whatever the scene's tilt */
+  bool governing_fos;    /* contours of the factor of safety that governs at the scene's tilt, which
+                            a map over two numbers but the tilt can have; else of angles */
+  tp_chart_list levels;  /* of the contours; none: 1, 1.1, 1.3, 1.5, 2; of angles round numbers */
 } tp_chart_map_options;
 
 /* The defaults: the tilt from 0 to 90 degrees upwards; the scene and x are to be given. `size` is

@@ -98,7 +98,17 @@ START_TEST(maps) {
   bad = good;
   bad.y.key = NULL;
   REFUSED(tp_chart_map(&chart, &bad, &message), "y.key");
+  bad = good;
+  bad.y = (tp_chart_axis){"friction_angle_deg", {20, 40}};
+  bad.levels = (tp_chart_list){1, NULL};
+  REFUSED(tp_chart_map(&chart, &bad, &message), "values");
+  bad.levels = (tp_chart_list){TP_CHART_LIST_MAX + 1, (const double[]){1}};
+  REFUSED(tp_chart_map(&chart, &bad, &message), "levels");
   static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
+  for (size_t k = 0; k < 3; k++) {
+    bad.levels = (tp_chart_list){1, no_numbers + k};
+    REFUSED(tp_chart_map(&chart, &bad, &message), "levels are");
+  }
   for (size_t k = 0; k < 3; k++) {
     bad = good;
     bad.x.range.to = no_numbers[k];

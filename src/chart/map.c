@@ -6,15 +6,16 @@
 
 #include "chart/map.h"
 #include "chart/mechanism_style.h"
+#include "stability/case_numbers.h"
 
 #include <stdio.h>
 
 enum { STEPS = 1100 }; /* no range of doubles takes more halvings */
 
 const char *tp_regime_name(tp_regime regime) {
-  static const char *const names[] = {"no answer", "slides",   "topples",     "slides and topples",
-                                      "tie",       "may move", "interlocked", "does not stand",
-                                      "undecided"};
+  static const char *const names[] = {
+      "no answer", "stands",      "slides",         "topples",         "slides and topples", "tie",
+      "may move",  "interlocked", "does not stand", "leaves its base", "undecided"};
   return names[regime];
 }
 
@@ -35,18 +36,16 @@ tp_chart_style tp_regime_region(tp_regime regime) {
     return tp_region_both;
   case TP_REGIME_MAY_MOVE:
     return tp_region_history;
+  case TP_REGIME_STANDS: /* no map has both */
   case TP_REGIME_INTERLOCKED:
     return tp_region_interlocked;
   case TP_REGIME_NONE:
   case TP_REGIME_NOWHERE:
+  case TP_REGIME_LEAVES_BASE:
   case TP_REGIME_UNDECIDED:
     break;
   }
   return tp_region_other;
-}
-
-bool tp_map_sample_has_limit(const tp_map_sample *sample) {
-  return sample->regime >= TP_REGIME_SLIDES && sample->regime <= TP_REGIME_TIE;
 }
 
 static tp_regime regime_of(const tp_case *own) {
@@ -66,6 +65,27 @@ static tp_regime regime_of(const tp_case *own) {
     return TP_REGIME_NOWHERE;
   case TP_LIMIT_NOT_ASKED:
   case TP_LIMIT_UNDECIDED:
+    break;
+  }
+  return TP_REGIME_UNDECIDED;
+}
+
+static tp_regime regime_at_tilt(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_STANDS:
+  case TP_INTERLOCKED:
+    return TP_REGIME_STANDS;
+  case TP_SLIDES:
+    return TP_REGIME_SLIDES;
+  case TP_TOPPLES:
+    return TP_REGIME_TOPPLES;
+  case TP_SLIDES_AND_TOPPLES:
+    return TP_REGIME_BOTH;
+  case TP_MAY_MOVE:
+    return TP_REGIME_MAY_MOVE;
+  case TP_LEAVES_BASE:
+    return TP_REGIME_LEAVES_BASE;
+  case TP_MECHANISM_UNDECIDED:
     break;
   }
   return TP_REGIME_UNDECIDED;
@@ -96,9 +116,9 @@ static void take_strips(tp_map_sample *sample, const tp_onset *onset) {
   }
 }
 
-static void take(tp_map_sample *sample, const tp_solution *solution) {
+static void take(tp_map_sample *sample, const tp_solution *solution, bool at_tilt) {
   const tp_case *own = solution->cases;
-  sample->regime = regime_of(own);
+  sample->has_limit = own->limit.kind == TP_LIMIT_AT_ANGLE;
   sample->limit_deg = own->limit.critical_angle_deg;
   sample->has_onset = own->onset.kind == TP_ONSET_AT_ANGLE && own->onset.below_limit;
   if (sample->has_onset) sample->onset_deg = own->onset.critical_angle_deg;
@@ -108,7 +128,16 @@ static void take(tp_map_sample *sample, const tp_solution *solution) {
   if (sample->has_toppling) sample->toppling_deg = own->pivots[own->governing].critical_angle_deg;
   sample->has_sliding = own->sliding.known && !own->sliding.never && !own->sliding.always;
   if (sample->has_sliding) sample->sliding_deg = own->sliding.critical_angle_deg;
+  sample->regime = at_tilt ? regime_at_tilt(own->mechanism) : regime_of(own);
+  sample->has_fos = tp_case_fos(&sample->fos, own) == TP_CASE_NUMBER;
   take_strips(sample, &own->onset);
+}
+
+static void note_tilt(tp_map *map, const tp_solution *solution) {
+  const double own = solution->tilt_angle_deg.value;
+  map->tilts_differ |= map->has_tilt && own != map->tilt_deg;
+  map->has_tilt = true;
+  map->tilt_deg = own;
 }
 
 tp_map_sample tp_map_take_sample(tp_map *map, const double *values) {
@@ -117,7 +146,8 @@ tp_map_sample tp_map_take_sample(tp_map *map, const double *values) {
   for (size_t k = 0; k < map->varied.count; k++) sample.values[k] = values[k];
   const tp_status status = tp_varied_solve(&solution, &map->varied, values, &map->why);
   if (status == TP_OK) {
-    take(&sample, solution);
+    take(&sample, solution, map->at_tilt);
+    if (map->at_tilt) note_tilt(map, solution);
     map->patton = solution->friction_is_patton;
   }
   if (status == TP_UNDECIDED) sample.regime = TP_REGIME_UNDECIDED;

@@ -11,9 +11,10 @@
 #include "chart/motion_names.h"
 #include "stability/varied.h"
 
-/* What lets go first, by the limit analysis. */
+/* What lets go first, by the limit analysis; at the scene's tilt, what the block does. */
 typedef enum tp_regime {
-  TP_REGIME_NONE, /* the scene has no answer there */
+  TP_REGIME_NONE,   /* the scene has no answer there */
+  TP_REGIME_STANDS, /* at the scene's tilt */
   TP_REGIME_SLIDES,
   TP_REGIME_TOPPLES,
   TP_REGIME_BOTH,
@@ -21,6 +22,7 @@ typedef enum tp_regime {
   TP_REGIME_MAY_MOVE,    /* forces hold it at every tilt, but a motion can begin */
   TP_REGIME_INTERLOCKED, /* nothing does */
   TP_REGIME_NOWHERE,     /* it does not stand at any tilt */
+  TP_REGIME_LEAVES_BASE,
   TP_REGIME_UNDECIDED
 } tp_regime;
 
@@ -36,6 +38,10 @@ typedef struct tp_map {
   tp_status status;    /* of the system: memory; that a scene has no answer is none */
   tp_message why;      /* why the last scene had no answer */
   bool patton;         /* its friction is Patton's law */
+  bool at_tilt;        /* regimes are what the block does at the scene's tilt: */
+  bool has_tilt;       /* a sample had one */
+  bool tilts_differ;   /* it is a number that an axis takes along */
+  double tilt_deg;     /* else this */
 } tp_map;
 
 /* Tilts throughout which the same motions can begin from rest, as in tp_motion_range; none: it is
@@ -50,18 +56,19 @@ enum { TP_STRIPS_MAX = 12 };
 typedef struct tp_map_sample {
   double values[TP_VARIED_MAX];
   tp_regime regime;
-  tp_bounded limit_deg; /* slides, topples, both, tie */
-  bool has_onset;       /* below the limit: from there on history decides */
+  bool has_limit;
+  tp_bounded limit_deg;
+  bool has_onset; /* below the limit: from there on history decides */
   tp_bounded onset_deg;
   bool has_toppling, has_sliding;
   size_t governing;
   tp_bounded toppling_deg, sliding_deg;
   bool has_strips; /* where they were asked for, and are no more than there is room for */
+  bool has_fos;    /* the factor of safety that governs at the scene's tilt is a number: */
+  tp_bounded fos;
   size_t strip_count;
   tp_strip strips[TP_STRIPS_MAX]; /* from level, or the first beyond, to 90 degrees at most */
 } tp_map_sample;
-
-bool tp_map_sample_has_limit(const tp_map_sample *sample);
 
 /* Solve the scene with the values. */
 tp_map_sample tp_map_take_sample(tp_map *map, const double *values);

@@ -9,6 +9,7 @@
 #include "chart/mechanism_style.h"
 #include "host.h"
 #include "options.h"
+#include "output/text.h"
 #include "outside.h"
 
 #include <math.h>
@@ -36,6 +37,46 @@ static tp_status check_axis(const tp_chart_axis *axis, tp_message *message) {
   return TP_OK;
 }
 
+static bool has_tilt(const tp_scene *scene) {
+  return scene->tilt_angle_deg.given || scene->frame == TP_FRAME_WORLD;
+}
+
+static tp_status check_levels(const tp_chart_list *levels, tp_message *message) {
+  if (levels->count > TP_CHART_LIST_MAX) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there are %zu levels; %d are the most",
+                   levels->count, (int)TP_CHART_LIST_MAX);
+  }
+  if (levels->count > 0) TP_REFUSE_NULL(message, levels->values);
+  for (size_t k = 0; k < levels->count; k++) {
+    const double own = levels->values[k];
+    if (own > 0 && isfinite(own)) continue;
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0},
+                   "a contour is asked for at %g; levels are above 0", own);
+  }
+  return TP_OK;
+}
+
+static tp_status check_contours(const tp_chart_map_options *o, tp_message *message) {
+  const tp_place place = {o->scene->path, 0, 0};
+  const bool along_one = is_tilt(&o->x) || is_tilt(&o->y);
+  if (along_one && (o->governing_fos || o->levels.count > 0)) {
+    return tp_fail(
+        message, TP_BAD_INPUT, place,
+        "a map against the tilt has no contours; give two numbers of the scene, of which "
+        "one may be tilt.angle_deg");
+  }
+  if (o->governing_fos && o->any_tilt) {
+    return tp_fail(message, TP_BAD_INPUT, place,
+                   "the factor of safety is that at the scene's tilt; drop any tilt");
+  }
+  if (o->governing_fos && !has_tilt(o->scene)) {
+    return tp_fail(
+        message, TP_BAD_INPUT, place,
+        "the factor of safety is that at a tilt; give the scene a 'tilt: {angle_deg: …}'");
+  }
+  return check_levels(&o->levels, message);
+}
+
 static tp_status check(const tp_chart_map_options *o, tp_message *message) {
   tp_status status = check_axis(&o->x, message);
   if (status == TP_OK) status = check_axis(&o->y, message);
@@ -44,6 +85,7 @@ static tp_status check(const tp_chart_map_options *o, tp_message *message) {
                      "both axes are %s; give a number of the scene for one of them",
                      tp_quote_all(o->x.key).text);
   }
+  if (status == TP_OK) status = check_contours(o, message);
   return status;
 }
 
@@ -115,6 +157,7 @@ static void add_legend_of_plane(tp_chart *chart) {
       {"border", NULL, "border of mechanisms", tp_line_border},
       {"limit", NULL, "critical angle, limit analysis", tp_line_contour},
       {"certain to stand", NULL, "certain to stand up to, where that is less", tp_line_stands},
+      {"governing_fos", NULL, "factor of safety that governs", tp_line_contour},
   };
   add_entries(chart, entries, sizeof entries / sizeof entries[0]);
 }
@@ -126,6 +169,19 @@ static void add_sources(const tp_map *map) {
   for (size_t k = 0; k < tp_scene_source_count(scene); k++) {
     tp_chart_add_source(map->chart, tp_scene_source(scene, k));
   }
+}
+
+/* The scene's, and the tilt that regions are told at, where that is one throughout the map. */
+static void set_title(tp_map *map) {
+  const char *own = map->options->scene->title;
+  tp_text text = {0};
+  if (own != NULL) tp_text_add(&text, "%s", own);
+  if (map->has_tilt && !map->tilts_differ) {
+    tp_text_add(&text, "%s%.6g°", own != NULL ? ", at a tilt of " : "At a tilt of ", map->tilt_deg);
+  }
+  map->chart->failed |= text.failed;
+  if (text.data != NULL && !text.failed) tp_chart_set_title(map->chart, text.data);
+  tp_text_drop(&text);
 }
 
 static void draw(tp_map *map) {
@@ -145,12 +201,14 @@ static void draw(tp_map *map) {
   char labels[2][LABEL_SIZE];
   const tp_panel_axis x = axis_of(labels[0], map, &o->x), y = axis_of(labels[1], map, &o->y);
   tp_chart_add_panel(map->chart, NULL, x, y);
-  if (o->scene->title != NULL) tp_chart_set_title(map->chart, o->scene->title);
+  map->at_tilt = !along_one && !o->any_tilt && has_tilt(o->scene);
+  map->varied.options.strength_reduction = o->governing_fos;
   if (along_one) {
     tp_map_draw_line(map, is_tilt(&o->y));
   } else {
     tp_map_draw_plane(map);
   }
+  set_title(map);
   if (map->status != TP_OK || map->chart->failed) return;
   if (along_one) {
     add_legend_of_line(map->chart);
@@ -159,7 +217,7 @@ static void draw(tp_map *map) {
   }
 }
 
-TP_OPTIONS_END(tp_chart_map_options, y);
+TP_OPTIONS_END(tp_chart_map_options, levels);
 
 void tp_chart_map_options_init(tp_chart_map_options *options, size_t size) {
   const tp_chart_map_options defaults = {.size = sizeof defaults, .y = {"tilt", {0, 90}}};

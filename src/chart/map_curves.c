@@ -57,7 +57,7 @@ static void add_windows(const tp_map_line *l) {
     for (size_t j = end; j-- > k;) {
       const tp_map_sample *sample = l->samples + j;
       tp_line_add_corner(l, tp_line_at(l, j),
-                         tp_map_sample_has_limit(sample) ? sample->limit_deg.value : l->tilt.to);
+                         sample->has_limit ? sample->limit_deg.value : l->tilt.to);
     }
   }
 }
@@ -65,7 +65,7 @@ static void add_windows(const tp_map_line *l) {
 static void add_limits(const tp_map_line *l) {
   for (size_t k = 0, end; k < l->count; k = end) {
     end = piece_end(l, k);
-    if (!tp_map_sample_has_limit(l->samples + k)) continue;
+    if (!l->samples[k].has_limit) continue;
     tp_map_begin(l->map, tp_regime_line(l->samples[k].regime), "limit",
                  tp_regime_name(l->samples[k].regime));
     for (size_t j = k; j < end; j++)
@@ -78,7 +78,7 @@ static void add_limits(const tp_map_line *l) {
  * limit, from that of the other on; without any limit, all of the height. */
 static void add_border(const tp_map_line *l, const tp_map_sample *low, const tp_map_sample *high) {
   const tp_bounded root = tp_line_root(low, high);
-  const bool one = tp_map_sample_has_limit(low), other = tp_map_sample_has_limit(high);
+  const bool one = low->has_limit, other = high->has_limit;
   const bool strips = low->has_strips && high->has_strips;
   char name[80];
   tp_map_border_name(name, sizeof name, low->regime, high->regime);

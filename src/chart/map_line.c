@@ -34,7 +34,7 @@ void tp_line_add_corner(const tp_map_line *l, double scalar, double tilt) {
 }
 
 double tp_line_moves_from(const tp_map_line *l, const tp_map_sample *sample) {
-  if (tp_map_sample_has_limit(sample)) return tp_line_clamped(l, sample->limit_deg.value);
+  if (sample->has_limit) return tp_line_clamped(l, sample->limit_deg.value);
   return sample->regime == TP_REGIME_MAY_MOVE || sample->regime == TP_REGIME_INTERLOCKED
              ? l->tilt.to
              : l->tilt.from;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SPDX-FileCopyrightText: 2026 The Topple authors */
 
-/* The map over two scalars of a scene: what lets go first, and contour lines of the limit. */
+/* The map over two scalars of a scene: what lets go first, or what it does at the
+ * scene's tilt, and contour lines of the limit or of the factor of safety. */
 
 #include "chart/mechanism_style.h"
 #include "chart/trace.h"
@@ -13,25 +14,30 @@
 
 enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SEARCH_LOOKS = 60 };
 
-/* An angle of a sample that has contours. */
-typedef bool (*reader)(tp_bounded *degrees, const tp_map_sample *sample);
+/* A number of a sample that has contours. */
+typedef bool (*reader)(tp_bounded *value, const tp_map_sample *sample);
 
-static bool read_limit(tp_bounded *degrees, const tp_map_sample *sample) {
-  *degrees = sample->limit_deg;
-  return tp_map_sample_has_limit(sample);
+static bool read_limit(tp_bounded *value, const tp_map_sample *sample) {
+  *value = sample->limit_deg;
+  return sample->has_limit;
 }
 
-static bool read_onset(tp_bounded *degrees, const tp_map_sample *sample) {
-  *degrees = sample->onset_deg;
+static bool read_onset(tp_bounded *value, const tp_map_sample *sample) {
+  *value = sample->onset_deg;
   return sample->has_onset;
+}
+
+static bool read_fos(tp_bounded *value, const tp_map_sample *sample) {
+  *value = sample->fos;
+  return sample->has_fos;
 }
 
 typedef struct plane {
   tp_map *map;
   tp_map_sample *grid;
   tp_map_point *points;
-  reader read;      /* of the present contour */
-  double level_deg; /* likewise */
+  reader read;  /* of the present contour */
+  double level; /* likewise */
 } plane;
 
 static double coordinate(const tp_chart_range *range, int k) {
@@ -71,26 +77,26 @@ static int contour_region(const void *context, const tp_map_sample *sample) {
   const plane *p = context;
   tp_bounded own;
   if (!p->read(&own, sample)) return 0;
-  return own.value < p->level_deg ? 1 : 2;
+  return own.value + own.error < p->level ? 1 : 2; /* on the level: always the same side */
 }
 
 /* 1 above the present level for certain, -1 below it; 0 else. */
 static int side_of(const plane *p, const tp_map_sample *sample) {
   tp_bounded own;
   if (!p->read(&own, sample)) return 0;
-  const double gap = own.value - p->level_deg;
+  const double gap = own.value - p->level;
   return gap > own.error ? 1 : gap < -own.error ? -1 : 0;
 }
 
 static tp_map_sample between(const plane *p, const tp_map_sample *low, const tp_map_sample *high,
                              double share) {
-  share = fmin(fmax(share, 0), 1);
   const double values[2] = {low->values[0] + share * (high->values[0] - low->values[0]),
                             low->values[1] + share * (high->values[1] - low->values[1])};
   return tp_map_take_sample(p->map, values);
 }
 
-/* The narrowest certain bracket about a share of an edge. */
+/* The narrowest certain bracket about a share of an edge. About an end of it, where a level that a
+ * line of the grid follows lies, it goes beyond. */
 static tp_crossing bracket(const plane *p, const tp_map_sample *low, const tp_map_sample *high,
                            double share) {
   for (double h = 0x1p-36; h < 1 && p->map->status == TP_OK; h *= 16) {
@@ -104,31 +110,41 @@ static tp_crossing bracket(const plane *p, const tp_map_sample *low, const tp_ma
 typedef struct edge {
   const plane *p;
   const tp_map_sample *low, *high;
+  bool open; /* the number is not known at this share of it: */
+  double share;
 } edge;
 
-/* How far the angle is above the present level at a share of an edge. */
+/* How far the number is above the present level at a share of an edge. */
 static bool gap_at(double *gap, void *context, double share) {
-  const edge *e = context;
+  edge *e = context;
   const tp_map_sample found = between(e->p, e->low, e->high, share);
   tp_bounded own;
-  if (e->p->map->status != TP_OK || !e->p->read(&own, &found)) return false;
-  *gap = own.value - e->p->level_deg;
+  if (e->p->map->status != TP_OK) return false;
+  if (!e->p->read(&own, &found)) {
+    e->open = true;
+    e->share = share;
+    return false;
+  }
+  *gap = own.value - e->p->level;
   return true;
 }
 
-/* Along an edge, then within a certain bracket. An angle that jumps over the level does not cross
+/* Along an edge, then within a certain bracket. A number that jumps over the level does not cross
  * it. */
 static tp_crossing cross_level(void *context, tp_map_sample low, tp_map_sample high) {
   const plane *p = context;
   tp_bounded first, last;
   if (!p->read(&first, &low) || !p->read(&last, &high)) return (tp_crossing){0};
-  edge e = {p, &low, &high};
+  edge e = {.p = p, .low = &low, .high = &high};
   const tp_root_search search = {
-      .value = gap_at, .context = &e, .flat = 1e-11 * fabs(p->level_deg), .most = SEARCH_LOOKS};
+      .value = gap_at, .context = &e, .flat = 1e-11 * fabs(p->level), .most = SEARCH_LOOKS};
   tp_root root;
-  const bool found = tp_root_find(&root, &search, (tp_root_end){0, first.value - p->level_deg},
-                                  (tp_root_end){1, last.value - p->level_deg});
-  return found && root.flat ? bracket(p, &low, &high, root.low) : (tp_crossing){0};
+  const bool found = tp_root_find(&root, &search, (tp_root_end){0, first.value - p->level},
+                                  (tp_root_end){1, last.value - p->level});
+  /* where the verdict changes, a factor of 1 is not known at the root itself, but to its sides */
+  const bool at_root = found && root.flat;
+  return at_root || e.open ? bracket(p, &low, &high, at_root ? root.low : e.share)
+                           : (tp_crossing){0};
 }
 
 /* Are two points so near that their labels touch? */
@@ -144,7 +160,7 @@ static void add_level(const plane *p, size_t count) {
   static const double shares[] = {0.5, 0.35, 0.65, 0.2, 0.8};
   const tp_chart *chart = p->map->chart;
   char text[32];
-  snprintf(text, sizeof text, "%.4g°", p->level_deg);
+  snprintf(text, sizeof text, p->read == read_fos ? "%.4g" : "%.4g°", p->level);
   for (size_t k = 0; k < sizeof shares / sizeof shares[0] && count > SIDE / 6; k++) {
     const tp_map_point at = p->points[(size_t)((double)count * shares[k])];
     bool is_free = true;
@@ -156,7 +172,7 @@ static void add_level(const plane *p, size_t count) {
 }
 
 static void add_regions(tp_map *map, const tp_pieces *pieces) {
-  for (int regime = TP_REGIME_SLIDES; regime <= TP_REGIME_UNDECIDED; regime++) {
+  for (int regime = TP_REGIME_STANDS; regime <= TP_REGIME_UNDECIDED; regime++) {
     bool any = false;
     for (size_t k = 0; k < pieces->patch_count; k++) {
       const tp_patch *patch = pieces->patches + k;
@@ -192,7 +208,7 @@ static void add_curves(plane *p, const tp_field *field, tp_chart_style style, co
          (count = tp_trace_next(p->points, regions, &pieces)) > 0) {
     char name[80];
     tp_map_border_name(name, sizeof name, (tp_regime)regions[0], (tp_regime)regions[1]);
-    if (levels) snprintf(name, sizeof name, "%.15g", p->level_deg);
+    if (levels) snprintf(name, sizeof name, "%.15g", p->level);
     tp_map_begin(p->map, style, series, name);
     for (size_t k = 0; k < count; k++) {
       const tp_map_point *at = p->points + k;
@@ -215,21 +231,44 @@ static double contour_step(double range) {
   return 10 * decade;
 }
 
-static void add_contours(plane *p, reader read, tp_chart_style style, const char *series) {
+typedef struct contours {
+  reader read;
+  tp_chart_style style;
+  const char *series;
+} contours;
+
+static void add_contour(plane *p, const contours *of, double level) {
+  const tp_field field = {p, contour_region, cross_level};
+  p->read = of->read;
+  p->level = level;
+  if (level != 0) add_curves(p, &field, of->style, of->series, true);
+}
+
+/* Where no levels are asked for: of angles, round numbers. */
+static void add_round_levels(plane *p, const contours *of) {
   double low = INFINITY, high = -INFINITY;
   tp_bounded own;
-  p->read = read;
   for (int k = 0; k < LOOKS; k++) {
-    if (!read(&own, p->grid + k)) continue;
+    if (!of->read(&own, p->grid + k)) continue;
     low = fmin(low, own.value);
     high = fmax(high, own.value);
   }
   if (!(high > low)) return;
-  const tp_field field = {p, contour_region, cross_level};
   const double step = contour_step(high - low);
   for (double k = floor(low / step) + 1; k * step < high && p->map->status == TP_OK; k++) {
-    p->level_deg = k * step;
-    if (p->level_deg != 0) add_curves(p, &field, style, series, true);
+    add_contour(p, of, k * step);
+  }
+}
+
+static void add_contours(plane *p, contours of) {
+  const tp_chart_list *asked = &p->map->options->levels;
+  static const double usual[] = {1, 1.1, 1.3, 1.5, 2};
+  const bool factors = of.read == read_fos;
+  const tp_chart_list own = {factors ? sizeof usual / sizeof usual[0] : 0, usual};
+  const tp_chart_list *levels = asked->count > 0 ? asked : &own;
+  if (levels->count == 0) add_round_levels(p, &of);
+  for (size_t k = 0; k < levels->count && p->map->status == TP_OK; k++) {
+    add_contour(p, &of, levels->values[k]);
   }
 }
 
@@ -242,8 +281,12 @@ void tp_map_draw_plane(tp_map *map) {
   const bool any = scan(&p);
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
   const tp_field field = {&p, regime_region, cross_regimes};
-  if (map->status == TP_OK) add_contours(&p, read_limit, tp_line_contour, "limit");
-  if (map->status == TP_OK) add_contours(&p, read_onset, tp_line_stands, "certain to stand");
+  if (map->status == TP_OK && map->options->governing_fos) {
+    add_contours(&p, (contours){read_fos, tp_line_contour, "governing_fos"});
+  } else if (map->status == TP_OK) {
+    add_contours(&p, (contours){read_limit, tp_line_contour, "limit"});
+    add_contours(&p, (contours){read_onset, tp_line_stands, "certain to stand"});
+  }
   if (map->status == TP_OK) add_curves(&p, &field, tp_line_border, "border", false);
   free(p.points);
   free(p.grid);

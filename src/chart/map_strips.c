@@ -100,9 +100,7 @@ void tp_line_add_regions(const tp_map_line *l) {
   tp_line_name at = {false};
   for (size_t k = 0, end = 0; k<l->count; k = end> k ? end : k + 1) { /* whatever the regime */
     end = k;
-    while (end < l->count &&
-           (tp_map_sample_has_limit(l->samples + end) || l->samples[end].has_onset))
-      end++;
+    while (end < l->count && (l->samples[end].has_limit || l->samples[end].has_onset)) end++;
     if (end > k + 1) tp_line_find_name(&at, l, "stable", &(tp_line_region){k, end, stable_part, 0});
   }
   (void)tp_line_add_name(l, "stable", &at);

@@ -11,7 +11,16 @@
 
 const char *const tp_chart_kinds[TP_CHART_KINDS] = {"fos", "mechanisms", "ranges", "map"};
 
-enum { KEY_SLENDERNESS = 256, KEY_AMPLITUDE, KEY_COUNTS, KEY_TILT, KEY_FRICTION, KEY_ROUGHNESS };
+enum {
+  KEY_SLENDERNESS = 256,
+  KEY_AMPLITUDE,
+  KEY_COUNTS,
+  KEY_TILT,
+  KEY_FRICTION,
+  KEY_ROUGHNESS,
+  KEY_CONTOURS,
+  KEY_ANY_TILT
+};
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "Write FILE: .svg, .pdf, .png, or .csv", 0},
@@ -28,6 +37,9 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Of map:", 3},
     {"x", 'x', "KEY=FROM:TO", 0, "A number of the scene, as block.slab.width, or tilt", 3},
     {"y", 'y', "KEY=FROM:TO", 0, "The same upwards (tilt=0:90)", 3},
+    {"contours", KEY_CONTOURS, "WHAT[=LIST]", 0,
+     "Of critical_angle or governing_fos; levels as 1,1.3,1.5", 3},
+    {"any-tilt", KEY_ANY_TILT, NULL, 0, "What lets go first, whatever the scene's tilt", 3},
     {0}};
 
 /* A decimal or a quotient of two, up to the first character that belongs to none. */
@@ -97,6 +109,17 @@ static void read_axis(tp_chart_axis *axis, char key[TP_CHART_KEY_SIZE], const ch
   key[length] = '\0';
   axis->key = key;
   read_range(&axis->range, equals + 1, state);
+}
+
+static void read_contours(tp_chart_arguments *a, const char *text, struct argp_state *state) {
+  static const char fos[] = "governing_fos", angle[] = "critical_angle";
+  const size_t length = strcspn(text, "=");
+  a->map.governing_fos = length == strlen(fos) && strncmp(text, fos, length) == 0;
+  if (!a->map.governing_fos && (length != strlen(angle) || strncmp(text, angle, length) != 0)) {
+    tp_cli_refuse(state, "'%s' has no contours; known are %s and %s", text, angle, fos);
+  }
+  a->map.levels.count = 0;
+  if (text[length] == '=') read_list(&a->map.levels, a->lists[3], text + length + 1, state);
 }
 
 static void read_output(tp_chart_arguments *a, const char *path, struct argp_state *state) {
@@ -186,6 +209,14 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
   case 'y':
     a->given |= map;
     read_axis(&a->map.y, a->keys[1], argument, state);
+    return 0;
+  case KEY_CONTOURS:
+    a->given |= map;
+    read_contours(a, argument, state);
+    return 0;
+  case KEY_ANY_TILT:
+    a->given |= map;
+    a->map.any_tilt = true;
     return 0;
   case ARGP_KEY_INIT:
     state->child_inputs[0] = &a->settings;

@@ -29,7 +29,7 @@ typedef struct tp_chart_arguments {
   bool has_amplitude;
   unsigned given; /* kinds that the options so far go with, a bit each */
   tp_chart_fos_options fos;
-  double lists[3][TP_CHART_LIST_MAX]; /* that it points to */
+  double lists[4][TP_CHART_LIST_MAX]; /* that it and the map point to */
   tp_chart_mechanisms_options mechanisms;
   const char *scene;               /* the path of the map's scene */
   tp_chart_map_options map;        /* but for that */

@@ -257,6 +257,92 @@ class Map(Chart):
         rows = chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y", "friction_angle_deg=10:50")
         self.assertEqual(select(rows, series="certain to stand"), [])
 
+    def tilted(self, tilt):
+        """The slab of 1 by 2 at a tilt."""
+        text = SLAB.format(width=1, height=2, friction=30, title="A slab")
+        self.scene.write_text(text.replace("left}", f"left, angle_deg: {tilt}}}"), encoding="utf-8")
+        return self.scene, "--x", "block.slab.width=0.3:3", "--y", "friction_angle_deg=10:50"
+
+    def test_at_the_scenes_tilt(self):
+        """At 20° a slab slides where phi < 20° and topples where dx/y < tan 20°; it stands beyond both, and the title says
+        at which tilt. Without a tilt, or at any, what lets go first stands there as before."""
+        arguments = self.tilted(20)
+        root = 2 * math.tan(20 * DEGREE)
+        rows = self.borders(*arguments)
+        for of, truth, name, error in (("stands | topples", root, "block.slab.width", "x_error"),
+                                       ("stands | slides", 20, "friction_angle_deg", "y_error")):
+            own = select(rows, of=of)
+            self.assertGreater(len(own), 20, of)
+            for row in own:
+                self.assertLessEqual(abs(float(row[name]) - truth), float(row[error]) + 1e-13, row)
+        for row in rows:
+            if float(row["x_error"]) > 1e-9:  # the corner, where three meet
+                continue
+            stands = "stands" in row["of"]
+            self.assertEqual(stands, float(row["friction_angle_deg"]) > 20 - 1e-9 and
+                             float(row["block.slab.width"]) > root - 1e-9, row)
+        path = self.folder / "map.svg"
+        for more, said in (((), True), (("--any-tilt",), False)):
+            self.assertEqual(run("chart", "map", *arguments, *more, "-o", path), (0, "", ""))
+            drawn = "".join(xml.etree.ElementTree.fromstring(path.read_bytes()).itertext())
+            self.assertEqual(("A slab, at a tilt of 20°" in drawn, "stands" in drawn), (said, said))
+        any_tilt = self.borders(*arguments, "--any-tilt")
+        self.slab()
+        self.assertEqual(any_tilt, self.borders(*arguments))
+        self.assertEqual({r["of"] for r in any_tilt}, {"slides | topples"})
+
+    def test_the_tilt_as_a_number(self):
+        """Where an axis is the scene's own tilt, or a parameter that it is made of, no one tilt stands in the title."""
+        self.tilted(20)
+        path = self.folder / "map.svg"
+        self.assertEqual(run("chart", "map", self.scene, "--x", "block.slab.width=0.3:3", "--y", "tilt.angle_deg=5:60",
+                             "-o", path), (0, "", ""))
+        self.assertNotIn("at a tilt", "".join(xml.etree.ElementTree.fromstring(path.read_bytes()).itertext()))
+        for row in self.borders(self.scene, "--x", "block.slab.width=0.3:3", "--y", "tilt.angle_deg=5:60"):
+            tilt, own = float(row["tilt.angle_deg"]), math.atan(float(row["block.slab.width"]) / 2) / DEGREE
+            if "stands" in row["of"]:
+                error = float(row["y_error"]) + float(row["x_error"]) / DEGREE
+                self.assertLessEqual(abs(tilt - min(own, 30)), error + 1e-12, row)
+
+    def test_contours_of_the_factor(self):
+        """The factor of a slab is the least of dx/(y tan alpha) and tan phi/tan alpha: each point of a contour lies on it
+        within its error, also on 1, which a line of the grid follows, and both ways to fail have their part."""
+        arguments = self.tilted(20)
+        self.compare_contours(chart("map", *arguments, "--contours", "governing_fos=0.9,1,1.5"), (0.9, 1, 1.5))
+
+    def compare_contours(self, rows, levels):
+        drive = math.tan(20 * DEGREE)
+        self.assertEqual(select(rows, series="limit"), [])
+        self.assertEqual({float(r["of"]) for r in select(rows, series="governing_fos")}, set(levels))
+        for level in levels:
+            parts = set()
+            for row in select(rows, series="governing_fos", of=f"{level:.15g}"):
+                width, friction = float(row["block.slab.width"]), float(row["friction_angle_deg"])
+                topples, slides = width / 2 / drive, math.tan(friction * DEGREE) / drive
+                parts.add(topples < slides)
+                self.assertAlmostEqual(min(topples, slides), level, delta=1e-9)
+                self.assertLess(float(row["x_error"]) + float(row["y_error"]), 1e-8)
+                if topples < slides - 1e-6:
+                    self.assertLessEqual(abs(width - 2 * level * drive), float(row["x_error"]) + 1e-15)
+                elif slides < topples - 1e-6:
+                    off = abs(friction - math.atan(level * drive) / DEGREE)
+                    self.assertLessEqual(off, float(row["y_error"]) + 1e-14)
+            self.assertEqual(parts, {True, False}, level)
+
+    def test_contours_that_cannot_be(self):
+        arguments = self.tilted(20)
+        for status, said, given in ((2, "known are critical_angle and governing_fos", (*arguments, "--contours", "fos")),
+                                    (3, "levels are above 0", (*arguments, "--contours", "governing_fos=0")),
+                                    (3, "drop any tilt", (*arguments, "--contours", "governing_fos", "--any-tilt")),
+                                    (3, "tilt.angle_deg", (*arguments[:3], "--contours", "governing_fos"))):
+            found, out, err = run("chart", "map", *given)
+            self.assertEqual((found, out), (status, ""), err)
+            self.assertIn(said, err)
+        self.slab()
+        found, out, err = run("chart", "map", *arguments, "--contours", "governing_fos")
+        self.assertEqual((found, out), (3, ""))
+        self.assertIn("tilt: {angle_deg", err)
+
     def test_curve_is_one(self):
         """A traced border comes as one curve: its points follow one another along it."""
         rows = select(chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y",

@@ -156,6 +156,7 @@ export class MapPanel extends Panel {
     this.told.textContent = this.points + " Proven borders are being found …";
     const side = ({ key }, { from, to }) => (key === TILT ? "tilt" : key) + "=" + from + ":" + to;
     const args = ["chart", "map", "--json", this.store.name, "--x", side(this.x, this.axes[0]), "--y", side(this.y, this.axes[1])];
+    if (![this.x.key, this.y.key].includes(TILT)) args.push("--any-tilt");
     const answer = await this.background.run(args, files, { timeoutMs: BORDERS_MAX_MS, signal });
     if (!current()) return;
     if (answer.out !== "") this.figure.setBorders(JSON.parse(answer.out).series);

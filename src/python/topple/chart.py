@@ -129,11 +129,15 @@ def chart_overturning(scene: Scene, frequencies: tuple[float, float] | None = No
 
 
 def chart_map(scene: Scene, x: tuple[str, float, float],
-              y: tuple[str, float, float] | None = None) -> Chart:
+              y: tuple[str, float, float] | None = None, any_tilt: bool | None = None,
+              governing_fos: bool | None = None, levels: Sequence[float] | None = None) -> Chart:
     """The mechanism map of a scene that tilts in one direction and has a friction angle. An axis is
     the key of a number, as in `find`, or `tilt`, with the range that it is taken through: ("tilt",
-    0, 60)."""
-    options, held = options_of("chart_map", scene=scene._c), []
+    0, 60). Over two other numbers it says what the block does at the scene's tilt; `any_tilt`: what
+    lets go first as it is tilted. `governing_fos`: contours of that factor of safety, else of
+    angles, at `levels`, 6 at most."""
+    options = options_of("chart_map", scene=scene._c, any_tilt=any_tilt, governing_fos=governing_fos)
+    held = [_list(options.levels, levels)]
     for axis, given in ((options.x, x), (options.y, y)):
         if given is not None:
             held.append(c_text(given[0]))
