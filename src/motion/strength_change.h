@@ -42,9 +42,4 @@ void tp_strength_change_clear(tp_strength_change *change);
 TP_MUST_USE tp_motion_outcome tp_strength_change_find(tp_strength_change *change,
                                                       const tp_strength_asked *asked);
 
-/* The share nearest to 1 at which the modes alone change it, as the search in doubles has it; 0
- * where there is none. */
-TP_MUST_USE tp_motion_outcome tp_strength_change_of_modes(double *share,
-                                                          const tp_strength_asked *asked);
-
 #endif

@@ -163,26 +163,15 @@ static void add_moments(tp_governing_fos *g, const tp_at_scene *at) {
   if (has[true]) add(g, least[true]);
 }
 
-/* Can it slip along its facet? Where a bond alone keeps it from sliding, while it turns as well. */
-static bool slip_begins(const tp_case *c, tp_mechanism *mechanism) {
-  const tp_onset *onset = &c->onset;
-  if (can_begin(onset, TP_SLIDES)) return true;
-  if (!c->slides_sooner) return false;
-  if (!can_begin(onset, TP_SLIDES_AND_TOPPLES)) return onset->beginning_count == 0;
-  *mechanism = TP_SLIDES_AND_TOPPLES;
-  return true;
-}
-
 static void add_sliding(tp_governing_fos *g, const tp_at_scene *at) {
   const tp_case *c = at->c;
   const tp_sliding *s = &c->sliding;
   const bool loaded = at->solution->loaded;
   if (!s->known) return;
-  tp_mechanism mechanism = TP_SLIDES;
-  const bool begins = at->moves && slip_begins(c, &mechanism);
+  const bool begins = at->moves && (can_begin(&c->onset, TP_SLIDES) || c->slides_sooner);
   const bool smooth = s->friction_angle_deg.value == 0 && s->friction_angle_deg.error == 0;
   tp_factor factor = {.definition = TP_FOS_BY_SHEAR,
-                      .mechanism = mechanism,
+                      .mechanism = TP_SLIDES,
                       .fos = loaded ? s->fos : s->fos_strength};
   for (int k = 0; k < 2; k++) {
     factor.standing = !s->opens ? TP_FACTOR_BLOCKED
@@ -252,47 +241,23 @@ static bool has_way(const tp_governing_fos *g) {
   return false;
 }
 
-static bool is_at(tp_bounded degrees, tp_bounded end) {
-  static const double beside = 1e-9;
-  return fabs(degrees.value - end.value) <= degrees.error + end.error + beside;
-}
-
-/* Is a factor that counts 1 at an end of a window: by moments, or along the facet? */
-static bool formulas_tell(const tp_governing_fos *g, const tp_at_scene *at, tp_bounded end) {
-  const tp_case *c = at->c;
-  const tp_sliding *s = &c->sliding;
-  for (size_t k = 0; k < g->factor_count; k++) {
-    const bool shear = g->factors[k].definition == TP_FOS_BY_SHEAR && g->factors[k].counts;
-    if (shear && !s->never && !s->always && is_at(s->critical_angle_deg, end)) return true;
-  }
-  for (size_t k = 0; k < c->pivot_count && c->has_governing; k++) {
-    const tp_pivot *p = c->pivots + k;
-    if (!p->admissible || p->never || p->always || !is_at(p->critical_angle_deg, end)) continue;
-    if (by_moments(at, k).counts) return true;
-  }
-  return false;
-}
-
-/* Where no change of strength matters, the tilt tells, and of an end of a window at which no other
- * factor is 1; and where motions end as it rises, how far it lies above that. */
+/* Where no change of strength matters, the tilt tells; and where motions end as it rises, how far
+ * it lies above that. */
 static void add_tilt(tp_governing_fos *g, const tp_at_scene *at) {
   const tp_onset *onset = &at->c->onset;
   const tp_bounded tilt = at->solution->tilt_angle_deg;
   const double upright = 90;
   by_tilt own = {.at = at, .factor = {.definition = TP_FOS_BY_TILT, .counts = true}};
   const bool sits = tilt.value > 0 && tilt.value < upright && (at->moves || at->stands);
-  if (!sits || at->solution->friction_is_residual) return;
+  if (!sits || at->solution->friction_is_residual || (at->moves && has_way(g))) return;
   const bool strength = onset->fos.state == TP_FOS_NUMBER;
-  const bool told = strength || (at->moves && has_way(g));
   for (size_t k = 0; k < onset->window_count; k++) {
     const tp_window *w = onset->windows + k;
     const bool holds = window_of(onset, tilt.value, tilt.value) == w;
-    if (at->moves != holds) continue;
+    if (at->moves != holds || (at->moves && strength)) continue;
     const bool rises = w->from_deg.value > tilt.value;
-    const bool from = !told || !(w->from_by_strength || formulas_tell(g, at, w->from_deg));
-    const bool to = !told || !(w->to_by_strength || formulas_tell(g, at, w->to_deg));
-    if (!w->from_below && (at->moves || rises) && from) add_end(&own, w, w->from_deg);
-    if (!w->to_above && (at->moves ? to : !rises)) add_end(&own, w, w->to_deg);
+    if (!w->from_below && (at->moves || (rises && !strength))) add_end(&own, w, w->from_deg);
+    if (!w->to_above && (at->moves || !rises)) add_end(&own, w, w->to_deg);
   }
   if (own.has) add(g, own.factor);
 }
