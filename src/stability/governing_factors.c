@@ -163,15 +163,26 @@ static void add_moments(tp_governing_fos *g, const tp_at_scene *at) {
   if (has[true]) add(g, least[true]);
 }
 
+/* Can it slip along its facet? Where a bond alone keeps it from sliding, while it turns as well. */
+static bool slip_begins(const tp_case *c, tp_mechanism *mechanism) {
+  const tp_onset *onset = &c->onset;
+  if (can_begin(onset, TP_SLIDES)) return true;
+  if (!c->slides_sooner) return false;
+  if (!can_begin(onset, TP_SLIDES_AND_TOPPLES)) return onset->beginning_count == 0;
+  *mechanism = TP_SLIDES_AND_TOPPLES;
+  return true;
+}
+
 static void add_sliding(tp_governing_fos *g, const tp_at_scene *at) {
   const tp_case *c = at->c;
   const tp_sliding *s = &c->sliding;
   const bool loaded = at->solution->loaded;
   if (!s->known) return;
-  const bool begins = at->moves && (can_begin(&c->onset, TP_SLIDES) || c->slides_sooner);
+  tp_mechanism mechanism = TP_SLIDES;
+  const bool begins = at->moves && slip_begins(c, &mechanism);
   const bool smooth = s->friction_angle_deg.value == 0 && s->friction_angle_deg.error == 0;
   tp_factor factor = {.definition = TP_FOS_BY_SHEAR,
-                      .mechanism = TP_SLIDES,
+                      .mechanism = mechanism,
                       .fos = loaded ? s->fos : s->fos_strength};
   for (int k = 0; k < 2; k++) {
     factor.standing = !s->opens ? TP_FACTOR_BLOCKED
