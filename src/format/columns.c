@@ -4,6 +4,7 @@
 #include "format/columns.h"
 
 #include "format/column_words_table.h"
+#include "number/ratio.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -312,4 +313,31 @@ tp_status tp_columns_note(const tp_columns *columns, tp_place line, tp_notes *no
                       "names them",
                       columns->at[0] + 1, columns->words[0], columns->at[1] + 1, columns->words[1],
                       columns->count);
+}
+
+void tp_column_level_init(tp_column_level *level) {
+  level->given = false;
+  fmpq_init(level->value);
+}
+
+void tp_column_level_clear(tp_column_level *level) {
+  fmpq_clear(level->value);
+}
+
+bool tp_column_level_stays(tp_column_level *level, const tp_columns *columns,
+                           const tp_csv_row *row) {
+  const int column = columns->level;
+  if (column < 0 || column >= row->count) return true;
+  const tp_csv_field f = row->fields[column];
+  const char *problem = NULL;
+  fmpq_t own;
+  fmpq_init(own);
+  const bool known = tp_ratio_read_field(own, row->text + f.at, f.length, &problem);
+  const bool stays = !known || !level->given || fmpq_equal(own, level->value);
+  if (known) {
+    level->given = true;
+    fmpq_swap(own, level->value);
+  }
+  fmpq_clear(own);
+  return stays;
 }

@@ -11,6 +11,8 @@
 #include "message.h"
 #include "notes.h"
 
+#include <flint/fmpq.h>
+
 typedef struct tp_columns {
   int count;            /* of columns that the header has; 0: no header names any */
   int at[2];            /* of x and y, from 0 */
@@ -35,7 +37,20 @@ TP_MUST_USE tp_status tp_columns_read(tp_columns *columns, tp_header *header, co
 TP_MUST_USE tp_status tp_columns_note(const tp_columns *columns, tp_place line, tp_notes *notes,
                                       tp_message *message);
 
-/* Of a height beside x and y that changes. */
+/* The height beside x and y that the points of a file have had so far. */
+typedef struct tp_column_level {
+  bool given;
+  fmpq_t value;
+} tp_column_level;
+
+void tp_column_level_init(tp_column_level *level);
+void tp_column_level_clear(tp_column_level *level);
+
+/* Is it the same in this line, or not a number in it? */
+bool tp_column_level_stays(tp_column_level *level, const tp_columns *columns,
+                           const tp_csv_row *row);
+
+/* Of one that changes. */
 extern const char tp_columns_plan[];
 
 #endif

@@ -21,8 +21,8 @@ typedef struct reader {
   int header_line;
   tp_columns points;    /* no header yet: none of them */
   int columns[COLUMNS]; /* -1: there is none */
-  fmpq_t level;         /* of the first point, beside x and y */
-  bool has_level, has_points;
+  tp_column_level level;
+  bool has_points;
 } reader;
 
 static tp_status fail(const reader *r, size_t column, const char *what) {
@@ -131,23 +131,16 @@ static tp_status find_object(const reader *r, tp_drawing_object **object, const 
 }
 
 /* A height beside x and y. */
-static tp_status check_level(reader *r, const tp_csv_row *row, fmpq_t value) {
-  const int column = r->points.level;
-  const char *problem = NULL;
-  if (column < 0 || column >= row->count) return TP_OK;
-  const tp_csv_field f = row->fields[column];
-  if (!tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) return TP_OK;
-  if (r->has_level && !fmpq_equal(value, r->level)) return fail(r, f.at, tp_columns_plan);
-  fmpq_set(r->level, value);
-  r->has_level = true;
-  return TP_OK;
+static tp_status check_level(reader *r, const tp_csv_row *row) {
+  if (tp_column_level_stays(&r->level, &r->points, row)) return TP_OK;
+  return fail(r, row->fields[r->points.level].at, tp_columns_plan);
 }
 
 static tp_status read_row(reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
   const int *at = r->points.at;
   if (row->open_quote) return fail(r, row->quote, "a quote is not closed in this line");
   if (row->count <= at[0] || row->count <= at[1]) return fail(r, 0, "a line without x or y");
-  tp_status status = check_level(r, row, x);
+  tp_status status = check_level(r, row);
   if (status == TP_OK) status = read_number(r, x, row, at[0]);
   if (status == TP_OK) status = read_number(r, y, row, at[1]);
   if (status != TP_OK) return status;
@@ -202,9 +195,9 @@ tp_status tp_csv_drawing_read(tp_drawing *drawing, const tp_text_file *file,
                               const tp_drawing_options *options, tp_message *message) {
   (void)options; /* no curves */
   reader r = {.drawing = drawing, .message = message, .points = {.level = -1}};
-  fmpq_init(r.level);
+  tp_column_level_init(&r.level);
   const tp_status status = read_lines(&r, file);
-  fmpq_clear(r.level);
+  tp_column_level_clear(&r.level);
   for (long k = 0; k < drawing->count && status == TP_OK; k++) {
     tp_drawing_tidy(drawing->objects + k);
   }

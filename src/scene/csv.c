@@ -33,8 +33,7 @@ typedef struct reader {
   tp_columns columns;
   char named;       /* its separator, if it is no blank */
   title_line title; /* the line above the points, where it names nothing */
-  fmpq_t level;     /* of the first point, beside x and y */
-  bool has_level;
+  tp_column_level level;
   char separator; /* of the last point */
   long repeated;  /* points left out */
   tp_mark first_repeated;
@@ -191,23 +190,16 @@ static bool repeats_last(const tp_polyline *line, const fmpq_t x, const fmpq_t y
 }
 
 /* A height beside x and y. */
-static tp_status check_level(reader *r, const tp_csv_row *row, fmpq_t value) {
-  const int column = r->columns.level;
-  const char *problem = NULL;
-  if (column < 0 || column >= row->count) return TP_OK;
-  const tp_csv_field f = row->fields[column];
-  if (!tp_ratio_read_field(value, row->text + f.at, f.length, &problem)) return TP_OK;
-  if (r->has_level && !fmpq_equal(value, r->level)) return fail(r, f.at, tp_columns_plan);
-  fmpq_set(r->level, value);
-  r->has_level = true;
-  return TP_OK;
+static tp_status check_level(reader *r, const tp_csv_row *row) {
+  if (tp_column_level_stays(&r->level, &r->columns, row)) return TP_OK;
+  return fail(r, row->fields[r->columns.level].at, tp_columns_plan);
 }
 
 static tp_status read_point(reader *r, const tp_csv_row *row, fmpq_t x, fmpq_t y) {
   const int *column = r->columns.at;
   tp_status status = check_title(r, row);
   if (status == TP_OK) status = check_columns(r, row);
-  if (status == TP_OK) status = check_level(r, row, x);
+  if (status == TP_OK) status = check_level(r, row);
   if (status == TP_OK) status = read_number(r, x, row, column[0]);
   if (status == TP_OK) status = read_number(r, y, row, column[1]);
   if (status != TP_OK) return status;
@@ -268,7 +260,7 @@ static tp_status read_file(tp_polyline *line, const char **unit, FILE *file, con
               .message = message,
               .file = file};
   r.buffer = calloc(1, LONGEST_LINE);
-  fmpq_init(r.level);
+  tp_column_level_init(&r.level);
   tp_status status = r.buffer != NULL ? read_lines(&r) : tp_fail_memory(message, "an outline");
   if (status == TP_OK && line->count == 0) {
     status =
@@ -276,7 +268,7 @@ static tp_status read_file(tp_polyline *line, const char **unit, FILE *file, con
   }
   fclose(r.file);
   free(r.buffer);
-  fmpq_clear(r.level);
+  tp_column_level_clear(&r.level);
   *unit = r.columns.unit;
   if (status != TP_OK) {
     tp_polyline_clear(line);
