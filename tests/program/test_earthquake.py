@@ -177,7 +177,7 @@ class Earthquake(unittest.TestCase):
             self.path.write_text(self.path.read_text(encoding="utf-8").replace(f"height: {height},", "height: 1,"), encoding="utf-8")
 
     def test_water_on_slopes(self):
-        """A square of sides 1 that slides up-dip: weight, earthquake and uplift along and normal to the slope; the angle by which
+        """A square of sides 1 that slides or topples up-dip: weight, earthquake and uplift along and normal to the slope; the angle by which
         it would have to be turned until it slides by bisection, as uplift goes with the cosine of the dip there is then. On a
         mated base and on a profile, at dips on both sides of 45°, mirrored too."""
         k, tan, weight = 2.5, math.tan(math.radians(40)), 26
@@ -193,11 +193,20 @@ class Earthquake(unittest.TestCase):
                 along = weight * (k * math.cos(there) - math.sin(there))
                 return along, (weight * (math.cos(there) + k * math.sin(there)) - uplift) * tan
 
+            def turning(turn):
+                there = a - turn
+                uplift = 9.81 * 0.5 / 2 * (1 if level else math.cos(there))
+                normal = weight * (math.cos(there) + k * math.sin(there))
+                return weight * (k * math.cos(there) - math.sin(there)) / 2 + uplift / 3, normal / 2
+
+            def passes(balance):
+                low, high = -math.pi / 2, math.pi / 2
+                while high - low > 1e-13:
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if balance(middle)[0] < balance(middle)[1] else (low, middle)
+                return math.degrees(high)
+
             along, resists = excess(0)
-            low, high = -math.pi / 2, math.pi / 2
-            while high - low > 1e-13:
-                middle = (low + high) / 2
-                low, high = (middle, high) if excess(middle)[0] < excess(middle)[1] else (low, middle)
             water = f"height: 0.5, uplift: true, stays_level: {str(level).lower()}"
             for turned in (list, mirrored):
                 own = self.wet(water, f"horizontal: {k}, direction: up_dip", turned(ring), sorted(turned(ring[:2])))
@@ -211,7 +220,10 @@ class Earthquake(unittest.TestCase):
                                      encoding="utf-8")
                 for case in (own["cases"][0], solve(self.path)["cases"][0]):
                     self.assertAlmostEqual(case["sliding"]["fos"]["value"], resists / along, delta=1e-6)
-                    self.assertAlmostEqual(case["sliding"]["critical_angle_deg"]["value"], math.degrees(high), delta=1e-6)
+                    self.assertAlmostEqual(case["sliding"]["critical_angle_deg"]["value"], passes(excess), delta=1e-6)
+                    self.assertAlmostEqual(case["toppling"]["critical_angle_deg"]["value"], passes(turning), delta=1e-6)
+                    least = min(passes(excess), passes(turning))  # one facet: the two have nothing to do with each other
+                    self.assertAlmostEqual(case["limit"]["critical_angle_deg"]["value"], least, delta=1e-6)
 
     def test_shifted_joint(self):
         """A block shifted along its teeth by half a flank lies half a tooth higher: shaken both ways there it is as the block
