@@ -3,7 +3,7 @@
 
 #include "case_filter/factor_filter.h"
 
-#include "case_filter/standing_filter.h"
+#include "case_filter/sliding_filter.h"
 #include "case_filter/strength_filter.h"
 
 void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot) {

@@ -7,7 +7,15 @@
 #ifndef TP_STANDING_FILTER_H
 #define TP_STANDING_FILTER_H
 
-#include "case_filter/factor_filter.h"
+#include "case_filter/case_filter.h"
+
+/* What is told of the block at its tilt. */
+typedef struct tp_filter_state {
+  tp_near tangent;     /* of the tilt */
+  bool moves;          /* some motion can begin: */
+  unsigned beginnings; /* the bit 1 << mechanism of each that can, */
+  tp_mechanism mover;  /* and which is named */
+} tp_filter_state;
 
 /* A factor against one way to move. */
 typedef struct tp_filter_way {
