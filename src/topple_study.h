@@ -265,8 +265,8 @@ typedef struct tp_study_result {
   tp_study_bad *bad;         /* these */
   size_t column_count;       /* of the columns */
   tp_study_column *columns;  /* the numbers that vary, the quantities, outcomes at each tilt,
-                                tp_fos_definition of the factor that governs (NaN: none), and what is
-                                measured of the base */
+                                tp_fos_definition of the factor that governs (NaN: none), the factors
+                                by moments and of sliding, and what is measured of the base */
   size_t source_count;       /* of the sources */
   TP_OUTSIDE char **sources; /* files that it was read from, and those of its rows: no chart of it
                                 is written over them */

@@ -313,6 +313,7 @@ const memory_call memory_calls[] = {{"build a scene", build_scene, 200},
                                     {"chart fos", chart_fos, 100},
                                     {"chart mechanisms", chart_mechanisms, 40},
                                     {"chart ranges", chart_ranges, 20},
-                                    {"chart map", chart_map, 40}};
+                                    {"chart map", chart_map, 40},
+                                    {"chart map, contours", chart_map_contours, 4}};
 
 const int memory_call_count = sizeof memory_calls / sizeof memory_calls[0];

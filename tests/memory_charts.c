@@ -46,17 +46,39 @@ void chart_profile(const tp_profile *profile) {
   report_chart(status, chart, &message);
 }
 
-void chart_map(void) {
-  tp_scene *scene = NULL;
+/* Of the scene that a call has read with the status; it is freed. */
+static void map_of(tp_scene *scene, tp_status status, tp_message message,
+                   tp_chart_map_options options) {
   tp_chart *chart = NULL;
-  tp_message message = {""};
-  tp_status status = tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message);
   if (!done(status, scene, &message)) return;
-  const tp_chart_map_options options = {.size = sizeof options,
-                                        .scene = scene,
-                                        .x = {"block.slab.width", {10, 150}},
-                                        .y = {"tilt", {0, 90}}};
+  options.scene = scene;
   status = tp_chart_map(&chart, &options, &message);
   report_chart(status, chart, &message);
   tp_scene_free(scene);
+}
+
+void chart_map(void) {
+  tp_scene *scene = NULL;
+  tp_message message = {""};
+  const tp_status status = tp_scene_read(&scene, EXAMPLE("slab_left.yaml"), &message);
+  map_of(scene, status, message,
+         (tp_chart_map_options){.size = sizeof(tp_chart_map_options),
+                                .x = {"block.slab.width", {10, 150}},
+                                .y = {"tilt", {0, 90}}});
+}
+
+/* Where the slab stands throughout, so that there are no borders, which take most of the time. */
+void chart_map_contours(void) {
+  static const char slab[] = "topple: 1\nlength_unit: m\nblock: {slab: {width: 1, height: 2}}\n"
+                             "friction_angle_deg: 30\ntilt: {towards: left, angle_deg: 20}\n";
+  static const double levels[] = {1.5};
+  tp_scene *scene = NULL;
+  tp_message message = {""};
+  const tp_status status = tp_scene_read_text(&scene, slab, "slab", &message);
+  map_of(scene, status, message,
+         (tp_chart_map_options){.size = sizeof(tp_chart_map_options),
+                                .x = {"block.slab.width", {0.9, 1.2}},
+                                .y = {"friction_angle_deg", {25, 40}},
+                                .governing_fos = true,
+                                .levels = {1, levels}});
 }

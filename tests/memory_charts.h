@@ -12,6 +12,7 @@ void chart_fos(void);
 void chart_mechanisms(void);
 void chart_ranges(void);
 void chart_map(void);
+void chart_map_contours(void);
 void chart_profile(const tp_profile *profile);
 
 #endif

@@ -8,6 +8,7 @@
 #include "runner.h"
 
 #include "case_filter/case_filter.h"
+#include "stability/case_numbers.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -81,6 +82,12 @@ static void meets(tp_near own, tp_bounded other, const char *what) {
                 own.value, own.error);
 }
 
+static void meets_factor(tp_fos_told own, tp_case_state state, tp_bounded other, const char *what) {
+  const bool number = own.state == TP_FOS_NUMBER;
+  ck_assert_msg(state == (number ? TP_CASE_NUMBER : TP_CASE_ALWAYS), "%s: %d", what, (int)state);
+  if (number) meets(own.value, other, what);
+}
+
 static void compare(const tp_case_told *told, const tp_case_told_at *at, const tp_case *c) {
   const tp_governing_fos *g = &c->governing_fos;
   ck_assert_int_eq(c->limit.kind, TP_LIMIT_AT_ANGLE);
@@ -93,8 +100,11 @@ static void compare(const tp_case_told *told, const tp_case_told_at *at, const t
   ck_assert_int_eq(c->onset.kind, told->never ? TP_ONSET_NEVER : TP_ONSET_AT_ANGLE);
   if (!told->never) meets(told->onset_deg, c->onset.critical_angle_deg, "the onset");
   ck_assert_str_eq(tp_mechanism_name(at->mechanism), tp_mechanism_name(c->mechanism));
-  ck_assert_int_eq(at->state, g->fos.state);
-  if (at->state == TP_FOS_NUMBER) meets(at->fos, g->fos.value, "the factor");
+  ck_assert_int_eq(at->fos.state, g->fos.state);
+  if (at->fos.state == TP_FOS_NUMBER) meets(at->fos.value, g->fos.value, "the factor");
+  tp_bounded moments, shear;
+  meets_factor(at->by_moments, tp_case_fos_moments(&moments, c), moments, "the factor by moments");
+  meets_factor(at->by_shear, tp_case_fos_sliding(&shear, c), shear, "the factor of sliding");
   ck_assert_int_eq(at->fos_definition, g->factors[g->factor].definition);
   ck_assert_int_eq(at->fos_mechanism, g->factors[g->factor].mechanism);
   ck_assert(g->complete);

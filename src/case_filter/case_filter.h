@@ -64,13 +64,19 @@ typedef struct tp_case_told {
 TP_MUST_USE bool tp_case_filter_tell(tp_case_told *told, const tp_case_filter *filter,
                                      tp_near friction_deg, const tp_near *variables);
 
+/* A factor of safety: a number, or nothing overturns. */
+typedef struct tp_fos_told {
+  tp_fos_state state;
+  tp_near value; /* where it is a number */
+} tp_fos_told;
+
 /* At one. */
 typedef struct tp_case_told_at {
   tp_mechanism mechanism;
-  tp_fos_state state; /* of the factor that governs: a number, or nothing overturns */
-  tp_near fos;
+  tp_fos_told fos; /* that governs */
   tp_mechanism fos_mechanism;
   tp_fos_definition fos_definition;
+  tp_fos_told by_moments, by_shear; /* as tp_case_fos_moments, tp_case_fos_sliding */
 } tp_case_told_at;
 
 /* At a tilt from 0 to below 90 degrees; false where doubles do not tell. */

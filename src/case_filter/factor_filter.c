@@ -3,81 +3,13 @@
 
 #include "case_filter/factor_filter.h"
 
+#include "case_filter/sliding_filter.h"
 #include "case_filter/strength_filter.h"
-
-/* ---- which count -------------------------------------------------------------------------------
- */
 
 void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot) {
   const tp_shape_point *p = shape->points + pivot->point;
   *x = tp_near_neg(p->x);
   *y = tp_near_neg(p->y);
-}
-
-typedef enum counting { COUNTS, EXCLUDED, OPEN } counting;
-
-/* Can motions begin just beside a tilt at which none need to at the block's own? */
-static counting begins_beside(const tp_case_told *told, tp_near critical) {
-  static const double beside = 0x1p-30;
-  for (int side = 1; side >= -1; side -= 2) {
-    bool moves = false;
-    unsigned beginnings = 0;
-    const tp_near at = tp_near_mul(critical, (tp_near){1 + side * beside, 0});
-    if (!tp_onset_filter_look(&moves, &beginnings, &told->onset, at)) return OPEN;
-    if (moves) return COUNTS;
-  }
-  return EXCLUDED;
-}
-
-/* Does the interval hold the tangent for certain? */
-static bool holds(const tp_near_interval *own, tp_near tangent) {
-  return !own->empty && !own->perhaps &&
-         (!own->has_low || tp_near_sign(tp_near_sub(tangent, own->low)) > 0) &&
-         (!own->has_high || tp_near_sign(tp_near_sub(own->high, tangent)) > 0);
-}
-
-/* Can motions begin at all tilts from a critical one up to the block's? Modes that hold the tilt at
- * hand lead down to their lower ends. Where they end before it, balls tell. */
-static counting begins_from(const tp_case_told *told, tp_near critical, tp_near tangent) {
-  static const double beside = 0x1p-30;
-  const tp_onset_filter *o = &told->onset;
-  const tp_near wanted = tp_near_mul(critical, (tp_near){1 + beside, 0});
-  tp_near at = tangent;
-  for (int step = 0; step <= o->plan->mode_count; step++) {
-    tp_near least = at;
-    for (int k = 0; k < o->plan->mode_count; k++) {
-      const tp_near_interval *own = &o->modes[k].all;
-      if (!holds(own, at)) continue;
-      if (!own->has_low) return COUNTS;
-      if (tp_near_sign(tp_near_sub(least, own->low)) > 0) least = own->low;
-    }
-    if (tp_near_sign(tp_near_sub(wanted, least)) > 0) return COUNTS;
-    if (tp_near_sign(tp_near_sub(at, least)) <= 0) return OPEN;
-    at =
-        tp_near_mul(least, (tp_near){1 - beside, 0}); /* within the next one, where that meets it */
-  }
-  return OPEN;
-}
-
-/* A factor against one way to move. */
-typedef struct way {
-  tp_fos_state state; /* a number, or nothing overturns */
-  tp_near fos;
-  bool has_critical; /* it is 1 at a tilt, */
-  tp_near critical;  /* with this tangent */
-  bool begins;       /* its motion can at the block's own */
-  tp_fos_definition definition;
-  tp_mechanism mechanism;
-} way;
-
-/* By its side of 1, and whether its motion can begin. */
-static counting judge(const tp_case_told *told, const tp_filter_state *s, const way *own,
-                      int side) {
-  if (side == 0) return OPEN;
-  if (side < 0 && !(s->moves && own->begins)) return EXCLUDED;
-  if ((side > 0 && s->moves) || !own->has_critical) return COUNTS;
-  return s->moves ? begins_from(told, own->critical, s->tangent)
-                  : begins_beside(told, own->critical);
 }
 
 /* ---- what governs ------------------------------------------------------------------------------
@@ -115,14 +47,19 @@ static bool take(least *l, tp_fos_state state, tp_near fos, tp_fos_definition de
   return true;
 }
 
-/* Takes what counts; of a block that moves, what is below 1 alone. */
-static bool take_judged(least *l, const tp_case_told *told, const tp_filter_state *s,
-                        const way *own) {
+/* What counts; of a block that moves, what is below 1 alone. */
+static bool take_counting(least *l, const tp_filter_state *s, const tp_filter_way *own) {
   static const tp_near one = {1, 0};
-  const int side = own->state == TP_FOS_NUMBER ? tp_near_sign(tp_near_sub(own->fos, one)) : 1;
-  const counting counts = judge(told, s, own, side);
-  if (counts != COUNTS) return counts == EXCLUDED;
-  return (s->moves && side > 0) || take(l, own->state, own->fos, own->definition, own->mechanism);
+  const tp_fos_told *fos = &own->fos;
+  const bool below = fos->state == TP_FOS_NUMBER && tp_near_sign(tp_near_sub(fos->value, one)) < 0;
+  return (s->moves && !below) || take(l, fos->state, fos->value, own->definition, own->mechanism);
+}
+
+static bool take_judged(least *l, const tp_case_told *told, const tp_filter_state *s,
+                        const tp_filter_way *own) {
+  const tp_filter_standing standing = tp_standing_filter(told, s, own);
+  return standing == TP_FILTER_EXCLUDED ||
+         (standing == TP_FILTER_COUNTS && take_counting(l, s, own));
 }
 
 /* Does a mode turn about the point: sticking there, or slipping there alone? */
@@ -145,51 +82,66 @@ static tp_mechanism turn_about(const tp_case_told *told, const tp_filter_pivot *
   tp_mechanism found = TP_MECHANISM_UNDECIDED;
   for (int k = 0; k < plan->mode_count && found != TP_TOPPLES; k++) {
     if (turns_about(plan, plan->modes + k, pivot->point) &&
-        holds(&told->onset.modes[k].with_rays, tangent)) {
+        tp_filter_holds(&told->onset.modes[k].with_rays, tangent)) {
       found = plan->modes[k].mechanism;
     }
   }
   return found;
 }
 
-static bool take_moments(least *l, const tp_case_told *told, const tp_filter_state *s) {
+static tp_filter_way moments_about(const tp_case_told *told, const tp_filter_state *s,
+                                   const tp_filter_pivot *pivot) {
   const bool level = tp_near_is_zero(s->tangent); /* nothing overturns */
-  bool done = true;
-  for (int k = -1; k < told->filter->pivot_count && done; k++) {
-    const tp_filter_pivot *pivot = k < 0 ? told->pivot : told->filter->pivots + k;
-    if (k >= 0 && (!pivot->admissible || pivot == told->pivot)) continue;
-    tp_near x, y;
-    tp_filter_arms(&x, &y, told->shape, pivot);
-    const tp_mechanism turn =
-        s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
-    const bool begins = turn != TP_MECHANISM_UNDECIDED;
-    const way own = {.state = level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER,
-                     .fos = level ? s->tangent : tp_near_div(x, tp_near_mul(y, s->tangent)),
-                     .has_critical = true,
-                     .critical = tp_near_div(x, y),
-                     .begins = begins,
-                     .definition = TP_FOS_BY_MOMENTS,
-                     .mechanism = begins ? turn : TP_TOPPLES};
-    done = take_judged(l, told, s, &own);
-  }
-  return done;
+  tp_near x, y;
+  tp_filter_arms(&x, &y, told->shape, pivot);
+  const tp_mechanism turn = s->moves ? turn_about(told, pivot, s->tangent) : TP_MECHANISM_UNDECIDED;
+  const bool begins = turn != TP_MECHANISM_UNDECIDED;
+  const tp_near fos = level ? s->tangent : tp_near_div(x, tp_near_mul(y, s->tangent));
+  return (tp_filter_way){.fos = {level ? TP_FOS_NO_OVERTURNING : TP_FOS_NUMBER, fos},
+                         .has_critical = true,
+                         .critical = tp_near_div(x, y),
+                         .begins = begins,
+                         .definition = TP_FOS_BY_MOMENTS,
+                         .mechanism = begins ? turn : TP_TOPPLES};
 }
 
-static bool take_sliding(least *l, const tp_case_told *told, const tp_filter_state *s) {
+/* About the pivot that governs, and then all others that are admissible; `by_moments` is the least
+ * of those that count, or else of all. */
+static bool take_moments(least *l, tp_fos_told *by_moments, const tp_case_told *told,
+                         const tp_filter_state *s) {
+  tp_fos_told found[2]; /* by whether they count */
+  bool has[2] = {false, false};
+  for (int k = -1; k < told->filter->pivot_count; k++) {
+    const tp_filter_pivot *pivot = k < 0 ? told->pivot : told->filter->pivots + k;
+    if (k >= 0 && (!pivot->admissible || pivot == told->pivot)) continue;
+    const tp_filter_way own = moments_about(told, s, pivot);
+    const tp_filter_standing standing = tp_standing_filter(told, s, &own);
+    const bool counts = standing == TP_FILTER_COUNTS;
+    if (standing == TP_FILTER_OPEN || (counts && !take_counting(l, s, &own))) return false;
+    found[counts] = (tp_fos_told){own.fos.state,
+                                  has[counts] ? tp_near_lesser(found[counts].value, own.fos.value)
+                                              : own.fos.value};
+    has[counts] = true;
+  }
+  *by_moments = found[has[true]];
+  return true;
+}
+
+static bool take_sliding(least *l, tp_fos_told *by_shear, const tp_case_told *told,
+                         const tp_filter_state *s) {
   tp_sliding_told sliding;
   if (!tp_sliding_filter(&sliding, told, s->tangent)) return false;
+  *by_shear = (tp_fos_told){sliding.shear, sliding.by_shear};
   if (!sliding.counts) return true;
-  way own = {.state = sliding.shear,
-             .fos = sliding.by_shear,
-             .has_critical = sliding.has_critical,
-             .critical = sliding.critical,
-             .begins = s->moves && (s->beginnings & 1U << TP_SLIDES) != 0,
-             .definition = TP_FOS_BY_SHEAR,
-             .mechanism = TP_SLIDES};
+  tp_filter_way own = {.fos = *by_shear,
+                       .has_critical = sliding.has_critical,
+                       .critical = sliding.critical,
+                       .begins = s->moves && (s->beginnings & 1U << TP_SLIDES) != 0,
+                       .definition = TP_FOS_BY_SHEAR,
+                       .mechanism = TP_SLIDES};
   if (!take_judged(l, told, s, &own)) return false;
   if (sliding.is_level) return true;
-  own.state = sliding.rough;
-  own.fos = sliding.by_roughness;
+  own.fos = (tp_fos_told){sliding.rough, sliding.by_roughness};
   own.definition = TP_FOS_BY_ROUGHNESS;
   return take_judged(l, told, s, &own);
 }
@@ -227,7 +179,7 @@ static bool goes_on(const tp_onset_filter *o, tp_near tangent) {
     tp_near most = at;
     for (int k = 0; k < o->plan->mode_count; k++) {
       const tp_near_interval *own = &o->modes[k].all;
-      if (!holds(own, at)) continue;
+      if (!tp_filter_holds(own, at)) continue;
       if (!own->has_high) return true;
       if (tp_near_sign(tp_near_sub(own->high, most)) > 0) most = own->high;
     }
@@ -240,7 +192,8 @@ static bool goes_on(const tp_onset_filter *o, tp_near tangent) {
 /* Of a block that moves whatever its strength, in the window that begins at the onset and goes on:
  * by the tilt. */
 static bool take_onset(least *l, const tp_case_told *told, const tp_filter_state *s) {
-  if (told->never || begins_from(told, told->onset.tangent, s->tangent) != COUNTS ||
+  if (told->never ||
+      tp_filter_begins_from(told, told->onset.tangent, s->tangent) != TP_FILTER_COUNTS ||
       !goes_on(&told->onset, s->tangent)) {
     return false;
   }
@@ -281,8 +234,9 @@ static bool take_strength(least *l, const tp_case_told *told, const tp_filter_st
 static bool is_told_without_tilt(const least *l, const tp_case_told *told,
                                  const tp_filter_state *s) {
   if (!l->number || told->never || tp_near_is_zero(s->tangent)) return true;
-  if (s->moves && (begins_from(told, told->onset.tangent, s->tangent) != COUNTS ||
-                   !goes_on(&told->onset, s->tangent))) {
+  if (s->moves &&
+      (tp_filter_begins_from(told, told->onset.tangent, s->tangent) != TP_FILTER_COUNTS ||
+       !goes_on(&told->onset, s->tangent))) {
     return false;
   }
   const tp_near fos = tp_near_div(told->onset.tangent, s->tangent);
@@ -300,13 +254,13 @@ static bool lies_between_windows(const tp_case_told *told, const tp_filter_state
 
 bool tp_factor_filter(tp_case_told_at *at, const tp_case_told *told, const tp_filter_state *s) {
   least l = {.any = false};
-  if (lies_between_windows(told, s) || !take_moments(&l, told, s) || !take_sliding(&l, told, s) ||
-      !take_strength(&l, told, s) || !is_told_without_tilt(&l, told, s)) {
+  if (lies_between_windows(told, s) || !take_moments(&l, &at->by_moments, told, s) ||
+      !take_sliding(&l, &at->by_shear, told, s) || !take_strength(&l, told, s) ||
+      !is_told_without_tilt(&l, told, s)) {
     return false;
   }
   if (!l.any) name(&l, TP_FOS_BY_REDUCTION, TP_MECHANISM_UNDECIDED);
-  at->state = l.number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING;
-  at->fos = l.fos;
+  at->fos = (tp_fos_told){l.number ? TP_FOS_NUMBER : TP_FOS_NO_OVERTURNING, l.fos};
   at->fos_mechanism = l.mechanism;
   at->fos_definition = l.definition;
   return true;

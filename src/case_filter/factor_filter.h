@@ -7,15 +7,7 @@
 #ifndef TP_FACTOR_FILTER_H
 #define TP_FACTOR_FILTER_H
 
-#include "case_filter/sliding_filter.h"
-
-/* What is told of the block at its tilt. */
-typedef struct tp_filter_state {
-  tp_near tangent;     /* of the tilt */
-  bool moves;          /* some motion can begin: */
-  unsigned beginnings; /* the bit 1 << mechanism of each that can, */
-  tp_mechanism mover;  /* and which is named */
-} tp_filter_state;
+#include "case_filter/standing_filter.h"
 
 /* The arms of the weight about a pivot: x / y is the tangent of its critical angle. */
 void tp_filter_arms(tp_near *x, tp_near *y, const tp_shape *shape, const tp_filter_pivot *pivot);

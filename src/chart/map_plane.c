@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SEARCH_LOOKS = 60 };
+enum { SIDE = 49, LOOKS = SIDE * SIDE, CONTOURS = 10, SEARCH_LOOKS = 60, DIGITS_OF_GRID = 9 };
 
 /* A number of a sample that has contours. */
 typedef bool (*reader)(tp_bounded *value, const tp_map_sample *sample);
@@ -278,7 +278,12 @@ void tp_map_draw_plane(tp_map *map) {
     map->status = tp_fail_memory(map->message, "the map");
     return;
   }
+  tp_solve_options *solve = &map->varied.options;
+  const int digits = solve->digits;
+  solve->pivots = TP_PIVOTS_GOVERNING;
+  solve->digits = DIGITS_OF_GRID;
   const bool any = scan(&p);
+  solve->digits = digits;
   if (map->status == TP_OK && !any) map->status = tp_map_no_answer(map);
   const tp_field field = {&p, regime_region, cross_regimes};
   if (map->status == TP_OK && map->options->governing_fos) {
@@ -287,6 +292,9 @@ void tp_map_draw_plane(tp_map *map) {
     add_contours(&p, (contours){read_limit, tp_line_contour, "limit"});
     add_contours(&p, (contours){read_onset, tp_line_stands, "certain to stand"});
   }
+  /* a border is a matter of the verdict alone, of which its error is not */
+  solve->strength_reduction = false;
+  solve->digits = DIGITS_OF_GRID;
   if (map->status == TP_OK) add_curves(&p, &field, tp_line_border, "border", false);
   free(p.points);
   free(p.grid);

@@ -16,6 +16,8 @@ typedef enum own_field {
   FOS,
   FOS_MECHANISM,
   FOS_DEFINITION,
+  FOS_MOMENTS,
+  FOS_SLIDING,
   FIRST,
   MOMENTS,
   PIVOT_X,
@@ -44,6 +46,8 @@ static const own_column own_columns[] = {
     [FOS] = {"fos", NULL, TP_FIELD_NUMBER},
     [FOS_MECHANISM] = {"fos_mechanism", NULL, TP_FIELD_WORDS},
     [FOS_DEFINITION] = {"fos_definition", NULL, TP_FIELD_WORDS},
+    [FOS_MOMENTS] = {"fos_moments", NULL, TP_FIELD_NUMBER},
+    [FOS_SLIDING] = {"fos_sliding", NULL, TP_FIELD_NUMBER},
     [FIRST] = {"first", NULL, TP_FIELD_WORDS},
     [MOMENTS] = {"moments_deg", "deg", TP_FIELD_NUMBER},
     [PIVOT_X] = {"pivot_x_m", "m", TP_FIELD_NUMBER},
@@ -169,6 +173,10 @@ tp_study_value tp_study_field_value(const tp_study *study, const tp_study_row *r
     return words(row->fos_mechanism);
   case FOS_DEFINITION:
     return words(definition_of(row));
+  case FOS_MOMENTS:
+    return number(row->fos_moments);
+  case FOS_SLIDING:
+    return number(row->fos_sliding);
   case FIRST:
     return words(row->first);
   case MOMENTS:

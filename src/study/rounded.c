@@ -48,6 +48,8 @@ void tp_study_round_row(tp_study_row *row, const tp_study *study) {
   for (size_t k = 0; k < study->measure_count; k++) {
     row->measures[k] = tp_study_rounded(row->measures[k]);
   }
+  row->fos_moments = tp_study_rounded(row->fos_moments);
+  row->fos_sliding = tp_study_rounded(row->fos_sliding);
   row->pivot_x_m = tp_study_rounded(row->pivot_x_m);
   row->pivot_y_m = tp_study_rounded(row->pivot_y_m);
 }

@@ -27,6 +27,7 @@ typedef struct tp_study_row {
   double *values;  /* of the variables; the caller's, as `at` is */
   tp_study_at *at; /* the scene's tilt, and those of the study */
   double quantities[TP_STUDY_QUANTITIES];
+  double fos_moments, fos_sliding; /* at the scene's tilt, whether they count or not */
   double pivot_x_m, pivot_y_m;
   double tilt_deg; /* of the scene; NaN: none. Not written, nor read back */
   const char *first, *limit_mechanism, *fos_mechanism; /* in words */

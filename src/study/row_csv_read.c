@@ -130,6 +130,7 @@ bool tp_study_read_row(tp_study_row *row, bool *no_memory, const tp_study *study
   }
   read = read && read_outcome(&row->at[0].outcome, &at) && read_number(q + TP_STUDY_FOS, &at) &&
          read_words(&row->fos_mechanism, &at) && read_definition(&row->fos_definition, &at) &&
+         read_number(&row->fos_moments, &at) && read_number(&row->fos_sliding, &at) &&
          read_words(&row->first, &at) && read_number(q + TP_STUDY_MOMENTS_DEG, &at) &&
          read_number(&row->pivot_x_m, &at) && read_number(&row->pivot_y_m, &at) &&
          read_number(q + TP_STUDY_ONSET_DEG, &at) && read_number(q + TP_STUDY_LIMIT_DEG, &at) &&

@@ -112,7 +112,7 @@ static tp_status check_going_on(const tp_rows *rows, const tp_study_options *opt
                    "these are the rows of shard %zu of %zu; restart, or name another file",
                    progress->shard, progress->shards);
   }
-  if (size < (off_t)progress->bytes) {
+  if (progress->chunks > 0 && size < (off_t)progress->bytes) { /* the header alone is begun anew */
     return tp_fail(message, TP_BAD_INPUT, place,
                    "rows that were written are missing; restart, or name another file");
   }

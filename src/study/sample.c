@@ -59,6 +59,8 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
   row->quantities[TP_STUDY_ONSET_DEG] = number(tp_case_onset_deg, c);
   row->quantities[TP_STUDY_LIMIT_DEG] = number(tp_case_limit_deg, c);
   row->quantities[TP_STUDY_FOS] = number(tp_case_fos, c);
+  row->fos_moments = number(tp_case_fos_moments, c);
+  row->fos_sliding = number(tp_case_fos_sliding, c);
   if (c->has_governing) {
     row->pivot_x_m = c->pivots[c->governing].x_m.value;
     row->pivot_y_m = c->pivots[c->governing].y_m.value;
@@ -83,6 +85,7 @@ static void take_case(tp_study_row *row, const tp_solution *solution) {
 static void clear(tp_study_row *row, size_t tilts, tp_study_outcome outcome) {
   for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) row->quantities[k] = NAN;
   for (size_t k = 0; k <= tilts; k++) row->at[k] = (tp_study_at){outcome, NAN};
+  row->fos_moments = row->fos_sliding = NAN;
   row->pivot_x_m = row->pivot_y_m = row->tilt_deg = NAN;
   row->first = row->limit_mechanism = row->fos_mechanism = "";
   row->fos_definition = -1;

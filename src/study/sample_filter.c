@@ -170,11 +170,16 @@ static bool take_case(tp_study_row *row, const tp_case_told *told) {
          (told->never || take_number(q + TP_STUDY_ONSET_DEG, told->onset_deg));
 }
 
+static bool take_factor(double *number, tp_fos_told told) {
+  *number = INFINITY;
+  return told.state != TP_FOS_NUMBER || take_number(number, told.value);
+}
+
 static bool take_at(tp_study_at *at, tp_case_told_at *of, const tp_case_told *told,
                     tp_near tilt_deg) {
   if (!tp_case_filter_tell_at(of, told, tilt_deg)) return false;
-  *at = (tp_study_at){outcome_of(of->mechanism), INFINITY};
-  return of->state != TP_FOS_NUMBER || take_number(&at->fos, of->fos);
+  at->outcome = outcome_of(of->mechanism);
+  return take_factor(&at->fos, of->fos);
 }
 
 /* At the scene's own tilt; of a scene without one what happens first stands for it. */
@@ -183,7 +188,7 @@ static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_d
   row->tilt_deg = NAN;
   row->fos_mechanism = "";
   row->fos_definition = -1;
-  row->quantities[TP_STUDY_FOS] = NAN;
+  row->quantities[TP_STUDY_FOS] = row->fos_moments = row->fos_sliding = NAN;
   row->at[0] = (tp_study_at){outcome_of(told->limit), NAN};
   if (!has_tilt) return true;
   if (!take_at(row->at, &own, told, tilt_deg)) return false;
@@ -191,7 +196,8 @@ static bool take_own(tp_study_row *row, const tp_case_told *told, tp_near tilt_d
   row->quantities[TP_STUDY_FOS] = row->at[0].fos;
   row->fos_mechanism = tp_study_outcome_name(outcome_of(own.fos_mechanism));
   row->fos_definition = (int)own.fos_definition;
-  return true;
+  return take_factor(&row->fos_moments, own.by_moments) &&
+         take_factor(&row->fos_sliding, own.by_shear);
 }
 
 bool tp_sample_filter_tell(tp_study_row *row, const tp_study *study, size_t tilts) {

@@ -184,6 +184,8 @@ static char *column_name(const tp_study *study, size_t k) {
   if (k < outcomes) return strdup(tp_study_quantity_name((tp_study_quantity)(k - quantities)));
   if (k == outcomes) return strdup("outcome");
   if (k == tp_tally_definitions(study)) return strdup("fos_definition");
+  if (k == tp_tally_factors(study)) return strdup("fos_moments");
+  if (k == tp_tally_factors(study) + 1) return strdup("fos_sliding");
   if (k >= tp_tally_measures(study)) {
     tp_study_field_name(&text, study,
                         tp_study_field_of_measure(study, k - tp_tally_measures(study)));

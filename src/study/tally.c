@@ -16,9 +16,8 @@ enum { FIRST_STEP = 16 };
 
 tp_status tp_tally_init(tp_tally *tally, const tp_study *study, tp_message *message) {
   const size_t tilts = study->tilt_count + 1;
-  *tally = (tp_tally){.study = study,
-                      .column_count = study->variable_count + TP_STUDY_QUANTITIES + tilts + 1 +
-                                      study->measure_count};
+  *tally =
+      (tp_tally){.study = study, .column_count = tp_tally_measures(study) + study->measure_count};
   tally->tilts = calloc(tilts, sizeof *tally->tilts);
   tally->columns = calloc(tally->column_count, sizeof *tally->columns);
   tally->bad = calloc(TP_STUDY_BAD, sizeof *tally->bad);
@@ -109,6 +108,8 @@ static bool keep(tp_tally *tally, const tp_study_row *row) {
   for (size_t k = 0; k < TP_STUDY_QUANTITIES; k++) (*column++)[at] = row->quantities[k];
   for (size_t k = 0; k <= tally->study->tilt_count; k++) (*column++)[at] = row->at[k].outcome;
   (*column++)[at] = row->fos_definition < 0 ? (double)NAN : (double)row->fos_definition;
+  (*column++)[at] = row->fos_moments;
+  (*column++)[at] = row->fos_sliding;
   for (size_t k = 0; k < tally->study->measure_count; k++) (*column++)[at] = row->measures[k];
   return true;
 }

@@ -26,8 +26,8 @@ typedef struct tp_tally {
       below[TP_FOS_DEFINITIONS]; /* factors by each, and below 1 */
   size_t column_count;
   long kept, room;
-  double **columns; /* the variables, the quantities, outcomes at each tilt, the definition,
-                       what is measured */
+  double **columns; /* the variables, the quantities, outcomes at each tilt, the definition, the
+                       factors by moments and of sliding, what is measured */
   long step_count, step_room;
   tp_study_step *steps;
   size_t bad_count;
@@ -56,8 +56,11 @@ TP_MUST_USE bool tp_tally_end_steps(tp_tally *tally);
 static inline size_t tp_tally_definitions(const tp_study *study) {
   return study->variable_count + TP_STUDY_QUANTITIES + study->tilt_count + 1;
 }
-static inline size_t tp_tally_measures(const tp_study *study) {
+static inline size_t tp_tally_factors(const tp_study *study) {
   return tp_tally_definitions(study) + 1;
+}
+static inline size_t tp_tally_measures(const tp_study *study) {
+  return tp_tally_factors(study) + 2;
 }
 
 /* All of it as a result; what is the caller's to know (planned samples, shard, end) is left as it

@@ -85,12 +85,23 @@ static tp_status chart_mechanisms(tp_chart **chart, fuzz_bytes *b, tp_message *m
   return tp_chart_mechanisms(chart, &options, message);
 }
 
-/* Along one scalar against the tilt: a grid of two other numbers takes seconds. */
+/* Along one scalar against the tilt; with contours, which that has not, over two numbers: of these
+ * friction is above zero in one or two rows of the grid alone, as all of it takes seconds. */
 static tp_status chart_map(tp_chart **chart, const tp_scene *scene, fuzz_bytes *b,
                            tp_message *message) {
   tp_chart_map_options options = {.size = sizeof options, .scene = scene};
+  double levels[TP_CHART_LIST_MAX];
   options.x = (tp_chart_axis){draw_key(b), {draw_number(b), draw_number(b)}};
   options.y = (tp_chart_axis){"tilt", {draw_number(b), draw_number(b)}};
+  const unsigned drawn =
+      fuzz_pick(b, 8); /* 0: none of what follows, as inputs that are at an end */
+  options.any_tilt = drawn % 2 != 0;
+  options.governing_fos = drawn / 2 % 2 != 0;
+  if (drawn != 0) draw_list(&options.levels, levels, b);
+  if (drawn >= 4) {
+    const double most = draw_number(b);
+    options.y = (tp_chart_axis){"friction_angle_deg", {-30 * most, most}};
+  }
   return tp_chart_map(chart, &options, message);
 }
 

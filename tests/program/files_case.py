@@ -7,6 +7,8 @@ import pathlib
 import tempfile
 import unittest
 
+from harness import LONG
+
 SCENE = """topple: 1
 length_unit: m
 block: {outline: outline.csv, unit_weight_kn_m3: 26, thickness: 1}
@@ -35,11 +37,12 @@ class Folder(unittest.TestCase):
         (self.folder / "outline.csv").write_text("0,0\n2,0\n2,5\n0,5\n")
         (self.folder / "sub" / "profile.csv").write_text("-9,0\n9,0\n")
 
-    def commands(self, output, scene=None):
-        """Every command that writes a file of this name."""
+    def commands(self, output, scene=None, slow=LONG):
+        """Every command that writes a file of this name; `slow`: also those that take a second."""
         scene = scene or self.scene
-        commands = [("chart", "map", scene, *MAP, "--output", output),
-                    ("accuracy", scene, "--output", output), ("profile", scene, "--output", output)]
+        commands = [("chart", "map", scene, *MAP, "--output", output), ("profile", scene, "--output", output)]
+        if slow:
+            commands.append(("accuracy", scene, "--output", output))
         if not str(output).endswith(".csv"):
             commands.append(("solve", scene, "--figure", output))
         return commands

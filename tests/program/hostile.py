@@ -193,6 +193,17 @@ def compile_c(data, case, folder, expected, thorough=True):
     return library
 
 
+def code_of_c(data, case, folder):
+    """What the compiler sees of it, without a warning: comments are gone, and all that is included is there."""
+    source = pathlib.Path(folder) / "derived.c"
+    source.write_bytes(data)
+    plain(data, case)
+    done = subprocess.run(["gcc", "-std=c99", "-trigraphs", "-Wcomment", "-Wtrigraphs", "-Werror", "-E", "-P", source],
+                          capture_output=True, text=True)
+    case.assertEqual((done.returncode, done.stderr), (0, ""), data.decode()[:600])
+    return done.stdout
+
+
 def call(library, function, *numbers):
     """Its value, called from Python."""
     entry = getattr(ctypes.CDLL(str(library)), function)

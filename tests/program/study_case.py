@@ -56,5 +56,15 @@ def shown(number):
     return float(f"{number['value']:.9e}")
 
 
+def factor(case, definition):
+    """The factor of safety of a case by a definition, as a row has it. Of several the one that counts, which stands last."""
+    found = [own for own in case["factors"] if own["definition"] == definition]
+    if not found or found[-1].get("fos_is") == "undecided":
+        return ""
+    if found[-1]["fos"] is not None:
+        return shown(found[-1]["fos"])
+    return float("-inf" if found[-1]["fos_is"].startswith("none") else "inf")
+
+
 def counts(summary, tilt=0):
     return {own["outcome"]: own["samples"] for own in summary["tilts"][tilt]["outcomes"]}

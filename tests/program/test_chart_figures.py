@@ -17,7 +17,8 @@ class Figures(Chart):
     def all_kinds(self):
         self.slab(title="It's `id` \\\"{/Bold x}_2\"")
         line = ["map", self.scene, "--x", "block.slab.width=0.2:3"]
-        return (*self.kinds, line, [*line, "--y", "friction_angle_deg=10:50"])
+        plane = ["map", self.scene, "--x", "block.slab.width=-25:2", "--y", "friction_angle_deg=10:50"]  # few columns have a slab
+        return (*self.kinds, line, plane)
 
     def test_whole_and_the_same_again(self):
         """Every kind in every format: well formed, and byte for byte the same on a rerun."""

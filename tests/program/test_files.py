@@ -43,12 +43,12 @@ class Sources(Folder):
         """A scene whose own name ends in .svg; and a copy of it may be written to."""
         scene = self.folder / "scene.svg"
         scene.write_text(SCENE)
-        for command in self.commands(scene, scene):
+        for command in self.commands(scene, scene, slow=True):
             self.assertEqual(run(*command)[0], 3, command)
         self.assertEqual(scene.read_text(), SCENE)
         copy = self.folder / "copy.svg"
         copy.write_text(SCENE)
-        for command in self.commands(copy):
+        for command in self.commands(copy, slow=True):
             self.assertEqual(run(*command)[0], 0, command)
             self.assert_whole(copy)
 
@@ -83,7 +83,7 @@ class Kept(Folder):
     def test_link_that_leads_nowhere(self):
         (self.folder / "link.svg").symlink_to("none/nothing.svg")
         before = self.contents()
-        for command in self.commands(self.folder / "link.svg"):
+        for command in self.commands(self.folder / "link.svg", slow=True):
             status, out, err = run(*command)
             self.assertEqual((status, out), (5, ""))
             self.assertIn("link that leads nowhere", err)

@@ -17,10 +17,11 @@ from harness import ROOT, main, rounds
 from hostile import CLAIMS, SCENE, SLAB
 
 class Outputs(hostile.Case):
-    def each_title(self, *words, harmless="x"):
-        """Stdout of the command for each hostile title, which has as many lines as for another."""
+    def each_title(self, *words, every=1, harmless="x"):
+        """Stdout of the command for each hostile title, which has as many lines as for another; of a command that takes
+        its time, and writes by the same encoder as one that does not, for every so many alone, but in the long rounds."""
         lines = self.run_bytes(*words, self.scene(harmless))[0].count(b"\n")
-        for title in hostile.TEXTS:
+        for title in hostile.TEXTS[::rounds(every, 1)]:
             with self.subTest(title=title[:60], words=words):
                 out, err = self.run_bytes(*words, self.scene(title))
                 self.assertEqual(err, b"")
@@ -28,32 +29,37 @@ class Outputs(hostile.Case):
 
     def test_titles_on_a_page(self):
         """Text pages have the lines of a harmless title; a title that can be seen is there as it is."""
-        for words in (["solve"], ["solve", "--elements"], ["derive"], ["derive", "--limit", "--rounded", "--elements"],
-                      ["derive", "--for-all", "count"], ["solve", "--find", "a", "--for", "critical_angle=10"]):
-            for title, out, lines in self.each_title(*words):
+        for every, words in ((1, ["solve"]), (5, ["solve", "--elements"]), (1, ["derive"]),
+                             (5, ["derive", "--limit", "--rounded", "--elements"]), (5, ["derive", "--for-all", "count"]),
+                             (5, ["solve", "--find", "a", "--for", "critical_angle=10"])):
+            for title, out, lines in self.each_title(*words, every=every):
                 text = hostile.plain(out, self)
                 self.assertEqual(out.count(b"\n"), lines)
                 if title.strip() and "--find" not in words and not any(map(hostile.unseen, title)):
                     self.assertIn(title, text)
 
     def test_titles_in_json(self):
-        for words in (["solve", "--json"], ["derive", "--json"], ["derive", "--json", "--for-all", "count"],
-                      ["solve", "--json", "--find", "a", "--for", "critical_angle=10"]):
-            for title, out, _ in self.each_title(*words):
+        for every, words in ((1, ["solve", "--json"]), (5, ["derive", "--json"]), (5, ["derive", "--json", "--for-all", "count"]),
+                             (5, ["solve", "--json", "--find", "a", "--for", "critical_angle=10"])):
+            for title, out, _ in self.each_title(*words, every=every):
                 document = hostile.as_json(out, self)
                 self.assertEqual(document.get("title", title), title)
 
     def test_titles_in_c(self):
-        """The compiler sees the functions of the formulas and no other."""
-        for words in (["derive", "--c"], ["derive", "--c", "--for-all", "count"]):
-            names = None
-            for _, out, _ in self.each_title(*words):
-                names = names or re.findall(rb"^double (\w+)\(", out, re.M)
-                hostile.compile_c(out, self, self.path, [name.decode() for name in names], thorough=False)
+        """The compiler sees the code that it sees under a harmless title, and of that makes the functions of the formulas
+        and no other."""
+        for every, words in ((1, ["derive", "--c"]), (5, ["derive", "--c", "--for-all", "count"])):
+            harmless = self.run_bytes(*words, self.scene("x"))[0]
+            names = re.findall(rb"^double (\w+)\(", harmless, re.M)
+            hostile.compile_c(harmless, self, self.path, [name.decode() for name in names], thorough=False)
+            code = hostile.code_of_c(harmless, self, self.path)
+            for _, out, _ in self.each_title(*words, every=every):
+                self.assertEqual(hostile.code_of_c(out, self, self.path), code)
 
     def test_titles_in_latex(self):
-        for words in (["derive", "--latex", "--elements", "--limit"], ["derive", "--latex", "--for-all", "count"]):
-            for _, out, lines in self.each_title(*words):
+        for every, words in ((1, ["derive", "--latex"]), (5, ["derive", "--latex", "--elements", "--limit"]),
+                             (5, ["derive", "--latex", "--for-all", "count"])):
+            for _, out, lines in self.each_title(*words, every=every):
                 hostile.as_latex(out, self)
                 self.assertEqual(out.count(b"\n"), lines)
 
@@ -78,7 +84,7 @@ class Outputs(hostile.Case):
     def test_titles_in_charts(self):
         """gnuplot executes nothing, draws well-formed SVG, and shows the title as it is."""
         words = ["chart", "map", "scene.yaml", "--x", "a=20:40", "--y", "tilt=0:40"]
-        for title in hostile.TEXTS:
+        for title in hostile.TEXTS[::rounds(2, 1)]:
             with self.subTest(title=title[:60]):
                 self.scene(title)
                 self.run_bytes(*words, "--output", "c.svg")
@@ -89,7 +95,7 @@ class Outputs(hostile.Case):
                 self.assertEqual({p.name for p in self.path.iterdir()}, {"scene.yaml", "c.svg"})
 
     def test_accuracy(self):
-        for title in hostile.TEXTS[::rounds(18, 1)]:  # a second each
+        for title in hostile.TEXTS[::rounds(30, 1)]:  # a second each
             with self.subTest(title=title[:60]):
                 self.scene(title, text=SLAB.replace("length_unit", "title: {title}\nlength_unit").replace(
                     "{a: 1, b: 2}", "{{a: 1, b: 2}}").replace("{slab: {width: a, height: b}}", "{{slab: {{width: a, height: b}}}}").replace(
@@ -109,22 +115,23 @@ class Outputs(hostile.Case):
                 hostile.as_xml((self.path / "p.svg").read_bytes(), self)
 
     def test_names_of_parameters(self):
-        """Every name that a scene may give, alone and with all others: C compiles and computes, LaTeX
+        """Every name that a scene may give, among a few and with all others: C compiles and computes, LaTeX
         stands, and text and JSON keep the name."""
-        for names in [*([name, other] for name, other in zip(hostile.NAMES, hostile.NAMES[1:] + ["a"])), hostile.NAMES]:
+        few, step = rounds((6, 6), (2, 1))
+        for names in [*(hostile.NAMES[k:k + few] for k in range(0, len(hostile.NAMES), step)), hostile.NAMES]:
             with self.subTest(names=names):
                 widths = "+".join(names)
                 values = [k + 1 for k in range(len(names))]
                 parameters = ", ".join(f"{n}: {v}" for n, v in zip(names, values))
                 text = SLAB.replace("{a: 1, b: 2}", "{%s}" % parameters).replace("width: a, height: b",
-                                                                                f"width: {widths}, height: 2*({widths})")
+                                                                                f"width: {widths}, height: 2*{names[0]}")
                 (self.path / "s.yaml").write_text(text.replace("\nbase", "\nfriction_angle_deg: 60\nbase"))
                 options = ["--elements"] + ["--limit"] * ("phi" not in names)
                 out = self.run_bytes("derive", "--c", *options, "s.yaml")[0]
                 functions = re.findall(rb"^(?:double|int) (\w+)\(", out, re.M)
                 library = hostile.compile_c(out, self, self.path, [f.decode() for f in functions])
-                self.assertEqual(hostile.call(library, "area", *values), 2 * sum(values) ** 2)
-                self.assertEqual(hostile.call(library, "tan_critical_angle_1", *values), 0.5)
+                self.assertEqual(hostile.call(library, "area", *values), 2 * sum(values))
+                self.assertEqual(hostile.call(library, "tan_critical_angle_1", *values), sum(values) / 2)
                 hostile.as_latex(self.run_bytes("derive", "--latex", *options, "s.yaml")[0], self)
                 symbols = hostile.as_json(self.run_bytes("derive", "--json", "s.yaml")[0], self)["symbols"]
                 self.assertEqual(symbols, names)

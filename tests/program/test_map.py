@@ -11,7 +11,11 @@ from fractions import Fraction
 
 import exact
 from chart_case import Chart, DEGREE, SLAB, chart, lean, select, toe_of
-from harness import ROOT, main, run, solve
+from harness import ROOT, main, rounds, run, solve
+
+
+# Of angles, in place of the usual ten, which take more time than the borders.
+ONE_CONTOUR = ("--contours", "critical_angle=27")
 
 
 class Map(Chart):
@@ -225,6 +229,8 @@ class Map(Chart):
         rows = chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y", "block.slab.height=0.5:4")
         border = select(rows, series="border")
         self.assertGreater(len(border), 30)
+        heights = [float(r["block.slab.height"]) for r in border]  # one curve, whose points follow one another along it
+        self.assertIn(heights, (sorted(heights), sorted(heights, reverse=True)))
         for row in border:
             ratio = float(row["block.slab.width"]) / float(row["block.slab.height"])
             self.assertAlmostEqual(ratio / math.tan(30 * DEGREE), 1, delta=1e-12)
@@ -254,21 +260,27 @@ class Map(Chart):
             own = solve(self.scene)["cases"][0]["onset"]
             self.assertTrue(own["below_limit"])
             self.assertAlmostEqual(own["critical_angle_deg"]["value"], float(row["of"]), delta=1e-7)
-        rows = chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y", "friction_angle_deg=10:50")
+        rows = chart("map", self.slab(), "--x", "block.slab.width=0.9:3", "--y", "friction_angle_deg=25:50")
+        self.assertGreater(len(select(rows, series="limit")), 5)
         self.assertEqual(select(rows, series="certain to stand"), [])
 
-    def tilted(self, tilt):
+    def tilted(self, tilt, x="block.slab.width=0.3:3", y="friction_angle_deg=10:50"):
         """The slab of 1 by 2 at a tilt."""
         text = SLAB.format(width=1, height=2, friction=30, title="A slab")
         self.scene.write_text(text.replace("left}", f"left, angle_deg: {tilt}}}"), encoding="utf-8")
-        return self.scene, "--x", "block.slab.width=0.3:3", "--y", "friction_angle_deg=10:50"
+        return self.scene, "--x", x, "--y", y
+
+    def drawn(self, *arguments):
+        path = self.folder / "map.svg"
+        self.assertEqual(run("chart", "map", *arguments, "-o", path), (0, "", ""))
+        return "".join(xml.etree.ElementTree.fromstring(path.read_bytes()).itertext())
 
     def test_at_the_scenes_tilt(self):
         """At 20° a slab slides where phi < 20° and topples where dx/y < tan 20°; it stands beyond both, and the title says
         at which tilt. Without a tilt, or at any, what lets go first stands there as before."""
-        arguments = self.tilted(20)
+        arguments = self.tilted(20, x="block.slab.width=0.65:3", y="friction_angle_deg=18.5:50")
         root = 2 * math.tan(20 * DEGREE)
-        rows = self.borders(*arguments)
+        rows = self.borders(*arguments, *ONE_CONTOUR)
         for of, truth, name, error in (("stands | topples", root, "block.slab.width", "x_error"),
                                        ("stands | slides", 20, "friction_angle_deg", "y_error")):
             own = select(rows, of=of)
@@ -280,24 +292,20 @@ class Map(Chart):
                 continue
             both = min(float(row["friction_angle_deg"]) - 20, float(row["block.slab.width"]) - root)
             self.assertGreater(both if "stands" in row["of"] else -both, -1e-9, row)
-        path = self.folder / "map.svg"
+        few = self.tilted(20, x="block.slab.width=1:3", y="friction_angle_deg=25:50")  # where it stands: no borders, little time
         for more, said in (((), True), (("--any-tilt",), False)):
-            self.assertEqual(run("chart", "map", *arguments, *more, "-o", path), (0, "", ""))
-            drawn = "".join(xml.etree.ElementTree.fromstring(path.read_bytes()).itertext())
+            drawn = self.drawn(*few, *ONE_CONTOUR, *more)
             self.assertEqual(("A slab, at a tilt of 20°" in drawn, "stands" in drawn), (said, said))
-        any_tilt = self.borders(*arguments, "--any-tilt")
+        any_tilt = self.borders(*few, *ONE_CONTOUR, "--any-tilt")
         self.slab()
-        self.assertEqual(any_tilt, self.borders(*arguments))
+        self.assertEqual(any_tilt, self.borders(*few, *ONE_CONTOUR))
         self.assertEqual({r["of"] for r in any_tilt}, {"slides | topples"})
 
     def test_the_tilt_as_a_number(self):
         """Where an axis is the scene's own tilt, or a parameter that it is made of, no one tilt stands in the title."""
-        self.tilted(20)
-        path = self.folder / "map.svg"
-        self.assertEqual(run("chart", "map", self.scene, "--x", "block.slab.width=0.3:3", "--y", "tilt.angle_deg=5:60",
-                             "-o", path), (0, "", ""))
-        self.assertNotIn("at a tilt", "".join(xml.etree.ElementTree.fromstring(path.read_bytes()).itertext()))
-        for row in self.borders(self.scene, "--x", "block.slab.width=0.3:3", "--y", "tilt.angle_deg=5:60"):
+        self.assertNotIn("at a tilt", self.drawn(*self.tilted(20, x="block.slab.width=1:3", y="tilt.angle_deg=5:12"), *ONE_CONTOUR))
+        for row in self.borders(self.scene, "--x", "block.slab.width=0.8:1.6", "--y", "tilt.angle_deg=15:32",
+                                *ONE_CONTOUR):
             tilt, own = float(row["tilt.angle_deg"]), math.atan(float(row["block.slab.width"]) / 2) / DEGREE
             if "stands" in row["of"]:
                 error = float(row["y_error"]) + float(row["x_error"]) / DEGREE
@@ -306,8 +314,24 @@ class Map(Chart):
     def test_contours_of_the_factor(self):
         """The factor of a slab is the least of dx/(y tan alpha) and tan phi/tan alpha: each point of a contour lies on it
         within its error, also on 1, which a line of the grid follows, and both ways to fail have their part."""
-        arguments = self.tilted(20)
-        self.compare_contours(chart("map", *arguments, "--contours", "governing_fos=0.9,1,1.5"), (0.9, 1, 1.5))
+        arguments = self.tilted(20, x="block.slab.width=0.6:3", y="friction_angle_deg=18:50")
+        levels = rounds((1, 1.5), (0.9, 1, 1.3, 1.5))
+        self.compare_contours(chart("map", *arguments, "--contours", "governing_fos=" + ",".join(map(str, levels))), levels)
+
+    def test_contours_across_a_verdict(self):
+        """With the tilt on an axis the factor of a slab passes 1 where the verdict changes, min(atan(dx/y), phi): the contour of 1
+        lies there, on both ways to fail, and that of 1.3 below it; none is lost though the verdict leaps."""
+        rows = chart("map", *self.tilted(20, x="block.slab.width=0.8:1.6", y="tilt.angle_deg=15:32"), "--contours", "governing_fos=1,1.3")
+        for level in (1, 1.3):
+            parts, found = set(), select(rows, series="governing_fos", of=f"{level:.15g}")
+            self.assertGreater(len(found), 40)
+            for row in found:
+                tangent = min(float(row["block.slab.width"]) / 2, math.tan(30 * DEGREE))
+                error = float(row["y_error"]) + float(row["x_error"]) / DEGREE
+                self.assertLessEqual(abs(float(row["tilt.angle_deg"]) - math.atan(tangent / level) / DEGREE), error + 1e-9, row)
+                parts.add(tangent < math.tan(30 * DEGREE))
+            self.assertEqual(parts, {True, False}, level)
+        self.assertLessEqual({"stands | topples", "stands | slides"}, {row["of"] for row in select(rows, series="border")})
 
     def compare_contours(self, rows, levels):
         drive = math.tan(20 * DEGREE)
@@ -341,13 +365,6 @@ class Map(Chart):
         found, out, err = run("chart", "map", *arguments, "--contours", "governing_fos")
         self.assertEqual((found, out), (3, ""))
         self.assertIn("tilt: {angle_deg", err)
-
-    def test_curve_is_one(self):
-        """A traced border comes as one curve: its points follow one another along it."""
-        rows = select(chart("map", self.slab(), "--x", "block.slab.width=0.3:3", "--y",
-                            "block.slab.height=0.5:4"), series="border")
-        heights = [float(r["block.slab.height"]) for r in rows]
-        self.assertIn(heights, (sorted(heights), sorted(heights, reverse=True)))
 
     def test_where_the_scene_has_no_answer(self):
         """A slab has no negative width: the map begins at 0, and a map of nothing says why."""

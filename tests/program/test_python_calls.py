@@ -4,6 +4,7 @@
 against fractions worked out here."""
 
 import copy
+import csv
 import json
 import math
 import pathlib
@@ -330,6 +331,22 @@ class Find(unittest.TestCase):
 
 
 class Study(unittest.TestCase):
+    def check_columns(self, path):
+        """Every column is that of the rows, also where these are read back."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "rows.csv"
+            for _ in range(2):
+                result = topple.study(path, rows=file)
+                with open(file, encoding="utf-8", newline="") as text:
+                    rows = list(csv.DictReader(text))
+                self.assertLess({"fos", "fos_moments", "fos_sliding", "fos_definition"}, set(result.columns))
+                for name, values in result.columns.items():
+                    if values.dtype == object:
+                        self.assertEqual([own.value if own else "" for own in values], [row[name] for row in rows], name)
+                    else:
+                        own = [float(row[name] or "nan") for row in rows]
+                        self.assertTrue(numpy.array_equal(values, own, equal_nan=True), name)
+
     def test_result(self):
         """The summary and the rows that the program writes; columns as NumPy has them."""
         path = ROOT / "examples" / "studies" / "slab_study.yaml"
@@ -344,6 +361,7 @@ class Study(unittest.TestCase):
         self.assertAlmostEqual(result.spread("limit_deg").quantiles[3].value, 30, delta=0.1)
         self.assertTrue(numpy.array_equal(pickle.loads(pickle.dumps(result)).columns["limit_deg"], result.columns["limit_deg"]))
         self.assertRaises(topple.BadInput, topple.study, BLOCK)
+        self.check_columns(path)
         with tempfile.TemporaryDirectory() as folder:
             parts = [pathlib.Path(folder) / f"{k}.csv" for k in (1, 2)]
             for k, part in enumerate(parts, 1):

@@ -12,7 +12,7 @@ import subprocess
 import time
 
 from files_case import Folder, is_whole
-from harness import PROGRAM, ROOT, main, run
+from harness import LONG, PROGRAM, ROOT, main, rounds, run
 
 
 class Signals(Folder):
@@ -47,7 +47,7 @@ class Signals(Folder):
                 began = time.monotonic()
                 run(*command)
                 whole = time.monotonic() - began
-                for turn in range(8):
+                for turn in range(rounds(6, 24)):
                     figure.write_text("as before")
                     end = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)[turn % 3]
                     with subprocess.Popen([PROGRAM, *command], cwd=ROOT, stdout=subprocess.DEVNULL) as process:
@@ -69,7 +69,7 @@ class Signals(Folder):
         """SIGXFSZ, as the system sends it: status 5, a complaint, and the file as before."""
         for ending in ("svg", "pdf", "png", "csv"):
             figure = self.folder / f"figure.{ending}"
-            for command in self.commands(figure):
+            for command in self.commands(figure, slow=LONG or ending == "svg"):
                 for text in ("as before", None):
                     if text is None:
                         figure.unlink()

@@ -12,7 +12,7 @@ from study_case import StudyCase
 
 BUILD = pathlib.Path(os.environ.get("TOPPLE_BUILD", pathlib.Path(PROGRAM).parent))
 KEPT = 1 << 18  # docs/study.md
-COLUMNS = 1 + 4 + 1 + 1  # what varies, quantities, outcome, definition of the factor
+COLUMNS = 1 + 4 + 1 + 1 + 2  # what varies, quantities, outcome, definition of the factor, two factors beside it
 
 
 class Memory(StudyCase):

@@ -4,15 +4,17 @@
 after kills, on a disk that was full, and where the study stops by itself."""
 
 import fractions
+import hashlib
 import json
 import random
+import re
 import resource
 import signal
 import subprocess
 import time
 
 from harness import PROGRAM, main, run
-from study_case import ROAD_COLUMNS, STUDIES, StudyCase, shown
+from study_case import ROAD_COLUMNS, STUDIES, StudyCase, factor, shown
 
 
 class Rows(StudyCase):
@@ -34,6 +36,9 @@ class Rows(StudyCase):
             for tilt, outcome, fos in (("22", "outcome", "fos"), ("26", "outcome_at_26_deg", "fos_at_26_deg")):
                 (folder / "one.yaml").write_text(scene.replace("angle_deg: 22", f"angle_deg: {tilt}"))
                 one = json.loads(run("solve", "--json", "one.yaml", folder=folder)[1])["cases"][0]
+                if outcome == "outcome":
+                    self.assertEqual((float(row["fos_moments"]), float(row["fos_sliding"])),
+                                     (factor(one, "moments"), factor(one, "shear strength")))
                 self.assertEqual(row[outcome], one["mechanism"])
                 self.assertEqual(float(row[fos]), shown(one["governing_fos"]["fos"]))
             pivot = one["pivots"][one["toppling"]["pivot"]]
@@ -74,6 +79,8 @@ class Rows(StudyCase):
                                      ("pivot_y_m", pivot["y_m"]), ("onset_deg", one["onset"]["critical_angle_deg"]),
                                      ("limit_deg", one["limit"]["critical_angle_deg"]), ("fos", governing["fos"])):
                     self.assertEqual(number.get(row[column]) or float(row[column]), shown(said), (row, column))
+                self.assertEqual((float(row["fos_moments"]), float(row["fos_sliding"])),
+                                 (factor(one, "moments"), factor(one, "shear strength")), row)
                 self.assertEqual([row[column] for column in ("outcome", "fos_mechanism", "fos_definition", "first",
                                                              "limit_mechanism", "status")],
                                  [one["mechanism"], governing["mechanism"], governing["definition"], one["first"]["mechanism"],
@@ -121,7 +128,7 @@ class Rows(StudyCase):
         self.assertEqual([own["unit"] for own in summary["variables"]], [units[key][1] for key in keys])
         header = (self.folder / "rows.csv").read_text().splitlines()[0].split(",")
         self.assertEqual(header, ["sample", *(units[key][0] for key in keys), "outcome", "fos", "fos_mechanism",
-                                  "fos_definition", "first",
+                                  "fos_definition", "fos_moments", "fos_sliding", "first",
                                   "moments_deg", "pivot_x_m", "pivot_y_m", "onset_deg", "limit_deg", "limit_mechanism",
                                   "status", "why"])
         drawn = (self.folder / "scatter.svg").read_text()
@@ -222,6 +229,22 @@ class Rows(StudyCase):
             (self.folder / "begun.csv").write_bytes(other)
             self.assertIn("not the rows of a study", self.study("study.yaml", "--rows", "begun.csv", status=3))
             self.assertEqual((self.folder / "begun.csv").read_bytes(), other)
+
+    def test_ended_as_it_began_anew(self):
+        """Of a run that was killed before its first chunk the next one takes the rows back and writes the header again. Killed
+        between the two it leaves less than its progress says, and the study begins all the same."""
+        self.write("samples: 100\nvary: {friction_angle_deg: {normal: {mean: 30, deviation: 2}}}\n")
+        whole = self.study("study.yaml", "--rows", "rows.csv")
+        rows = (self.folder / "rows.csv").read_bytes()
+        header = rows[:rows.index(b"\n") + 1]
+        said = (self.folder / "rows.csv.progress").read_text()
+        for key, value in (("chunks", 0), ("bytes", len(header)), ("sha256", hashlib.sha256(header).hexdigest())):
+            said = re.sub(rf"(?m)^{key}: .*$", f"{key}: {value}", said)
+        for begun in (b"", header[:30], header):
+            (self.folder / "begun.csv").write_bytes(begun)
+            (self.folder / "begun.csv.progress").write_text(said)
+            self.assertEqual(self.study("study.yaml", "--rows", "begun.csv"), whole)
+            self.assertEqual((self.folder / "begun.csv").read_bytes(), rows)
 
     def test_until(self):
         """It stops at the end of a chunk, where one run and merged shards stop alike."""

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Does the factor of a way to move count (stability/governing_factors.h), in doubles with bounds?
+ */
+
+#ifndef TP_STANDING_FILTER_H
+#define TP_STANDING_FILTER_H
+
+#include "case_filter/case_filter.h"
+
+/* What is told of the block at its tilt. */
+typedef struct tp_filter_state {
+  tp_near tangent;     /* of the tilt */
+  bool moves;          /* some motion can begin: */
+  unsigned beginnings; /* the bit 1 << mechanism of each that can, */
+  tp_mechanism mover;  /* and which is named */
+} tp_filter_state;
+
+/* A factor against one way to move. */
+typedef struct tp_filter_way {
+  tp_fos_told fos;
+  bool has_critical; /* it is 1 at a tilt, */
+  tp_near critical;  /* with this tangent */
+  bool begins;       /* its motion can at the block's own */
+  tp_fos_definition definition;
+  tp_mechanism mechanism;
+} tp_filter_way;
+
+typedef enum tp_filter_standing {
+  TP_FILTER_COUNTS,
+  TP_FILTER_EXCLUDED,
+  TP_FILTER_OPEN /* doubles do not tell */
+} tp_filter_standing;
+
+/* By its side of 1, and whether its motion can begin. */
+tp_filter_standing tp_standing_filter(const tp_case_told *told, const tp_filter_state *state,
+                                      const tp_filter_way *way);
+
+/* Does the interval hold the tangent for certain? */
+bool tp_filter_holds(const tp_near_interval *interval, tp_near tangent);
+
+/* Can motions begin at all tilts from a critical one up to the block's? */
+tp_filter_standing tp_filter_begins_from(const tp_case_told *told, tp_near critical,
+                                         tp_near tangent);
+
+#endif
