@@ -6,7 +6,7 @@
 #ifndef TP_TEST_GEOM_FIGURE_H
 #define TP_TEST_GEOM_FIGURE_H
 
-#include "geom.h"
+#include "geom/geom.h"
 
 #include "random_numbers.h"
 

@@ -8,9 +8,9 @@
  * and leaves its outputs alone. Other calls are in test_analysis_arguments.c and the like. */
 
 #include "example_scene.h"
-#include "message.h"
-#include "notes.h"
-#include "options.h"
+#include "common/message.h"
+#include "common/notes.h"
+#include "common/options.h"
 #include "refused.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 
 #include "base/contact.h"
 #include "block/check_ring.h"
-#include "geom.h"
+#include "geom/geom.h"
 #include "grid_contact.h"
 #include "runner.h"
 

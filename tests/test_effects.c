@@ -10,7 +10,7 @@
 
 #include "block/corners.h"
 #include "block/ellipse.h"
-#include "clock.h"
+#include "common/clock.h"
 #include "load/loads.h"
 #include "shaking/shaking.h"
 #include "stability/facet_friction.h"

@@ -5,7 +5,7 @@
  * where touching, collinear and overlapping edges are the rule. Only integers are compared: no
  * tolerances. Every test runs twice: _i = 0 on the path of big integers, 1 on that of doubles. */
 
-#include "geom.h"
+#include "geom/geom.h"
 #include "geom_figure.h"
 #include "random_numbers.h"
 #include "runner.h"

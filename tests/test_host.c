@@ -15,7 +15,7 @@
 #include "runner.h"
 #include "sayings.h"
 
-#include "host.h"
+#include "common/host.h"
 #include "topple.h"
 
 #include <fenv.h>

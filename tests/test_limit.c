@@ -11,7 +11,7 @@
 #include "random_numbers.h"
 #include "runner.h"
 
-#include "geom.h"
+#include "geom/geom.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>

@@ -9,7 +9,7 @@
 #include "random_numbers.h"
 #include "runner.h"
 
-#include "geom.h"
+#include "geom/geom.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>

@@ -5,7 +5,7 @@
  * hand, conversions of FLINT. An error is compared with its bound in floats of unlimited length. */
 
 #include "block/ring_sums.h"
-#include "geom.h"
+#include "geom/geom.h"
 #include "plane/lattice.h"
 #include "random_numbers.h"
 #include "runner.h"

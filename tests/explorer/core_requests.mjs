@@ -5,7 +5,7 @@
 
 import { readFileSync } from "node:fs";
 import { Worker } from "node:worker_threads";
-import { CoreStopped, Requests } from "../../src/explorer/core/requests.js";
+import { CoreStopped, Requests } from "../../src/applications/explorer/core/requests.js";
 
 const module = await WebAssembly.compile(readFileSync(new URL("../../build-explorer/core_loader.wasm", import.meta.url)));
 const slab = readFileSync(new URL("../../examples/slab_left.yaml", import.meta.url), "utf8");

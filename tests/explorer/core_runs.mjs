@@ -10,7 +10,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, relative } from "node:path";
 import { createInterface } from "node:readline";
-import { Program } from "../../src/explorer/core/program.js";
+import { Program } from "../../src/applications/explorer/core/program.js";
 
 const build = new URL("../../build-explorer/", import.meta.url);
 const createCore = createRequire(import.meta.url)(new URL("core_loader.js", build).pathname);

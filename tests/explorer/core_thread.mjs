@@ -5,7 +5,7 @@
 
 import { createRequire } from "node:module";
 import { parentPort } from "node:worker_threads";
-import { serve } from "../../src/explorer/core/worker.js";
+import { serve } from "../../src/applications/explorer/core/worker.js";
 
 const loader = new URL("../../build-explorer/core_loader.js", import.meta.url).pathname;
 serve({ post: (message) => parentPort.postMessage(message), listen: (heard) => parentPort.on("message", heard) }, createRequire(import.meta.url)(loader));

@@ -29,9 +29,9 @@ class Built(unittest.TestCase):
 
     def test_same_bytes(self):
         """Bundled again from the same sources, the page is the same file."""
-        subprocess.run([ROOT / "src" / "explorer" / "bundle"], check=True, timeout=300)
+        subprocess.run([ROOT / "src" / "applications" / "explorer" / "bundle"], check=True, timeout=300)
         first = hashlib.sha256(PAGE.read_bytes()).hexdigest()
-        subprocess.run([ROOT / "src" / "explorer" / "bundle"], check=True, timeout=300)
+        subprocess.run([ROOT / "src" / "applications" / "explorer" / "bundle"], check=True, timeout=300)
         self.assertEqual(hashlib.sha256(PAGE.read_bytes()).hexdigest(), first)
 
     def test_size(self):

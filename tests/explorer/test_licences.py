@@ -10,7 +10,7 @@ import unittest
 
 from page_case import ROOT, main
 
-EXPLORER = ROOT / "src" / "explorer"
+EXPLORER = ROOT / "src" / "applications" / "explorer"
 # Licences that go with the GNU General Public License, version 3 or later
 COMPATIBLE = {"MIT", "ISC", "BSD-3-Clause", "BSL-1.0", "Apache-2.0 WITH LLVM-exception", "LGPL-2.1-or-later", "LGPL-3.0-or-later",
               "GPL-2.0-or-later", "GPL-3.0-or-later", "libpng-2.0", "Zlib",

@@ -15,7 +15,7 @@ from node_case import NODE, node
 from page_case import ROOT, main
 from harness import solve
 
-PANELS = ROOT / "src" / "explorer" / "panels"
+PANELS = ROOT / "src" / "applications" / "explorer" / "panels"
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")

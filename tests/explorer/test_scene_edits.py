@@ -13,8 +13,8 @@ from node_case import NODE, node
 from page_case import ROOT, run
 from harness import main
 
-SCENE = ROOT / "src" / "explorer" / "scene"
-INSTALLED = (ROOT / "src" / "explorer" / "node_modules" / "yaml").is_dir()
+SCENE = ROOT / "src" / "applications" / "explorer" / "scene"
+INSTALLED = (ROOT / "src" / "applications" / "explorer" / "node_modules" / "yaml").is_dir()
 
 # Layouts of one scene: {0}, {1}, ... are the numbers that are changed, and nothing else may be
 LAYOUTS = {
@@ -162,7 +162,7 @@ class Edits(unittest.TestCase):
 
 
 @unittest.skipIf(NODE is None, "there is no node: install Debian's package nodejs")
-@unittest.skipUnless(INSTALLED, "src/explorer/node_modules is not there: ./run --explorer installs it")
+@unittest.skipUnless(INSTALLED, "src/applications/explorer/node_modules is not there: ./run --explorer installs it")
 class Texts(unittest.TestCase):
     def changed(self, text, numbers):
         return node(SCENE / "scene_text.js", "return new it.SceneText(given.text).withNumbers(given.numbers);", {"text": text, "numbers": numbers})
@@ -211,7 +211,7 @@ class Sources(unittest.TestCase):
     def test_no_source_makes_markup_of_text(self):
         """None of the calls by which text becomes markup stands in the page's sources."""
         calls = re.compile(r"\b(innerHTML|outerHTML|insertAdjacentHTML|document\.write|DOMParser|createContextualFragment|eval|new Function)\b|\.html\(")
-        for path in sorted((ROOT / "src" / "explorer").rglob("*.js")):
+        for path in sorted((ROOT / "src" / "applications" / "explorer").rglob("*.js")):
             if "node_modules" in path.parts:
                 continue
             with self.subTest(path.name):

@@ -6,7 +6,7 @@
 
 #include "fuzz.h"
 #include "output/encode.h"
-#include "outside.h"
+#include "common/outside.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -12,9 +12,9 @@ import warnings
 from harness import ROOT
 
 BUILD = pathlib.Path(os.environ.get("TOPPLE_BUILD", ROOT / "build"))
-sys.path.insert(0, str(BUILD / "src" / "python"))
+sys.path.insert(0, str(BUILD / "python"))
 try:
-    if not (BUILD / "src" / "python" / "topple").is_dir():
+    if not (BUILD / "python" / "topple").is_dir():
         raise ImportError("there is none in the build folder")
     import numpy
     import topple
@@ -26,7 +26,7 @@ except ImportError as error:
     sys.exit(77)
 
 __all__ = ["BLOCK", "BUILD", "SOURCES", "SQUARE", "ffi", "lib", "numpy", "said", "topple"]
-SOURCES = ROOT / "src" / "python" / "topple"
+SOURCES = ROOT / "python" / "topple"
 SQUARE = [(0, 0), (50, 0), (50, 100), (0, 100)]
 BLOCK = [(0, 0), (30, 5), (60, 0), (90, 5), (90, 125), (0, 120)]
 

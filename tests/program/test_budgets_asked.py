@@ -309,7 +309,7 @@ class Written(Asked):
 
 class Page(unittest.TestCase):
     def test_it_has_every_budget_with_its_bound(self):
-        header = re.findall(r"(TP_BUDGET_\w+) = (\d+)", (ROOT / "src/budget.h").read_text(encoding="utf-8"))
+        header = re.findall(r"(TP_BUDGET_\w+) = (\d+)", (ROOT / "src/core/common/budget.h").read_text(encoding="utf-8"))
         page = re.findall(r"\| `(TP_BUDGET_\w+)` \| (\d+) \|", (ROOT / "docs/budgets.md").read_text(encoding="utf-8"))
         self.assertEqual(header, page)
 

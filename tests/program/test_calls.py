@@ -14,7 +14,7 @@ from harness import ROOT, main
 sys.path.insert(0, str(ROOT / "src"))
 from exports import declared
 
-CALLS = sorted(set().union(*(declared(path.read_text(encoding="utf-8")) for path in (ROOT / "src").glob("topple*.h"))))
+CALLS = sorted(set().union(*(declared(path.read_text(encoding="utf-8")) for path in (ROOT / "include" / "topple").glob("topple*.h"))))
 
 
 def called(pattern):

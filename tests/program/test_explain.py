@@ -13,7 +13,7 @@ import unittest
 
 from harness import ROOT, main, run, solve
 
-sys.path.insert(0, str(ROOT / "src" / "terms"))
+sys.path.insert(0, str(ROOT / "src" / "core" / "terms"))
 import make
 
 FILE_KEYS = make.rows("keys.csv")
@@ -165,7 +165,7 @@ class Explain(unittest.TestCase):
 
     def test_glossary(self):
         self.assertEqual((ROOT / "docs" / "glossary.md").read_text(encoding="utf-8"), make.glossary(),
-                         "make it anew: src/terms/make.py glossary > docs/glossary.md")
+                         "make it anew: src/core/terms/make.py glossary > docs/glossary.md")
         terms = [row["term"].lower() for row in TERMS]
         self.assertEqual(terms, sorted(terms))
         self.assertEqual(len(set(terms)), len(terms))

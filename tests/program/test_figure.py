@@ -20,7 +20,7 @@ from svg import Drawing, covers, overlap
 
 E_VALLEY = "examples/block_e_valley.yaml"
 EXAMPLES = example_scenes()
-# Tints of the block and of its parts, as src/figure/view.c has them.
+# Tints of the block and of its parts, as src/presentation/figure/view.c has them.
 TINTS = ((0.84, 0.925, 0.975), (0.985, 0.9, 0.68), (0.97, 0.95, 0.6))
 ROCK = (0.89, 0.88, 0.86)
 VERMILION = (0.835, 0.369, 0.0)

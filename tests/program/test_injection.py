@@ -177,7 +177,7 @@ class Sources(unittest.TestCase):
         """The rooms that write, and of the charts what writes them: what computes one keeps its labels plain."""
         found = [path for room in ("output", "report", "figure", "cli")
                  for path in sorted((ROOT / "src" / room).glob("*.c"))]
-        found += [ROOT / "src/chart" / name for name in ("ffmpeg.c", "file.c", "gnuplot.c", "program.c", "script.c", "table.c")]
+        found += [ROOT / "src/parametric/chart" / name for name in ("ffmpeg.c", "file.c", "gnuplot.c", "program.c", "script.c", "table.c")]
         self.assertGreater(len(found), 60)
         return found
 
@@ -188,14 +188,14 @@ class Sources(unittest.TestCase):
 
     def test_marked_fields(self):
         fields = set()
-        for header in (ROOT / "src").glob("topple*.h"):
+        for header in (ROOT / "include" / "topple").glob("topple*.h"):
             for declaration in re.findall(r"TP_OUTSIDE\s+char([^;]*);", header.read_text(encoding="utf-8")):
                 fields |= set(re.findall(r"\w+(?=\s*(?:,|$|\[))", declaration))
         self.assertGreaterEqual(fields, {"title", "source", "id", "where", "note", "printed", "called_for_by", "symbols"})
         use = re.compile(r"->(%s)\b(?!\s*[!=]=|\()" % "|".join(sorted(fields)))
         for source in self.writers():
             text = re.sub(r"'(?:\\.|[^'\\])'", "0", re.sub(r'"(?:\\.|[^"\\])*"', '""', source.read_text(encoding="utf-8")))
-            if source != ROOT / "src/cli/words.c":
+            if source != ROOT / "src/applications/cli/words.c":
                 self.assertNotIn("fprintf(stderr", text, source)
             for start in re.finditer(r"\b(tp_text_add|tp_text_append|f?printf|v?snprintf|fputs)\(", text):
                 depth, end = 1, start.end()

@@ -58,7 +58,7 @@ class Installed(unittest.TestCase):
     def test_headers(self):
         """Each alone, each before and after the one for all, in C and in C++."""
         headers = sorted(p.name for p in self.include.glob("*.h"))
-        self.assertEqual(headers, sorted(p.name for p in (ROOT / "src").glob("topple*.h")))
+        self.assertEqual(headers, sorted(p.name for p in (ROOT / "include" / "topple").glob("topple*.h")))
         read = subprocess.run(["cc", "-MM", self.include / "topple.h"], check=True, capture_output=True,
                               encoding="utf-8").stdout
         self.assertEqual(headers, sorted(set(re.findall(r"topple\w*\.h\b", read))), "what topple.h includes")
@@ -155,12 +155,12 @@ class Entries(unittest.TestCase):
         """Each public call that can fail begins with the guard of tests/test_host.c, refuses NULL for
         each of its pointers but the message, by itself or by what the calls on many blocks begin with, and is tried
         with them in tests/test_arguments.c or another test_*_arguments.c."""
-        blocks = (ROOT / "src" / "batch" / "blocks.h").read_text(encoding="utf-8")
+        blocks = (ROOT / "src" / "statics" / "batch" / "blocks.h").read_text(encoding="utf-8")
         (begin,) = re.findall(r"^#define TP_BLOCKS_BEGIN\((?:.*\\\n)+.*", blocks, re.M)
         sources = {p: p.read_text(encoding="utf-8") for p in (ROOT / "src").rglob("*.c")}
         tried = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests").glob("test_*arguments.c"))
         count = 0
-        for header in sorted((ROOT / "src").glob("topple*.h")):
+        for header in sorted((ROOT / "include" / "topple").glob("topple*.h")):
             for name in re.findall(r"^TP_MUST_USE tp_status (\w+)\(", header.read_text(encoding="utf-8"), re.M):
                 count += 1
                 pattern = re.compile(rf"^tp_status {name}\(([^{{]*)\) {{\n(.*?)^}}", re.M | re.S)

@@ -266,18 +266,18 @@ class Capacities(Page):
         """What the page says of budgets and rungs stands in the code."""
         for says, file, code in (
                 ("take 6 · 10⁷ columns at 64 bits and 1000 more for each column, one of them a quarter of that",
-                 "src/number/work.c", ("fixed = 6e7;", "by_column = 1000;", "share = 0.25")),
-                ("160; exact sums and 320, 1280, 5120 bits", "src/number/ladder.c",
+                 "src/core/number/work.c", ("fixed = 6e7;", "by_column = 1000;", "share = 0.25")),
+                ("160; exact sums and 320, 1280, 5120 bits", "src/core/number/ladder.c",
                  ("{TP_LEVEL_DOUBLE, 64}", "{TP_LEVEL_COMPENSATED, 128}", "{TP_LEVEL_BALL, TP_BALL_BITS}",
                   "{TP_LEVEL_EXACT, 320}", "{TP_LEVEL_EXACT, TP_SETTLING_BITS}", "{TP_LEVEL_EXACT, 5120}")),
-                ("160; exact sums and 320, 1280, 5120 bits", "src/number/ladder.h",
+                ("160; exact sums and 320, 1280, 5120 bits", "src/core/number/ladder.h",
                  ("TP_BALL_BITS = 160, TP_SETTLING_BITS = 1280",)),
-                ("what 1280 bits do not tell apart (160 for the limit", "src/stability/limit_asked.c",
+                ("what 1280 bits do not tell apart (160 for the limit", "src/statics/stability/limit_asked.c",
                  ("enclosed ? TP_BALL_BITS : TP_SETTLING_BITS",)),
-                ("halved; 256 are tried, at most", "src/certificate/interval.c", ("MOST_SAMPLES = 256",)),
-                ("factors from 10⁻⁶ to 10⁶", "src/strength_reduction/reduction.c", ("least_factor = 1e-6, most_factor = 1e6",)),
-                ("no more than 70°", "src/stability/friction.c", ("MOST_DEGREES = 70",)),
-                ("between 2^(−b/2) and 2^(−b/4) degrees", "src/certificate/bracket.c",
+                ("halved; 256 are tried, at most", "src/statics/certificate/interval.c", ("MOST_SAMPLES = 256",)),
+                ("factors from 10⁻⁶ to 10⁶", "src/statics/strength_reduction/reduction.c", ("least_factor = 1e-6, most_factor = 1e6",)),
+                ("no more than 70°", "src/statics/stability/friction.c", ("MOST_DEGREES = 70",)),
+                ("between 2^(−b/2) and 2^(−b/4) degrees", "src/statics/certificate/bracket.c",
                  ("exponent = -bits / 2; exponent <= -bits / 4",))):
             self.assertIn(says, PAGE)
             text = (ROOT / file).read_text(encoding="utf-8")

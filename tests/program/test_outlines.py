@@ -16,7 +16,7 @@ import unittest
 from harness import ROOT, example_scenes, main, run
 
 PRINTED = 5e-9  # nine digits of a coordinate, as a share of the largest
-CURVES = 5e-6   # what a cubic curve leaves of its arc, as a share of the radius (src/shape/chain.c)
+CURVES = 5e-6   # what a cubic curve leaves of its arc, as a share of the radius (src/presentation/shape/chain.c)
 STEPS = 64      # chords of a curve: 64 of an eighth of a turn leave 2e-5 of the segment's area
 EXAMPLES = example_scenes()
 

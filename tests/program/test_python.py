@@ -243,7 +243,7 @@ class Figures(unittest.TestCase):
                   "s = topple.Scene('mm', slab=(5, 10)).solve()\n" \
                   "try: s.svg()\nexcept topple.DependencyFailed as error: print(error)"
         done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, encoding="utf-8",
-                              env={"PYTHONPATH": str(BUILD / "src" / "python")})
+                              env={"PYTHONPATH": str(BUILD / "python")})
         self.assertIn("libtopple-figure", done.stdout)
 
 

@@ -18,7 +18,7 @@ from harness import ROOT, main
 sys.path.insert(0, str(ROOT / "docs/reference"))
 import filter as comments  # pylint: disable=wrong-import-position
 
-HEADERS = sorted((ROOT / "src").glob("topple*.h"))
+HEADERS = sorted((ROOT / "include" / "topple").glob("topple*.h"))
 PAGES = [ROOT / "docs/library.md", ROOT / "docs/scene_in_memory.md"]
 
 
@@ -56,7 +56,7 @@ class Reference(unittest.TestCase):
 
     def test_every_function(self):
         """Those that the compiler sees, each with its parameters and with words on it."""
-        seen = subprocess.run(["cc", "-E", "-P", ROOT / "src/topple.h"], check=True,
+        seen = subprocess.run(["cc", "-E", "-P", ROOT / "include/topple/topple.h"], check=True,
                               capture_output=True, encoding="utf-8").stdout
         seen = re.sub(r"(static inline [^{]*)\{[^}]*\}", r"\1;", seen)
         declared = {name: [re.search(r"\w+(?=\W*$)", p)[0] for p in parameters.split(",")]
@@ -105,7 +105,7 @@ class Reference(unittest.TestCase):
                     folder.mkdir(parents=True)
                 for path in (*HEADERS, *PAGES, ROOT / "docs/reference/filter.py"):
                     shutil.copy(path, source / path.relative_to(ROOT))
-                header = source / "src/topple_find.h"
+                header = source / "include/topple/topple_find.h"
                 text = header.read_text(encoding="utf-8")
                 end = text.rindex("#ifdef __cplusplus")
                 text = f"{text[:end]}{comment}int tp_new(int of);\n\n{text[end:]}"

@@ -140,9 +140,9 @@ class Circles(unittest.TestCase):
             root = pathlib.Path(folder)
             for name in ("src", "geom"):
                 shutil.copytree(ROOT / name, root / name)
-            header = root / "src/number/ball.h"
+            header = root / "src/core/number/ball.h"
             header.write_text('#include "number/judge.h"\n' + header.read_text(encoding="utf-8"), encoding="utf-8")
-            self.assertIn(("src/number/ball", "src/number/judge"), circles(include_graph(root)))
+            self.assertIn(("src/core/number/ball", "src/core/number/judge"), circles(include_graph(root)))
 
 
 class Includes(unittest.TestCase):
@@ -163,9 +163,9 @@ class Includes(unittest.TestCase):
             root = pathlib.Path(folder)
             for name in ("src", "geom"):
                 shutil.copytree(ROOT / name, root / name)
-            climber = root / "src/number/work.c"
+            climber = root / "src/core/number/work.c"
             climber.write_text('#include "report/page.h"\n' + climber.read_text(encoding="utf-8"), encoding="utf-8")
-            self.assertEqual(climbing_includes(root)[0], [("src/number/work.c", "src/report/page.h", 1)])
+            self.assertEqual(climbing_includes(root)[0], [("src/core/number/work.c", "src/presentation/report/page.h", 1)])
 
     def test_rooms_are_those_of_the_plan(self):
         """Every folder is a room of the list, and the plan on paper has the same rooms in the same order."""

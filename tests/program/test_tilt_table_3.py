@@ -35,7 +35,7 @@ class Table3(unittest.TestCase):
     def test_page_is_what_the_program_prints(self):
         if not os.environ.get("TOPPLE_PYTHON"):
             self.skipTest("the Python package is not built")
-        package = pathlib.Path(os.environ["TOPPLE_BUILD"]) / "src" / "python"
+        package = pathlib.Path(os.environ["TOPPLE_BUILD"]) / "python"
         run = subprocess.run([sys.executable, ROOT / "examples" / "studies" / "tilt_table_3.py", "--tried", "E"],
                              capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(package)})
         self.assertEqual(run.returncode, 0, run.stdout[-300:] + run.stderr)

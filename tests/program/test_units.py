@@ -55,7 +55,7 @@ class Units(unittest.TestCase):
 
     def test_table(self):
         """Its factors are the definitions, and whole numbers that a double holds."""
-        rows = re.findall(r'X\((\w+), "([^"]+)", (\d+), (\d+)\)', (ROOT / "src/scene/units_table.h").read_text(encoding="utf-8"))
+        rows = re.findall(r'X\((\w+), "([^"]+)", (\d+), (\d+)\)', (ROOT / "src/input/scene/units_table.h").read_text(encoding="utf-8"))
         self.assertEqual([(kind.lower(), name) for kind, name, _, _ in rows], [(kind, name) for kind in EXACT for name in EXACT[kind]])
         for kind, name, over, under in rows:
             self.assertEqual(Fraction(int(over), int(under)), EXACT[kind.lower()][name], name)

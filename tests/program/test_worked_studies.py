@@ -21,7 +21,7 @@ class WorkedStudies(unittest.TestCase):
 
     def rows_of(self, name, *arguments):
         """Runs a program of examples/studies, which agrees with itself; the rows of its tables."""
-        package = pathlib.Path(os.environ["TOPPLE_BUILD"]) / "src" / "python"
+        package = pathlib.Path(os.environ["TOPPLE_BUILD"]) / "python"
         run = subprocess.run([sys.executable, ROOT / "examples" / "studies" / f"{name}.py", *arguments],
                              capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(package)})
         self.assertEqual(run.returncode, 0, run.stdout[-300:] + run.stderr)

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The guard that no exception passes. */
+
+#ifndef TP_GEOM_GUARD_HPP
+#define TP_GEOM_GUARD_HPP
+
+#include "geom/geom.h"
+
+#include <new>
+
+namespace tp {
+
+/* Run `body`, turning whatever it throws into a status. */
+template <class Body> tp_geom_status guard(Body body) {
+  try {
+    return body();
+  } catch (const std::bad_alloc &) {
+    return TP_GEOM_OUT_OF_MEMORY;
+  } catch (...) {
+    return TP_GEOM_FAILED;
+  }
+}
+
+} // namespace tp
+
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#ifndef TP_UNIT_CAUTIONS_H
+#define TP_UNIT_CAUTIONS_H
+
+#include "common/notes.h"
+#include "scene/scene.h"
+
+/* Add a caution for each angle, share and strength that is likely in another unit. */
+TP_MUST_USE tp_status tp_scene_unit_cautions(tp_notes *notes, const tp_scene *scene,
+                                             tp_message *message);
+
+#endif

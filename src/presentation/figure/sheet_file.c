@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "figure/sheet_file.h"
+
+#include "chart/chart.h"
+#include "common/message.h"
+#include "scene/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+tp_status tp_sheet_check(const char *path, tp_message *message) {
+  if (tp_sheet_is_file_name(path)) return TP_OK;
+  return tp_fail(message, TP_BAD_INPUT, (tp_place){path, 0, 0},
+                 "a report is of the kind that its name ends in: .html, .md or .pdf");
+}
+
+tp_status tp_sheet_sources(tp_file_sources *sources, const tp_scene *scene, tp_message *message) {
+  const size_t count = scene->file != NULL ? tp_scene_source_count(scene) : 0;
+  const char **paths = calloc(count + 1, sizeof *paths);
+  if (paths == NULL) return tp_fail_memory(message, "the names of files");
+  for (size_t k = 0; k < count; k++) paths[k] = tp_scene_source(scene, k);
+  *sources = (tp_file_sources){count, paths};
+  return TP_OK;
+}
+
+/* The document as bytes of the kind. */
+static tp_status make_bytes(char **bytes, size_t *length, tp_sheet_kind kind,
+                            const tp_document *document, const tp_vector_picture *drawing,
+                            tp_message *message) {
+  if (kind == TP_SHEET_PDF) return tp_paper_pdf(bytes, length, document, drawing, message);
+  const tp_status status = kind == TP_SHEET_MARKDOWN ? tp_document_markdown(bytes, document)
+                                                     : tp_document_html(bytes, document);
+  if (status != TP_OK) return tp_fail_memory(message, "the report");
+  *length = strlen(*bytes);
+  return TP_OK;
+}
+
+tp_status tp_sheet_write(const char *path, const tp_document *document,
+                         const tp_vector_picture *drawing, tp_file_sources sources,
+                         tp_message *message) {
+  char *bytes = NULL;
+  size_t length = 0;
+  tp_status status =
+      make_bytes(&bytes, &length, tp_sheet_kind_of(path), document, drawing, message);
+  if (status == TP_OK) status = tp_file_write(path, bytes, length, sources, message);
+  free(bytes);
+  return status;
+}
+
+tp_status tp_sheet_chart(tp_picture *picture, tp_chart *chart, tp_status made, const char *path,
+                         tp_message *message) {
+  const bool paper = tp_sheet_kind_of(path) == TP_SHEET_PDF;
+  if (made == TP_NO_ANSWER) {
+    if (message != NULL) message->text[0] = '\0';
+    return TP_OK;
+  }
+  if (made == TP_OK) {
+    made = paper ? tp_chart_draw(&picture->png, &picture->png_length, chart, TP_CHART_PNG, message)
+                 : tp_chart_draw(&picture->svg, &picture->svg_length, chart, TP_CHART_SVG, message);
+  }
+  tp_chart_free(chart);
+  return made;
+}

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* What back-analysis found. */
+
+#include "common/host.h"
+#include "common/options.h"
+#include "output/encode.h"
+#include "report/governing.h"
+#include "report/parts_json.h"
+#include "report/solution_json.h"
+
+#include <string.h>
+
+/* What the result was instead of the value. */
+static void add_none(tp_text *t, const tp_found *f, const tp_find_options *options) {
+  char least[TP_NUMBER_SIZE], greatest[TP_NUMBER_SIZE];
+  tp_text_significant(least, f->least, 12);
+  tp_text_significant(greatest, f->greatest, 12);
+  tp_text_add(t, "  none in range: %s ", tp_find_target_name(options->target));
+  if (strcmp(least, greatest) == 0) {
+    tp_text_add(t, "is %s wherever it was looked at\n", least);
+  } else {
+    tp_text_add(t, "goes from %s to %s there\n", least, greatest);
+  }
+}
+
+/* Is the factor that governs the one that was looked for? */
+static bool governs(const tp_governing_fos *g, tp_find_target target) {
+  if (target == TP_FIND_GOVERNING_FOS) return true;
+  if (!g->has_factor) return false;
+  switch (g->factors[g->factor].definition) {
+  case TP_FOS_BY_MOMENTS:
+    return target == TP_FIND_FOS;
+  case TP_FOS_BY_SHEAR:
+  case TP_FOS_BY_ROUGHNESS:
+    return target == TP_FIND_SLIDING_FOS;
+  case TP_FOS_BY_REDUCTION:
+    return target == TP_FIND_LIMIT_FOS;
+  case TP_FOS_BY_TILT:
+    break;
+  }
+  return false;
+}
+
+static void add_governing(tp_text *t, const tp_governing_fos *g, tp_find_target target) {
+  if (governs(g, target)) return;
+  tp_text_add(
+      t, "    Caution: %s is not the factor that governs there: ", tp_find_target_name(target));
+  tp_text_factor(t, g);
+  tp_text_add(t, "; look --for governing_fos\n");
+}
+
+tp_status tp_report_found(char **text, const tp_found *f, const tp_find_options *options) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, options);
+  tp_find_options own = tp_find_options_default();
+  TP_TAKE_OPTIONS(NULL, own, options);
+  tp_text t = {0};
+  char number[TP_NUMBER_SIZE];
+  tp_encode_plain(&t, f->key);
+  tp_text_add(&t, " for %s = %.15g\n", tp_find_target_name(options->target), options->value);
+  for (size_t k = 0; k < f->count; k++) {
+    tp_text_add(&t, "  %s  (within %.2g)\n", tp_text_significant(number, f->solutions[k], 12),
+                f->solutions[k].error);
+    if (f->governing != NULL) add_governing(&t, f->governing + k, own.target);
+  }
+  for (size_t k = 0; k < f->touching_count; k++) {
+    tp_text_add(
+        &t,
+        "  %s  (within %.2g): comes up to the value and turns back or ends; it may touch it, "
+        "which no bound decides\n",
+        tp_text_significant(number, f->touching[k], 12), f->touching[k].error);
+  }
+  for (size_t k = 0; k < f->interval_count; k++) {
+    char end[TP_NUMBER_SIZE];
+    tp_text_add(&t,
+                "  every number from %s to %s  (within %.2g and %.2g): the\n"
+                "  result stays at the value, the same to 30 digits wherever it was looked at\n",
+                tp_text_significant(number, f->intervals[k].low, 12),
+                tp_text_significant(end, f->intervals[k].high, 12), f->intervals[k].low.error,
+                f->intervals[k].high.error);
+  }
+  if (f->count + f->touching_count + f->interval_count == 0) add_none(&t, f, options);
+  tp_text_add(&t, "looked from %.6g to %.6g, where the scene has an answer\n", f->low, f->high);
+  return tp_text_finish(&t, text);
+}
+
+static void json_numbers(tp_json *j, const char *key, const tp_bounded *numbers, size_t count) {
+  tp_json_break(j);
+  tp_json_array(j, key, TP_JSON_LINE);
+  for (size_t k = 0; k < count; k++) tp_json_bounded(j, NULL, numbers[k]);
+  tp_json_close(j);
+}
+
+static void json_governing(tp_json *j, const tp_found *f) {
+  if (f->governing == NULL) return;
+  tp_json_break(j);
+  tp_json_array(j, "governing", TP_JSON_LINE);
+  for (size_t k = 0; k < f->count; k++) {
+    const tp_governing_fos *g = f->governing + k;
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_known(j, "fos", g->fos.state == TP_FOS_NUMBER, g->fos.value);
+    if (g->has_factor) {
+      const tp_factor *factor = g->factors + g->factor;
+      tp_json_string(j, "mechanism", tp_mechanism_name(factor->mechanism));
+      tp_json_string(j, "definition", tp_fos_definition_name(factor->definition));
+    }
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}
+
+static void json_intervals(tp_json *j, const tp_found *f) {
+  tp_json_break(j);
+  tp_json_array(j, "intervals", TP_JSON_LINE);
+  for (size_t k = 0; k < f->interval_count; k++) {
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_json_bounded(j, "from", f->intervals[k].low);
+    tp_json_bounded(j, "to", f->intervals[k].high);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+}
+
+tp_status tp_report_found_json(char **text, const tp_found *f, const tp_solution *solution) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, f);
+  TP_REFUSE_NULL(NULL, solution);
+  tp_json j = {0};
+  tp_json_report(&j);
+  tp_json_solution(&j, solution, TP_PIVOTS_BY_COUNT);
+  tp_json_object(&j, "find", TP_JSON_LINE);
+  tp_json_string(&j, "key", f->key);
+  tp_json_double(&j, "from", f->low);
+  tp_json_double(&j, "to", f->high);
+  tp_json_break(&j);
+  tp_json_bounded(&j, "least", f->least);
+  tp_json_bounded(&j, "greatest", f->greatest);
+  json_numbers(&j, "solutions", f->solutions, f->count);
+  json_numbers(&j, "touching", f->touching, f->touching_count);
+  json_intervals(&j, f);
+  json_governing(&j, f);
+  tp_json_close(&j);
+  tp_json_close(&j);
+  return tp_json_finish(&j, text);
+}

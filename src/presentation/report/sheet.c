@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "report/sheet.h"
+
+#include "common/options.h"
+#include "output/encode.h"
+#include "report/poses.h"
+#include "report/settings.h"
+#include "report/words.h"
+
+#include <stdlib.h>
+
+TP_OPTIONS_END(tp_sheet_options, lines);
+
+void tp_sheet_options_init(tp_sheet_options *options, size_t size) {
+  const tp_sheet_options defaults = {.size = sizeof defaults, .times = 1, .lines = 400};
+  tp_options_fill(options, size, &defaults);
+}
+
+/* What was set in the scene beside its files: a fact each. */
+static void add_settings(tp_document *d, const tp_settings *settings) {
+  for (size_t k = 0; k < settings->count; k++) {
+    char *text = tp_text_setting(settings->items + k);
+    tp_document_cell(d, "Set");
+    tp_document_outside_cell(d, text != NULL ? text : "");
+    d->failed = d->failed || text == NULL;
+    free(text);
+  }
+}
+
+static void add_input(tp_sheet *s) {
+  const tp_solution *own = s->solution;
+  tp_document *d = &s->document;
+  tp_page page = {.solution = own}, poses = {.solution = own};
+  char n[TP_NUMBER_SIZE];
+  tp_document_heading(d, 2, "Block, base and contact");
+  tp_document_table(d, TP_TABLE_OF_FACTS, 2, 0,
+                    "What the scene says, and what follows of its shape");
+  tp_page_add_input(&page);
+  tp_sheet_facts(d, &page.text);
+  if (own->has_friction) {
+    tp_document_cell(d, "Friction");
+    tp_document_cell(d, "φ = %s°%s", tp_page_degrees(n, own->friction_angle_deg),
+                     own->friction_is_residual ? ", residual; more at low stress (Barton's law)"
+                     : own->friction_is_patton ? " with the roughness i (Patton's law)"
+                                               : "");
+  } else {
+    tp_document_cell(d, "Friction");
+    tp_document_cell(d, "not given: sliding is not judged");
+  }
+  if (own->has_tilt_angle) {
+    tp_document_cell(d, "Tilt");
+    tp_document_cell(d, "α = %s°", tp_page_degrees(n, own->tilt_angle_deg));
+  }
+  add_settings(d, &own->settings);
+  tp_page_add_poses(&poses);
+  if (poses.text.length > 0) {
+    tp_sheet_take_lines(d, &poses.text);
+  } else {
+    tp_text_drop(&poses.text);
+  }
+}
+
+static void add_case_heading(tp_sheet *s, const tp_case *c, const char *what) {
+  char n[TP_NUMBER_SIZE];
+  if (s->solution->frame.world) {
+    tp_document_heading(&s->document, 2, "%s, as it lies, towards the %s", what,
+                        tp_text_direction(c->towards));
+  } else if (s->solution->has_tilt_angle) {
+    tp_document_heading(&s->document, 2, "%s, tilted towards the %s by %s°", what,
+                        tp_text_direction(c->towards),
+                        tp_page_degrees(n, s->solution->tilt_angle_deg));
+  } else {
+    tp_document_heading(&s->document, 2, "%s, tilted towards the %s", what,
+                        tp_text_direction(c->towards));
+  }
+}
+
+static void add_case(tp_sheet *s, const tp_case *c) {
+  add_case_heading(s, c, "Account");
+  tp_sheet_add_factors(s, c);
+  tp_sheet_add_window(s, c);
+  tp_sheet_add_pivots(s, c);
+  tp_sheet_add_loads(s, c);
+  tp_sheet_add_formulas(s, c);
+  tp_sheet_add_account(s, c);
+  tp_sheet_add_limit(s, c);
+  tp_sheet_add_motions(s, c);
+}
+
+static void add_effects(tp_sheet *s) {
+  const tp_solution *own = s->solution;
+  tp_document *d = &s->document;
+  const bool times = s->options->times != 0;
+  tp_document_table(d, TP_TABLE_OF_COLUMNS, times ? 4 : 3, times ? 8 : 0,
+                    "What ran, and what called for it");
+  tp_document_cell(d, "Effect");
+  tp_document_cell(d, "Called for by");
+  tp_document_cell(d, "Arithmetic");
+  if (times) tp_document_cell(d, "Time (ms)");
+  for (size_t k = 0; k < own->effect_count; k++) {
+    const tp_effect *effect = own->effects + k;
+    tp_document_cell(d, "%s", effect->name);
+    tp_document_outside_cell(d, effect->called_for_by);
+    tp_document_cell(d, "%s", tp_level_name(effect->level));
+    if (times) tp_document_cell(d, "%.3f", 1e3 * effect->seconds);
+  }
+}
+
+void tp_sheet_add_proof(tp_sheet *s) {
+  const tp_solution *own = s->solution;
+  tp_document *d = &s->document;
+  tp_document_heading(d, 2, "What is proven, and at what price");
+  tp_document_add(d, TP_PASSAGE_PARAGRAPH,
+                  "Every digit printed is certain: each number has a proven bound, asked to %d "
+                  "digits. The cheapest arithmetic that certified all of them was %s, at %ld bits. "
+                  "Effects that the scene does not call for did not run.",
+                  own->digits, tp_level_name(own->level), own->bits);
+  if (own->open_number) {
+    tp_document_add(d, TP_PASSAGE_CAUTION,
+                    "Caution: a number is not certain to the digits asked; it is printed with the "
+                    "digits that are.");
+  }
+  if (own->zero_bits != 0) {
+    tp_document_add(d, TP_PASSAGE_CAUTION,
+                    "Caution: a decision takes for zero what %ld bits do not tell from it.",
+                    own->zero_bits);
+  }
+  add_effects(s);
+}
+
+void tp_sheet_build(tp_document *document, const tp_solution *solution, const tp_sheet_files *files,
+                    const tp_sheet_options *options, tp_picture picture) {
+  tp_sheet s = {.solution = solution, .options = options};
+  tp_document *d = &s.document;
+  tp_sheet_add_title(d, solution->title, "Stability of a rock block on its base");
+  tp_sheet_add_foot(d, files, options);
+  for (size_t k = 0; k < solution->case_count; k++) {
+    add_case_heading(&s, solution->cases + k, "Verdict");
+    tp_sheet_add_verdict(&s, solution->cases + k);
+  }
+  tp_sheet_add_notes(d, &solution->notes);
+  tp_document_heading(d, 2, "Figure");
+  tp_document_figure(d, picture, "The block on its base, with pivots, forces and their labels.",
+                     "Drawing of the block on its base. Its verdict, pivots and forces are told in "
+                     "the text and the tables of this page.");
+  add_input(&s);
+  for (size_t k = 0; k < solution->case_count; k++) add_case(&s, solution->cases + k);
+  tp_sheet_add_proof(&s);
+  tp_sheet_add_origin(d, files, options);
+  tp_sheet_add_files(d, files, options);
+  tp_sheet_add_signatures(d);
+  *document = s.document;
+}

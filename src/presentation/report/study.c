@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* The summary of a study as a page. A probability has four decimals, its interval beside it. */
+
+#include "common/host.h"
+#include "output/encode.h"
+#include "report/study_words.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LABEL = TP_STUDY_LABEL };
+
+/* ---- probabilities -----------------------------------------------------------------------------
+ */
+
+static void add_share(tp_text *t, const char *label, const tp_study_share *share) {
+  tp_text_add(t, "  %-*s %12zu   %.4f   %.4f to %.4f\n", LABEL, label, share->count, share->share,
+              share->low, share->high);
+}
+
+/* What did not happen is listed where one would look for it. */
+static void add_own_tilt(tp_text *t, const tp_study_tilt *tilt) {
+  if (tilt->as_it_lies) {
+    tp_text_add(t, "\nAs it lies");
+  } else if (tilt->tilt_varies) {
+    tp_text_add(t, "\nAt the scene's tilt, which varies");
+  } else if (tilt->has_tilt) {
+    tp_text_add(t, "\nAt the scene's tilt, %.6g°", tilt->tilt_deg);
+  } else {
+    tp_text_add(t, "\nWhat happens first as the table is tilted");
+  }
+  tp_text_add(t, "\n  %-*s %12s   %-8s %s\n", LABEL, "", "samples", "share", "95 %");
+  for (int k = 0; k < TP_STUDY_OUTCOMES; k++) {
+    const bool always =
+        k <= TP_STUDY_SLIDES_AND_TOPPLES || k == TP_STUDY_MAY_MOVE || k == TP_STUDY_UNDECIDED;
+    if (!always && tilt->outcomes[k].count == 0) continue;
+    const char *label = k == TP_STUDY_MAY_MOVE ? "may move: history decides"
+                                               : tp_study_outcome_name((tp_study_outcome)k);
+    add_share(t, label, tilt->outcomes + k);
+  }
+  add_share(t, "certain to stand", &tilt->stands);
+  add_share(t, "certain to move", &tilt->moves);
+}
+
+static void add_tilts(tp_text *t, const tp_study_result *r) {
+  add_own_tilt(t, r->tilts);
+  if (r->tilt_count == 1) return;
+  tp_text_add(t, "\nBy tilt\n  %8s  %-25s %-25s %8s\n", "tilt", "certain to stand",
+              "certain to move", "neither");
+  for (size_t k = 1; k < r->tilt_count; k++) {
+    const tp_study_tilt *tilt = r->tilts + k;
+    const size_t neither = r->samples - tilt->stands.count - tilt->moves.count;
+    tp_text_add(t, "  %7.4g°  %.4f %.4f to %.4f   %.4f %.4f to %.4f %8zu\n", tilt->tilt_deg,
+                tilt->stands.share, tilt->stands.low, tilt->stands.high, tilt->moves.share,
+                tilt->moves.low, tilt->moves.high, neither);
+  }
+}
+
+/* ---- numbers -----------------------------------------------------------------------------------
+ */
+
+static void add_number(tp_text *t, double value, tp_study_quantity quantity) {
+  char own[TP_NUMBER_SIZE];
+  if (isinf(value)) {
+    tp_text_add(t, " %7s", value > 0 ? "always" : "never");
+  } else {
+    tp_text_add(t, " %7s",
+                tp_text_fixed(own, (tp_bounded){value, 0, NULL}, quantity == TP_STUDY_FOS ? 3 : 2));
+  }
+}
+
+static void add_spreads(tp_text *t, const tp_study_result *r) {
+  bool infinite = false, any = false;
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->spreads[q].count > 0;
+  if (!any) return;
+  tp_text_add(t, "\n%-22s", "Quantiles");
+  for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
+    tp_text_add(t, " %5.0f %%", 100 * r->spreads[TP_STUDY_MOMENTS_DEG].quantiles[k].probability);
+  }
+  tp_text_add(t, "\n");
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    const tp_study_spread *spread = r->spreads + q;
+    if (spread->count == 0) continue;
+    tp_text_add(t, "%-22s", tp_study_quantity_words((tp_study_quantity)q));
+    for (size_t k = 0; k < TP_STUDY_QUANTILES; k++) {
+      add_number(t, spread->quantiles[k].value, (tp_study_quantity)q);
+      infinite = infinite || isinf(spread->quantiles[k].value);
+    }
+    tp_text_add(t, "\n");
+  }
+  if (infinite) {
+    tp_text_add(t, "always: it holds at every tilt, or nothing overturns it; never: at none.\n");
+  }
+}
+
+/* The factor of each definition by itself, where more than one governs. */
+static void add_factors(tp_text *t, const tp_study_result *r) {
+  enum { LABEL_OF_FACTORS = 29 };
+  static const size_t shown[] = {1, 3, 5}; /* of the quantiles */
+  const tp_study_quantile *heads = NULL;
+  int governing = 0;
+  for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
+    governing += r->factors[k].governs.count > 0;
+    if (r->factors[k].spread.count > 0) heads = r->factors[k].spread.quantiles;
+  }
+  if (governing < 2 || heads == NULL) return;
+  tp_text_add(t, "\n%-*s %10s %9s", LABEL_OF_FACTORS + 2, "What governs the factor", "samples",
+              "below 1");
+  for (size_t j = 0; j < sizeof shown / sizeof shown[0]; j++) {
+    tp_text_add(t, " %5.0f %%", 100 * heads[shown[j]].probability);
+  }
+  tp_text_add(t, "\n");
+  for (int k = 0; k < TP_FOS_DEFINITIONS; k++) {
+    const tp_study_factor *own = r->factors + k;
+    if (own->governs.count == 0) continue;
+    tp_text_add(t, "  %-*s %10zu %9zu", LABEL_OF_FACTORS, tp_fos_definition_name(own->definition),
+                own->governs.count, own->below);
+    for (size_t j = 0; j < sizeof shown / sizeof shown[0] && own->spread.count > 0; j++) {
+      add_number(t, own->spread.quantiles[shown[j]].value, TP_STUDY_FOS);
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+static void add_rank_row(tp_text *t, const tp_study_rank ranks[TP_STUDY_QUANTITIES]) {
+  for (int q = 0; q < TP_STUDY_QUANTITIES; q++) {
+    if (ranks[q].known) {
+      tp_text_add(t, " %10.3f", ranks[q].value);
+    } else {
+      tp_text_add(t, " %10s", "-");
+    }
+  }
+  tp_text_add(t, "\n");
+}
+
+/* Of what varies, and of what is measured but for the two bounds. */
+static void add_ranks(tp_text *t, const tp_study_result *r) {
+  bool any = false;
+  for (size_t k = 0; k < r->variable_count; k++) {
+    for (int q = 0; q < TP_STUDY_QUANTITIES; q++) any = any || r->variables[k].ranks[q].known;
+  }
+  if (!any) return;
+  tp_text_add(t, "\n%-*s %10s %10s %10s %10s\n", LABEL + 2, "Rank correlation with", "moments",
+              "onset", "limit", "factor");
+  for (size_t k = 0; k < r->variable_count; k++) {
+    const tp_study_variable *v = r->variables + k;
+    tp_text_add(t, "  ");
+    tp_encode_column(t, v->key, LABEL);
+    add_rank_row(t, v->ranks);
+  }
+  for (size_t k = 0; k + 2 < r->measure_count; k++) {
+    tp_text_add(t, "  %-*s", LABEL, r->measures[k].name);
+    add_rank_row(t, r->measures[k].ranks);
+  }
+}
+
+static void add_steps(tp_text *t, const tp_study_result *r) {
+  if (r->step_count < 2) return;
+  tp_text_add(t, "\nCertain to move, as samples came in\n");
+  for (size_t k = 0; k < r->step_count; k++) {
+    const tp_study_step *step = r->steps + k;
+    tp_text_add(t, "  %12zu   %.4f   %.4f to %.4f\n", step->samples, step->moves.share,
+                step->moves.low, step->moves.high);
+  }
+}
+
+/* ---- what to look at ---------------------------------------------------------------------------
+ */
+
+static void add_bad(tp_text *t, const tp_study_result *r) {
+  for (size_t k = 0; k < r->bad_count; k++) {
+    tp_text_add(t, "%sInvalid sample %zu", k == 0 ? "\n" : "", r->bad[k].sample);
+    tp_study_add_lines(t, r->bad[k].settings);
+    tp_study_add_lines(t, r->bad[k].why);
+    tp_text_add(t, "\n");
+  }
+}
+
+/* What accuracy costs, in bulk. */
+static void add_tellers(tp_text *t, const tp_study_result *r) {
+  if (r->by_doubles == 0) return;
+  tp_text_add(t, "%zu samples were told by doubles with proven bounds, %zu by the ladder.\n",
+              r->by_doubles, r->samples - r->by_doubles);
+}
+
+static void add_foot(tp_text *t, const tp_study_result *r) {
+  tp_text_add(t, "\nIntervals of probabilities: Wilson, 95 %%, each by itself.\n");
+  if (r->open > 0) {
+    tp_text_add(t, "%zu samples have a number that is less certain than to 9 digits.\n", r->open);
+  }
+  add_tellers(t, r);
+  if (r->kept < r->samples) {
+    tp_text_add(t, "Ranges, quantiles and ranks are of the first %zu samples.\n", r->kept);
+  }
+}
+
+tp_status tp_report_study(char **text, const tp_study_result *result) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, result);
+  tp_text t = {0};
+  tp_study_add_head(&t, result);
+  if (result->samples > 0) {
+    add_tilts(&t, result);
+    add_spreads(&t, result);
+    add_factors(&t, result);
+    add_ranks(&t, result);
+    tp_study_add_analyses(&t, result);
+    add_steps(&t, result);
+    add_bad(&t, result);
+    add_foot(&t, result);
+  }
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* A sweep as CSV or JSON, written as its points come. */
+
+#include "common/host.h"
+#include "output/encode.h"
+#include "output/file.h"
+#include "report/row.h"
+#include "report/settings.h"
+#include "scene/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct writer {
+  tp_sweep_format format;
+  tp_json json; /* of CSV its text alone */
+  tp_text_sink sink;
+  bool stopped; /* by the sink */
+} writer;
+
+/* Hand over what there is. */
+static bool drain(writer *w) {
+  tp_text *t = &w->json.text;
+  if (t->failed) return false;
+  if (t->length > 0) w->stopped = w->stopped || !w->sink.take(w->sink.context, t->data);
+  t->length = 0;
+  return !w->stopped;
+}
+
+/* ---- CSV ---------------------------------------------------------------------------------------
+ */
+
+static void add_head(tp_text *t, const tp_settings *set) {
+  for (size_t k = 0; k < set->count; k++) {
+    tp_csv_setting_name(t, set->items[k].key, set->items[k].unit);
+    tp_text_add(t, ",");
+  }
+  tp_text_add(t, "status");
+  tp_row_names(t, TP_ROW_VERDICT);
+  tp_row_names(t, TP_ROW_PIVOT);
+  tp_text_add(t, ",message\n");
+}
+
+static void add_row(tp_text *t, const tp_sweep_point *point, const tp_case *own) {
+  for (size_t k = 0; k < point->set->count; k++) {
+    tp_csv_setting_value(t, point->set->items + k);
+    tp_text_add(t, ",");
+  }
+  tp_text_add(t, "%s", tp_status_meaning(point->status));
+  tp_row_fields(t, TP_ROW_VERDICT, point->solution, own);
+  tp_row_fields(t, TP_ROW_PIVOT, point->solution, own);
+  tp_text_add(t, ",");
+  tp_encode_csv(t, point->message);
+  tp_text_add(t, "\n");
+}
+
+static void add_rows(tp_text *t, const tp_sweep_point *point) {
+  const tp_solution *s = point->solution;
+  if (point->index == 0) add_head(t, point->set);
+  if (s == NULL) add_row(t, point, NULL);
+  for (size_t k = 0; s != NULL && k < s->case_count; k++) add_row(t, point, s->cases + k);
+}
+
+/* ---- JSON --------------------------------------------------------------------------------------
+ */
+
+static void add_point(tp_json *j, const tp_sweep_point *point) {
+  const tp_solution *s = point->solution;
+  if (point->index == 0) {
+    tp_json_report(j);
+    tp_json_array(j, "points", TP_JSON_LIST);
+  }
+  tp_json_object(j, NULL, TP_JSON_LINE);
+  tp_json_settings(j, point->set);
+  tp_json_string(j, "status", tp_status_meaning(point->status));
+  if (s == NULL) tp_json_string(j, "message", point->message);
+  tp_json_break(j);
+  tp_json_array(j, "cases", TP_JSON_LIST);
+  for (size_t k = 0; s != NULL && k < s->case_count; k++) {
+    tp_json_object(j, NULL, TP_JSON_LINE);
+    tp_row_members(j, TP_ROW_VERDICT, s, s->cases + k);
+    tp_row_members(j, TP_ROW_PIVOT, s, s->cases + k);
+    tp_json_close(j);
+  }
+  tp_json_close(j);
+  tp_json_close(j);
+}
+
+static tp_status end_json(writer *w) {
+  char *rest = NULL;
+  tp_json_close(&w->json);
+  tp_json_close(&w->json);
+  const tp_status status = tp_json_finish(&w->json, &rest);
+  if (status == TP_OK) (void)w->sink.take(w->sink.context, rest);
+  free(rest);
+  return status;
+}
+
+/* ---- written -----------------------------------------------------------------------------------
+ */
+
+static bool write_point(void *context, const tp_sweep_point *point) {
+  writer *w = context;
+  if (w->format == TP_SWEEP_CSV) {
+    add_rows(&w->json.text, point);
+  } else {
+    add_point(&w->json, point);
+  }
+  return drain(w);
+}
+
+tp_status tp_sweep_write(tp_sweep_summary *summary, const tp_scene *scene,
+                         const tp_sweep_options *options, tp_sweep_format format, tp_text_sink sink,
+                         tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, summary);
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
+  TP_REFUSE_NULL(message, sink.take);
+  if (format != TP_SWEEP_CSV && format != TP_SWEEP_JSON) {
+    return tp_fail(message, TP_BAD_INPUT, (tp_place){0}, "there is no such format");
+  }
+  writer w = {.format = format, .sink = sink};
+  tp_status status = tp_sweep(summary, scene, options, (tp_sweep_sink){write_point, &w}, message);
+  if (status == TP_OK && w.json.text.failed) status = tp_fail_memory(message, "the table");
+  if (status == TP_OK && format == TP_SWEEP_JSON && !w.stopped) status = end_json(&w);
+  tp_text_drop(&w.json.text);
+  return status;
+}
+
+static bool keep(void *context, const char *text) {
+  tp_text *own = context;
+  tp_text_append(own, text, strlen(text));
+  return !own->failed;
+}
+
+/* No file of the scene is written over. */
+static tp_status write_text(const tp_scene *scene, const char *path, const tp_text *text,
+                            tp_message *message) {
+  const size_t count = tp_scene_source_count(scene);
+  const char **paths = calloc(count, sizeof *paths);
+  if (paths == NULL) return tp_fail_memory(message, "the table");
+  for (size_t k = 0; k < count; k++) paths[k] = tp_scene_source(scene, k);
+  const tp_file_sources sources = {count, paths};
+  const tp_status status = tp_file_write(path, text->data, text->length, sources, message);
+  free(paths);
+  return status;
+}
+
+tp_status tp_sweep_write_file(tp_sweep_summary *summary, const tp_scene *scene,
+                              const tp_sweep_options *options, tp_sweep_format format,
+                              const char *path, tp_message *message) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(message, scene);
+  TP_REFUSE_NULL(message, options);
+  TP_REFUSE_NULL(message, summary);
+  TP_REFUSE_NULL(message, path);
+  tp_text text = {0};
+  tp_sweep_summary sum = {.count = 0};
+  tp_status status =
+      tp_sweep_write(&sum, scene, options, format, (tp_text_sink){keep, &text}, message);
+  if (status == TP_OK && text.failed) status = tp_fail_memory(message, "the table");
+  if (status == TP_OK) status = write_text(scene, path, &text, message);
+  if (status == TP_OK) *summary = sum;
+  tp_text_drop(&text);
+  return status;
+}

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+/* Several solutions in one table: in Markdown to be read, in CSV for other programs. */
+
+#include "common/host.h"
+#include "output/encode.h"
+#include "report/onset.h"
+#include "report/row.h"
+#include "report/settings.h"
+#include "report/words.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void add_angle(tp_text *t, bool known, tp_bounded angle) {
+  char n[TP_NUMBER_SIZE];
+  tp_text_add(t, " | %s%s", known ? tp_text_fixed(n, angle, 3) : "-", known ? "°" : "");
+}
+
+static void add_limit(tp_text *t, const tp_limit *l) {
+  add_angle(t, l->kind == TP_LIMIT_AT_ANGLE, l->critical_angle_deg);
+  const bool nowhere = l->kind == TP_LIMIT_NOWHERE || l->kind == TP_LIMIT_NOT_ASKED;
+  tp_text_add(t, " | %s", nowhere ? "-" : tp_mechanism_name(l->mechanism));
+  if (l->tie) tp_text_add(t, ", %s", tp_mechanism_name(l->tied_with));
+}
+
+/* The governing factor and what it is against. */
+static void add_fos(tp_text *t, const tp_case *c) {
+  const tp_governing_fos *g = &c->governing_fos;
+  char n[TP_NUMBER_SIZE];
+  const bool number = g->fos.state == TP_FOS_NUMBER;
+  tp_text_add(t, " | %s%s | ", number && g->sliding_judged && !g->complete ? "≤ " : "",
+              number                                  ? tp_text_fixed(n, g->fos.value, 3)
+              : g->fos.state == TP_FOS_UNDEFINED      ? "none"
+              : g->fos.state == TP_FOS_UNDECIDED      ? "undecided"
+              : g->fos.state == TP_FOS_NO_OVERTURNING ? "unbounded"
+                                                      : "-");
+  if (!g->has_factor) {
+    tp_text_add(t, g->up_dip ? "lets go up-dip" : g->beyond ? "lets go before" : "-");
+    return;
+  }
+  const tp_mechanism mechanism = g->factors[g->factor].mechanism;
+  tp_text_add(t, "%s",
+              mechanism == TP_MECHANISM_UNDECIDED ? "moves" : tp_mechanism_name(mechanism));
+  tp_text_add(t, " (%s)", tp_fos_definition_name(g->factors[g->factor].definition));
+}
+
+/* Up to which tilt it is certain to stand. */
+static void add_onset(tp_text *t, const tp_onset *o) {
+  if (o->kind == TP_ONSET_NEVER) {
+    tp_text_add(t, " | 90°");
+  } else {
+    add_angle(t, o->kind == TP_ONSET_AT_ANGLE, o->critical_angle_deg);
+  }
+}
+
+static const tp_pivot *governing_pivot(const tp_case *c) {
+  return c->has_governing ? c->pivots + c->governing : NULL;
+}
+
+static void add_case(tp_text *t, const tp_solution *s, const tp_case *c) {
+  const tp_pivot *pivot = governing_pivot(c);
+  const bool goes_on = c->limit.base_beyond_toe;
+  tp_text_add(t, "| ");
+  tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+  tp_text_add(t, " | %s", tp_text_direction(c->towards));
+  add_angle(t, s->has_tilt_angle, s->tilt_angle_deg);
+  tp_text_add(t, " | ");
+  if (s->has_tilt_angle) {
+    tp_text_verdict(t, c);
+  } else {
+    tp_text_add(t, "-");
+  }
+  add_fos(t, c);
+  add_onset(t, &c->onset);
+  tp_text_add(t, " | %s", pivot != NULL ? tp_text_pivot_kind(pivot->kind) : "-");
+  add_angle(t, pivot != NULL && !pivot->never && !pivot->always,
+            pivot != NULL ? pivot->critical_angle_deg : (tp_bounded){0});
+  add_angle(t, c->sliding.known && !c->sliding.never && !c->sliding.always,
+            c->sliding.critical_angle_deg);
+  add_limit(t, goes_on ? &c->limit_otherwise : &c->limit);
+  add_limit(t, goes_on ? &c->limit : &c->limit_otherwise);
+  tp_text_add(t, " |\n");
+}
+
+static void add_name(tp_text *t, const tp_solution *s) {
+  tp_text_add(t, "- ");
+  tp_encode_markdown(t, s->title != NULL ? s->title : "a scene");
+}
+
+/* Below the table: what was set, and the notes and cautions of each scene, by its name. */
+static void add_notes(tp_text *t, const tp_solution *s) {
+  for (size_t k = 0; k < s->settings.count; k++) {
+    char *text = tp_text_setting(s->settings.items + k);
+    add_name(t, s);
+    tp_text_add(t, ", set: ");
+    tp_encode_markdown(t, text != NULL ? text : "");
+    tp_text_add(t, "\n");
+    t->failed = t->failed || text == NULL;
+    free(text);
+  }
+  for (size_t k = 0; k < s->notes.count; k++) {
+    const tp_note *note = s->notes.items + k;
+    add_name(t, s);
+    tp_text_add(t, ", %s: ", tp_note_kind_name(note->kind));
+    tp_encode_markdown(t, note->text);
+    if (note->place[0] != '\0') {
+      tp_text_add(t, " (");
+      tp_encode_markdown(t, note->place);
+      tp_text_add(t, ")");
+    }
+    tp_text_add(t, "\n");
+  }
+}
+
+static void add_all_notes(tp_text *t, const tp_solution *const *solutions, size_t count) {
+  bool any = false;
+  for (size_t k = 0; k < count; k++) {
+    any = any || solutions[k]->notes.count + solutions[k]->settings.count > 0;
+  }
+  if (any) tp_text_add(t, "\n");
+  for (size_t k = 0; k < count; k++) add_notes(t, solutions[k]);
+}
+
+static const char *const columns =
+    "| scene | towards | tilt | verdict | FoS | against | certain to stand up to | toe | moments | "
+    "φ + i | base ends at the toe: limit | mechanism | base goes on: limit | mechanism |\n"
+    "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+
+tp_status tp_report_table(char **text, const tp_solution *const *solutions, size_t count) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solutions);
+  for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
+  tp_text t = {0};
+  tp_text_add(&t, "%s", columns);
+  for (size_t k = 0; k < count; k++) {
+    for (size_t c = 0; c < solutions[k]->case_count; c++) {
+      add_case(&t, solutions[k], solutions[k]->cases + c);
+    }
+  }
+  add_all_notes(&t, solutions, count);
+  return tp_text_finish(&t, text);
+}
+
+/* ---- CSV ---------------------------------------------------------------------------------------
+ */
+
+/* The settings that come first under their keys, in all solutions. */
+typedef struct keys {
+  size_t count;
+  const tp_setting **items;
+} keys;
+
+static const tp_setting *find(const tp_setting *const *items, size_t count, const char *key) {
+  for (size_t k = 0; k < count; k++) {
+    if (strcmp(items[k]->key, key) == 0) return items[k];
+  }
+  return NULL;
+}
+
+static bool gather(keys *all, const tp_solution *const *solutions, size_t count) {
+  size_t room = 1;
+  for (size_t k = 0; k < count; k++) room += solutions[k]->settings.count;
+  all->items = calloc(room, sizeof *all->items);
+  for (size_t k = 0; k < count && all->items != NULL; k++) {
+    for (size_t n = 0; n < solutions[k]->settings.count; n++) {
+      const tp_setting *own = solutions[k]->settings.items + n;
+      if (find(all->items, all->count, own->key) == NULL) all->items[all->count++] = own;
+    }
+  }
+  return all->items != NULL;
+}
+
+/* Each number that was set, or an empty field. */
+static void add_settings(tp_text *t, const tp_settings *settings, const keys *all) {
+  for (size_t k = 0; k < all->count; k++) {
+    size_t n = 0;
+    while (n < settings->count && strcmp(settings->items[n].key, all->items[k]->key) != 0) n++;
+    if (n < settings->count) tp_csv_setting_value(t, settings->items + n);
+    tp_text_add(t, ",");
+  }
+}
+
+static void write_csv(tp_text *t, const keys *all, const tp_solution *const *solutions,
+                      size_t count) {
+  for (size_t k = 0; k < all->count; k++) {
+    tp_csv_setting_name(t, all->items[k]->key, all->items[k]->unit);
+    tp_text_add(t, ",");
+  }
+  tp_text_add(t, "scene");
+  tp_row_names(t, TP_ROW_VERDICT);
+  tp_text_add(t, "\n");
+  for (size_t k = 0; k < count; k++) {
+    const tp_solution *s = solutions[k];
+    for (size_t c = 0; c < s->case_count; c++) {
+      add_settings(t, &s->settings, all);
+      tp_encode_csv(t, s->title != NULL ? s->title : "");
+      tp_row_fields(t, TP_ROW_VERDICT, s, s->cases + c);
+      tp_text_add(t, "\n");
+    }
+  }
+}
+
+tp_status tp_report_csv(char **text, const tp_solution *const *solutions, size_t count) {
+  TP_GUARD_HOST;
+  TP_REFUSE_NULL(NULL, text);
+  TP_REFUSE_NULL(NULL, solutions);
+  for (size_t k = 0; k < count; k++) TP_REFUSE_NULL(NULL, solutions[k]);
+  keys all = {.count = 0};
+  tp_text t = {0};
+  if (!gather(&all, solutions, count)) return TP_OUT_OF_MEMORY;
+  write_csv(&t, &all, solutions, count);
+  free(all.items);
+  return tp_text_finish(&t, text);
+}

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "tilt/words.h"
+
+#include "common/notes.h"
+
+#include <math.h>
+
+const char *tp_tilt_end_name(tp_tilt_end end) {
+  static const char *const names[] = {
+      [TP_TILT_STANDS] = "stands",         [TP_TILT_COLLAPSES] = "lets go",
+      [TP_TILT_RESTS] = "rests again",     [TP_TILT_MOVES] = "still moves",
+      [TP_TILT_OVERTURNED] = "overturned", [TP_TILT_LEFT_BASE] = "left its base",
+      [TP_TILT_OPEN] = "undecided",        [TP_TILT_STOPPED] = "interrupted"};
+  return (int)end >= 0 && end <= TP_TILT_STOPPED ? names[end] : "unknown end";
+}
+
+const char *tp_tilt_engine_name(tp_tilt_engine engine) {
+  static const char *const names[] = {[TP_TILT_PATH] = "path",
+                                      [TP_TILT_RIGID] = "dynamics by events",
+                                      [TP_TILT_SPRINGS] = "dynamics by springs"};
+  return (int)engine >= 0 && engine <= TP_TILT_SPRINGS ? names[engine] : "unknown engine";
+}
+
+const char *tp_tilt_protocol_name(tp_tilt_protocol protocol) {
+  static const char *const names[] = {
+      [TP_TILT_RAMP] = "ramp", [TP_TILT_STEPS] = "steps", [TP_TILT_RELEASE] = "release"};
+  return (int)protocol >= 0 && protocol <= TP_TILT_RELEASE ? names[protocol] : "unknown protocol";
+}
+
+const char *tp_tilt_event_name(tp_tilt_event_kind kind) {
+  static const char *const names[] = {[TP_EVENT_OPENS] = "opens",
+                                      [TP_EVENT_CLOSES] = "closes",
+                                      [TP_EVENT_SLIPS] = "slips",
+                                      [TP_EVENT_STICKS] = "sticks",
+                                      [TP_EVENT_COLLAPSES] = "lets go",
+                                      [TP_EVENT_RESTS] = "rests",
+                                      [TP_EVENT_OVERTURNS] = "overturns",
+                                      [TP_EVENT_LEAVES_BASE] = "leaves its base",
+                                      [TP_EVENT_ACCUMULATES] = "stops bouncing"};
+  return (int)kind >= 0 && kind <= TP_EVENT_ACCUMULATES ? names[kind] : "unknown event";
+}
+
+/* A record whose velocity does not come back to zero pushes the block beyond its motion. */
+static tp_status note_baseline(tp_tilt_test *test, const tp_scene *scene, tp_message *message) {
+  static const double share = 0.05;
+  for (int axis = 0; axis < TP_SHAKING_AXES; axis++) {
+    const tp_tilt_shaking *own = test->shaking + axis;
+    if (scene->shaking[axis].form != TP_SHAKING_RECORD) continue;
+    if (fabs(own->last_velocity_m_s) <= share * own->velocity_m_s) continue;
+    const tp_status status = tp_notes_add(
+        &test->notes, message, TP_CAUTION, scene->shaking[axis].place,
+        "the %s record leaves its base with a velocity of %.3g m/s, %.0f %% of its "
+        "peak: its baseline is not corrected, here or in the file",
+        axis == TP_SHAKING_HORIZONTAL ? "horizontal" : "vertical", own->last_velocity_m_s,
+        100 * fabs(own->last_velocity_m_s) / own->velocity_m_s);
+    if (status != TP_OK) return status;
+  }
+  return TP_OK;
+}
+
+tp_status tp_tilt_notes(tp_tilt_test *test, const tp_scene *scene, tp_message *message) {
+  const tp_tilt_settings *s = &test->settings;
+  tp_status status = note_baseline(test, scene, message);
+  if (status == TP_OK && s->engine == TP_TILT_PATH && !s->stiffness_given) {
+    status = tp_notes_add(&test->notes, message, TP_NOTE, scene->tilt_test.place,
+                          "no stiffness is given: the path takes 1000 and 10 GPa/m, as the paper; "
+                          "in the limit of stiff contacts its angles depend on their ratio alone");
+  }
+  if (status == TP_OK && !scene->block.unit_weight_kn_m3.given) {
+    status = tp_notes_add(&test->notes, message, TP_NOTE, scene->block.place,
+                          "no unit weight is given: forces and energies are those of 1 kN/m3");
+  }
+  return status;
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "load/loads.h"
+#include "common/clock.h"
+
+const char *tp_load_name(tp_load_kind kind) {
+  static const char *const names[] = {"weight",   "seismic",   "water", "uplift",
+                                      "pressure", "surcharge", "anchor"};
+  return names[kind];
+}
+
+static bool is_seismic(const tp_loads_description *loads) {
+  return loads->horizontal.given || loads->vertical.given;
+}
+
+static bool pushes(const tp_water_description *water) {
+  return water->given && !water->lifts_alone;
+}
+
+long tp_loads_count(const tp_loads_description *loads) {
+  return 1 + is_seismic(loads) + pushes(&loads->water) +
+         (loads->water.given && loads->water.uplift) + loads->pressure_count +
+         loads->surcharge_count + loads->anchor_count;
+}
+
+bool tp_loads_are_called_for(const tp_loads_description *loads) {
+  return tp_loads_count(loads) > 1 || loads->bond_kpa.given || loads->cohesion_kpa.given;
+}
+
+static tp_load *next(tp_load **loads, tp_load_kind kind, tp_place place) {
+  tp_load *own = (*loads)++;
+  own->kind = kind;
+  own->place = place;
+  own->began = tp_clock_now();
+  return own;
+}
+
+static tp_load *next_line(tp_load **loads, tp_load_kind kind, const tp_line_load *line) {
+  tp_load *own = next(loads, kind, line->place);
+  own->line = line;
+  return own;
+}
+
+void tp_loads_evaluate(tp_load *loads, const tp_load_setting *s) {
+  const tp_loads_description *d = &s->scene->loads;
+  tp_load_weight(&next(&loads, TP_LOAD_WEIGHT, s->scene->block.place)->wrench, s);
+  if (is_seismic(d)) tp_load_seismic(&next(&loads, TP_LOAD_SEISMIC, d->seismic_place)->wrench, s);
+  if (pushes(&d->water)) tp_load_water(&next(&loads, TP_LOAD_WATER, d->water.place)->wrench, s);
+  if (d->water.given && d->water.uplift) {
+    tp_load_uplift(&next(&loads, TP_LOAD_UPLIFT, d->water.place)->wrench, s);
+  }
+  for (long k = 0; k < d->pressure_count; k++) {
+    const tp_line_load *load = d->pressures + k;
+    tp_load_pressure(&next_line(&loads, TP_LOAD_PRESSURE, load)->wrench, load, s);
+  }
+  for (long k = 0; k < d->surcharge_count; k++) {
+    const tp_line_load *load = d->surcharges + k;
+    tp_load_surcharge(&next_line(&loads, TP_LOAD_SURCHARGE, load)->wrench, load, s);
+  }
+  for (long k = 0; k < d->anchor_count; k++) {
+    const tp_anchor_description *anchor = d->anchors + k;
+    tp_load *own = next(&loads, TP_LOAD_ANCHOR, anchor->place);
+    own->anchor = anchor;
+    own->active = !anchor->passive;
+    own->passive = anchor->passive;
+    tp_load_anchor(&own->wrench, anchor, s);
+  }
+}

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-FileCopyrightText: 2026 The Topple authors */
+
+#include "stability/earthquakes.h"
+
+#include "common/notes.h"
+
+#include <math.h>
+#include <string.h>
+
+static bool shakes(const tp_scene *scene) {
+  return scene->loads.horizontal.given && !fmpq_is_zero(scene->loads.horizontal.value);
+}
+
+tp_status tp_earthquakes_asked(bool *several, const tp_scene *scene, tp_message *message) {
+  const tp_loads_description *loads = &scene->loads;
+  *several = false;
+  if (scene->frame != TP_FRAME_WORLD) {
+    if (!loads->direction_given || loads->direction == TP_SEISMIC_DOWN_DIP) return TP_OK;
+    return tp_fail(message, TP_BAD_INPUT, loads->seismic_place,
+                   "an earthquake is looked at both ways, or up-dip, where the block lies on a "
+                   "slope, 'frame: world'; on a table 'horizontal' acts towards the side that the "
+                   "tilt lowers, and a negative one against it");
+  }
+  const bool vertical = loads->vertical.given && !fmpq_is_zero(loads->vertical.value);
+  *several =
+      shakes(scene) && (!loads->direction_given || loads->direction == TP_SEISMIC_BOTH || vertical);
+  return TP_OK;
+}
+
+bool tp_earthquake_is_one_sided(const tp_scene *scene) {
+  return scene->frame != TP_FRAME_WORLD && shakes(scene) &&
+         fmpq_sgn(scene->loads.horizontal.value) > 0 && !scene->loads.direction_given &&
+         scene->towards_left != scene->towards_right;
+}
+
+/* The scene under one of them, sharing all else. */
+static void shake(tp_scene *shaken, const tp_scene *scene, bool up_dip, bool vertical) {
+  *shaken = *scene;
+  shaken->loads.direction_given = true;
+  shaken->loads.direction = up_dip ? TP_SEISMIC_UP_DIP : TP_SEISMIC_DOWN_DIP;
+  if (vertical) return;
+  fmpq_init(shaken->loads.vertical.value); /* zero, which owns nothing */
+  shaken->loads.vertical.given = false;
+}
+
+void tp_earthquake_scene(tp_scene *shaken, const tp_scene *scene, const tp_solution *solution) {
+  const tp_earthquake *governs = solution->earthquakes;
+  *shaken = *scene;
+  if (solution->earthquake_count > 0) shake(shaken, scene, governs->up_dip, governs->vertical);
+}
+
+tp_status tp_earthquake_note_water(tp_notes *notes, const tp_water_description *water,
+                                   tp_message *message) {
+  return tp_notes_add(
+      notes, message, TP_NOTE, water->place,
+      "under the earthquake up-dip the push of the water, which holds the block back, is left "
+      "out%s: "
+      "cautious at any level up to the one given where the block slides or turns about the upper "
+      "end "
+      "of its contact; where its push is certain, give it as 'pressures' on the edges that it wets",
+      water->uplift ? ", and its uplift alone acts" : "");
+}
+
+/* ---- which is worse ----------------------------------------------------------------------------
+ */
+
+/* Less is worse. */
+static int rank_of(tp_mechanism mechanism) {
+  switch (mechanism) {
+  case TP_STANDS:
+  case TP_INTERLOCKED:
+    return 2;
+  case TP_MAY_MOVE:
+  case TP_MECHANISM_UNDECIDED:
+    return 1;
+  default:
+    return 0;
+  }
+}
+
+/* As a number: one that is not defined, since the block lets go in any case, is the least. */
+static double factor_of(tp_fos fos) {
+  switch (fos.state) {
+  case TP_FOS_NUMBER:
+    return fos.value.value;
+  case TP_FOS_NO_OVERTURNING:
+    return INFINITY;
+  default:
+    return 0;
+  }
+}
+
+static bool is_worse(tp_mechanism mechanism, tp_fos fos, tp_mechanism than, tp_fos other) {
+  const int rank = rank_of(mechanism), other_rank = rank_of(than);
+  return rank != other_rank ? rank < other_rank : factor_of(fos) < factor_of(other);
+}
+
+/* The worse of its cases. */
+static tp_earthquake result_of(const tp_solution *solution, bool up_dip, bool vertical) {
+  const tp_case *worst = solution->cases;
+  for (size_t k = 1; k < solution->case_count; k++) {
+    const tp_case *own = solution->cases + k;
+    if (is_worse(own->mechanism, own->governing_fos.fos, worst->mechanism,
+                 worst->governing_fos.fos)) {
+      worst = own;
+    }
+  }
+  tp_fos fos = worst->governing_fos.fos;
+  fos.value.digits = NULL; /* of the solution, which may go before the others */
+  return (tp_earthquake){worst->towards, up_dip, vertical, worst->mechanism, fos};
+}
+
+/* ---- all of them -------------------------------------------------------------------------------
+ */
+
+typedef struct looking {
+  tp_solution *governs; /* NULL: none yet */
+  size_t count;
+  tp_earthquake all[TP_EARTHQUAKES_MAX]; /* the one that governs first */
+} looking;
+
+/* Take a solution over, or give it back. */
+static void take(looking *l, tp_solution *solution, bool up_dip, bool vertical) {
+  const tp_earthquake own = result_of(solution, up_dip, vertical);
+  const tp_earthquake *first = l->all;
+  if (l->count == 0 || is_worse(own.mechanism, own.fos, first->mechanism, first->fos)) {
+    memmove(l->all + 1, l->all, l->count * sizeof own);
+    l->all[0] = own;
+    tp_solution_free(l->governs);
+    l->governs = solution;
+  } else {
+    l->all[l->count] = own;
+    tp_solution_free(solution);
+  }
+  l->count++;
+}
+
+static tp_status solve_one(looking *l, const tp_scene *scene, bool up_dip, bool vertical,
+                           const tp_solve_options *options, tp_earthquake_solve *solve,
+                           tp_message *message) {
+  tp_scene shaken;
+  tp_solution *solution = NULL;
+  shake(&shaken, scene, up_dip, vertical);
+  const tp_status status = solve(&solution, &shaken, options, message);
+  if (status == TP_OK) take(l, solution, up_dip, vertical);
+  return status;
+}
+
+/* One way, with and without the vertical part. */
+static tp_status solve_way(looking *l, const tp_scene *scene, bool up_dip,
+                           const tp_solve_options *options, tp_earthquake_solve *solve,
+                           tp_message *message) {
+  const bool rises = scene->loads.vertical.given && !fmpq_is_zero(scene->loads.vertical.value);
+  tp_status status = solve_one(l, scene, up_dip, rises, options, solve, message);
+  if (status == TP_OK && rises) {
+    status = solve_one(l, scene, up_dip, false, options, solve, message);
+  }
+  return status;
+}
+
+/* Where the way against the dip cannot be looked at, that is a caution: what stands is half an
+ * answer. */
+static tp_status solve_up_dip(looking *l, const tp_scene *scene, const tp_solve_options *options,
+                              tp_earthquake_solve *solve, tp_message *message) {
+  tp_message why = {""};
+  const tp_water_description *water = &scene->loads.water;
+  const tp_status status = solve_way(l, scene, true, options, solve, &why);
+  const bool wets = water->given && !fmpq_is_zero(water->height.value);
+  if (status == TP_OK && wets && !l->all->up_dip) { /* else the solution has it */
+    return tp_earthquake_note_water(&l->governs->notes, water, message);
+  }
+  if (status != TP_BAD_INPUT && status != TP_NO_ANSWER && status != TP_UNDECIDED) {
+    if (status != TP_OK && message != NULL) *message = why;
+    return status;
+  }
+  return tp_notes_add(&l->governs->notes, message, TP_CAUTION, scene->loads.seismic_place,
+                      "the earthquake is looked at down-dip alone, and it shakes up-dip too: %s",
+                      why.text);
+}
+
+tp_status tp_earthquakes_solve(tp_solution **solution, const tp_scene *scene,
+                               const tp_solve_options *options, tp_earthquake_solve *solve,
+                               tp_message *message) {
+  const tp_loads_description *loads = &scene->loads;
+  const bool both = !loads->direction_given || loads->direction == TP_SEISMIC_BOTH;
+  const bool up_dip = loads->direction_given && loads->direction == TP_SEISMIC_UP_DIP;
+  looking l = {NULL, 0, {{0}}};
+  tp_status status = solve_way(&l, scene, up_dip, options, solve, message);
+  /* on level ground both directions of tilt are solved, each shaken towards its side */
+  if (status == TP_OK && both && l.governs->frame.dips) {
+    status = solve_up_dip(&l, scene, options, solve, message);
+  }
+  if (status != TP_OK) {
+    tp_solution_free(l.governs);
+    return status;
+  }
+  l.governs->earthquake_count = l.count > 1 ? l.count : 0;
+  memcpy(l.governs->earthquakes, l.all, sizeof l.all);
+  *solution = l.governs;
+  return TP_OK;
+}
