@@ -11,7 +11,7 @@ import unittest
 
 from harness import ROOT, main
 
-sys.path.insert(0, str(ROOT / "src"))
+sys.path.insert(0, str(ROOT / "include"))
 from exports import declared
 
 CALLS = sorted(set().union(*(declared(path.read_text(encoding="utf-8")) for path in (ROOT / "include" / "topple").glob("topple*.h"))))

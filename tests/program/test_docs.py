@@ -10,7 +10,7 @@ import unittest
 from harness import ROOT, main
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-NAMED = re.compile(r"`((?:src|geom|tests|docs|examples)/[\w./*-]+|[\w/*]+\.(?:c|h|cpp|hpp|py|md))`")
+NAMED = re.compile(r"`((?:include|src|python|tests|docs|examples)/[\w./*-]+|[\w/*]+\.(?:c|h|cpp|hpp|py|md))`")
 CITED = re.compile(r"mechanics(?:\.md)?,?\s+(?:[*#]\s+)?section\s+(?:[*#]\s+)?(\d+a?)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -57,7 +57,7 @@ class Docs(unittest.TestCase):
 
     def test_files_that_pages_name_exist(self):
         """By their way from the root, or by its end where that is enough; names in capitals stand for others."""
-        files = [path.relative_to(ROOT) for folder in ("src", "geom", "tests", "docs", "examples")
+        files = [path.relative_to(ROOT) for folder in ("include", "src", "python", "tests", "docs", "examples")
                  for path in (ROOT / folder).rglob("*")]
         count = 0
         for page in PAGES:
@@ -71,7 +71,7 @@ class Docs(unittest.TestCase):
     def test_sections_that_the_code_cites_exist(self):
         sections = set(re.findall(r"^## (\d+a?)\. ", text_of(ROOT / "docs/mechanics.md"), re.MULTILINE))
         cited = set()
-        for folder in ("src", "geom", "tests", "examples"):
+        for folder in ("include", "src", "tests", "examples"):
             for path in (ROOT / folder).rglob("*"):
                 if path.suffix in (".c", ".h", ".cpp", ".hpp", ".py", ".yaml", ".csv"):
                     for section in CITED.findall(text_of(path)):

@@ -47,7 +47,7 @@ class Explain(unittest.TestCase):
         for what is read by name alone."""
         known, explained = set(), {last(row["path"]) for row in FILE_KEYS}
         for folder in ("scene", "study", "verify"):
-            for path in sorted((ROOT / "src" / folder).glob("*.c")):
+            for path in sorted((ROOT / "src").glob(f"*/{folder}/*.c")):
                 if path.name in ("chart.c",):  # columns of a figure's table, which nobody writes
                     continue
                 for words in LISTED.findall(path.read_text(encoding="utf-8")):
@@ -55,7 +55,7 @@ class Explain(unittest.TestCase):
         self.assertGreater(len(known), 120)
         self.assertEqual(sorted(known - explained), [])
         code = "".join(path.read_text(encoding="utf-8") for folder in ("scene", "study", "verify")
-                       for path in (ROOT / "src" / folder).glob("*.c"))
+                       for path in (ROOT / "src").glob(f"*/{folder}/*.c"))
         self.assertEqual([word for word in sorted(explained - known) if f'"{word}"' not in code], [])
 
     def test_keys_have_pages(self):
@@ -119,8 +119,8 @@ class Explain(unittest.TestCase):
             made = {last(place) for _, place, _ in make.results(schema, path.stem)}
             self.assertEqual(sorted(described - made), [], path.name)
             count += len(made)
-            build = (ROOT / "meson.build").read_text(encoding="utf-8")
-            self.assertIn(f"'docs/schema/{path.name}'", build, "its keys are not in the table that the library has")
+            build = (ROOT / "src/core/meson.build").read_text(encoding="utf-8")
+            self.assertIn(f"docs/schema/{path.name}'", build, "its keys are not in the table that the library has")
         self.assertGreater(count, 400)
         self.assertIn("Unit      degrees", told("onset_deg"))
         self.assertIn("Unit      m⁴", told("second_moment_xx_m4"))

@@ -176,7 +176,7 @@ class Sources(unittest.TestCase):
     def writers(self):
         """The rooms that write, and of the charts what writes them: what computes one keeps its labels plain."""
         found = [path for room in ("output", "report", "figure", "cli")
-                 for path in sorted((ROOT / "src" / room).glob("*.c"))]
+                 for path in sorted((ROOT / "src").glob(f"*/{room}/*.c"))]
         found += [ROOT / "src/parametric/chart" / name for name in ("ffmpeg.c", "file.c", "gnuplot.c", "program.c", "script.c", "table.c")]
         self.assertGreater(len(found), 60)
         return found

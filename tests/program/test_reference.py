@@ -101,7 +101,7 @@ class Reference(unittest.TestCase):
         for comment, fails in (("", True), ("/* Words. */\n", False)):
             with tempfile.TemporaryDirectory(prefix="with blanks ") as name:
                 source, output = pathlib.Path(name, "tree"), pathlib.Path(name, "output")
-                for folder in (output, source / "src", source / "docs/reference"):
+                for folder in (output, source / "include/topple", source / "docs/reference"):
                     folder.mkdir(parents=True)
                 for path in (*HEADERS, *PAGES, ROOT / "docs/reference/filter.py"):
                     shutil.copy(path, source / path.relative_to(ROOT))

@@ -17,6 +17,7 @@ from harness import ROOT, main, table
 
 BUILD = pathlib.Path(os.environ.get("TOPPLE_BUILD", ROOT / "build"))
 ROOMS = [row["room"] for row in table("rooms.csv")]
+WING_OF = {row["room"]: row["wing"] for row in table("rooms.csv")}
 EXCEPTIONS = {(row["from"], row["to"]) for row in table("rooms_exceptions.csv") if row["reason"].strip()}
 INCLUDE = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 PUBLIC = re.compile(r"topple\w*\.h")
@@ -28,14 +29,12 @@ NEVER_CALLED = {"printf", "puts", "putchar", "vprintf", "perror", "stdout", "std
 def room_of(path):
     """The room of a file, by its path from the root."""
     parts = pathlib.PurePath(path).parts
-    if parts[0] == "geom":
-        return "geom"
-    return parts[1] if len(parts) > 2 else "common"
+    return parts[2] if parts[0] == "src" else "common"
 
 
 def sources(root=ROOT):
     """Every source file of the library and the program, and its text."""
-    for folder in ("src", "geom"):
+    for folder in ("src", "include"):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix in (".c", ".h", ".cpp", ".hpp"):
                 yield path.relative_to(root), path.read_text(encoding="utf-8")
@@ -43,7 +42,7 @@ def sources(root=ROOT):
 
 def included(path, name, root=ROOT):
     """The file that an include of `path` names, from the root."""
-    for folder in (path.parent, "src", "geom"):
+    for folder in (path.parent, "include/topple", *(f"src/{wing}" for wing in dict.fromkeys(WING_OF.values()))):
         target = os.path.normpath(os.path.join(folder, name))
         if os.path.isfile(os.path.join(root, target)):
             return pathlib.PurePath(target)
@@ -54,7 +53,7 @@ def climbs(source, target):
     """Does a file of the one room that uses the other look upwards? A room that is on no list is a mistake."""
     for room in (source, target):
         if room not in ROOMS:
-            raise AssertionError(f"src/{room} is no room of tests/data/rooms.csv: put it there (and on the plan in "
+            raise AssertionError(f"{room} is no room of tests/data/rooms.csv: put it there (and on the plan in "
                                  "docs/architecture.md) above the rooms that it uses")
     return ROOMS.index(target) < ROOMS.index(source)
 
@@ -138,7 +137,7 @@ class Circles(unittest.TestCase):
         self.assertEqual(sorted(circles(graph)), [("a", "b", "c"), ("d", "e", "f")])
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name in ("src", "geom"):
+            for name in ("src", "include"):
                 shutil.copytree(ROOT / name, root / name)
             header = root / "src/core/number/ball.h"
             header.write_text('#include "number/judge.h"\n' + header.read_text(encoding="utf-8"), encoding="utf-8")
@@ -161,7 +160,7 @@ class Includes(unittest.TestCase):
         """The check itself: a file of number/ that includes one of report/, in a copy."""
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name in ("src", "geom"):
+            for name in ("src", "include"):
                 shutil.copytree(ROOT / name, root / name)
             climber = root / "src/core/number/work.c"
             climber.write_text('#include "report/page.h"\n' + climber.read_text(encoding="utf-8"), encoding="utf-8")
@@ -169,11 +168,14 @@ class Includes(unittest.TestCase):
 
     def test_rooms_are_those_of_the_plan(self):
         """Every folder is a room of the list, and the plan on paper has the same rooms in the same order."""
-        without_c = {"python"}  # its C is made of the public headers, at every build
-        self.assertEqual({room_of(path) for path, _ in sources()} | without_c, set(ROOMS))
-        self.assertTrue(all((ROOT / "src" / room).is_dir() for room in without_c))
+        folders = {(path.parts[1], path.parts[2]) for path, _ in sources() if path.parts[0] == "src"}
+        self.assertEqual(folders, {(wing, room) for room, wing in WING_OF.items()})
         plan = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
         self.assertEqual(re.findall(r"^\| `(\w+)` \|", plan, re.MULTILINE), ROOMS)
+        wings = list(WING_OF.values())
+        self.assertEqual(re.findall(r"^### (\w+)$", plan, re.MULTILINE), list(dict.fromkeys(wings)))
+        changes = sum(one != other for one, other in zip(wings, wings[1:]))
+        self.assertEqual(changes + 1, len(set(wings)), "the rooms of a wing stand together")
 
     def test_the_command_line_sees_public_headers_alone(self):
         for path, text in sources():
@@ -185,11 +187,11 @@ class Includes(unittest.TestCase):
 
     def test_public_headers_stand_alone(self):
         """They include each other in no circle and the standard library, nothing else, and all of them are installed."""
-        build = (ROOT / "meson.build").read_text(encoding="utf-8")
+        build = (ROOT / "include/topple/meson.build").read_text(encoding="utf-8")
         headers = [(path, text) for path, text in sources() if PUBLIC.fullmatch(path.name)]
         self.assertGreater(len(headers), 5)
         for path, text in headers:
-            self.assertIn(f"'{path}'", build)
+            self.assertIn(f"'{path.name}'", build)
             for name in re.findall(r'#include ["<]([^">]+)[">]', text):
                 self.assertTrue(PUBLIC.fullmatch(name) or name in ("stdbool.h", "stddef.h"), f"{path}: {name}")
         wants = {path.name: {name for name in INCLUDE.findall(text) if PUBLIC.fullmatch(name)} for path, text in headers}

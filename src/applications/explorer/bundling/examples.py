@@ -6,7 +6,7 @@ sorted by name."""
 import pathlib
 import re
 
-EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / "examples"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[4] / "examples"
 NAMED = re.compile(r"[A-Za-z0-9_./-]+\.(?:csv|dxf|svg|wkt|geojson|ply|obj|stl|at2)\b")
 
 

@@ -44,7 +44,7 @@ def esbuild(entry, *options):
 
 def licence_texts():
     """Of the GNU licences and the one that part of Emscripten has: who gets the page gets them with it."""
-    texts = {"GNU General Public License, version 3": (EXPLORER.parents[1] / "LICENSE").read_text(encoding="utf-8")}
+    texts = {"GNU General Public License, version 3": (EXPLORER.parents[2] / "LICENSE").read_text(encoding="utf-8")}
     for name, title in (("LGPL-3", "GNU Lesser General Public License, version 3"),
                         ("LGPL-2.1", "GNU Lesser General Public License, version 2.1"),
                         ("GPL-2", "GNU General Public License, version 2"), ("Apache-2.0", "Apache License, version 2.0")):

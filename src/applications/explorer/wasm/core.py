@@ -11,7 +11,7 @@ from pathlib import Path
 from . import fonts, toolchain, tools
 
 HERE = Path(__file__).resolve().parent
-TOP = HERE.parents[2]
+TOP = HERE.parents[3]
 BUILD = TOP / "build-explorer"
 NATIVE = Path(os.environ.get("TOPPLE_BUILD", TOP / "build"))
 
@@ -99,7 +99,7 @@ rule link
 
 def write_ninja(libraries: Path) -> None:
     """BUILD/build.ninja, with the libraries of a folder."""
-    include = [f"-I{TOP}/src", f"-I{TOP}/geom", f"-isystem{libraries}/include"]
+    include = [f"-I{TOP}/include/topple", *(f"-I{wing}" for wing in sorted((TOP / "src").iterdir())), f"-isystem{libraries}/include"]
     own = [*DEFINED, *include, "-Wall", "-Wno-unknown-pragmas"]
     lines = [RULES.format(c=shlex.join(toolchain.C), cxx=shlex.join(toolchain.CXX))]
     lines.append(f"flags_c = {shlex.join([*own, '-include', f'{HERE}/c_library/sort.h', '-std=gnu17'])}")
